@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: Apache-2.0
+# The thin front of the build: CMake presets do the work.
+.PHONY: help setup build demo check format format-check bench sanitize clean
+
+BUILD := build
+JOBS := $(shell nproc)
+DEMO_OUT := out/demo
+
+help:
+	@echo "make demo    install what is missing, build, run the paper's case, say where the report is"
+	@echo "make check   the same set-up, then every test"
+	@echo "make build   build/ionskin"
+	@echo "make format  format the sources (clang-format 14)"
+	@echo "make bench   time the stages on this machine"
+
+setup:
+	@scripts/install_packages.sh
+
+build: setup
+	@cmake --preset release
+	@cmake --build --preset release --parallel $(JOBS)
+
+demo: build
+	$(BUILD)/ionskin run cases/paper.toml -o $(DEMO_OUT) --overwrite
+	@echo "Report: $(CURDIR)/$(DEMO_OUT)/report.html"
+
+check: build sanitize
+	@scripts/check_format.sh
+	@/usr/bin/python3 scripts/check_includes.py
+	@ctest --preset release
+
+# The unit tests once more under the address and undefined-behaviour sanitizers.
+sanitize: setup
+	@cmake --preset sanitize
+	@cmake --build --preset sanitize --target unit_tests --parallel $(JOBS)
+	@ctest --preset sanitize
+
+format:
+	@git ls-files '*.cpp' '*.hpp' | xargs clang-format-14 -i
+
+bench: build
+	$(BUILD)/benchmarks/stages
+
+clean:
+	rm -rf build build-debug build-sanitize build-audit out

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: Apache-2.0
+# Every library comes from a Debian package named in packages.txt.
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(GTest REQUIRED)
+find_package(benchmark REQUIRED)
+find_package(deal.II 9.4 REQUIRED)
+
+# Prints a clear error when a library or header is missing.
+function(ionskin_find_library target header library)
+  cmake_parse_arguments(ARG "" "" "HEADER_PATHS;LIBRARY_PATHS" ${ARGN})
+  find_path(${target}_include ${header} PATHS ${ARG_HEADER_PATHS} REQUIRED)
+  add_library(${target} INTERFACE IMPORTED)
+  target_include_directories(${target} SYSTEM INTERFACE ${${target}_include})
+  if(NOT library STREQUAL "")
+    find_library(${target}_library ${library} PATHS ${ARG_LIBRARY_PATHS} REQUIRED)
+    target_link_libraries(${target} INTERFACE ${${target}_library})
+  endif()
+endfunction()
+
+ionskin_find_library(dep_toml11 toml.hpp "")
+ionskin_find_library(dep_udunits2 udunits2.h udunits2)
+ionskin_find_library(dep_fftw fftw3.h fftw3)
+find_library(fftw3f_library fftw3f REQUIRED)
+target_link_libraries(dep_fftw INTERFACE ${fftw3f_library})
+ionskin_find_library(dep_cholmod cholmod.h cholmod HEADER_PATHS /usr/include/suitesparse)
+# deal.II links the openmpi flavour of HDF5, so ours must be the same.
+pkg_check_modules(hdf5 REQUIRED IMPORTED_TARGET hdf5-openmpi)
+add_library(dep_hdf5 INTERFACE IMPORTED)
+target_link_libraries(dep_hdf5 INTERFACE PkgConfig::hdf5)
+pkg_check_modules(openblas REQUIRED IMPORTED_TARGET openblas)
+add_library(dep_openblas INTERFACE IMPORTED)
+target_link_libraries(dep_openblas INTERFACE PkgConfig::openblas)
+# deal_ii_setup_target would append -O2 -g -Wall after our own flags, so the library is linked by hand.
+include(${DEAL_II_TARGET_CONFIG})
+add_library(dep_deal_ii INTERFACE IMPORTED)
+target_include_directories(dep_deal_ii SYSTEM INTERFACE ${DEAL_II_INCLUDE_DIRS})
+target_compile_definitions(dep_deal_ii INTERFACE
+  ${DEAL_II_USER_DEFINITIONS} $<$<CONFIG:Debug>:${DEAL_II_USER_DEFINITIONS_DEBUG}>)
+target_link_libraries(dep_deal_ii INTERFACE ${DEAL_II_TARGET})

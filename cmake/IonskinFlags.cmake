@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: Apache-2.0
+# Compiler flags of our own code, collected in one interface target.
+option(IONSKIN_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
+option(IONSKIN_ASSERTIONS "Keep assertions in an optimised build" OFF)
+set(IONSKIN_VECTOR_LEVEL "x86-64-v3" CACHE STRING
+    "Vector instructions of the physics: x86-64 (any machine), x86-64-v3 (AVX2), x86-64-v4 (AVX-512), native")
+
+add_library(ionskin_flags INTERFACE)
+target_compile_options(ionskin_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow
+                       -Wno-missing-field-initializers -Werror)
+target_include_directories(ionskin_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
+target_link_options(ionskin_flags INTERFACE -Wl,--as-needed)
+if(IONSKIN_SANITIZE)
+  target_compile_options(ionskin_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
+  target_link_options(ionskin_flags INTERFACE -fsanitize=address,undefined)
+endif()
+if(IONSKIN_ASSERTIONS)
+  target_compile_options(ionskin_flags INTERFACE -UNDEBUG)
+endif()
+
+# The physics folders use the vector level; everything that runs before the processor
+# has been checked (apps, base) is compiled for any machine.
+add_library(ionskin_vector_flags INTERFACE)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT IONSKIN_VECTOR_LEVEL STREQUAL "x86-64")
+  target_compile_options(ionskin_vector_flags INTERFACE -march=${IONSKIN_VECTOR_LEVEL})
+endif()

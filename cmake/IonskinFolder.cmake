@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: Apache-2.0
+
+# ionskin_folder(NAME [VECTOR] SOURCES ... [DEPENDS ...] [PRIVATE_DEPENDS ...])
+# One static library per source folder. DEPENDS are linked publicly, PRIVATE_DEPENDS privately.
+# VECTOR compiles the folder with the vector instructions of IONSKIN_VECTOR_LEVEL.
+function(ionskin_folder name)
+  cmake_parse_arguments(ARG "VECTOR" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  add_library(ionskin_${name} STATIC ${ARG_SOURCES})
+  target_link_libraries(ionskin_${name} PUBLIC ionskin_flags ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
+  if(ARG_VECTOR)
+    target_link_libraries(ionskin_${name} PRIVATE ionskin_vector_flags)
+  endif()
+endfunction()
+
+# ionskin_unit_test(FOLDER SOURCES ... DEPENDS ...): one test program per source folder.
+function(ionskin_unit_test folder)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_executable(unit_${folder} ${ARG_SOURCES})
+  target_link_libraries(unit_${folder} PRIVATE ionskin_flags ${ARG_DEPENDS} GTest::gtest_main)
+  set_target_properties(unit_${folder} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  add_test(NAME unit_${folder} COMMAND unit_${folder})
+  set_tests_properties(unit_${folder} PROPERTIES LABELS unit)
+  add_dependencies(unit_tests unit_${folder})
+endfunction()

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Installs the packages of packages.txt that are missing. As root or with sudo; with neither it prints the
+# command and stops.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+missing=()
+while read -r package; do
+  if ! dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed'; then
+    missing+=("$package")
+  fi
+done < <(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' packages.txt)
+
+if [ ${#missing[@]} -eq 0 ]; then
+  exit 0
+fi
+
+install=(apt-get install -y --no-install-recommends "${missing[@]}")
+echo "Installing ${#missing[@]} Debian packages: ${missing[*]}"
+export DEBIAN_FRONTEND=noninteractive
+if [ "$(id -u)" -eq 0 ]; then
+  apt-get update -q
+  "${install[@]}" -q
+elif command -v sudo >/dev/null 2>&1 && sudo -n true 2>/dev/null; then
+  sudo apt-get update -q
+  sudo --preserve-env=DEBIAN_FRONTEND "${install[@]}" -q
+else
+  echo "These packages are missing and this user can install none. As root, run:" >&2
+  echo "  apt-get update && ${install[*]}" >&2
+  exit 1
+fi
