@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace ionskin::constants {
+
+// CODATA 2018; exact in the SI since 2019.
+inline constexpr double faraday = 96485.33212331;               // C/mol
+inline constexpr double gas_constant = 8.31446261815;           // J/(mol K)
+inline constexpr double vacuum_permittivity = 8.8541878128e-12; // F/m
+
+} // namespace ionskin::constants
