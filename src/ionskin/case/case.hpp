@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace ionskin {
+
+// Plain data of one case, SI units throughout. Read, checked and documented by the schema table
+// (case/schema.hpp); everything below `case` in the list of folders sees only these structs.
+
+struct Material {
+  std::string name;
+  double youngs_modulus = 0; ///< [Pa]
+  double poissons_ratio = 0; ///< [1]
+};
+
+enum class LayerRole { electrode, core };
+
+struct Layer {
+  std::string name;
+  LayerRole role = LayerRole::core;
+  Material material;
+  double thickness = 0; ///< [m]
+};
+
+/// The two faces normal to y: free of traction, or symmetry planes (u_y = 0, no shear traction).
+enum class SideCondition { free, symmetry };
+
+struct Skin {
+  double length = 0; ///< along x [m]
+  double width = 0;  ///< along y [m]
+  SideCondition sides = SideCondition::free;
+  std::vector<Layer> layers; ///< bottom to top; exactly one core
+
+  double thickness() const;       ///< of all layers [m]
+  std::size_t core_index() const; ///< index of the ion-conducting layer
+  double core_bottom() const;     ///< height of the core's lower face [m]
+  double core_thickness() const;  ///< [m]
+  double core_volume() const;     ///< [m3]
+};
+
+enum class SliderShape { flat };
+
+struct Slider {
+  SliderShape shape = SliderShape::flat;
+  std::array<double, 2> size{};  ///< footprint along x and y [m]
+  std::array<double, 2> start{}; ///< centre at the start of a cycle, x and y [m]
+};
+
+enum class MotionKind { touch_slide_lift };
+
+/// Touchdown, slide, lift-off, detached return; repeated `cycles` times.
+struct Motion {
+  MotionKind kind = MotionKind::touch_slide_lift;
+  double gap = 0;                        ///< initial clearance [m]
+  double preload = 0;                    ///< indentation while sliding [m]
+  double stroke = 0;                     ///< [m]; 0 is a press-and-hold
+  std::array<double, 2> direction{1, 0}; ///< unit vector of the slide in the x-y plane
+  double touchdown = 0;                  ///< duration [s]
+  double slide = 0;                      ///< duration [s]
+  double lift = 0;                       ///< duration [s]
+  double return_ = 0;                    ///< duration [s]
+  int cycles = 1;
+
+  double cycle_duration() const { return touchdown + slide + lift + return_; }
+};
+
+enum class FrictionLaw { coulomb };
+
+struct Contact {
+  FrictionLaw law = FrictionLaw::coulomb;
+  double friction = 0; ///< coefficient [1]
+};
+
+struct Electrochemistry {
+  double temperature = 0;                ///< [K]
+  double diffusivity = 0;                ///< of the mobile cation [m2/s]
+  double permittivity = 0;               ///< effective, absolute [F/m]
+  double fixed_charge_concentration = 0; ///< c0 [mol/m3]
+  int valence = 1;                       ///< of the mobile cation
+};
+
+enum class CouplingLaw { fixed_charge, volume_neutral, column_neutral };
+enum class ShearMeasure { off_diagonal };
+
+struct Coupling {
+  CouplingLaw law = CouplingLaw::fixed_charge;
+  double coefficient = 0; ///< k [1]
+  ShearMeasure measure = ShearMeasure::off_diagonal;
+};
+
+enum class StrainSourceKind { contact, file };
+
+struct StrainSource {
+  StrainSourceKind kind = StrainSourceKind::contact;
+  std::string file; ///< absolute path; empty for contact
+};
+
+struct Readout {
+  double sample_interval = 0; ///< [s]
+};
+
+enum class Preset { coarse, standard, fine };
+
+struct Numerics {
+  Preset preset = Preset::standard;
+  double mesh_refinement = 1; ///< divides every mesh size
+  double time_refinement = 1; ///< divides every time step
+};
+
+struct Output {
+  std::vector<double> fields; ///< instants at which fields are written [s]
+};
+
+struct Case {
+  std::string title;
+  Skin skin;
+  Slider slider;
+  Motion motion;
+  Contact contact;
+  Electrochemistry electrochemistry;
+  Coupling coupling;
+  StrainSource strain;
+  Readout readout;
+  Numerics numerics;
+  Output output;
+  std::string text; ///< the TOML text with all `--set` edits applied, as written to case.toml
+};
+
+} // namespace ionskin

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/case_document.hpp"
+
+#include <algorithm>
+
+namespace ionskin {
+
+std::string to_string(ValueOrigin origin) {
+  switch (origin) {
+  case ValueOrigin::file:
+    return "file";
+  case ValueOrigin::set_edit:
+    return "--set";
+  case ValueOrigin::default_value:
+    return "default";
+  case ValueOrigin::preset:
+    return "preset";
+  }
+  return "";
+}
+
+const ValueRecord* CaseDocument::find(const std::string& key) const {
+  const auto found = std::find_if(records.begin(), records.end(),
+                                  [&](const ValueRecord& record) { return record.key == key; });
+  return found == records.end() ? nullptr : &*found;
+}
+
+std::vector<Pointer> CaseDocument::point_at(const std::string& key, const std::string& note) const {
+  const ValueRecord* record = find(key);
+  if (record == nullptr || !record->place)
+    return {};
+  return {{*record->place, note}};
+}
+
+} // namespace ionskin

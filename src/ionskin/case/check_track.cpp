@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/check_track.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ionskin {
+
+namespace {
+
+struct Axis {
+  std::size_t index;
+  const char* name;
+  const char* extent_key;
+  double extent; // of the skin [m]
+};
+
+std::vector<Pointer> places(const CaseDocument& document, const Axis& axis, bool at_end) {
+  std::vector<Pointer> all;
+  const auto append = [&](const std::string& key, const std::string& note) {
+    for (const Pointer& pointer : document.point_at(key, note))
+      all.push_back(pointer);
+  };
+  append("slider.start", "centre at the start");
+  append("slider.size", "");
+  if (at_end)
+    append("motion.stroke", "travel");
+  append(axis.extent_key, "the skin");
+  return all;
+}
+
+// Allowed centres at the start, for the remedy.
+std::string remedy(const Axis& axis, double half_size, double travel) {
+  const double lowest = half_size + std::max(0.0, -travel);
+  const double highest = axis.extent - half_size - std::max(0.0, travel);
+  if (lowest >= highest)
+    return fmt::format(
+        "slider and stroke together need more than {:.6g} mm of the {:.6g} mm along {}: make "
+        "them smaller or the skin larger",
+        (2 * half_size + std::abs(travel)) * 1e3, axis.extent * 1e3, axis.name);
+  return fmt::format(
+      "with this size and stroke the start must lie between {:.6g} mm and {:.6g} mm along {}",
+      lowest * 1e3, highest * 1e3, axis.name);
+}
+
+void check_axis(const CaseDocument& document, const Axis& axis, Problems& problems) {
+  const Slider& slider = document.input.slider;
+  const Motion& motion = document.input.motion;
+  const double half_size = 0.5 * slider.size[axis.index];
+  const double travel = motion.stroke * motion.direction[axis.index];
+  for (const bool at_end : {false, true}) {
+    const double centre = slider.start[axis.index] + (at_end ? travel : 0.0);
+    const double low = centre - half_size, high = centre + half_size;
+    const double tolerance = 1e-9 * axis.extent;
+    const bool flush = std::abs(low) <= tolerance && std::abs(high - axis.extent) <= tolerance;
+    if (flush || (low > 0 && high < axis.extent))
+      continue;
+    problems.add(
+        fmt::format(
+            "the slider is not inside the skin at the {} of the slide: it reaches from {:.6g} "
+            "mm to {:.6g} mm along {}, the skin from 0 mm to {:.6g} mm",
+            at_end ? "end" : "start", low * 1e3, high * 1e3, axis.name, axis.extent * 1e3),
+        places(document, axis, at_end), remedy(axis, half_size, travel));
+    return;
+  }
+}
+
+// Between symmetry planes a slider over the whole width, at both ends of the track, makes plane
+// strain.
+bool covers_width(const Case& input) {
+  if (input.skin.sides != SideCondition::symmetry)
+    return false;
+  const double travel = input.motion.stroke * input.motion.direction[1];
+  const double start = input.slider.start[1], half_size = 0.5 * input.slider.size[1];
+  return std::max(start, start + travel) - half_size <= 0 &&
+         std::min(start, start + travel) + half_size >= input.skin.width;
+}
+
+} // namespace
+
+void check_track(const CaseDocument& document, Problems& problems) {
+  const Case& input = document.input;
+  if (input.motion.direction == std::array<double, 2>{0, 0}) {
+    problems.add("motion.direction has no length", document.point_at("motion.direction"),
+                 "at least one of its two numbers must differ from 0");
+    return;
+  }
+  check_axis(document, {0, "x", "skin.length", input.skin.length}, problems);
+  if (!covers_width(input))
+    check_axis(document, {1, "y", "skin.width", input.skin.width}, problems);
+}
+
+} // namespace ionskin

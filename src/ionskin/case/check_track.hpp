@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case_document.hpp"
+
+namespace ionskin {
+
+/// The slider must stay inside the skin at both ends of its track (and so between them); where it
+/// covers the whole width between symmetry planes, only along x.
+void check_track(const CaseDocument& document, Problems& problems);
+
+} // namespace ionskin

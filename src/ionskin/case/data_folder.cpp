@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/data_folder.hpp"
+
+#include <cstdlib>
+
+namespace ionskin {
+
+std::filesystem::path data_folder() {
+  const char* folder = std::getenv("IONSKIN_DATA");
+  return folder != nullptr && *folder != '\0' ? folder : IONSKIN_DATA_FOLDER;
+}
+
+} // namespace ionskin

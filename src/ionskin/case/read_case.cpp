@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/read_case.hpp"
+
+#include "ionskin/case/check_case.hpp"
+#include "ionskin/case/materials.hpp"
+#include "ionskin/case/missing_keys.hpp"
+#include "ionskin/case/read_text_file.hpp"
+#include "ionskin/case/set_edit.hpp"
+#include "ionskin/case/toml_text.hpp"
+#include "ionskin/case/toml_walk.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace ionskin {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+CaseText edited_text(const std::string& path, const std::vector<std::string>& set_edits) {
+  CaseText text(path, read_text_file(path, "case"));
+  parse_toml(text.text(), text.file()); // mistakes of the file are not to be blamed on an edit
+  for (const std::string& edit : set_edits)
+    apply_set_edit(text, edit);
+  return text;
+}
+
+// The written case must run from any folder, so its strain file gets an absolute path.
+void anchor_strain_file(CaseDocument& document, CaseText& text) {
+  StrainSource& strain = document.input.strain;
+  if (strain.file.empty() || fs::path(strain.file).is_absolute())
+    return;
+  const fs::path folder = fs::absolute(document.file).parent_path();
+  strain.file = (folder / strain.file).lexically_normal().string();
+  apply_set_edit(text, "strain.file=" + strain.file);
+}
+
+// Place in the schema; the keys of one layer or material stay together, in the order of the file.
+std::size_t rank(const std::string& key) {
+  const std::size_t wildcard =
+      std::min(key.find('['), key.starts_with("materials.") ? 9 : key.size());
+  for (std::size_t i = 0; i < schema().size(); ++i)
+    if (wildcard < key.size() ? schema()[i].key.starts_with(key.substr(0, wildcard) + key[wildcard])
+                              : schema()[i].key == key)
+      return i;
+  return schema().size();
+}
+
+} // namespace
+
+CaseDocument read_case_document(const std::string& path,
+                                const std::vector<std::string>& set_edits) {
+  CaseText text = edited_text(path, set_edits);
+  Problems problems;
+  TomlWalk walk(text, problems);
+  walk.visit(parse_toml(text.text(), text.file()));
+  complete(walk, path, problems);
+  if (walk.draft.input.strain.kind == StrainSourceKind::contact)
+    resolve_materials(walk, problems);
+  problems.throw_if_any(path);
+
+  std::stable_sort(walk.records.begin(), walk.records.end(),
+                   [](const ValueRecord& first, const ValueRecord& second) {
+                     return rank(first.key) < rank(second.key);
+                   });
+  CaseDocument document{std::move(walk.draft.input), path, std::move(walk.records)};
+  anchor_strain_file(document, text);
+  document.input.text = text.text();
+  check_case(document);
+  return document;
+}
+
+Case read_case(const std::string& path, const std::vector<std::string>& set_edits) {
+  return read_case_document(path, set_edits).input;
+}
+
+} // namespace ionskin

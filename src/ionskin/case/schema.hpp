@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/units/dimension.hpp"
+
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ionskin {
+
+enum class ValueType {
+  text,
+  choice,
+  integer,
+  number,
+  number_pair,
+  quantity,
+  quantity_pair,
+  quantity_list
+};
+
+/// When a key must be given.
+enum class Need { optional, always, with_contact, with_strain_file };
+
+/// Allowed interval of a number, in SI units; each end belongs to it or not.
+struct Range {
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  bool lower_included = true;
+  bool upper_included = true;
+
+  bool contains(double value) const;
+};
+
+/// The range in words: "> 0 m", "from 0 to 5", "at least 0 and below 0.5".
+std::string describe(const Range& range, units::Dimension dimension);
+
+/// One name that a key of type `choice` takes. Names of later versions get an answer of their own.
+struct Choice {
+  std::string name;
+  bool in_this_version = true;
+};
+
+/// A value as read, in SI units.
+struct Value {
+  std::string text;            ///< of `text` and `choice`
+  std::vector<double> numbers; ///< one for scalars, two for pairs
+};
+
+/// Where the values of a case go while it is read: materials are known by name until layers take
+/// them.
+struct CaseDraft {
+  Case input;
+  std::map<std::string, Material> materials;
+};
+
+/// What the wildcards of a row's key stand for.
+struct KeyIndex {
+  std::size_t layer = 0;
+  std::string material;
+};
+
+/// One key of a case file. The table of all rows drives reading, checking, messages and
+/// documentation.
+struct SchemaRow {
+  std::string
+      key{}; ///< "skin.length"; wildcards "skin.layers[].name", "materials.NAME.poissons_ratio"
+  ValueType type = ValueType::text;
+  units::Dimension dimension = units::Dimension::number;
+  Range range{};
+  std::string range_reason{}; ///< why the range ends where it does, when that is not plain
+  Need need = Need::optional;
+  std::string default_value{};   ///< TOML; used when an optional key is missing
+  std::vector<Choice> choices{}; ///< of type `choice`
+  std::string help{};            ///< one sentence
+  std::string source{};          ///< where the default comes from
+  std::function<void(CaseDraft&, const KeyIndex&, const Value&)> set{};
+};
+
+/// All keys in the order of the reference page.
+const std::vector<SchemaRow>& schema();
+
+/// The row of a key pattern, or nullptr.
+const SchemaRow* find_row(const std::string& pattern);
+
+/// Keys that belong to later versions: pattern and what they will be for.
+const std::map<std::string, std::string>& keys_of_later_versions();
+
+} // namespace ionskin

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/toml_text.hpp"
+
+#include "ionskin/base/error.hpp"
+
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
+namespace ionskin {
+
+namespace {
+
+// toml11 names its own functions in its messages; users need not see them.
+std::string without_function_name(const std::string& message) {
+  static const std::regex prefix("^\\[error\\] *(toml::[A-Za-z_:]+: *)?");
+  return std::regex_replace(message, prefix, "", std::regex_constants::format_first_only);
+}
+
+std::size_t skip_blanks_back(const std::string& text, std::size_t end) {
+  while (end > 0 && (text[end - 1] == ' ' || text[end - 1] == '\t'))
+    --end;
+  return end;
+}
+
+} // namespace
+
+toml::value parse_toml(const std::string& text, const std::string& file) {
+  std::istringstream stream(text);
+  try {
+    return toml::parse(stream, file);
+  } catch (const std::exception& error) {
+    throw UserError(
+        "the case is not valid TOML: " + without_function_name(error.what()) +
+        "\n  = lines read key = value; texts and quantities stand in quotes, numbers do not");
+  }
+}
+
+TextSpan value_span(const std::string& text, const toml::value& value) {
+  const toml::source_location location = value.location();
+  std::size_t line_begin = 0;
+  for (std::size_t line = 1; line < location.line(); ++line)
+    line_begin = text.find('\n', line_begin) + 1;
+  const std::size_t begin = std::min<std::size_t>(line_begin + location.column() - 1, text.size());
+  return {begin, std::min<std::size_t>(location.region(), text.size() - begin)};
+}
+
+TextSpan key_span(const std::string& text, const toml::value& value) {
+  const TextSpan span = value_span(text, value);
+  const std::size_t equals = skip_blanks_back(text, span.begin);
+  if (equals == 0 || text[equals - 1] != '=')
+    return span;
+  const std::size_t end = skip_blanks_back(text, equals - 1);
+  std::size_t begin = end;
+  while (begin > 0 && std::string_view(" \t\n\r,{").find(text[begin - 1]) == std::string_view::npos)
+    --begin;
+  return {begin, end - begin};
+}
+
+std::vector<std::pair<std::string, const toml::value*>>
+children_in_order(const std::string& text, const toml::value& table) {
+  std::vector<std::pair<std::string, const toml::value*>> children;
+  for (const auto& [name, child] : table.as_table())
+    children.emplace_back(name, &child);
+  std::sort(children.begin(), children.end(), [&](const auto& first, const auto& second) {
+    return value_span(text, *first.second).begin < value_span(text, *second.second).begin;
+  });
+  return children;
+}
+
+bool has_header(const std::string& text, const toml::value& table) {
+  const TextSpan span = value_span(text, table);
+  return span.begin < text.size() && text[span.begin] == '[';
+}
+
+} // namespace ionskin

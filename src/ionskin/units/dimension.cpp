@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/units/dimension.hpp"
+
+#include <map>
+
+namespace ionskin::units {
+
+namespace {
+
+const std::map<Dimension, DimensionInfo>& table() {
+  static const std::map<Dimension, DimensionInfo> rows = {
+      {Dimension::number, {"a pure number", "1", {"1", "%"}}},
+      {Dimension::length, {"a length", "m", {"mm", "um", "nm", "cm", "m"}}},
+      {Dimension::time, {"a time", "s", {"s", "ms", "us", "min", "h"}}},
+      {Dimension::temperature, {"a temperature", "K", {"degC", "K", "degF"}}},
+      {Dimension::stress, {"a stress", "Pa", {"MPa", "GPa", "kPa", "Pa", "N/mm2"}}},
+      {Dimension::diffusivity, {"a diffusivity", "m2/s", {"m2/s", "cm2/s", "um2/s"}}},
+      {Dimension::permittivity, {"a permittivity", "F/m", {"F/m", "mF/m", "nF/m"}}},
+      {Dimension::concentration,
+       {"a concentration", "mol/m3", {"mol/m3", "mol/L", "mmol/L", "M", "mM"}}},
+  };
+  return rows;
+}
+
+} // namespace
+
+const DimensionInfo& dimension_info(Dimension dimension) {
+  return table().at(dimension);
+}
+
+std::vector<std::string> usual_units() {
+  std::vector<std::string> units;
+  for (const auto& [dimension, info] : table())
+    units.insert(units.end(), info.examples.begin(), info.examples.end());
+  return units;
+}
+
+const std::vector<DimensionInfo>& other_dimensions() {
+  static const std::vector<DimensionInfo> rows = {{"an area", "m2", {}},
+                                                  {"a volume", "m3", {}},
+                                                  {"a speed", "m/s", {}},
+                                                  {"a mass", "kg", {}},
+                                                  {"a force", "N", {}},
+                                                  {"an energy", "J", {}},
+                                                  {"a power", "W", {}},
+                                                  {"an electric current", "A", {}},
+                                                  {"an electric charge", "C", {}},
+                                                  {"a voltage", "V", {}},
+                                                  {"a capacitance", "F", {}},
+                                                  {"an amount of substance", "mol", {}},
+                                                  {"a frequency", "1/s", {}}};
+  return rows;
+}
+
+const std::vector<Dimension>& all_dimensions() {
+  static const std::vector<Dimension> dimensions = [] {
+    std::vector<Dimension> all;
+    for (const auto& [dimension, info] : table())
+      all.push_back(dimension);
+    return all;
+  }();
+  return dimensions;
+}
+
+} // namespace ionskin::units

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ionskin::units {
+
+/// The physical dimensions that keys of a case can have.
+enum class Dimension {
+  number,
+  length,
+  time,
+  temperature,
+  stress,
+  diffusivity,
+  permittivity,
+  concentration
+};
+
+struct DimensionInfo {
+  std::string name;                  ///< with its article: "a length"
+  std::string si_unit;               ///< in udunits spelling; "1" for a number
+  std::vector<std::string> examples; ///< usual units, the first one for messages
+};
+
+const DimensionInfo& dimension_info(Dimension dimension);
+
+/// Usual units of all dimensions, to suggest from.
+std::vector<std::string> usual_units();
+
+/// Dimensions that have a name in messages though no key has them.
+const std::vector<DimensionInfo>& other_dimensions();
+
+/// All dimensions of keys.
+const std::vector<Dimension>& all_dimensions();
+
+} // namespace ionskin::units

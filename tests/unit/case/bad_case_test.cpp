@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "temporary_case.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/case/read_case.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <ostream>
+
+namespace ionskin {
+namespace {
+
+using testing::HasSubstr;
+
+/// One mistake in the valid case, and what the message must hold.
+struct Mistake {
+  std::string name;
+  std::string replace, with;
+  std::string what;
+  std::string place;  ///< "line:column" of the caret
+  std::string marked; ///< the line in the excerpt with its carets below
+  std::string remedy;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Mistake& mistake) {
+  return stream << mistake.name;
+}
+
+class BadCase : public testing::TestWithParam<Mistake> {};
+
+TEST_P(BadCase, SaysWhatWhereAndRemedy) {
+  const Mistake& mistake = GetParam();
+  const std::string message = error_of(valid_case(mistake.replace, mistake.with));
+  EXPECT_THAT(message, HasSubstr(mistake.what));
+  EXPECT_THAT(message, HasSubstr("case.toml:" + mistake.place + "\n"));
+  EXPECT_THAT(message, HasSubstr(mistake.marked));
+  EXPECT_THAT(message, HasSubstr(mistake.remedy));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    SingleKeys, BadCase,
+    testing::Values(
+        Mistake{"UnknownKey", "friction = 0.3", "friction = 0.3\ncolour = \"red\" #",
+                "unknown key contact.colour", "40:1",
+                "40 | colour = \"red\" # # a comment\n    | ^^^^^^\n",
+                "keys of contact: law, friction"},
+        Mistake{"UnknownSection", "[coupling]", "[wiring]\nload = 3\n[coupling]",
+                "unknown section wiring", "46:1", "^^^^^^^^", "sections of a case: title, skin"},
+        Mistake{"MisspeltKey", "friction = 0.3", "frction = 0.3", "unknown key contact.frction",
+                "39:1", "39 | frction = 0.3 # a comment\n    | ^^^^^^^\n",
+                "did you mean contact.friction?"},
+        Mistake{"MisspeltSection", "[contact]", "[contat]", "unknown section contat", "38:1",
+                "38 | [contat]\n    | ^^^^^^^^", "did you mean contact?"},
+        Mistake{"KeyInTheWrongSection", "[contact]\nfriction = 0.3", "friction = 0.3\n[contact]",
+                "unknown key motion.friction", "38:1", "^^^^^^^^",
+                "did you mean contact.friction?"},
+        Mistake{"MissingUnit", "length = \"15 mm\"", "length = 15", "skin.length has no unit: 15",
+                "4:10", "4 | length = 15\n   |          ^^\n", "such as \"15 mm\""},
+        Mistake{"MissingUnitInText", "length = \"15 mm\"", "length = \"15\"",
+                "missing unit in \"15\"", "4:10", "^^^^", "units of a length: mm"},
+        Mistake{"UnknownUnit", "slide = \"2 s\"", "slide = \"2 sce\"", "unknown unit \"sce\"",
+                "34:9", "^^^^^^^", "units of a time: s, ms"},
+        Mistake{"WrongDimension", "width = \"2 mm\"", "width = \"2 s\"", "wrong dimension", "5:9",
+                "5 | width = \"2 s\"\n   |         ^^^^^\n",
+                "expected a length such as \"mm\", got a time"},
+        Mistake{"NegativeThickness", "thickness = \"180 um\"", "thickness = \"-180 um\"",
+                "skin.layers[1].thickness = \"-180 um\" (-0.00018 m) is out of range", "17:13",
+                "^^^^^^^^^", "above 0 m"},
+        Mistake{"IncompressibleCore", "[slider]",
+                "[materials.nafion]\npoissons_ratio = 0.5\n[slider]",
+                "materials.nafion.poissons_ratio = 0.5 is out of range", "26:18", "^^^",
+                "needs a mixed formulation"},
+        Mistake{"ZeroDuration", "lift = \"0.5 s\"", "lift = \"0 s\"",
+                "motion.lift = \"0 s\" is out of range", "35:8", "^^^^^", "above 0 s"},
+        Mistake{"UnknownChoice", "coefficient = 0.1", "coefficient = 0.1\nlaw = \"fixd-charge\"",
+                "coupling.law = \"fixd-charge\" is unknown", "48:7", "^^^^^^^^^^^^^",
+                "did you mean \"fixed-charge\"?"},
+        Mistake{"ChoiceOfLaterVersion", "coefficient = 0.1",
+                "coefficient = 0.1\nlaw = \"pair-generation\"", "not in this version", "48:7",
+                "^^^^^^^^^^^^^^^^^", "choose \"fixed-charge\""},
+        Mistake{"KeyOfLaterVersion", "[motion]", "edge_radius = \"0.1 mm\"\n[motion]",
+                "slider.edge_radius is not in this version", "29:1", "^^^^^^^^^^^",
+                "remove the key"},
+        Mistake{"NumberInQuotes", "friction = 0.3", "friction = \"0.3\"",
+                "contact.friction = \"0.3\" is not a number", "39:12", "^^^^^", "without quotes"},
+        Mistake{"NotFinite", "coefficient = 0.1", "coefficient = nan", "out of range", "47:15",
+                "^^^", "any finite value"},
+        Mistake{"NotAnInteger", "stroke = \"6 mm\"", "stroke = \"6 mm\"\ncycles = 2.5",
+                "motion.cycles = 2.5 is not an integer", "33:10", "^^^", "whole number"},
+        Mistake{"NotAPair", "size = [\"3 mm\", \"1.5 mm\"]", "size = [\"3 mm\"]", "is not a pair",
+                "26:8", "^^^^^^^^", "along x and along y"},
+        Mistake{"EntryOfAPair", "\"1.5 mm\"]", "1.5]", "slider.size has no unit: 1.5", "26:17",
+                "^^^", "\"1.5 mm\""},
+        Mistake{"SectionIsAValue", "title = \"A touch\"", "title = \"A touch\"\nnumerics = 3",
+                "numerics must be a table", "2:12", "^", "write a section [numerics]"}),
+    [](const auto& instance) { return instance.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(
+    BetweenKeys, BadCase,
+    testing::Values(
+        Mistake{
+            "SliderOffTheSkinAtTheEnd", "stroke = \"6 mm\"", "stroke = \"10 mm\"",
+            "not inside the skin at the end of the slide: it reaches from 13 mm to 16 mm along x",
+            "32:10", "^^^^^^^ travel", "between 1.5 mm and 3.5 mm along x"},
+        Mistake{"SliderOffTheSkinAtTheStart", "start = [\"4.5 mm\", \"1 mm\"]",
+                "start = [\"4.5 mm\", \"0.5 mm\"]", "not inside the skin at the start of the slide",
+                "27:9", "centre at the start", "between 0.75 mm and 1.25 mm along y"},
+        Mistake{"SliderLargerThanTheSkin", "size = [\"3 mm\", \"1.5 mm\"]",
+                "size = [\"10 mm\", \"1.5 mm\"]", "not inside the skin", "4:10", "^^^^^^^ the skin",
+                "need more than 16 mm of the 15 mm"},
+        Mistake{"TwoCores", "role = \"electrode\"", "role = \"core\"",
+                "the skin has 2 layers with role = \"core\"", "9:8", "^^^^^^", "exactly one core"},
+        Mistake{"NoCore", "role = \"core\"", "role = \"electrode\"",
+                "the skin has 0 layers with role = \"core\"", "15:8", "^^^^^^^^^^^",
+                "exactly one core"},
+        Mistake{"TwinNames", "name = \"top electrode\"", "name = \"bottom electrode\"",
+                "two layers have the name \"bottom electrode\"", "8:8", "second",
+                "a name of its own"},
+        Mistake{"UnknownMaterial", "material = \"nafion\"", "material = \"nafoin\"",
+                "unknown material \"nafoin\"", "16:12", "^^^^^^^^", "did you mean \"nafion\"?"},
+        Mistake{"PreloadThroughTheSkin", "preload = \"1 um\"", "preload = \"0.2 mm\"",
+                "reaches through the skin", "31:11", "^^^^^^^^", "below 0.2 mm"},
+        Mistake{"DirectionWithoutLength", "stroke = \"6 mm\"",
+                "stroke = \"6 mm\"\ndirection = [0, 0.0]", "motion.direction has no length",
+                "33:13", "^^^^^^^^", "must differ from 0"},
+        Mistake{"SampleIntervalTooLong", "[coupling]",
+                "[readout]\nsample_interval = \"5 s\"\n[coupling]", "longer than the run of 4 s",
+                "47:19", "^^^^^", "at most 4 s"},
+        Mistake{"FieldsAfterTheEnd", "[coupling]",
+                "[output]\nfields = [\"1 s\", \"4.5 s\"]\n[coupling]",
+                "output.fields: 4.5 s lies behind the end", "47:10", "^^^^^^^", "from 0 s to 4 s"},
+        Mistake{"MissingKey", "preload = \"1 um\"\n", "", "missing key motion.preload in", "29:1",
+                "29 | [motion]\n    | ^^^^^^^^\n", "add it: a length such as \"1 mm\""},
+        Mistake{"MissingKeyOfALayer", "thickness = \"180 um\"\n", "",
+                "missing key skin.layers[1].thickness", "13:1", "^^^^^^^^^^^^^^^",
+                "add it: a length"},
+        Mistake{"MaterialWithoutPoissonsRatio", "material = \"nafion\"\nthickness = \"180 um\"",
+                "material = \"jelly\"\nthickness = \"180 um\"\n[materials.jelly]\nyoungs_modulus = "
+                "\"1 MPa\"",
+                "missing key materials.jelly.poissons_ratio", "18:1", "^^^^^^^^^^^^^^^^^",
+                "below 0.5"}),
+    [](const auto& instance) { return instance.param.name; });
+
+TEST(BadCase, MissingSectionIsOneProblem) {
+  const std::string message = error_of(valid_case("[contact]\nfriction = 0.3 # a comment\n", ""));
+  EXPECT_THAT(message, HasSubstr("missing section [contact] in"));
+  EXPECT_THAT(message, HasSubstr("add it with its keys: friction"));
+}
+
+TEST(BadCase, NoLayers) {
+  std::string text = valid_case();
+  const std::size_t first = text.find("[[skin.layers]]");
+  text.erase(first, text.find("[slider]") - first);
+  EXPECT_THAT(error_of(text), HasSubstr("the skin has no layers"));
+  EXPECT_THAT(error_of(text), HasSubstr("case.toml:3:1\n"));
+  EXPECT_THAT(error_of(text), HasSubstr("add sections [[skin.layers]]"));
+}
+
+TEST(BadCase, LayersAreAValue) {
+  const std::string message = error_of("[skin]\nlayers = \"three\"\n");
+  EXPECT_THAT(message, HasSubstr("skin.layers must be a list of tables"));
+  EXPECT_THAT(message, HasSubstr("case.toml:2:10\n"));
+  EXPECT_THAT(message, HasSubstr("write one section [[skin.layers]] for each layer"));
+}
+
+TEST(BadCase, CoreWithoutElectrodes) {
+  std::string text = valid_case();
+  const std::size_t last = text.rfind("[[skin.layers]]");
+  text.erase(last, text.find("[slider]") - last);
+  EXPECT_THAT(error_of(text), HasSubstr("the top electrode is missing"));
+  EXPECT_THAT(error_of(text), HasSubstr("case.toml:15:8\n"));
+}
+
+TEST(BadCase, BrokenTomlShowsTheLine) {
+  const std::string message = error_of(valid_case("friction = 0.3", "friction = = 0.3"));
+  EXPECT_THAT(message, HasSubstr("not valid TOML"));
+  EXPECT_THAT(message, HasSubstr("case.toml"));
+  EXPECT_THAT(message, HasSubstr("39 | friction = = 0.3"));
+  EXPECT_THAT(message, HasSubstr("^--- here"));
+  EXPECT_THAT(message, HasSubstr("texts and quantities stand in quotes"));
+  EXPECT_THAT(message, testing::Not(HasSubstr("toml::")));
+}
+
+TEST(BadCase, EmptyFileNamesTheSections) {
+  const std::string message = error_of("");
+  for (const char* section :
+       {"[skin]", "[slider]", "[motion]", "[contact]", "[electrochemistry]", "[coupling]"})
+    EXPECT_THAT(message, HasSubstr(section));
+}
+
+TEST(BadCase, AllMistakesAreReportedTogether) {
+  std::string text = valid_case("friction = 0.3", "frction = 0.3");
+  text.replace(text.find("15 mm"), 5, "15 ms");
+  text.replace(text.find("lift = \"0.5 s\""), 14, "lift = \"0 s\"  ");
+  const std::string message = error_of(text);
+  EXPECT_THAT(message, HasSubstr("3 problems in"));
+  EXPECT_THAT(message, HasSubstr("got a time"));
+  EXPECT_THAT(message, HasSubstr("motion.lift = \"0 s\""));
+  EXPECT_THAT(message, HasSubstr("did you mean contact.friction?"));
+  // The misspelt key is not reported as a missing one as well.
+  EXPECT_THAT(message, testing::Not(HasSubstr("missing key")));
+}
+
+TEST(BadCase, UnreadableFile) {
+  try {
+    read_case("/nowhere/case.toml");
+    FAIL() << "a missing file was read";
+  } catch (const UserError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("/nowhere/case.toml cannot be read: No such file"));
+    EXPECT_THAT(error.what(), HasSubstr("check its name"));
+  }
+}
+
+TEST(BadCase, FolderInsteadOfFile) {
+  const TemporaryCase file(valid_case());
+  EXPECT_THAT([&] { read_case(file.folder()); },
+              testing::ThrowsMessage<UserError>(HasSubstr("is a folder")));
+}
+
+TEST(BadCase, MissingStrainFile) {
+  const std::string message = error_of(
+      valid_case("[coupling]", "[strain]\nsource = \"file\"\nfile = \"none.h5\"\n[coupling]"));
+  EXPECT_THAT(message, HasSubstr("none.h5 cannot be read"));
+  EXPECT_THAT(message, HasSubstr("case.toml:48:8\n"));
+  EXPECT_THAT(message, HasSubstr("relative to the folder of the case file"));
+}
+
+TEST(BadCase, CaretsStandUnderWideCharactersAndTabs) {
+  const std::string message =
+      error_of(valid_case("title = \"A touch\"", "title = \"é\"\n\tcolöur = 1"));
+  // toml11 takes no umlauts in bare keys; its own excerpt shows the line.
+  EXPECT_THAT(message, HasSubstr("not valid TOML"));
+  const std::string quoted = error_of(valid_case("title = \"A touch\"", "\t\"colöur\" = \"é\""));
+  EXPECT_THAT(quoted, HasSubstr(" 1 | \t\"colöur\" = \"é\"\n   | \t^^^^^^^^\n"));
+}
+
+} // namespace
+} // namespace ionskin

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/read_case.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "temporary_case.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+namespace ionskin {
+namespace {
+
+TEST(ReadCase, FillsTheStructsInSiUnits) {
+  const TemporaryCase file(valid_case());
+  const Case input = read_case(file.path());
+  EXPECT_EQ(input.title, "A touch");
+  EXPECT_DOUBLE_EQ(input.skin.length, 0.015);
+  EXPECT_EQ(input.skin.sides, SideCondition::free);
+  ASSERT_EQ(input.skin.layers.size(), 3U);
+  EXPECT_EQ(input.skin.layers[1].name, "ionomer");
+  EXPECT_EQ(input.skin.core_index(), 1U);
+  EXPECT_EQ(input.skin.layers[0].material.name, "platinum");
+  EXPECT_DOUBLE_EQ(input.skin.layers[0].material.youngs_modulus, 168e9);
+  EXPECT_DOUBLE_EQ(input.skin.layers[1].material.poissons_ratio, 0.49);
+  EXPECT_DOUBLE_EQ(input.slider.size[1], 0.0015);
+  EXPECT_DOUBLE_EQ(input.slider.start[0], 0.0045);
+  EXPECT_DOUBLE_EQ(input.motion.preload, 1e-6);
+  EXPECT_EQ(input.motion.cycles, 1);
+  EXPECT_DOUBLE_EQ(input.motion.cycle_duration(), 4);
+  EXPECT_EQ(input.contact.friction, 0.3);
+  EXPECT_DOUBLE_EQ(input.electrochemistry.temperature, 293.15);
+  EXPECT_EQ(input.electrochemistry.valence, 1);
+  EXPECT_EQ(input.coupling.law, CouplingLaw::fixed_charge);
+  EXPECT_EQ(input.strain.kind, StrainSourceKind::contact);
+  EXPECT_DOUBLE_EQ(input.readout.sample_interval, 0.01);
+  EXPECT_EQ(input.numerics.preset, Preset::standard);
+  EXPECT_TRUE(input.output.fields.empty());
+  EXPECT_EQ(input.text, valid_case());
+}
+
+TEST(ReadCase, AppliesEditsAndKeepsTheRest) {
+  const TemporaryCase file(valid_case());
+  const Case input =
+      read_case(file.path(), {"contact.friction=0.05", "motion.stroke=3 mm",
+                              "coupling.law=column-neutral", "output.fields=[\"0.5 s\"]",
+                              "skin.layers[1].thickness=0.1 mm", "numerics.preset=fine"});
+  EXPECT_EQ(input.contact.friction, 0.05);
+  EXPECT_DOUBLE_EQ(input.motion.stroke, 0.003);
+  EXPECT_EQ(input.coupling.law, CouplingLaw::column_neutral);
+  EXPECT_EQ(input.output.fields, std::vector<double>{0.5});
+  EXPECT_DOUBLE_EQ(input.skin.core_thickness(), 1e-4);
+  EXPECT_EQ(input.numerics.preset, Preset::fine);
+  EXPECT_THAT(input.text, testing::HasSubstr("friction = 0.05 # a comment"));
+
+  const TemporaryCase again(input.text);
+  EXPECT_EQ(read_case(again.path()).text, input.text);
+}
+
+TEST(ReadCase, ValuesRememberWhereTheyCameFrom) {
+  const TemporaryCase file(valid_case());
+  const CaseDocument document = read_case_document(
+      file.path(), {"contact.friction=0.05", "materials.nafion.poissons_ratio=0.4"});
+  const auto origin = [&](const std::string& key) { return document.find(key)->origin; };
+  EXPECT_EQ(origin("contact.friction"), ValueOrigin::set_edit);
+  EXPECT_EQ(origin("skin.length"), ValueOrigin::file);
+  EXPECT_EQ(origin("readout.sample_interval"), ValueOrigin::default_value);
+  EXPECT_EQ(origin("materials.nafion.poissons_ratio"), ValueOrigin::set_edit);
+  EXPECT_EQ(origin("materials.nafion.youngs_modulus"), ValueOrigin::preset);
+  EXPECT_EQ(document.find("skin.length")->place->line, 4U);
+  EXPECT_EQ(document.find("skin.length")->si, "0.015 m");
+  EXPECT_EQ(document.input.skin.layers[1].material.poissons_ratio, 0.4);
+  EXPECT_DOUBLE_EQ(document.input.skin.layers[1].material.youngs_modulus, 249e6);
+  EXPECT_EQ(document.find("contact.colour"), nullptr);
+}
+
+TEST(ReadCase, MistakesInEditsPointAtTheEdit) {
+  const TemporaryCase file(valid_case());
+  const auto message = [&](const std::string& edit) -> std::string {
+    try {
+      read_case(file.path(), {"numerics.preset=coarse", edit});
+    } catch (const UserError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(message("contact.friction=-1"), testing::HasSubstr("--set contact.friction=-1\n"));
+  EXPECT_THAT(message("contact.frction=1"), testing::HasSubstr("did you mean contact.friction?"));
+  EXPECT_THAT(message("contact.frction=1"), testing::HasSubstr("--set contact.frction=1\n"));
+  // Two places: the edit, and the line of the file that it conflicts with.
+  EXPECT_THAT(message("motion.stroke=10 mm"),
+              testing::AllOf(testing::HasSubstr("--set motion.stroke=10 mm\n"),
+                             testing::HasSubstr("case.toml:4:10\n")));
+}
+
+TEST(ReadCase, NormalisesTheDirection) {
+  const TemporaryCase file(
+      valid_case("stroke = \"6 mm\"", "stroke = \"0.3 mm\"\ndirection = [3, -4.0]"));
+  const Case input = read_case(file.path());
+  EXPECT_DOUBLE_EQ(input.motion.direction[0], 0.6);
+  EXPECT_DOUBLE_EQ(input.motion.direction[1], -0.8);
+}
+
+TEST(ReadCase, PlaneStrainChecksXOnly) {
+  const std::string symmetric =
+      valid_case("width = \"2 mm\"", "width = \"2 mm\"\nsides = \"symmetry\"");
+  const TemporaryCase file(symmetric);
+  EXPECT_NO_THROW(read_case(file.path(), {"slider.size[1]=3 mm"}));
+  EXPECT_THROW(read_case(file.path(), {"slider.size[1]=3 mm", "motion.stroke=12 mm"}), UserError);
+  EXPECT_THROW(read_case(file.path(), {"slider.size[1]=3 mm", "skin.sides=free"}), UserError);
+  EXPECT_NO_THROW(read_case(file.path(), {"slider.size[1]=2 mm", "skin.sides=free"}));
+}
+
+TEST(ReadCase, StrainFileNeedsNoContact) {
+  std::string text =
+      valid_case("[coupling]", "[strain]\nsource = \"file\"\nfile = \"s.h5\"\n[coupling]");
+  const std::size_t slider = text.find("[slider]");
+  text.erase(slider, text.find("[electrochemistry]") - slider);
+  for (std::size_t line = text.find("material ="); line != std::string::npos;
+       line = text.find("material ="))
+    text.erase(line, text.find('\n', line) + 1 - line);
+  const TemporaryCase file(text);
+  std::ofstream(file.folder() + "/s.h5") << "any";
+  const Case input = read_case(file.path());
+  EXPECT_EQ(input.strain.kind, StrainSourceKind::file);
+  EXPECT_EQ(input.strain.file, file.folder() + "/s.h5");
+  EXPECT_DOUBLE_EQ(input.skin.core_thickness(), 180e-6);
+  // The written case runs from any folder.
+  EXPECT_THAT(input.text, testing::HasSubstr("file = \"" + file.folder() + "/s.h5\""));
+}
+
+TEST(ReadCase, ReadsWindowsLineEnds) {
+  std::string text;
+  for (const char letter : valid_case())
+    text += letter == '\n' ? std::string("\r\n") : std::string(1, letter);
+  const TemporaryCase file(text);
+  EXPECT_EQ(read_case(file.path(), {"contact.law=coulomb"}).contact.friction, 0.3);
+}
+
+} // namespace
+} // namespace ionskin
