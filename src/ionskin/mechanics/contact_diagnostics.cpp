@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/contact_diagnostics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ionskin::mechanics {
+
+double ContactViolations::largest() const {
+  return std::max({tension, penetration, cone, slip_law});
+}
+
+ContactViolations contact_violations(const ContactProblem& problem, const SurfaceState& state,
+                                     double reference_force, double preload) {
+  const SliderStep& step = state.step;
+  ContactViolations worst;
+  for (int cell = 0; cell < problem.cells(); ++cell) {
+    const std::size_t at = 3 * static_cast<std::size_t>(cell);
+    const double normal = state.force[at];
+    const double gap = (state.surface[at] - step.indentation) / preload;
+    worst.tension = std::max(worst.tension, -normal / reference_force);
+    worst.penetration = std::max(worst.penetration, normal > 0 ? std::abs(gap) : -gap);
+
+    const auto slip = slip_increment(step, state.surface, cell);
+    const double limit =
+        problem.friction_limit(cell, normal, std::hypot(slip[0], slip[1]), step.time_step);
+    const std::array<double, 2> force{state.force[at + 1], state.force[at + 2]};
+    worst.cone = std::max(worst.cone, (std::hypot(force[0], force[1]) - limit) / reference_force);
+    const double compliance = problem.own_compliance(cell, 1);
+    const auto allowed =
+        project_on_disc({force[0] + slip[0] / compliance, force[1] + slip[1] / compliance}, limit);
+    worst.slip_law = std::max(
+        worst.slip_law, std::hypot(force[0] - allowed[0], force[1] - allowed[1]) / reference_force);
+  }
+  return worst;
+}
+
+double stick_fraction(const ContactProblem& problem, const CellVector& force) {
+  double touching = 0, sticking = 0;
+  for (int cell = 0; cell < problem.cells(); ++cell) {
+    const std::size_t at = 3 * static_cast<std::size_t>(cell);
+    if (force[at] <= 0) {
+      continue;
+    }
+    touching += problem.area[cell];
+    const double limit = problem.friction_limit(cell, force[at], 0, 0);
+    if (std::hypot(force[at + 1], force[at + 2]) < limit * (1 - 1e-9)) {
+      sticking += problem.area[cell];
+    }
+  }
+  return touching > 0 ? sticking / touching : 0.0;
+}
+
+} // namespace ionskin::mechanics

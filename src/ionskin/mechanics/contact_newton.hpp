@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/mechanics/contact_problem.hpp"
+
+namespace ionskin::mechanics {
+
+struct NewtonResult {
+  bool converged = false;
+  int iterations = 0;
+};
+
+/// Semi-smooth Newton on the projection form of contact and friction (Alart and Curnier 1991,
+/// doi 10.1016/0045-7825(91)90022-X). Exact once stick, slip and separation are right; needs a good
+/// start.
+/// @param force start on entry; the result on return when converged [N]
+/// @param tolerance on the projection residual over the largest normal force
+NewtonResult contact_newton(const ContactProblem& problem, const SliderStep& step,
+                            CellVector& force, double tolerance, int most_iterations);
+
+} // namespace ionskin::mechanics

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/mechanics/condensed_position.hpp"
+#include "ionskin/mechanics/contact_path.hpp"
+#include "ionskin/mechanics/contact_solution.hpp"
+#include "ionskin/mechanics/slider_track.hpp"
+
+#include <vector>
+
+namespace ionskin::mechanics {
+
+/// Collects equilibria at one condensed position and completes them together: forces of the full
+/// skin, tractions, strains and diagnostics, all reflected back from the canonical position.
+class PositionStates {
+public:
+  PositionStates(const SkinModel& model, double preload) : model_(model), preload_(preload) {}
+
+  /// @param destination outlives `complete`
+  /// @param reference_force scale of the diagnostics [N]
+  void add(ContactState& destination, SurfaceState state, const ContactProblem& problem,
+           const CanonicalPosition& position, double reference_force);
+
+  /// Recovers the strains of all added states in blocks.
+  void complete(const CondensedPosition& position);
+
+private:
+  struct Pending {
+    ContactState* destination = nullptr;
+    CellVector force;
+    std::array<bool, 2> reflect{};
+  };
+  const SkinModel& model_;
+  double preload_;
+  std::vector<Pending> pending_;
+};
+
+/// Largest normal force of a cell [N].
+double largest_normal_force(const CellVector& force);
+
+/// A cell vector of the canonical position seen in the skin's own frame, and back.
+CellVector reflected(const ContactCells& cells, const CellVector& vector,
+                     const std::array<bool, 2>& reflect);
+
+} // namespace ionskin::mechanics

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/base/progress.hpp"
+#include "ionskin/base/timers.hpp"
+#include "ionskin/case/case.hpp"
+#include "ionskin/mechanics/contact_path.hpp"
+#include "ionskin/mechanics/contact_solution.hpp"
+
+#include <vector>
+
+namespace ionskin::mechanics {
+
+struct ContactOptions {
+  int threads = 1;
+  base::ProgressCallback progress = base::no_progress; ///< called from one thread at a time
+  PathSteps steps;
+  /// Interpolation nodes along the track; 0 takes the preset's.
+  std::size_t nodes = 0;
+  /// Surface displacement that an earlier cycle left under the slider's start [m], as in
+  /// ContactSolution::final_surface; empty for none.
+  std::vector<double> surface_before;
+};
+
+/// All of Study 1. Throws SolverError when contact does not converge, Interrupted on request.
+ContactSolution solve_contact(const Case& input, const ContactOptions& options,
+                              base::Timers& timers);
+
+/// The same for several friction coefficients, which share all factorisations. One solution each,
+/// in order; `input.contact.friction` is not used.
+std::vector<ContactSolution> solve_contact(const Case& input, const std::vector<double>& frictions,
+                                           const ContactOptions& options, base::Timers& timers);
+
+/// Steady sliding at any arc lengths of the track [m], each from a factorisation of its own.
+std::vector<ContactState> solve_steady_sliding(const Case& input,
+                                               const std::vector<double>& arc_lengths,
+                                               const ContactOptions& options, base::Timers& timers);
+
+} // namespace ionskin::mechanics

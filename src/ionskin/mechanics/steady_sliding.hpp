@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/mechanics/contact_solver.hpp"
+
+namespace ionskin::mechanics {
+
+/// The limit of long sliding at constant indentation: every touching cell slips along `direction`,
+/// so its tangential force is the friction limit in that direction, and only normal contact is left
+/// to solve (active set).
+/// @param travel since the state before, which becomes the slip [m]
+/// Throws SolverError when the active set cycles.
+SurfaceState steady_sliding(const ContactProblem& problem, double indentation,
+                            const std::array<double, 2>& direction, double travel);
+
+} // namespace ionskin::mechanics

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mesh/mesh_resolution.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ionskin::mesh {
+namespace {
+
+struct PresetResolution {
+  double edge, footprint_growth, footprint_largest; // sizes over the characteristic length
+  double outer_growth;
+  double outer_minimum, core_elements;
+  double core_growth;
+};
+
+PresetResolution preset_resolution(Preset preset) {
+  switch (preset) {
+  case Preset::coarse:
+    return {0.12, 2.0, 2.0, 2.0, 9, 3, 1.8};
+  case Preset::standard:
+    return {0.05, 2.0, 1.5, 2.0, 16, 4, 2.0};
+  case Preset::fine:
+    break;
+  }
+  return {0.02, 1.7, 1.0, 1.6, 22, 7, 1.5};
+}
+
+std::size_t scaled_count(double count, double refinement) {
+  return static_cast<std::size_t>(std::max(1L, std::lround(count * refinement)));
+}
+
+} // namespace
+
+MeshResolution mesh_resolution(const Case& input) {
+  const PresetResolution preset = preset_resolution(input.numerics.preset);
+  const double refinement = input.numerics.mesh_refinement;
+  const double size =
+      std::min({input.skin.thickness(), input.slider.size[0] / 4, input.slider.size[1] / 4});
+  MeshResolution result;
+  result.edge_size = preset.edge * size / refinement;
+  result.footprint_growth = std::pow(preset.footprint_growth, 1 / refinement);
+  result.footprint_largest = preset.footprint_largest * size / refinement;
+  result.outer_growth = std::pow(preset.outer_growth, 1 / refinement);
+  result.outer_minimum = scaled_count(preset.outer_minimum, refinement);
+  result.core_elements = scaled_count(preset.core_elements, refinement);
+  result.core_growth = std::pow(preset.core_growth, 1 / refinement);
+  result.electrode_elements = scaled_count(1, refinement);
+  return result;
+}
+
+} // namespace ionskin::mesh

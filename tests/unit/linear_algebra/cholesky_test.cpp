@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/base/error.hpp"
+#include "ionskin/linear_algebra/cholesky.hpp"
+#include "ionskin/linear_algebra/fill_ordering.hpp"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <thread>
+#include <vector>
+
+namespace ionskin::linear_algebra {
+namespace {
+
+/// Seven-point graph of an n x n x n grid, lower triangle.
+SymmetricPattern grid_graph(int n) {
+  SymmetricPattern graph{n * n * n, {0}, {}};
+  for (int k = 0; k < n; ++k) {
+    for (int j = 0; j < n; ++j) {
+      for (int i = 0; i < n; ++i) {
+        const int node = i + n * (j + n * k);
+        graph.row.push_back(node);
+        if (i + 1 < n) {
+          graph.row.push_back(node + 1);
+        }
+        if (j + 1 < n) {
+          graph.row.push_back(node + n);
+        }
+        if (k + 1 < n) {
+          graph.row.push_back(node + n * n);
+        }
+        graph.column_start.push_back(static_cast<int>(graph.row.size()));
+      }
+    }
+  }
+  return graph;
+}
+
+/// Diagonally dominant values with varying couplings.
+std::vector<double> values_on(const SymmetricPattern& pattern, double shift) {
+  std::vector<double> values;
+  for (int j = 0; j < pattern.size; ++j) {
+    for (int p = pattern.column_start[j]; p < pattern.column_start[j + 1]; ++p) {
+      const bool diagonal = pattern.row[p] == j;
+      values.push_back(diagonal ? 7 + shift + 0.1 * (j % 5) : -1 - 0.01 * (pattern.row[p] % 7));
+    }
+  }
+  return values;
+}
+
+Eigen::MatrixXd dense(const SymmetricPattern& pattern, const std::vector<double>& values) {
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(pattern.size, pattern.size);
+  for (int j = 0; j < pattern.size; ++j) {
+    for (int p = pattern.column_start[j]; p < pattern.column_start[j + 1]; ++p) {
+      matrix(pattern.row[p], j) = matrix(j, pattern.row[p]) = values[p];
+    }
+  }
+  return matrix;
+}
+
+Eigen::Map<const Eigen::MatrixXd> map(const DenseMatrix& matrix) {
+  return {matrix.values.data(), matrix.rows, matrix.columns};
+}
+
+class CholeskyOnGrid : public testing::Test {
+protected:
+  CholeskyOnGrid() {
+    for (int node = 5; node < graph.size; node += 9) {
+      trailing.push_back(node);
+    }
+    std::reverse(trailing.begin(), trailing.end());
+  }
+  const SymmetricPattern graph = grid_graph(9);
+  std::vector<int> trailing;
+};
+
+TEST_F(CholeskyOnGrid, ordering_is_a_permutation_with_the_trailing_nodes_last) {
+  const std::vector<int> order = trailing_ordering(graph, trailing);
+  std::vector<int> sorted = order, identity(order.size());
+  std::sort(sorted.begin(), sorted.end());
+  std::iota(identity.begin(), identity.end(), 0);
+  EXPECT_EQ(sorted, identity);
+  EXPECT_TRUE(std::equal(trailing.rbegin(), trailing.rend(), order.rbegin()));
+}
+
+TEST_F(CholeskyOnGrid, solve_agrees_with_a_dense_solver) {
+  const SymbolicCholesky symbolic(graph, trailing_ordering(graph, trailing),
+                                  static_cast<int>(trailing.size()));
+  const auto values = values_on(graph, 0);
+  const Cholesky factor(symbolic, values);
+  DenseMatrix right(graph.size, 3);
+  for (std::size_t i = 0; i < right.values.size(); ++i) {
+    right.values[i] = std::sin(static_cast<double>(i));
+  }
+  const Eigen::MatrixXd expected = dense(graph, values).llt().solve(map(right));
+  EXPECT_LT((map(factor.solve(right)) - expected).norm(), 1e-12 * expected.norm());
+}
+
+TEST_F(CholeskyOnGrid, trailing_block_gives_compliance_and_solution) {
+  const int count = static_cast<int>(trailing.size());
+  const SymbolicCholesky symbolic(graph, trailing_ordering(graph, trailing), count);
+  const Cholesky factor(symbolic, values_on(graph, 0));
+  DenseMatrix loads(count, 4), right(graph.size, 4);
+  for (int j = 0; j < 4; ++j) {
+    for (int i = 0; i < count; ++i) {
+      loads(i, j) = right(trailing[i], j) = std::cos(i + 3.0 * j);
+    }
+  }
+  const DenseMatrix forward = factor.trailing_forward(loads);
+  const DenseMatrix solution = factor.solve(right);
+  EXPECT_LT((map(factor.backward_from_trailing(forward)) - map(solution)).norm(),
+            1e-12 * map(solution).norm());
+  const Eigen::MatrixXd compliance = map(right).transpose() * map(solution);
+  EXPECT_LT((map(gram(forward)) - compliance).norm(), 1e-12 * compliance.norm());
+}
+
+TEST_F(CholeskyOnGrid, one_analysis_serves_several_threads) {
+  const SymbolicCholesky symbolic(graph, trailing_ordering(graph, trailing),
+                                  static_cast<int>(trailing.size()));
+  std::vector<double> error(4);
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t t = 0; t < error.size(); ++t) {
+      threads.emplace_back([&, t] {
+        const auto values = values_on(graph, static_cast<double>(t));
+        DenseMatrix right(graph.size, 1);
+        std::fill(right.values.begin(), right.values.end(), 1.0);
+        const DenseMatrix solution = Cholesky(symbolic, values).solve(right);
+        error[t] = (dense(graph, values) * map(solution) - map(right)).norm();
+      });
+    }
+  }
+  for (const double e : error) {
+    EXPECT_LT(e, 1e-12);
+  }
+}
+
+TEST_F(CholeskyOnGrid, indefinite_matrix_is_a_solver_error) {
+  const SymbolicCholesky symbolic(graph, trailing_ordering(graph, trailing),
+                                  static_cast<int>(trailing.size()));
+  EXPECT_THROW(Cholesky(symbolic, values_on(graph, -9)), SolverError);
+}
+
+} // namespace
+} // namespace ionskin::linear_algebra

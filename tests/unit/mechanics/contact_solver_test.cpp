@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/contact_diagnostics.hpp"
+#include "ionskin/mechanics/contact_newton.hpp"
+#include "ionskin/mechanics/contact_solver.hpp"
+#include "ionskin/mechanics/projected_gauss_seidel.hpp"
+#include "ionskin/mechanics/steady_sliding.hpp"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace ionskin::mechanics {
+namespace {
+
+/// Cells along a line, coupled like points on an elastic surface: decaying with distance, normal
+/// and tangential motion coupled with opposite signs on the two sides.
+ContactProblem line_of_cells(int cells, double friction) {
+  ContactProblem problem;
+  problem.friction = {friction};
+  problem.area.assign(static_cast<std::size_t>(cells), 1e-8);
+  problem.compliance = linear_algebra::DenseMatrix(3 * cells, 3 * cells);
+  for (int i = 0; i < cells; ++i) {
+    for (int j = 0; j < cells; ++j) {
+      const double near = 1e-7 / (0.6 + std::abs(i - j)) + (i == j ? 1e-7 : 0);
+      for (int c = 0; c < 3; ++c) {
+        problem.compliance(3 * i + c, 3 * j + c) = (c == 0 ? 1.0 : 1.3) * near;
+      }
+      const double coupling = i == j ? 0 : 2e-8 / (i - j);
+      problem.compliance(3 * i, 3 * j + 1) = coupling;
+      problem.compliance(3 * j + 1, 3 * i) = coupling;
+    }
+  }
+  return problem;
+}
+
+SliderStep press(const ContactProblem& problem, double indentation,
+                 std::array<double, 2> travel = {0, 0}) {
+  return {indentation, travel, 0.1, CellVector(3 * problem.area.size(), 0.0)};
+}
+
+SurfaceState solve(const ContactProblem& problem, const SliderStep& step) {
+  return solve_contact_step(problem, step, CellVector(3 * problem.area.size(), 0.0));
+}
+
+double worst_violation(const ContactProblem& problem, const SurfaceState& state) {
+  double largest = 0;
+  for (std::size_t i = 0; i < state.force.size(); i += 3) {
+    largest = std::max(largest, state.force[i]);
+  }
+  return contact_violations(problem, state, largest, state.step.indentation).largest();
+}
+
+TEST(ContactSolver, one_cell_by_hand) {
+  ContactProblem problem = line_of_cells(1, 0.5);
+  const double normal_compliance = problem.compliance(0, 0), tangential = problem.compliance(1, 1);
+  const double normal = 1e-6 / normal_compliance;
+  // Sticks below the limit and slips beyond.
+  const double limit_travel = 0.5 * normal * tangential;
+  EXPECT_NEAR(solve(problem, press(problem, 1e-6, {0.5 * limit_travel, 0})).force[1], 0.25 * normal,
+              1e-9 * normal);
+  const SurfaceState slipping = solve(problem, press(problem, 1e-6, {3 * limit_travel, 0}));
+  EXPECT_NEAR(slipping.force[1], 0.5 * normal, 1e-9 * normal);
+  EXPECT_NEAR(slipping.slip[0], 2 * limit_travel, 1e-9 * limit_travel);
+}
+
+TEST(ContactSolver, full_stick_is_a_linear_solve) {
+  const ContactProblem problem = line_of_cells(12, 50.0);
+  const SurfaceState state = solve(problem, press(problem, 1e-6, {2e-7, -1e-7}));
+  const Eigen::Map<const Eigen::MatrixXd> c(problem.compliance.values.data(), 36, 36);
+  Eigen::VectorXd right(36);
+  for (int i = 0; i < 12; ++i) {
+    right.segment<3>(3 * i) << 1e-6, 2e-7, -1e-7;
+  }
+  const Eigen::VectorXd expected = c.llt().solve(right);
+  for (int i = 0; i < 36; ++i) {
+    EXPECT_NEAR(state.force[static_cast<std::size_t>(i)], expected[i], 1e-9 * expected.norm());
+  }
+}
+
+TEST(ContactSolver, partial_slip_satisfies_every_condition) {
+  for (const double friction : {0.0, 0.05, 0.3, 0.8}) {
+    const ContactProblem problem = line_of_cells(30, friction);
+    SurfaceState state = solve(problem, press(problem, 1e-6));
+    EXPECT_LT(worst_violation(problem, state), 1e-8) << friction;
+    for (int i = 0; i < 8; ++i) {
+      SliderStep step = press(problem, 1e-6, {6e-8, 2e-8});
+      step.surface_before = state.surface;
+      state = solve_contact_step(problem, step, state.force);
+      EXPECT_LT(worst_violation(problem, state), 1e-8) << friction << " step " << i;
+    }
+  }
+}
+
+TEST(ContactSolver, newton_and_gauss_seidel_agree) {
+  const ContactProblem problem = line_of_cells(20, 0.3);
+  const SliderStep step = press(problem, 1e-6, {1e-7, 0});
+  CellVector slow(60, 0.0);
+  ASSERT_TRUE(projected_gauss_seidel(problem, step, slow, 1e-12, 100000).converged);
+  CellVector fast(60, 0.0);
+  ASSERT_TRUE(projected_gauss_seidel(problem, step, fast, 1e-4, 1000).converged);
+  ASSERT_TRUE(contact_newton(problem, step, fast, 1e-11, 15).converged);
+  for (std::size_t i = 0; i < slow.size(); ++i) {
+    EXPECT_NEAR(fast[i], slow[i], 1e-8);
+  }
+}
+
+TEST(ContactSolver, no_indentation_means_no_force) {
+  const ContactProblem problem = line_of_cells(10, 0.3);
+  const SurfaceState loaded = solve(problem, press(problem, 1e-6, {5e-7, 0}));
+  SliderStep lifted = press(problem, 0);
+  lifted.surface_before = loaded.surface;
+  const SurfaceState state = solve_contact_step(problem, lifted, loaded.force);
+  for (const double force : state.force) {
+    EXPECT_NEAR(force, 0, 1e-12);
+  }
+}
+
+TEST(SteadySliding, is_the_limit_of_a_long_slide) {
+  const ContactProblem problem = line_of_cells(15, 0.4);
+  const SurfaceState steady = steady_sliding(problem, 1e-6, {0.6, 0.8}, 1e-3);
+  EXPECT_LT(worst_violation(problem, steady), 1e-12);
+  SurfaceState state = solve(problem, press(problem, 1e-6));
+  for (int i = 0; i < 60; ++i) {
+    SliderStep step = press(problem, 1e-6, {0.6e-5, 0.8e-5});
+    step.surface_before = state.surface;
+    state = solve_contact_step(problem, step, state.force);
+  }
+  for (std::size_t i = 0; i < state.force.size(); ++i) {
+    EXPECT_NEAR(state.force[i], steady.force[i], 1e-6);
+  }
+}
+
+TEST(ContactDiagnostics, see_each_violation) {
+  const ContactProblem problem = line_of_cells(5, 0.3);
+  const SurfaceState good = solve(problem, press(problem, 1e-6, {1e-6, 0}));
+  const auto violations = [&](SurfaceState state) {
+    state.surface = problem.surface_displacement(state.force);
+    return contact_violations(problem, state, good.force[0], 1e-6);
+  };
+  SurfaceState bad = good;
+  bad.force[6] = -good.force[0];
+  EXPECT_NEAR(violations(bad).tension, 1, 1e-12);
+  bad = good;
+  bad.force[6] *= 1.1;
+  EXPECT_GT(violations(bad).penetration, 1e-3);
+  bad = good;
+  bad.force[7] *= 1.1;
+  EXPECT_GT(violations(bad).cone, 1e-3);
+  bad = good;
+  bad.force[7] *= -1;
+  EXPECT_GT(violations(bad).slip_law, 1e-3);
+  EXPECT_EQ(stick_fraction(problem, good.force), 0.0);
+}
+
+} // namespace
+} // namespace ionskin::mechanics
