@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/strain/handover.hpp"
+
+#include "ionskin/strain/contact_timeline.hpp"
+#include "ionskin/strain/line_operators.hpp"
+#include "ionskin/strain/shear_measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ionskin::strain {
+namespace {
+
+constexpr double outer_cell_growth = 1.4;
+constexpr double outer_cell_limit = 0.2e-3; // [m]; coarser cells cost 0.1 % in the current
+
+std::array<double, 2> centre_at(const Case& input, double arc_length) {
+  return {input.slider.start[0] + arc_length * input.motion.direction[0],
+          input.slider.start[1] + arc_length * input.motion.direction[1]};
+}
+
+/// Cell edges outward from an edge at 0 to `extent`, growing from `first`.
+std::vector<double> graded_cells(double first, double extent) {
+  std::vector<double> edges;
+  double size = first;
+  double at = 0;
+  while (at + 1.5 * size < extent) {
+    at += size;
+    edges.push_back(at);
+    size = std::min(size * outer_cell_growth, outer_cell_limit);
+  }
+  edges.push_back(extent);
+  return edges;
+}
+
+/// Cell edges that ride with the slider in a direction in which it moves: the footprint's mesh
+/// lines, and outside them graded cells that cover the core from every position on the track.
+std::vector<double> riding_edges(const std::vector<double>& footprint, double low, double high) {
+  std::vector<double> edges;
+  const double first_low = footprint[1] - footprint[0];
+  for (const double distance : graded_cells(first_low, footprint.front() - low)) {
+    edges.push_back(footprint.front() - distance);
+  }
+  std::reverse(edges.begin(), edges.end());
+  edges.insert(edges.end(), footprint.begin(), footprint.end());
+  const double first_high = footprint.back() - footprint[footprint.size() - 2];
+  for (const double distance : graded_cells(first_high, high - footprint.back())) {
+    edges.push_back(footprint.back() + distance);
+  }
+  return edges;
+}
+
+std::vector<double> relative(const std::vector<double>& lines, std::size_t begin, std::size_t end,
+                             double centre) {
+  std::vector<double> result(lines.begin() + static_cast<std::ptrdiff_t>(begin),
+                             lines.begin() + static_cast<std::ptrdiff_t>(end));
+  for (double& line : result) {
+    line -= centre;
+  }
+  return result;
+}
+
+std::vector<double> core_lines(const mesh::SkinMesh& mesh, const mesh::MeshLines& lines) {
+  const auto rows = mesh.core_z();
+  return relative(lines.z, rows[0], rows[1] + 1, lines.z[rows[0]]);
+}
+
+/// Edges along one direction; the half model keeps its half only.
+std::vector<double> direction_edges(const std::vector<double>& lines,
+                                    const std::array<std::size_t, 2>& footprint, double extent,
+                                    double start, double travel) {
+  if (travel == 0) {
+    return relative(lines, 0, lines.size(), start);
+  }
+  const auto inner = relative(lines, footprint[0], footprint[1] + 1, start);
+  const double end = start + travel;
+  return riding_edges(inner, -std::max(start, end), extent - std::min(start, end));
+}
+
+/// Values and edges of the half y <= 0 continued by reflection to the whole width.
+std::vector<double> reflected_edges(std::vector<double> half) {
+  for (std::size_t i = half.size() - 1; i-- > 0;) {
+    half.push_back(-half[i]);
+  }
+  return half;
+}
+
+StrainField reflected_field(const StrainField& half, std::size_t levels, std::size_t rows,
+                            std::size_t columns) {
+  StrainField full(2 * half.size());
+  for (std::size_t k = 0; k < levels; ++k) {
+    for (std::size_t j = 0; j < rows; ++j) {
+      const auto from = half.begin() + static_cast<std::ptrdiff_t>((k * rows + j) * columns);
+      const std::size_t mirror = 2 * rows - 1 - j;
+      std::copy_n(from, columns,
+                  full.begin() + static_cast<std::ptrdiff_t>((2 * k * rows + j) * columns));
+      std::copy_n(from, columns,
+                  full.begin() + static_cast<std::ptrdiff_t>((2 * k * rows + mirror) * columns));
+    }
+  }
+  return full;
+}
+
+/// Shear at the Gauss points of a combination of states, [z][y][x].
+std::vector<double> gauss_shear(ShearMeasure measure, const StateCombination& combination) {
+  std::array<std::vector<double>, 6> strain;
+  for (std::size_t c = 0; c < 6; ++c) {
+    strain[c].assign(combination.terms.front().state->strain.component[c].size(), 0.0);
+    for (const auto& term : combination.terms) {
+      const auto& component = term.state->strain.component[c];
+      for (std::size_t i = 0; i < component.size(); ++i) {
+        strain[c][i] += term.weight * component[i];
+      }
+    }
+  }
+  std::vector<double> shear;
+  evaluate_shear(measure, strain, shear);
+  return shear;
+}
+
+} // namespace
+
+StrainHistory build_strain_history(const Case& input, const mechanics::ContactSolution& contact) {
+  const ContactTimeline timeline(input, contact);
+  const mesh::SkinMesh& mesh = contact.mesh;
+  const Motion& motion = input.motion;
+  const auto start_lines = mesh.lines(input.slider.start);
+  const auto z_lines = core_lines(mesh, start_lines);
+  const auto x_edges = direction_edges(start_lines.x, mesh.footprint_x(), input.skin.length,
+                                       input.slider.start[0], motion.stroke * motion.direction[0]);
+  const auto y_edges = direction_edges(start_lines.y, mesh.footprint_y(), input.skin.width,
+                                       input.slider.start[1], motion.stroke * motion.direction[1]);
+
+  StrainHistory history;
+  history.frame = Frame::slider;
+  history.measure = name(input.coupling.measure);
+  history.length = input.skin.length;
+  history.width = input.skin.width;
+  history.grid = {x_edges, mesh.half_model() ? reflected_edges(y_edges) : y_edges, z_lines};
+
+  const LineOperator along_z = linear_projection(z_lines);
+  const auto field_at = [&](const StateCombination& combination) {
+    const auto centre = centre_at(input, combination.arc_length);
+    const auto lines = mesh.lines(centre);
+    const auto along = [](const std::vector<double>& line, std::vector<double> edges,
+                          double shift) {
+      for (double& edge : edges) {
+        edge += shift;
+      }
+      return compose(cell_averages(line, edges), linear_projection(line));
+    };
+    const LineOperator along_x = along(lines.x, x_edges, centre[0]);
+    const LineOperator along_y = along(lines.y, y_edges, centre[1]);
+    const auto& points = combination.terms.front().state->strain.points;
+    StrainField a = gauss_shear(input.coupling.measure, combination);
+    StrainField b;
+    apply_along(along_z, 1, points[1] * points[0], a, b);
+    apply_along(along_x, z_lines.size() * points[1], 1, b, a);
+    apply_along(along_y, z_lines.size(), along_x.rows(), a, b);
+    return mesh.half_model() ? reflected_field(b, z_lines.size(), along_y.rows(), along_x.rows())
+                             : b;
+  };
+
+  const auto detached = std::make_shared<const StrainField>(history.grid.values(), 0.0);
+  std::vector<std::shared_ptr<const StrainField>> cycle_fields;
+  std::vector<std::array<double, 2>> cycle_centres;
+  for (const double time : timeline.sample_times()) {
+    const StateCombination combination = timeline.at(time);
+    cycle_centres.push_back(centre_at(input, combination.arc_length));
+    cycle_fields.push_back(combination.terms.empty()
+                               ? detached
+                               : std::make_shared<const StrainField>(field_at(combination)));
+  }
+  const bool off_centre =
+      motion.direction[1] != 0 || input.slider.start[1] != 0.5 * input.skin.width;
+  for (int cycle = 0; cycle < motion.cycles; ++cycle) {
+    const double offset = cycle * motion.cycle_duration();
+    for (std::size_t i = cycle == 0 ? 0 : 1; i < cycle_fields.size(); ++i) {
+      history.time.push_back(offset + timeline.sample_times()[i]);
+      history.slider_x.push_back(cycle_centres[i][0]);
+      if (off_centre) {
+        history.slider_y.push_back(cycle_centres[i][1]);
+      }
+      history.gamma.push_back(cycle_fields[i]);
+    }
+    for (const double event : timeline.event_times()) {
+      // Event times are sample times, up to coinciding ones: take the sample itself.
+      const auto sample = std::lower_bound(history.time.begin(), history.time.end(),
+                                           offset + event - 1e-12 * motion.cycle_duration());
+      history.event_time.push_back(*sample);
+    }
+  }
+  return history;
+}
+
+double mechanics_shear_integral(const Case& input, const mechanics::ContactSolution& contact,
+                                double local_time) {
+  const StateCombination combination = ContactTimeline(input, contact).at(local_time);
+  if (combination.terms.empty()) {
+    return 0.0;
+  }
+  const auto lines = contact.mesh.lines(centre_at(input, combination.arc_length));
+  const auto z_lines = core_lines(contact.mesh, lines);
+  const auto shear = gauss_shear(input.coupling.measure, combination);
+  const auto& points = combination.terms.front().state->strain.points;
+  const auto weight = [](const std::vector<double>& line, std::size_t point) {
+    return 0.5 * (line[point / 2 + 1] - line[point / 2]);
+  };
+  double integral = 0;
+  for (std::size_t k = 0; k < points[2]; ++k) {
+    for (std::size_t j = 0; j < points[1]; ++j) {
+      double row = 0;
+      for (std::size_t i = 0; i < points[0]; ++i) {
+        row += weight(lines.x, i) * shear[(k * points[1] + j) * points[0] + i];
+      }
+      integral += weight(z_lines, k) * weight(lines.y, j) * row;
+    }
+  }
+  return contact.mesh.half_model() ? 2 * integral : integral;
+}
+
+} // namespace ionskin::strain

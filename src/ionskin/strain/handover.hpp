@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/mechanics/contact_solution.hpp"
+#include "ionskin/strain/strain_history.hpp"
+
+namespace ionskin::strain {
+
+/// Turns Study 1 into the shear history of the whole run, in the slider's frame: interpolates the
+/// strain at fixed mesh index, takes the case's shear measure, smooths it by an L2 projection in
+/// the core (its integral is conserved) and averages it over cells that ride with the slider. Takes
+/// about a second and cannot be interrupted, so that finished mechanics is never lost.
+StrainHistory build_strain_history(const Case& input, const mechanics::ContactSolution& contact);
+
+/// Integral of the shear over the core at one instant straight from the Gauss points of the
+/// mechanics [m3]; the reference for what the history must conserve.
+double mechanics_shear_integral(const Case& input, const mechanics::ContactSolution& contact,
+                                double local_time);
+
+} // namespace ionskin::strain

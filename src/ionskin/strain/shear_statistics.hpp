@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/strain/strain_history.hpp"
+
+namespace ionskin::strain {
+
+/// Scalars of the shear at one instant, volume weighted over the whole core.
+struct ShearStatistics {
+  double mean = 0;         ///< [1]
+  double rms = 0;          ///< [1]
+  double p95 = 0, p99 = 0; ///< percentiles by volume, over z intervals of cells [1]
+  double first_moment = 0; ///< mean of gamma (zeta/h - 1/2) [1]
+  double element_max = 0;  ///< largest average over one z interval of one cell [1]
+};
+
+/// @param time [s] within the history
+/// Mean, rms and first moment are exact for the piecewise-linear form.
+ShearStatistics shear_statistics(const StrainHistory& history, double time);
+
+/// Integral of gamma over the core [m3], exact for the piecewise-linear form.
+double shear_integral(const StrainHistory& history, double time);
+
+} // namespace ionskin::strain

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ionskin::strain {
+
+/// Cells in x and y, nodes in z. x and y count from the skin's corner (frame skin) or from the
+/// slider's centre (frame slider); z counts from the bottom of the core. All [m], strictly
+/// ascending.
+struct StrainGrid {
+  std::vector<double> x_edges, y_edges, z_nodes;
+  std::size_t columns_x() const { return x_edges.size() - 1; }
+  std::size_t columns_y() const { return y_edges.size() - 1; }
+  std::size_t values() const { return columns_x() * columns_y() * z_nodes.size(); }
+};
+
+enum class Frame { skin, slider };
+
+/// Shear [1] at every value of the grid, [z][y][x] with x fastest.
+using StrainField = std::vector<double>;
+
+/// Scalar shear in the core over time: the only handover between mechanics and ion transport.
+/// Linear in time and in z between the samples, constant over each x-y cell. In the slider frame
+/// the cells ride with the slider, whose position is linear in time between the samples too.
+struct StrainHistory {
+  StrainGrid grid;
+  Frame frame = Frame::skin;
+  std::string measure;          ///< name of the shear measure, for the record
+  double length = 0, width = 0; ///< of the core along x and y [m]
+  std::vector<double> time;     ///< [s], strictly ascending, at least two samples
+  std::vector<double> slider_x; ///< slider centre per sample [m]; empty in the skin frame
+  std::vector<double> slider_y; ///< likewise; empty when it stays at mid-width
+  /// Sample fields; repeated fields (later cycles, detached phases) are shared, not copied.
+  std::vector<std::shared_ptr<const StrainField>> gamma;
+  /// Instants after which the response has a fresh fast transient (contact, phase changes) [s]; a
+  /// subset of `time`. Time steps restart small there; they land on every other sample without a
+  /// restart.
+  std::vector<double> event_time;
+
+  double core_thickness() const { return grid.z_nodes.back(); }
+  /// Duration of the history [s].
+  double duration() const { return time.back() - time.front(); }
+};
+
+/// Place of an instant between two samples: (1 - weight) * sample[index] + weight * sample[index +
+/// 1].
+struct TimeBracket {
+  std::size_t index = 0;
+  double weight = 0;
+};
+
+/// @param time [s]; clamped to the history
+TimeBracket bracket(const StrainHistory& history, double time);
+
+/// Cell edges in the skin's frame at an instant [m].
+std::vector<double> skin_x_edges(const StrainHistory& history, const TimeBracket& at);
+std::vector<double> skin_y_edges(const StrainHistory& history, const TimeBracket& at);
+
+/// The field at an instant, into `field` (resized) [1].
+void interpolate_field(const StrainHistory& history, const TimeBracket& at, StrainField& field);
+
+} // namespace ionskin::strain

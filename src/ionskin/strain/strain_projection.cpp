@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/strain/strain_projection.hpp"
+
+#include <utility>
+
+namespace ionskin::strain {
+
+StrainProjection::StrainProjection(const StrainHistory& history, std::vector<double> x_edges,
+                                   std::vector<double> y_edges, const std::vector<double>& z_nodes)
+    : history_(history), x_edges_(std::move(x_edges)), y_edges_(std::move(y_edges)),
+      along_z_(hat_averages(history.grid.z_nodes, z_nodes)) {}
+
+void StrainProjection::evaluate(double time, std::vector<double>& field) const {
+  const TimeBracket at = bracket(history_, time);
+  interpolate_field(history_, at, source_);
+  const LineOperator along_x = overlap_averages(skin_x_edges(history_, at), x_edges_);
+  const LineOperator along_y = overlap_averages(skin_y_edges(history_, at), y_edges_);
+  const std::size_t levels = history_.grid.z_nodes.size();
+  apply_along(along_x, levels * history_.grid.columns_y(), 1, source_, after_x_);
+  apply_along(along_y, levels, along_x.rows(), after_x_, after_y_);
+  apply_along(along_z_, 1, along_x.rows() * along_y.rows(), after_y_, field);
+}
+
+} // namespace ionskin::strain

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/strain/contact_timeline.hpp"
+
+#include "synthetic_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace ionskin::strain {
+namespace {
+
+class ContactTimelineTest : public testing::Test {
+protected:
+  Case input = small_case();
+  mechanics::ContactSolution contact = synthetic_contact(input);
+  ContactTimeline timeline{input, contact};
+};
+
+TEST_F(ContactTimelineTest, SamplesAscendAndHoldTheEvents) {
+  const auto& times = timeline.sample_times();
+  EXPECT_TRUE(std::is_sorted(times.begin(), times.end()));
+  EXPECT_EQ(std::adjacent_find(times.begin(), times.end()), times.end());
+  EXPECT_DOUBLE_EQ(times.front(), 0);
+  EXPECT_DOUBLE_EQ(times.back(), 4);
+  for (const double event : timeline.event_times()) {
+    EXPECT_TRUE(std::binary_search(times.begin(), times.end(), event)) << event;
+  }
+}
+
+TEST_F(ContactTimelineTest, TouchesInTheLastPartOfTouchdown) {
+  const double contact_time = 0.5 * 1000.0 / 1001.0;
+  EXPECT_TRUE(timeline.at(contact_time).terms.empty());
+  EXPECT_NEAR(timeline.at(0.5 * (contact_time + 0.5)).normal_force(), 0.5, 1e-12);
+  EXPECT_DOUBLE_EQ(timeline.at(0.5).normal_force(), 1.0);
+}
+
+TEST_F(ContactTimelineTest, OnsetRunsThroughItsStatesAndJoinsSteadySliding) {
+  const double speed = 3e-3;
+  EXPECT_NEAR(timeline.at(0.5 + 1e-6 / speed).normal_force(), 1.5, 1e-5);
+  EXPECT_NEAR(timeline.at(0.5 + 3e-6 / speed).normal_force(), 1.9, 1e-4);
+  const double join = timeline.join_time();
+  EXPECT_NEAR(join, 0.5 + 5e-6 / speed, 1e-12);
+  EXPECT_NEAR(timeline.at(join - 1e-9).normal_force(), timeline.at(join + 1e-9).normal_force(), 1e-5);
+  EXPECT_NEAR(timeline.at(0.5 + 1e-12).normal_force(), 1.0, 1e-6);
+}
+
+TEST_F(ContactTimelineTest, InterpolatesSteadySlidingAlongTheTrack) {
+  const auto middle = timeline.at(1.5);
+  EXPECT_NEAR(middle.arc_length, 3e-3, 1e-15);
+  EXPECT_NEAR(middle.normal_force(), 2 + 9, 1e-10);
+  EXPECT_NEAR(middle.tangential_force()[0], 0.3 * 11, 1e-10);
+}
+
+TEST_F(ContactTimelineTest, LiftsThroughItsStatesToNothing) {
+  const double end = 2 + 36;
+  const double duration = 0.5 / 1001; // the preload's part of lift-off
+  EXPECT_NEAR(timeline.at(2.5).normal_force(), end, 1e-9);
+  EXPECT_NEAR(timeline.at(2.5 + 0.25 * duration).normal_force(), 0.7 * end, 1e-9);
+  EXPECT_NEAR(timeline.at(2.5 + 0.5 * duration).normal_force(), 0.4 * end, 1e-9);
+  EXPECT_NEAR(timeline.at(2.5 + 0.75 * duration).normal_force(), 0.2 * end, 1e-9);
+  EXPECT_TRUE(timeline.at(2.5 + duration).terms.empty());
+}
+
+TEST_F(ContactTimelineTest, ReturnsDetachedToTheStart) {
+  EXPECT_DOUBLE_EQ(timeline.at(3.0).arc_length, 6e-3);
+  EXPECT_NEAR(timeline.at(3.5).arc_length, 3e-3, 1e-15);
+  EXPECT_NEAR(timeline.at(4.0).arc_length, 0, 1e-15);
+}
+
+TEST(ContactTimeline, ZeroStrokeHoldsTheTouchdownState) {
+  Case input = small_case();
+  input.motion.stroke = 0;
+  auto contact = synthetic_contact(input);
+  contact.onset.clear();
+  contact.steady.clear();
+  const ContactTimeline timeline(input, contact);
+  EXPECT_DOUBLE_EQ(timeline.at(1.7).normal_force(), 1.0);
+  EXPECT_DOUBLE_EQ(timeline.join_time(), 0.5);
+}
+
+} // namespace
+} // namespace ionskin::strain

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/strain/handover.hpp"
+
+#include "ionskin/strain/contact_timeline.hpp"
+#include "ionskin/strain/shear_statistics.hpp"
+#include "synthetic_contact.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ionskin::strain {
+namespace {
+
+void expect_conserved(const Case& input) {
+  const auto contact = synthetic_contact(input);
+  const auto history = build_strain_history(input, contact);
+  const ContactTimeline timeline(input, contact);
+  const auto& times = timeline.sample_times();
+  for (std::size_t i = 0; i < times.size(); i += 5) {
+    const double expected = mechanics_shear_integral(input, contact, times[i]);
+    EXPECT_NEAR(shear_integral(history, times[i]), expected, 1e-12 * expected) << "at " << times[i];
+  }
+}
+
+TEST(Handover, ConservesTheIntegralOfTheHalfModel) { expect_conserved(small_case()); }
+
+TEST(Handover, ConservesTheIntegralOfAnOffCentreTrack) {
+  Case input = small_case();
+  input.slider.start[1] = 0.9e-3;
+  expect_conserved(input);
+}
+
+TEST(Handover, ConservesTheIntegralOfAnObliqueTrack) {
+  Case input = small_case();
+  input.slider.size = {3e-3, 1e-3};
+  input.motion.stroke = 1e-3;
+  input.motion.direction = {0.96, 0.28};
+  expect_conserved(input);
+}
+
+TEST(Handover, RepeatsTheCycleWithoutCopies) {
+  const Case input = small_case();
+  const auto contact = synthetic_contact(input);
+  const auto history = build_strain_history(input, contact);
+  const std::size_t one_cycle = ContactTimeline(input, contact).sample_times().size();
+  ASSERT_EQ(history.time.size(), 2 * one_cycle - 1);
+  EXPECT_EQ(history.gamma[5].get(), history.gamma[one_cycle + 4].get());
+  EXPECT_DOUBLE_EQ(history.time.back(), 8.0);
+  EXPECT_EQ(history.event_time.size(), 8u);
+  EXPECT_NEAR(history.event_time[4], 4 + history.event_time[0], 1e-12);
+}
+
+TEST(Handover, TouchdownIsProportionalToTheIndentation) {
+  const Case input = small_case();
+  const auto contact = synthetic_contact(input);
+  const auto history = build_strain_history(input, contact);
+  const double contact_time = 0.5 * 1000.0 / 1001.0;
+  const double half = shear_integral(history, 0.5 * (contact_time + 0.5));
+  EXPECT_NEAR(half, 0.5 * shear_integral(history, 0.5), 1e-12 * half);
+  EXPECT_EQ(shear_integral(history, contact_time), 0.0);
+}
+
+} // namespace
+} // namespace ionskin::strain

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/mechanics/contact_solution.hpp"
+
+#include <cmath>
+
+namespace ionskin::strain {
+
+/// A small skin and slider in round numbers.
+inline Case small_case() {
+  Case input;
+  input.skin.length = 15e-3;
+  input.skin.width = 2e-3;
+  const Material platinum{"platinum", 168e9, 0.38};
+  const Material nafion{"nafion", 249e6, 0.49};
+  input.skin.layers = {{"bottom", LayerRole::electrode, platinum, 10e-6},
+                       {"core", LayerRole::core, nafion, 180e-6},
+                       {"top", LayerRole::electrode, platinum, 10e-6}};
+  input.slider.size = {3e-3, 1.5e-3};
+  input.slider.start = {4.5e-3, 1e-3};
+  input.motion.gap = 1e-3;
+  input.motion.preload = 1e-6;
+  input.motion.stroke = 6e-3;
+  input.motion.touchdown = 0.5;
+  input.motion.slide = 2;
+  input.motion.lift = 0.5;
+  input.motion.return_ = 1;
+  input.motion.cycles = 2;
+  input.contact.friction = 0.3;
+  input.numerics.preset = Preset::coarse;
+  return input;
+}
+
+/// A state whose forces and strains are multiples of `amplitude`; the strain varies over the core.
+inline mechanics::ContactState synthetic_state(const mesh::SkinMesh& mesh, double amplitude,
+                                               double pattern = 0) {
+  mechanics::ContactState state;
+  state.normal_force = amplitude;
+  state.tangential_force = {0.3 * amplitude, 0};
+  const auto elements = mesh.elements();
+  const auto rows = mesh.core_z();
+  state.strain.points = {2 * elements[0], 2 * elements[1], 2 * (rows[1] - rows[0])};
+  const std::size_t count =
+      state.strain.points[0] * state.strain.points[1] * state.strain.points[2];
+  for (std::size_t c = 0; c < 6; ++c) {
+    state.strain.component[c].resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      state.strain.component[c][i] =
+          1e-3 * amplitude * std::sin(0.01 * static_cast<double>(i * (c + 1)) + pattern);
+    }
+  }
+  return state;
+}
+
+/// Nine steady positions whose normal force is 2 + (s/mm)^2, onset and lift-off states of round numbers.
+inline mechanics::ContactSolution synthetic_contact(const Case& input) {
+  const mesh::SkinMesh mesh(input);
+  mechanics::ContactSolution contact{mesh};
+  contact.touchdown = {1.0, synthetic_state(mesh, 1.0)};
+  contact.onset = {{1e-6, synthetic_state(mesh, 1.5, 0.1)}, {3e-6, synthetic_state(mesh, 1.9, 0.2)}};
+  for (int i = 0; i < 9; ++i) {
+    const double s = input.motion.stroke * 0.5 * (1 - std::cos(M_PI * i / 8));
+    contact.steady.push_back({s, synthetic_state(mesh, 2 + s * s * 1e6, 0.3)});
+  }
+  const double end = contact.steady.back().state.normal_force;
+  contact.lift_off = {{0.5, synthetic_state(mesh, 0.4 * end, 0.3)},
+                      {0.0, synthetic_state(mesh, 0.0)}};
+  return contact;
+}
+
+} // namespace ionskin::strain
