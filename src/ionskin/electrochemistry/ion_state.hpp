@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace ionskin::electrochemistry {
+
+/// Scaled unknowns: concentration v c / c0, then potential v F phi / (R T), each [z][y][x].
+struct IonState {
+  std::vector<double> values;
+
+  IonState() = default;
+  explicit IonState(std::size_t nodes) : values(2 * nodes, 0.0) {}
+  std::size_t nodes() const { return values.size() / 2; }
+  std::span<double> concentration() { return {values.data(), nodes()}; }
+  std::span<double> potential() { return {values.data() + nodes(), nodes()}; }
+  std::span<const double> concentration() const { return {values.data(), nodes()}; }
+  std::span<const double> potential() const { return {values.data() + nodes(), nodes()}; }
+};
+
+/// What a time step starts from.
+struct TransportState {
+  IonState ions;
+  /// Rate of change at the end of the last step [1/scaled time]: where the next guess comes from.
+  std::vector<double> rate;
+};
+
+} // namespace ionskin::electrochemistry

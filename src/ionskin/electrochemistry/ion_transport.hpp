@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/base/progress.hpp"
+#include "ionskin/base/timers.hpp"
+#include "ionskin/case/case.hpp"
+#include "ionskin/electrochemistry/electrode_potentials.hpp"
+#include "ionskin/electrochemistry/ion_solution.hpp"
+#include "ionskin/electrochemistry/ion_state.hpp"
+#include "ionskin/strain/strain_history.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace ionskin::electrochemistry {
+
+/// All that a run needs to go on where it stopped, with the same result bit for bit.
+struct IonCheckpoint {
+  std::size_t step = 0; ///< finished steps
+  TransportState state; ///< scaled
+  IonSolution solution; ///< all rows and snapshots so far
+};
+
+struct IonOptions {
+  int threads = 1;
+  base::ProgressCallback progress = base::no_progress;
+  ElectrodePotentials potentials;
+  /// Instants at which snapshots are kept [s]; steps land on them.
+  std::vector<double> snapshot_times;
+  /// Receives the run's state every `checkpoint_interval` steps, and before an interruption or a
+  /// SolverError leaves the solver.
+  std::function<void(const IonCheckpoint&)> checkpoint;
+  std::size_t checkpoint_interval = 50;
+  /// Continues from here. UserError when it belongs to another grid or other time steps.
+  std::optional<IonCheckpoint> resume;
+};
+
+/// Solves ion transport in the core for a history of shear and returns one row per time step.
+/// Stage in `timers`: "electrochemistry". Throws Interrupted, and SolverError when the fixed charge
+/// becomes negative or a step finds no solution.
+IonSolution solve_ion_transport(const Case& input, const strain::StrainHistory& history,
+                                const IonOptions& options, base::Timers& timers);
+
+} // namespace ionskin::electrochemistry

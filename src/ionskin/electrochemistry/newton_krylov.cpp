@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/electrochemistry/newton_krylov.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ionskin::electrochemistry {
+namespace {
+
+/// Error allowed in the unknowns, against the largest departure from the state at rest.
+constexpr double relative_tolerance = 3e-5;
+/// Rounding of the scaled unknowns, which are of order 1.
+constexpr double rounding = 1e-14;
+constexpr int newton_limit = 40;
+constexpr int krylov_limit = 80;
+constexpr double smallest_step_length = 1.0 / 256.0;
+/// Smallest share of a concentration that one step leaves.
+constexpr double depletion_limit = 0.1;
+/// Krylov iterations in one correction beyond which the preconditioner is renewed.
+constexpr int patience = 12;
+
+} // namespace
+
+NewtonKrylov::NewtonKrylov(const ScaledGrid& grid, double ion_amount, WorkerTeam& team)
+    : grid_(grid), vectors_(team), equations_(grid, team), preconditioner_(grid, team),
+      gmres_(2 * grid.nodes(), team), exact_average_(grid, ion_amount), trial_(grid.nodes()),
+      residual_(2 * grid.nodes()), defect_(residual_.size()), correction_(residual_.size()) {}
+
+void NewtonKrylov::prepare(const IonState& state, double step) {
+  preconditioner_.factorise(state, step);
+  ++counters_.preconditioner_setups;
+}
+
+double NewtonKrylov::precondition_residual(const StageProblem& problem, const IonState& state) {
+  equations_.residual(problem, state, residual_);
+  preconditioner_.apply(residual_, defect_);
+  return vectors_.norm(defect_);
+}
+
+double NewtonKrylov::tolerance(const StageProblem& problem, const IonState& state) {
+  double scale = std::max({std::abs(problem.potential_bottom), std::abs(problem.potential_top),
+                           vectors_.largest_magnitude(state.potential())});
+  for (const double value : problem.fixed_charge) {
+    scale = std::max(scale, std::abs(value - 1.0));
+  }
+  return relative_tolerance * std::min(scale, 1.0) + rounding;
+}
+
+bool NewtonKrylov::solve(const StageProblem& problem, IonState& state) {
+  const double allowed = tolerance(problem, state);
+  precondition_residual(problem, state);
+  bool renew = false;
+  for (int iteration = 0; iteration < newton_limit; ++iteration) {
+    ++counters_.newton_iterations;
+    if (renew) {
+      prepare(state, problem.step);
+      precondition_residual(problem, state);
+    }
+    const double error = vectors_.largest_magnitude(defect_);
+    if (!std::isfinite(vectors_.norm(defect_))) {
+      return false;
+    }
+    if (error <= allowed) {
+      // The defect itself is a nearly exact correction, already paid for.
+      step(state, 1.0, defect_, trial_);
+      std::swap(state.values, trial_.values);
+      exact_average_.correct(problem, state);
+      return true;
+    }
+    const int iterations =
+        solve_linearised(problem, state, std::clamp(0.3 * allowed / error, 1e-5, 1e-2));
+    const bool reduced = search(problem, state);
+    if (!reduced && renew) {
+      return false;
+    }
+    // The preconditioner also measures the errors: an old one may mislead the search.
+    renew = !reduced || iterations > patience;
+  }
+  return false;
+}
+
+int NewtonKrylov::solve_linearised(const StageProblem& problem, const IonState& state,
+                                   double reduction) {
+  equations_.linearise(problem, state);
+  const auto preconditioned_jacobian = [this](std::span<const double> x, std::span<double> y) {
+    equations_.apply_jacobian(x, residual_);
+    preconditioner_.apply(residual_, y);
+  };
+  const Gmres::Result result =
+      gmres_.solve(preconditioned_jacobian, defect_, correction_, reduction, krylov_limit);
+  counters_.krylov_iterations += static_cast<std::size_t>(result.iterations);
+  return result.iterations;
+}
+
+/// out = state - length correction, except that no concentration falls below a tenth of itself.
+void NewtonKrylov::step(const IonState& state, double length, std::span<const double> correction,
+                        IonState& out) {
+  vectors_.combine(state.values, -length, correction, out.values);
+  const auto before = state.concentration();
+  const auto after = out.concentration();
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    after[i] = std::max(after[i], depletion_limit * before[i]);
+  }
+}
+
+bool NewtonKrylov::search(const StageProblem& problem, IonState& state) {
+  const double start = vectors_.norm(defect_);
+  for (double length = 1.0; length >= smallest_step_length; length *= 0.5) {
+    step(state, length, correction_, trial_);
+    if (precondition_residual(problem, trial_) <= (1.0 - 0.25 * length) * start) {
+      std::swap(state.values, trial_.values);
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace ionskin::electrochemistry

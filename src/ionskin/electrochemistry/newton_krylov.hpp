@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/electrochemistry/exact_average.hpp"
+#include "ionskin/electrochemistry/gmres.hpp"
+#include "ionskin/electrochemistry/preconditioner.hpp"
+#include "ionskin/electrochemistry/transport_equations.hpp"
+#include "ionskin/electrochemistry/vector_operations.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace ionskin::electrochemistry {
+
+struct SolverCounters {
+  std::size_t newton_iterations = 0, krylov_iterations = 0, preconditioner_setups = 0;
+};
+
+/// Solves one implicit stage by Newton's method with GMRES for the corrections. Residuals are
+/// measured after preconditioning, that is as errors of the scaled unknowns. The step must reduce
+/// the residual (natural monotonicity test: Deuflhard 2011, doi 10.1007/978-3-642-23899-4), and
+/// where it would take away more than 90 % of a concentration, that concentration's own step is
+/// shortened: c stays positive on the way, and what is accepted satisfies the equations.
+class NewtonKrylov {
+public:
+  /// @param ion_amount conserved; see ExactAverage
+  NewtonKrylov(const ScaledGrid& grid, double ion_amount, WorkerTeam& team);
+
+  /// Renews the preconditioner for stages with this implicit step near this state.
+  void prepare(const IonState& state, double step);
+
+  /// Replaces the guess in `state`, whose concentrations must be positive, by the solution.
+  /// @returns false when Newton's method gives up; `state` is then of no use
+  bool solve(const StageProblem& problem, IonState& state);
+
+  const SolverCounters& counters() const { return counters_; }
+  void restore_counters(const SolverCounters& counters) { counters_ = counters; }
+
+private:
+  double precondition_residual(const StageProblem& problem, const IonState& state);
+  double tolerance(const StageProblem& problem, const IonState& state);
+  void step(const IonState& state, double length, std::span<const double> correction,
+            IonState& out);
+  bool search(const StageProblem& problem, IonState& state);
+  /// Sets the correction; returns the number of Krylov iterations.
+  int solve_linearised(const StageProblem& problem, const IonState& state, double reduction);
+
+  const ScaledGrid& grid_;
+  VectorOperations vectors_;
+  TransportEquations equations_;
+  FastDiagonalisation preconditioner_;
+  Gmres gmres_;
+  ExactAverage exact_average_;
+  SolverCounters counters_;
+  IonState trial_;
+  std::vector<double> residual_;   ///< of the equations
+  std::vector<double> defect_;     ///< preconditioned residual: the estimated error of the state
+  std::vector<double> correction_; ///< solves (preconditioned Jacobian) correction = defect
+};
+
+} // namespace ionskin::electrochemistry

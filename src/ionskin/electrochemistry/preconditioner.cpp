@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/electrochemistry/preconditioner.hpp"
+
+#include "ionskin/electrochemistry/ion_flux.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ionskin::electrochemistry {
+namespace {
+
+/// Modes that one thread works on in a row; a multiple of the vector length.
+constexpr std::size_t mode_granularity = 16;
+
+/// Levels that are transformed together.
+constexpr std::size_t tile_levels = 8;
+
+/// Flux between two levels of the averaged state, differentiated.
+struct FluxDerivatives {
+  double by_lower = 0, by_upper = 0, by_difference = 0;
+};
+
+FluxDerivatives flux_derivatives(double c_lower, double c_upper, double u, double spacing) {
+  const Bernoulli b = bernoulli(u);
+  return {b.value / spacing, (b.value + u) / spacing,
+          (b.derivative * c_lower - (b.derivative + 1.0) * c_upper) / spacing};
+}
+
+} // namespace
+
+FastDiagonalisation::FastDiagonalisation(const ScaledGrid& grid, WorkerTeam& team)
+    : grid_(grid), team_(team), transform_(grid), mean_concentration_(grid.levels),
+      mean_potential_(grid.levels), lower_(grid.levels), upper_(grid.levels),
+      inverse_00_(grid.nodes()), inverse_01_(grid.nodes()), inverse_10_(grid.nodes()),
+      inverse_11_(grid.nodes()), balance_(grid.nodes()), poisson_(grid.nodes()),
+      scratch_(grid.nodes()) {}
+
+void FastDiagonalisation::average(const IonState& state) {
+  const std::size_t columns = grid_.columns();
+  const auto mean = [columns](std::span<const double> field, std::size_t k) {
+    double sum = 0.0;
+    for (const double value : field.subspan(k * columns, columns)) {
+      sum += value;
+    }
+    return sum / static_cast<double>(columns);
+  };
+  for (std::size_t k = 0; k < grid_.levels; ++k) {
+    mean_concentration_[k] = mean(state.concentration(), k);
+    mean_potential_[k] = mean(state.potential(), k);
+  }
+}
+
+void FastDiagonalisation::factorise(const IonState& state, double step) {
+  average(state);
+  team_.for_blocks(grid_.columns(), mode_granularity,
+                   [&](std::size_t begin, std::size_t end, std::size_t) {
+                     factorise_modes(step, begin, end, begin == 0);
+                   });
+}
+
+/// Block elimination from the bottom; the off-diagonal blocks are kept by whoever owns them.
+void FastDiagonalisation::factorise_modes(double step, std::size_t begin, std::size_t end,
+                                          bool keep_off_diagonals) {
+  const std::size_t columns = grid_.columns(), top = grid_.levels - 1;
+  std::vector<double> w00(end - begin, 0.0), w01(w00), w10(w00), w11(w00);
+  FluxDerivatives below;
+  double u00 = 0.0, u01 = 0.0, u10 = 0.0, u11 = 0.0; // upper block of the level below
+  for (std::size_t k = 0; k <= top; ++k) {
+    FluxDerivatives above;
+    if (k < top) {
+      above = flux_derivatives(mean_concentration_[k], mean_concentration_[k + 1],
+                               mean_potential_[k + 1] - mean_potential_[k], grid_.spacing[k]);
+    }
+    const bool wall = k == 0 || k == top;
+    const double height = grid_.height[k], concentration = mean_concentration_[k];
+    const double up = k < top ? 1.0 / grid_.spacing[k] : 0.0;
+    const double down = k > 0 ? 1.0 / grid_.spacing[k - 1] : 0.0;
+    const double l00 = -step * below.by_lower, l01 = step * below.by_difference;
+    const ChargeWeights charge = wall ? ChargeWeights{} : charge_weights(grid_, k);
+    const double l10 = -charge.below, l11 = wall ? 0.0 : -down;
+    const double flux_diagonal = above.by_lower + below.by_upper;
+    const double flux_potential = -above.by_difference - below.by_difference;
+    const double* lambda = transform_.eigenvalues().data() + begin;
+    const std::size_t offset = k * columns + begin;
+#pragma omp simd
+    for (std::size_t i = 0; i < end - begin; ++i) {
+      const double x00 = l00 * w00[i] + l01 * w10[i], x01 = l00 * w01[i] + l01 * w11[i];
+      const double x10 = l10 * w00[i] + l11 * w10[i], x11 = l10 * w01[i] + l11 * w11[i];
+      const double lateral = height * lambda[i];
+      const double d00 = height + step * (flux_diagonal + lateral) - x00 * u00 - x01 * u10;
+      const double d01 = step * (flux_potential + lateral * concentration) - x00 * u01 - x01 * u11;
+      const double d10 = -charge.here - x10 * u00 - x11 * u10;
+      const double d11 = (wall ? 1.0 : up + down + lateral) - x10 * u01 - x11 * u11;
+      const double inverse_determinant = 1.0 / (d00 * d11 - d01 * d10);
+      w00[i] = d11 * inverse_determinant;
+      w01[i] = -d01 * inverse_determinant;
+      w10[i] = -d10 * inverse_determinant;
+      w11[i] = d00 * inverse_determinant;
+      inverse_00_[offset + i] = static_cast<float>(w00[i]);
+      inverse_01_[offset + i] = static_cast<float>(w01[i]);
+      inverse_10_[offset + i] = static_cast<float>(w10[i]);
+      inverse_11_[offset + i] = static_cast<float>(w11[i]);
+    }
+    u00 = -step * above.by_upper;
+    u01 = step * above.by_difference;
+    u10 = -charge.above;
+    u11 = wall ? 0.0 : -up;
+    if (keep_off_diagonals) {
+      lower_[k] = {static_cast<float>(l00), static_cast<float>(l01), static_cast<float>(l10),
+                   static_cast<float>(l11)};
+      upper_[k] = {static_cast<float>(u00), static_cast<float>(u01), static_cast<float>(u10),
+                   static_cast<float>(u11)};
+    }
+    below = above;
+  }
+}
+
+/// Calls `body` on tiles of levels that are the same for any number of threads, because the
+/// rounding of a matrix product depends on its size.
+template <class Body> void FastDiagonalisation::for_tiles(const Body& body) {
+  team_.for_blocks(grid_.levels, tile_levels, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t k = begin; k < end; k += tile_levels) {
+      body(k, std::min(k + tile_levels, end));
+    }
+  });
+}
+
+void FastDiagonalisation::apply(std::span<const double> residual, std::span<double> out) {
+  const std::size_t nodes = grid_.nodes();
+  for_tiles([&](std::size_t begin, std::size_t end) {
+    transform_.forward(residual.first(nodes), balance_, scratch_, begin, end);
+    transform_.forward(residual.last(nodes), poisson_, scratch_, begin, end);
+  });
+  team_.for_blocks(
+      grid_.columns(), mode_granularity,
+      [&](std::size_t begin, std::size_t end, std::size_t) { solve_modes(begin, end); });
+  for_tiles([&](std::size_t begin, std::size_t end) {
+    transform_.backward(balance_, out.first(nodes), scratch_, begin, end);
+    transform_.backward(poisson_, out.last(nodes), scratch_, begin, end);
+  });
+}
+
+void FastDiagonalisation::solve_modes(std::size_t begin, std::size_t end) {
+  const std::size_t columns = grid_.columns(), levels = grid_.levels;
+  for (std::size_t k = 0; k < levels; ++k) {
+    const std::size_t offset = k * columns;
+    float* x = balance_.data() + offset;
+    float* y = poisson_.data() + offset;
+    const float* w00 = inverse_00_.data() + offset;
+    const float* w01 = inverse_01_.data() + offset;
+    const float* w10 = inverse_10_.data() + offset;
+    const float* w11 = inverse_11_.data() + offset;
+    const OffDiagonal l = lower_[k];
+    const float* x_below = k > 0 ? x - columns : x;
+    const float* y_below = k > 0 ? y - columns : y;
+#pragma omp simd
+    for (std::size_t i = begin; i < end; ++i) {
+      const float r =
+          x[i] - l.balance_concentration * x_below[i] - l.balance_potential * y_below[i];
+      const float s =
+          y[i] - l.poisson_concentration * x_below[i] - l.poisson_potential * y_below[i];
+      x[i] = w00[i] * r + w01[i] * s;
+      y[i] = w10[i] * r + w11[i] * s;
+    }
+  }
+  for (std::size_t k = levels - 1; k-- > 0;) {
+    const std::size_t offset = k * columns;
+    float* x = balance_.data() + offset;
+    float* y = poisson_.data() + offset;
+    const float* w00 = inverse_00_.data() + offset;
+    const float* w01 = inverse_01_.data() + offset;
+    const float* w10 = inverse_10_.data() + offset;
+    const float* w11 = inverse_11_.data() + offset;
+    const OffDiagonal u = upper_[k];
+    const float* x_above = x + columns;
+    const float* y_above = y + columns;
+#pragma omp simd
+    for (std::size_t i = begin; i < end; ++i) {
+      const float r = u.balance_concentration * x_above[i] + u.balance_potential * y_above[i];
+      const float s = u.poisson_concentration * x_above[i] + u.poisson_potential * y_above[i];
+      x[i] -= w00[i] * r + w01[i] * s;
+      y[i] -= w10[i] * r + w11[i] * s;
+    }
+  }
+}
+
+} // namespace ionskin::electrochemistry

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/electrochemistry/problem_size.hpp"
+
+#include "ionskin/electrochemistry/derived_scales.hpp"
+#include "ionskin/electrochemistry/time_grid.hpp"
+#include "ionskin/electrochemistry/transport_grid.hpp"
+
+#include <algorithm>
+
+namespace ionskin::electrochemistry {
+namespace {
+
+/// Vectors of all unknowns that the solver keeps: states, residuals and a usual Krylov basis.
+constexpr double vectors_per_unknown = 30.0;
+
+/// Instants of one cycle after which the steps restart: contact, start of the slide, full slip, end
+/// of the slide, loss of contact, end of the lift.
+std::vector<double> cycle_events(const Motion& motion) {
+  const double contact_share = motion.preload / (motion.gap + motion.preload);
+  const double slide_begin = motion.touchdown, slide_end = slide_begin + motion.slide;
+  return {slide_begin - contact_share * motion.touchdown,
+          slide_begin,
+          slide_begin + 1e-3 * motion.slide,
+          slide_end,
+          slide_end + contact_share * motion.lift,
+          slide_end + motion.lift};
+}
+
+/// A history that has the grid's extents and the motion's events, but no shear.
+strain::StrainHistory outline(const Case& input) {
+  strain::StrainHistory history;
+  const Skin& skin = input.skin;
+  const bool uniform_y =
+      skin.sides == SideCondition::symmetry && input.slider.size[1] >= skin.width;
+  history.length = skin.length;
+  history.width = skin.width;
+  history.grid.x_edges = {0.0, 0.5 * skin.length, skin.length};
+  history.grid.y_edges =
+      uniform_y ? std::vector{0.0, skin.width} : std::vector{0.0, 0.5 * skin.width, skin.width};
+  history.grid.z_nodes = {0.0, skin.core_thickness()};
+  history.time = {0.0};
+  for (int cycle = 0; cycle < input.motion.cycles; ++cycle) {
+    const double begin = cycle * input.motion.cycle_duration();
+    for (const double event : cycle_events(input.motion)) {
+      history.time.push_back(begin + event);
+    }
+    history.time.push_back(begin + input.motion.cycle_duration());
+  }
+  std::sort(history.time.begin(), history.time.end());
+  history.time.erase(std::unique(history.time.begin(), history.time.end()), history.time.end());
+  history.event_time = history.time;
+  return history;
+}
+
+} // namespace
+
+ProblemSize problem_size(const Case& input, const strain::StrainHistory& history) {
+  const TransportGrid grid = make_transport_grid(input, history);
+  const DerivedScales scales = derive_scales(input.electrochemistry, history.core_thickness());
+  ProblemSize size;
+  size.columns_x = grid.x_edges.size() - 1;
+  size.columns_y = grid.y_edges.size() - 1;
+  size.levels = grid.z_nodes.size();
+  size.unknowns = 2 * size.columns_x * size.columns_y * size.levels;
+  size.steps =
+      make_time_grid(history, step_rule(input.numerics, scales), input.output.fields).size() - 1;
+  size.memory = vectors_per_unknown * sizeof(double) * static_cast<double>(size.unknowns);
+  return size;
+}
+
+ProblemSize estimate_problem_size(const Case& input) {
+  return problem_size(input, outline(input));
+}
+
+} // namespace ionskin::electrochemistry

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/electrochemistry/solution_rows.hpp"
+
+#include "ionskin/electrochemistry/exact_average.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ionskin::electrochemistry {
+namespace {
+
+double column_area(const TransportGrid& grid) {
+  return (grid.x_edges.back() - grid.x_edges.front()) *
+         (grid.y_edges.back() - grid.y_edges.front()) /
+         static_cast<double>((grid.x_edges.size() - 1) * (grid.y_edges.size() - 1));
+}
+
+/// The member of `times` nearest to an instant.
+double nearest(const std::vector<double>& times, double instant) {
+  return *std::min_element(times.begin(), times.end(), [instant](double a, double b) {
+    return std::abs(a - instant) < std::abs(b - instant);
+  });
+}
+
+std::vector<double> scaled_copy(std::span<const double> values, double unit) {
+  std::vector<double> copy(values.begin(), values.end());
+  for (double& value : copy) {
+    value *= unit;
+  }
+  return copy;
+}
+
+} // namespace
+
+SolutionRows::SolutionRows(const Electrochemistry& electrochemistry, const DerivedScales& scales,
+                           const TransportGrid& grid, const ScaledGrid& scaled,
+                           const FixedCharge& fixed_charge, const std::vector<double>& times,
+                           const std::vector<double>& snapshot_times)
+    : scaled_(scaled), fixed_charge_(fixed_charge),
+      charge_unit_(scales.charge_density * column_area(grid)),
+      volume_unit_(scales.debye_length * column_area(grid)),
+      concentration_unit_(electrochemistry.fixed_charge_concentration / electrochemistry.valence),
+      potential_unit_(scales.potential_scale) {
+  for (const double instant : snapshot_times) {
+    snapshot_times_.push_back(nearest(times, instant));
+  }
+}
+
+void SolutionRows::append(double time, const IonState& state, IonSolution& solution) {
+  wall_charges(scaled_, state, fixed_charge_.ratio(), charges_);
+  const auto c = state.concentration();
+  const auto [low, high] = std::ranges::minmax(state.potential());
+  solution.time.push_back(time);
+  solution.charge_top.push_back(charge_unit_ * charges_.total_top);
+  solution.charge_bottom.push_back(charge_unit_ * charges_.total_bottom);
+  solution.ramo_charge_top.push_back(charge_unit_ *
+                                     ramo_charge_top(scaled_, state, fixed_charge_.ratio()));
+  solution.ion_amount.push_back(volume_unit_ * concentration_unit_ *
+                                ExactAverage::total(scaled_, c));
+  solution.min_concentration.push_back(concentration_unit_ * std::ranges::min(c));
+  solution.max_potential.push_back(potential_unit_ * std::max(high, -low));
+  solution.shear_integral.push_back(volume_unit_ *
+                                    ExactAverage::total(scaled_, fixed_charge_.shear()));
+  if (std::ranges::find(snapshot_times_, time) != snapshot_times_.end()) {
+    solution.snapshots.push_back(snapshot(time, state));
+  }
+}
+
+void SolutionRows::finish(const IonState& state, IonSolution& solution) {
+  wall_charges(scaled_, state, fixed_charge_.ratio(), charges_);
+  solution.column_charge_top = scaled_copy(charges_.top, charge_unit_);
+}
+
+IonSnapshot SolutionRows::snapshot(double time, const IonState& state) const {
+  return {time, scaled_copy(state.concentration(), concentration_unit_),
+          scaled_copy(state.potential(), potential_unit_), scaled_copy(fixed_charge_.shear(), 1.0)};
+}
+
+} // namespace ionskin::electrochemistry

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/electrochemistry/charges.hpp"
+#include "ionskin/electrochemistry/derived_scales.hpp"
+#include "ionskin/electrochemistry/ion_solution.hpp"
+#include "ionskin/electrochemistry/ion_state.hpp"
+#include "ionskin/electrochemistry/scaled_grid.hpp"
+#include "ionskin/electrochemistry/space_charge.hpp"
+
+#include <vector>
+
+namespace ionskin::electrochemistry {
+
+/// Turns scaled states into rows and snapshots of an IonSolution in SI units. The fixed charge must
+/// stand at the instant of the state.
+class SolutionRows {
+public:
+  /// @param times step ends [s]
+  /// @param snapshot_times wanted instants [s]; each is kept at the nearest step end
+  SolutionRows(const Electrochemistry& electrochemistry, const DerivedScales& scales,
+               const TransportGrid& grid, const ScaledGrid& scaled, const FixedCharge& fixed_charge,
+               const std::vector<double>& times, const std::vector<double>& snapshot_times);
+
+  void append(double time, const IonState& state, IonSolution& solution);
+  /// Adds what is kept for the last row only.
+  void finish(const IonState& state, IonSolution& solution);
+
+private:
+  IonSnapshot snapshot(double time, const IonState& state) const;
+
+  const ScaledGrid& scaled_;
+  const FixedCharge& fixed_charge_;
+  double charge_unit_;        ///< F c0 lambda times the area of a column [C]
+  double volume_unit_;        ///< lambda times the area of a column [m3]
+  double concentration_unit_; ///< c0 / v [mol/m3]
+  double potential_unit_;     ///< R T / (v F) [V]
+  std::vector<double> snapshot_times_;
+  WallCharges charges_;
+};
+
+} // namespace ionskin::electrochemistry

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/electrochemistry/space_charge.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/electrochemistry/column_neutral.hpp"
+#include "ionskin/electrochemistry/derived_scales.hpp"
+#include "ionskin/electrochemistry/fixed_charge.hpp"
+#include "ionskin/electrochemistry/transport_grid.hpp"
+#include "ionskin/electrochemistry/volume_neutral.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace ionskin::electrochemistry {
+namespace {
+
+void apply_law(const Coupling& coupling, const ScaledGrid& grid, std::span<const double> shear,
+               std::span<double> ratio) {
+  switch (coupling.law) {
+  case CouplingLaw::fixed_charge:
+    return apply_fixed_charge(coupling.coefficient, shear, ratio);
+  case CouplingLaw::volume_neutral:
+    return apply_volume_neutral(coupling.coefficient, grid, shear, ratio);
+  case CouplingLaw::column_neutral:
+    return apply_column_neutral(coupling.coefficient, grid, shear, ratio);
+  }
+  throw InternalError("unknown coupling law");
+}
+
+double column_centre(const std::vector<double>& edges, std::size_t column) {
+  return 0.5 * (edges[column] + edges[column + 1]);
+}
+
+} // namespace
+
+FixedCharge::FixedCharge(const Case& input, const strain::StrainHistory& history,
+                         const TransportGrid& grid, const ScaledGrid& scaled)
+    : coupling_(input.coupling),
+      reference_concentration_(input.electrochemistry.fixed_charge_concentration), grid_(grid),
+      scaled_(scaled), projection_(history, grid.x_edges, grid.y_edges, grid.z_nodes),
+      shear_(scaled.nodes(), 0.0), ratio_(scaled.nodes(), 1.0) {}
+
+void FixedCharge::evaluate(double time) {
+  projection_.evaluate(time, shear_);
+  apply_law(coupling_, scaled_, shear_, ratio_);
+  check_sign(time);
+}
+
+void FixedCharge::check_sign(double time) const {
+  const auto lowest = std::min_element(ratio_.begin(), ratio_.end());
+  if (*lowest >= 0.0) {
+    return;
+  }
+  const auto node = static_cast<std::size_t>(lowest - ratio_.begin());
+  const std::size_t column = node % scaled_.columns();
+  const double x = column_centre(grid_.x_edges, column % scaled_.columns_x);
+  const double y = column_centre(grid_.y_edges, column / scaled_.columns_x);
+  const double z = grid_.z_nodes[node / scaled_.columns()];
+  throw SolverError(
+      fmt::format("the fixed charge concentration becomes negative: {:.4g} mol/m3 at t = {:.6g} s, "
+                  "x = {:.4g} mm, y = {:.4g} mm, {:.4g} um above the bottom of the core, where the "
+                  "shear is {:.4g}",
+                  *lowest * reference_concentration_, time, x * 1e3, y * 1e3, z * 1e6,
+                  shear_[node]),
+      fmt::format("make coupling.coefficient smaller in magnitude (now {:.4g}; the law gives "
+                  "c0 (1 + k gamma) and cannot reach below zero), or the shear",
+                  coupling_.coefficient));
+}
+
+void check_fixed_charge(const Case& input, const strain::StrainHistory& history) {
+  const TransportGrid grid = make_transport_grid(input, history);
+  const double debye_length =
+      derive_scales(input.electrochemistry, history.core_thickness()).debye_length;
+  const ScaledGrid scaled = scale_grid(grid, debye_length);
+  FixedCharge charge(input, history, grid, scaled);
+  for (const double time : history.time) {
+    charge.evaluate(time);
+  }
+}
+
+} // namespace ionskin::electrochemistry

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/electrochemistry/scaled_grid.hpp"
+#include "ionskin/strain/strain_history.hpp"
+#include "ionskin/strain/strain_projection.hpp"
+
+#include <span>
+#include <vector>
+
+namespace ionskin::electrochemistry {
+
+/// The fixed part of the space charge rho = F (v c - cf): shear from the history, fixed charge from
+/// it by the coupling law of the case.
+class FixedCharge {
+public:
+  FixedCharge(const Case& input, const strain::StrainHistory& history, const TransportGrid& grid,
+              const ScaledGrid& scaled);
+
+  /// Moves to an instant [s]. Throws SolverError when cf becomes negative there.
+  void evaluate(double time);
+
+  std::span<const double> shear() const { return shear_; } ///< per control volume [1]
+  std::span<const double> ratio() const { return ratio_; } ///< cf / c0 [1]
+
+private:
+  void check_sign(double time) const;
+
+  Coupling coupling_;
+  double reference_concentration_;
+  TransportGrid grid_;
+  const ScaledGrid& scaled_;
+  strain::StrainProjection projection_;
+  std::vector<double> shear_, ratio_;
+};
+
+/// Evaluates the fixed charge at every sample of the history, between which it is linear in time at
+/// rest. For checks before a long run; throws what `FixedCharge::evaluate` throws.
+void check_fixed_charge(const Case& input, const strain::StrainHistory& history);
+
+} // namespace ionskin::electrochemistry

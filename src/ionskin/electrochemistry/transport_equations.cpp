@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/electrochemistry/transport_equations.hpp"
+
+#include <algorithm>
+
+namespace ionskin::electrochemistry {
+
+TransportEquations::Workspace::Workspace(const ScaledGrid& grid)
+    : thickness_flux(grid.columns()), lateral_flux(grid), flux_below(grid.columns()),
+      flux_above(grid.columns()), lateral_ions(grid.columns()), lateral_field(grid.columns()) {}
+
+TransportEquations::TransportEquations(const ScaledGrid& grid, WorkerTeam& team)
+    : grid_(grid), team_(team), by_lower_(grid.nodes() - grid.columns()),
+      by_upper_(by_lower_.size()), by_difference_(by_lower_.size()) {
+  for (std::size_t i = 0; i < team.size(); ++i) {
+    workspaces_.emplace_back(grid);
+  }
+}
+
+void TransportEquations::residual(const StageProblem& problem, const IonState& state,
+                                  std::span<double> out) {
+  team_.for_blocks(grid_.levels, 1, [&](std::size_t begin, std::size_t end, std::size_t worker) {
+    residual_levels(problem, state, begin, end, workspaces_[worker], out);
+  });
+}
+
+void TransportEquations::residual_levels(const StageProblem& problem, const IonState& state,
+                                         std::size_t begin, std::size_t end, Workspace& work,
+                                         std::span<double> out) const {
+  const std::size_t columns = grid_.columns(), nodes = grid_.nodes(), top = grid_.levels - 1;
+  const auto level = [columns](std::span<const double> field, std::size_t k) {
+    return field.subspan(k * columns, columns);
+  };
+  const auto c = state.concentration(), phi = state.potential();
+  const auto flux = [&](std::size_t k, std::span<double> result) {
+    work.thickness_flux.evaluate(level(c, k), level(c, k + 1), level(phi, k), level(phi, k + 1),
+                                 grid_.spacing[k], result);
+  };
+  if (begin == 0) {
+    std::fill(work.flux_below.begin(), work.flux_below.end(), 0.0);
+  } else {
+    flux(begin - 1, work.flux_below);
+  }
+  for (std::size_t k = begin; k < end; ++k) {
+    if (k == top) {
+      std::fill(work.flux_above.begin(), work.flux_above.end(), 0.0);
+    } else {
+      flux(k, work.flux_above);
+    }
+    work.lateral_flux.inflow(level(c, k), level(phi, k), work.lateral_ions, work.lateral_field);
+    const double height = grid_.height[k], step = problem.step;
+    const double* c_k = c.data() + k * columns;
+    const double* start = problem.start.data() + k * columns;
+    const double* above = work.flux_above.data();
+    const double* below = work.flux_below.data();
+    const double* inflow = work.lateral_ions.data();
+    double* balance = out.data() + k * columns;
+#pragma omp simd
+    for (std::size_t i = 0; i < columns; ++i) {
+      balance[i] = height * (c_k[i] - start[i]) + step * (above[i] - below[i] - height * inflow[i]);
+    }
+    double* poisson = out.data() + nodes + k * columns;
+    const double* phi_k = phi.data() + k * columns;
+    if (k == 0 || k == top) {
+      const double wall = k == 0 ? problem.potential_bottom : problem.potential_top;
+      for (std::size_t i = 0; i < columns; ++i) {
+        poisson[i] = phi_k[i] - wall;
+      }
+    } else {
+      const double up = 1.0 / grid_.spacing[k], down = 1.0 / grid_.spacing[k - 1];
+      const double* phi_above = phi_k + columns;
+      const double* phi_below = phi_k - columns;
+      const double* field = work.lateral_field.data();
+      const double* fixed = problem.fixed_charge.data() + k * columns;
+      const double* c_above = c_k + columns;
+      const double* c_below = c_k - columns;
+      const ChargeWeights weight = charge_weights(grid_, k);
+#pragma omp simd
+      for (std::size_t i = 0; i < columns; ++i) {
+        // Departures from 1, so that a core at rest carries exactly no charge.
+        const double charge = weight.below * (c_below[i] - 1.0) + weight.here * (c_k[i] - 1.0) +
+                              weight.above * (c_above[i] - 1.0) - height * (fixed[i] - 1.0);
+        poisson[i] = up * (phi_k[i] - phi_above[i]) + down * (phi_k[i] - phi_below[i]) -
+                     height * field[i] - charge;
+      }
+    }
+    work.flux_below.swap(work.flux_above);
+  }
+}
+
+void TransportEquations::linearise(const StageProblem& problem, const IonState& state) {
+  state_ = &state;
+  step_ = problem.step;
+  const std::size_t columns = grid_.columns();
+  const auto c = state.concentration(), phi = state.potential();
+  team_.for_blocks(grid_.levels - 1, 1,
+                   [&](std::size_t begin, std::size_t end, std::size_t worker) {
+                     for (std::size_t k = begin; k < end; ++k) {
+                       const std::size_t lower = k * columns, upper = lower + columns;
+                       workspaces_[worker].thickness_flux.derivatives(
+                           c.subspan(lower, columns), c.subspan(upper, columns),
+                           phi.subspan(lower, columns), phi.subspan(upper, columns),
+                           grid_.spacing[k], std::span(by_lower_).subspan(lower, columns),
+                           std::span(by_upper_).subspan(lower, columns),
+                           std::span(by_difference_).subspan(lower, columns));
+                     }
+                   });
+}
+
+void TransportEquations::apply_jacobian(std::span<const double> direction, std::span<double> out) {
+  team_.for_blocks(grid_.levels, 1, [&](std::size_t begin, std::size_t end, std::size_t worker) {
+    jacobian_levels(direction, begin, end, workspaces_[worker], out);
+  });
+}
+
+/// Change of the flux between levels `interface` and `interface` + 1.
+void TransportEquations::flux_change(std::size_t interface, std::span<const double> direction,
+                                     std::span<double> flux) const {
+  const std::size_t columns = grid_.columns(), offset = interface * columns;
+  const double* dc = direction.data() + offset;
+  const double* dphi = direction.data() + grid_.nodes() + offset;
+  const double* lower = by_lower_.data() + offset;
+  const double* upper = by_upper_.data() + offset;
+  const double* difference = by_difference_.data() + offset;
+#pragma omp simd
+  for (std::size_t i = 0; i < columns; ++i) {
+    flux[i] = lower[i] * dc[i] - upper[i] * dc[columns + i] +
+              difference[i] * (dphi[columns + i] - dphi[i]);
+  }
+}
+
+void TransportEquations::jacobian_levels(std::span<const double> direction, std::size_t begin,
+                                         std::size_t end, Workspace& work,
+                                         std::span<double> out) const {
+  const std::size_t columns = grid_.columns(), nodes = grid_.nodes(), top = grid_.levels - 1;
+  const auto level = [columns](std::span<const double> field, std::size_t k) {
+    return field.subspan(k * columns, columns);
+  };
+  const auto d_concentration = direction.first(nodes), d_potential = direction.last(nodes);
+  if (begin == 0) {
+    std::fill(work.flux_below.begin(), work.flux_below.end(), 0.0);
+  } else {
+    flux_change(begin - 1, direction, work.flux_below);
+  }
+  for (std::size_t k = begin; k < end; ++k) {
+    if (k == top) {
+      std::fill(work.flux_above.begin(), work.flux_above.end(), 0.0);
+    } else {
+      flux_change(k, direction, work.flux_above);
+    }
+    work.lateral_flux.inflow_change(level(state_->concentration(), k),
+                                    level(state_->potential(), k), level(d_concentration, k),
+                                    level(d_potential, k), work.lateral_ions, work.lateral_field);
+    const double height = grid_.height[k], step = step_;
+    const double* dc = direction.data() + k * columns;
+    const double* above = work.flux_above.data();
+    const double* below = work.flux_below.data();
+    const double* inflow = work.lateral_ions.data();
+    double* balance = out.data() + k * columns;
+#pragma omp simd
+    for (std::size_t i = 0; i < columns; ++i) {
+      balance[i] = height * dc[i] + step * (above[i] - below[i] - height * inflow[i]);
+    }
+    double* poisson = out.data() + nodes + k * columns;
+    const double* dphi = direction.data() + nodes + k * columns;
+    if (k == 0 || k == top) {
+      std::copy_n(dphi, columns, poisson);
+    } else {
+      const double up = 1.0 / grid_.spacing[k], down = 1.0 / grid_.spacing[k - 1];
+      const double* dphi_above = dphi + columns;
+      const double* dphi_below = dphi - columns;
+      const double* field = work.lateral_field.data();
+      const double* dc_above = dc + columns;
+      const double* dc_below = dc - columns;
+      const ChargeWeights weight = charge_weights(grid_, k);
+#pragma omp simd
+      for (std::size_t i = 0; i < columns; ++i) {
+        const double charge =
+            weight.below * dc_below[i] + weight.here * dc[i] + weight.above * dc_above[i];
+        poisson[i] = up * (dphi[i] - dphi_above[i]) + down * (dphi[i] - dphi_below[i]) -
+                     height * field[i] - charge;
+      }
+    }
+    work.flux_below.swap(work.flux_above);
+  }
+}
+
+} // namespace ionskin::electrochemistry

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/electrochemistry/ion_flux.hpp"
+#include "ionskin/electrochemistry/ion_state.hpp"
+#include "ionskin/electrochemistry/lateral_flux.hpp"
+#include "ionskin/electrochemistry/scaled_grid.hpp"
+#include "ionskin/electrochemistry/worker_team.hpp"
+
+#include <span>
+#include <vector>
+
+namespace ionskin::electrochemistry {
+
+/// What one implicit stage is given: find (c, phi) with c = start + step * (rate of change of c),
+/// and phi from Poisson's equation. Everything scaled.
+struct StageProblem {
+  std::span<const double> start;        ///< concentration the stage starts from [nodes]
+  double step = 0;                      ///< implicit part of the time step; 0 asks for phi alone
+  std::span<const double> fixed_charge; ///< cf / c0 at the instant of the stage [nodes]
+  double potential_bottom = 0, potential_top = 0; ///< of the electrodes
+};
+
+/// The Poisson-Nernst-Planck equations on finite volumes: the residual of a stage and its exact
+/// derivative, applied without forming a matrix.
+class TransportEquations {
+public:
+  TransportEquations(const ScaledGrid& grid, WorkerTeam& team);
+
+  /// Residual of ion balance, then of Poisson's equation, per control volume [2 nodes]. On the
+  /// walls the second one is phi minus the electrode's potential.
+  void residual(const StageProblem& problem, const IonState& state, std::span<double> out);
+
+  /// Fixes the state about which `apply_jacobian` is taken; the state must outlive its use.
+  void linearise(const StageProblem& problem, const IonState& state);
+
+  /// out = (derivative of the residual) direction.
+  void apply_jacobian(std::span<const double> direction, std::span<double> out);
+
+private:
+  /// Work space of one thread, one value per column each.
+  struct Workspace {
+    explicit Workspace(const ScaledGrid& grid);
+    ThicknessFlux thickness_flux;
+    LateralFlux lateral_flux;
+    std::vector<double> flux_below, flux_above, lateral_ions, lateral_field;
+  };
+
+  void residual_levels(const StageProblem& problem, const IonState& state, std::size_t begin,
+                       std::size_t end, Workspace& work, std::span<double> out) const;
+  void jacobian_levels(std::span<const double> direction, std::size_t begin, std::size_t end,
+                       Workspace& work, std::span<double> out) const;
+  void flux_change(std::size_t interface, std::span<const double> direction,
+                   std::span<double> flux) const;
+
+  const ScaledGrid& grid_;
+  WorkerTeam& team_;
+  std::vector<Workspace> workspaces_;
+  const IonState* state_ = nullptr;
+  double step_ = 0;
+  std::vector<double> by_lower_, by_upper_, by_difference_; ///< flux derivatives per interface
+};
+
+} // namespace ionskin::electrochemistry

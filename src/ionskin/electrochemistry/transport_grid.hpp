@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/electrochemistry/ion_solution.hpp"
+#include "ionskin/strain/strain_history.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace ionskin::electrochemistry {
+
+/// How fine the transport grid is.
+struct GridResolution {
+  double wall_cell = 0;    ///< first spacing at each wall [Debye lengths]
+  double layer_growth = 0; ///< ratio of neighbouring spacings in the double layers
+  double bulk_growth = 0;  ///< the same from there to the middle, at most
+  double column_width = 0; ///< lateral columns [core thicknesses]
+};
+
+GridResolution grid_resolution(Preset preset);
+
+/// Every spacing divided by a factor, ratios of neighbours brought nearer to 1 accordingly.
+GridResolution refined(const GridResolution& resolution, double refinement);
+
+/// Nodes from 0 to `thickness` [m], symmetric: spacings geometric from both walls, slowly within
+/// the double layers and faster behind them; uniform where the core is but a few wall cells thick.
+std::vector<double> graded_nodes(double thickness, double debye_length,
+                                 const GridResolution& resolution);
+
+/// Columns along one side of the core: about `width` wide [m], within bounds that keep short sides
+/// resolved and long ones affordable.
+std::size_t column_count(double length, double width, std::size_t fewest, std::size_t most);
+
+/// The grid of a case. A direction in which the history has a single cell at rest needs, and gets,
+/// a single column.
+TransportGrid make_transport_grid(const Case& input, const strain::StrainHistory& history);
+
+} // namespace ionskin::electrochemistry

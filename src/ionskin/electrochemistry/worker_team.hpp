@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <thread>
+#include <vector>
+
+namespace ionskin::electrochemistry {
+
+/// A few threads that share many short loops. base::run_tasks starts threads for each call and
+/// OpenMP waits for every thread at the end of each loop; here blocks go to whoever is there, so
+/// that a busy machine slows the loops down but does not stall them.
+class WorkerTeam {
+public:
+  /// @param threads at least 1, the calling one included
+  explicit WorkerTeam(int threads);
+  ~WorkerTeam();
+  WorkerTeam(const WorkerTeam&) = delete;
+  WorkerTeam& operator=(const WorkerTeam&) = delete;
+
+  std::size_t size() const { return workers_.size() + 1; }
+
+  /// Calls `body(begin, end, worker)` on contiguous blocks that cover [0, count) and waits for
+  /// them. Block borders are multiples of `granularity`; `worker` is below size(). The body must
+  /// give every index the same result whatever block and thread it falls to, so that results do not
+  /// depend on the number of threads; it must not throw.
+  template <class Body>
+  void for_blocks(std::size_t count, std::size_t granularity, const Body& body) {
+    const Loop loop{&body,
+                    [](const void* object, std::size_t begin, std::size_t end, std::size_t worker) {
+                      (*static_cast<const Body*>(object))(begin, end, worker);
+                    },
+                    count, granularity, block_count(count, granularity)};
+    run(loop);
+  }
+
+private:
+  struct Loop {
+    const void* body;
+    void (*call)(const void* body, std::size_t begin, std::size_t end, std::size_t worker);
+    std::size_t count, granularity, blocks;
+
+    void run_block(std::size_t block, std::size_t worker) const;
+  };
+
+  std::size_t block_count(std::size_t count, std::size_t granularity) const;
+  void run(const Loop& loop);
+  /// Takes blocks of the current loop until none is left.
+  void take_blocks(std::size_t worker);
+  void work(std::size_t worker);
+
+  /// Number of the loop in the upper half, next free block in the lower; `closed` between loops.
+  std::atomic<std::uint64_t> ticket_;
+  std::atomic<const Loop*> loop_{nullptr};
+  std::atomic<std::size_t> blocks_{0}, finished_{0};
+  std::atomic<bool> stop_{false};
+  std::vector<std::thread> workers_;
+};
+
+} // namespace ionskin::electrochemistry

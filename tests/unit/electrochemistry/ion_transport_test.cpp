@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/electrochemistry/ion_transport.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "model_cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <memory>
+#include <string_view>
+
+namespace ionskin::electrochemistry {
+namespace {
+
+using verification::linear_step_history;
+using verification::model_case;
+using verification::sliding_contact_history;
+
+IonSolution solve(const Case& input, const strain::StrainHistory& history,
+                  const IonOptions& options = {}) {
+  base::Timers timers;
+  return solve_ion_transport(input, history, options, timers);
+}
+
+Case coarse_case() {
+  Case input = model_case();
+  input.numerics.preset = Preset::coarse;
+  return input;
+}
+
+/// The first 0.6 s of the sliding contact: touchdown and the onset of the slide.
+strain::StrainHistory onset_history() {
+  strain::StrainHistory history = sliding_contact_history(1);
+  history.time[4] = 0.6;
+  history.slider_x[4] = 4.8e-3;
+  for (auto* series : {&history.time, &history.slider_x}) {
+    series->resize(5);
+  }
+  history.gamma.resize(5);
+  history.event_time = {history.time.begin() + 1, history.time.end() - 1};
+  return history;
+}
+
+void expect_equal(const IonSolution& a, const IonSolution& b) {
+  EXPECT_EQ(a.time, b.time);
+  EXPECT_EQ(a.charge_top, b.charge_top);
+  EXPECT_EQ(a.charge_bottom, b.charge_bottom);
+  EXPECT_EQ(a.ion_amount, b.ion_amount);
+  EXPECT_EQ(a.min_concentration, b.min_concentration);
+  EXPECT_EQ(a.column_charge_top, b.column_charge_top);
+  EXPECT_EQ(a.krylov_iterations, b.krylov_iterations);
+  ASSERT_EQ(a.snapshots.size(), b.snapshots.size());
+  for (std::size_t i = 0; i < a.snapshots.size(); ++i) {
+    EXPECT_EQ(a.snapshots[i].potential, b.snapshots[i].potential);
+  }
+}
+
+TEST(IonTransport, ThreadsDoNotChangeABit) {
+  const auto history = onset_history();
+  IonOptions one, three;
+  one.snapshot_times = three.snapshot_times = {0.55};
+  three.threads = 3;
+  expect_equal(solve(coarse_case(), history, one), solve(coarse_case(), history, three));
+}
+
+TEST(IonTransport, InterruptedAndResumedEqualsUninterrupted) {
+  const auto history = onset_history();
+  IonOptions options;
+  options.snapshot_times = {0.2, 0.55};
+  const IonSolution whole = solve(coarse_case(), history, options);
+
+  struct Stop : std::exception {};
+  IonCheckpoint kept;
+  IonOptions first = options;
+  first.checkpoint_interval = 40;
+  first.checkpoint = [&kept](const IonCheckpoint& checkpoint) {
+    kept = checkpoint;
+    throw Stop();
+  };
+  EXPECT_THROW(solve(coarse_case(), history, first), Stop);
+  EXPECT_EQ(kept.step, 40U);
+  EXPECT_EQ(kept.solution.time.size(), 41U);
+
+  IonOptions second = options;
+  second.resume = kept;
+  expect_equal(whole, solve(coarse_case(), history, second));
+}
+
+TEST(IonTransport, CheckpointOfAnotherCaseIsRefused) {
+  const auto history = linear_step_history(-0.01, 0.01, {0.0, 1.0});
+  IonOptions options;
+  IonCheckpoint kept;
+  options.checkpoint_interval = 10;
+  options.checkpoint = [&kept](const IonCheckpoint& checkpoint) { kept = checkpoint; };
+  solve(coarse_case(), history, options);
+  IonOptions resumed;
+  resumed.resume = kept;
+  EXPECT_NO_THROW(solve(coarse_case(), history, resumed));
+  EXPECT_THROW(solve(model_case(), history, resumed), UserError);
+}
+
+TEST(IonTransport, SnapshotsAreInSiUnitsAtTheWantedInstants) {
+  Case input = coarse_case();
+  input.electrochemistry.valence = 2;
+  IonOptions options;
+  options.snapshot_times = {0.25, 99.0};
+  const auto solution = solve(input, linear_step_history(-0.02, 0.02, {0.0, 1.0}), options);
+  ASSERT_EQ(solution.snapshots.size(), 2U);
+  EXPECT_EQ(solution.snapshots[0].time, 0.25);
+  EXPECT_EQ(solution.snapshots[1].time, 1.0);
+  const IonSnapshot& snapshot = solution.snapshots[0];
+  ASSERT_EQ(snapshot.concentration.size(), solution.grid.z_nodes.size());
+  const std::size_t middle = snapshot.concentration.size() / 2;
+  EXPECT_NEAR(snapshot.concentration[middle], 600.0, 1.0);
+  EXPECT_NEAR(snapshot.shear[middle], 0.0, 1e-12);
+  const double largest = *std::ranges::max_element(snapshot.potential);
+  EXPECT_GT(largest, 1e-4);
+  EXPECT_LE(largest, *std::ranges::max_element(solution.max_potential));
+}
+
+TEST(IonTransport, UniformShearChargesBothElectrodesAlikeAtOnce) {
+  const auto solution = solve(coarse_case(), linear_step_history(1e-3, 1e-3, {0.0, 1.0}));
+  const double expected = 1.04204 * 15e-3 * 2e-3;
+  for (std::size_t i = 0; i < solution.time.size(); ++i) {
+    EXPECT_NEAR(solution.charge_top[i], expected, 1e-5 * expected);
+    EXPECT_NEAR(solution.charge_bottom[i], expected, 1e-5 * expected);
+  }
+}
+
+TEST(IonTransport, ColumnChargesAddUpToTheLastRow) {
+  const auto solution = solve(coarse_case(), onset_history());
+  double sum = 0.0;
+  for (const double charge : solution.column_charge_top) {
+    sum += charge;
+  }
+  EXPECT_NEAR(sum, solution.charge_top.back(), 1e-12 * std::abs(sum));
+}
+
+TEST(IonTransport, ElectrodePotentialsChargeTheGeometricCapacitanceAtOnce) {
+  Case input = coarse_case();
+  IonOptions options;
+  options.potentials.top = [](double) { return 1e-3; };
+  const auto solution = solve(input, linear_step_history(0.0, 0.0, {0.0, 0.1}), options);
+  const double area = 15e-3 * 2e-3;
+  EXPECT_NEAR(solution.charge_top[0], 2e-3 / 180e-6 * 1e-3 * area, 1e-6 * 11.11e-3 * area);
+  EXPECT_NEAR(solution.charge_bottom[0], -solution.charge_top[0], 1e-11 * solution.charge_top[0]);
+  EXPECT_GT(solution.charge_top.back(), 5.0 * solution.charge_top[0]);
+}
+
+TEST(IonTransport, NegativeFixedChargeStopsTheRunAndHandsOverWhatItHas) {
+  auto history = linear_step_history(0.0, 0.0, {0.0, 0.5, 1.0});
+  history.gamma[2] = std::make_shared<const strain::StrainField>(strain::StrainField{0.0, -20.0});
+  IonOptions options;
+  std::size_t rows = 0;
+  options.checkpoint = [&rows](const IonCheckpoint& checkpoint) {
+    rows = checkpoint.solution.time.size();
+  };
+  EXPECT_THROW(solve(coarse_case(), history, options), SolverError);
+  EXPECT_GT(rows, 5U);
+}
+
+TEST(IonTransport, ProgressReachesOne) {
+  IonOptions options;
+  double last = 0.0;
+  options.progress = [&last](std::string_view, double fraction) {
+    EXPECT_GT(fraction, last);
+    last = fraction;
+  };
+  solve(coarse_case(), linear_step_history(0.0, 0.01, {0.0, 0.1}), options);
+  EXPECT_EQ(last, 1.0);
+}
+
+} // namespace
+} // namespace ionskin::electrochemistry

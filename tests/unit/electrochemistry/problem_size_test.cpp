@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/electrochemistry/problem_size.hpp"
+
+#include "ionskin/electrochemistry/ion_transport.hpp"
+#include "model_cases.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ionskin::electrochemistry {
+namespace {
+
+TEST(ProblemSize, MatchesTheRun) {
+  Case input = verification::model_case();
+  input.numerics.preset = Preset::coarse;
+  const auto history = verification::linear_step_history(0.0, 0.01, {0.0, 0.5});
+  const ProblemSize size = problem_size(input, history);
+  base::Timers timers;
+  const IonSolution solution = solve_ion_transport(input, history, {}, timers);
+  EXPECT_EQ(size.steps, solution.steps);
+  EXPECT_EQ(size.levels, solution.grid.z_nodes.size());
+  EXPECT_EQ(size.unknowns, 2 * solution.grid.z_nodes.size());
+}
+
+TEST(ProblemSize, EstimateFromTheMotionIsNearTheRealOne) {
+  const Case input = verification::model_case();
+  const ProblemSize estimate = estimate_problem_size(input);
+  const ProblemSize exact = problem_size(input, verification::sliding_contact_history(3));
+  EXPECT_EQ(estimate.unknowns, exact.unknowns);
+  EXPECT_NEAR(static_cast<double>(estimate.steps), static_cast<double>(exact.steps),
+              0.25 * static_cast<double>(exact.steps));
+  EXPECT_GT(estimate.memory, 8.0 * static_cast<double>(estimate.unknowns));
+}
+
+TEST(ProblemSize, PlaneStrainNeedsOneColumnInY) {
+  Case input = verification::model_case();
+  input.skin.sides = SideCondition::symmetry;
+  input.slider.size[1] = 3e-3;
+  EXPECT_EQ(estimate_problem_size(input).columns_y, 1U);
+}
+
+} // namespace
+} // namespace ionskin::electrochemistry

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/electrochemistry/space_charge.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "model_cases.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ionskin::electrochemistry {
+namespace {
+
+TEST(SpaceCharge, NegativeFixedChargeTellsTimePlaceValueAndRemedy) {
+  Case input = verification::model_case();
+  const auto history = verification::linear_step_history(0.0, -12.0, {0.0, 1.0});
+  try {
+    check_fixed_charge(input, history);
+    FAIL() << "no error";
+  } catch (const SolverError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("negative: -2"), std::string::npos) << message;
+    EXPECT_NE(message.find("t = 0 s"), std::string::npos) << message;
+    EXPECT_NE(message.find("x = 7.5 mm"), std::string::npos) << message;
+    EXPECT_NE(error.remedy().find("coupling.coefficient"), std::string::npos);
+  }
+}
+
+TEST(SpaceCharge, HarmlessShearPasses) {
+  EXPECT_NO_THROW(check_fixed_charge(verification::model_case(),
+                                     verification::linear_step_history(-1.0, 1.0, {0.0, 1.0})));
+}
+
+} // namespace
+} // namespace ionskin::electrochemistry

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/electrochemistry/worker_team.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace ionskin::electrochemistry {
+namespace {
+
+TEST(WorkerTeam, EveryIndexIsVisitedOnceInEveryLoop) {
+  for (const int threads : {1, 2, 5}) {
+    WorkerTeam team(threads);
+    for (std::size_t count = 0; count < 300; ++count) {
+      std::vector<int> visits(count, 0);
+      team.for_blocks(count, 4, [&](std::size_t begin, std::size_t end, std::size_t worker) {
+        EXPECT_EQ(begin % 4, 0U);
+        EXPECT_LT(worker, team.size());
+        for (std::size_t i = begin; i < end; ++i) {
+          ++visits[i];
+        }
+      });
+      EXPECT_EQ(visits, std::vector<int>(count, 1));
+    }
+  }
+}
+
+TEST(WorkerTeam, LoopsFollowEachOtherWithoutMixing) {
+  WorkerTeam team(3);
+  std::vector<std::size_t> value(64, 0);
+  for (std::size_t loop = 0; loop < 20000; ++loop) {
+    team.for_blocks(value.size(), 1, [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t i = begin; i < end; ++i) {
+        value[i] += value[i] == loop ? 1 : 1000000;
+      }
+    });
+  }
+  EXPECT_EQ(value, std::vector<std::size_t>(64, 20000));
+}
+
+} // namespace
+} // namespace ionskin::electrochemistry
