@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/readout/sampling.hpp"
+
+#include "ionskin/readout/electrode_current.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace ionskin::readout {
+namespace {
+
+// Keeps the last interval when rounding makes the run a hair shorter than a whole number of them.
+constexpr double interval_rounding = 1e-9;
+
+std::vector<double> values_at(const std::vector<double>& time, const std::vector<double>& quantity,
+                              const std::vector<double>& instants) {
+  std::vector<double> values;
+  values.reserve(instants.size());
+  for (double instant : instants) {
+    values.push_back(value_at(time, quantity, instant));
+  }
+  return values;
+}
+
+// Drops the first row, which has no interval.
+Signal interval_means(const std::string& name, const std::vector<double>& currents) {
+  return {name, "A", {currents.begin() + 1, currents.end()}};
+}
+
+} // namespace
+
+double value_at(const std::vector<double>& time, const std::vector<double>& quantity,
+                double instant) {
+  const auto after = std::upper_bound(time.begin(), time.end(), instant);
+  if (after == time.begin()) {
+    return quantity.front();
+  }
+  if (after == time.end()) {
+    return quantity.back();
+  }
+  const auto i = static_cast<std::size_t>(after - time.begin());
+  const double weight = (instant - time[i - 1]) / (time[i] - time[i - 1]);
+  // A row that is hit exactly must not be spoilt by an empty neighbour.
+  return weight == 0 ? quantity[i - 1] : quantity[i - 1] + weight * (quantity[i] - quantity[i - 1]);
+}
+
+SignalTable sample_currents(const SignalTable& signals, double interval) {
+  const std::vector<double>& time = signals.column("time").values;
+  const double start = time.front();
+  const auto count =
+      static_cast<std::size_t>(std::floor((time.back() - start) / interval + interval_rounding));
+  std::vector<double> instants{start};
+  for (std::size_t i = 1; i <= count; ++i) {
+    instants.push_back(start + static_cast<double>(i) * interval);
+  }
+  const ElectrodeCurrents means =
+      electrode_currents(instants, values_at(time, signals.column("charge_top").values, instants),
+                         values_at(time, signals.column("charge_bottom").values, instants));
+  SignalTable sampled;
+  sampled.columns.push_back({"time", "s", {instants.begin() + 1, instants.end()}});
+  sampled.columns.push_back(interval_means("current_top", means.top));
+  sampled.columns.push_back(interval_means("current_bottom", means.bottom));
+  sampled.columns.push_back(interval_means("current_difference", means.difference));
+  sampled.columns.push_back(interval_means("current_common", means.common));
+  return sampled;
+}
+
+} // namespace ionskin::readout

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/readout/signals.hpp"
+
+#include <vector>
+
+namespace ionskin::readout {
+
+/// Piecewise-linear value of a quantity at an instant; clamped to the first and last row.
+/// @param time [s], strictly ascending
+double value_at(const std::vector<double>& time, const std::vector<double>& quantity,
+                double instant);
+
+/// What an integrating instrument sees: the charge gained over each readout interval divided by it.
+/// The charge is linear between the rows. Unlike the resolved peaks these converge with the time
+/// step. The intervals start at the first row, whose impulse charge is not part of the first
+/// interval; a last interval that the run does not complete is dropped.
+/// @param signals with time, charge_top and charge_bottom
+/// @param interval readout interval [s], positive
+/// @return columns time (end of each interval), current_top, current_bottom, current_difference and
+///         current_common; no cycle and phase, because an interval may span several
+SignalTable sample_currents(const SignalTable& signals, double interval);
+
+} // namespace ionskin::readout

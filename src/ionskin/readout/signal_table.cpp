@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/readout/signal_table.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/readout/electrode_current.hpp"
+#include "ionskin/readout/phases.hpp"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <limits>
+
+namespace ionskin::readout {
+namespace {
+
+void require_rows(const std::string& name, std::size_t actual, std::size_t rows) {
+  if (actual != rows) {
+    throw InternalError(fmt::format("signal '{}' has {} rows, time has {}", name, actual, rows));
+  }
+}
+
+Signal required(const std::string& name, const std::string& unit, const std::vector<double>& values,
+                std::size_t rows) {
+  require_rows(name, values.size(), rows);
+  return {name, unit, values};
+}
+
+Signal optional(const std::string& name, const std::string& unit, const std::vector<double>& values,
+                std::size_t rows) {
+  if (values.empty()) {
+    return {name, unit, std::vector<double>(rows, std::numeric_limits<double>::quiet_NaN())};
+  }
+  return required(name, unit, values, rows);
+}
+
+void add_currents(SignalTable& table, const SignalInputs& inputs) {
+  ElectrodeCurrents currents =
+      electrode_currents(inputs.time, inputs.charge_top, inputs.charge_bottom);
+  table.columns.push_back({"current_top", "A", std::move(currents.top)});
+  table.columns.push_back({"current_bottom", "A", std::move(currents.bottom)});
+  table.columns.push_back({"current_difference", "A", std::move(currents.difference)});
+  table.columns.push_back({"current_common", "A", std::move(currents.common)});
+}
+
+} // namespace
+
+void add_motion(SignalInputs& inputs, const Motion& motion, const Slider& slider) {
+  for (double time : inputs.time) {
+    const MotionInstant at = motion_at(motion, slider, time);
+    inputs.cycle.push_back(at.cycle);
+    inputs.phase.push_back(at.phase);
+    inputs.slider_x.push_back(at.slider_x);
+    inputs.slider_z.push_back(at.slider_z);
+  }
+}
+
+SignalTable build_signal_table(const SignalInputs& inputs) {
+  const std::size_t rows = inputs.time.size();
+  SignalTable table;
+  table.cycle = inputs.cycle.empty() ? std::vector<int>(rows, 0) : inputs.cycle;
+  table.phase = inputs.phase.empty() ? std::vector<std::string>(rows) : inputs.phase;
+  require_rows("cycle", table.cycle.size(), rows);
+  require_rows("phase", table.phase.size(), rows);
+  table.columns = {
+      required("time", "s", inputs.time, rows),
+      optional("slider_x", "m", inputs.slider_x, rows),
+      optional("slider_z", "m", inputs.slider_z, rows),
+      optional("normal_force", "N", inputs.normal_force, rows),
+      optional("tangential_force", "N", inputs.tangential_force, rows),
+      required("mean_shear", "1", inputs.mean_shear, rows),
+      required("rms_shear", "1", inputs.rms_shear, rows),
+      required("p99_shear", "1", inputs.p99_shear, rows),
+      required("shear_first_moment", "1", inputs.shear_first_moment, rows),
+      {"mean_shear_rate", "1/s", step_rates(inputs.time, inputs.mean_shear)},
+      required("charge_top", "C", inputs.charge_top, rows),
+      required("charge_bottom", "C", inputs.charge_bottom, rows),
+  };
+  add_currents(table, inputs);
+  return table;
+}
+
+} // namespace ionskin::readout

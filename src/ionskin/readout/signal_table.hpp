@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/readout/signals.hpp"
+
+#include <string>
+#include <vector>
+
+namespace ionskin::readout {
+
+/// Everything signals.csv is made of, one entry per row. The motion and the forces may be left
+/// empty (runs from a strain file): their columns then hold no values.
+struct SignalInputs {
+  std::vector<double> time;               ///< [s], strictly ascending
+  std::vector<int> cycle;                 ///< from 1
+  std::vector<std::string> phase;         ///< touchdown, slide, lift, return
+  std::vector<double> slider_x;           ///< centre [m]
+  std::vector<double> slider_z;           ///< underside above the undeformed top face [m]
+  std::vector<double> normal_force;       ///< of the full skin [N]
+  std::vector<double> tangential_force;   ///< of the full skin, along the slide [N]
+  std::vector<double> mean_shear;         ///< volume mean over the core [1]
+  std::vector<double> rms_shear;          ///< [1]
+  std::vector<double> p99_shear;          ///< percentile by volume [1]
+  std::vector<double> shear_first_moment; ///< mean of gamma (zeta/h - 1/2) [1]
+  std::vector<double> charge_top;         ///< on the metal [C]
+  std::vector<double> charge_bottom;      ///< on the metal [C]
+};
+
+/// Fills cycle, phase, slider_x and slider_z at the rows of `inputs.time` from the prescribed
+/// motion.
+void add_motion(SignalInputs& inputs, const Motion& motion, const Slider& slider);
+
+/// The columns of signals.csv in their order, with rates and currents as means over the step that
+/// ends at each row.
+/// Throws InternalError when a given column has another length than `time`.
+SignalTable build_signal_table(const SignalInputs& inputs);
+
+} // namespace ionskin::readout

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ionskin::results {
+
+/// Tractions of one contact state per face cell, [y][x] with x fastest.
+struct ContactMap {
+  std::string state;    ///< such as "touchdown", "onset_07", "steady_4", "lift_off_12"
+  double parameter = 0; ///< place on the contact path, as in mechanics::PathState
+  std::vector<double> pressure, shear_x, shear_y; ///< [Pa]
+  std::vector<double> slip;                       ///< length of the slip increment [m]
+};
+
+/// The contact states of a run.
+struct ContactMaps {
+  std::vector<double> cell_lines_x, cell_lines_y; ///< cell edges from the slider's centre [m]
+  std::vector<ContactMap> maps;
+};
+
+} // namespace ionskin::results

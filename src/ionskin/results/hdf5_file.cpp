@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/results/hdf5_file.hpp"
+
+#include "ionskin/results/hdf5_handle.hpp"
+#include "ionskin/results/hdf5_messages.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+namespace ionskin::results {
+namespace {
+
+void require_readable(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    throw UserError(
+        fmt::format("{} is a folder, not an HDF5 file\n  = name a file in it", path.string()));
+  }
+  if (!std::ifstream(path)) {
+    throw UserError(
+        fmt::format("the file {} cannot be read: {}\n  = check its name and its permissions",
+                    path.string(), std::strerror(errno)));
+  }
+  if (H5Fis_hdf5(path.c_str()) <= 0) {
+    throw UserError(fmt::format("{} is not an HDF5 file\n  = write it with h5py or another HDF5 "
+                                "library, or check that its copy is complete",
+                                path.string()));
+  }
+}
+
+hid_t open_file(const std::filesystem::path& path, Hdf5File::Access access) {
+  if (access == Hdf5File::Access::create) {
+    return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  }
+  require_readable(path);
+  const bool read_only = access == Hdf5File::Access::read;
+  return H5Fopen(path.c_str(), read_only ? H5F_ACC_RDONLY : H5F_ACC_RDWR, H5P_DEFAULT);
+}
+
+std::vector<hsize_t> extents(const Hdf5File::Shape& shape) {
+  return {shape.begin(), shape.end()};
+}
+
+Hdf5Handle simple_space(const Hdf5File::Shape& shape) {
+  const std::vector<hsize_t> size = extents(shape);
+  return {H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose,
+          "HDF5 refuses the shape of an array"};
+}
+
+} // namespace
+
+Hdf5File::Hdf5File(std::filesystem::path path, Access access) : path_(std::move(path)) {
+  // Our own messages say what failed; HDF5's stack trace would only bury them.
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  id_ = open_file(path_, access);
+  if (id_ < 0) {
+    throw UserError(fmt::format("HDF5 cannot open {}\n  = check that the folder exists, that it is "
+                                "writable and that no other program has the file open",
+                                path_.string()));
+  }
+}
+
+Hdf5File::~Hdf5File() {
+  if (id_ >= 0) {
+    H5Fclose(id_);
+  }
+}
+
+void Hdf5File::close() {
+  const hid_t id = id_;
+  id_ = -1;
+  const bool flushed = id < 0 || H5Fflush(id, H5F_SCOPE_LOCAL) >= 0;
+  const bool closed = id < 0 || H5Fclose(id) >= 0;
+  if (!flushed || !closed) {
+    throw UserError(write_failure(path_, "its last part"));
+  }
+}
+
+bool Hdf5File::has(const std::string& object) const {
+  if (object == "/") {
+    return true;
+  }
+  // H5Lexists needs every group on the way to exist.
+  for (std::size_t slash = object.find('/', 1); slash != std::string::npos;
+       slash = object.find('/', slash + 1)) {
+    if (H5Lexists(id_, object.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) {
+      return false;
+    }
+  }
+  return H5Lexists(id_, object.c_str(), H5P_DEFAULT) > 0 &&
+         H5Oexists_by_name(id_, object.c_str(), H5P_DEFAULT) > 0;
+}
+
+bool Hdf5File::has_numbers(const std::string& object) const {
+  if (!has(object)) {
+    return false;
+  }
+  const hid_t dataset = H5Dopen2(id_, object.c_str(), H5P_DEFAULT);
+  if (dataset < 0) {
+    return false;
+  }
+  const Hdf5Handle owner(dataset, H5Dclose, "");
+  const Hdf5Handle type(H5Dget_type(dataset), H5Tclose, read_failure(path_, object));
+  const H5T_class_t kind = H5Tget_class(type);
+  return kind == H5T_FLOAT || kind == H5T_INTEGER;
+}
+
+std::vector<std::string> Hdf5File::members(const std::string& group) const {
+  const Hdf5Handle owner(H5Gopen2(id_, group.c_str(), H5P_DEFAULT), H5Gclose,
+                         missing_object(path_, group));
+  std::vector<std::string> names;
+  const auto collect = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
+    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    return 0;
+  };
+  require_hdf5(H5Literate(owner, H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names),
+               read_failure(path_, group));
+  return names;
+}
+
+Hdf5File::Shape Hdf5File::shape(const std::string& dataset) const {
+  const Hdf5Handle owner(H5Dopen2(id_, dataset.c_str(), H5P_DEFAULT), H5Dclose,
+                         missing_object(path_, dataset));
+  const Hdf5Handle space(H5Dget_space(owner), H5Sclose, read_failure(path_, dataset));
+  const int dimensions = H5Sget_simple_extent_ndims(space);
+  std::vector<hsize_t> size(static_cast<std::size_t>(std::max(dimensions, 0)));
+  H5Sget_simple_extent_dims(space, size.data(), nullptr);
+  return {size.begin(), size.end()};
+}
+
+void Hdf5File::remove(const std::string& object) {
+  if (has(object)) {
+    require_hdf5(H5Ldelete(id_, object.c_str(), H5P_DEFAULT), write_failure(path_, object));
+  }
+}
+
+void Hdf5File::write(const std::string& dataset, const std::vector<double>& values, Shape shape) {
+  const Hdf5Handle space = simple_space(shape.empty() ? Shape{values.size()} : shape);
+  const Hdf5Handle links = group_making_links();
+  const std::string failure = write_failure(path_, dataset);
+  const Hdf5Handle owner(
+      H5Dcreate2(id_, dataset.c_str(), H5T_IEEE_F64LE, space, links, H5P_DEFAULT, H5P_DEFAULT),
+      H5Dclose, failure);
+  require_hdf5(H5Dwrite(owner, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+               failure);
+}
+
+void Hdf5File::write(const std::string& dataset, const std::vector<int>& values) {
+  const Hdf5Handle space = simple_space({values.size()});
+  const Hdf5Handle links = group_making_links();
+  const std::string failure = write_failure(path_, dataset);
+  const Hdf5Handle owner(
+      H5Dcreate2(id_, dataset.c_str(), H5T_STD_I32LE, space, links, H5P_DEFAULT, H5P_DEFAULT),
+      H5Dclose, failure);
+  require_hdf5(H5Dwrite(owner, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+               failure);
+}
+
+std::vector<double> Hdf5File::read(const std::string& dataset) const {
+  const Hdf5Handle owner(H5Dopen2(id_, dataset.c_str(), H5P_DEFAULT), H5Dclose,
+                         missing_object(path_, dataset));
+  std::size_t count = 1;
+  for (std::size_t size : shape(dataset)) {
+    count *= size;
+  }
+  std::vector<double> values(count);
+  require_hdf5(H5Dread(owner, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+               read_failure(path_, dataset));
+  return values;
+}
+
+} // namespace ionskin::results

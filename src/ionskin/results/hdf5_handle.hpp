@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/base/error.hpp"
+
+#include <hdf5.h>
+
+#include <string>
+
+namespace ionskin::results {
+
+/// Owns one HDF5 identifier; throws UserError with `message` when HDF5 did not give one.
+class Hdf5Handle {
+public:
+  using Closer = herr_t (*)(hid_t);
+
+  Hdf5Handle(hid_t id, Closer closer, const std::string& message) : id_(id), closer_(closer) {
+    if (id_ < 0) {
+      throw UserError(message);
+    }
+  }
+  ~Hdf5Handle() { closer_(id_); }
+  Hdf5Handle(const Hdf5Handle&) = delete;
+  Hdf5Handle& operator=(const Hdf5Handle&) = delete;
+  operator hid_t() const { return id_; }
+
+private:
+  hid_t id_;
+  Closer closer_;
+};
+
+/// Throws UserError with `message` when an HDF5 call failed.
+inline void require_hdf5(herr_t status, const std::string& message) {
+  if (status < 0) {
+    throw UserError(message);
+  }
+}
+
+/// Link properties under which the groups on the way to a new object are made.
+inline Hdf5Handle group_making_links() {
+  const hid_t properties = H5Pcreate(H5P_LINK_CREATE);
+  H5Pset_create_intermediate_group(properties, 1);
+  return {properties, H5Pclose, "HDF5 lacks link properties"};
+}
+
+} // namespace ionskin::results

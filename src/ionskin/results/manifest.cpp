@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/results/manifest.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/results/atomic_file.hpp"
+#include "ionskin/results/build_info.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cstdint>
+#include <fstream>
+#include <optional>
+
+namespace ionskin::results {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json program_json() {
+  Json program;
+  program["name"] = "ionskin";
+  program["version"] = build_info::version;
+  program["commit"] = build_info::commit;
+  program["compiler"] = build_info::compiler;
+  program["build_type"] = build_info::build_type;
+  return program;
+}
+
+Json stages_json(const std::map<std::string, StageRecord>& stages) {
+  Json json = Json::object();
+  for (const auto& [name, stage] : stages) {
+    json[name] = {{"state", stage.state},
+                  {"wall_time_s", stage.wall_time},
+                  {"peak_memory_bytes", stage.peak_memory}};
+  }
+  return json;
+}
+
+bool is_ours(const Json& json) {
+  return json.is_object() && json.contains("program") && json["program"].is_object() &&
+         json["program"].value("name", "") == "ionskin";
+}
+
+std::optional<Json> parse(const std::filesystem::path& path) {
+  std::ifstream stream(path);
+  Json json = Json::parse(stream, nullptr, false);
+  if (json.is_discarded() || !is_ours(json)) {
+    return std::nullopt;
+  }
+  return json;
+}
+
+std::map<std::string, StageRecord> read_stages(const Json& json) {
+  std::map<std::string, StageRecord> stages;
+  for (const auto& [name, stage] : json.items()) {
+    stages[name] = {stage.at("state").get<std::string>(), stage.at("wall_time_s").get<double>(),
+                    stage.at("peak_memory_bytes").get<double>()};
+  }
+  return stages;
+}
+
+} // namespace
+
+Manifest new_manifest(std::string command, int threads, std::string input_hash) {
+  Manifest manifest;
+  manifest.command = std::move(command);
+  manifest.threads = threads;
+  manifest.input_hash = std::move(input_hash);
+  const auto now =
+      std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::system_clock::now());
+  manifest.started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+  return manifest;
+}
+
+std::string manifest_text(const Manifest& manifest) {
+  Json json;
+  json["program"] = program_json();
+  json["state"] = manifest.state;
+  json["started"] = manifest.started;
+  json["command"] = manifest.command;
+  json["threads"] = manifest.threads;
+  json["input_hash"] = manifest.input_hash;
+  json["stages"] = stages_json(manifest.stages);
+  json["counters"] = manifest.counters;
+  return json.dump(2) + "\n";
+}
+
+void write_manifest(const std::filesystem::path& path, const Manifest& manifest) {
+  write_text_file(path, manifest_text(manifest));
+}
+
+Manifest read_manifest(const std::filesystem::path& path) {
+  const UserError damaged(fmt::format(
+      "{} is not a manifest of ionskin or is damaged\n  = start the run anew in another "
+      "folder",
+      path.string()));
+  const std::optional<Json> json = parse(path);
+  if (!json) {
+    throw damaged;
+  }
+  try {
+    Manifest manifest;
+    manifest.state = json->at("state").get<std::string>();
+    manifest.started = json->at("started").get<std::string>();
+    manifest.command = json->at("command").get<std::string>();
+    manifest.threads = json->at("threads").get<int>();
+    manifest.input_hash = json->at("input_hash").get<std::string>();
+    manifest.stages = read_stages(json->at("stages"));
+    manifest.counters = json->at("counters").get<std::map<std::string, double>>();
+    return manifest;
+  } catch (const nlohmann::json::exception&) {
+    throw damaged;
+  }
+}
+
+bool is_ionskin_manifest(const std::filesystem::path& path) {
+  return parse(path).has_value();
+}
+
+std::string content_hash(std::string_view content) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char byte : content) {
+    hash ^= static_cast<unsigned char>(byte);
+    hash *= 0x100000001b3u;
+  }
+  return fmt::format("{:016x}", hash);
+}
+
+} // namespace ionskin::results

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/results/results_file.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/results/hdf5_messages.hpp"
+#include "ionskin/results/strain_file.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+
+namespace ionskin::results {
+namespace {
+
+Hdf5File::Access prepare(const std::filesystem::path& path, const std::filesystem::path& pending,
+                         ResultsFile::Start start) {
+  std::error_code error;
+  if (start == ResultsFile::Start::empty || !std::filesystem::exists(path, error)) {
+    return Hdf5File::Access::create;
+  }
+  std::filesystem::copy_file(path, pending, std::filesystem::copy_options::overwrite_existing,
+                             error);
+  if (error) {
+    throw UserError(write_failure(pending, "a copy of " + path.string()));
+  }
+  return Hdf5File::Access::modify;
+}
+
+void write_with_unit(Hdf5File& file, const std::string& dataset, const std::vector<double>& values,
+                     const std::string& unit, const Hdf5File::Shape& shape = {}) {
+  file.write(dataset, values, shape);
+  file.set_attribute(dataset, "unit", unit);
+}
+
+void write_field(Hdf5File& file, const std::string& dataset, const std::vector<double>& values,
+                 const std::string& unit, const Hdf5File::Shape& shape) {
+  file.create_frames(dataset, {1, shape[0], shape[1], shape[2]});
+  file.write_frame(dataset, 0, values);
+  file.set_attribute(dataset, "unit", unit);
+}
+
+} // namespace
+
+ResultsFile::ResultsFile(const std::filesystem::path& path, Start start)
+    : pending_(path), file_(pending_.path(), prepare(path, pending_.path(), start)) {}
+
+void ResultsFile::write_signals(const std::string& group, const readout::SignalTable& table) {
+  file_.remove("/" + group);
+  for (const readout::Signal& signal : table.columns) {
+    write_with_unit(file_, "/" + group + "/" + signal.name, signal.values, signal.unit);
+  }
+  if (!table.cycle.empty()) {
+    file_.write("/" + group + "/cycle", table.cycle);
+    file_.write_texts("/" + group + "/phase", table.phase);
+  }
+}
+
+void ResultsFile::write_strain(const strain::StrainHistory& history) {
+  file_.remove("/strain");
+  results::write_strain(file_, "/strain", history);
+}
+
+void ResultsFile::write_ions(const electrochemistry::TransportGrid& grid,
+                             const std::vector<electrochemistry::IonSnapshot>& snapshots) {
+  file_.remove("/ions");
+  write_with_unit(file_, "/ions/grid/x", grid.x_edges, "m");
+  write_with_unit(file_, "/ions/grid/y", grid.y_edges, "m");
+  write_with_unit(file_, "/ions/grid/z", grid.z_nodes, "m");
+  const Hdf5File::Shape shape{grid.z_nodes.size(), grid.y_edges.size() - 1,
+                              grid.x_edges.size() - 1};
+  for (const electrochemistry::IonSnapshot& snapshot : snapshots) {
+    const std::string group = fmt::format("/ions/{}", snapshot.time);
+    write_field(file_, group + "/concentration", snapshot.concentration, "mol/m3", shape);
+    write_field(file_, group + "/potential", snapshot.potential, "V", shape);
+    write_field(file_, group + "/shear", snapshot.shear, "1", shape);
+    file_.set_attribute(group, "time", snapshot.time);
+  }
+}
+
+void ResultsFile::write_contact(const ContactMaps& contact) {
+  file_.remove("/contact");
+  write_with_unit(file_, "/contact/grid/x", contact.cell_lines_x, "m");
+  write_with_unit(file_, "/contact/grid/y", contact.cell_lines_y, "m");
+  const Hdf5File::Shape shape{contact.cell_lines_y.size() - 1, contact.cell_lines_x.size() - 1};
+  for (const ContactMap& map : contact.maps) {
+    const std::string group = "/contact/" + map.state;
+    write_with_unit(file_, group + "/pressure", map.pressure, "Pa", shape);
+    write_with_unit(file_, group + "/shear_x", map.shear_x, "Pa", shape);
+    write_with_unit(file_, group + "/shear_y", map.shear_y, "Pa", shape);
+    write_with_unit(file_, group + "/slip", map.slip, "m", shape);
+    file_.set_attribute(group, "parameter", map.parameter);
+  }
+}
+
+void ResultsFile::write_text(const std::string& name, const std::string& text) {
+  file_.remove("/" + name);
+  file_.write_text("/" + name, text);
+}
+
+void ResultsFile::commit() {
+  file_.close();
+  pending_.commit();
+}
+
+} // namespace ionskin::results

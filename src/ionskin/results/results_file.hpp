@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/electrochemistry/ion_solution.hpp"
+#include "ionskin/readout/signals.hpp"
+#include "ionskin/results/atomic_file.hpp"
+#include "ionskin/results/contact_map.hpp"
+#include "ionskin/results/hdf5_file.hpp"
+#include "ionskin/strain/strain_history.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ionskin::results {
+
+/// results.h5: /signals, /sampled, /strain, /ions, /contact, /case and /manifest. What is written
+/// replaces what stood there; nothing is seen under the final name before `commit`.
+class ResultsFile {
+public:
+  enum class Start {
+    empty, ///< a new file
+    extend ///< with the content of the file that is there, if one is
+  };
+  ResultsFile(const std::filesystem::path& path, Start start);
+
+  /// @param group "signals" or "sampled"
+  void write_signals(const std::string& group, const readout::SignalTable& table);
+  void write_strain(const strain::StrainHistory& history);
+  /// Concentration, potential and shear of every snapshot under /ions/TIME, the grid under
+  /// /ions/grid.
+  void write_ions(const electrochemistry::TransportGrid& grid,
+                  const std::vector<electrochemistry::IonSnapshot>& snapshots);
+  void write_contact(const ContactMaps& contact);
+  /// @param name "case" or "manifest"
+  void write_text(const std::string& name, const std::string& text);
+
+  /// For groups that only their owner knows.
+  Hdf5File& file() { return file_; }
+  /// Throws UserError when something could not be written.
+  void commit();
+
+private:
+  PendingFile pending_;
+  Hdf5File file_;
+};
+
+} // namespace ionskin::results

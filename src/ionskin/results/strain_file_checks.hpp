@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/strain/strain_history.hpp"
+
+#include <string>
+#include <vector>
+
+namespace ionskin::results {
+
+/// Checks of what stands in a strain file. Each throws UserError naming the file, the place, the
+/// actual value and the remedy.
+class StrainFileChecks {
+public:
+  explicit StrainFileChecks(std::string file) : file_(std::move(file)) {}
+
+  /// @param problem a clause about the file, @param remedy what the user can do
+  [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const;
+
+  void finite(const std::string& dataset, const std::vector<double>& values) const;
+  /// One sample of gamma.
+  void finite_field(const strain::StrainHistory& history, std::size_t sample,
+                    const strain::StrainField& field) const;
+  /// Finite, strictly ascending and at least two entries.
+  void ascending(const std::string& dataset, const std::vector<double>& values) const;
+  void same_length(const std::string& dataset, std::size_t actual, std::size_t samples) const;
+  void shape(const strain::StrainGrid& grid, std::size_t samples,
+             const std::vector<std::size_t>& actual) const;
+  /// Along x and y at every sample, along z exactly.
+  void covers_core(const strain::StrainHistory& history, const Skin& skin) const;
+  void events_are_samples(const strain::StrainHistory& history) const;
+
+private:
+  void covers(const std::string& axis, const std::vector<double>& edges,
+              const std::vector<double>& offsets, double extent) const;
+
+  std::string file_;
+};
+
+} // namespace ionskin::results

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/results/strain_file.hpp"
+
+#include "ionskin/results/atomic_file.hpp"
+
+#include <cstddef>
+#include <map>
+
+namespace ionskin::results {
+namespace {
+
+void write_with_unit(Hdf5File& file, const std::string& dataset, const std::vector<double>& values,
+                     const std::string& unit) {
+  file.write(dataset, values);
+  file.set_attribute(dataset, "unit", unit);
+}
+
+void write_fields(Hdf5File& file, const std::string& dataset,
+                  const strain::StrainHistory& history) {
+  const strain::StrainGrid& grid = history.grid;
+  file.create_frames(
+      dataset, {history.time.size(), grid.z_nodes.size(), grid.columns_y(), grid.columns_x()});
+  std::map<const strain::StrainField*, std::size_t> written;
+  for (std::size_t i = 0; i < history.gamma.size(); ++i) {
+    const auto [first, is_new] = written.emplace(history.gamma[i].get(), i);
+    if (is_new) {
+      file.write_frame(dataset, i, *history.gamma[i]);
+    } else {
+      file.repeat_frame(dataset, first->second, i);
+    }
+  }
+  file.set_attribute(dataset, "unit", std::string("1"));
+}
+
+} // namespace
+
+void write_strain(Hdf5File& file, const std::string& group, const strain::StrainHistory& history) {
+  const std::string root = group == "/" ? "" : group;
+  write_with_unit(file, root + "/grid/x", history.grid.x_edges, "m");
+  write_with_unit(file, root + "/grid/y", history.grid.y_edges, "m");
+  write_with_unit(file, root + "/grid/z", history.grid.z_nodes, "m");
+  write_with_unit(file, root + "/time", history.time, "s");
+  if (!history.event_time.empty()) {
+    write_with_unit(file, root + "/event_time", history.event_time, "s");
+  }
+  const bool rides = history.frame == strain::Frame::slider;
+  if (rides) {
+    write_with_unit(file, root + "/slider_x", history.slider_x, "m");
+  }
+  if (rides && !history.slider_y.empty()) {
+    write_with_unit(file, root + "/slider_y", history.slider_y, "m");
+  }
+  write_fields(file, root + "/gamma", history);
+  file.set_attribute(group, "format", std::string("ionskin-strain"));
+  file.set_attribute(group, "version", 1);
+  file.set_attribute(group, "measure", history.measure);
+  file.set_attribute(group, "frame", std::string(rides ? "slider" : "skin"));
+}
+
+void write_strain_file(const std::filesystem::path& path, const strain::StrainHistory& history) {
+  PendingFile pending(path);
+  Hdf5File file(pending.path(), Hdf5File::Access::create);
+  write_strain(file, "/", history);
+  file.close();
+  pending.commit();
+}
+
+} // namespace ionskin::results

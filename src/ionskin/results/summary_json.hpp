@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/readout/metrics.hpp"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ionskin::results {
+
+/// What stands in summary.json.
+struct Summary {
+  std::vector<readout::Metric> metrics;
+  std::map<std::string, double> timing; ///< mechanics, strain, electrochemistry, output, total [s]
+  std::vector<std::string> warnings;
+  std::map<std::string, double> error_estimate; ///< relative, by metric [1]
+};
+
+/// The JSON text, metrics in the given order; a value that is not finite becomes null.
+std::string summary_text(const Summary& summary);
+/// Writes the file atomically. Throws UserError when it cannot.
+void write_summary(const std::filesystem::path& path, const Summary& summary);
+
+} // namespace ionskin::results

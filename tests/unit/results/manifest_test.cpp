@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/results/manifest.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "scratch_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace ionskin::results {
+namespace {
+
+Manifest example() {
+  Manifest manifest = new_manifest("ionskin run case.toml -o out", 2, content_hash("case"));
+  manifest.stages["mechanics"] = {"finished", 7.5, 2.5e9};
+  manifest.stages["electrochemistry"] = {"interrupted", 0.25, 2.5e9};
+  manifest.counters["newton_iterations"] = 1234;
+  manifest.state = "interrupted";
+  return manifest;
+}
+
+TEST(Manifest, ReadsBackWhatWasWritten) {
+  const ScratchFolder folder;
+  const Manifest written = example();
+  write_manifest(folder / "manifest.json", written);
+  const Manifest read = read_manifest(folder / "manifest.json");
+  EXPECT_EQ(read.command, written.command);
+  EXPECT_EQ(read.threads, 2);
+  EXPECT_EQ(read.input_hash, written.input_hash);
+  EXPECT_EQ(read.state, "interrupted");
+  EXPECT_EQ(read.started, written.started);
+  EXPECT_EQ(read.stages.at("mechanics").state, "finished");
+  EXPECT_EQ(read.stages.at("mechanics").wall_time, 7.5);
+  EXPECT_EQ(read.stages.at("mechanics").peak_memory, 2.5e9);
+  EXPECT_EQ(read.counters.at("newton_iterations"), 1234);
+}
+
+TEST(Manifest, SaysWhatMadeTheResult) {
+  const auto json = nlohmann::json::parse(manifest_text(example()));
+  EXPECT_EQ(json["program"]["name"], "ionskin");
+  EXPECT_FALSE(json["program"]["version"].get<std::string>().empty());
+  EXPECT_FALSE(json["program"]["compiler"].get<std::string>().empty());
+  EXPECT_EQ(json["started"].get<std::string>().size(), std::string("2000-01-01T00:00:00Z").size());
+}
+
+TEST(Manifest, TellsItsOwnFromOthers) {
+  const ScratchFolder folder;
+  EXPECT_FALSE(is_ionskin_manifest(folder / "manifest.json"));
+  for (const char* foreign :
+       {"", "{}", "[1]", "not json", "{\"program\": 3}", "{\"program\": {\"name\": \"other\"}}"}) {
+    write_all(folder / "manifest.json", foreign);
+    EXPECT_FALSE(is_ionskin_manifest(folder / "manifest.json")) << foreign;
+    EXPECT_THROW(read_manifest(folder / "manifest.json"), UserError) << foreign;
+  }
+  write_manifest(folder / "manifest.json", example());
+  EXPECT_TRUE(is_ionskin_manifest(folder / "manifest.json"));
+}
+
+TEST(Manifest, ADamagedOneIsAUserError) {
+  const ScratchFolder folder;
+  write_all(folder / "manifest.json", "{\"program\": {\"name\": \"ionskin\"}, \"state\": 7}");
+  const std::string message =
+      message_of<UserError>([&] { read_manifest(folder / "manifest.json"); });
+  EXPECT_NE(message.find("manifest.json"), std::string::npos);
+}
+
+TEST(Manifest, ContentHashIsFnv1a) {
+  // Published test vectors of FNV-1a, 64 bits.
+  EXPECT_EQ(content_hash(""), "cbf29ce484222325");
+  EXPECT_EQ(content_hash("a"), "af63dc4c8601ec8c");
+  EXPECT_EQ(content_hash("foobar"), "85944171f73967e8");
+}
+
+} // namespace
+} // namespace ionskin::results

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The report of small hand-made runs: what it must say, and that it stands alone."""
+
+import json
+import pathlib
+import re
+import shutil
+import tempfile
+import unittest
+
+from ionskin import Results
+from ionskin.figures import draw_all
+from ionskin.report import make_report
+from ionskin.style import THEMED_COLOURS, si_scale
+
+COLUMNS = ["time [s]", "cycle", "phase", "slider_x [m]", "slider_z [m]", "normal_force [N]", "tangential_force [N]",
+           "mean_shear [1]", "rms_shear [1]", "p99_shear [1]", "shear_first_moment [1]", "mean_shear_rate [1/s]",
+           "charge_top [C]", "charge_bottom [C]", "current_top [A]", "current_bottom [A]", "current_difference [A]",
+           "current_common [A]"]
+PHASES = ["touchdown", "touchdown", "slide", "lift", "return"]
+
+
+def write_run(folder, cycles=2, contact=True, ions=True):
+    """A run with one row per second and made-up numbers."""
+    rows = []
+    for second in range(4 * cycles + 1):
+        cycle, phase = max(1, -(-second // 4)), PHASES[(second - 1) % 4 + 1] if second else PHASES[0]
+        motion = [0.004, 1e-3, 65.0, 19.5] if contact else [""] * 4
+        charges = [3e-6, 1e-6, 2e-6, -1e-6, 1.5e-6, 5e-7] if ions else [""] * 6
+        place = [cycle, phase] if contact else ["", ""]
+        rows.append([second, *place, *motion, 0.008, 0.01, 0.03, -1e-4, 0.0, *charges])
+    lines = [",".join(COLUMNS)] + [",".join(map(str, row)) for row in rows]
+    (folder / "signals.csv").write_text("\n".join(lines) + "\n")
+    empty = "2e-6" if ions else ""
+    (folder / "sampled.csv").write_text(
+        "time [s],current_top [A],current_bottom [A],current_difference [A],current_common [A]\n"
+        + "".join(f"{second},{empty},{empty},{empty},{empty}\n" for second in (1, 2, 3)))
+    (folder / "summary.json").write_text(json.dumps({
+        "metrics": {"normal_force_slide": {"value": 65.25, "unit": "N"}, "nonlinearity": {"value": None, "unit": "1"}},
+        "timing": {"mechanics": 7.5, "electrochemistry": 2.5, "total": 11.0},
+        "warnings": ["pressure < 5 & > 3"], "error_estimate": {"normal_force_slide": 0.004}}))
+    (folder / "case.toml").write_text('title = "A <small> case"\n[skin]\nlength = "15 mm"\n[coupling]\nlaw = "column-neutral"\n')
+    (folder / "manifest.json").write_text(json.dumps({
+        "program": {"name": "ionskin", "version": "9.9"}, "stages": {"mechanics": {
+            "state": "finished", "wall_time_s": 7.5, "peak_memory_bytes": 2.5e9}}, "counters": {"time_steps": 321}}))
+
+
+class Report(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="ionskin-report-"))
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        write_run(cls.folder)
+        cls.page = make_report(cls.folder).read_text()
+
+    def test_says_what_the_run_says(self):
+        for words in ("A &lt;small&gt; case", "pressure &lt; 5 &amp; &gt; 3", "65.25", "0.4 %", "10.00 s", "2.50 GB",
+                      "321", "15 mm", "column-neutral", "ionskin 9.9"):
+            self.assertIn(words, self.page)
+
+    def test_stands_alone(self):
+        self.assertEqual(re.findall(r'(?:src|href)="(?!#)[^"]*"', self.page), [])
+        self.assertNotIn("@import", self.page)
+        self.assertNotIn("url(http", self.page)
+
+    def test_every_figure_is_a_file_and_stands_in_the_page(self):
+        names = {"motion", "shear", "currents", "forces", "charge", "relaxation"}
+        self.assertEqual({path.stem for path in (self.folder / "figures").glob("*.png")}, names)
+        self.assertEqual({path.stem for path in (self.folder / "figures").glob("*.svg")}, names)
+        self.assertEqual(self.page.count("<svg"), len(names))
+
+    def test_ids_of_the_page_are_unique(self):
+        identifiers = re.findall(r'\bid="([^"]+)"', self.page)
+        self.assertEqual(len(identifiers), len(set(identifiers)))
+
+    def test_figures_follow_light_and_dark(self):
+        figures = self.page[self.page.index("<svg"):self.page.rindex("</svg>")]
+        for colour in THEMED_COLOURS:
+            self.assertNotIn(colour, figures)
+        self.assertIn("var(--blue)", figures)
+
+
+class OtherRuns(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="ionskin-report-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def figures(self, **run):
+        write_run(self.folder, **run)
+        return [entry.name for entry, _ in draw_all(Results(self.folder))]
+
+    def test_runs_from_a_strain_file_have_no_motion(self):
+        self.assertEqual(self.figures(contact=False), ["shear", "currents", "charge"])
+
+    def test_mechanics_alone_has_no_currents(self):
+        self.assertEqual(self.figures(ions=False), ["motion", "shear", "forces"])
+
+    def test_a_folder_without_results_is_named(self):
+        with self.assertRaisesRegex(FileNotFoundError, "signals.csv"):
+            make_report(self.folder)
+
+
+class Reading(unittest.TestCase):
+    def test_columns_units_and_phases(self):
+        folder = pathlib.Path(tempfile.mkdtemp(prefix="ionskin-report-"))
+        self.addCleanup(shutil.rmtree, folder)
+        write_run(folder)
+        results = Results(folder)
+        self.assertEqual(results.signals.units["normal_force"], "N")
+        self.assertEqual(results.signals["normal_force"][2], 65.0)
+        self.assertEqual(results.metrics["normal_force_slide"].value, 65.25)
+        self.assertIsNone(results.metrics["nonlinearity"].value)
+        spans = results.phases()
+        self.assertEqual([span.phase for span in spans], ["touchdown", "slide", "lift", "return"] * 2)
+        self.assertEqual(spans[1].start, 1.0)
+        self.assertEqual(spans[1].end, 2.0)
+        self.assertEqual(spans[4].cycle, 2)
+
+    def test_si_scale(self):
+        self.assertEqual(si_scale(0.02), (1e-3, "m"))
+        self.assertEqual(si_scale(65.0), (1.0, ""))
+        self.assertEqual(si_scale(0.0), (1.0, ""))
+        self.assertEqual(si_scale(15.2e6), (1e6, "M"))
+
+
+if __name__ == "__main__":
+    unittest.main()
