@@ -1,0 +1,307 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The figures of one run. Each function takes Results and returns a Figure, or None without its data."""
+
+from typing import Callable, NamedTuple
+
+import numpy
+from matplotlib.ticker import EngFormatter, FixedLocator, NullLocator
+
+from . import style
+
+CONTACT_PHASES = {"touchdown": style.BAND, "slide": style.BAND_STRONG, "lift": style.BAND}
+STEP = {"drawstyle": "steps-pre"}  # a current is the mean over the step that ends at its row
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+DECADES = 5  # between the largest current and the linear part of a symmetric logarithmic axis
+
+
+def shade_phases(results, axes, offset=0.0, cycle=None):
+    """Bands behind the phases in contact; the slide is the darker one."""
+    for span in results.phases():
+        if span.phase in CONTACT_PHASES and (cycle is None or span.cycle == cycle):
+            axes.axvspan(span.start - offset, span.end - offset, color=CONTACT_PHASES[span.phase], lw=0, zorder=0)
+
+
+def name_phases(results, axes, offset, cycle):
+    """Phase names along the upper edge of a panel that shows one cycle."""
+    for span in results.phases():
+        if span.cycle == cycle:
+            axes.text((span.start + span.end) / 2 - offset, 1.0, span.phase, transform=axes.get_xaxis_transform(),
+                      ha="center", va="bottom", fontsize=7, color=style.QUIET)
+
+
+def time_axis(results, axes):
+    """Limits of the run below the last panel and its label."""
+    time = results.signals["time"]
+    axes[-1].set_xlim(time[0], time[-1])
+    axes[-1].set_xlabel("time [s]")
+    for panel in axes:
+        shade_phases(results, panel)
+
+
+def scaled(panel, name, unit, peak):
+    """Labels a linear axis with a prefixed unit and returns the divisor of its values."""
+    divisor, prefix = style.si_scale(peak)
+    if unit == "1":
+        power = f"{round(numpy.log10(divisor)):d}".translate(SUPERSCRIPTS)
+        panel.set_ylabel(f"{name} [10{power}]" if divisor != 1 else name)
+    else:
+        panel.set_ylabel(f"{name} [{prefix}{unit}]")
+    return divisor
+
+
+def peak_of(*columns):
+    """Largest magnitude over columns with empty entries."""
+    return max((numpy.nanmax(numpy.abs(column)) for column in columns if len(column)), default=0.0)
+
+
+def signed_log_axis(panel, unit, peak):
+    """Symmetric logarithmic axis over the decades below a peak, with few and readable ticks."""
+    top = int(numpy.ceil(numpy.log10(peak))) if peak > 0 else 0
+    threshold = 10.0 ** (top - DECADES)
+    panel.set_yscale("symlog", linthresh=threshold, linscale=0.6)
+    powers = [10.0 ** (top - n) for n in range(0, DECADES + 1, 2)]
+    panel.yaxis.set_major_locator(FixedLocator([-p for p in powers] + [0.0] + powers[::-1]))
+    panel.yaxis.set_minor_locator(NullLocator())
+    panel.yaxis.set_major_formatter(EngFormatter(unit=unit))
+    panel.set_ylim(-1.3 * 10.0**top, 1.3 * 10.0**top)
+
+
+def motion(results):
+    """Prescribed position of the slider and its phases."""
+    signals = results.signals
+    if not signals.has("slider_x", "slider_z"):
+        return None
+    figure, axes = style.stacked(2, heights=[0.7, 0.7])
+    axes[0].plot(signals["time"], signals["slider_x"] * 1e3, color=style.BLUE)
+    axes[0].set_ylabel("position x [mm]")
+    style.title(axes[0], "Centre of the slider along the skin")
+    axes[1].plot(signals["time"], signals["slider_z"] * 1e3, color=style.BLUE)
+    axes[1].axhline(0, color=style.QUIET, lw=0.6)
+    axes[1].set_ylabel("height z [mm]")
+    style.title(axes[1], "Underside of the slider above the undeformed skin")
+    time_axis(results, axes)
+    first_cycle_names(results, axes[0])
+    return figure
+
+
+def first_cycle_names(results, panel):
+    """Says once what the bands mean."""
+    handles = [panel.fill_between([], [], color=colour, lw=0, label=label) for colour, label in
+               ((style.BAND, "touchdown, lift"), (style.BAND_STRONG, "slide"))]
+    panel.legend(handles=handles, loc="lower right", bbox_to_anchor=(1.0, 0.98), ncol=2, borderaxespad=0.1,
+                 handlelength=1.4)
+
+
+def shear(results):
+    """Shear of the core: mean, spread and first moment over the thickness."""
+    signals = results.signals
+    if not signals.has("mean_shear"):
+        return None
+    time = signals["time"]
+    figure, axes = style.stacked(3, heights=[0.8, 0.8, 0.8])
+    mean_unit = scaled(axes[0], "mean shear", "1", peak_of(signals["mean_shear"]))
+    axes[0].plot(time, signals["mean_shear"] / mean_unit, color=style.BLUE)
+    style.title(axes[0], "Volume mean: predicts the common charge")
+    spread = scaled(axes[1], "shear", "1", peak_of(signals["p99_shear"], signals["rms_shear"]))
+    axes[1].plot(time, signals["p99_shear"] / spread, color=style.ORANGE, label="99th percentile by volume")
+    axes[1].plot(time, signals["rms_shear"] / spread, color=style.GREEN, label="rms")
+    style.title(axes[1], "Spread over the core")
+    style.legend(axes[1])
+    moment = scaled(axes[2], "first moment", "1", peak_of(signals["shear_first_moment"]))
+    axes[2].plot(time, signals["shear_first_moment"] / moment, color=style.PURPLE)
+    style.title(axes[2], "Mean of γ (ζ/h − ½): predicts the jumps of the difference charge")
+    time_axis(results, axes)
+    return figure
+
+
+def forces(results):
+    """Normal and tangential force on the full skin."""
+    signals = results.signals
+    if not signals.has("normal_force"):
+        return None
+    figure, axes = style.stacked(1)
+    unit = scaled(axes[0], "force", "N", peak_of(signals["normal_force"]))
+    axes[0].plot(signals["time"], signals["normal_force"] / unit, color=style.BLUE, label="normal")
+    axes[0].plot(signals["time"], signals["tangential_force"] / unit, color=style.ORANGE, label="tangential")
+    style.title(axes[0], "Force on the full skin")
+    style.legend(axes[0])
+    time_axis(results, axes)
+    return figure
+
+
+def currents(results):
+    """Currents of both electrodes, and what an ammeter between them can carry."""
+    signals, sampled = results.signals, results.sampled
+    if not signals.has("current_top"):
+        return None
+    time = signals["time"]
+    figure, axes = style.stacked(3, heights=[1.1, 1.1, 1.1], left=0.125)
+    axes[0].plot(time, signals["current_top"], color=style.BLUE, label="top", **STEP)
+    axes[0].plot(time, signals["current_bottom"], color=style.ORANGE, label="bottom", lw=0.8, **STEP)
+    signed_log_axis(axes[0], "A", peak_of(signals["current_top"], signals["current_bottom"]))
+    style.title(axes[0], "Electrodes, resolved")
+    for panel, name, colour in ((axes[1], "difference", style.GREEN), (axes[2], "common", style.PURPLE)):
+        column = f"current_{name}"
+        # Wide and pale below the resolved current, which it equals wherever nothing is fast.
+        panel.plot(sampled["time"], sampled[column], color=style.PALE, lw=2.6, label=sampled_label(results), **STEP)
+        panel.plot(time, signals[column], color=colour, lw=0.8, label="resolved", **STEP)
+        signed_log_axis(panel, "A", peak_of(signals[column]))
+    style.title(axes[1], "Difference (top − bottom)/2")
+    style.title(axes[2], "Common (top + bottom)/2")
+    for panel in axes:
+        panel.set_ylabel("current")
+        style.legend(panel)
+    time_axis(results, axes)
+    return figure
+
+
+def sampled_label(results):
+    """Names the sampled current with its interval."""
+    time = results.sampled["time"]
+    if len(time) < 2:
+        return "sampled"
+    return f"sampled, mean over {EngFormatter(unit='s').format_eng(round(time[1] - time[0], 9))}s each"
+
+
+def charge(results):
+    """Charge on the metal of both electrodes."""
+    signals = results.signals
+    if not signals.has("charge_top"):
+        return None
+    time, top, bottom = (signals[name] for name in ("time", "charge_top", "charge_bottom"))
+    figure, axes = style.stacked(2, heights=[0.9, 0.9])
+    unit = scaled(axes[0], "charge", "C", peak_of(top, bottom))
+    axes[0].plot(time, top / unit, color=style.BLUE, label="top")
+    axes[0].plot(time, bottom / unit, color=style.ORANGE, label="bottom")
+    style.title(axes[0], "Charge on the electrodes")
+    half = (top - bottom) / 2
+    half_unit = scaled(axes[1], "charge", "C", peak_of(half))
+    axes[1].plot(time, half / half_unit, color=style.GREEN)
+    style.title(axes[1], "Difference (top − bottom)/2")
+    style.legend(axes[0])
+    time_axis(results, axes)
+    return figure
+
+
+def slide_start(results):
+    """Start of the slide of the first cycle [s], or None."""
+    return next((span.start for span in results.phases() if span.phase == "slide"), None)
+
+
+def join_time(results):
+    """Instant at which the onset joins steady sliding in the first cycle [s], or None."""
+    if not (results.folder / "results.h5").exists():
+        return None
+    with results.open_fields() as file:
+        value = float(file["path"].attrs.get("join_time", 0.0)) if "path" in file else 0.0
+    start = slide_start(results)
+    return value if start is not None and value > start else None
+
+
+def join(results):
+    """The difference current where the onset of sliding joins steady sliding: it must not jump."""
+    signals = results.signals
+    start, joined = slide_start(results), join_time(results)
+    if joined is None or not signals.has("current_difference"):
+        return None
+    time = (signals["time"] - start) * 1e3
+    width = (joined - start) * 1e3
+    figure, axes = style.stacked(2, share_x=False)
+    for panel, low, high in ((axes[0], 0.0, 4 * width), (axes[1], 0.5 * width, 2 * width)):
+        shown = (time > low) & (time <= high)
+        values = signals["current_difference"][shown]
+        unit = scaled(panel, "difference current", "A", peak_of(values))
+        panel.plot(time[shown], values / unit, color=style.GREEN, marker="o", markersize=2, **STEP)
+        panel.axvline(width, color=style.QUIET, lw=0.8, ls="--")
+        panel.set_xlim(low, high)
+        panel.set_xlabel("time since the start of the slide [ms]")
+    axes[0].annotate("steady sliding begins", (width, 0.97), xycoords=axes[0].get_xaxis_transform(), xytext=(4, 0),
+                     textcoords="offset points", va="top", fontsize=7.5, color=style.QUIET)
+    style.title(axes[0], "Onset of sliding, first cycle")
+    style.title(axes[1], "The join, enlarged")
+    figure.subplots_adjust(hspace=0.5)
+    return figure
+
+
+def relaxation(results):
+    """How much of the difference charge is left when the next cycle begins."""
+    signals = results.signals
+    spans = results.phases()
+    if not spans or not signals.has("charge_top"):
+        return None
+    half = (signals["charge_top"] - signals["charge_bottom"]) / 2
+    figure, axes = style.stacked(2, share_x=False, heights=[1.0, 0.9])
+    charge_unit = scaled(axes[0], "difference charge", "C", peak_of(half))
+    returns = [span for span in spans if span.phase == "return"]
+    tails = [signals["current_difference"][rows_within(signals, span)] for span in returns]
+    current_unit = scaled(axes[1], "difference current", "A", peak_of(*tails))
+    for cycle, look in cycle_looks(spans):
+        own = [span for span in spans if span.cycle == cycle]
+        begin = own[0].start
+        rows = (signals["time"] >= begin) & (signals["time"] <= own[-1].end)
+        axes[0].plot(signals["time"][rows] - begin, half[rows] / charge_unit, label=f"cycle {cycle}", **look)
+    for span, tail, (cycle, look) in zip(returns, tails, cycle_looks(returns)):
+        axes[1].plot(signals["time"][rows_within(signals, span)] - span.start, tail / current_unit,
+                     label=f"cycle {cycle}", **look)
+        axes[1].set_xlim(0, span.end - span.start)
+    first = [span for span in spans if span.cycle == spans[0].cycle]
+    shade_phases(results, axes[0], first[0].start, first[0].cycle)
+    name_phases(results, axes[0], first[0].start, first[0].cycle)
+    axes[0].set_xlim(0, first[-1].end - first[0].start)
+    axes[0].set_xlabel("time within the cycle [s]")
+    axes[0].set_title("Difference charge", loc="left", pad=13, fontweight="bold")
+    axes[0].legend(loc="lower right", bbox_to_anchor=(1.0, 1.07), ncol=4, borderaxespad=0.1)
+    axes[1].set_xlabel("time since the end of lift-off [s]")
+    style.title(axes[1], "Difference current during the detached return")
+    height = figure.get_figheight()
+    figure.subplots_adjust(hspace=0.5, top=1 - 0.36 / height)
+    return figure
+
+
+def rows_within(signals, span):
+    """Rows whose whole step lies in a span."""
+    return (signals["time"] > span.start) & (signals["time"] <= span.end)
+
+
+def cycle_looks(spans):
+    """Pairs of cycle and line look, in order; later cycles are dashed, as they may coincide."""
+    cycles = sorted({span.cycle for span in spans})
+    colours = [style.BLUE, style.ORANGE, style.GREEN, style.PURPLE]
+    dashes = ["-", (0, (5, 2)), (0, (1.5, 1.5))]
+    return [(cycle, {"color": colours[i % 4], "ls": dashes[min(i, 2)]}) for i, cycle in enumerate(cycles)]
+
+
+class Entry(NamedTuple):
+    """One figure of the report."""
+
+    name: str
+    heading: str
+    caption: str
+    draw: Callable
+
+
+FIGURES = [
+    Entry("motion", "Motion", "Prescribed motion of the slider. Bands mark the phases in contact, here and below.", motion),
+    Entry("shear", "Shear of the core", "Scalar shear γ in the ion-conducting layer. The pointwise maximum depends on "
+          "the mesh at the slider's edges and is not shown.", shear),
+    Entry("currents", "Electrode currents", "Currents on a symmetric logarithmic axis, linear around zero. A resolved "
+          "current is the mean over one time step: its spikes are as high as the events are short. The sampled current "
+          "is the charge gained over each readout interval divided by it, which an integrating instrument sees.",
+          currents),
+    Entry("forces", "Forces", "Contact forces; under full slip the tangential force is the friction coefficient times "
+          "the normal force.", forces),
+    Entry("charge", "Electrode charge", "Charge on the metal. The common part follows the net fixed charge that the "
+          "shear creates; the difference relaxes as the ions redistribute.", charge),
+    Entry("join", "From the onset to steady sliding", "Difference current, one mark per time step. A jump of the shear "
+          "between the two parts of the contact path would show as a spike at the dashed line.", join),
+    Entry("relaxation", "Relaxation between cycles", "The contact repeats exactly, the ions do not: what has not "
+          "relaxed during the return is the start of the next cycle.", relaxation),
+]
+
+
+def draw_all(results):
+    """Yields (Entry, Figure) for every figure that the run has data for."""
+    for entry in FIGURES:
+        figure = entry.draw(results)
+        if figure is not None:
+            yield entry, figure

@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The words and numbers of the report, taken from the results."""
+
+from . import style
+
+HEADLINE = [
+    ("normal force, mid-slide", "normal_force_slide"),
+    ("mean shear, mid-slide", "mean_shear_slide"),
+    ("peak sampled current, top", "peak_sampled_current_top"),
+    ("peak sampled difference current", "peak_sampled_current_difference"),
+    ("rms difference current", "rms_current_difference"),
+    ("rms common current", "rms_current_common"),
+]
+
+CASE_GROUPS = {"skin": "Skin", "slider": "Slider", "motion": "Motion", "contact": "Contact",
+               "electrochemistry": "Ions", "coupling": "Coupling", "strain": "Strain", "readout": "Readout",
+               "numerics": "Numerics"}
+
+NUMBERS_NOTE = ("“touchdown” is the end of touchdown and “slide” the middle of the slide, both in the first cycle. "
+                "Peaks are of the magnitude; rms is weighted by time over the whole run. Peaks of resolved currents are "
+                "means over one time step at a contact event; the sampled ones converge with the time step.")
+
+LIMITS = [
+    "Linear elasticity with small strain, quasi-static. The slip direction neglects the convective part of the slip "
+    "rate, which is of the order of the strain, and the drift of the footprint during the onset of sliding.",
+    "The slider is rigid and its edges are sharp: stress and shear at the edges grow as the mesh is refined. Mean, rms "
+    "and percentiles converge; a pointwise maximum does not, and the peak pressure is no result.",
+    "Dilute transport of one mobile cation against a fixed charge, with constant diffusivity and permittivity. Both "
+    "electrodes block; there is no flow of water and no reaction, and the ions do not act back on the mechanics.",
+    "The difference current during the onset of sliding is a small remainder of large terms; its instantaneous peak "
+    "there is 5 to 30 % uncertain.",
+]
+
+LAW_LIMITS = {
+    "fixed-charge": "The coupling law “fixed-charge” creates net charge in the core, which both electrodes image: it "
+    "drives the common current. Between the electrodes of an otherwise isolated cell an ammeter carries the difference "
+    "current only.",
+    "volume-neutral": "The coupling law “volume-neutral” subtracts the volume mean of the shear, so that the core stays "
+    "neutral as a whole while single columns do not.",
+    "column-neutral": "The coupling law “column-neutral” subtracts the mean over the thickness, so that every column of "
+    "the core stays neutral.",
+}
+
+
+def quantity(value, unit, digits=4):
+    """A number with its unit and an SI prefix; pure numbers stay plain."""
+    if value is None:
+        return "–"
+    if unit == "1":
+        return f"{value:.{digits}g}"
+    if unit not in ("A", "C", "N", "V", "s", "Pa"):
+        return f"{value:.{digits}g} {unit}"
+    divisor, prefix = style.si_scale(abs(value))
+    return f"{value / divisor:.{digits}g} {prefix}{unit}"
+
+
+def headline(results):
+    """Pairs of label and value for the top of the page."""
+    return [(label, quantity(*results.metrics[name], digits=3)) for label, name in HEADLINE if name in results.metrics]
+
+
+def subtitle(results):
+    """One line below the title: how long, how fast, by what."""
+    program = results.manifest.get("program", {})
+    time = results.signals["time"]
+    parts = [f"{time[-1] - time[0]:.6g} s simulated"]
+    timing = results.summary.get("timing", {})
+    solving = sum(seconds for stage, seconds in timing.items() if stage not in ("output", "total"))
+    if solving:
+        parts.append(f"solved in {solving:.3g} s")
+    if program:
+        parts.append(f"ionskin {program.get('version', '')}")
+    if results.manifest.get("started"):
+        parts.append(results.manifest["started"].replace("T", " ").replace("Z", " UTC"))
+    return " · ".join(parts)
+
+
+def readable(value):
+    """A value of the case file as a reader would write it."""
+    if isinstance(value, list):
+        return " × ".join(map(readable, value)) if value and isinstance(value[0], str) else ", ".join(map(readable, value))
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return str(value)
+
+
+def layers(case):
+    """Rows of the layer table, top layer first."""
+    return [(layer.get("name", ""), layer.get("role", ""), layer.get("material", ""), readable(layer.get("thickness", "")))
+            for layer in reversed(case.get("skin", {}).get("layers", []))]
+
+
+def case_groups(case):
+    """Pairs of heading and entries for every part of the case."""
+    groups = []
+    for key, heading in CASE_GROUPS.items():
+        entries = [(name.replace("_", " "), readable(value)) for name, value in case.get(key, {}).items()
+                   if not isinstance(value, dict) and name != "layers"]
+        if entries:
+            groups.append((heading, entries))
+    for name, material in case.get("materials", {}).items():
+        groups.append((f"Material {name}", [(key.replace("_", " ").replace("youngs", "Young's").replace(
+            "poissons", "Poisson's"), readable(value)) for key, value in material.items()]))
+    return groups
+
+
+def metric_rows(results):
+    """Rows of the table of numbers: name, value, unit, estimated relative error."""
+    errors = results.summary.get("error_estimate", {})
+    return [(name, "–" if metric.value is None else f"{metric.value:.6g}", metric.unit,
+             f"{100 * errors[name]:.2g} %" if errors.get(name) is not None else "")
+            for name, metric in results.metrics.items()]
+
+
+def timing_rows(results):
+    """Rows of the timing table: stage, state, wall time, peak memory; the last row is their sum."""
+    timing = results.summary.get("timing", {})
+    stages = results.manifest.get("stages", {})
+    rows = []
+    for name, seconds in timing.items():
+        if name in ("output", "total"):
+            # The report is made while the output stage runs: the final figures stand in summary.json.
+            continue
+        stage = stages.get(name, {})
+        memory = stage.get("peak_memory_bytes", 0)
+        rows.append((name, stage.get("state", ""), f"{seconds:.2f} s", f"{memory / 1e9:.2f} GB" if memory else ""))
+    if rows:
+        rows.append(("sum", "", f"{sum(timing[row[0]] for row in rows):.2f} s", ""))
+    return rows
+
+
+def counter_rows(results):
+    """Rows of the counters of the solvers."""
+    return [(name.replace("_", " "), f"{value:.6g}") for name, value in results.manifest.get("counters", {}).items()]
+
+
+def origin_rows(results):
+    """Where the result comes from."""
+    manifest = results.manifest
+    program = manifest.get("program", {})
+    rows = [("program", f"{program.get('name', 'ionskin')} {program.get('version', '')}".strip()),
+            ("commit", program.get("commit", "")), ("compiler", program.get("compiler", "")),
+            ("command", manifest.get("command", "")), ("threads", manifest.get("threads", "")),
+            ("started", manifest.get("started", "")), ("input hash", manifest.get("input_hash", ""))]
+    return [row for row in rows if row[1] != ""]
+
+
+def limits(results):
+    """What the model leaves out, as far as it concerns this case."""
+    coupling = results.case.get("coupling", {})
+    texts = list(LIMITS)
+    if coupling.get("law") in LAW_LIMITS:
+        texts.append(LAW_LIMITS[coupling["law"]])
+    texts.append("No measurement calibrates the coupling coefficient k: while the response is linear the currents are in "
+                 "proportion to it, and their absolute size is not a prediction.")
+    return texts

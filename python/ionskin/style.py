@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One look for every figure: publication sizes and colours that colour-blind readers tell apart."""
+
+import matplotlib
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+INK = "#22252a"
+QUIET = "#6b7280"
+GRID = "#dfe2e7"
+PALE = "#b4bac4"
+BAND = "#eef1f5"
+BAND_STRONG = "#e0e5ec"
+# Blue, vermilion, green and purple after Okabe and Ito (2008, jfly.uni-koeln.de/color).
+BLUE = "#0072b2"
+ORANGE = "#d55e00"
+GREEN = "#00875f"
+PURPLE = "#b3588f"
+# What a page replaces by its own variables, so that figures follow light and dark.
+THEMED_COLOURS = {
+    INK: "ink", QUIET: "quiet", GRID: "grid", PALE: "pale", BAND: "band", BAND_STRONG: "band-strong",
+    BLUE: "blue", ORANGE: "orange", GREEN: "green", PURPLE: "purple",
+}
+
+WIDTH = 170 / 25.4  # full text width of most journals [inch]
+ROW = 44 / 25.4  # height of one panel [inch]
+
+SETTINGS = {
+    "font.family": ["DejaVu Sans", "sans-serif"],
+    "font.size": 8,
+    "axes.titlesize": 8,
+    "axes.titley": 1.0,  # a fixed place saves laying out every panel twice
+    "axes.labelsize": 8,
+    "axes.edgecolor": QUIET,
+    "axes.labelcolor": INK,
+    "axes.linewidth": 0.6,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.facecolor": "none",
+    "grid.color": GRID,
+    "grid.linewidth": 0.5,
+    "lines.linewidth": 1.2,
+    "lines.markersize": 2.5,
+    "legend.frameon": False,
+    "legend.fontsize": 7.5,
+    "text.color": INK,
+    "xtick.color": INK,
+    "ytick.color": INK,
+    "xtick.labelsize": 7.5,
+    "ytick.labelsize": 7.5,
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+    "figure.facecolor": "white",
+    "svg.fonttype": "none",
+    "svg.hashsalt": "ionskin",
+    "path.simplify_threshold": 0.2,
+}
+
+
+def apply():
+    """Makes the style the default of every figure drawn afterwards."""
+    matplotlib.rcParams.update(SETTINGS)
+
+
+def stacked(rows, *, share_x=True, heights=None, left=0.105):
+    """A full-width figure with panels on top of each other and the list of its axes."""
+    apply()
+    heights = heights or [1] * rows
+    height = ROW * sum(heights) + 0.30 + 0.22 * rows
+    figure = Figure(figsize=(WIDTH, height))
+    FigureCanvasAgg(figure)
+    axes = figure.subplots(rows, 1, sharex=share_x, squeeze=False, gridspec_kw={"height_ratios": heights})[:, 0]
+    figure.subplots_adjust(left=left, right=0.985, top=1 - 0.22 / height, bottom=0.42 / height,
+                           hspace=0.22 if share_x else 0.42)
+    return figure, list(axes)
+
+
+def legend(axes, *, columns=4):
+    """A legend above the panel, where no curve can run through it."""
+    axes.legend(loc="lower right", bbox_to_anchor=(1.0, 0.98), ncol=columns, borderaxespad=0.1,
+                handlelength=1.6, columnspacing=1.4)
+
+
+def title(axes, text):
+    """The name of a panel, above it on the left."""
+    axes.set_title(text, loc="left", pad=4, color=INK, fontweight="bold")
+
+
+PREFIXES = {-15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
+
+
+def si_scale(peak):
+    """Divisor and prefix that bring a largest magnitude between 1 and 1000: (1e-6, "µ")."""
+    exponent = 0
+    if peak > 0:
+        while peak < 10.0**exponent and exponent > -15:
+            exponent -= 3
+        while peak >= 10.0 ** (exponent + 3) and exponent < 9:
+            exponent += 3
+    return 10.0**exponent, PREFIXES[exponent]
