@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_line.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "version.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace ionskin::apps {
+namespace {
+
+constexpr const char* description =
+    "ionskin simulates ionic artificial skins: frictional contact of a slider with a layered "
+    "skin,\n"
+    "and the electrode currents of the ion transport that its shear drives.\n\n"
+    "First steps:\n"
+    "  ionskin init my_skin.toml              write a commented starter case\n"
+    "  ionskin check my_skin.toml --explain   see what it means before running\n"
+    "  ionskin run my_skin.toml -o out        run both studies; open out/report.html";
+
+constexpr const char* exit_codes =
+    "Exit codes: 0 success, 2 the case or command line is wrong, 3 a solver gave up (what was\n"
+    "finished is kept), 130 interrupted (finish with --resume).";
+
+void add_set_option(CLI::App& verb, std::vector<std::string>& edits) {
+  verb.add_option(
+          "--set", edits,
+          "Change a key for this run: --set contact.friction=0.2, --set \"motion.stroke=3 mm\"")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
+}
+
+void add_threads_option(CLI::App& verb, int& threads) {
+  verb.add_option("--threads", threads, "Threads to use at most (default: all processors)")
+      ->check(CLI::PositiveNumber);
+}
+
+void add_init(CLI::App& app, Command& command) {
+  auto options = std::make_shared<InitOptions>();
+  CLI::App* verb = app.add_subcommand("init", "Write a commented starter case");
+  verb->add_option("path", options->path, "File to write")->required()->type_name("CASE.toml");
+  verb->add_option("--from", options->from, "Case to start from")
+      ->check(CLI::IsMember({"paper", "quick"}))
+      ->capture_default_str();
+  verb->callback([options, &command] { command = *options; });
+}
+
+void add_check(CLI::App& app, Command& command) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* verb = app.add_subcommand("check", "Check a case without running it");
+  verb->add_option("case", options->case_path, "Case file")->required()->type_name("CASE.toml");
+  add_set_option(*verb, options->set_edits);
+  verb->add_flag("--explain", options->explain,
+                 "Show SI values, derived scales, unknowns, memory and expected time");
+  verb->callback([options, &command] { command = *options; });
+}
+
+void add_run(CLI::App& app, Command& command) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* verb =
+      app.add_subcommand("run", "Run a case: contact mechanics, ion transport, results");
+  verb->add_option("case", options->case_path, "Case file")->required()->type_name("CASE.toml");
+  verb->add_option("-o,--output", options->output, "Folder for the results")
+      ->required()
+      ->type_name("DIR");
+  add_set_option(*verb, options->set_edits);
+  add_threads_option(*verb, options->threads);
+  CLI::Option* overwrite = verb->add_flag("--overwrite", options->overwrite,
+                                          "Replace the results in an existing folder");
+  verb->add_flag("--resume", options->resume, "Finish an interrupted run in its folder")
+      ->excludes(overwrite);
+  verb->add_option("--only", options->only,
+                   "Run one study: electrochemistry takes up finished mechanics")
+      ->check(CLI::IsMember({"mechanics", "electrochemistry"}));
+  verb->add_option_function<std::string>(
+          "--log",
+          [options](const std::string& format) {
+            options->log = format == "json" ? LogFormat::json : LogFormat::automatic;
+          },
+          "Progress as text (default) or JSON lines")
+      ->check(CLI::IsMember({"text", "json"}));
+  verb->add_flag_callback(
+      "--quiet", [options] { options->log = LogFormat::quiet; }, "No progress");
+  verb->callback([options, &command] { command = *options; });
+}
+
+void add_verify(CLI::App& app, Command& command) {
+  auto options = std::make_shared<VerifyOptions>();
+  CLI::App* verb = app.add_subcommand("verify", "Run the verification set and print its table");
+  verb->add_option("physics", options->physics, "Only this part")
+      ->check(CLI::IsMember({"mechanics", "electrochemistry"}));
+  add_threads_option(*verb, options->threads);
+  verb->callback([options, &command] { command = *options; });
+}
+
+} // namespace
+
+std::optional<Command> parse_command_line(int argc, char** argv, int& exit_code) {
+  CLI::App app{description, "ionskin"};
+  app.footer(exit_codes);
+  app.set_version_flag("--version", version_text());
+  app.require_subcommand(1);
+  Command command;
+  add_init(app, command);
+  add_check(app, command);
+  add_run(app, command);
+  add_verify(app, command);
+  if (argc == 1) {
+    std::fputs(app.help().c_str(), stdout);
+    exit_code = 0;
+    return std::nullopt;
+  }
+  app.failure_message(CLI::FailureMessage::simple);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error);
+    exit_code = code == 0 ? 0 : static_cast<int>(ExitCode::user_error);
+    return std::nullopt;
+  }
+  return command;
+}
+
+} // namespace ionskin::apps

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "explain.hpp"
+
+#include "cost_estimate.hpp"
+#include "threads.hpp"
+
+#include "ionskin/electrochemistry/derived_scales.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ionskin::apps {
+
+namespace {
+
+std::string row(const std::string& name, const std::string& value, const std::string& note = "") {
+  return note.empty() ? fmt::format("  {:<34} {}\n", name, value)
+                      : fmt::format("  {:<34} {:<14} {}\n", name, value, note);
+}
+
+std::string values(const CaseDocument& document) {
+  std::size_t key_width = 0, value_width = 0;
+  for (const ValueRecord& record : document.records) {
+    key_width = std::max(key_width, record.key.size());
+    value_width = std::max(value_width, record.si.size());
+  }
+  std::string text = "\nValues in SI units, and where they come from\n";
+  for (const ValueRecord& record : document.records)
+    text += fmt::format("  {:<{}}  {:<{}}  {}\n", record.key, key_width, record.si, value_width,
+                        to_string(record.origin));
+  return text;
+}
+
+/// Pressure and shear under the slider if the layers could not move sideways: an upper estimate.
+struct ConfinedEstimate {
+  double pressure = 0; ///< [Pa]
+  double shear = 0;    ///< of the core in full slip [1]
+};
+
+// Layers in series under the preload d: p = d / sum(t / M), M = E (1 - nu) / ((1 + nu)(1 - 2 nu))
+// the oedometric modulus; shear of the core mu p / G, G = E / (2 (1 + nu)).
+ConfinedEstimate confined_estimate(const Case& input) {
+  double compliance = 0;
+  for (const Layer& layer : input.skin.layers) {
+    const double nu = layer.material.poissons_ratio;
+    const double modulus = layer.material.youngs_modulus * (1 - nu) / ((1 + nu) * (1 - 2 * nu));
+    compliance += layer.thickness / modulus;
+  }
+  const Material& core = input.skin.layers[input.skin.core_index()].material;
+  const double shear_modulus = core.youngs_modulus / (2 * (1 + core.poissons_ratio));
+  const double pressure = input.motion.preload / compliance;
+  return {pressure, input.contact.friction * pressure / shear_modulus};
+}
+
+std::string scales_of_ions(const Case& input) {
+  const double thickness = input.skin.core_thickness();
+  const auto scales = electrochemistry::derive_scales(input.electrochemistry, thickness);
+  std::string text = "\nScales of the ions\n";
+  const auto add = [&text](const std::string& name, const std::string& value,
+                           const std::string& note) { text += row(name, value, note); };
+  add("thermal voltage", fmt::format("{:.4g} mV", scales.thermal_voltage * 1e3), "R T / F");
+  add("Debye length", fmt::format("{:.4g} um", scales.debye_length * 1e6),
+      fmt::format("the core is {:.4g} Debye lengths thick", thickness / scales.debye_length));
+  add("relaxation time", fmt::format("{:.4g} ms", scales.relaxation_time * 1e3), "lambda^2 / D");
+  add("charging time", fmt::format("{:.4g} s", scales.slow_time),
+      "lambda h / (2 D), of both double layers through the core");
+  add("conductivity", fmt::format("{:.4g} S/m", scales.conductivity), "");
+  add("charge scale", fmt::format("{:.4g} C/m2", scales.charge_density), "F c0 lambda");
+  return text;
+}
+
+std::string scales_of_contact(const Case& input) {
+  const ConfinedEstimate estimate = confined_estimate(input);
+  const auto scales =
+      electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness());
+  const double nonlinearity =
+      electrochemistry::nonlinearity(scales, input.coupling.coefficient, estimate.shear);
+  const double area = input.slider.size[0] * input.slider.size[1];
+  std::string text = "\nContact, estimated from above (layers that cannot move sideways)\n";
+  text += row("mean pressure", fmt::format("{:.3g} MPa", estimate.pressure * 1e-6));
+  text += row("normal force", fmt::format("{:.3g} N", estimate.pressure * area));
+  text += row("shear under the sliding slider", fmt::format("{:.3g}", estimate.shear));
+  text += row("nonlinearity k gamma h/(2 lambda)", fmt::format("{:.3g}", nonlinearity),
+              "the ions respond linearly far below 1");
+  return text;
+}
+
+std::string events(const Case& input) {
+  const Motion& motion = input.motion;
+  const double share = motion.gap / (motion.gap + motion.preload);
+  const double slide_end = motion.touchdown + motion.slide;
+  std::string text = fmt::format(
+      "\nInstants of each cycle of {:.6g} s; the run has {} and lasts {:.6g} s\n",
+      motion.cycle_duration(), motion.cycles == 1 ? "one" : std::to_string(motion.cycles),
+      motion.cycles * motion.cycle_duration());
+  const auto add = [&text](const std::string& name, double instant) {
+    text += row(name, fmt::format("{:.8g} s", instant));
+  };
+  add("contact", share * motion.touchdown);
+  add("full preload, slide begins", motion.touchdown);
+  add("slide ends, lift-off begins", slide_end);
+  add("contact lost", slide_end + (1 - share) * motion.lift);
+  add("return begins", slide_end + motion.lift);
+  return text;
+}
+
+std::string costs(const Case& input) {
+  std::string text = "\nSize and cost\n";
+  if (input.strain.kind == StrainSourceKind::file)
+    return text + row("Study 2", "", "its size follows from the strain file");
+  const int threads = thread_count(0);
+  const CostEstimate cost = estimate_cost(input, threads);
+  text += row("Study 1: unknowns", fmt::format("{}", cost.mechanics_unknowns),
+              fmt::format("displacements, factorised at {} positions", cost.positions));
+  text += row("Study 2: unknowns", fmt::format("{}", cost.ion_unknowns),
+              fmt::format("over about {} time steps", cost.ion_steps));
+  text += row("memory", fmt::format("{:.2g} GB", cost.memory * 1e-9),
+              "largest, estimated from the unknowns");
+  text +=
+      row("wall time", fmt::format("{:.2g} s", cost.seconds),
+          fmt::format("with {} threads, from costs per unknown measured on one machine", threads));
+  return text;
+}
+
+} // namespace
+
+std::string explain(const CaseDocument& document) {
+  const Case& input = document.input;
+  std::string text = values(document) + scales_of_ions(input);
+  if (input.strain.kind == StrainSourceKind::contact)
+    text += scales_of_contact(input) + events(input);
+  return text + costs(input);
+}
+
+} // namespace ionskin::apps

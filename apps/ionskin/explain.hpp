@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case_document.hpp"
+
+#include <string>
+
+namespace ionskin::apps {
+
+/// What a case means before it runs: its values in SI units and where they come from, the scales
+/// that follow, the instants of contact, and the size and cost of both studies. Throws UserError
+/// when the mesh cannot be built.
+std::string explain(const CaseDocument& document);
+
+} // namespace ionskin::apps

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace ionskin::apps {
+
+struct InitOptions {
+  std::string path;           ///< file to write
+  std::string from = "paper"; ///< "paper" or "quick"
+};
+
+/// Writes a commented starter case and says what to do next. Never overwrites. Throws UserError.
+int init(const InitOptions& options);
+
+} // namespace ionskin::apps

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+
+// The front of the program. It parses the command line, answers the quick verbs itself and hands
+// the others to `ionskin-solver` beside it, whose libraries take half a second to load.
+
+#include "check.hpp"
+#include "command_line.hpp"
+#include "guard.hpp"
+#include "init.hpp"
+
+#include "ionskin/base/error.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <unistd.h>
+
+namespace {
+
+/// Replaces this process by the solver with the same arguments.
+int become_solver(char** argv) {
+  // One thread per factorisation; several run at once.
+  setenv("OPENBLAS_NUM_THREADS", "1", 1);
+  const auto self = std::filesystem::canonical("/proc/self/exe");
+  const auto solver = self.parent_path() / "ionskin-solver";
+  execv(solver.c_str(), argv);
+  throw ionskin::UserError("cannot start " + solver.string() +
+                           ": it must stand beside the ionskin program; build or install both");
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  using namespace ionskin::apps;
+  return guarded([&]() -> int {
+    require_vector_instructions();
+    int exit_code = 0;
+    const auto command = parse_command_line(argc, argv, exit_code);
+    if (!command) {
+      return exit_code;
+    }
+    if (const auto* init_options = std::get_if<InitOptions>(&*command)) {
+      return init(*init_options);
+    }
+    if (const auto* check_options = std::get_if<CheckOptions>(&*command)) {
+      return check(*check_options);
+    }
+    return become_solver(argv);
+  });
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/base/interrupt.hpp"
+#include "ionskin/case/read_case.hpp"
+#include "ionskin/study/run_case.hpp"
+#include "progress_display.hpp"
+#include "threads.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace ionskin::apps {
+namespace {
+
+constexpr std::array<std::string_view, 6> headline{
+    "normal_force_slide",       "mean_shear_slide",
+    "peak_sampled_current_top", "peak_sampled_current_difference",
+    "rms_current_difference",   "charge_identity_error"};
+
+study::Studies studies(const std::string& only) {
+  if (only == "mechanics") {
+    return study::Studies::mechanics;
+  }
+  return only == "electrochemistry" ? study::Studies::electrochemistry : study::Studies::both;
+}
+
+void print_outcome(const study::RunOutcome& outcome) {
+  for (const auto& metric : outcome.metrics) {
+    if (std::find(headline.begin(), headline.end(), metric.name) != headline.end()) {
+      fmt::print("{:<34} {:.6g} {}\n", metric.name, metric.value,
+                 metric.unit == "1" ? "" : metric.unit);
+    }
+  }
+  if (!outcome.warnings.empty()) {
+    fmt::print("{} warnings (in the report and in summary.json)\n", outcome.warnings.size());
+  }
+  fmt::print("{:.1f} s in all\n", outcome.seconds);
+  if (outcome.report.empty()) {
+    fmt::print("results: {}\n", outcome.folder.string());
+  } else {
+    fmt::print("report: {}\n", outcome.report.string());
+  }
+}
+
+} // namespace
+
+int run(const RunOptions& options, const std::string& command) {
+  base::install_interrupt_handler();
+  const Case input = read_case(options.case_path, options.set_edits);
+  study::RunOutcome outcome;
+  {
+    ProgressDisplay display(options.log);
+    study::RunOptions settings;
+    settings.folder = options.output;
+    settings.threads = thread_count(options.threads);
+    settings.overwrite = options.overwrite;
+    settings.resume = options.resume;
+    settings.studies = studies(options.only);
+    settings.command = command;
+    settings.progress = [&display](std::string_view activity, double fraction) {
+      display.update(activity, fraction);
+    };
+    outcome = study::run_case(input, settings);
+  }
+  if (options.log != LogFormat::quiet) {
+    print_outcome(outcome);
+  }
+  return static_cast<int>(ExitCode::success);
+}
+
+} // namespace ionskin::apps

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+
+// The verbs that compute; started by `ionskin` with the same arguments.
+
+#include "command_line.hpp"
+#include "guard.hpp"
+#include "run.hpp"
+#include "verify.hpp"
+
+int main(int argc, char** argv) {
+  using namespace ionskin::apps;
+  return guarded([&]() -> int {
+    require_vector_instructions();
+    int exit_code = 0;
+    const auto command = parse_command_line(argc, argv, exit_code);
+    if (!command) {
+      return exit_code;
+    }
+    if (const auto* run_options = std::get_if<RunOptions>(&*command)) {
+      std::string command_text = "ionskin";
+      for (int i = 1; i < argc; ++i) {
+        command_text.append(" ").append(argv[i]);
+      }
+      return run(*run_options, command_text);
+    }
+    return verify(std::get<VerifyOptions>(*command));
+  });
+}

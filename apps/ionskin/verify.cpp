@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/base/interrupt.hpp"
+#include "ionskin/base/timers.hpp"
+#include "progress_display.hpp"
+#include "threads.hpp"
+#include "verification_table.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace ionskin::apps {
+namespace {
+
+void print_table(const std::vector<verification::Row>& rows) {
+  std::size_t width = 0;
+  for (const auto& row : rows) {
+    width = std::max(width, row.quantity.size());
+  }
+  fmt::print("{:<5} {:<{}} {:>14} {:>14} {:>11}  verdict\n", "id", "quantity", width, "value",
+             "reference", "tolerance");
+  for (const auto& row : rows) {
+    fmt::print("{:<5} {:<{}} {:>14.7g} {:>14.7g} {:>11.2g}  {}\n", row.id, row.quantity, width,
+               row.value, row.reference, row.tolerance, row.passed ? "pass" : "FAIL");
+  }
+}
+
+} // namespace
+
+int verify(const VerifyOptions& options) {
+  base::install_interrupt_handler();
+  const double start = base::wall_time();
+  ProgressDisplay display(LogFormat::automatic);
+  verification::Options settings;
+  settings.threads = thread_count(options.threads);
+  settings.progress = [&display](std::string_view activity, double fraction) {
+    display.update(activity, fraction);
+  };
+  std::vector<verification::Row> rows;
+  if (options.physics != "electrochemistry") {
+    rows = verification::verify_mechanics(settings);
+  }
+  if (options.physics != "mechanics") {
+    const auto more = verification::verify_electrochemistry(settings);
+    rows.insert(rows.end(), more.begin(), more.end());
+  }
+  print_table(rows);
+  const auto passed =
+      std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.passed; });
+  const auto failed = static_cast<std::ptrdiff_t>(rows.size()) - passed;
+  fmt::print("{} passed, {} failed, {:.1f} s\n", passed, failed, base::wall_time() - start);
+  return static_cast<int>(failed == 0 ? ExitCode::success : ExitCode::solver_gave_up);
+}
+
+} // namespace ionskin::apps

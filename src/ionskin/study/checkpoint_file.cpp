@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/checkpoint_file.hpp"
+
+#include "ionskin/results/atomic_file.hpp"
+#include "ionskin/results/hdf5_file.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+
+namespace ionskin::study {
+namespace {
+
+using electrochemistry::IonCheckpoint;
+using electrochemistry::IonSnapshot;
+using electrochemistry::IonSolution;
+
+struct Row {
+  const char* name;
+  std::vector<double> IonSolution::*values;
+};
+constexpr std::array rows{Row{"time", &IonSolution::time},
+                          Row{"charge_top", &IonSolution::charge_top},
+                          Row{"charge_bottom", &IonSolution::charge_bottom},
+                          Row{"ramo_charge_top", &IonSolution::ramo_charge_top},
+                          Row{"ion_amount", &IonSolution::ion_amount},
+                          Row{"min_concentration", &IonSolution::min_concentration},
+                          Row{"max_potential", &IonSolution::max_potential},
+                          Row{"shear_integral", &IonSolution::shear_integral},
+                          Row{"column_charge_top", &IonSolution::column_charge_top}};
+
+struct Counter {
+  const char* name;
+  std::size_t IonSolution::*value;
+};
+constexpr std::array counters{
+    Counter{"steps", &IonSolution::steps},
+    Counter{"newton_iterations", &IonSolution::newton_iterations},
+    Counter{"krylov_iterations", &IonSolution::krylov_iterations},
+    Counter{"preconditioner_setups", &IonSolution::preconditioner_setups}};
+
+} // namespace
+
+void write_checkpoint(const std::filesystem::path& path, const std::string& input_hash,
+                      const IonCheckpoint& checkpoint) {
+  results::PendingFile pending(path);
+  results::Hdf5File file(pending.path(), results::Hdf5File::Access::create);
+  file.set_attribute("/", "input_hash", input_hash);
+  file.set_attribute("/", "step", static_cast<double>(checkpoint.step));
+  file.write("/state/ions", checkpoint.state.ions.values);
+  file.write("/state/rate", checkpoint.state.rate);
+  const IonSolution& solution = checkpoint.solution;
+  file.write("/grid/x", solution.grid.x_edges);
+  file.write("/grid/y", solution.grid.y_edges);
+  file.write("/grid/z", solution.grid.z_nodes);
+  for (const Row& row : rows) {
+    file.write(fmt::format("/rows/{}", row.name), solution.*row.values);
+  }
+  for (const Counter& counter : counters) {
+    file.set_attribute("/rows", counter.name, static_cast<double>(solution.*counter.value));
+  }
+  for (std::size_t i = 0; i < solution.snapshots.size(); ++i) {
+    const IonSnapshot& snapshot = solution.snapshots[i];
+    const std::string group = fmt::format("/snapshots/{:06}", i);
+    file.write(group + "/concentration", snapshot.concentration);
+    file.write(group + "/potential", snapshot.potential);
+    file.write(group + "/shear", snapshot.shear);
+    file.set_attribute(group, "time", snapshot.time);
+  }
+  file.close();
+  pending.commit();
+}
+
+std::optional<IonCheckpoint> read_checkpoint(const std::filesystem::path& path,
+                                             const std::string& input_hash) {
+  if (!std::filesystem::exists(path)) {
+    return std::nullopt;
+  }
+  const results::Hdf5File file(path, results::Hdf5File::Access::read);
+  if (file.text_attribute("/", "input_hash") != input_hash) {
+    return std::nullopt;
+  }
+  IonCheckpoint checkpoint;
+  checkpoint.step = static_cast<std::size_t>(file.number_attribute("/", "step").value_or(0));
+  checkpoint.state.ions.values = file.read("/state/ions");
+  checkpoint.state.rate = file.read("/state/rate");
+  IonSolution& solution = checkpoint.solution;
+  solution.grid = {file.read("/grid/x"), file.read("/grid/y"), file.read("/grid/z")};
+  for (const Row& row : rows) {
+    solution.*row.values = file.read(fmt::format("/rows/{}", row.name));
+  }
+  for (const Counter& counter : counters) {
+    solution.*counter.value =
+        static_cast<std::size_t>(file.number_attribute("/rows", counter.name).value_or(0));
+  }
+  if (file.has("/snapshots")) {
+    for (const std::string& name : file.members("/snapshots")) {
+      const std::string group = "/snapshots/" + name;
+      solution.snapshots.push_back({file.number_attribute(group, "time").value_or(0),
+                                    file.read(group + "/concentration"),
+                                    file.read(group + "/potential"), file.read(group + "/shear")});
+    }
+  }
+  return checkpoint;
+}
+
+} // namespace ionskin::study

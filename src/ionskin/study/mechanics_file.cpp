@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/mechanics_file.hpp"
+
+#include "ionskin/results/results_file.hpp"
+#include "ionskin/results/strain_file.hpp"
+
+namespace ionskin::study {
+
+void write_mechanics(const std::filesystem::path& path, const std::string& hash,
+                     const MechanicsRecord& record) {
+  results::ResultsFile results(path, results::ResultsFile::Start::empty);
+  results.write_strain(record.history);
+  results.write_contact(record.maps);
+  results::Hdf5File& file = results.file();
+  file.write("/path/time", record.history.time);
+  file.set_attribute("/path/time", "unit", "s");
+  file.write("/path/normal_force", record.normal_force);
+  file.set_attribute("/path/normal_force", "unit", "N");
+  file.write("/path/tangential_force", record.tangential_force);
+  file.set_attribute("/path/tangential_force", "unit", "N");
+  file.write_texts("/path/warnings", record.warnings);
+  file.set_attribute("/path", "mechanics_hash", hash);
+  file.set_attribute("/path", "join_time", record.join_time);
+  file.set_attribute("/path", "worst_equilibrium_residual", record.worst_equilibrium_residual);
+  file.set_attribute("/path", "worst_complementarity_residual",
+                     record.worst_complementarity_residual);
+  file.set_attribute("/path", "contact_solves", record.contact_solves);
+  results.commit();
+}
+
+std::optional<MechanicsRecord> read_mechanics(const std::filesystem::path& path,
+                                              const std::string& hash, const Skin& skin) {
+  if (!std::filesystem::exists(path)) {
+    return std::nullopt;
+  }
+  MechanicsRecord record;
+  {
+    const results::Hdf5File file(path, results::Hdf5File::Access::read);
+    if (!file.has("/path") || file.text_attribute("/path", "mechanics_hash") != hash) {
+      return std::nullopt;
+    }
+    const auto number = [&file](const char* name) {
+      return file.number_attribute("/path", name).value_or(0);
+    };
+    record.normal_force = file.read("/path/normal_force");
+    record.tangential_force = file.read("/path/tangential_force");
+    record.warnings = file.read_texts("/path/warnings");
+    record.join_time = number("join_time");
+    record.worst_equilibrium_residual = number("worst_equilibrium_residual");
+    record.worst_complementarity_residual = number("worst_complementarity_residual");
+    record.contact_solves = static_cast<int>(number("contact_solves"));
+  }
+  record.history = results::read_strain_file(path, skin);
+  return record;
+}
+
+} // namespace ionskin::study

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/mechanics/contact_solution.hpp"
+#include "ionskin/results/contact_map.hpp"
+#include "ionskin/strain/strain_history.hpp"
+
+#include <string>
+#include <vector>
+
+namespace ionskin::study {
+
+/// What Study 1 leaves to everything after it. It is written when Study 1 ends and read back by a
+/// resumed run, so that Study 1 never runs twice.
+struct MechanicsRecord {
+  strain::StrainHistory history;
+  // One entry per sample of the history; empty in runs from a strain file.
+  std::vector<double> normal_force;     ///< [N]
+  std::vector<double> tangential_force; ///< along the slide [N]
+  double join_time = 0;                 ///< onset has joined steady sliding, first cycle [s]
+  results::ContactMaps maps;            ///< half models hold y <= 0 only
+  double worst_equilibrium_residual = 0;
+  double worst_complementarity_residual = 0;
+  int contact_solves = 0;
+  std::vector<std::string> warnings;
+
+  bool has_contact() const { return !normal_force.empty(); }
+};
+
+/// Condenses the contact states into forces, maps and the shear history of the whole run.
+MechanicsRecord make_mechanics_record(const Case& input, const mechanics::ContactSolution& contact);
+
+} // namespace ionskin::study

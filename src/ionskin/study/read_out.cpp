@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/read_out.hpp"
+
+#include "ionskin/base/constants.hpp"
+#include "ionskin/base/task_pool.hpp"
+#include "ionskin/electrochemistry/derived_scales.hpp"
+#include "ionskin/readout/phases.hpp"
+#include "ionskin/readout/sampling.hpp"
+#include "ionskin/readout/signal_table.hpp"
+#include "ionskin/strain/shear_statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ionskin::study {
+namespace {
+
+using electrochemistry::IonSolution;
+
+/// Motion, forces and shear at the rows' instants; charges are left to the caller.
+readout::SignalInputs mechanical_inputs(const Case& input, const MechanicsRecord& mechanics,
+                                        const std::vector<double>& time, int threads) {
+  readout::SignalInputs inputs;
+  inputs.time = time;
+  if (mechanics.has_contact()) {
+    readout::add_motion(inputs, input.motion, input.slider);
+    for (const double t : time) {
+      inputs.normal_force.push_back(
+          readout::value_at(mechanics.history.time, mechanics.normal_force, t));
+      inputs.tangential_force.push_back(
+          readout::value_at(mechanics.history.time, mechanics.tangential_force, t));
+    }
+  } else {
+    inputs.cycle.assign(time.size(), 1);
+    inputs.phase.assign(time.size(), "");
+  }
+  std::vector<strain::ShearStatistics> statistics(time.size());
+  base::run_tasks(time.size(), threads, [&](std::size_t row) {
+    statistics[row] = strain::shear_statistics(mechanics.history, time[row]);
+  });
+  for (const auto& row : statistics) {
+    inputs.mean_shear.push_back(row.mean);
+    inputs.rms_shear.push_back(row.rms);
+    inputs.p99_shear.push_back(row.p99);
+    inputs.shear_first_moment.push_back(row.first_moment);
+  }
+  return inputs;
+}
+
+const Motion* motion_of(const Case& input, const MechanicsRecord& mechanics) {
+  return mechanics.has_contact() ? &input.motion : nullptr;
+}
+
+void add_slide_metrics(const Case& input, const MechanicsRecord& mechanics,
+                       std::vector<readout::Metric>& metrics) {
+  if (!mechanics.has_contact()) {
+    return;
+  }
+  const auto slide =
+      strain::shear_statistics(mechanics.history, readout::middle_of_slide(input.motion));
+  metrics.push_back({"p95_shear_slide", slide.p95, "1"});
+  metrics.push_back({"element_max_shear_slide", slide.element_max, "1"});
+  metrics.push_back({"equilibrium_residual", mechanics.worst_equilibrium_residual, "1"});
+  metrics.push_back({"complementarity_residual", mechanics.worst_complementarity_residual, "1"});
+}
+
+/// Gauss' law against the integral of the shear as the strain folder takes it.
+readout::Metric charge_identity(const Case& input, const MechanicsRecord& mechanics,
+                                const IonSolution& ions, int threads) {
+  const double factor = constants::faraday * input.electrochemistry.fixed_charge_concentration *
+                        input.coupling.coefficient;
+  std::vector<double> expected(ions.time.size());
+  base::run_tasks(expected.size(), threads, [&](std::size_t row) {
+    expected[row] = factor * strain::shear_integral(mechanics.history, ions.time[row]);
+  });
+  const double scale = readout::peak_magnitude(expected);
+  if (input.coupling.law != CouplingLaw::fixed_charge) {
+    expected.assign(expected.size(), 0.0);
+  }
+  return {"charge_identity_error",
+          readout::charge_identity_error(ions.charge_top, ions.charge_bottom, expected, scale),
+          "1"};
+}
+
+void add_ion_metrics(const Case& input, const IonSolution& ions,
+                     const readout::SignalTable& signals, std::vector<readout::Metric>& metrics) {
+  const double shear = readout::peak_magnitude(signals.column("p99_shear").values);
+  const auto scales =
+      electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness());
+  metrics.push_back(
+      {"nonlinearity", electrochemistry::nonlinearity(scales, input.coupling.coefficient, shear), "1"});
+  const double initial =
+      input.electrochemistry.fixed_charge_concentration / input.electrochemistry.valence;
+  metrics.push_back(
+      {"min_concentration_ratio",
+       *std::min_element(ions.min_concentration.begin(), ions.min_concentration.end()) / initial,
+       "1"});
+  metrics.push_back({"max_potential", readout::peak_magnitude(ions.max_potential), "V"});
+}
+
+} // namespace
+
+Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonSolution& ions,
+                 int threads) {
+  auto inputs = mechanical_inputs(input, mechanics, ions.time, threads);
+  inputs.charge_top = ions.charge_top;
+  inputs.charge_bottom = ions.charge_bottom;
+  Signals signals;
+  signals.resolved = readout::build_signal_table(inputs);
+  signals.sampled = readout::sample_currents(signals.resolved, input.readout.sample_interval);
+  signals.metrics =
+      readout::signal_metrics(signals.resolved, signals.sampled, motion_of(input, mechanics));
+  add_slide_metrics(input, mechanics, signals.metrics);
+  signals.metrics.push_back(charge_identity(input, mechanics, ions, threads));
+  add_ion_metrics(input, ions, signals.resolved, signals.metrics);
+  return signals;
+}
+
+Signals read_out_mechanics(const Case& input, const MechanicsRecord& mechanics, int threads) {
+  const auto& time = mechanics.history.time;
+  auto inputs = mechanical_inputs(input, mechanics, time, threads);
+  inputs.charge_top.assign(time.size(), std::numeric_limits<double>::quiet_NaN());
+  inputs.charge_bottom = inputs.charge_top;
+  Signals signals;
+  signals.resolved = readout::build_signal_table(inputs);
+  signals.sampled = readout::sample_currents(signals.resolved, input.readout.sample_interval);
+  for (const auto& metric :
+       readout::signal_metrics(signals.resolved, signals.sampled, motion_of(input, mechanics))) {
+    if (metric.name.find("current") == std::string::npos &&
+        metric.name.find("charge") == std::string::npos) {
+      signals.metrics.push_back(metric);
+    }
+  }
+  add_slide_metrics(input, mechanics, signals.metrics);
+  return signals;
+}
+
+} // namespace ionskin::study

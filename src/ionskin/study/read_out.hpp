@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/electrochemistry/ion_solution.hpp"
+#include "ionskin/readout/metrics.hpp"
+#include "ionskin/readout/signals.hpp"
+#include "ionskin/study/mechanics_record.hpp"
+
+#include <vector>
+
+namespace ionskin::study {
+
+/// What a run tells: every signal over time, the sampled currents, and the named figures.
+struct Signals {
+  readout::SignalTable resolved, sampled;
+  std::vector<readout::Metric> metrics;
+};
+
+/// Both studies, one row per time step of the ion transport.
+Signals read_out(const Case& input, const MechanicsRecord& mechanics,
+                 const electrochemistry::IonSolution& ions, int threads);
+
+/// Study 1 alone, one row per sample of the strain history; charges and currents stay empty.
+Signals read_out_mechanics(const Case& input, const MechanicsRecord& mechanics, int threads);
+
+} // namespace ionskin::study

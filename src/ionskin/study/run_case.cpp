@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/run_case.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/base/timers.hpp"
+#include "ionskin/electrochemistry/ion_transport.hpp"
+#include "ionskin/electrochemistry/space_charge.hpp"
+#include "ionskin/mechanics/solve_contact.hpp"
+#include "ionskin/results/output_folder.hpp"
+#include "ionskin/results/strain_file.hpp"
+#include "ionskin/study/checkpoint_file.hpp"
+#include "ionskin/study/mechanics_file.hpp"
+#include "ionskin/study/mechanics_record.hpp"
+#include "ionskin/study/read_out.hpp"
+#include "ionskin/study/run_folder.hpp"
+#include "ionskin/study/warnings.hpp"
+#include "ionskin/study/write_outputs.hpp"
+
+#include <optional>
+
+namespace ionskin::study {
+namespace {
+
+using electrochemistry::IonSolution;
+
+constexpr const char* checkpoint_name = "checkpoint.h5";
+
+/// A history from a file is part of the user's input: all its mistakes are found before any work.
+std::optional<MechanicsRecord> strain_from_file(const Case& input) {
+  if (input.strain.kind != StrainSourceKind::file) {
+    return std::nullopt;
+  }
+  MechanicsRecord record;
+  record.history = results::read_strain_file(input.strain.file, input.skin);
+  try {
+    electrochemistry::check_fixed_charge(input, record.history);
+  } catch (const SolverError& error) {
+    throw UserError(std::string(error.what()) + "\n  in the strain file " + input.strain.file +
+                    "\n  = " + error.remedy());
+  }
+  return record;
+}
+
+/// Case -> SkinMesh -> ContactSolution -> StrainHistory, or what an earlier run of it left.
+MechanicsRecord study_1(const Case& input, const RunOptions& options, RunFolder& folder,
+                        base::Timers& timers) {
+  const auto results_path = folder.file(results::file_names::results);
+  const std::string hash = mechanics_hash(input);
+  if (folder.was_finished("strain")) {
+    if (auto record = read_mechanics(results_path, hash, input.skin)) {
+      return *record;
+    }
+  }
+  if (options.studies == Studies::electrochemistry) {
+    throw UserError(folder.path().string() +
+                    " holds no finished mechanics of this case, which "
+                    "--only electrochemistry takes up: run without --only, or with "
+                    "--only mechanics, first");
+  }
+  const auto contact = folder.stage("mechanics", [&] {
+    mechanics::ContactOptions contact_options;
+    contact_options.threads = options.threads;
+    contact_options.progress = options.progress;
+    return mechanics::solve_contact(input, contact_options, timers);
+  });
+  return folder.stage("strain", [&] {
+    options.progress("strain history", 0.0);
+    MechanicsRecord record = make_mechanics_record(input, contact);
+    write_mechanics(results_path, hash, record);
+    options.progress("strain history", 1.0);
+    return record;
+  });
+}
+
+/// StrainHistory -> IonSolution, from the beginning or from a checkpoint.
+IonSolution study_2(const Case& input, const RunOptions& options, RunFolder& folder,
+                    const strain::StrainHistory& history, base::Timers& timers) {
+  const auto checkpoint_path = folder.file(checkpoint_name);
+  const std::string hash = folder.manifest().input_hash;
+  electrochemistry::IonOptions ion_options;
+  ion_options.threads = options.threads;
+  ion_options.progress = options.progress;
+  ion_options.snapshot_times = input.output.fields;
+  ion_options.checkpoint = [&](const electrochemistry::IonCheckpoint& checkpoint) {
+    write_checkpoint(checkpoint_path, hash, checkpoint);
+  };
+  if (options.resume) {
+    ion_options.resume = read_checkpoint(checkpoint_path, hash);
+  }
+  return folder.stage("electrochemistry", [&] {
+    electrochemistry::check_fixed_charge(input, history);
+    return electrochemistry::solve_ion_transport(input, history, ion_options, timers);
+  });
+}
+
+} // namespace
+
+RunOutcome run_case(const Case& input, const RunOptions& options) {
+  const double start = base::wall_time();
+  auto given_strain = strain_from_file(input);
+  RunFolder folder(input, options);
+  base::Timers timers;
+
+  const MechanicsRecord mechanics =
+      given_strain ? std::move(*given_strain) : study_1(input, options, folder, timers);
+  RunOutputs outputs;
+  if (options.studies == Studies::mechanics) {
+    outputs.signals = read_out_mechanics(input, mechanics, options.threads);
+    outputs.warnings = mechanics_warnings(input, mechanics);
+  } else {
+    outputs.ions = study_2(input, options, folder, mechanics.history, timers);
+    outputs.signals = read_out(input, mechanics, *outputs.ions, options.threads);
+    outputs.warnings = collect_warnings(input, mechanics, *outputs.ions, outputs.signals.resolved);
+  }
+  outputs.stage_seconds = timers.seconds();
+  RunOutcome outcome = write_outputs(input, options, mechanics, outputs, start, folder);
+  std::filesystem::remove(folder.file(checkpoint_name));
+  return outcome;
+}
+
+} // namespace ionskin::study

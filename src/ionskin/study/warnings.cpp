@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/warnings.hpp"
+
+#include "ionskin/electrochemistry/derived_scales.hpp"
+#include "ionskin/readout/metrics.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ionskin::study {
+namespace {
+
+// Above these the reader must be told.
+constexpr double linear_limit = 0.3;    // k gamma h / (2 lambda)
+constexpr double depletion_limit = 0.1; // min c / c0
+constexpr double pressure_limit = 1e6;  // [Pa]; a fingertip presses with some 10 kPa
+
+void warn_about_common_current(const Case& input, const readout::SignalTable& signals,
+                               std::vector<std::string>& warnings) {
+  const auto& time = signals.column("time").values;
+  const double common = readout::rms_of_step_means(time, signals.column("current_common").values);
+  const double difference =
+      readout::rms_of_step_means(time, signals.column("current_difference").values);
+  if (input.coupling.law == CouplingLaw::fixed_charge && common > difference) {
+    warnings.push_back(fmt::format(
+        "The common part of the electrode currents dominates: its rms is {:.3g} times that of the "
+        "difference. The law \"fixed-charge\" creates net charge in the core; an ammeter between "
+        "the two "
+        "electrodes of an otherwise isolated cell measures current_difference only.",
+        common / difference));
+  }
+}
+
+/// The difference current during onset is a small remainder of large terms.
+void warn_about_onset_peak(const MechanicsRecord& mechanics, const readout::SignalTable& signals,
+                           const Motion& motion, std::vector<std::string>& warnings) {
+  const auto& time = signals.column("time").values;
+  const auto& current = signals.column("current_difference").values;
+  const auto peak = std::max_element(current.begin(), current.end(),
+                                     [](double a, double b) { return std::abs(a) < std::abs(b); });
+  const double at = time[static_cast<std::size_t>(peak - current.begin())];
+  const double local = std::fmod(at, motion.cycle_duration());
+  if (*peak != 0 && local > motion.touchdown && local <= mechanics.join_time) {
+    warnings.push_back(fmt::format(
+        "The peak of current_difference, {:.3g} A at {:.6g} s, falls within the onset of sliding, "
+        "where it is "
+        "a small remainder of large terms (5 to 30 % uncertain). Use the sampled current.",
+        std::abs(*peak), at));
+  }
+}
+
+} // namespace
+
+std::vector<std::string> mechanics_warnings(const Case& input, const MechanicsRecord& mechanics) {
+  std::vector<std::string> warnings = mechanics.warnings;
+  if (mechanics.has_contact()) {
+    const double force =
+        *std::max_element(mechanics.normal_force.begin(), mechanics.normal_force.end());
+    const double pressure = force / (input.slider.size[0] * input.slider.size[1]);
+    if (pressure > pressure_limit) {
+      warnings.push_back(
+          fmt::format("The preload of {:.3g} um presses with {:.3g} N, a mean pressure of {:.3g} "
+                      "MPa. Pressure under "
+                      "the slider's sharp edges depends on the mesh and is no result.",
+                      input.motion.preload * 1e6, force, pressure / 1e6));
+    }
+  }
+  return warnings;
+}
+
+std::vector<std::string> collect_warnings(const Case& input, const MechanicsRecord& mechanics,
+                                          const electrochemistry::IonSolution& ions,
+                                          const readout::SignalTable& signals) {
+  std::vector<std::string> warnings = mechanics_warnings(input, mechanics);
+  if (input.coupling.coefficient != 0) {
+    warnings.push_back(fmt::format(
+        "The coupling coefficient k = {:.4g} is not calibrated by any measurement: currents are in "
+        "proportion to it while the response is linear.",
+        input.coupling.coefficient));
+  }
+  warn_about_common_current(input, signals, warnings);
+  if (mechanics.has_contact()) {
+    warn_about_onset_peak(mechanics, signals, input.motion, warnings);
+  }
+  const auto scales =
+      electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness());
+  const auto& p99 = signals.column("p99_shear").values;
+  const double shear = *std::max_element(p99.begin(), p99.end());
+  const double strength = electrochemistry::nonlinearity(scales, input.coupling.coefficient, shear);
+  if (strength > linear_limit) {
+    warnings.push_back(fmt::format("The response is nonlinear: k gamma h/(2 lambda) reaches {:.3g} "
+                                   "at the 99th percentile of shear.",
+                                   strength));
+  }
+  const double initial =
+      input.electrochemistry.fixed_charge_concentration / input.electrochemistry.valence;
+  const double least =
+      *std::min_element(ions.min_concentration.begin(), ions.min_concentration.end()) / initial;
+  if (least < depletion_limit) {
+    warnings.push_back(fmt::format("Cations are depleted down to {:.3g} of their initial "
+                                   "concentration at an electrode; dilute "
+                                   "transport is at its limit there.",
+                                   least));
+  }
+  return warnings;
+}
+
+} // namespace ionskin::study

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/electrochemistry/ion_solution.hpp"
+#include "ionskin/readout/signals.hpp"
+#include "ionskin/study/mechanics_record.hpp"
+
+#include <string>
+#include <vector>
+
+namespace ionskin::study {
+
+/// What a reader of the results must know: sentences, each with its number.
+std::vector<std::string> collect_warnings(const Case& input, const MechanicsRecord& mechanics,
+                                          const electrochemistry::IonSolution& ions,
+                                          const readout::SignalTable& signals);
+
+/// The part of them that Study 1 alone allows.
+std::vector<std::string> mechanics_warnings(const Case& input, const MechanicsRecord& mechanics);
+
+} // namespace ionskin::study

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/write_outputs.hpp"
+
+#include "ionskin/results/csv_writer.hpp"
+#include "ionskin/results/output_folder.hpp"
+#include "ionskin/results/results_file.hpp"
+#include "ionskin/results/summary_json.hpp"
+#include "ionskin/results/vtu_writer.hpp"
+#include "ionskin/study/report.hpp"
+
+namespace ionskin::study {
+namespace {
+
+namespace names = results::file_names;
+
+void write_results_file(const Case& input, const MechanicsRecord& mechanics,
+                        const RunOutputs& outputs, const RunFolder& folder) {
+  results::ResultsFile file(folder.file(names::results), results::ResultsFile::Start::extend);
+  file.write_signals("signals", outputs.signals.resolved);
+  file.write_signals("sampled", outputs.signals.sampled);
+  if (!mechanics.has_contact()) {
+    file.write_strain(mechanics.history);
+  }
+  if (outputs.ions) {
+    file.write_ions(outputs.ions->grid, outputs.ions->snapshots);
+  }
+  file.write_text("case", input.text);
+  file.write_text("manifest", results::manifest_text(folder.manifest()));
+  file.commit();
+}
+
+void set_counters(const MechanicsRecord& mechanics, const RunOutputs& outputs, RunFolder& folder) {
+  if (mechanics.has_contact()) {
+    folder.set_counter("contact_solves", mechanics.contact_solves);
+  }
+  if (outputs.ions) {
+    folder.set_counter("time_steps", static_cast<double>(outputs.ions->steps));
+    folder.set_counter("newton_iterations", static_cast<double>(outputs.ions->newton_iterations));
+    folder.set_counter("krylov_iterations", static_cast<double>(outputs.ions->krylov_iterations));
+    folder.set_counter("preconditioner_setups",
+                       static_cast<double>(outputs.ions->preconditioner_setups));
+  }
+  for (const auto& [stage, seconds] : outputs.stage_seconds) {
+    folder.set_counter("seconds_" + stage, seconds);
+  }
+}
+
+/// Wall time per stage, from the manifest: a resumed run counts what the interrupted one took [s].
+std::map<std::string, double> timing(const RunFolder& folder, double start) {
+  std::map<std::string, double> result;
+  for (const char* stage : {"mechanics", "strain", "electrochemistry", "output"}) {
+    const auto found = folder.manifest().stages.find(stage);
+    result[stage] = found == folder.manifest().stages.end() ? 0.0 : found->second.wall_time;
+  }
+  result["total"] = base::wall_time() - start;
+  return result;
+}
+
+} // namespace
+
+RunOutcome write_outputs(const Case& input, const RunOptions& options,
+                         const MechanicsRecord& mechanics, const RunOutputs& outputs, double start,
+                         RunFolder& folder) {
+  set_counters(mechanics, outputs, folder);
+  results::Summary summary;
+  summary.metrics = outputs.signals.metrics;
+  summary.warnings = outputs.warnings;
+  const auto write_summary = [&] {
+    summary.timing = timing(folder, start);
+    results::write_summary(folder.file(names::summary), summary);
+  };
+  const auto report_problem = folder.stage("output", [&] {
+    options.progress("results and report", 0.0);
+    results::write_csv(folder.file(names::signals), outputs.signals.resolved);
+    results::write_csv(folder.file(names::sampled), outputs.signals.sampled);
+    if (outputs.ions && !outputs.ions->snapshots.empty()) {
+      results::write_fields(folder.file(names::fields), outputs.ions->grid,
+                            input.skin.core_bottom(), outputs.ions->snapshots);
+    }
+    write_results_file(input, mechanics, outputs, folder);
+    // The report reads the summary; its own time is added below.
+    write_summary();
+    options.progress("results and report", 0.5);
+    auto problem = make_report(folder.path());
+    options.progress("results and report", 1.0);
+    return problem;
+  });
+  if (report_problem) {
+    summary.warnings.push_back(*report_problem);
+  }
+  write_summary();
+  folder.finish();
+  return {folder.path(), report_problem ? std::filesystem::path{} : folder.file(names::report),
+          summary.metrics, summary.warnings, base::wall_time() - start};
+}
+
+} // namespace ionskin::study

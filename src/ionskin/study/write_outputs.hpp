@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/electrochemistry/ion_solution.hpp"
+#include "ionskin/study/mechanics_record.hpp"
+#include "ionskin/study/read_out.hpp"
+#include "ionskin/study/run_case.hpp"
+#include "ionskin/study/run_folder.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ionskin::study {
+
+/// Everything a run has computed beside the mechanics.
+struct RunOutputs {
+  std::optional<electrochemistry::IonSolution> ions; ///< empty in runs of the mechanics alone
+  Signals signals;
+  std::vector<std::string> warnings;
+  std::map<std::string, double> stage_seconds; ///< parts of the stages, for the manifest [s]
+};
+
+/// Signals -> Results: writes every file of a run, the report last.
+/// @param start of the run on the clock of `base::wall_time` [s]
+RunOutcome write_outputs(const Case& input, const RunOptions& options,
+                         const MechanicsRecord& mechanics, const RunOutputs& outputs, double start,
+                         RunFolder& folder);
+
+} // namespace ionskin::study

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "electrochemistry/model_cases.hpp"
+#include "electrochemistry/model_run.hpp"
+#include "electrochemistry/rows.hpp"
+#include "ionskin/base/constants.hpp"
+#include "ionskin/strain/shear_statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ionskin::verification {
+namespace {
+
+using electrochemistry::IonSolution;
+
+double largest(const std::vector<double>& values) {
+  double result = 0.0;
+  for (const double value : values) {
+    result = std::max(result, std::abs(value));
+  }
+  return result;
+}
+
+/// F c0 k integral(gamma) per row, the integral as the strain folder has it [C].
+std::vector<double> strain_charge(const Case& input, const strain::StrainHistory& history,
+                                  const IonSolution& solution) {
+  std::vector<double> charge;
+  for (const double time : solution.time) {
+    charge.push_back(constants::faraday * input.electrochemistry.fixed_charge_concentration *
+                     input.coupling.coefficient * strain::shear_integral(history, time));
+  }
+  return charge;
+}
+
+/// Largest |Q_top + Q_bottom - expected| over the run, against the largest charge by strain.
+double gauss_error(const IonSolution& solution, const std::vector<double>& charge, bool neutral) {
+  double error = 0.0;
+  for (std::size_t i = 0; i < charge.size(); ++i) {
+    const double expected = neutral ? 0.0 : charge[i];
+    error =
+        std::max(error, std::abs(solution.charge_top[i] + solution.charge_bottom[i] - expected));
+  }
+  return error / largest(charge);
+}
+
+double ramo_error(const IonSolution& solution) {
+  double error = 0.0;
+  for (std::size_t i = 0; i < solution.time.size(); ++i) {
+    error = std::max(error, std::abs(solution.charge_top[i] - solution.ramo_charge_top[i]));
+  }
+  return error / largest(solution.charge_top);
+}
+
+double ion_drift(const IonSolution& solution) {
+  double error = 0.0;
+  for (const double amount : solution.ion_amount) {
+    error = std::max(error, std::abs(amount / solution.ion_amount.front() - 1.0));
+  }
+  return error;
+}
+
+/// Largest change of a charge between neighbouring rows [C]; exactly 0 where no current flows.
+double largest_change(const std::vector<double>& charge) {
+  double result = 0.0;
+  for (std::size_t i = 1; i < charge.size(); ++i) {
+    result = std::max(result, std::abs(charge[i] - charge[i - 1]));
+  }
+  return result;
+}
+
+std::vector<Row> uniform_shear_rows(const Options& options) {
+  const IonSolution solution =
+      run_model(model_case(), linear_step_history(1e-3, 1e-3, {0.0, 4.0}), options);
+  const double unit = 1.0 / electrode_area;
+  double difference = 0.0;
+  for (std::size_t i = 0; i < solution.time.size(); ++i) {
+    difference = std::max(difference, std::abs(charge_difference(solution, i)));
+  }
+  return {
+      compare("E1", "uniform shear: charge of both electrodes at t = 0+ [C/m2]",
+              unit * (solution.charge_top.front() + solution.charge_bottom.front()), 2.08408, 1e-5),
+      compare("E1", "uniform shear: charge of the top electrode at t = 4 s [C/m2]",
+              unit * solution.charge_top.back(), 1.04204, 1e-5),
+      at_most("E1", "uniform shear: largest difference charge [C/m2]", unit * difference, 1e-10)};
+}
+
+std::vector<Row> sliding_rows(CouplingLaw law, const std::string& name, const Options& options) {
+  Case input = model_case();
+  input.numerics.preset = Preset::coarse;
+  input.coupling.law = law;
+  const strain::StrainHistory history = sliding_contact_history(2);
+  const IonSolution solution = run_model(input, history, options);
+  const std::vector<double> charge = strain_charge(input, history, solution);
+  const double lowest = *std::ranges::min_element(solution.min_concentration) /
+                        input.electrochemistry.fixed_charge_concentration;
+  return {at_most("E1", name + ": Gauss identity, two sliding cycles in 3D",
+                  gauss_error(solution, charge, law != CouplingLaw::fixed_charge), 1e-10),
+          at_most("E2", name + ": Ramo identity", ramo_error(solution), 1e-10),
+          at_most("E6", name + ": drift of the amount of ions", ion_drift(solution), 1e-12),
+          at_least("E6", name + ": smallest concentration over c0", lowest, 1e-6)};
+}
+
+Row zero_coupling_row(const Options& options) {
+  Case input = model_case();
+  input.numerics.preset = Preset::coarse;
+  input.coupling.coefficient = 0.0;
+  const IonSolution solution = run_model(input, sliding_contact_history(1), options);
+  return at_most(
+      "C1", "largest change of charge without coupling [C]",
+      std::max(largest_change(solution.charge_top), largest_change(solution.charge_bottom)), 0.0);
+}
+
+} // namespace
+
+std::vector<Row> identity_rows(const Options& options) {
+  std::vector<Row> rows = uniform_shear_rows(options);
+  for (const auto& [law, name] : {std::pair{CouplingLaw::fixed_charge, "fixed-charge"},
+                                  std::pair{CouplingLaw::volume_neutral, "volume-neutral"},
+                                  std::pair{CouplingLaw::column_neutral, "column-neutral"}}) {
+    const std::vector<Row> more = sliding_rows(law, name, options);
+    rows.insert(rows.end(), more.begin(), more.end());
+  }
+  rows.push_back(zero_coupling_row(options));
+  return rows;
+}
+
+} // namespace ionskin::verification

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "electrochemistry/model_cases.hpp"
+#include "electrochemistry/model_run.hpp"
+#include "electrochemistry/rows.hpp"
+#include "ionskin/strain/strain_projection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace ionskin::verification {
+namespace {
+
+using electrochemistry::IonSolution;
+
+/// The history averaged along x and y: one cell at rest with the same samples.
+strain::StrainHistory laterally_averaged(const strain::StrainHistory& history) {
+  strain::StrainHistory average = linear_step_history(0.0, 0.0, history.time);
+  average.grid.z_nodes = history.grid.z_nodes;
+  average.event_time = history.event_time;
+  const std::size_t cells = history.grid.columns_x() * history.grid.columns_y();
+  for (std::size_t sample = 0; sample < history.time.size(); ++sample) {
+    strain::StrainField means;
+    for (std::size_t k = 0; k < history.grid.z_nodes.size(); ++k) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < cells; ++i) {
+        sum += (*history.gamma[sample])[k * cells + i];
+      }
+      // The grid rides with the slider and is longer than the core; the shear is inside the core.
+      const double grid_length = history.grid.x_edges.back() - history.grid.x_edges.front();
+      means.push_back(sum / static_cast<double>(cells) * grid_length / history.length);
+    }
+    average.gamma[sample] = std::make_shared<const strain::StrainField>(means);
+  }
+  return average;
+}
+
+/// Largest deviation between the difference charges of two runs on the same steps, relative.
+double deviation(const IonSolution& a, const IonSolution& b) {
+  double error = 0.0, scale = 0.0;
+  for (std::size_t i = 0; i < a.time.size(); ++i) {
+    error = std::max(error, std::abs(charge_difference(a, i) - charge_difference(b, i)));
+    scale = std::max(scale, std::abs(charge_difference(b, i)));
+  }
+  return error / scale;
+}
+
+double deviation_from_average(double coefficient, const Options& options) {
+  Case input = model_case();
+  input.numerics.preset = Preset::coarse;
+  input.coupling.coefficient = coefficient;
+  const strain::StrainHistory history = sliding_contact_history(1);
+  return deviation(run_model(input, history, options),
+                   run_model(input, laterally_averaged(history), options));
+}
+
+} // namespace
+
+std::vector<Row> lateral_average_rows(const Options& options) {
+  return {
+      at_most("E8", "deviation from the averaged shear's response at k = 0.0001",
+              deviation_from_average(1e-4, options), 1e-3),
+      at_least("E8", "the same at k = 0.1: nonlinear", deviation_from_average(0.1, options), 0.01)};
+}
+
+} // namespace ionskin::verification

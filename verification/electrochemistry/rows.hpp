@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "verification_table.hpp"
+
+#include <vector>
+
+namespace ionskin::verification {
+
+/// E1, E2, E6 and C1: identities that hold to rounding, in one and in three dimensions.
+std::vector<Row> identity_rows(const Options& options);
+/// E3: linear step through the thickness against its closed form, and the observed orders.
+std::vector<Row> linear_step_rows(const Options& options);
+/// E5: wall charge of nonlinear double layers.
+std::vector<Row> double_layer_rows(const Options& options);
+/// E8: in the linear limit the laterally averaged response is the response of the averaged shear.
+std::vector<Row> lateral_average_rows(const Options& options);
+
+} // namespace ionskin::verification

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "electrochemistry/rows.hpp"
+
+namespace ionskin::verification {
+
+std::vector<Row> verify_electrochemistry(const Options& options) {
+  std::vector<Row> rows = identity_rows(options);
+  for (const auto& more :
+       {linear_step_rows(options), double_layer_rows(options), lateral_average_rows(options)}) {
+    rows.insert(rows.end(), more.begin(), more.end());
+  }
+  return rows;
+}
+
+} // namespace ionskin::verification

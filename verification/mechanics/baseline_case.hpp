@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+
+namespace ionskin::verification {
+
+/// The mechanics of the baseline skin (15 x 2 mm, layers 10/180/10 um, slider 3 x 1.5 mm, 1 um
+/// preload, 6 mm stroke) at the coarse preset; friction 0.3.
+Case baseline_case();
+
+} // namespace ionskin::verification

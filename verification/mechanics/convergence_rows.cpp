@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/core_strain.hpp"
+#include "ionskin/mechanics/solve_contact.hpp"
+#include "mechanics/baseline_case.hpp"
+#include "mechanics/rows.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace ionskin::verification {
+namespace {
+
+struct Averages {
+  double edge_size = 0;    ///< of the elements under the slider's edges [m]
+  double normal_force = 0; ///< [N]
+  double mean_shear = 0;   ///< [1]
+};
+
+/// Steady sliding of a slider over the whole width between symmetric sides: one element across, so
+/// that strong refinement is cheap, with the same singular edges as in three dimensions.
+Averages plane_strain_averages(double refinement) {
+  Case input = baseline_case();
+  input.skin.sides = SideCondition::symmetry;
+  input.slider.size[1] = 3e-3;
+  input.numerics.mesh_refinement = refinement;
+  base::Timers timers;
+  const auto state = mechanics::solve_steady_sliding(input, {0.0}, {}, timers).front();
+  const mesh::SkinMesh mesh(input);
+  const double integral = mechanics::off_diagonal_shear_integral(
+      state.strain, mesh.lines(input.slider.start), mesh.core_z());
+  const std::vector<double>& footprint = mesh.footprint_lines_x();
+  return {footprint[1] - footprint[0], state.normal_force, 2 * integral / input.skin.core_volume()};
+}
+
+/// The order p for which three values fit a limit plus a multiple of size^p, by bisection.
+double observed_order(const std::array<Averages, 3>& at, double Averages::*value) {
+  const double ratio = (at[1].*value - at[0].*value) / (at[2].*value - at[1].*value);
+  double low = 0.01, high = 8;
+  for (int i = 0; i < 60; ++i) {
+    const double order = (low + high) / 2;
+    const auto size = [&](std::size_t k) { return std::pow(at[k].edge_size, order); };
+    ((size(0) - size(1)) / (size(1) - size(2)) < ratio ? low : high) = order;
+  }
+  return (low + high) / 2;
+}
+
+} // namespace
+
+std::vector<Row> convergence_rows(const Options& options) {
+  constexpr std::array<double, 3> refinement{4, 5.65, 8};
+  std::array<Averages, 3> at;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    at[i] = plane_strain_averages(refinement[i]);
+    options.progress("mechanics: mesh convergence", static_cast<double>(i + 1) / at.size());
+  }
+  // The traction is singular at sharp edges: first order is what constant cells can reach there.
+  return {at_least("M6", "plane strain: observed order of the normal force",
+                   observed_order(at, &Averages::normal_force), 0.9),
+          at_least("M6", "plane strain: observed order of mean shear",
+                   observed_order(at, &Averages::mean_shear), 0.9)};
+}
+
+} // namespace ionskin::verification

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "verification_table.hpp"
+
+#include <vector>
+
+namespace ionskin::verification {
+
+/// M1: exact affine displacement through the three layers.
+std::vector<Row> patch_rows();
+/// M4 to M8 on the baseline at the coarse preset.
+std::vector<Row> contact_rows(const Options& options);
+/// Observed orders of reported averages under numerics.mesh_refinement, in plane strain.
+std::vector<Row> convergence_rows(const Options& options);
+
+} // namespace ionskin::verification

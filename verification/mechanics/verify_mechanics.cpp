@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mechanics/rows.hpp"
+
+namespace ionskin::verification {
+
+std::vector<Row> verify_mechanics(const Options& options) {
+  std::vector<Row> rows = patch_rows();
+  for (const auto& more : {convergence_rows(options), contact_rows(options)}) {
+    rows.insert(rows.end(), more.begin(), more.end());
+  }
+  return rows;
+}
+
+} // namespace ionskin::verification
