@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a newcomer types first: help, init, check, run; and the files a run leaves."""
+
+import json
+import unittest
+
+import h5py
+
+from program import PAPER, QUICK, ProgramTest, signals, summary
+
+SIGNAL_COLUMNS = [
+    "time [s]", "cycle", "phase", "slider_x [m]", "slider_z [m]", "normal_force [N]",
+    "tangential_force [N]", "mean_shear [1]", "rms_shear [1]", "p99_shear [1]", "shear_first_moment [1]",
+    "mean_shear_rate [1/s]", "charge_top [C]", "charge_bottom [C]", "current_top [A]", "current_bottom [A]",
+    "current_difference [A]", "current_common [A]",
+]
+METRICS = [
+    "normal_force_touchdown", "normal_force_slide", "tangential_force_slide", "mean_shear_touchdown",
+    "mean_shear_slide", "peak_mean_shear", "time_mean_shear", "rms_mean_shear", "p95_shear_slide",
+    "p99_shear_slide", "element_max_shear_slide", "peak_current_top", "peak_current_bottom",
+    "peak_current_difference", "rms_current_top", "rms_current_difference", "peak_sampled_current_top",
+    "peak_sampled_current_difference", "charge_identity_error", "nonlinearity", "min_concentration_ratio",
+]
+
+
+class FirstMinutes(ProgramTest):
+    def test_help_and_version(self):
+        for arguments in ((), ("--help",), ("run", "--help"), ("verify", "--help")):
+            self.assertIn("ionskin", self.run_program(*arguments).stdout)
+        self.assertRegex(self.run_program("--version").stdout, r"ionskin \d+\.\d+\.\d+")
+        self.run_program("rnu", expect=2)
+
+    def test_init_check_explain(self):
+        self.run_program("init", "my_skin.toml")
+        self.run_program("init", "my_skin.toml", expect=2)
+        self.assertIn("valid", self.run_program("check", "my_skin.toml").stdout)
+        explained = self.run_program("check", PAPER, "--explain").stdout
+        for words in ("Debye length", "contact", "unknowns", "memory", "contact.friction"):
+            self.assertIn(words, explained)
+
+    def test_files_of_a_run(self):
+        self.run_program("run", QUICK, "-o", "out", "--threads", 2)
+        out = self.folder / "out"
+        for name in ("manifest.json", "case.toml", "summary.json", "signals.csv", "sampled.csv", "results.h5",
+                     "report.html"):
+            self.assertTrue((out / name).stat().st_size > 0, name)
+        self.assertTrue(list((out / "fields").glob("*.vtu")))
+        self.assertTrue(list((out / "fields").glob("*.pvd")))
+        self.assertTrue(list((out / "figures").glob("*.png")))
+        self.assertEqual((out / "signals.csv").read_text().splitlines()[0].split(","), SIGNAL_COLUMNS)
+        self.assertLessEqual(set(METRICS), set(summary(out)["metrics"]))
+        self.assertLessEqual({"mechanics", "strain", "electrochemistry", "output", "total"},
+                             set(summary(out)["timing"]))
+        with h5py.File(out / "results.h5") as file:
+            for path in ("signals/time", "sampled/time", "strain/gamma", "ions/grid", "contact", "case",
+                         "manifest"):
+                self.assertIn(path, file)
+        manifest = json.loads((out / "manifest.json").read_text())
+        self.assertIn("peak_memory", json.dumps(manifest))
+        self.assertEqual(sorted(set(signals(out)["phase"][1:])), ["lift", "return", "slide", "touchdown"])
+
+    def test_json_progress(self):
+        process = self.run_program("run", QUICK, "-o", "out", "--log", "json")
+        lines = [json.loads(line) for line in process.stderr.splitlines() if line.startswith("{")]
+        self.assertGreater(len(lines), 5)
+        self.assertEqual(lines[-1]["fraction"], 1)
+
+
+class Physics(ProgramTest):
+    def test_no_coupling_no_current(self):
+        """C1: zero coupling gives exactly zero current; zero friction does not."""
+        self.run_program("run", QUICK, "-o", "none", "--set", "coupling.coefficient=0")
+        result = signals(self.folder / "none")
+        self.assertEqual(abs(result["current_top"]).max(), 0)
+        self.assertEqual(abs(result["current_bottom"]).max(), 0)
+        self.run_program("run", QUICK, "-o", "smooth", "--set", "contact.friction=0")
+        self.assertGreater(abs(signals(self.folder / "smooth")["current_difference"]).max(), 0)
+
+    def test_press_and_hold(self):
+        """A zero stroke holds the touchdown state."""
+        self.run_program("run", QUICK, "-o", "out", "--set", "motion.stroke=0 mm")
+        result = signals(self.folder / "out")
+        held = result["normal_force"][result["phase"] == "slide"]
+        self.assertLess(abs(held - held[-1]).max(), 1e-9 * held[-1])
+
+    def test_threads_do_not_change_the_result(self):
+        for threads in (1, 2):
+            self.run_program("run", QUICK, "-o", f"out{threads}", "--threads", threads)
+        one, two = signals(self.folder / "out1"), signals(self.folder / "out2")
+        for name in ("current_top", "current_bottom", "normal_force"):
+            self.assertLess(abs(one[name] - two[name]).max(), 1e-9 * abs(one[name]).max(), name)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Study 2 alone: on a file that a short script wrote, and on a run's own strain history."""
+
+import subprocess
+import unittest
+
+import numpy
+
+from program import QUICK, ROOT, ProgramTest, metric, signals, write_strain_file
+
+FARADAY = 96485.33212
+# Constants of the baseline (docs: verification, E3).
+Q0 = 76.4835  # F c0 lambda [C/m2]
+RATIO = 136.244  # h / (2 lambda)
+
+
+class StrainFile(ProgramTest):
+    def run_on(self, strain, *edits, out="out"):
+        options = [option for edit in edits for option in ("--set", edit)]
+        self.run_program("run", QUICK, "-o", out, "--set", "strain.source=file", "--set",
+                         f'strain.file="{strain}"', *options)
+        return signals(self.folder / out)
+
+    def test_example_script(self):
+        subprocess.run(["/usr/bin/python3", ROOT / "cases" / "make_strain.py"], cwd=self.folder, check=True)
+        script_case = ROOT / "cases" / "strain_file.toml"
+        strain = next(self.folder.glob("*.h5"))
+        self.run_program("run", script_case, "-o", "out", "--set", f'strain.file="{strain}"')
+        result = signals(self.folder / "out")
+        self.assertGreater(numpy.abs(result["current_difference"]).max(), 0)
+        self.assertTrue(numpy.isnan(result["normal_force"]).all())
+
+    def test_linear_step_matches_the_closed_form(self):
+        """Verification E3 through a file, at the standard grid: charge to 0.2 %, current to 1 %."""
+        amplitude = 0.015  # k = 0.1 makes S1 = 0.0015
+        strain = self.folder / "step.h5"
+        write_strain_file(strain, numpy.tile(numpy.array([-amplitude, amplitude])[None, :, None, None],
+                                             (2, 1, 1, 1)), [0.0, 5.0])
+        result = self.run_on(strain, "numerics.preset=standard")
+        area = 15e-3 * 2e-3
+        charge = (result["charge_top"] - result["charge_bottom"]) / 2 / area
+        times = numpy.array([1e-3, 0.01, 0.1, 1, 4])
+        expected = Q0 * numpy.array([.06809872, .06754910, .06091059, .02200196, .00208097])
+        self.assertAlmostEqual(charge[0], Q0 * 0.0015 * RATIO / 3, delta=2e-3 * charge[0])
+        simulated = numpy.interp(times, result["time"], charge)
+        # Charge in parts of its jump; late values have relaxed to 3 % of it.
+        numpy.testing.assert_array_less(numpy.abs(simulated - expected), 2e-3 * expected[0])
+        middle = result["time"][1:] - numpy.diff(result["time"]) / 2
+        current = numpy.interp(times, middle, result["current_difference"][1:] / area)
+        expected_current = numpy.array([-2.6106, -5.5422, -5.3709, -1.8541, -0.0535])
+        numpy.testing.assert_allclose(current, expected_current, rtol=1e-2)
+
+    def test_own_history_gives_the_same_currents(self):
+        self.run_program("run", QUICK, "-o", "contact")
+        contact = signals(self.folder / "contact")
+        again = self.run_on(self.folder / "contact" / "results.h5")
+        numpy.testing.assert_array_equal(again["time"], contact["time"])
+        for name in ("current_top", "current_bottom"):
+            scale = numpy.abs(contact[name]).max()
+            numpy.testing.assert_allclose(again[name], contact[name], atol=1e-6 * scale, rtol=0)
+
+    def test_charge_identity(self):
+        strain = self.folder / "ramp.h5"
+        write_strain_file(strain, numpy.array([0, 1e-3, 5e-4])[:, None, None, None] * numpy.ones((1, 2, 1, 1)),
+                          [0.0, 0.1, 1.0])
+        result = self.run_on(strain)
+        volume = 15e-3 * 2e-3 * 180e-6
+        total = result["charge_top"] + result["charge_bottom"]
+        expected = FARADAY * 1200 * 0.1 * volume * result["mean_shear"]
+        numpy.testing.assert_allclose(total, expected, atol=1e-9 * numpy.abs(expected).max(), rtol=0)
+        self.assertLess(metric(self.folder / "out", "charge_identity_error"), 1e-9)
+
+
+if __name__ == "__main__":
+    unittest.main()
