@@ -11,7 +11,9 @@ target_compile_options(ionskin_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow
 target_include_directories(ionskin_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
 target_link_options(ionskin_flags INTERFACE -Wl,--as-needed)
 if(IONSKIN_SANITIZE)
-  target_compile_options(ionskin_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
+  # GCC 12 takes instrumented library code for uninitialised reads.
+  target_compile_options(ionskin_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
+                         -Wno-maybe-uninitialized)
   target_link_options(ionskin_flags INTERFACE -fsanitize=address,undefined)
 endif()
 if(IONSKIN_ASSERTIONS)

@@ -8,7 +8,8 @@
 
 namespace ionskin::verification {
 
-/// One verified figure: `value` against `reference`; passed when the program's own rule for it holds.
+/// One verified figure: `value` against `reference`; passed when the program's own rule for it
+/// holds.
 struct Row {
   std::string id;       ///< such as "E3" or "M4", the numbering of the verification pages
   std::string quantity; ///< what is compared, with its unit
@@ -32,5 +33,7 @@ Row at_least(std::string id, std::string quantity, double value, double bound);
 
 std::vector<Row> verify_mechanics(const Options& options);
 std::vector<Row> verify_electrochemistry(const Options& options);
+/// What the two physics must hold together.
+std::vector<Row> verify_chain(const Options& options);
 
 } // namespace ionskin::verification

@@ -90,8 +90,8 @@ void add_run(CLI::App& app, Command& command) {
 void add_verify(CLI::App& app, Command& command) {
   auto options = std::make_shared<VerifyOptions>();
   CLI::App* verb = app.add_subcommand("verify", "Run the verification set and print its table");
-  verb->add_option("physics", options->physics, "Only this part")
-      ->check(CLI::IsMember({"mechanics", "electrochemistry"}));
+  verb->add_option("part", options->part, "Only this part")
+      ->check(CLI::IsMember({"mechanics", "electrochemistry", "chain"}));
   add_threads_option(*verb, options->threads);
   verb->callback([options, &command] { command = *options; });
 }

@@ -25,7 +25,7 @@ struct RunOptions {
 };
 
 struct VerifyOptions {
-  std::string physics; ///< "mechanics", "electrochemistry" or empty for both
+  std::string part; ///< "mechanics", "electrochemistry", "chain" or empty for all
   int threads = 0;
 };
 

@@ -11,10 +11,19 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ionskin::apps {
 namespace {
+
+using Part = std::vector<verification::Row> (*)(const verification::Options&);
+constexpr std::array<std::pair<std::string_view, Part>, 3> parts{
+    {{"mechanics", verification::verify_mechanics},
+     {"electrochemistry", verification::verify_electrochemistry},
+     {"chain", verification::verify_chain}}};
 
 void print_table(const std::vector<verification::Row>& rows) {
   std::size_t width = 0;
@@ -41,12 +50,11 @@ int verify(const VerifyOptions& options) {
     display.update(activity, fraction);
   };
   std::vector<verification::Row> rows;
-  if (options.physics != "electrochemistry") {
-    rows = verification::verify_mechanics(settings);
-  }
-  if (options.physics != "mechanics") {
-    const auto more = verification::verify_electrochemistry(settings);
-    rows.insert(rows.end(), more.begin(), more.end());
+  for (const auto& [name, part] : parts) {
+    if (options.part.empty() || options.part == name) {
+      const auto more = part(settings);
+      rows.insert(rows.end(), more.begin(), more.end());
+    }
   }
   print_table(rows);
   const auto passed =

@@ -14,8 +14,21 @@ constexpr int patience = 4000;
 /// More blocks than threads, so that a late thread leaves less to wait for.
 constexpr std::size_t blocks_per_thread = 2;
 
-std::uint64_t block_of(std::uint64_t ticket) {
-  return ticket & closed;
+/// Waits for the other threads that are no sign of a busy machine.
+constexpr std::chrono::microseconds stall_allowance{200};
+/// Bounds of the number of loops that the calling thread does alone after a stall.
+constexpr int shortest_penalty = 64, longest_penalty = 4096;
+
+constexpr std::uint64_t from_the_end = 1U << 16;
+
+std::size_t taken_from_the_start(std::uint64_t ticket) {
+  return ticket & 0xffffU;
+}
+std::size_t taken_from_the_end(std::uint64_t ticket) {
+  return (ticket >> 16) & 0xffffU;
+}
+std::size_t taken(std::uint64_t ticket) {
+  return taken_from_the_start(ticket) + taken_from_the_end(ticket);
 }
 
 void relax() {
@@ -28,7 +41,7 @@ void relax() {
 
 } // namespace
 
-WorkerTeam::WorkerTeam(int threads) : ticket_(closed) {
+WorkerTeam::WorkerTeam(int threads) : ticket_(closed), penalty_(shortest_penalty) {
   for (int i = 1; i < threads; ++i) {
     workers_.emplace_back([this, i] { work(static_cast<std::size_t>(i)); });
   }
@@ -59,8 +72,9 @@ void WorkerTeam::run(const Loop& loop) {
   if (loop.count == 0) {
     return;
   }
-  if (loop.blocks == 1) {
-    loop.run_block(0, 0);
+  if (loop.blocks == 1 || loops_alone_ > 0) {
+    loops_alone_ = std::max(loops_alone_ - 1, 0);
+    loop.call(loop.body, 0, loop.count, 0);
     return;
   }
   // The ticket is closed, so no worker reads what is being changed here and then takes a block of
@@ -69,26 +83,44 @@ void WorkerTeam::run(const Loop& loop) {
   blocks_.store(loop.blocks, std::memory_order_relaxed);
   finished_.store(0, std::memory_order_relaxed);
   const std::uint64_t opened = (ticket_.load(std::memory_order_relaxed) & ~closed) + next_loop;
+  const auto begin = Clock::now();
   ticket_.store(opened, std::memory_order_release);
   ticket_.notify_all();
   take_blocks(0);
+  const auto own_end = Clock::now();
   // A yield may cost a whole time slice, so it comes late.
   for (int looks = 0; finished_.load(std::memory_order_acquire) != loop.blocks; ++looks) {
     looks < patience ? relax() : std::this_thread::yield();
   }
   ticket_.store(opened | closed, std::memory_order_relaxed);
+  adapt(own_end - begin, Clock::now() - own_end);
+}
+
+/// After a wait that only a thread without a processor explains, goes on alone for a while.
+void WorkerTeam::adapt(Clock::duration worked, Clock::duration waited) {
+  if (waited > 2 * worked + stall_allowance) {
+    loops_alone_ = penalty_;
+    penalty_ = std::min(2 * penalty_, longest_penalty);
+  } else {
+    penalty_ = std::max(penalty_ - 1, shortest_penalty);
+  }
 }
 
 void WorkerTeam::take_blocks(std::size_t worker) {
+  const bool caller = worker == 0;
   while (true) {
     std::uint64_t ticket = ticket_.load(std::memory_order_acquire);
-    if (block_of(ticket) >= blocks_.load(std::memory_order_relaxed)) {
+    const std::size_t blocks = blocks_.load(std::memory_order_relaxed);
+    if (taken(ticket) >= blocks) {
       return;
     }
     const Loop* loop = loop_.load(std::memory_order_relaxed);
+    const std::size_t block =
+        caller ? taken_from_the_start(ticket) : blocks - 1 - taken_from_the_end(ticket);
     // Succeeds only while the ticket, and with it the loop just read, is still the same.
-    if (ticket_.compare_exchange_strong(ticket, ticket + 1, std::memory_order_acq_rel)) {
-      loop->run_block(block_of(ticket), worker);
+    if (ticket_.compare_exchange_strong(ticket, ticket + (caller ? 1 : from_the_end),
+                                        std::memory_order_acq_rel)) {
+      loop->run_block(block, worker);
       finished_.fetch_add(1, std::memory_order_release);
     }
   }
@@ -105,7 +137,7 @@ void WorkerTeam::work(std::size_t worker) {
     }
     if (looks == patience) {
       const std::uint64_t idle = ticket_.load(std::memory_order_acquire);
-      if (block_of(idle) == closed && !stop_) {
+      if ((idle & closed) == closed && !stop_) {
         ticket_.wait(idle);
       }
     }

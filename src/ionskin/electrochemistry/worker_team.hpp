@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <thread>
@@ -9,9 +10,10 @@
 
 namespace ionskin::electrochemistry {
 
-/// A few threads that share many short loops. base::run_tasks starts threads for each call and
-/// OpenMP waits for every thread at the end of each loop; here blocks go to whoever is there, so
-/// that a busy machine slows the loops down but does not stall them.
+/// A few threads that share many short loops. base::run_tasks starts threads for each call, and
+/// OpenMP waits for every thread at the end of each loop; here blocks go to whoever is there, and
+/// after a stall the calling thread goes on alone for a while, so that a busy machine does not stop
+/// the loops.
 class WorkerTeam {
 public:
   /// @param threads at least 1, the calling one included
@@ -51,11 +53,18 @@ private:
   void take_blocks(std::size_t worker);
   void work(std::size_t worker);
 
-  /// Number of the loop in the upper half, next free block in the lower; `closed` between loops.
+  using Clock = std::chrono::steady_clock;
+  void adapt(Clock::duration worked, Clock::duration waited);
+
+  /// Number of the loop in the upper half; in the lower one the blocks that the caller has taken
+  /// from the start and the others from the end, so that data stay with the same thread; `closed`
+  /// between loops.
   std::atomic<std::uint64_t> ticket_;
   std::atomic<const Loop*> loop_{nullptr};
   std::atomic<std::size_t> blocks_{0}, finished_{0};
   std::atomic<bool> stop_{false};
+  int loops_alone_ = 0; ///< that the calling thread still does without the others
+  int penalty_;         ///< loops alone after the next stall
   std::vector<std::thread> workers_;
 };
 

@@ -101,10 +101,26 @@ ContactTimeline::ContactTimeline(const Case& input, const mechanics::ContactSolu
   sample_times_.push_back(release_time_);
   sample_times_.push_back(lift_start + motion.lift);
   sample_times_.push_back(motion.cycle_duration());
+  add_requested_instants();
   // Coinciding instants (no gap, last lift-off state at zero preload) count once.
   const auto coincide = [&](double a, double b) { return b - a < 1e-12 * motion.cycle_duration(); };
   sample_times_.erase(std::unique(sample_times_.begin(), sample_times_.end(), coincide),
                       sample_times_.end());
+}
+
+void ContactTimeline::add_requested_instants() {
+  const Motion& motion = input_.motion;
+  std::vector<double> instants{motion.touchdown + 0.5 * motion.slide};
+  for (const double instant : input_.output.fields) {
+    instants.push_back(std::fmod(instant, motion.cycle_duration()));
+  }
+  for (const double instant : instants) {
+    const bool steady = instant > join_time_ && instant < motion.touchdown + motion.slide;
+    if (steady && !contact_.steady.empty()) {
+      sample_times_.push_back(instant);
+    }
+  }
+  std::sort(sample_times_.begin(), sample_times_.end());
 }
 
 StateCombination ContactTimeline::sliding(double travel) const {

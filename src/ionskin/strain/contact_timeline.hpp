@@ -45,6 +45,9 @@ public:
   StateCombination at(double local_time) const;
 
 private:
+  /// The middle of the slide and the instants of field output become samples: figures are read
+  /// there.
+  void add_requested_instants();
   StateCombination sliding(double travel) const;
   StateCombination lifting(double fraction) const;
 

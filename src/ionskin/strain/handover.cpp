@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/strain/handover.hpp"
 
-#include "ionskin/strain/contact_timeline.hpp"
 #include "ionskin/strain/line_operators.hpp"
 #include "ionskin/strain/shear_measure.hpp"
 
@@ -193,14 +192,13 @@ StrainHistory build_strain_history(const Case& input, const mechanics::ContactSo
   return history;
 }
 
-double mechanics_shear_integral(const Case& input, const mechanics::ContactSolution& contact,
-                                double local_time) {
-  const StateCombination combination = ContactTimeline(input, contact).at(local_time);
+double mechanics_shear_integral(const Case& input, const mesh::SkinMesh& mesh,
+                                const StateCombination& combination) {
   if (combination.terms.empty()) {
     return 0.0;
   }
-  const auto lines = contact.mesh.lines(centre_at(input, combination.arc_length));
-  const auto z_lines = core_lines(contact.mesh, lines);
+  const auto lines = mesh.lines(centre_at(input, combination.arc_length));
+  const auto z_lines = core_lines(mesh, lines);
   const auto shear = gauss_shear(input.coupling.measure, combination);
   const auto& points = combination.terms.front().state->strain.points;
   const auto weight = [](const std::vector<double>& line, std::size_t point) {
@@ -216,7 +214,7 @@ double mechanics_shear_integral(const Case& input, const mechanics::ContactSolut
       integral += weight(z_lines, k) * weight(lines.y, j) * row;
     }
   }
-  return contact.mesh.half_model() ? 2 * integral : integral;
+  return mesh.half_model() ? 2 * integral : integral;
 }
 
 } // namespace ionskin::strain

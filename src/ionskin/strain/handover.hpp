@@ -3,6 +3,7 @@
 
 #include "ionskin/case/case.hpp"
 #include "ionskin/mechanics/contact_solution.hpp"
+#include "ionskin/strain/contact_timeline.hpp"
 #include "ionskin/strain/strain_history.hpp"
 
 namespace ionskin::strain {
@@ -13,9 +14,9 @@ namespace ionskin::strain {
 /// about a second and cannot be interrupted, so that finished mechanics is never lost.
 StrainHistory build_strain_history(const Case& input, const mechanics::ContactSolution& contact);
 
-/// Integral of the shear over the core at one instant straight from the Gauss points of the
-/// mechanics [m3]; the reference for what the history must conserve.
-double mechanics_shear_integral(const Case& input, const mechanics::ContactSolution& contact,
-                                double local_time);
+/// Integral of the shear over the core straight from the Gauss points of the mechanics [m3]; the
+/// reference for what the history must conserve.
+double mechanics_shear_integral(const Case& input, const mesh::SkinMesh& mesh,
+                                const StateCombination& combination);
 
 } // namespace ionskin::strain

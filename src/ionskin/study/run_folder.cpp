@@ -89,6 +89,8 @@ std::string mechanics_hash(const Case& input) {
                       input.contact.friction, static_cast<int>(input.coupling.measure));
   text += fmt::format(" numerics {} {} {}", static_cast<int>(input.numerics.preset),
                       input.numerics.mesh_refinement, input.numerics.time_refinement);
+  // Field instants within the slide are samples of the strain history.
+  text += fmt::format(" fields {}", fmt::join(input.output.fields, " "));
   return results::content_hash(text);
 }
 

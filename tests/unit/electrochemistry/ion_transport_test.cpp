@@ -162,6 +162,19 @@ TEST(IonTransport, NegativeFixedChargeStopsTheRunAndHandsOverWhatItHas) {
   EXPECT_GT(rows, 5U);
 }
 
+TEST(IonTransport, DeepDepletionStaysPositiveAndKeepsTheIdentities) {
+  Case input = coarse_case();
+  input.coupling.coefficient = 1.0;
+  const auto solution = solve(input, linear_step_history(0.0, 5.0, {0.0, 1.0}));
+  const double expected = solution.charge_top[0] + solution.charge_bottom[0];
+  for (std::size_t i = 0; i < solution.time.size(); ++i) {
+    EXPECT_GT(solution.min_concentration[i], 0.0);
+    EXPECT_NEAR(solution.charge_top[i] + solution.charge_bottom[i], expected, 1e-11 * expected);
+    EXPECT_NEAR(solution.ion_amount[i], solution.ion_amount[0], 1e-12 * solution.ion_amount[0]);
+  }
+  EXPECT_LT(solution.min_concentration.back(), 1e-3);
+}
+
 TEST(IonTransport, ProgressReachesOne) {
   IonOptions options;
   double last = 0.0;

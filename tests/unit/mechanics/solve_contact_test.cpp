@@ -19,12 +19,18 @@ ContactSolution solve(const Case& input, ContactOptions options = {}) {
   return solve_contact(input, options, timers);
 }
 
+/// Solved once for all tests that only look at it.
+const ContactSolution& solved_small_case() {
+  static const ContactSolution solution = solve(small_case());
+  return solution;
+}
+
 double total_friction(const ContactState& state) {
   return std::hypot(state.tangential_force[0], state.tangential_force[1]);
 }
 
 TEST(SolveContact, path_goes_from_touchdown_through_steady_sliding_to_nothing) {
-  const ContactSolution solution = solve(small_case());
+  const ContactSolution& solution = solved_small_case();
   EXPECT_GT(solution.touchdown.state.normal_force, 1.0);
   EXPECT_EQ(solution.onset.size(), 30u);
   EXPECT_EQ(solution.steady.size(), 6u);
@@ -40,7 +46,7 @@ TEST(SolveContact, path_goes_from_touchdown_through_steady_sliding_to_nothing) {
 }
 
 TEST(SolveContact, onset_joins_steady_sliding) {
-  const ContactSolution solution = solve(small_case());
+  const ContactSolution& solution = solved_small_case();
   const ContactState &last = solution.onset.back().state, &steady = solution.steady.front().state;
   EXPECT_NEAR(last.normal_force, steady.normal_force, 1e-5 * steady.normal_force);
   const auto &a = last.strain.component[4], &b = steady.strain.component[4];
@@ -54,7 +60,7 @@ TEST(SolveContact, onset_joins_steady_sliding) {
 
 TEST(SolveContact, reflected_nodes_agree_with_their_own_factorisation) {
   const Case input = small_case();
-  const ContactSolution solution = solve(input);
+  const ContactSolution& solution = solved_small_case();
   const PathState& last = solution.steady.back(); // shares the factorisation of the first node
   base::Timers timers;
   const ContactState direct =
@@ -91,7 +97,7 @@ TEST(SolveContact, touchdown_in_one_increment_is_exact) {
 }
 
 TEST(SolveContact, a_second_cycle_repeats_the_first) {
-  const ContactSolution first = solve(small_case());
+  const ContactSolution& first = solved_small_case();
   ContactOptions options;
   options.surface_before = first.final_surface;
   const ContactSolution second = solve(small_case(), options);

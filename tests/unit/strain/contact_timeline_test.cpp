@@ -41,7 +41,8 @@ TEST_F(ContactTimelineTest, OnsetRunsThroughItsStatesAndJoinsSteadySliding) {
   EXPECT_NEAR(timeline.at(0.5 + 3e-6 / speed).normal_force(), 1.9, 1e-4);
   const double join = timeline.join_time();
   EXPECT_NEAR(join, 0.5 + 5e-6 / speed, 1e-12);
-  EXPECT_NEAR(timeline.at(join - 1e-9).normal_force(), timeline.at(join + 1e-9).normal_force(), 1e-5);
+  EXPECT_NEAR(timeline.at(join - 1e-9).normal_force(), timeline.at(join + 1e-9).normal_force(),
+              1e-5);
   EXPECT_NEAR(timeline.at(0.5 + 1e-12).normal_force(), 1.0, 1e-6);
 }
 

@@ -16,12 +16,14 @@ void expect_conserved(const Case& input) {
   const ContactTimeline timeline(input, contact);
   const auto& times = timeline.sample_times();
   for (std::size_t i = 0; i < times.size(); i += 5) {
-    const double expected = mechanics_shear_integral(input, contact, times[i]);
+    const double expected = mechanics_shear_integral(input, contact.mesh, timeline.at(times[i]));
     EXPECT_NEAR(shear_integral(history, times[i]), expected, 1e-12 * expected) << "at " << times[i];
   }
 }
 
-TEST(Handover, ConservesTheIntegralOfTheHalfModel) { expect_conserved(small_case()); }
+TEST(Handover, ConservesTheIntegralOfTheHalfModel) {
+  expect_conserved(small_case());
+}
 
 TEST(Handover, ConservesTheIntegralOfAnOffCentreTrack) {
   Case input = small_case();

@@ -101,8 +101,7 @@ TEST(LineOperators, HatAveragesConserveIntegralAndFirstMoment) {
   for (std::size_t e = 0; e + 1 < lines.size(); ++e) {
     const double a = lines[e];
     const double b = lines[e + 1];
-    expected_moment += (b - a) / 6 *
-                       (values[e] * (2 * a + b) + values[e + 1] * (a + 2 * b));
+    expected_moment += (b - a) / 6 * (values[e] * (2 * a + b) + values[e + 1] * (a + 2 * b));
   }
   EXPECT_NEAR(total(averages, volumes), total(values, hat_volumes(lines)), 1e-14);
   EXPECT_NEAR(moment, expected_moment, 1e-14);

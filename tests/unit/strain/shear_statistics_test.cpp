@@ -42,7 +42,8 @@ TEST(ShearStatistics, PercentileSplitsTheVolume) {
 
 TEST(ShearStatistics, IsLinearInTimeBetweenSamples) {
   const auto history = two_columns();
-  EXPECT_NEAR(shear_statistics(history, 2.5).mean, 0.25 * shear_statistics(history, 10).mean, 1e-15);
+  EXPECT_NEAR(shear_statistics(history, 2.5).mean, 0.25 * shear_statistics(history, 10).mean,
+              1e-15);
   EXPECT_NEAR(shear_integral(history, 2.5), 0.25 * shear_integral(history, 10), 1e-14);
   EXPECT_NEAR(shear_integral(history, 10), 8 * shear_statistics(history, 10).mean, 1e-13);
 }

@@ -54,12 +54,14 @@ inline mechanics::ContactState synthetic_state(const mesh::SkinMesh& mesh, doubl
   return state;
 }
 
-/// Nine steady positions whose normal force is 2 + (s/mm)^2, onset and lift-off states of round numbers.
+/// Nine steady positions whose normal force is 2 + (s/mm)^2, onset and lift-off states of round
+/// numbers.
 inline mechanics::ContactSolution synthetic_contact(const Case& input) {
   const mesh::SkinMesh mesh(input);
   mechanics::ContactSolution contact{mesh};
   contact.touchdown = {1.0, synthetic_state(mesh, 1.0)};
-  contact.onset = {{1e-6, synthetic_state(mesh, 1.5, 0.1)}, {3e-6, synthetic_state(mesh, 1.9, 0.2)}};
+  contact.onset = {{1e-6, synthetic_state(mesh, 1.5, 0.1)},
+                   {3e-6, synthetic_state(mesh, 1.9, 0.2)}};
   for (int i = 0; i < 9; ++i) {
     const double s = input.motion.stroke * 0.5 * (1 - std::cos(M_PI * i / 8));
     contact.steady.push_back({s, synthetic_state(mesh, 2 + s * s * 1e6, 0.3)});

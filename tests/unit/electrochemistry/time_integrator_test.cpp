@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/electrochemistry/time_integrator.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/electrochemistry/transport_grid.hpp"
+#include "model_cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ionskin::electrochemistry {
+namespace {
+
+/// A single column under electrode potentials without shear.
+class SingleColumn : public testing::Test {
+protected:
+  TransportState run(const ElectrodePotentials& potentials, double duration, int steps) {
+    TimeIntegrator integrator(grid, scales, fixed_charge, potentials, solver);
+    TransportState state;
+    integrator.initialise(0.0, state);
+    for (int i = 0; i < steps; ++i) {
+      integrator.advance(duration * i / steps, duration * (i + 1) / steps, state);
+    }
+    return state;
+  }
+
+  Case input = verification::model_case();
+  strain::StrainHistory history = verification::linear_step_history(0.0, 0.0, {0.0, 10.0});
+  TransportGrid transport_grid = make_transport_grid(input, history);
+  DerivedScales scales = derive_scales(input.electrochemistry, history.core_thickness());
+  ScaledGrid grid = scale_grid(transport_grid, scales.debye_length);
+  FixedCharge fixed_charge{input, history, transport_grid, grid};
+  WorkerTeam team{1};
+  NewtonKrylov solver{grid, ExactAverage::total(grid, std::vector<double>(grid.nodes(), 1.0)),
+                      team};
+};
+
+double largest_difference(const TransportState& a, const TransportState& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.ions.values.size(); ++i) {
+    largest = std::max(largest, std::abs(a.ions.values[i] - b.ions.values[i]));
+  }
+  return largest;
+}
+
+TEST_F(SingleColumn, IsOfSecondOrderForASmoothRamp) {
+  ElectrodePotentials ramp;
+  ramp.top = [](double time) { return 0.5 * time * time; };
+  const auto coarse = run(ramp, 0.2, 20), medium = run(ramp, 0.2, 40), fine = run(ramp, 0.2, 80);
+  const double order =
+      std::log2(largest_difference(coarse, medium) / largest_difference(medium, fine));
+  EXPECT_GT(order, 1.8);
+  EXPECT_LT(order, 2.3);
+}
+
+TEST_F(SingleColumn, LargeStepsDampTheFastLayersAtOnce) {
+  ElectrodePotentials jump;
+  jump.top = [this](double) { return 0.1 * scales.thermal_voltage; };
+  // Steps of 60 charging times: an L-stable method is at rest, others swing.
+  const TransportState state = run(jump, 120.0 * scales.slow_time, 2);
+  const TransportState later = run(jump, 240.0 * scales.slow_time, 4);
+  EXPECT_LT(largest_difference(state, later), 2e-3);
+}
+
+TEST_F(SingleColumn, HalvesAStepThatNewtonCannotTake) {
+  ElectrodePotentials jump;
+  jump.top = [this](double time) { return time > 0.0 ? 1000.0 * scales.thermal_voltage : 0.0; };
+  const TransportState state = run(jump, 0.05, 1);
+  EXPECT_GT(solver.counters().preconditioner_setups, 4U);
+  EXPECT_GT(*std::ranges::min_element(state.ions.concentration()), 0.0);
+}
+
+TEST_F(SingleColumn, GivesUpWithTheInstantAndARemedy) {
+  ElectrodePotentials nonsense;
+  nonsense.top = [](double time) { return time > 0.5 ? std::nan("") : 0.0; };
+  try {
+    run(nonsense, 1.0, 2);
+    FAIL() << "no error";
+  } catch (const SolverError& error) {
+    EXPECT_NE(std::string(error.what()).find("t = 0.5 s"), std::string::npos) << error.what();
+    EXPECT_NE(error.remedy().find("numerics.time_refinement"), std::string::npos);
+  }
+}
+
+} // namespace
+} // namespace ionskin::electrochemistry

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/checkpoint_file.hpp"
+
+#include "scratch_folder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ionskin::study {
+namespace {
+
+electrochemistry::IonCheckpoint example() {
+  electrochemistry::IonCheckpoint checkpoint;
+  checkpoint.step = 7;
+  checkpoint.state.ions.values = {1.0, 1.0 / 3, 2e-300, -0.1};
+  checkpoint.state.rate = {0.25, -1e-7};
+  checkpoint.solution.grid = {{0, 1}, {0, 2}, {0, 0.1, 0.2}};
+  checkpoint.solution.time = {0, 0.1};
+  checkpoint.solution.charge_top = {0, 1e-9 / 7};
+  checkpoint.solution.krylov_iterations = 1234;
+  checkpoint.solution.snapshots = {{0.1, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}}};
+  return checkpoint;
+}
+
+TEST(CheckpointFile, GivesBackEveryBit) {
+  const results::ScratchFolder folder;
+  const auto written = example();
+  write_checkpoint(folder.path() / "checkpoint.h5", "hash", written);
+  const auto read = read_checkpoint(folder.path() / "checkpoint.h5", "hash");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->step, written.step);
+  EXPECT_EQ(read->state.ions.values, written.state.ions.values);
+  EXPECT_EQ(read->state.rate, written.state.rate);
+  EXPECT_EQ(read->solution.grid.z_nodes, written.solution.grid.z_nodes);
+  EXPECT_EQ(read->solution.charge_top, written.solution.charge_top);
+  EXPECT_EQ(read->solution.krylov_iterations, written.solution.krylov_iterations);
+  ASSERT_EQ(read->solution.snapshots.size(), 1u);
+  EXPECT_EQ(read->solution.snapshots[0].time, 0.1);
+  EXPECT_EQ(read->solution.snapshots[0].potential, written.solution.snapshots[0].potential);
+}
+
+TEST(CheckpointFile, IsNotTakenForAnotherCase) {
+  const results::ScratchFolder folder;
+  EXPECT_FALSE(read_checkpoint(folder.path() / "checkpoint.h5", "hash"));
+  write_checkpoint(folder.path() / "checkpoint.h5", "hash", example());
+  EXPECT_FALSE(read_checkpoint(folder.path() / "checkpoint.h5", "other"));
+}
+
+} // namespace
+} // namespace ionskin::study

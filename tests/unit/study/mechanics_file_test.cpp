@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/mechanics_file.hpp"
+
+#include "ionskin/strain/shear_statistics.hpp"
+#include "scratch_folder.hpp"
+#include "synthetic_contact.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ionskin::study {
+namespace {
+
+TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
+  const results::ScratchFolder folder;
+  const Case input = strain::small_case();
+  auto contact = strain::synthetic_contact(input);
+  contact.cell_lines_x = {-1e-3, 1e-3};
+  contact.cell_lines_y = {-1e-3, 0};
+  const auto give_cell = [](mechanics::PathState& point) {
+    point.state.normal_traction = {2e6};
+    point.state.tangential_traction_x = point.state.tangential_traction_y = {1e5};
+    point.state.slip = {1e-6};
+  };
+  give_cell(contact.touchdown);
+  for (auto* part : {&contact.onset, &contact.steady, &contact.lift_off}) {
+    std::for_each(part->begin(), part->end(), give_cell);
+  }
+  contact.warnings = {"a warning"};
+  const auto record = make_mechanics_record(input, contact);
+  ASSERT_EQ(record.normal_force.size(), record.history.time.size());
+  ASSERT_EQ(record.maps.maps.size(), 1u + 2 + 9 + 2);
+
+  const auto path = folder.path() / "results.h5";
+  write_mechanics(path, "hash", record);
+  const auto read = read_mechanics(path, "hash", input.skin);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->normal_force, record.normal_force);
+  EXPECT_EQ(read->tangential_force, record.tangential_force);
+  EXPECT_EQ(read->join_time, record.join_time);
+  EXPECT_EQ(read->warnings, record.warnings);
+  EXPECT_EQ(read->history.time, record.history.time);
+  EXPECT_EQ(read->history.event_time, record.history.event_time);
+  EXPECT_EQ(*read->history.gamma[20], *record.history.gamma[20]);
+  EXPECT_EQ(strain::shear_integral(read->history, 1.2345),
+            strain::shear_integral(record.history, 1.2345));
+  EXPECT_FALSE(read_mechanics(path, "other", input.skin));
+}
+
+} // namespace
+} // namespace ionskin::study
