@@ -97,7 +97,8 @@ strain::StrainHistory sliding_contact_history(int cycles) {
   history.length = length;
   history.width = width;
   // The grid covers the core at both ends of the track: 10.5 mm on either side of the slider.
-  history.grid = {edges(-10.5e-3, 10.5e-3, 210), edges(-0.5 * width, 0.5 * width, 20), edges(0.0, thickness, 12)};
+  history.grid = {edges(-10.5e-3, 10.5e-3, 210), edges(-0.5 * width, 0.5 * width, 20),
+                  edges(0.0, thickness, 12)};
   const std::shared_ptr<const strain::StrainField> none = contact_shear(history.grid, 0.0);
   const std::shared_ptr<const strain::StrainField> touching = contact_shear(history.grid, 1.0);
   const std::shared_ptr<const strain::StrainField> sliding = contact_shear(history.grid, 1.5);

@@ -3,6 +3,7 @@
 
 #include "ionskin/mechanics/condensed_position.hpp"
 #include "ionskin/mechanics/core_strain.hpp"
+#include "ionskin/mechanics/slider_track.hpp"
 #include "small_case.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +34,7 @@ TEST(SolveContact, path_goes_from_touchdown_through_steady_sliding_to_nothing) {
   const ContactSolution& solution = solved_small_case();
   EXPECT_GT(solution.touchdown.state.normal_force, 1.0);
   EXPECT_EQ(solution.onset.size(), 30u);
-  EXPECT_EQ(solution.steady.size(), 6u);
+  EXPECT_EQ(solution.steady.size(), interpolation_node_count(Preset::coarse));
   for (const PathState& point : solution.steady) {
     EXPECT_NEAR(total_friction(point.state), 0.3 * point.state.normal_force,
                 1e-8 * point.state.normal_force);
