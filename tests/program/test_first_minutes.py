@@ -5,6 +5,7 @@ import json
 import unittest
 
 import h5py
+import numpy
 
 from program import PAPER, QUICK, ProgramTest, signals, summary
 
@@ -82,6 +83,14 @@ class Physics(ProgramTest):
         result = signals(self.folder / "out")
         held = result["normal_force"][result["phase"] == "slide"]
         self.assertLess(abs(held - held[-1]).max(), 1e-9 * held[-1])
+
+    def test_stroke_too_short_to_slide(self):
+        """A stroke within onset runs, and its friction force stays below the limit."""
+        self.run_program("run", QUICK, "-o", "out", "--set", "motion.stroke=2 um")
+        result = signals(self.folder / "out")
+        friction = result["tangential_force"] / numpy.maximum(result["normal_force"], 1e-9)
+        self.assertLess(friction.max(), 0.29)
+        self.assertGreater(friction.max(), 0.05)
 
     def test_threads_do_not_change_the_result(self):
         for threads in (1, 2):

@@ -70,11 +70,14 @@ ContactTimeline::ContactTimeline(const Case& input, const mechanics::ContactSolu
   event_times_ = {contact_time_, slide_start, lift_start, release_time_};
   sample_times_ = {0.0, contact_time_, slide_start};
   join_time_ = slide_start;
+  const double speed = motion.stroke / motion.slide;
+  for (const PathState& state : contact.onset) {
+    sample_times_.push_back(slide_start + state.parameter / speed);
+  }
+  if (contact.steady.empty() && !contact.onset.empty()) {
+    join_time_ = lift_start;
+  }
   if (!contact.steady.empty()) {
-    const double speed = motion.stroke / motion.slide;
-    for (const PathState& state : contact.onset) {
-      sample_times_.push_back(slide_start + state.parameter / speed);
-    }
     if (contact.onset.size() > 1) {
       const double last = contact.onset.back().parameter;
       join_travel_ = 2 * last - contact.onset[contact.onset.size() - 2].parameter;
@@ -123,48 +126,58 @@ void ContactTimeline::add_requested_instants() {
   std::sort(sample_times_.begin(), sample_times_.end());
 }
 
-StateCombination ContactTimeline::sliding(double travel) const {
-  StateCombination result;
-  if (contact_.steady.empty()) {
-    add_term(result, contact_.touchdown.state, 1.0);
-    return result;
-  }
-  result.arc_length = travel;
-  const auto weights = lagrange_weights(contact_.steady, travel);
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    add_term(result, contact_.steady[i].state, weights[i]);
-  }
-  if (travel >= join_travel_) {
-    return result;
-  }
+void ContactTimeline::add_onset(StateCombination& combination, double travel) const {
   double before = 0;
-  double after = join_travel_;
   const mechanics::ContactState* state_before = &contact_.touchdown.state;
-  const mechanics::ContactState* state_after = nullptr;
   for (const PathState& node : contact_.onset) {
     if (node.parameter > travel) {
-      after = node.parameter;
-      state_after = &node.state;
-      break;
+      const double weight = (travel - before) / (node.parameter - before);
+      add_term(combination, *state_before, 1 - weight);
+      add_term(combination, node.state, weight);
+      return;
     }
     before = node.parameter;
     state_before = &node.state;
   }
-  const double weight = (travel - before) / (after - before);
-  add_term(result, *state_before, 1 - weight);
-  if (state_after != nullptr) {
-    add_term(result, *state_after, weight);
+  if (contact_.steady.empty()) {
+    add_term(combination, *state_before, 1.0);
+    return;
   }
-  add_term(result, contact_.steady.front().state, state_after != nullptr ? -1.0 : weight - 1);
+  const double weight = (travel - before) / (join_travel_ - before);
+  add_term(combination, *state_before, 1 - weight);
+  add_term(combination, contact_.steady.front().state, weight);
+}
+
+StateCombination ContactTimeline::sliding(double travel) const {
+  StateCombination result;
+  result.arc_length = travel;
+  if (contact_.steady.empty()) {
+    add_onset(result, travel);
+    return result;
+  }
+  const auto weights = lagrange_weights(contact_.steady, travel);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    add_term(result, contact_.steady[i].state, weights[i]);
+  }
+  if (travel < join_travel_) {
+    add_onset(result, travel);
+    add_term(result, contact_.steady.front().state, -1.0);
+  }
   return result;
+}
+
+const mechanics::ContactState& ContactTimeline::end_of_slide() const {
+  if (!contact_.steady.empty()) {
+    return contact_.steady.back().state;
+  }
+  return contact_.onset.empty() ? contact_.touchdown.state : contact_.onset.back().state;
 }
 
 StateCombination ContactTimeline::lifting(double fraction) const {
   StateCombination result;
   result.arc_length = input_.motion.stroke;
   double above = 1;
-  const mechanics::ContactState* state_above =
-      contact_.steady.empty() ? &contact_.touchdown.state : &contact_.steady.back().state;
+  const mechanics::ContactState* state_above = &end_of_slide();
   for (const PathState& node : contact_.lift_off) {
     if (node.parameter < fraction) {
       const double weight = (above - fraction) / (above - node.parameter);

@@ -48,6 +48,9 @@ private:
   /// The middle of the slide and the instants of field output become samples: figures are read
   /// there.
   void add_requested_instants();
+  /// Linear between touchdown, the states of onset and the join with steady sliding.
+  void add_onset(StateCombination& combination, double travel) const;
+  const mechanics::ContactState& end_of_slide() const;
   StateCombination sliding(double travel) const;
   StateCombination lifting(double fraction) const;
 

@@ -80,5 +80,20 @@ TEST(ContactTimeline, ZeroStrokeHoldsTheTouchdownState) {
   EXPECT_DOUBLE_EQ(timeline.join_time(), 0.5);
 }
 
+TEST(ContactTimeline, ShortStrokeEndsWithinOnset) {
+  Case input = small_case();
+  input.motion.stroke = 3e-6;
+  auto contact = synthetic_contact(input);
+  contact.steady.clear();
+  contact.lift_off = {{0.5, synthetic_state(contact.mesh, 0.9)},
+                      {0.0, synthetic_state(contact.mesh, 0)}};
+  const ContactTimeline timeline(input, contact);
+  EXPECT_NEAR(timeline.at(0.5 + 2.0 / 3).normal_force(), 1.5, 1e-12);
+  EXPECT_NEAR(timeline.at(2.5).normal_force(), 1.9, 1e-12);
+  const double duration = 0.5 / 1001;
+  EXPECT_NEAR(timeline.at(2.5 + 0.25 * duration).normal_force(), 0.5 * (1.9 + 0.9), 1e-9);
+  EXPECT_NEAR(timeline.at(1.7).arc_length, 1.8e-6, 1e-15);
+}
+
 } // namespace
 } // namespace ionskin::strain

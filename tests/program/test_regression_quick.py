@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Named figures of cases/quick.toml. A change here is a change of the numbers that users get: explain it."""
+
+import unittest
+
+from program import QUICK, ProgramTest, metric
+
+# name: (value, relative tolerance)
+FIGURES = {
+    "normal_force_touchdown": (67.75626, 1e-5),
+    "normal_force_slide": (64.50422, 1e-5),
+    "tangential_force_slide": (19.351265, 1e-5),
+    "mean_shear_touchdown": (2.568900e-3, 1e-5),
+    "mean_shear_slide": (8.410745e-3, 1e-5),
+    "p99_shear_slide": (3.410143e-2, 1e-4),
+    "shear_first_moment_slide": (-7.726144e-5, 1e-4),
+    "element_max_shear_slide": (4.777770e-2, 1e-4),
+    "peak_sampled_current_top": (2.570911e-2, 1e-4),
+    "peak_sampled_current_bottom": (2.665801e-2, 1e-4),
+    "peak_sampled_current_difference": (4.744483e-4, 1e-3),
+    "rms_current_top": (6.473523e-3, 1e-3),
+    "rms_current_difference": (1.456779e-4, 1e-3),
+    "nonlinearity": (0.468765, 1e-4),
+    "min_concentration_ratio": (0.648997, 1e-4),
+}
+# name: upper bound
+BOUNDS = {
+    "charge_identity_error": 1e-9,
+    "equilibrium_residual": 1e-9,
+    "complementarity_residual": 1e-8,
+}
+
+
+class QuickCase(ProgramTest):
+    def test_figures(self):
+        self.run_program("run", QUICK, "-o", "out")
+        out = self.folder / "out"
+        for name, (expected, tolerance) in FIGURES.items():
+            with self.subTest(name):
+                self.assertAlmostEqual(metric(out, name), expected, delta=tolerance * abs(expected))
+        for name, bound in BOUNDS.items():
+            with self.subTest(name):
+                self.assertLess(metric(out, name), bound)
+
+
+if __name__ == "__main__":
+    unittest.main()
