@@ -111,6 +111,13 @@ class BadStrainFile(ProgramTest):
     def test_negative_fixed_charge(self):
         self.assert_refused(["fixed charge", "-1"], gamma=numpy.full((2, 2, 1, 1), -20.0), time=[0, 1])
 
+    def test_only_mechanics_of_a_strain_file(self):
+        write_strain_file(self.folder / "strain.h5", gamma=numpy.zeros((2, 2, 1, 1)), time=[0, 1])
+        strain = self.folder / "strain.h5"
+        process = self.run_program("run", PAPER, "-o", "out", "--only", "mechanics", "--set",
+                                   "strain.source=file", "--set", f'strain.file="{strain}"', expect=2)
+        self.assertIn("--only mechanics", process.stderr)
+
     def test_wrong_shape(self):
         self.assert_refused(["gamma"], gamma=numpy.zeros((2, 3, 1, 1)), time=[0, 1])
 

@@ -40,6 +40,27 @@ class Interrupt(ProgramTest):
         self.assertEqual(list((self.folder / "out").glob("*.tmp*")), [])
         self.assert_resumes_to_the_same()
 
+    def test_one_study_after_the_other(self):
+        self.run_program("run", QUICK, "-o", "apart", "--only", "electrochemistry", expect=2)
+        self.run_program("run", QUICK, "-o", "out", "--only", "mechanics")
+        mechanics = signals(self.folder / "out")
+        self.assertTrue(numpy.isnan(mechanics["current_top"]).all())
+        self.assertGreater(mechanics["normal_force"].max(), 60)
+        self.run_program("run", QUICK, "-o", "out", "--only", "electrochemistry")
+        self.run_program("run", QUICK, "-o", "whole")
+        numpy.testing.assert_array_equal(signals(self.folder / "out")["current_top"],
+                                         signals(self.folder / "whole")["current_top"])
+
+    def test_solver_that_gives_up_keeps_the_mechanics(self):
+        """A fixed charge below zero that only Study 1 reveals: exit 3, the strain is kept."""
+        process = self.run_program("run", QUICK, "-o", "out", "--set", "coupling.coefficient=-40", expect=3)
+        for words in ("fixed charge", "remedy"):
+            self.assertIn(words, process.stderr)
+        with h5py.File(self.folder / "out" / "results.h5") as file:
+            self.assertGreater(file["strain/gamma"][...].max(), 0)
+            self.assertIn("contact/touchdown/pressure", file)
+        self.assertFalse((self.folder / "out" / "signals.csv").exists())
+
     def test_resume_refuses_another_case(self):
         self.interrupt_program("run", QUICK, "-o", "out", when=lambda: self.stage_finished("strain"))
         process = self.run_program("run", QUICK, "-o", "out", "--resume", "--set", "contact.friction=0.1",

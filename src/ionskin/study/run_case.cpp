@@ -26,9 +26,14 @@ using electrochemistry::IonSolution;
 constexpr const char* checkpoint_name = "checkpoint.h5";
 
 /// A history from a file is part of the user's input: all its mistakes are found before any work.
-std::optional<MechanicsRecord> strain_from_file(const Case& input) {
+std::optional<MechanicsRecord> strain_from_file(const Case& input, const RunOptions& options) {
   if (input.strain.kind != StrainSourceKind::file) {
     return std::nullopt;
+  }
+  if (options.studies == Studies::mechanics) {
+    throw UserError(
+        "--only mechanics has nothing to do: strain.source = \"file\" gives the strain\n"
+        "  = leave out --only, or set strain.source = \"contact\"");
   }
   MechanicsRecord record;
   record.history = results::read_strain_file(input.strain.file, input.skin);
@@ -97,7 +102,7 @@ IonSolution study_2(const Case& input, const RunOptions& options, RunFolder& fol
 
 RunOutcome run_case(const Case& input, const RunOptions& options) {
   const double start = base::wall_time();
-  auto given_strain = strain_from_file(input);
+  auto given_strain = strain_from_file(input, options);
   RunFolder folder(input, options);
   base::Timers timers;
 
