@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/readout/electrode_current.hpp"
 
+#include <cmath>
 #include <cstddef>
 
 namespace ionskin::readout {
@@ -8,6 +9,9 @@ namespace ionskin::readout {
 std::vector<double> step_rates(const std::vector<double>& time,
                                const std::vector<double>& quantity) {
   std::vector<double> rates(time.size(), 0.0);
+  if (!quantity.empty() && std::isnan(quantity.front())) {
+    rates.front() = quantity.front(); // an empty entry has no rate
+  }
   for (std::size_t row = 1; row < time.size(); ++row) {
     rates[row] = (quantity[row] - quantity[row - 1]) / (time[row] - time[row - 1]);
   }

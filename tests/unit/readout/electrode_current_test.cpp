@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 namespace ionskin::readout {
 namespace {
 
@@ -24,6 +27,15 @@ TEST(ElectrodeCurrent, IntegratesToTheChargeGainedSinceTheFirstRow) {
     gained += rates[row] * (time[row] - time[row - 1]);
   }
   EXPECT_NEAR(gained, charge.back() - charge.front(), 1e-21);
+}
+
+TEST(ElectrodeCurrent, EmptyChargesHaveEmptyCurrents) {
+  const std::vector<double> empty(3, std::numeric_limits<double>::quiet_NaN());
+  const auto currents = electrode_currents({0, 1, 2}, empty, empty);
+  for (std::size_t row = 0; row < 3; ++row) {
+    EXPECT_TRUE(std::isnan(currents.top[row]));
+    EXPECT_TRUE(std::isnan(currents.difference[row]));
+  }
 }
 
 } // namespace
