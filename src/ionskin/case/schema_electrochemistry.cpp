@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/schema_rows.hpp"
+
+#include "ionskin/case/schema_setters.hpp"
+
+namespace ionskin {
+
+using units::Dimension;
+
+void add_electrochemistry(SchemaRows& rows) {
+  rows.push_back({.key = "electrochemistry.temperature",
+                  .type = ValueType::quantity,
+                  .dimension = Dimension::temperature,
+                  .range = positive,
+                  .default_value = "\"20 degC\"",
+                  .help = "Temperature of the skin.",
+                  .source = "room temperature",
+                  .set = into(&Case::electrochemistry, &Electrochemistry::temperature)});
+  rows.push_back({.key = "electrochemistry.diffusivity",
+                  .type = ValueType::quantity,
+                  .dimension = Dimension::diffusivity,
+                  .range = positive,
+                  .need = Need::always,
+                  .help = "Diffusivity of the mobile cation in the core.",
+                  .set = into(&Case::electrochemistry, &Electrochemistry::diffusivity)});
+  rows.push_back({.key = "electrochemistry.permittivity",
+                  .type = ValueType::quantity,
+                  .dimension = Dimension::permittivity,
+                  .range = positive,
+                  .need = Need::always,
+                  .help = "Effective permittivity of the core, absolute.",
+                  .set = into(&Case::electrochemistry, &Electrochemistry::permittivity)});
+  rows.push_back(
+      {.key = "electrochemistry.fixed_charge_concentration",
+       .type = ValueType::quantity,
+       .dimension = Dimension::concentration,
+       .range = positive,
+       .need = Need::always,
+       .help = "Concentration of the fixed anions in the unstrained core.",
+       .set = into(&Case::electrochemistry, &Electrochemistry::fixed_charge_concentration)});
+  rows.push_back({.key = "electrochemistry.valence",
+                  .type = ValueType::integer,
+                  .range = {1, 4, true, true},
+                  .default_value = "1",
+                  .help = "Charge number of the mobile cation.",
+                  .source = "alkali cations and protons have 1",
+                  .set = into(&Case::electrochemistry, &Electrochemistry::valence)});
+}
+
+void add_coupling(SchemaRows& rows) {
+  rows.push_back(
+      {.key = "coupling.law",
+       .type = ValueType::choice,
+       .default_value = "\"fixed-charge\"",
+       .choices =
+           {{"fixed-charge"}, {"volume-neutral"}, {"column-neutral"}, {"pair-generation", false}},
+       .help = "How shear changes the fixed charge: cf = c0 (1 + k gamma), or with the "
+               "mean of gamma over "
+               "the core or over the thickness subtracted.",
+       .source = "fixed-charge is the paper's law",
+       .set = into<Coupling, CouplingLaw>(&Case::coupling, &Coupling::law,
+                                          {{"fixed-charge", CouplingLaw::fixed_charge},
+                                           {"volume-neutral", CouplingLaw::volume_neutral},
+                                           {"column-neutral", CouplingLaw::column_neutral}})});
+  rows.push_back({.key = "coupling.coefficient",
+                  .type = ValueType::number,
+                  .need = Need::always,
+                  .help =
+                      "Coefficient k of the coupling law, of either sign. No measurement is known: "
+                      "every value is uncalibrated.",
+                  .set = into(&Case::coupling, &Coupling::coefficient)});
+  rows.push_back(
+      {.key = "coupling.measure",
+       .type = ValueType::choice,
+       .default_value = "\"off-diagonal\"",
+       .choices = {{"off-diagonal"}},
+       .help = "Scalar made of the strain: gamma = 2 sqrt(exy^2 + eyz^2 + exz^2).",
+       .source = "the paper's equivalent shear strain",
+       .set = into<Coupling, ShearMeasure>(&Case::coupling, &Coupling::measure,
+                                           {{"off-diagonal", ShearMeasure::off_diagonal}})});
+}
+
+} // namespace ionskin

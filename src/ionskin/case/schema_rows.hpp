@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/schema.hpp"
+
+#include <limits>
+#include <vector>
+
+namespace ionskin {
+
+// The rows of the schema, section by section, in the order of the reference page.
+
+using SchemaRows = std::vector<SchemaRow>;
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr Range positive{0.0, infinity, false, false};
+inline constexpr Range not_negative{0.0, infinity, true, false};
+
+void add_skin(SchemaRows& rows);
+void add_layers(SchemaRows& rows);
+void add_materials(SchemaRows& rows);
+void add_slider(SchemaRows& rows);
+void add_motion(SchemaRows& rows);
+void add_contact(SchemaRows& rows);
+void add_electrochemistry(SchemaRows& rows);
+void add_coupling(SchemaRows& rows);
+void add_strain(SchemaRows& rows);
+void add_run_control(SchemaRows& rows);
+
+} // namespace ionskin

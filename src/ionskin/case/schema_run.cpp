@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/schema_rows.hpp"
+
+#include "ionskin/case/schema_setters.hpp"
+
+namespace ionskin {
+
+using units::Dimension;
+
+void add_strain(SchemaRows& rows) {
+  rows.push_back({.key = "strain.source",
+                  .type = ValueType::choice,
+                  .default_value = "\"contact\"",
+                  .choices = {{"contact"}, {"file"}},
+                  .help = "Where the shear comes from: the contact problem, or a strain file.",
+                  .set = into<StrainSource, StrainSourceKind>(
+                      &Case::strain, &StrainSource::kind,
+                      {{"contact", StrainSourceKind::contact}, {"file", StrainSourceKind::file}})});
+  rows.push_back({.key = "strain.file",
+                  .type = ValueType::text,
+                  .need = Need::with_strain_file,
+                  .help = "Strain file (HDF5), relative to the folder of the case file.",
+                  .set = into(&Case::strain, &StrainSource::file)});
+}
+
+void add_run_control(SchemaRows& rows) {
+  rows.push_back({.key = "readout.sample_interval",
+                  .type = ValueType::quantity,
+                  .dimension = Dimension::time,
+                  .range = positive,
+                  .default_value = "\"10 ms\"",
+                  .help = "Interval of the sampled currents: charge gained over it divided by it.",
+                  .source = "100 readings a second, as of an ordinary multimeter interface",
+                  .set = into(&Case::readout, &Readout::sample_interval)});
+  rows.push_back(
+      {.key = "numerics.preset",
+       .type = ValueType::choice,
+       .default_value = "\"standard\"",
+       .choices = {{"coarse"}, {"standard"}, {"fine"}},
+       .help = "Accuracy: coarse for a first look, standard for 1 %, fine for 0.25 %.",
+       .set = into<Numerics, Preset>(
+           &Case::numerics, &Numerics::preset,
+           {{"coarse", Preset::coarse}, {"standard", Preset::standard}, {"fine", Preset::fine}})});
+  rows.push_back({.key = "numerics.mesh_refinement",
+                  .type = ValueType::number,
+                  .range = {0.1, 10, true, true},
+                  .default_value = "1",
+                  .help = "Divides every mesh size of the preset; for convergence studies.",
+                  .set = into(&Case::numerics, &Numerics::mesh_refinement)});
+  rows.push_back({.key = "numerics.time_refinement",
+                  .type = ValueType::number,
+                  .range = {0.1, 100, true, true},
+                  .default_value = "1",
+                  .help = "Divides every time step of the preset; for convergence studies.",
+                  .set = into(&Case::numerics, &Numerics::time_refinement)});
+  rows.push_back({.key = "output.fields",
+                  .type = ValueType::quantity_list,
+                  .dimension = Dimension::time,
+                  .range = not_negative,
+                  .default_value = "[]",
+                  .help = "Instants at which fields are written.",
+                  .set = into(&Case::output, &Output::fields)});
+}
+
+} // namespace ionskin
