@@ -39,6 +39,7 @@ format:
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format-14 -i
 
 bench: build
+	@cmake --build --preset release --target stages --parallel $(JOBS)
 	$(BUILD)/benchmarks/stages
 
 clean:

@@ -55,15 +55,11 @@ Path parse_path(const std::string& argument, const std::string& key) {
 
 bool is_toml_value(const std::string& text) {
   const std::string line = "value = " + text;
-  try {
-    std::istringstream stream(line);
-    const toml::value root = toml::parse(stream, "--set");
-    // A trailing comment would swallow what follows in an inline table.
-    const toml::value& value = root.as_table().at("value");
-    return root.as_table().size() == 1 && value_span(line, value).length == text.size();
-  } catch (const std::exception&) {
+  const auto root = try_parse_toml(line);
+  if (!root || root->as_table().size() != 1)
     return false;
-  }
+  // A trailing comment would swallow what follows in an inline table.
+  return value_span(line, root->as_table().at("value")).length == text.size();
 }
 
 std::string quoted(const std::string& text) {

@@ -11,6 +11,12 @@ namespace ionskin {
 
 namespace {
 
+// toml11's parser is instantiated here alone: it takes long to compile.
+toml::value parse(const std::string& text, const std::string& file) {
+  std::istringstream stream(text);
+  return toml::parse(stream, file);
+}
+
 // toml11 names its own functions in its messages; users need not see them.
 std::string without_function_name(const std::string& message) {
   static const std::regex prefix("^\\[error\\] *(toml::[A-Za-z_:]+: *)?");
@@ -25,10 +31,17 @@ std::size_t skip_blanks_back(const std::string& text, std::size_t end) {
 
 } // namespace
 
-toml::value parse_toml(const std::string& text, const std::string& file) {
-  std::istringstream stream(text);
+std::optional<toml::value> try_parse_toml(const std::string& text) {
   try {
-    return toml::parse(stream, file);
+    return parse(text, "");
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+toml::value parse_toml(const std::string& text, const std::string& file) {
+  try {
+    return parse(text, file);
   } catch (const std::exception& error) {
     throw UserError(
         "the case is not valid TOML: " + without_function_name(error.what()) +

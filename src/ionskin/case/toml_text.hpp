@@ -6,6 +6,7 @@
 #include <toml.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,9 @@
 namespace ionskin {
 
 // What toml11 knows about positions, as offsets into the text.
+
+/// The values of a text, or nothing when it is no TOML.
+std::optional<toml::value> try_parse_toml(const std::string& text);
 
 /// Parses a whole case; throws UserError with toml11's own excerpt when the text is no TOML.
 /// @param file name shown in the message
