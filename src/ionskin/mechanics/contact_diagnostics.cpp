@@ -17,7 +17,7 @@ ContactViolations contact_violations(const ContactProblem& problem, const Surfac
   for (int cell = 0; cell < problem.cells(); ++cell) {
     const std::size_t at = 3 * static_cast<std::size_t>(cell);
     const double normal = state.force[at];
-    const double gap = (state.surface[at] - step.indentation) / preload;
+    const double gap = (state.surface[at] - state.indentation + problem.gap[cell]) / preload;
     worst.tension = std::max(worst.tension, -normal / reference_force);
     worst.penetration = std::max(worst.penetration, normal > 0 ? std::abs(gap) : -gap);
 

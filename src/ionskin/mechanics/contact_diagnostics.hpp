@@ -6,7 +6,7 @@
 namespace ionskin::mechanics {
 
 /// Worst violations of the contact conditions over all cells. Forces are relative to the largest
-/// normal force, displacements to the preload.
+/// normal force, displacements to the largest indentation of the path.
 struct ContactViolations {
   double tension = 0;     ///< pulled cells
   double penetration = 0; ///< touching cells off the slider's face, open cells behind it
@@ -17,7 +17,8 @@ struct ContactViolations {
   double largest() const;
 };
 
-/// @param reference_force,preload scales [N], [m]
+/// @param reference_force,preload scales: largest normal force of a cell, indentation at full load
+/// [N], [m]
 ContactViolations contact_violations(const ContactProblem& problem, const SurfaceState& state,
                                      double reference_force, double preload);
 

@@ -22,12 +22,19 @@ struct CellPredictor {
   double residual = 0;                ///< of the projection equations [N]
 };
 
-CellPredictor predict(const ContactProblem& problem, const SliderStep& step,
-                      const CellVector& force, const CellVector& surface, int cell) {
+/// Where the iteration stands.
+struct Iterate {
+  CellVector force;
+  double indentation = 0;
+};
+
+CellPredictor predict(const ContactProblem& problem, const SliderStep& step, const Iterate& iterate,
+                      const CellVector& surface, int cell) {
   const std::size_t at = 3 * static_cast<std::size_t>(cell);
+  const CellVector& force = iterate.force;
   CellPredictor result;
-  const double normal =
-      force[at] + (step.indentation - surface[at]) / problem.own_compliance(cell, 0);
+  const double normal = force[at] + (iterate.indentation - problem.gap[cell] - surface[at]) /
+                                        problem.own_compliance(cell, 0);
   result.residual = std::abs(force[at] - std::max(0.0, normal));
   if (normal <= 0) {
     result.residual = std::max({result.residual, std::abs(force[at + 1]), std::abs(force[at + 2])});
@@ -46,7 +53,8 @@ CellPredictor predict(const ContactProblem& problem, const SliderStep& step,
   return result;
 }
 
-/// The linearised equations of the touching cells; unknowns are their forces.
+/// The linearised equations of the touching cells; unknowns are their forces and, under a given
+/// force, the indentation at the end.
 class LinearSystem {
 public:
   LinearSystem(const ContactProblem& problem, const SliderStep& step,
@@ -58,7 +66,16 @@ public:
     for (int i = 0; i < count(); ++i) {
       const double scale = 1 / problem_.own_compliance(touching_[i], 0);
       add_displacement(3 * i, 3 * touching_[i], scale);
-      right_[3 * i] = scale * step_.indentation;
+      right_[3 * i] = -scale * problem_.gap[touching_[i]];
+      if (force_given()) {
+        matrix_(3 * i, size() - 1) = -scale;
+        matrix_(size() - 1, 3 * i) = 1;
+      } else {
+        right_[3 * i] += scale * step_.load.value;
+      }
+    }
+    if (force_given()) {
+      right_[size() - 1] = step_.load.value;
     }
   }
 
@@ -102,19 +119,23 @@ public:
     }
   }
 
-  void solve(CellVector& force) const {
+  void solve(Iterate& iterate) const {
     const Eigen::VectorXd solution = matrix_.partialPivLu().solve(right_);
-    std::fill(force.begin(), force.end(), 0.0);
+    std::fill(iterate.force.begin(), iterate.force.end(), 0.0);
     for (int i = 0; i < count(); ++i) {
       for (int c = 0; c < 3; ++c) {
-        force[3 * touching_[i] + c] = solution[3 * i + c];
+        iterate.force[3 * touching_[i] + c] = solution[3 * i + c];
       }
+    }
+    if (force_given()) {
+      iterate.indentation = solution[size() - 1];
     }
   }
 
 private:
   int count() const { return static_cast<int>(touching_.size()); }
-  int size() const { return 3 * count(); }
+  bool force_given() const { return step_.load.kind == LoadKind::force; }
+  int size() const { return 3 * count() + (force_given() ? 1 : 0); }
   /// Adds scale times the displacement of a component to a row.
   void add_displacement(int row, int component, double scale) {
     const double* column = problem_.compliance.column(component); // symmetric
@@ -139,12 +160,16 @@ private:
 } // namespace
 
 NewtonResult contact_newton(const ContactProblem& problem, const SliderStep& step,
-                            CellVector& force, double tolerance, int most_iterations) {
-  CellVector iterate = force;
+                            CellVector& force, double& indentation, double tolerance,
+                            int most_iterations) {
+  const bool force_given = step.load.kind == LoadKind::force;
+  Iterate iterate{force, force_given ? indentation : step.load.value};
   std::vector<CellPredictor> predictors(problem.area.size());
   for (int iteration = 0; iteration <= most_iterations; ++iteration) {
-    const CellVector surface = problem.surface_displacement(iterate);
-    double residual = 0, scale = 0;
+    const CellVector surface = problem.surface_displacement(iterate.force);
+    double residual =
+        force_given ? std::abs(total_normal_force(iterate.force) - step.load.value) : 0.0;
+    double scale = 0;
     bool same_status = iteration > 0;
     std::vector<int> touching;
     for (int cell = 0; cell < problem.cells(); ++cell) {
@@ -152,17 +177,21 @@ NewtonResult contact_newton(const ContactProblem& problem, const SliderStep& ste
       same_status = same_status && now.status == predictors[cell].status;
       predictors[cell] = now;
       residual = std::max(residual, now.residual);
-      scale = std::max(scale, std::abs(iterate[3 * static_cast<std::size_t>(cell)]));
+      scale = std::max(scale, std::abs(iterate.force[3 * static_cast<std::size_t>(cell)]));
       if (now.status != CellStatus::separated) {
         touching.push_back(cell);
       }
     }
     if (same_status && residual <= tolerance * scale) {
-      force = std::move(iterate);
+      force = std::move(iterate.force);
+      indentation = iterate.indentation;
       return {true, iteration};
     }
     if (touching.empty()) {
-      std::fill(iterate.begin(), iterate.end(), 0.0);
+      if (force_given) {
+        break;
+      }
+      std::fill(iterate.force.begin(), iterate.force.end(), 0.0);
       continue;
     }
     LinearSystem system(problem, step, touching);
@@ -173,7 +202,7 @@ NewtonResult contact_newton(const ContactProblem& problem, const SliderStep& ste
         system.add_stick_rows(static_cast<int>(i));
       } else {
         system.add_slip_rows(static_cast<int>(i), predictors[cell],
-                             std::max(0.0, iterate[3 * static_cast<std::size_t>(cell)]));
+                             std::max(0.0, iterate.force[3 * static_cast<std::size_t>(cell)]));
       }
     }
     system.solve(iterate);

@@ -16,7 +16,7 @@ double ramp_time(double ramp_duration, const Motion& motion, double fraction_of_
 SurfaceState touch_down(const ContactProblem& problem, const Motion& motion,
                         const CellVector& surface_before) {
   const CellVector none(3 * problem.area.size(), 0.0);
-  const SliderStep step{motion.preload,
+  const SliderStep step{{LoadKind::indentation, motion.preload},
                         {0, 0},
                         ramp_time(motion.touchdown, motion, 1),
                         surface_before.empty() ? none : surface_before};
@@ -44,7 +44,7 @@ std::vector<PathPoint> slide_onset(const ContactProblem& problem, const Motion& 
   std::vector<PathPoint> points;
   SurfaceState state = touchdown;
   for (int i = 0; i < steps.onset; ++i) {
-    const SliderStep step{motion.preload,
+    const SliderStep step{{LoadKind::indentation, motion.preload},
                           {increment * direction[0], increment * direction[1]},
                           increment / speed,
                           state.surface};
@@ -62,7 +62,7 @@ std::vector<PathPoint> lift_off(const ContactProblem& problem, const Motion& mot
   SurfaceState state = loaded;
   for (int i = steps.lift_off - 1; i >= 0; --i) {
     const double fraction = static_cast<double>(i) / steps.lift_off;
-    const SliderStep step{fraction * motion.preload,
+    const SliderStep step{{LoadKind::indentation, fraction * motion.preload},
                           {0, 0},
                           ramp_time(motion.lift, motion, 1.0 / steps.lift_off),
                           state.surface};

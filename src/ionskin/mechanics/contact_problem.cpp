@@ -34,6 +34,23 @@ double ContactProblem::friction_limit_slope(int cell, double normal_force, doubl
   return friction.limit_slope({normal_force / area[cell], slip, time_step});
 }
 
+double total_normal_force(const CellVector& force) {
+  double sum = 0;
+  for (std::size_t at = 0; at < force.size(); at += 3) {
+    sum += force[at];
+  }
+  return sum;
+}
+
+bool free_of_tension(const CellVector& force) {
+  for (std::size_t at = 0; at < force.size(); at += 3) {
+    if (force[at] < 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
 std::array<double, 2> slip_increment(const SliderStep& step, const CellVector& surface, int cell) {
   const std::size_t x = 3 * static_cast<std::size_t>(cell) + 1, y = x + 1;
   return {step.travel[0] - (surface[x] - step.surface_before[x]),

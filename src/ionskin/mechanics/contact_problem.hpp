@@ -14,10 +14,14 @@ namespace ionskin::mechanics {
 using CellVector = std::vector<double>;
 
 /// Dense contact problem of one slider position: find cell forces f with surface displacement w = C
-/// f such that no cell is penetrated or pulled and every cell obeys the friction law.
+/// f such that no cell is penetrated (w >= indentation - gap) or pulled, only touching cells carry
+/// force, and every cell obeys the friction law.
 struct ContactProblem {
   linear_algebra::DenseMatrix compliance; ///< C, symmetric [m/N]
   std::vector<double> area;               ///< of the cells [m2]
+  /// Mean height of the slider's underside over each cell above its lowest point [m]; 0 for a flat
+  /// slider.
+  std::vector<double> gap;
   CoulombFriction friction;
 
   int cells() const { return static_cast<int>(area.size()); }
@@ -31,13 +35,26 @@ struct ContactProblem {
   double friction_limit_slope(int cell, double normal_force, double slip, double time_step) const;
 };
 
+/// What presses the slider on the skin: a given indentation, or a given force that the indentation
+/// has to carry.
+enum class LoadKind { indentation, force };
+struct SliderLoad {
+  LoadKind kind = LoadKind::indentation;
+  double value = 0; ///< [m], or [N] on the meshed part of the skin
+};
+
 /// One increment of the slider's motion.
 struct SliderStep {
-  double indentation = 0;         ///< at the end of the step [m]
+  SliderLoad load;                ///< at the end of the step
   std::array<double, 2> travel{}; ///< during the step, x and y [m]
   double time_step = 0;           ///< [s]
   CellVector surface_before;      ///< surface displacement at its start [m]
 };
+
+/// Sum of the normal forces [N].
+double total_normal_force(const CellVector& force);
+/// True when no cell is pulled.
+bool free_of_tension(const CellVector& force);
 
 /// How far the slider moves relative to the skin at one cell during a step [m].
 std::array<double, 2> slip_increment(const SliderStep& step, const CellVector& surface, int cell);

@@ -2,12 +2,14 @@
 #include "ionskin/mechanics/contact_solver.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/mechanics/contact_at_force.hpp"
 #include "ionskin/mechanics/contact_newton.hpp"
 #include "ionskin/mechanics/projected_gauss_seidel.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 namespace ionskin::mechanics {
 namespace {
@@ -19,17 +21,36 @@ constexpr int rough_sweeps = 3000;
 constexpr double fallback_tolerance = 1e-10;
 constexpr int fallback_sweeps = 20000;
 
-bool no_tension(const CellVector& force) {
-  for (std::size_t i = 0; i < force.size(); i += 3) {
-    if (force[i] < 0) {
-      return false;
-    }
+SurfaceState solve_at_indentation(const ContactProblem& problem, const SliderStep& step,
+                                  const CellVector& start) {
+  double indentation = step.load.value;
+  CellVector rough = start;
+  const auto sweeps =
+      projected_gauss_seidel(problem, step, indentation, rough, rough_tolerance, rough_sweeps);
+  CellVector force = rough;
+  const auto newton =
+      contact_newton(problem, step, force, indentation, newton_tolerance, newton_iterations);
+  int iterations = sweeps.sweeps + newton.iterations;
+  if (newton.converged && free_of_tension(force)) {
+    return surface_state(problem, step, std::move(force), indentation, iterations);
   }
-  return true;
+  const auto fallback = projected_gauss_seidel(problem, step, indentation, rough,
+                                               fallback_tolerance, fallback_sweeps);
+  iterations += fallback.sweeps;
+  if (!fallback.converged) {
+    throw SolverError(
+        fmt::format(
+            "the contact solver did not converge in {} iterations at an indentation of {:.3g} um",
+            iterations, indentation * 1e6),
+        "lower contact.friction, or change numerics.mesh_refinement");
+  }
+  return surface_state(problem, step, std::move(rough), indentation, iterations);
 }
 
-SurfaceState finished(const ContactProblem& problem, const SliderStep& step, CellVector force,
-                      int iterations) {
+} // namespace
+
+SurfaceState surface_state(const ContactProblem& problem, const SliderStep& step, CellVector force,
+                           double indentation, int iterations) {
   SurfaceState state;
   state.surface = problem.surface_displacement(force);
   for (int cell = 0; cell < problem.cells(); ++cell) {
@@ -39,32 +60,14 @@ SurfaceState finished(const ContactProblem& problem, const SliderStep& step, Cel
   state.force = std::move(force);
   state.step = step;
   state.iterations = iterations;
+  state.indentation = indentation;
   return state;
 }
 
-} // namespace
-
 SurfaceState solve_contact_step(const ContactProblem& problem, const SliderStep& step,
                                 const CellVector& start) {
-  CellVector rough = start;
-  const auto sweeps = projected_gauss_seidel(problem, step, rough, rough_tolerance, rough_sweeps);
-  CellVector force = rough;
-  const auto newton = contact_newton(problem, step, force, newton_tolerance, newton_iterations);
-  int iterations = sweeps.sweeps + newton.iterations;
-  if (newton.converged && no_tension(force)) {
-    return finished(problem, step, std::move(force), iterations);
-  }
-  const auto fallback =
-      projected_gauss_seidel(problem, step, rough, fallback_tolerance, fallback_sweeps);
-  iterations += fallback.sweeps;
-  if (!fallback.converged) {
-    throw SolverError(
-        fmt::format(
-            "the contact solver did not converge in {} iterations at an indentation of {:.3g} um",
-            iterations, step.indentation * 1e6),
-        "lower contact.friction, or change numerics.mesh_refinement");
-  }
-  return finished(problem, step, std::move(rough), iterations);
+  return step.load.kind == LoadKind::force ? solve_contact_at_force(problem, step, start)
+                                           : solve_at_indentation(problem, step, start);
 }
 
 } // namespace ionskin::mechanics

@@ -12,6 +12,7 @@ struct SurfaceState {
   std::vector<double> slip; ///< length of the slip increment per cell [m]
   SliderStep step;          ///< that led here
   int iterations = 0;
+  double indentation = 0; ///< given, or found to carry the given force [m]
 };
 
 /// Projected Gauss-Seidel to 1e-4, semi-smooth Newton to rounding; Gauss-Seidel to 1e-10 where
@@ -19,5 +20,9 @@ struct SurfaceState {
 /// @param start forces to start from, such as those of the state before [N]
 SurfaceState solve_contact_step(const ContactProblem& problem, const SliderStep& step,
                                 const CellVector& start);
+
+/// The state under forces that solve a step.
+SurfaceState surface_state(const ContactProblem& problem, const SliderStep& step, CellVector force,
+                           double indentation, int iterations);
 
 } // namespace ionskin::mechanics

@@ -9,10 +9,11 @@ namespace {
 
 /// The projected forces of one cell, all others held.
 std::array<double, 3> relaxed(const ContactProblem& problem, const SliderStep& step,
-                              const CellVector& force, const CellVector& surface, int cell) {
+                              double indentation, const CellVector& force,
+                              const CellVector& surface, int cell) {
   const std::size_t at = 3 * static_cast<std::size_t>(cell);
-  const double normal =
-      std::max(0.0, force[at] + (step.indentation - surface[at]) / problem.own_compliance(cell, 0));
+  const double normal = std::max(0.0, force[at] + (indentation - problem.gap[cell] - surface[at]) /
+                                                      problem.own_compliance(cell, 0));
   const auto slip = slip_increment(step, surface, cell);
   const double compliance =
       std::max(problem.own_compliance(cell, 1), problem.own_compliance(cell, 2));
@@ -26,7 +27,8 @@ std::array<double, 3> relaxed(const ContactProblem& problem, const SliderStep& s
 } // namespace
 
 GaussSeidelResult projected_gauss_seidel(const ContactProblem& problem, const SliderStep& step,
-                                         CellVector& force, double tolerance, int most_sweeps) {
+                                         double indentation, CellVector& force, double tolerance,
+                                         int most_sweeps) {
   CellVector surface = problem.surface_displacement(force);
   const std::size_t size = force.size();
   double scale = 0;
@@ -36,7 +38,7 @@ GaussSeidelResult projected_gauss_seidel(const ContactProblem& problem, const Sl
   for (int sweep = 1; sweep <= most_sweeps; ++sweep) {
     double largest_change = 0;
     for (int cell = 0; cell < problem.cells(); ++cell) {
-      const auto next = relaxed(problem, step, force, surface, cell);
+      const auto next = relaxed(problem, step, indentation, force, surface, cell);
       for (int c = 0; c < 3; ++c) {
         const int at = 3 * cell + c;
         const double change = next[c] - force[at];

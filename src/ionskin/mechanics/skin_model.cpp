@@ -26,6 +26,7 @@ SkinModel::SkinModel(const Case& input)
     : mesh(input),
       space(mesh.lines(input.slider.start), skin_boundary(input.skin, mesh.half_model())),
       law_of_row(laws_of_rows(input.skin, mesh)),
-      cells(contact_cells(mesh, space, cells_per_element_edge)), symbolic(analyse(space, cells)) {}
+      cells(contact_cells(mesh, space, cells_per_element_edge)), gap(cells.count(), 0.0),
+      symbolic(analyse(space, cells)) {}
 
 } // namespace ionskin::mechanics

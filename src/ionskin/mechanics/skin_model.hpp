@@ -20,6 +20,7 @@ struct SkinModel {
   ElasticSpace space;
   std::vector<ElasticLaw> law_of_row; ///< per element row along z
   ContactCells cells;
+  std::vector<double> gap; ///< of the slider's underside over the cells [m]
   linear_algebra::SymbolicCholesky symbolic;
 
   explicit SkinModel(const Case& input);

@@ -87,7 +87,10 @@ public:
                  const std::vector<double>& arc_lengths, const CondensedPosition& condensed,
                  double friction)
       : input_(input), options_(options), model_(model),
-        arc_lengths_(arc_lengths), problem_{condensed.compliance(), model.cells.area, {friction}},
+        arc_lengths_(arc_lengths), problem_{condensed.compliance(),
+                                            model.cells.area,
+                                            model.gap,
+                                            {friction}},
         states_(model, input.motion.preload) {}
 
   /// Touchdown and onset, at the first node.
@@ -105,9 +108,10 @@ public:
     std::vector<PathPoint> onset;
     if (slides && problem_.friction.coefficient > 0) {
       const auto direction = position.reflected(input_.motion.direction);
-      const double travel =
-          onset_travel(touchdown, steady_sliding(problem_, input_.motion.preload, direction, 0),
-                       direction, options_.steps);
+      const double travel = onset_travel(
+          touchdown,
+          steady_sliding(problem_, {LoadKind::indentation, input_.motion.preload}, direction, 0),
+          direction, options_.steps);
       extent.reaches_steady_sliding = travel < input_.motion.stroke;
       onset = slide_onset(problem_, input_.motion, direction, touchdown,
                           std::min(travel, input_.motion.stroke), options_.steps);
@@ -123,8 +127,9 @@ public:
   void solve_steady(std::size_t node, const CanonicalPosition& position,
                     ContactSolution& solution) {
     const double travel = node == 0 ? 0 : arc_lengths_[node] - arc_lengths_[node - 1];
-    const SurfaceState steady = steady_sliding(problem_, input_.motion.preload,
-                                               position.reflected(input_.motion.direction), travel);
+    const SurfaceState steady =
+        steady_sliding(problem_, {LoadKind::indentation, input_.motion.preload},
+                       position.reflected(input_.motion.direction), travel);
     solution.steady[node].parameter = arc_lengths_[node];
     states_.add(solution.steady[node].state, steady, problem_, position,
                 largest_normal_force(steady.force));
@@ -264,9 +269,9 @@ std::vector<ContactState> solve_steady_sliding(const Case& input,
         const CanonicalPosition position{track.centre(arc_lengths[i]), {false, false}};
         const CondensedPosition condensed(model, position.centre);
         const ContactProblem problem{
-            condensed.compliance(), model.cells.area, {input.contact.friction}};
-        const SurfaceState steady =
-            steady_sliding(problem, input.motion.preload, input.motion.direction, 0);
+            condensed.compliance(), model.cells.area, model.gap, {input.contact.friction}};
+        const SurfaceState steady = steady_sliding(
+            problem, {LoadKind::indentation, input.motion.preload}, input.motion.direction, 0);
         PositionStates states(model, input.motion.preload);
         states.add(result[i], steady, problem, position, largest_normal_force(steady.force));
         states.complete(condensed);

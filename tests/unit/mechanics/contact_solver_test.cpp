@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ionskin::mechanics {
@@ -19,6 +20,7 @@ ContactProblem line_of_cells(int cells, double friction) {
   ContactProblem problem;
   problem.friction = {friction};
   problem.area.assign(static_cast<std::size_t>(cells), 1e-8);
+  problem.gap.assign(static_cast<std::size_t>(cells), 0.0);
   problem.compliance = linear_algebra::DenseMatrix(3 * cells, 3 * cells);
   for (int i = 0; i < cells; ++i) {
     for (int j = 0; j < cells; ++j) {
@@ -36,7 +38,8 @@ ContactProblem line_of_cells(int cells, double friction) {
 
 SliderStep press(const ContactProblem& problem, double indentation,
                  std::array<double, 2> travel = {0, 0}) {
-  return {indentation, travel, 0.1, CellVector(3 * problem.area.size(), 0.0)};
+  return {
+      {LoadKind::indentation, indentation}, travel, 0.1, CellVector(3 * problem.area.size(), 0.0)};
 }
 
 SurfaceState solve(const ContactProblem& problem, const SliderStep& step) {
@@ -48,7 +51,7 @@ double worst_violation(const ContactProblem& problem, const SurfaceState& state)
   for (std::size_t i = 0; i < state.force.size(); i += 3) {
     largest = std::max(largest, state.force[i]);
   }
-  return contact_violations(problem, state, largest, state.step.indentation).largest();
+  return contact_violations(problem, state, largest, state.indentation).largest();
 }
 
 TEST(ContactSolver, one_cell_by_hand) {
@@ -96,10 +99,11 @@ TEST(ContactSolver, newton_and_gauss_seidel_agree) {
   const ContactProblem problem = line_of_cells(20, 0.3);
   const SliderStep step = press(problem, 1e-6, {1e-7, 0});
   CellVector slow(60, 0.0);
-  ASSERT_TRUE(projected_gauss_seidel(problem, step, slow, 1e-12, 100000).converged);
+  ASSERT_TRUE(projected_gauss_seidel(problem, step, 1e-6, slow, 1e-12, 100000).converged);
   CellVector fast(60, 0.0);
-  ASSERT_TRUE(projected_gauss_seidel(problem, step, fast, 1e-4, 1000).converged);
-  ASSERT_TRUE(contact_newton(problem, step, fast, 1e-11, 15).converged);
+  ASSERT_TRUE(projected_gauss_seidel(problem, step, 1e-6, fast, 1e-4, 1000).converged);
+  double indentation = 1e-6;
+  ASSERT_TRUE(contact_newton(problem, step, fast, indentation, 1e-11, 15).converged);
   for (std::size_t i = 0; i < slow.size(); ++i) {
     EXPECT_NEAR(fast[i], slow[i], 1e-8);
   }
@@ -118,7 +122,8 @@ TEST(ContactSolver, no_indentation_means_no_force) {
 
 TEST(SteadySliding, is_the_limit_of_a_long_slide) {
   const ContactProblem problem = line_of_cells(15, 0.4);
-  const SurfaceState steady = steady_sliding(problem, 1e-6, {0.6, 0.8}, 1e-3);
+  const SurfaceState steady =
+      steady_sliding(problem, {LoadKind::indentation, 1e-6}, {0.6, 0.8}, 1e-3);
   EXPECT_LT(worst_violation(problem, steady), 1e-12);
   SurfaceState state = solve(problem, press(problem, 1e-6));
   for (int i = 0; i < 60; ++i) {
@@ -128,6 +133,78 @@ TEST(SteadySliding, is_the_limit_of_a_long_slide) {
   }
   for (std::size_t i = 0; i < state.force.size(); ++i) {
     EXPECT_NEAR(state.force[i], steady.force[i], 1e-6);
+  }
+}
+
+/// Cells under a round slider whose lowest point is over the middle of the line.
+ContactProblem round_slider(int cells, double friction) {
+  ContactProblem problem = line_of_cells(cells, friction);
+  for (int i = 0; i < cells; ++i) {
+    problem.gap[static_cast<std::size_t>(i)] = 1e-8 * std::pow(i - (cells - 1) / 2.0, 2);
+  }
+  return problem;
+}
+
+TEST(ContactSolver, a_round_slider_touches_only_where_it_reaches) {
+  const ContactProblem problem = round_slider(30, 0.3);
+  SurfaceState state = solve(problem, press(problem, 1e-6));
+  EXPECT_GT(state.force[3 * 14], 0.0);
+  EXPECT_EQ(state.force[0], 0.0);
+  EXPECT_EQ(state.force[3 * 29], 0.0);
+  for (int i = 0; i < 8; ++i) {
+    SliderStep step = press(problem, 1e-6, {6e-8, 2e-8});
+    step.surface_before = state.surface;
+    state = solve_contact_step(problem, step, state.force);
+    EXPECT_LT(worst_violation(problem, state), 1e-8) << i;
+  }
+}
+
+TEST(ContactSolver, a_given_force_is_held_through_touchdown_sliding_and_release) {
+  for (const bool round : {false, true}) {
+    for (const double friction : {0.0, 0.3, 0.6}) {
+      const ContactProblem problem =
+          round ? round_slider(30, friction) : line_of_cells(30, friction);
+      SurfaceState state{CellVector(90, 0.0), CellVector(90, 0.0), {}, {}};
+      const auto advance = [&](double force, std::array<double, 2> travel) {
+        const SliderStep step{{LoadKind::force, force}, travel, 0.1, state.surface};
+        state = solve_contact_step(problem, step, state.force);
+        EXPECT_NEAR(total_normal_force(state.force), force, 1e-10 * force);
+        EXPECT_LT(worst_violation(problem, state), 1e-8) << round << ' ' << friction;
+      };
+      advance(20.0, {0, 0});
+      for (int i = 0; i < 6; ++i) {
+        advance(20.0, {6e-8, 2e-8});
+      }
+      advance(5.0, {0, 0});
+      advance(0.01, {0, 0});
+      const SliderStep release{{LoadKind::force, 0.0}, {0, 0}, 0.1, state.surface};
+      state = solve_contact_step(problem, release, state.force);
+      EXPECT_EQ(total_normal_force(state.force), 0.0);
+      EXPECT_EQ(state.indentation, *std::min_element(problem.gap.begin(), problem.gap.end()));
+    }
+  }
+}
+
+TEST(ContactSolver, force_and_indentation_control_agree) {
+  const ContactProblem problem = round_slider(25, 0.4);
+  const SurfaceState given = solve(problem, press(problem, 8e-7, {1e-7, 0}));
+  SliderStep step = given.step;
+  step.load = {LoadKind::force, total_normal_force(given.force)};
+  const SurfaceState found = solve(problem, step);
+  EXPECT_NEAR(found.indentation, 8e-7, 1e-9 * 8e-7);
+  for (std::size_t i = 0; i < given.force.size(); ++i) {
+    EXPECT_NEAR(found.force[i], given.force[i], 1e-8 * step.load.value);
+  }
+}
+
+TEST(SteadySliding, carries_a_given_force_under_any_slider) {
+  for (const auto& problem : {line_of_cells(25, 0.4), round_slider(25, 0.4)}) {
+    const SurfaceState state = steady_sliding(problem, {LoadKind::force, 7.0}, {0.8, -0.6}, 1e-3);
+    EXPECT_NEAR(total_normal_force(state.force), 7.0, 7e-10);
+    EXPECT_LT(worst_violation(problem, state), 1e-10);
+    const SurfaceState same =
+        steady_sliding(problem, {LoadKind::indentation, state.indentation}, {0.8, -0.6}, 1e-3);
+    EXPECT_NEAR(total_normal_force(same.force), 7.0, 7e-9);
   }
 }
 

@@ -84,11 +84,12 @@ TEST(SolveContact, touchdown_in_one_increment_is_exact) {
   const Case input = small_case();
   const SkinModel model(input);
   const CondensedPosition position(model, input.slider.start);
-  const ContactProblem problem{position.compliance(), model.cells.area, {0.3}};
+  const ContactProblem problem{position.compliance(), model.cells.area, model.gap, {0.3}};
   const SurfaceState once = touch_down(problem, input.motion);
-  SurfaceState stepped{CellVector(once.force.size()), CellVector(once.force.size()), {}, {}, 0};
+  SurfaceState stepped{CellVector(once.force.size()), CellVector(once.force.size()), {}, {}};
   for (int i = 1; i <= 4; ++i) {
-    const SliderStep step{input.motion.preload * i / 4, {0, 0}, 0.1, stepped.surface};
+    const SliderStep step{
+        {LoadKind::indentation, input.motion.preload * i / 4}, {0, 0}, 0.1, stepped.surface};
     stepped = solve_contact_step(problem, step, stepped.force);
   }
   const double sum = std::accumulate(once.force.begin(), once.force.end(), 0.0);
