@@ -2,13 +2,11 @@
 #include "cost_estimate.hpp"
 
 #include "ionskin/electrochemistry/problem_size.hpp"
-#include "ionskin/mechanics/slider_track.hpp"
+#include "ionskin/mechanics/contact_plan.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <set>
-#include <utility>
 
 namespace ionskin::apps {
 
@@ -27,28 +25,12 @@ constexpr double bytes_at_rest = 0.15e9; // the program and its libraries
 // one.
 constexpr double seconds_per_ion_step = 2.6e-7;
 
-// Positions that mirror each other share one factorisation.
-std::size_t factorised_positions(const Case& input) {
-  const mechanics::SliderTrack track(input);
-  const std::size_t nodes =
-      track.stroke > 0 ? mechanics::interpolation_node_count(input.numerics.preset) : 1;
-  std::set<std::pair<long, long>> distinct;
-  for (const double arc_length :
-       track.stroke > 0 ? mechanics::interpolation_nodes(track.stroke, nodes) : std::vector{0.0}) {
-    const auto canonical = mechanics::canonical_position(input.skin, track.centre(arc_length));
-    const double resolution = 1e-9 * input.skin.length;
-    distinct.emplace(std::lround(canonical.centre[0] / resolution),
-                     std::lround(canonical.centre[1] / resolution));
-  }
-  return distinct.size();
-}
-
 } // namespace
 
 CostEstimate estimate_cost(const Case& input, int threads) {
   CostEstimate cost;
   cost.mechanics_unknowns = mesh::SkinMesh(input).unknowns();
-  cost.positions = factorised_positions(input);
+  cost.positions = mechanics::plan_contact(input).positions.size();
   const auto ions = electrochemistry::estimate_problem_size(input);
   cost.ion_unknowns = ions.unknowns;
   cost.ion_steps = ions.steps;

@@ -4,12 +4,15 @@
 #include "cost_estimate.hpp"
 #include "threads.hpp"
 
+#include "ionskin/case/slider_motion.hpp"
 #include "ionskin/electrochemistry/derived_scales.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace ionskin::apps {
 
@@ -87,22 +90,34 @@ std::string scales_of_contact(const Case& input) {
   return text;
 }
 
+// What begins at each instant of a cycle.
+std::vector<std::pair<std::string, double>> instants(const std::vector<MotionLeg>& legs) {
+  std::vector<std::pair<std::string, double>> result;
+  for (const MotionLeg& leg : legs) {
+    const ContactPart part = contact_part(leg);
+    const bool known = !leg.from_level.is_force && !leg.to_level.is_force;
+    if (leg.lands() && known)
+      result.emplace_back("contact", leg.begin + part.begin);
+    if (leg.phase == Phase::slide)
+      result.emplace_back(leg.slides() ? "slide begins" : "hold begins", leg.begin);
+    if (leg.leaves())
+      result.emplace_back("lift-off begins", leg.begin);
+    if (leg.leaves() && known)
+      result.emplace_back("contact lost", leg.begin + part.begin + part.duration);
+    if (leg.phase == Phase::return_)
+      result.emplace_back("return begins", leg.begin);
+  }
+  return result;
+}
+
 std::string events(const Case& input) {
   const Motion& motion = input.motion;
-  const double share = motion.gap / (motion.gap + motion.preload);
-  const double slide_end = motion.touchdown + motion.slide;
   std::string text = fmt::format(
       "\nInstants of each cycle of {:.6g} s; the run has {} and lasts {:.6g} s\n",
       motion.cycle_duration(), motion.cycles == 1 ? "one" : std::to_string(motion.cycles),
       motion.cycles * motion.cycle_duration());
-  const auto add = [&text](const std::string& name, double instant) {
-    text += row(name, fmt::format("{:.8g} s", instant));
-  };
-  add("contact", share * motion.touchdown);
-  add("full preload, slide begins", motion.touchdown);
-  add("slide ends, lift-off begins", slide_end);
-  add("contact lost", slide_end + (1 - share) * motion.lift);
-  add("return begins", slide_end + motion.lift);
+  for (const auto& [what, instant] : instants(motion_legs(motion, input.slider)))
+    text += row(what, fmt::format("{:.8g} s", instant));
   return text;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "chain/rows.hpp"
 #include "ionskin/electrochemistry/transport_grid.hpp"
+#include "ionskin/mechanics/slider_track.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
 #include "ionskin/strain/contact_timeline.hpp"
 #include "ionskin/strain/handover.hpp"
@@ -79,7 +80,7 @@ void add_fresh_rows(const Chain& chain, const Options& options, std::vector<Row>
     force_error = std::max(force_error, std::abs(timeline.at(time).normal_force() / force - 1));
     strain::StateCombination fresh;
     fresh.terms = {{&states[i], 1.0}};
-    fresh.arc_length = arcs[i];
+    fresh.centre = mechanics::SliderTrack(input).centre(arcs[i]);
     const double shear = strain::mechanics_shear_integral(input, chain.contact.mesh, fresh);
     const double interpolated =
         strain::mechanics_shear_integral(input, chain.contact.mesh, timeline.at(time));

@@ -52,7 +52,8 @@ struct Slider {
 
 enum class MotionKind { touch_slide_lift };
 
-/// Touchdown, slide, lift-off, detached return; repeated `cycles` times.
+/// Touchdown, slide, lift-off, detached return; repeated `cycles` times. What the slider does in
+/// one cycle, whatever the kind, is said by motion_legs (case/slider_motion.hpp).
 struct Motion {
   MotionKind kind = MotionKind::touch_slide_lift;
   double gap = 0;                        ///< initial clearance [m]

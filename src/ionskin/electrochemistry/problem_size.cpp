@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/electrochemistry/problem_size.hpp"
 
+#include "ionskin/case/slider_motion.hpp"
 #include "ionskin/electrochemistry/derived_scales.hpp"
 #include "ionskin/electrochemistry/time_grid.hpp"
 #include "ionskin/electrochemistry/transport_grid.hpp"
@@ -13,17 +14,24 @@ namespace {
 /// Vectors of all unknowns that the solver keeps: states, residuals and a usual Krylov basis.
 constexpr double vectors_per_unknown = 30.0;
 
-/// Instants of one cycle after which the steps restart: contact, start of the slide, full slip, end
-/// of the slide, loss of contact, end of the lift.
-std::vector<double> cycle_events(const Motion& motion) {
-  const double contact_share = motion.preload / (motion.gap + motion.preload);
-  const double slide_begin = motion.touchdown, slide_end = slide_begin + motion.slide;
-  return {slide_begin - contact_share * motion.touchdown,
-          slide_begin,
-          slide_begin + 1e-3 * motion.slide,
-          slide_end,
-          slide_end + contact_share * motion.lift,
-          slide_end + motion.lift};
+/// Instants of one cycle after which the steps restart: contact, start of each slide, full slip,
+/// end of each slide, loss of contact, end of each leg.
+std::vector<double> cycle_events(const std::vector<MotionLeg>& legs) {
+  constexpr double onset_share = 1e-3; // of a slide
+  std::vector<double> events;
+  for (const MotionLeg& leg : legs) {
+    const ContactPart part = contact_part(leg);
+    if (leg.lands()) {
+      events.push_back(leg.begin + part.begin);
+    } else if (leg.slides()) {
+      events.push_back(leg.begin + onset_share * leg.duration);
+    }
+    if (leg.leaves()) {
+      events.push_back(leg.begin + part.begin + part.duration);
+    }
+    events.push_back(leg.end());
+  }
+  return events;
 }
 
 /// A history that has the grid's extents and the motion's events, but no shear.
@@ -39,12 +47,11 @@ strain::StrainHistory outline(const Case& input) {
       uniform_y ? std::vector{0.0, skin.width} : std::vector{0.0, 0.5 * skin.width, skin.width};
   history.grid.z_nodes = {0.0, skin.core_thickness()};
   history.time = {0.0};
+  const std::vector<MotionLeg> legs = motion_legs(input.motion, input.slider);
   for (int cycle = 0; cycle < input.motion.cycles; ++cycle) {
-    const double begin = cycle * input.motion.cycle_duration();
-    for (const double event : cycle_events(input.motion)) {
-      history.time.push_back(begin + event);
+    for (const double event : cycle_events(legs)) {
+      history.time.push_back(cycle * legs.back().end() + event);
     }
-    history.time.push_back(begin + input.motion.cycle_duration());
   }
   std::sort(history.time.begin(), history.time.end());
   history.time.erase(std::unique(history.time.begin(), history.time.end()), history.time.end());

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct CoreStrain {
 
 /// One converged equilibrium of slider and skin.
 struct ContactState {
+  double indentation = 0;                   ///< of the slider's lowest point [m]
   double normal_force = 0;                  ///< of the full skin, compression positive [N]
   std::array<double, 2> tangential_force{}; ///< on the skin, full skin, x and y [N]
   /// Per footprint cell, [y][x] with x fastest, half model: y <= width / 2.
@@ -39,12 +41,37 @@ struct ContactState {
   int iterations = 0;
 };
 
-/// A state together with where it stands on the path. `parameter` is the fraction of the preload
-/// during touchdown and lift-off, the slider travel since the start of the slide [m] during onset,
-/// and the arc length along the track [m] in steady sliding.
+using SharedState = std::shared_ptr<const ContactState>;
+
+/// A state together with when it is passed.
 struct PathState {
-  double parameter = 0;
-  ContactState state;
+  double time = 0;   ///< since the begin of the leg [s]
+  SharedState state; ///< null: detached
+};
+
+/// The contact during one leg of the motion. States that several legs pass are shared.
+///
+/// A leg that reaches steady sliding is the sum of steady sliding at the slider's position,
+/// interpolated along the leg, and of the deviation of the path from it. The deviation is taken on
+/// the mesh of the path's start and fades linearly between the path's last state and `joined`, so
+/// that the onset of sliding joins steady sliding without a jump: a jump would be a false current.
+struct LegSolution {
+  /// From the begin of contact, or of the leg, through every load step; empty where sliding is
+  /// steady from the begin, and while detached.
+  std::vector<PathState> path;
+  /// Steady sliding under the load of each state of `path`, all on the path's mesh; empty when the
+  /// leg never slides steadily.
+  std::vector<SharedState> reference;
+  /// Steady sliding at the interpolation nodes along the leg, first and last are its ends in
+  /// contact; empty when the leg never slides steadily.
+  std::vector<PathState> steady;
+  double joined = 0; ///< when the deviation has faded, since the begin of the leg [s]
+
+  bool in_contact() const { return !path.empty() || !steady.empty(); }
+  /// At the end of the leg; null when detached there.
+  const SharedState& last() const {
+    return steady.empty() ? path.back().state : steady.back().state;
+  }
 };
 
 /// All of Study 1 for one friction coefficient. One cycle stands for all: after complete lift-off
@@ -52,16 +79,10 @@ struct PathState {
 struct ContactSolution {
   mesh::SkinMesh mesh;
   std::vector<double> cell_lines_x,
-      cell_lines_y;    ///< footprint cell edges from the slider's centre [m]
-  PathState touchdown; ///< at full preload; smaller preloads are proportional (flat slider)
-  std::vector<PathState>
-      onset; ///< from sticking to nearly steady sliding, all on the mesh of the start
-  /// Steady sliding at the interpolation nodes along the track, ascending arc length; first and
-  /// last node are the ends of the stroke. Empty for a zero stroke.
-  std::vector<PathState> steady;
-  std::vector<PathState>
-      lift_off; ///< falling fractions of the preload, the last one 0, at the end of track
-  /// Surface displacement per cell left after lift-off [m]: normal, x, y; zero to rounding.
+      cell_lines_y;              ///< footprint cell edges from the slider's centre [m]
+  std::vector<LegSolution> legs; ///< of one cycle, as motion_legs has them
+  /// Surface displacement per cell left after the first lift-off [m]: normal, x, y; zero to
+  /// rounding.
   std::vector<double> final_surface;
   std::vector<std::string> warnings;
   double worst_equilibrium_residual = 0;

@@ -59,15 +59,16 @@ CellVector reflected(const ContactCells& cells, const CellVector& vector,
 
 void PositionStates::add(ContactState& destination, SurfaceState state,
                          const ContactProblem& problem, const CanonicalPosition& position,
-                         double reference_force) {
+                         double reference_force, double reference_indentation) {
   const CellVector force = reflected(model_.cells, state.force, position.reflect);
   store_tractions(model_.cells, force, destination);
   store_sums(force, model_.mesh.half_model(), destination);
   for (std::size_t cell = 0; cell < model_.cells.count(); ++cell) {
     destination.slip.push_back(state.slip[reflected_cell(model_.cells, cell, position.reflect)]);
   }
+  destination.indentation = state.indentation;
   destination.complementarity_residual =
-      contact_violations(problem, state, reference_force, preload_).largest();
+      contact_violations(problem, state, reference_force, reference_indentation).largest();
   destination.stick_fraction = stick_fraction(problem, state.force);
   destination.iterations = state.iterations;
   pending_.push_back({&destination, std::move(state.force), position.reflect});

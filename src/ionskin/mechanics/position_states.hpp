@@ -2,8 +2,8 @@
 #pragma once
 
 #include "ionskin/mechanics/condensed_position.hpp"
-#include "ionskin/mechanics/contact_path.hpp"
 #include "ionskin/mechanics/contact_solution.hpp"
+#include "ionskin/mechanics/contact_solver.hpp"
 #include "ionskin/mechanics/slider_track.hpp"
 
 #include <vector>
@@ -14,12 +14,12 @@ namespace ionskin::mechanics {
 /// skin, tractions, strains and diagnostics, all reflected back from the canonical position.
 class PositionStates {
 public:
-  PositionStates(const SkinModel& model, double preload) : model_(model), preload_(preload) {}
+  explicit PositionStates(const SkinModel& model) : model_(model) {}
 
   /// @param destination outlives `complete`
-  /// @param reference_force scale of the diagnostics [N]
+  /// @param reference_force, reference_indentation scales of the diagnostics [N], [m]
   void add(ContactState& destination, SurfaceState state, const ContactProblem& problem,
-           const CanonicalPosition& position, double reference_force);
+           const CanonicalPosition& position, double reference_force, double reference_indentation);
 
   /// Recovers the strains of all added states in blocks.
   void complete(const CondensedPosition& position);
@@ -31,7 +31,6 @@ private:
     std::array<bool, 2> reflect{};
   };
   const SkinModel& model_;
-  double preload_;
   std::vector<Pending> pending_;
 };
 

@@ -9,7 +9,8 @@
 
 namespace ionskin::mechanics {
 
-/// The straight path of the slider's centre; positions are arc lengths from the start of the slide.
+/// The straight path of the slider's centre in the first slide of a cycle; positions are arc
+/// lengths from its start.
 struct SliderTrack {
   std::array<double, 2> start{};     ///< [m]
   std::array<double, 2> direction{}; ///< unit vector
@@ -22,8 +23,13 @@ struct SliderTrack {
 /// `count` Chebyshev-Lobatto nodes on [0, stroke], ascending, ends included, symmetric to rounding.
 std::vector<double> interpolation_nodes(double stroke, std::size_t count);
 
-/// Nodes along the track for a preset.
+/// Nodes along a track of two fifths of the skin's extent or more for a preset.
 std::size_t interpolation_node_count(Preset preset);
+
+/// Nodes along a straight piece of a track: as many as give a short piece the accuracy of a long
+/// one, since the error of interpolation falls with the power of its length that is the count.
+std::size_t interpolation_node_count(const Case& input, const std::array<double, 2>& from,
+                                     const std::array<double, 2>& to);
 
 /// A slider position up to reflection of the rectangular skin: positions that are mirror images of
 /// each other share one, and so share a factorisation.

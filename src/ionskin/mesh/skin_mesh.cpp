@@ -2,6 +2,7 @@
 #include "ionskin/mesh/skin_mesh.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/case/slider_motion.hpp"
 #include "ionskin/mesh/grading.hpp"
 #include "ionskin/mesh/mesh_resolution.hpp"
 
@@ -21,9 +22,9 @@ bool covers_width(const Case& input) {
 }
 
 bool moves_on_symmetry_plane(const Case& input) {
-  const double offset = std::abs(input.slider.start[1] - input.skin.width / 2);
-  return input.motion.direction[1] == 0 &&
-         (covers_width(input) || offset <= 1e-12 * input.skin.width);
+  const MotionBox box = motion_box(input.motion, input.slider);
+  const double offset = std::abs(box.low[1] - input.skin.width / 2);
+  return box.low[1] == box.high[1] && (covers_width(input) || offset <= 1e-12 * input.skin.width);
 }
 
 std::vector<double> footprint_lines(double size, const MeshResolution& resolution, bool half) {
@@ -74,12 +75,10 @@ SkinMesh::Axis SkinMesh::make_axis(const Case& input, std::size_t direction) con
   }
   const double size = input.slider.size[direction];
   axis.inner = footprint_lines(size, resolution, axis.half);
-  const double start = input.slider.start[direction];
-  const double end = start + input.motion.stroke * input.motion.direction[direction];
-  const double shortest =
-      std::min(std::min(start, end), skin_size - std::max(start, end)) - size / 2;
-  const double longest =
-      std::max(std::max(start, end), skin_size - std::min(start, end)) - size / 2;
+  const MotionBox box = motion_box(input.motion, input.slider);
+  const double low = box.low[direction], high = box.high[direction];
+  const double shortest = std::min(low, skin_size - high) - size / 2;
+  const double longest = std::max(high, skin_size - low) - size / 2;
   if (longest <= 1e-9 * skin_size) {
     return axis; // as large as the skin along this direction
   }
@@ -90,8 +89,10 @@ SkinMesh::Axis SkinMesh::make_axis(const Case& input, std::size_t direction) con
                                 std::max(0.0, shortest) * 1e3, direction == 0 ? "x" : "y",
                                 smallest_margin * resolution.edge_size * 1e3));
   }
-  const double along = std::abs(input.motion.direction[direction]);
-  const std::size_t minimum = along > 0.5 ? resolution.outer_minimum : 2;
+  const double way = box.high[direction] - box.low[direction];
+  const double whole = std::hypot(box.high[0] - box.low[0], box.high[1] - box.low[1]);
+  const bool main_direction = whole > 0 ? way > 0.5 * whole : direction == 0;
+  const std::size_t minimum = main_direction ? resolution.outer_minimum : 2;
   axis.outer =
       std::max(minimum, geometric_count(longest, resolution.edge_size, resolution.outer_growth));
   axis.outer_first = std::min(resolution.edge_size, shortest / static_cast<double>(axis.outer));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/readout/metrics.hpp"
 
-#include "ionskin/readout/phases.hpp"
 #include "ionskin/readout/sampling.hpp"
 
 #include <algorithm>
@@ -49,9 +48,8 @@ private:
   std::vector<Metric> metrics_;
 };
 
-void add_motion_metrics(MetricList& list, const Motion& motion) {
-  const double touchdown = end_of_touchdown(motion);
-  const double slide = middle_of_slide(motion);
+void add_motion_metrics(MetricList& list, const NamedInstants& instants) {
+  const auto [touchdown, slide] = instants;
   list.at("normal_force", "touchdown", touchdown);
   list.at("normal_force", "slide", slide);
   list.at("tangential_force", "slide", slide);
@@ -90,10 +88,10 @@ double time_mean(const std::vector<double>& time, const std::vector<double>& val
 }
 
 std::vector<Metric> signal_metrics(const SignalTable& signals, const SignalTable& sampled,
-                                   const Motion* motion) {
+                                   const std::optional<NamedInstants>& instants) {
   MetricList list(signals);
-  if (motion != nullptr) {
-    add_motion_metrics(list, *motion);
+  if (instants) {
+    add_motion_metrics(list, *instants);
   }
   const std::vector<double>& shear = signals.column("mean_shear").values;
   list.peak("peak_", signals, "mean_shear");

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/case/case.hpp"
 #include "ionskin/readout/signals.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,11 +25,16 @@ double rms_of_step_means(const std::vector<double>& time, const std::vector<doub
 /// Time mean of a quantity that is linear between the rows.
 double time_mean(const std::vector<double>& time, const std::vector<double>& values);
 
-/// Everything summary.json says about the signals of a run. `*_touchdown` stands for the end of
-/// touchdown and `*_slide` for the middle of the slide, both in the first cycle.
-/// @param motion null in runs from a strain file: the quantities that need it are left out
+/// Where figures named `*_touchdown` and `*_slide` are taken [s].
+struct NamedInstants {
+  double touchdown = 0, slide = 0;
+};
+
+/// Everything summary.json says about the signals of a run. `*_touchdown` stands for the end of the
+/// first touchdown and `*_slide` for the middle of the first slide.
+/// @param instants empty in runs from a strain file: the quantities that need them are left out
 std::vector<Metric> signal_metrics(const SignalTable& signals, const SignalTable& sampled,
-                                   const Motion* motion);
+                                   const std::optional<NamedInstants>& instants);
 
 /// Worst violation of Gauss' law over all rows: |Q_top + Q_bottom - expected| / scale.
 /// @param charge_top, charge_bottom from Poisson's residual at each wall [C]

@@ -45,12 +45,12 @@ void add_currents(SignalTable& table, const SignalInputs& inputs) {
 } // namespace
 
 void add_motion(SignalInputs& inputs, const Motion& motion, const Slider& slider) {
+  const MotionPhases phases(motion, slider);
   for (double time : inputs.time) {
-    const MotionInstant at = motion_at(motion, slider, time);
+    const MotionInstant at = phases.at(time);
     inputs.cycle.push_back(at.cycle);
     inputs.phase.push_back(at.phase);
     inputs.slider_x.push_back(at.slider_x);
-    inputs.slider_z.push_back(at.slider_z);
   }
 }
 

@@ -18,7 +18,7 @@ struct SignalInputs {
   std::vector<double> slider_x;           ///< centre [m]
   std::vector<double> slider_z;           ///< underside above the undeformed top face [m]
   std::vector<double> normal_force;       ///< of the full skin [N]
-  std::vector<double> tangential_force;   ///< of the full skin, along the slide [N]
+  std::vector<double> tangential_force;   ///< of the full skin, along the first slide [N]
   std::vector<double> mean_shear;         ///< volume mean over the core [1]
   std::vector<double> rms_shear;          ///< [1]
   std::vector<double> p99_shear;          ///< percentile by volume [1]
@@ -27,8 +27,7 @@ struct SignalInputs {
   std::vector<double> charge_bottom;      ///< on the metal [C]
 };
 
-/// Fills cycle, phase, slider_x and slider_z at the rows of `inputs.time` from the prescribed
-/// motion.
+/// Fills cycle, phase and slider_x at the rows of `inputs.time` from the prescribed motion.
 void add_motion(SignalInputs& inputs, const Motion& motion, const Slider& slider);
 
 /// The columns of signals.csv in their order, with rates and currents as means over the step that

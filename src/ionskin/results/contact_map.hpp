@@ -8,8 +8,9 @@ namespace ionskin::results {
 
 /// Tractions of one contact state per face cell, [y][x] with x fastest.
 struct ContactMap {
-  std::string state;    ///< such as "touchdown", "onset_07", "steady_4", "lift_off_12"
-  double parameter = 0; ///< place on the contact path, as in mechanics::PathState
+  /// Such as "touchdown", "onset_07", "steady_4", "lift_off_12"; of a second slide "2_steady_4".
+  std::string state;
+  double parameter = 0; ///< instant of the first cycle at which it is passed [s]
   std::vector<double> pressure, shear_x, shear_y; ///< [Pa]
   std::vector<double> slip;                       ///< length of the slip increment [m]
 };

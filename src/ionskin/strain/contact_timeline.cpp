@@ -1,45 +1,113 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/strain/contact_timeline.hpp"
 
+#include "ionskin/mechanics/slider_track.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace ionskin::strain {
 namespace {
 
+using mechanics::LegSolution;
 using mechanics::PathState;
 
-/// Samples of steady sliding over the whole stroke.
-int slide_samples(const Numerics& numerics) {
-  int samples = 40;
+/// Samples of steady sliding over a leg with the usual number of nodes.
+double slide_samples(const Numerics& numerics) {
+  double samples = 40;
   if (numerics.preset == Preset::coarse) {
     samples = 20;
   } else if (numerics.preset == Preset::fine) {
     samples = 80;
   }
-  return static_cast<int>(std::ceil(samples * numerics.time_refinement));
+  return samples * numerics.time_refinement;
 }
 
-/// Weights of polynomial interpolation through the nodes at x.
-std::vector<double> lagrange_weights(const std::vector<PathState>& nodes, double x) {
+/// Regular distance of samples in steady sliding; shorter legs, with fewer nodes, need fewer [s].
+double regular_step(const Numerics& numerics, const MotionLeg& motion, const LegSolution& leg) {
+  const auto usual = static_cast<double>(mechanics::interpolation_node_count(numerics.preset));
+  const double share = std::min(1.0, (static_cast<double>(leg.steady.size()) - 1) / (usual - 1));
+  return motion.duration / std::ceil(slide_samples(numerics) * share);
+}
+
+/// Weights of polynomial interpolation through the nodes at an instant.
+std::vector<double> lagrange_weights(const std::vector<PathState>& nodes, double time) {
   std::vector<double> weights(nodes.size(), 1.0);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     for (std::size_t j = 0; j < nodes.size(); ++j) {
       if (i != j) {
-        weights[i] *= (x - nodes[j].parameter) / (nodes[i].parameter - nodes[j].parameter);
+        weights[i] *= (time - nodes[j].time) / (nodes[i].time - nodes[j].time);
       }
     }
   }
   return weights;
 }
 
-void add_term(StateCombination& combination, const mechanics::ContactState& state, double weight) {
-  if (weight != 0) {
-    combination.terms.push_back({&state, weight});
+double contact_begin(const LegSolution& leg) {
+  return leg.path.empty() ? leg.steady.front().time : leg.path.front().time;
+}
+
+double contact_end(const LegSolution& leg) {
+  return leg.steady.empty() ? leg.path.back().time : leg.steady.back().time;
+}
+
+/// Between which states of the path an instant lies: (1 - weight) of `index`, weight of the next.
+struct PathPlace {
+  std::size_t index = 0;
+  double weight = 0;
+};
+
+PathPlace place_on(const std::vector<PathState>& path, double time) {
+  std::size_t next = 1;
+  while (next < path.size() && path[next].time <= time) {
+    ++next;
+  }
+  if (next == path.size()) {
+    return {next - 1, 0};
+  }
+  const double before = path[next - 1].time;
+  return {next - 1, std::max(0.0, (time - before) / (path[next].time - before))};
+}
+
+void add_path(const LegSolution& leg, double time, StateCombination& combination) {
+  const PathPlace place = place_on(leg.path, time);
+  combination.add(leg.path[place.index].state, 1 - place.weight);
+  if (place.weight > 0) {
+    combination.add(leg.path[place.index + 1].state, place.weight);
   }
 }
 
+/// The deviation of the path from steady sliding.
+void add_deviation(const LegSolution& leg, double time, StateCombination& combination) {
+  const auto add = [&](std::size_t index, double weight) {
+    combination.add(leg.path[index].state, weight);
+    combination.add(leg.reference[index], -weight);
+  };
+  const double last = leg.path.back().time;
+  if (time >= last) {
+    add(leg.path.size() - 1, (leg.joined - time) / (leg.joined - last));
+    return;
+  }
+  const PathPlace place = place_on(leg.path, time);
+  add(place.index, 1 - place.weight);
+  add(place.index + 1, place.weight);
+}
+
 } // namespace
+
+void StateCombination::add(const mechanics::SharedState& state, double weight) {
+  if (!state || state->indentation <= 0 || weight == 0) {
+    return;
+  }
+  const auto same = std::find_if(terms.begin(), terms.end(),
+                                 [&](const Term& term) { return term.state == state.get(); });
+  if (same == terms.end()) {
+    terms.push_back({state.get(), weight});
+  } else {
+    same->weight += weight;
+  }
+}
 
 double StateCombination::normal_force() const {
   double force = 0;
@@ -59,164 +127,166 @@ std::array<double, 2> StateCombination::tangential_force() const {
 }
 
 ContactTimeline::ContactTimeline(const Case& input, const mechanics::ContactSolution& contact)
-    : input_(input), contact_(contact) {
-  const Motion& motion = input.motion;
-  const double approach = motion.gap / (motion.gap + motion.preload);
-  contact_time_ = motion.touchdown * approach;
-  const double slide_start = motion.touchdown;
-  const double lift_start = slide_start + motion.slide;
-  release_time_ = lift_start + motion.lift * (1 - approach);
-
-  event_times_ = {contact_time_, slide_start, lift_start, release_time_};
-  sample_times_ = {0.0, contact_time_, slide_start};
-  join_time_ = slide_start;
-  const double speed = motion.stroke / motion.slide;
-  for (const PathState& state : contact.onset) {
-    sample_times_.push_back(slide_start + state.parameter / speed);
-  }
-  if (contact.steady.empty() && !contact.onset.empty()) {
-    join_time_ = lift_start;
-  }
-  if (!contact.steady.empty()) {
-    if (contact.onset.size() > 1) {
-      const double last = contact.onset.back().parameter;
-      join_travel_ = 2 * last - contact.onset[contact.onset.size() - 2].parameter;
-      join_time_ = slide_start + join_travel_ / speed;
-      sample_times_.push_back(join_time_);
+    : contact_(contact), numerics_(input.numerics), legs_(motion_legs(input.motion, input.slider)),
+      duration_(legs_.back().end()) {
+  add_sample(0, 0.0);
+  for (std::size_t i = 0; i < legs_.size(); ++i) {
+    add_leg_samples(i);
+    const LegSolution& leg = contact_.legs[i];
+    if (!leg.in_contact()) {
+      continue;
     }
-    // Spacing grows from the last onset interval to the regular one.
-    const double regular = motion.slide / slide_samples(input.numerics);
-    double step = sample_times_.back() - sample_times_[sample_times_.size() - 2];
-    double time = sample_times_.back();
-    for (step *= 1.5; step < regular && time + 2 * step < lift_start; step *= 1.5) {
-      time += step;
-      sample_times_.push_back(time);
-    }
-    const int remaining = std::max(1, static_cast<int>(std::ceil((lift_start - time) / regular)));
-    for (int i = 1; i < remaining; ++i) {
-      sample_times_.push_back(time + (lift_start - time) * i / remaining);
+    event_times_.push_back(legs_[i].begin + (legs_[i].lands() ? contact_begin(leg) : 0.0));
+    if (legs_[i].leaves()) {
+      event_times_.push_back(legs_[i].begin + contact_end(leg));
     }
   }
-  sample_times_.push_back(lift_start);
-  for (const PathState& state : contact.lift_off) {
-    sample_times_.push_back(lift_start + (release_time_ - lift_start) * (1 - state.parameter));
-  }
-  sample_times_.push_back(release_time_);
-  sample_times_.push_back(lift_start + motion.lift);
-  sample_times_.push_back(motion.cycle_duration());
-  add_requested_instants();
-  // Coinciding instants (no gap, last lift-off state at zero preload) count once.
-  const auto coincide = [&](double a, double b) { return b - a < 1e-12 * motion.cycle_duration(); };
-  sample_times_.erase(std::unique(sample_times_.begin(), sample_times_.end(), coincide),
-                      sample_times_.end());
+  add_requested_instants(input.output.fields);
+  sort_samples();
 }
 
-void ContactTimeline::add_requested_instants() {
-  const Motion& motion = input_.motion;
-  std::vector<double> instants{motion.touchdown + 0.5 * motion.slide};
-  for (const double instant : input_.output.fields) {
-    instants.push_back(std::fmod(instant, motion.cycle_duration()));
+void ContactTimeline::add_sample(std::size_t leg, double since_begin) {
+  samples_.push_back({leg, since_begin});
+}
+
+void ContactTimeline::add_leg_samples(std::size_t index) {
+  const LegSolution& leg = contact_.legs[index];
+  const double duration = legs_[index].duration;
+  for (const PathState& point : leg.path) {
+    add_sample(index, point.time);
+  }
+  if (!leg.steady.empty()) {
+    add_sample(index, contact_begin(leg));
+    double time = leg.joined;
+    const double end = contact_end(leg), regular = regular_step(numerics_, legs_[index], leg);
+    if (!leg.path.empty()) {
+      add_sample(index, time);
+      // Spacing grows from the last onset interval to the regular one.
+      for (double step = 1.5 * (time - leg.path.back().time);
+           step < regular && time + 2 * step < end; step *= 1.5) {
+        time += step;
+        add_sample(index, time);
+      }
+    }
+    const int remaining = std::max(1, static_cast<int>(std::ceil((end - time) / regular)));
+    for (int i = 1; i < remaining; ++i) {
+      add_sample(index, time + (end - time) * i / remaining);
+    }
+    add_sample(index, end);
+  }
+  add_sample(index, duration);
+}
+
+void ContactTimeline::add_requested_instants(const std::vector<double>& fields) {
+  const MotionLeg& slide = first_slide(legs_);
+  std::vector<double> instants{slide.begin + 0.5 * slide.duration};
+  for (const double instant : fields) {
+    instants.push_back(std::fmod(instant, duration_));
   }
   for (const double instant : instants) {
-    const bool steady = instant > join_time_ && instant < motion.touchdown + motion.slide;
-    if (steady && !contact_.steady.empty()) {
-      sample_times_.push_back(instant);
+    const std::size_t leg = leg_at(instant);
+    const LegSolution& contact = contact_.legs[leg];
+    const double since_begin = instant - legs_[leg].begin;
+    if (!contact.steady.empty() && since_begin > contact.joined &&
+        since_begin < contact_end(contact)) {
+      add_sample(leg, since_begin);
     }
   }
-  std::sort(sample_times_.begin(), sample_times_.end());
 }
 
-void ContactTimeline::add_onset(StateCombination& combination, double travel) const {
-  double before = 0;
-  const mechanics::ContactState* state_before = &contact_.touchdown.state;
-  for (const PathState& node : contact_.onset) {
-    if (node.parameter > travel) {
-      const double weight = (travel - before) / (node.parameter - before);
-      add_term(combination, *state_before, 1 - weight);
-      add_term(combination, node.state, weight);
-      return;
-    }
-    before = node.parameter;
-    state_before = &node.state;
+void ContactTimeline::sort_samples() {
+  const auto time = [&](const Sample& sample) {
+    return legs_[sample.leg].begin + sample.since_begin;
+  };
+  std::stable_sort(samples_.begin(), samples_.end(),
+                   [&](const Sample& a, const Sample& b) { return time(a) < time(b); });
+  // Coinciding instants (no gap, the end of a leg and the begin of the next) count once.
+  samples_.erase(std::unique(samples_.begin(), samples_.end(),
+                             [&](const Sample& a, const Sample& b) {
+                               return time(b) - time(a) < 1e-12 * duration_;
+                             }),
+                 samples_.end());
+  for (const Sample& sample : samples_) {
+    sample_times_.push_back(time(sample));
   }
-  if (contact_.steady.empty()) {
-    add_term(combination, *state_before, 1.0);
-    return;
-  }
-  const double weight = (travel - before) / (join_travel_ - before);
-  add_term(combination, *state_before, 1 - weight);
-  add_term(combination, contact_.steady.front().state, weight);
 }
 
-StateCombination ContactTimeline::sliding(double travel) const {
-  StateCombination result;
-  result.arc_length = travel;
-  if (contact_.steady.empty()) {
-    add_onset(result, travel);
-    return result;
+std::size_t ContactTimeline::leg_at(double local_time) const {
+  std::size_t leg = 0;
+  while (leg + 1 < legs_.size() && local_time > legs_[leg].end()) {
+    ++leg;
   }
-  const auto weights = lagrange_weights(contact_.steady, travel);
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    add_term(result, contact_.steady[i].state, weights[i]);
-  }
-  if (travel < join_travel_) {
-    add_onset(result, travel);
-    add_term(result, contact_.steady.front().state, -1.0);
-  }
-  return result;
-}
-
-const mechanics::ContactState& ContactTimeline::end_of_slide() const {
-  if (!contact_.steady.empty()) {
-    return contact_.steady.back().state;
-  }
-  return contact_.onset.empty() ? contact_.touchdown.state : contact_.onset.back().state;
-}
-
-StateCombination ContactTimeline::lifting(double fraction) const {
-  StateCombination result;
-  result.arc_length = input_.motion.stroke;
-  double above = 1;
-  const mechanics::ContactState* state_above = &end_of_slide();
-  for (const PathState& node : contact_.lift_off) {
-    if (node.parameter < fraction) {
-      const double weight = (above - fraction) / (above - node.parameter);
-      add_term(result, *state_above, 1 - weight);
-      if (node.parameter > 0) {
-        add_term(result, node.state, weight);
-      }
-      return result;
-    }
-    above = node.parameter;
-    state_above = &node.state;
-  }
-  add_term(result, *state_above, fraction / above);
-  return result;
+  return leg;
 }
 
 StateCombination ContactTimeline::at(double local_time) const {
-  const Motion& motion = input_.motion;
-  const double slide_start = motion.touchdown;
-  const double lift_start = slide_start + motion.slide;
+  const std::size_t leg = leg_at(local_time);
+  return combination(leg, local_time - legs_[leg].begin);
+}
+
+StateCombination ContactTimeline::at_sample(std::size_t index) const {
+  return combination(samples_[index].leg, samples_[index].since_begin);
+}
+
+StateCombination ContactTimeline::combination(std::size_t index, double since_begin) const {
+  const LegSolution& leg = contact_.legs[index];
+  const MotionLeg& motion = legs_[index];
   StateCombination result;
-  if (local_time <= contact_time_) {
-    return result;
+  result.centre = motion.centre(since_begin);
+  const bool detached = !leg.in_contact() ||
+                        (motion.lands() && since_begin <= contact_begin(leg)) ||
+                        (motion.leaves() && since_begin >= contact_end(leg));
+  if (!detached && leg.steady.empty()) {
+    add_path(leg, since_begin, result);
+  } else if (!detached) {
+    const auto weights = lagrange_weights(leg.steady, since_begin);
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      result.add(leg.steady[i].state, weights[i]);
+    }
+    if (!leg.path.empty() && since_begin < leg.joined) {
+      add_deviation(leg, since_begin, result);
+    }
   }
-  if (local_time <= slide_start) {
-    add_term(result, contact_.touchdown.state,
-             (local_time - contact_time_) / (slide_start - contact_time_));
-    return result;
+  result.height = height(index, since_begin, result);
+  return result;
+}
+
+double ContactTimeline::height(std::size_t index, double since_begin,
+                               const StateCombination& combination) const {
+  const MotionLeg& motion = legs_[index];
+  if (motion.from_level.is_force && motion.to_level.is_force) {
+    return -std::accumulate(combination.terms.begin(), combination.terms.end(), 0.0,
+                            [](double sum, const StateCombination::Term& term) {
+                              return sum + term.weight * term.state->indentation;
+                            });
   }
-  if (local_time <= lift_start) {
-    return sliding(motion.stroke * std::min(1.0, (local_time - slide_start) / motion.slide));
+  const auto& path = contact_.legs[index].path;
+  const double from =
+      motion.from_level.is_force ? -path.front().state->indentation : motion.from_level.value;
+  const double to =
+      motion.to_level.is_force ? -path.back().state->indentation : motion.to_level.value;
+  return from + (to - from) * since_begin / motion.duration;
+}
+
+double ContactTimeline::joined_at(std::size_t index) const {
+  const LegSolution& leg = contact_.legs[index];
+  const MotionLeg& motion = legs_[index];
+  if (!motion.slides()) {
+    return motion.begin;
   }
-  if (local_time < release_time_) {
-    return lifting((release_time_ - local_time) / (release_time_ - lift_start));
-  }
-  const double return_start = lift_start + motion.lift;
-  result.arc_length = motion.stroke;
-  if (local_time > return_start) {
-    result.arc_length *= std::max(0.0, 1 - (local_time - return_start) / motion.return_);
+  return leg.steady.empty() ? motion.end() : motion.begin + leg.joined;
+}
+
+double ContactTimeline::join_time() const {
+  return joined_at(static_cast<std::size_t>(&first_slide(legs_) - legs_.data()));
+}
+
+std::vector<std::array<double, 2>> ContactTimeline::onsets() const {
+  std::vector<std::array<double, 2>> result;
+  for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
+    if (legs_[leg].slides()) {
+      result.push_back({legs_[leg].begin, joined_at(leg)});
+    }
   }
   return result;
 }

@@ -6,17 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace ionskin::strain {
 namespace {
 
 constexpr double outer_cell_growth = 1.4;
 constexpr double outer_cell_limit = 0.2e-3; // [m]; coarser cells cost 0.1 % in the current
-
-std::array<double, 2> centre_at(const Case& input, double arc_length) {
-  return {input.slider.start[0] + arc_length * input.motion.direction[0],
-          input.slider.start[1] + arc_length * input.motion.direction[1]};
-}
 
 /// Cell edges outward from an edge at 0 to `extent`, growing from `first`.
 std::vector<double> graded_cells(double first, double extent) {
@@ -67,13 +64,12 @@ std::vector<double> core_lines(const mesh::SkinMesh& mesh, const mesh::MeshLines
 /// Edges along one direction; the half model keeps its half only.
 std::vector<double> direction_edges(const std::vector<double>& lines,
                                     const std::array<std::size_t, 2>& footprint, double extent,
-                                    double start, double travel) {
-  if (travel == 0) {
+                                    double start, double lowest, double highest) {
+  if (lowest == highest) {
     return relative(lines, 0, lines.size(), start);
   }
   const auto inner = relative(lines, footprint[0], footprint[1] + 1, start);
-  const double end = start + travel;
-  return riding_edges(inner, -std::max(start, end), extent - std::min(start, end));
+  return riding_edges(inner, -highest, extent - lowest);
 }
 
 /// Values and edges of the half y <= 0 continued by reflection to the whole width.
@@ -117,18 +113,34 @@ std::vector<double> gauss_shear(ShearMeasure measure, const StateCombination& co
   return shear;
 }
 
+/// What a field depends on: the states with their weights, and the slider's place. Detached, only
+/// the former.
+using FieldKey = std::pair<std::vector<std::pair<const mechanics::ContactState*, double>>,
+                           std::array<double, 2>>;
+
+FieldKey field_key(const StateCombination& combination) {
+  FieldKey key;
+  for (const auto& term : combination.terms) {
+    key.first.emplace_back(term.state, term.weight);
+  }
+  if (!combination.terms.empty()) {
+    key.second = combination.centre;
+  }
+  return key;
+}
+
 } // namespace
 
 StrainHistory build_strain_history(const Case& input, const mechanics::ContactSolution& contact) {
   const ContactTimeline timeline(input, contact);
   const mesh::SkinMesh& mesh = contact.mesh;
-  const Motion& motion = input.motion;
-  const auto start_lines = mesh.lines(input.slider.start);
+  const MotionBox box = motion_box(input.motion, input.slider);
+  const auto start_lines = mesh.lines(box.low);
   const auto z_lines = core_lines(mesh, start_lines);
   const auto x_edges = direction_edges(start_lines.x, mesh.footprint_x(), input.skin.length,
-                                       input.slider.start[0], motion.stroke * motion.direction[0]);
+                                       box.low[0], box.low[0], box.high[0]);
   const auto y_edges = direction_edges(start_lines.y, mesh.footprint_y(), input.skin.width,
-                                       input.slider.start[1], motion.stroke * motion.direction[1]);
+                                       box.low[1], box.low[1], box.high[1]);
 
   StrainHistory history;
   history.frame = Frame::slider;
@@ -139,7 +151,7 @@ StrainHistory build_strain_history(const Case& input, const mechanics::ContactSo
 
   const LineOperator along_z = linear_projection(z_lines);
   const auto field_at = [&](const StateCombination& combination) {
-    const auto centre = centre_at(input, combination.arc_length);
+    const auto& centre = combination.centre;
     const auto lines = mesh.lines(centre);
     const auto along = [](const std::vector<double>& line, std::vector<double> edges,
                           double shift) {
@@ -160,20 +172,26 @@ StrainHistory build_strain_history(const Case& input, const mechanics::ContactSo
                              : b;
   };
 
-  const auto detached = std::make_shared<const StrainField>(history.grid.values(), 0.0);
+  // Legs that repeat each other share their fields.
+  std::map<FieldKey, std::shared_ptr<const StrainField>> known;
   std::vector<std::shared_ptr<const StrainField>> cycle_fields;
   std::vector<std::array<double, 2>> cycle_centres;
-  for (const double time : timeline.sample_times()) {
-    const StateCombination combination = timeline.at(time);
-    cycle_centres.push_back(centre_at(input, combination.arc_length));
-    cycle_fields.push_back(combination.terms.empty()
-                               ? detached
-                               : std::make_shared<const StrainField>(field_at(combination)));
+  for (std::size_t i = 0; i < timeline.sample_times().size(); ++i) {
+    const StateCombination combination = timeline.at_sample(i);
+    auto& field = known[field_key(combination)];
+    if (!field) {
+      field = std::make_shared<const StrainField>(combination.terms.empty()
+                                                      ? StrainField(history.grid.values(), 0.0)
+                                                      : field_at(combination));
+    }
+    cycle_centres.push_back(combination.centre);
+    cycle_fields.push_back(field);
   }
-  const bool off_centre =
-      motion.direction[1] != 0 || input.slider.start[1] != 0.5 * input.skin.width;
-  for (int cycle = 0; cycle < motion.cycles; ++cycle) {
-    const double offset = cycle * motion.cycle_duration();
+  const double middle = 0.5 * input.skin.width;
+  const bool off_centre = box.low[1] != middle || box.high[1] != middle;
+  const double duration = timeline.sample_times().back();
+  for (int cycle = 0; cycle < input.motion.cycles; ++cycle) {
+    const double offset = cycle * duration;
     for (std::size_t i = cycle == 0 ? 0 : 1; i < cycle_fields.size(); ++i) {
       history.time.push_back(offset + timeline.sample_times()[i]);
       history.slider_x.push_back(cycle_centres[i][0]);
@@ -185,7 +203,7 @@ StrainHistory build_strain_history(const Case& input, const mechanics::ContactSo
     for (const double event : timeline.event_times()) {
       // Event times are sample times, up to coinciding ones: take the sample itself.
       const auto sample = std::lower_bound(history.time.begin(), history.time.end(),
-                                           offset + event - 1e-12 * motion.cycle_duration());
+                                           offset + event - 1e-12 * duration);
       history.event_time.push_back(*sample);
     }
   }
@@ -197,7 +215,7 @@ double mechanics_shear_integral(const Case& input, const mesh::SkinMesh& mesh,
   if (combination.terms.empty()) {
     return 0.0;
   }
-  const auto lines = mesh.lines(centre_at(input, combination.arc_length));
+  const auto lines = mesh.lines(combination.centre);
   const auto z_lines = core_lines(mesh, lines);
   const auto shear = gauss_shear(input.coupling.measure, combination);
   const auto& points = combination.terms.front().state->strain.points;

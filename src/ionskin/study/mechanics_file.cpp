@@ -6,18 +6,35 @@
 
 namespace ionskin::study {
 
+namespace {
+
+std::vector<double> onset_column(const MechanicsRecord& record, std::size_t column) {
+  std::vector<double> values;
+  for (const auto& onset : record.onsets) {
+    values.push_back(onset[column]);
+  }
+  return values;
+}
+
+} // namespace
+
 void write_mechanics(const std::filesystem::path& path, const std::string& hash,
                      const MechanicsRecord& record) {
   results::ResultsFile results(path, results::ResultsFile::Start::empty);
   results.write_strain(record.history);
   results.write_contact(record.maps);
   results::Hdf5File& file = results.file();
-  file.write("/path/time", record.history.time);
-  file.set_attribute("/path/time", "unit", "s");
-  file.write("/path/normal_force", record.normal_force);
-  file.set_attribute("/path/normal_force", "unit", "N");
-  file.write("/path/tangential_force", record.tangential_force);
-  file.set_attribute("/path/tangential_force", "unit", "N");
+  const auto write = [&file](const char* name, const std::vector<double>& values,
+                             const char* unit) {
+    file.write(name, values);
+    file.set_attribute(name, "unit", unit);
+  };
+  write("/path/time", record.history.time, "s");
+  write("/path/slider_z", record.slider_z, "m");
+  write("/path/normal_force", record.normal_force, "N");
+  write("/path/tangential_force", record.tangential_force, "N");
+  write("/path/onset_begin", onset_column(record, 0), "s");
+  write("/path/onset_end", onset_column(record, 1), "s");
   file.write_texts("/path/warnings", record.warnings);
   file.set_attribute("/path", "mechanics_hash", hash);
   file.set_attribute("/path", "join_time", record.join_time);
@@ -42,8 +59,13 @@ std::optional<MechanicsRecord> read_mechanics(const std::filesystem::path& path,
     const auto number = [&file](const char* name) {
       return file.number_attribute("/path", name).value_or(0);
     };
+    record.slider_z = file.read("/path/slider_z");
     record.normal_force = file.read("/path/normal_force");
     record.tangential_force = file.read("/path/tangential_force");
+    const auto begins = file.read("/path/onset_begin"), ends = file.read("/path/onset_end");
+    for (std::size_t i = 0; i < begins.size(); ++i) {
+      record.onsets.push_back({begins[i], ends[i]});
+    }
     record.warnings = file.read_texts("/path/warnings");
     record.join_time = number("join_time");
     record.worst_equilibrium_residual = number("worst_equilibrium_residual");

@@ -1,36 +1,82 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/mechanics_record.hpp"
 
+#include "ionskin/case/slider_motion.hpp"
 #include "ionskin/strain/contact_timeline.hpp"
 #include "ionskin/strain/handover.hpp"
 
 #include <fmt/core.h>
 
+#include <set>
+#include <utility>
+
 namespace ionskin::study {
 namespace {
 
-results::ContactMap make_map(std::string name, const mechanics::PathState& path) {
-  const mechanics::ContactState& state = path.state;
-  return {std::move(name),
-          path.parameter,
-          state.normal_traction,
-          state.tangential_traction_x,
-          state.tangential_traction_y,
-          state.slip};
-}
+/// Names the states of a cycle and collects their maps, each state once.
+class MapCollector {
+public:
+  explicit MapCollector(const std::vector<MotionLeg>& legs) : legs_(legs) {}
 
-std::vector<results::ContactMap> make_maps(const mechanics::ContactSolution& contact) {
-  std::vector<results::ContactMap> maps{make_map("touchdown", contact.touchdown)};
-  for (std::size_t i = 0; i < contact.onset.size(); ++i) {
-    maps.push_back(make_map(fmt::format("onset_{:02}", i + 1), contact.onset[i]));
+  void add_leg(std::size_t index, const mechanics::LegSolution& leg) {
+    const MotionLeg& motion = legs_[index];
+    if (motion.slides()) {
+      const std::string prefix = numbered(slides_);
+      add_path(index, leg, prefix + "onset");
+      for (std::size_t i = 0; i < leg.steady.size(); ++i) {
+        add(fmt::format("{}steady_{}", prefix, i), index, leg.steady[i]);
+      }
+    } else if (motion.lands()) {
+      const std::string prefix = numbered(touchdowns_);
+      add_path(index, leg, prefix + "touchdown");
+      if (leg.path.size() == 2 && !maps_.empty()) {
+        maps_.back().state = prefix + "touchdown"; // one increment is the whole touchdown
+      }
+    } else if (motion.leaves()) {
+      add_path(index, leg, numbered(lifts_) + "lift_off");
+    } else {
+      add_path(index, leg, numbered(changes_) + "load_change");
+    }
   }
-  for (std::size_t i = 0; i < contact.steady.size(); ++i) {
-    maps.push_back(make_map(fmt::format("steady_{}", i), contact.steady[i]));
+  std::vector<results::ContactMap> take() { return std::move(maps_); }
+
+private:
+  /// "" for the first of its kind, "2_" for the second.
+  static std::string numbered(int& count) {
+    return ++count == 1 ? "" : std::to_string(count) + "_";
   }
-  for (std::size_t i = 0; i < contact.lift_off.size(); ++i) {
-    maps.push_back(make_map(fmt::format("lift_off_{:02}", i + 1), contact.lift_off[i]));
+
+  void add_path(std::size_t leg, const mechanics::LegSolution& solution, const std::string& name) {
+    // The first state of a path is the last of the leg before.
+    for (std::size_t i = 1; i < solution.path.size(); ++i) {
+      add(fmt::format("{}_{:02}", name, i), leg, solution.path[i]);
+    }
   }
-  return maps;
+
+  void add(std::string name, std::size_t leg, const mechanics::PathState& point) {
+    if (!point.state || !known_.insert(point.state.get()).second) {
+      return;
+    }
+    const mechanics::ContactState& state = *point.state;
+    maps_.push_back({std::move(name), legs_[leg].begin + point.time, state.normal_traction,
+                     state.tangential_traction_x, state.tangential_traction_y, state.slip});
+  }
+
+  const std::vector<MotionLeg>& legs_;
+  int touchdowns_ = 0, slides_ = 0, lifts_ = 0, changes_ = 0;
+  std::set<const mechanics::ContactState*> known_;
+  std::vector<results::ContactMap> maps_;
+};
+
+std::vector<results::ContactMap> make_maps(const std::vector<MotionLeg>& legs,
+                                           const mechanics::ContactSolution& contact) {
+  MapCollector collector(legs);
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    if (legs[i].touches()) {
+      collector.add_leg(i, contact.legs[i]);
+    }
+  }
+  return collector.take();
 }
 
 } // namespace
@@ -40,18 +86,21 @@ MechanicsRecord make_mechanics_record(const Case& input,
   MechanicsRecord record;
   record.history = strain::build_strain_history(input, contact);
   const strain::ContactTimeline timeline(input, contact);
-  const auto& direction = input.motion.direction;
+  const std::vector<MotionLeg> legs = motion_legs(input.motion, input.slider);
+  const auto direction = first_slide(legs).direction();
   for (int cycle = 0; cycle < input.motion.cycles; ++cycle) {
     for (std::size_t i = cycle == 0 ? 0 : 1; i < timeline.sample_times().size(); ++i) {
-      const auto combination = timeline.at(timeline.sample_times()[i]);
+      const auto combination = timeline.at_sample(i);
       const auto tangential = combination.tangential_force();
+      record.slider_z.push_back(combination.height);
       record.normal_force.push_back(combination.normal_force());
       record.tangential_force.push_back(tangential[0] * direction[0] +
                                         tangential[1] * direction[1]);
     }
   }
   record.join_time = timeline.join_time();
-  record.maps = {contact.cell_lines_x, contact.cell_lines_y, make_maps(contact)};
+  record.onsets = timeline.onsets();
+  record.maps = {contact.cell_lines_x, contact.cell_lines_y, make_maps(legs, contact)};
   record.worst_equilibrium_residual = contact.worst_equilibrium_residual;
   record.worst_complementarity_residual = contact.worst_complementarity_residual;
   record.contact_solves = contact.contact_solves;

@@ -6,6 +6,7 @@
 #include "ionskin/results/contact_map.hpp"
 #include "ionskin/strain/strain_history.hpp"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,13 @@ namespace ionskin::study {
 struct MechanicsRecord {
   strain::StrainHistory history;
   // One entry per sample of the history; empty in runs from a strain file.
+  std::vector<double> slider_z;         ///< underside above the undeformed top face [m]
   std::vector<double> normal_force;     ///< [N]
-  std::vector<double> tangential_force; ///< along the slide [N]
-  double join_time = 0;                 ///< onset has joined steady sliding, first cycle [s]
-  results::ContactMaps maps;            ///< half models hold y <= 0 only
+  std::vector<double> tangential_force; ///< along the first slide [N]
+  double join_time = 0;                 ///< onset of the first slide has joined steady sliding [s]
+  /// Begin of each slide of a cycle, and where its onset has joined steady sliding [s].
+  std::vector<std::array<double, 2>> onsets;
+  results::ContactMaps maps; ///< half models hold y <= 0 only
   double worst_equilibrium_residual = 0;
   double worst_complementarity_residual = 0;
   int contact_solves = 0;

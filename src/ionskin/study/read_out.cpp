@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace ionskin::study {
 namespace {
@@ -26,6 +27,7 @@ readout::SignalInputs mechanical_inputs(const Case& input, const MechanicsRecord
   if (mechanics.has_contact()) {
     readout::add_motion(inputs, input.motion, input.slider);
     for (const double t : time) {
+      inputs.slider_z.push_back(readout::value_at(mechanics.history.time, mechanics.slider_z, t));
       inputs.normal_force.push_back(
           readout::value_at(mechanics.history.time, mechanics.normal_force, t));
       inputs.tangential_force.push_back(
@@ -48,8 +50,13 @@ readout::SignalInputs mechanical_inputs(const Case& input, const MechanicsRecord
   return inputs;
 }
 
-const Motion* motion_of(const Case& input, const MechanicsRecord& mechanics) {
-  return mechanics.has_contact() ? &input.motion : nullptr;
+std::optional<readout::NamedInstants> named_instants(const Case& input,
+                                                     const MechanicsRecord& mechanics) {
+  if (!mechanics.has_contact()) {
+    return std::nullopt;
+  }
+  return readout::NamedInstants{readout::end_of_touchdown(input.motion, input.slider),
+                                readout::middle_of_slide(input.motion, input.slider)};
 }
 
 void add_slide_metrics(const Case& input, const MechanicsRecord& mechanics,
@@ -57,8 +64,8 @@ void add_slide_metrics(const Case& input, const MechanicsRecord& mechanics,
   if (!mechanics.has_contact()) {
     return;
   }
-  const auto slide =
-      strain::shear_statistics(mechanics.history, readout::middle_of_slide(input.motion));
+  const auto slide = strain::shear_statistics(mechanics.history,
+                                              readout::middle_of_slide(input.motion, input.slider));
   metrics.push_back({"p95_shear_slide", slide.p95, "1"});
   metrics.push_back({"element_max_shear_slide", slide.element_max, "1"});
   metrics.push_back({"equilibrium_residual", mechanics.worst_equilibrium_residual, "1"});
@@ -111,7 +118,7 @@ Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonS
   signals.resolved = readout::build_signal_table(inputs);
   signals.sampled = readout::sample_currents(signals.resolved, input.readout.sample_interval);
   signals.metrics =
-      readout::signal_metrics(signals.resolved, signals.sampled, motion_of(input, mechanics));
+      readout::signal_metrics(signals.resolved, signals.sampled, named_instants(input, mechanics));
   add_slide_metrics(input, mechanics, signals.metrics);
   signals.metrics.push_back(charge_identity(input, mechanics, ions, threads));
   add_ion_metrics(input, ions, signals.resolved, signals.metrics);
@@ -126,8 +133,8 @@ Signals read_out_mechanics(const Case& input, const MechanicsRecord& mechanics, 
   Signals signals;
   signals.resolved = readout::build_signal_table(inputs);
   signals.sampled = readout::sample_currents(signals.resolved, input.readout.sample_interval);
-  for (const auto& metric :
-       readout::signal_metrics(signals.resolved, signals.sampled, motion_of(input, mechanics))) {
+  for (const auto& metric : readout::signal_metrics(signals.resolved, signals.sampled,
+                                                    named_instants(input, mechanics))) {
     if (metric.name.find("current") == std::string::npos &&
         metric.name.find("charge") == std::string::npos) {
       signals.metrics.push_back(metric);

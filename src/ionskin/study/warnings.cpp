@@ -42,7 +42,10 @@ void warn_about_onset_peak(const MechanicsRecord& mechanics, const readout::Sign
                                      [](double a, double b) { return std::abs(a) < std::abs(b); });
   const double at = time[static_cast<std::size_t>(peak - current.begin())];
   const double local = std::fmod(at, motion.cycle_duration());
-  if (*peak != 0 && local > motion.touchdown && local <= mechanics.join_time) {
+  const bool in_onset =
+      std::any_of(mechanics.onsets.begin(), mechanics.onsets.end(),
+                  [local](const auto& onset) { return local > onset[0] && local <= onset[1]; });
+  if (*peak != 0 && in_onset) {
     warnings.push_back(fmt::format(
         "The peak of current_difference, {:.3g} A at {:.6g} s, falls within the onset of sliding, "
         "where it is "

@@ -26,29 +26,41 @@ const ContactSolution& solved_small_case() {
   return solution;
 }
 
+const ContactState& touchdown(const ContactSolution& solution) {
+  return *solution.legs[0].last();
+}
+const LegSolution& slide(const ContactSolution& solution) {
+  return solution.legs[1];
+}
+const LegSolution& lift_off(const ContactSolution& solution) {
+  return solution.legs[2];
+}
+
 double total_friction(const ContactState& state) {
   return std::hypot(state.tangential_force[0], state.tangential_force[1]);
 }
 
 TEST(SolveContact, path_goes_from_touchdown_through_steady_sliding_to_nothing) {
   const ContactSolution& solution = solved_small_case();
-  EXPECT_GT(solution.touchdown.state.normal_force, 1.0);
-  EXPECT_EQ(solution.onset.size(), 30u);
-  EXPECT_EQ(solution.steady.size(), interpolation_node_count(Preset::coarse));
-  for (const PathState& point : solution.steady) {
-    EXPECT_NEAR(total_friction(point.state), 0.3 * point.state.normal_force,
-                1e-8 * point.state.normal_force);
-    EXPECT_EQ(point.state.stick_fraction, 0.0);
+  EXPECT_GT(touchdown(solution).normal_force, 1.0);
+  EXPECT_EQ(slide(solution).path.size(), 31u);
+  EXPECT_EQ(slide(solution).steady.size(), interpolation_node_count(Preset::coarse));
+  for (const PathState& point : slide(solution).steady) {
+    EXPECT_NEAR(total_friction(*point.state), 0.3 * point.state->normal_force,
+                1e-8 * point.state->normal_force);
+    EXPECT_EQ(point.state->stick_fraction, 0.0);
   }
-  EXPECT_EQ(solution.lift_off.back().parameter, 0.0);
-  EXPECT_NEAR(solution.lift_off.back().state.normal_force, 0, 1e-12);
+  EXPECT_NEAR(lift_off(solution).path.back().time, 0.5 / 1001, 1e-15);
+  EXPECT_NEAR(lift_off(solution).last()->normal_force, 0, 1e-12);
+  EXPECT_FALSE(solution.legs[3].in_contact());
   EXPECT_LT(solution.worst_equilibrium_residual, 1e-9);
   EXPECT_LT(solution.worst_complementarity_residual, 1e-8);
 }
 
 TEST(SolveContact, onset_joins_steady_sliding) {
   const ContactSolution& solution = solved_small_case();
-  const ContactState &last = solution.onset.back().state, &steady = solution.steady.front().state;
+  const ContactState &last = *slide(solution).path.back().state,
+                     &steady = *slide(solution).steady.front().state;
   EXPECT_NEAR(last.normal_force, steady.normal_force, 1e-5 * steady.normal_force);
   const auto &a = last.strain.component[4], &b = steady.strain.component[4];
   double difference = 0, size = 0;
@@ -62,18 +74,18 @@ TEST(SolveContact, onset_joins_steady_sliding) {
 TEST(SolveContact, reflected_nodes_agree_with_their_own_factorisation) {
   const Case input = small_case();
   const ContactSolution& solution = solved_small_case();
-  const PathState& last = solution.steady.back(); // shares the factorisation of the first node
+  // Shares the factorisation of the first node.
+  const ContactState& last = *slide(solution).steady.back().state;
   base::Timers timers;
   const ContactState direct =
-      solve_steady_sliding(input, {last.parameter}, ContactOptions{}, timers).front();
-  EXPECT_NEAR(last.state.normal_force, direct.normal_force, 1e-9 * direct.normal_force);
-  EXPECT_NEAR(last.state.tangential_force[0], direct.tangential_force[0],
-              1e-9 * direct.normal_force);
+      solve_steady_sliding(input, {input.motion.stroke}, ContactOptions{}, timers).front();
+  EXPECT_NEAR(last.normal_force, direct.normal_force, 1e-9 * direct.normal_force);
+  EXPECT_NEAR(last.tangential_force[0], direct.tangential_force[0], 1e-9 * direct.normal_force);
   for (std::size_t i = 0; i < direct.normal_traction.size(); ++i) {
-    EXPECT_NEAR(last.state.normal_traction[i], direct.normal_traction[i], 1e-2);
+    EXPECT_NEAR(last.normal_traction[i], direct.normal_traction[i], 1e-2);
   }
   for (int c = 0; c < 6; ++c) {
-    const auto &a = last.state.strain.component[c], &b = direct.strain.component[c];
+    const auto &a = last.strain.component[c], &b = direct.strain.component[c];
     for (std::size_t i = 0; i < a.size(); ++i) {
       ASSERT_NEAR(a[i], b[i], 1e-10) << c;
     }
@@ -85,7 +97,11 @@ TEST(SolveContact, touchdown_in_one_increment_is_exact) {
   const SkinModel model(input);
   const CondensedPosition position(model, input.slider.start);
   const ContactProblem problem{position.compliance(), model.cells.area, model.gap, {0.3}};
-  const SurfaceState once = touch_down(problem, input.motion);
+  const PathSteps steps;
+  ContactPath path(problem, steps, 0.5);
+  path.start_detached();
+  ASSERT_EQ(path.follow(motion_legs(input.motion, input.slider)[0], {}).points.size(), 1u);
+  const SurfaceState& once = path.state();
   SurfaceState stepped{CellVector(once.force.size()), CellVector(once.force.size()), {}, {}};
   for (int i = 1; i <= 4; ++i) {
     const SliderStep step{
@@ -103,11 +119,12 @@ TEST(SolveContact, a_second_cycle_repeats_the_first) {
   ContactOptions options;
   options.surface_before = first.final_surface;
   const ContactSolution second = solve(small_case(), options);
-  EXPECT_NEAR(second.touchdown.state.normal_force, first.touchdown.state.normal_force,
-              1e-10 * first.touchdown.state.normal_force);
-  for (std::size_t i = 0; i < first.onset.size(); ++i) {
-    EXPECT_NEAR(second.onset[i].state.tangential_force[0], first.onset[i].state.tangential_force[0],
-                1e-8 * first.touchdown.state.normal_force);
+  EXPECT_NEAR(touchdown(second).normal_force, touchdown(first).normal_force,
+              1e-10 * touchdown(first).normal_force);
+  for (std::size_t i = 1; i < slide(first).path.size(); ++i) {
+    EXPECT_NEAR(slide(second).path[i].state->tangential_force[0],
+                slide(first).path[i].state->tangential_force[0],
+                1e-8 * touchdown(first).normal_force);
   }
 }
 
@@ -115,33 +132,33 @@ TEST(SolveContact, without_friction_nothing_drags) {
   Case input = small_case();
   input.contact.friction = 0;
   const ContactSolution solution = solve(input);
-  EXPECT_TRUE(solution.onset.empty());
-  EXPECT_NEAR(solution.steady.front().state.normal_force, solution.touchdown.state.normal_force,
-              1e-8 * solution.touchdown.state.normal_force);
-  EXPECT_EQ(total_friction(solution.steady.front().state), 0.0);
+  EXPECT_TRUE(slide(solution).path.empty());
+  EXPECT_NEAR(slide(solution).steady.front().state->normal_force, touchdown(solution).normal_force,
+              1e-8 * touchdown(solution).normal_force);
+  EXPECT_EQ(total_friction(*slide(solution).steady.front().state), 0.0);
 }
 
 TEST(SolveContact, press_and_hold_lifts_off_where_it_touched_down) {
   Case input = small_case();
   input.motion.stroke = 0;
   const ContactSolution solution = solve(input);
-  EXPECT_TRUE(solution.onset.empty());
-  EXPECT_TRUE(solution.steady.empty());
-  ASSERT_EQ(solution.lift_off.size(), 20u);
+  EXPECT_EQ(slide(solution).path.size(), 1u);
+  EXPECT_TRUE(slide(solution).steady.empty());
+  ASSERT_EQ(lift_off(solution).path.size(), 21u);
   // Unloading nearly retraces the loading; only a rim of reversed slip differs.
-  EXPECT_NEAR(solution.lift_off[9].state.normal_force, 0.5 * solution.touchdown.state.normal_force,
-              5e-3 * solution.touchdown.state.normal_force);
+  EXPECT_NEAR(lift_off(solution).path[10].state->normal_force,
+              0.5 * touchdown(solution).normal_force, 5e-3 * touchdown(solution).normal_force);
 }
 
 TEST(SolveContact, a_short_stroke_ends_before_full_sliding_and_says_so) {
   Case input = small_case();
   input.motion.stroke = 2e-7;
   const ContactSolution solution = solve(input);
-  EXPECT_TRUE(solution.steady.empty());
+  EXPECT_TRUE(slide(solution).steady.empty());
   EXPECT_EQ(solution.warnings.size(), 1u);
-  EXPECT_DOUBLE_EQ(solution.onset.back().parameter, 2e-7);
-  EXPECT_GT(solution.onset.back().state.stick_fraction, 0.0);
-  EXPECT_FALSE(solution.lift_off.empty());
+  EXPECT_DOUBLE_EQ(slide(solution).path.back().time, input.motion.slide);
+  EXPECT_GT(slide(solution).last()->stick_fraction, 0.0);
+  EXPECT_EQ(lift_off(solution).path.size(), 21u);
 }
 
 TEST(SolveContact, oblique_tracks_use_the_full_model) {
@@ -151,7 +168,8 @@ TEST(SolveContact, oblique_tracks_use_the_full_model) {
   input.slider.start = {2.3e-3, 0.85e-3}; // symmetric about the middle of the skin
   const ContactSolution solution = solve(input);
   EXPECT_FALSE(solution.mesh.half_model());
-  const ContactState &first = solution.steady.front().state, &last = solution.steady.back().state;
+  const ContactState &first = *slide(solution).steady.front().state,
+                     &last = *slide(solution).steady.back().state;
   EXPECT_NEAR(first.tangential_force[0], 0.8 * 0.3 * first.normal_force, 1e-8 * first.normal_force);
   EXPECT_NEAR(first.tangential_force[1], 0.6 * 0.3 * first.normal_force, 1e-8 * first.normal_force);
   EXPECT_GT(std::abs(first.normal_force / last.normal_force - 1),
@@ -161,9 +179,9 @@ TEST(SolveContact, oblique_tracks_use_the_full_model) {
 
 TEST(SolveContact, half_and_full_model_agree) {
   Case input = small_case();
-  const ContactState half = solve(input).touchdown.state;
+  const ContactState half = touchdown(solve(input));
   input.slider.start[1] += 1e-9;
-  const ContactState full = solve(input).touchdown.state;
+  const ContactState full = touchdown(solve(input));
   EXPECT_NEAR(half.normal_force, full.normal_force, 1e-5 * full.normal_force);
 }
 
@@ -172,7 +190,7 @@ TEST(SolveContact, plane_strain_with_symmetric_sides) {
   input.skin.sides = SideCondition::symmetry;
   input.slider.size[1] = 3e-3;
   const ContactSolution solution = solve(input);
-  const ContactState& state = solution.steady.front().state;
+  const ContactState& state = *slide(solution).steady.front().state;
   EXPECT_NEAR(state.tangential_force[0], 0.3 * state.normal_force, 1e-8 * state.normal_force);
   for (const int c : {1, 3, 5}) { // yy, yz, xy
     for (const double value : state.strain.component[c]) {

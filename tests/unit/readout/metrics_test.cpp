@@ -13,14 +13,6 @@
 namespace ionskin::readout {
 namespace {
 
-Motion short_motion() {
-  Motion motion;
-  motion.touchdown = 1;
-  motion.slide = 2;
-  motion.lift = 1;
-  return motion;
-}
-
 SignalTable run() {
   SignalInputs inputs;
   inputs.time = {0, 1, 3, 4};
@@ -43,9 +35,9 @@ std::map<std::string, Metric> by_name(const std::vector<Metric>& metrics) {
 }
 
 TEST(Metrics, NamedQuantitiesOfARunByHand) {
-  const Motion motion = short_motion();
   const SignalTable signals = run();
-  auto metrics = by_name(signal_metrics(signals, sample_currents(signals, 2.0), &motion));
+  auto metrics =
+      by_name(signal_metrics(signals, sample_currents(signals, 2.0), NamedInstants{1, 2}));
   EXPECT_EQ(metrics["normal_force_touchdown"].value, 60);
   EXPECT_EQ(metrics["normal_force_touchdown"].unit, "N");
   EXPECT_EQ(metrics["normal_force_slide"].value, 62);
@@ -68,7 +60,7 @@ TEST(Metrics, NamedQuantitiesOfARunByHand) {
 
 TEST(Metrics, RunsFromAStrainFileHaveNoMotionQuantities) {
   const SignalTable signals = run();
-  auto metrics = by_name(signal_metrics(signals, sample_currents(signals, 2.0), nullptr));
+  auto metrics = by_name(signal_metrics(signals, sample_currents(signals, 2.0), std::nullopt));
   EXPECT_EQ(metrics.count("normal_force_touchdown"), 0u);
   EXPECT_EQ(metrics.count("mean_shear_slide"), 0u);
   EXPECT_EQ(metrics.count("rms_current_difference"), 1u);

@@ -48,7 +48,8 @@ TEST_F(ContactTimelineTest, OnsetRunsThroughItsStatesAndJoinsSteadySliding) {
 
 TEST_F(ContactTimelineTest, InterpolatesSteadySlidingAlongTheTrack) {
   const auto middle = timeline.at(1.5);
-  EXPECT_NEAR(middle.arc_length, 3e-3, 1e-15);
+  EXPECT_NEAR(middle.centre[0], 7.5e-3, 1e-15);
+  EXPECT_NEAR(middle.height, -1e-6, 1e-18);
   EXPECT_NEAR(middle.normal_force(), 2 + 9, 1e-10);
   EXPECT_NEAR(middle.tangential_force()[0], 0.3 * 11, 1e-10);
 }
@@ -64,17 +65,23 @@ TEST_F(ContactTimelineTest, LiftsThroughItsStatesToNothing) {
 }
 
 TEST_F(ContactTimelineTest, ReturnsDetachedToTheStart) {
-  EXPECT_DOUBLE_EQ(timeline.at(3.0).arc_length, 6e-3);
-  EXPECT_NEAR(timeline.at(3.5).arc_length, 3e-3, 1e-15);
-  EXPECT_NEAR(timeline.at(4.0).arc_length, 0, 1e-15);
+  EXPECT_DOUBLE_EQ(timeline.at(3.0).centre[0], 10.5e-3);
+  EXPECT_NEAR(timeline.at(3.5).centre[0], 7.5e-3, 1e-15);
+  EXPECT_NEAR(timeline.at(4.0).centre[0], 4.5e-3, 1e-15);
+}
+
+TEST_F(ContactTimelineTest, HeightFollowsThePrescribedMotion) {
+  EXPECT_NEAR(timeline.at(0.25).height, 1e-3 - 0.5 * 1.001e-3, 1e-12);
+  EXPECT_NEAR(timeline.at(1.5).height, -1e-6, 1e-12);
+  EXPECT_NEAR(timeline.at(2.75).height, 1e-3 - 0.5 * 1.001e-3, 1e-12);
+  EXPECT_NEAR(timeline.at(3.5).height, 1e-3, 1e-12);
 }
 
 TEST(ContactTimeline, ZeroStrokeHoldsTheTouchdownState) {
   Case input = small_case();
   input.motion.stroke = 0;
-  auto contact = synthetic_contact(input);
-  contact.onset.clear();
-  contact.steady.clear();
+  auto contact = synthetic_press(input);
+  add_lift_off(contact, 0.4);
   const ContactTimeline timeline(input, contact);
   EXPECT_DOUBLE_EQ(timeline.at(1.7).normal_force(), 1.0);
   EXPECT_DOUBLE_EQ(timeline.join_time(), 0.5);
@@ -83,16 +90,16 @@ TEST(ContactTimeline, ZeroStrokeHoldsTheTouchdownState) {
 TEST(ContactTimeline, ShortStrokeEndsWithinOnset) {
   Case input = small_case();
   input.motion.stroke = 3e-6;
-  auto contact = synthetic_contact(input);
-  contact.steady.clear();
-  contact.lift_off = {{0.5, synthetic_state(contact.mesh, 0.9)},
-                      {0.0, synthetic_state(contact.mesh, 0)}};
+  auto contact = synthetic_press(input);
+  add_onset(input, contact);
+  add_lift_off(contact, 0.9);
   const ContactTimeline timeline(input, contact);
   EXPECT_NEAR(timeline.at(0.5 + 2.0 / 3).normal_force(), 1.5, 1e-12);
   EXPECT_NEAR(timeline.at(2.5).normal_force(), 1.9, 1e-12);
   const double duration = 0.5 / 1001;
   EXPECT_NEAR(timeline.at(2.5 + 0.25 * duration).normal_force(), 0.5 * (1.9 + 0.9), 1e-9);
-  EXPECT_NEAR(timeline.at(1.7).arc_length, 1.8e-6, 1e-15);
+  EXPECT_NEAR(timeline.at(1.7).centre[0], 4.5e-3 + 1.8e-6, 1e-15);
+  EXPECT_DOUBLE_EQ(timeline.join_time(), 2.5);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "ionskin/mechanics/contact_solution.hpp"
 
 #include <cmath>
+#include <memory>
 
 namespace ionskin::strain {
 
@@ -37,6 +38,7 @@ inline Case small_case() {
 inline mechanics::ContactState synthetic_state(const mesh::SkinMesh& mesh, double amplitude,
                                                double pattern = 0) {
   mechanics::ContactState state;
+  state.indentation = 1e-6 * amplitude;
   state.normal_force = amplitude;
   state.tangential_force = {0.3 * amplitude, 0};
   const auto elements = mesh.elements();
@@ -54,21 +56,52 @@ inline mechanics::ContactState synthetic_state(const mesh::SkinMesh& mesh, doubl
   return state;
 }
 
+inline mechanics::SharedState shared_state(const mesh::SkinMesh& mesh, double amplitude,
+                                           double pattern = 0) {
+  return std::make_shared<const mechanics::ContactState>(synthetic_state(mesh, amplitude, pattern));
+}
+
+/// Touchdown to a normal force of 1 N, kept on through the slide.
+inline mechanics::ContactSolution synthetic_press(const Case& input) {
+  const mesh::SkinMesh mesh(input);
+  mechanics::ContactSolution contact{mesh};
+  contact.legs.resize(4);
+  const double contact_time = 0.5 * 1000.0 / 1001.0;
+  contact.legs[0].path = {{contact_time, nullptr}, {0.5, shared_state(mesh, 1.0)}};
+  contact.legs[1].path = {{0, contact.legs[0].last()}};
+  return contact;
+}
+
+/// Lift-off from the end of the slide; `half_force` is the normal force at half the indentation.
+inline void add_lift_off(mechanics::ContactSolution& contact, double half_force) {
+  const double duration = 0.5 / 1001; // the preload's part of lift-off
+  contact.legs[2].path = {{0, contact.legs[1].last()},
+                          {0.5 * duration, shared_state(contact.mesh, half_force, 0.3)},
+                          {duration, shared_state(contact.mesh, 0.0)}};
+}
+
+/// Onset states after 1 and 3 um of travel.
+inline void add_onset(const Case& input, mechanics::ContactSolution& contact) {
+  const double speed = input.motion.stroke / input.motion.slide;
+  auto& path = contact.legs[1].path;
+  path.push_back({1e-6 / speed, shared_state(contact.mesh, 1.5, 0.1)});
+  path.push_back({3e-6 / speed, shared_state(contact.mesh, 1.9, 0.2)});
+}
+
 /// Nine steady positions whose normal force is 2 + (s/mm)^2, onset and lift-off states of round
 /// numbers.
 inline mechanics::ContactSolution synthetic_contact(const Case& input) {
-  const mesh::SkinMesh mesh(input);
-  mechanics::ContactSolution contact{mesh};
-  contact.touchdown = {1.0, synthetic_state(mesh, 1.0)};
-  contact.onset = {{1e-6, synthetic_state(mesh, 1.5, 0.1)},
-                   {3e-6, synthetic_state(mesh, 1.9, 0.2)}};
+  mechanics::ContactSolution contact = synthetic_press(input);
+  add_onset(input, contact);
+  mechanics::LegSolution& slide = contact.legs[1];
   for (int i = 0; i < 9; ++i) {
-    const double s = input.motion.stroke * 0.5 * (1 - std::cos(M_PI * i / 8));
-    contact.steady.push_back({s, synthetic_state(mesh, 2 + s * s * 1e6, 0.3)});
+    const double fraction = 0.5 * (1 - std::cos(M_PI * i / 8)), s = input.motion.stroke * fraction;
+    slide.steady.push_back(
+        {input.motion.slide * fraction, shared_state(contact.mesh, 2 + s * s * 1e6, 0.3)});
   }
-  const double end = contact.steady.back().state.normal_force;
-  contact.lift_off = {{0.5, synthetic_state(mesh, 0.4 * end, 0.3)},
-                      {0.0, synthetic_state(mesh, 0.0)}};
+  slide.reference.assign(slide.path.size(), slide.steady.front().state);
+  slide.joined = 5e-6 * input.motion.slide / input.motion.stroke;
+  add_lift_off(contact, 0.4 * slide.last()->normal_force);
   return contact;
 }
 

@@ -16,14 +16,16 @@ TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
   auto contact = strain::synthetic_contact(input);
   contact.cell_lines_x = {-1e-3, 1e-3};
   contact.cell_lines_y = {-1e-3, 0};
-  const auto give_cell = [](mechanics::PathState& point) {
-    point.state.normal_traction = {2e6};
-    point.state.tangential_traction_x = point.state.tangential_traction_y = {1e5};
-    point.state.slip = {1e-6};
+  const auto give_cell = [](const mechanics::PathState& point) {
+    if (auto state = std::const_pointer_cast<mechanics::ContactState>(point.state)) {
+      state->normal_traction = {2e6};
+      state->tangential_traction_x = state->tangential_traction_y = {1e5};
+      state->slip = {1e-6};
+    }
   };
-  give_cell(contact.touchdown);
-  for (auto* part : {&contact.onset, &contact.steady, &contact.lift_off}) {
-    std::for_each(part->begin(), part->end(), give_cell);
+  for (const auto& leg : contact.legs) {
+    std::for_each(leg.path.begin(), leg.path.end(), give_cell);
+    std::for_each(leg.steady.begin(), leg.steady.end(), give_cell);
   }
   contact.warnings = {"a warning"};
   const auto record = make_mechanics_record(input, contact);
@@ -34,6 +36,8 @@ TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
   write_mechanics(path, "hash", record);
   const auto read = read_mechanics(path, "hash", input.skin);
   ASSERT_TRUE(read);
+  EXPECT_EQ(read->slider_z, record.slider_z);
+  EXPECT_EQ(read->onsets, record.onsets);
   EXPECT_EQ(read->normal_force, record.normal_force);
   EXPECT_EQ(read->tangential_force, record.tangential_force);
   EXPECT_EQ(read->join_time, record.join_time);

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/slider_motion.hpp"
+
+#include "ionskin/base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ionskin {
+
+namespace {
+
+using Point = std::array<double, 2>;
+
+Point between(const Point& from, const Point& to, double fraction) {
+  if (fraction == 1)
+    return to;
+  return {from[0] + fraction * (to[0] - from[0]), from[1] + fraction * (to[1] - from[1])};
+}
+
+/// Appends legs one behind the other.
+class Cycle {
+public:
+  Cycle(const Point& start, const SliderLevel& level) : place_(start), level_(level) {}
+
+  void add(Phase phase, double duration, const Point& to, const SliderLevel& level) {
+    const double begin = legs_.empty() ? 0 : legs_.back().end();
+    legs_.push_back({phase, begin, duration, place_, to, level_, level});
+    place_ = to;
+    level_ = level;
+  }
+  std::vector<MotionLeg> take() { return std::move(legs_); }
+
+private:
+  Point place_;
+  SliderLevel level_;
+  std::vector<MotionLeg> legs_;
+};
+
+std::vector<MotionLeg> touch_slide_lift(const Motion& motion, const Slider& slider) {
+  const SliderLevel above{false, motion.gap}, pressed{false, -motion.preload};
+  const Point start = slider.start;
+  const Point end{start[0] + motion.stroke * motion.direction[0],
+                  start[1] + motion.stroke * motion.direction[1]};
+  Cycle cycle(start, above);
+  cycle.add(Phase::touchdown, motion.touchdown, start, pressed);
+  cycle.add(Phase::slide, motion.slide, end, pressed);
+  cycle.add(Phase::lift, motion.lift, end, above);
+  cycle.add(Phase::return_, motion.return_, start, above);
+  return cycle.take();
+}
+
+} // namespace
+
+std::string name(Phase phase) {
+  switch (phase) {
+  case Phase::touchdown:
+    return "touchdown";
+  case Phase::slide:
+    return "slide";
+  case Phase::lift:
+    return "lift";
+  case Phase::return_:
+    return "return";
+  }
+  throw InternalError("a phase without a name");
+}
+
+double MotionLeg::length() const {
+  return std::hypot(to[0] - from[0], to[1] - from[1]);
+}
+
+Point MotionLeg::direction() const {
+  const double way = length();
+  return way > 0 ? Point{(to[0] - from[0]) / way, (to[1] - from[1]) / way} : Point{};
+}
+
+Point MotionLeg::centre(double since_begin) const {
+  return between(from, to, duration > 0 ? std::clamp(since_begin / duration, 0.0, 1.0) : 1.0);
+}
+
+bool MotionLeg::repeats(const MotionLeg& other) const {
+  return duration == other.duration && from == other.from && to == other.to &&
+         from_level == other.from_level && to_level == other.to_level;
+}
+
+std::vector<MotionLeg> motion_legs(const Motion& motion, const Slider& slider) {
+  switch (motion.kind) {
+  case MotionKind::touch_slide_lift:
+    return touch_slide_lift(motion, slider);
+  }
+  throw InternalError("a kind of motion without legs");
+}
+
+ContactPart contact_part(const MotionLeg& leg) {
+  ContactPart part{0, leg.duration, leg.from, leg.to, leg.from_level, leg.to_level};
+  if (leg.from_level.is_force || leg.to_level.is_force)
+    return part;
+  const double from = leg.from_level.value, to = leg.to_level.value;
+  if (leg.lands()) {
+    const double detached = from / (from - to);
+    part.begin = detached * leg.duration;
+    part.from = between(leg.from, leg.to, detached);
+    part.from_level.value = 0;
+  } else if (leg.leaves()) {
+    const double touching = from / (from - to);
+    part.to = between(leg.from, leg.to, touching);
+    part.to_level.value = 0;
+    part.duration = touching * leg.duration;
+    return part;
+  }
+  part.duration = leg.duration - part.begin;
+  return part;
+}
+
+MotionBox motion_box(const Motion& motion, const Slider& slider) {
+  MotionBox box{slider.start, slider.start};
+  for (const MotionLeg& leg : motion_legs(motion, slider))
+    for (const std::size_t d : {0, 1}) {
+      box.low[d] = std::min(box.low[d], leg.to[d]);
+      box.high[d] = std::max(box.high[d], leg.to[d]);
+    }
+  return box;
+}
+
+const MotionLeg& first_slide(const std::vector<MotionLeg>& legs) {
+  const auto first = [&](auto&& wanted) { return std::find_if(legs.begin(), legs.end(), wanted); };
+  auto found = first([](const MotionLeg& leg) { return leg.slides() && !leg.lands(); });
+  if (found == legs.end())
+    found = first([](const MotionLeg& leg) { return leg.touches() && !leg.lands(); });
+  if (found == legs.end())
+    found = first([](const MotionLeg& leg) { return leg.touches(); });
+  return found == legs.end() ? legs.front() : *found;
+}
+
+} // namespace ionskin

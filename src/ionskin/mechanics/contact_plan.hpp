@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/slider_motion.hpp"
+#include "ionskin/mechanics/slider_track.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace ionskin::mechanics {
+
+/// What is to be solved at one slider position, whose factorisation all of it shares. Nothing here
+/// waits for another position: a leg that follows a slide starts from steady sliding, which is
+/// solved on the spot. Should the slide turn out too short to become steady, the stepping that
+/// began before it goes on through the following legs, and what started here is not used.
+struct PositionTask {
+  std::array<double, 2> centre{}; ///< canonical [m]
+
+  /// Steady sliding at an interpolation node of a leg.
+  struct Node {
+    std::size_t leg = 0, index = 0;
+    CanonicalPosition position;
+  };
+  /// Load steps from the begin of a leg.
+  struct Chain {
+    std::size_t leg = 0;
+    CanonicalPosition position;
+  };
+  std::vector<Node> nodes;
+  std::vector<Chain> chains; ///< ascending legs
+};
+
+/// The legs of a cycle with the positions at which the contact is solved.
+struct ContactPlan {
+  std::vector<MotionLeg> legs;
+  /// Interpolation nodes per leg: way since the begin of its contact [m]; empty unless it slides.
+  std::vector<std::vector<double>> nodes;
+  std::vector<PositionTask> positions;
+
+  /// The first leg that does the same; the leg itself when none does.
+  std::size_t first_alike(std::size_t leg) const;
+};
+
+/// @param node_count per leg; 0 takes the preset's
+ContactPlan plan_contact(const Case& input, std::size_t node_count = 0);
+
+} // namespace ionskin::mechanics
