@@ -56,9 +56,10 @@ enum class MotionKind { touch_slide_lift };
 /// one cycle, whatever the kind, is said by motion_legs (case/slider_motion.hpp).
 struct Motion {
   MotionKind kind = MotionKind::touch_slide_lift;
-  double gap = 0;                        ///< initial clearance [m]
-  double preload = 0;                    ///< indentation while sliding [m]
-  double stroke = 0;                     ///< [m]; 0 is a press-and-hold
+  double gap = 0;           ///< initial clearance [m]
+  double preload = 0;       ///< indentation while sliding [m]; 0 where a force presses
+  double preload_force = 0; ///< on the full skin while sliding [N]; 0 where an indentation is given
+  double stroke = 0;        ///< [m]; 0 is a press-and-hold
   std::array<double, 2> direction{1, 0}; ///< unit vector of the slide in the x-y plane
   double touchdown = 0;                  ///< duration [s]
   double slide = 0;                      ///< duration [s]
@@ -66,6 +67,7 @@ struct Motion {
   double return_ = 0;                    ///< duration [s]
   int cycles = 1;
 
+  bool force_controlled() const { return preload_force > 0; }
   double cycle_duration() const { return touchdown + slide + lift + return_; }
 };
 

@@ -22,7 +22,9 @@ std::string example(const SchemaRow& row) {
   const std::string unit = units::dimension_info(row.dimension).examples.front();
   switch (row.type) {
   case ValueType::quantity:
-    return fmt::format("{} such as \"1 {}\"", units::dimension_info(row.dimension).name, unit);
+    return fmt::format(
+        "{} such as \"1 {}\"{}", units::dimension_info(row.dimension).name, unit,
+        row.other_dimension ? " or " + units::dimension_info(*row.other_dimension).name : "");
   case ValueType::quantity_pair:
     return fmt::format("two values such as [\"3 {0}\", \"1.5 {0}\"]", unit);
   case ValueType::choice: {
@@ -72,6 +74,8 @@ private:
 
   bool is_needed(const SchemaRow& row) const {
     const bool contact = walk_.draft.input.strain.kind == StrainSourceKind::contact;
+    if (row.need == Need::when_it_applies)
+      return contact && row.applies(walk_.draft.input);
     return row.need == Need::always || (row.need == Need::with_contact && contact) ||
            (row.need == Need::with_strain_file && !contact);
   }

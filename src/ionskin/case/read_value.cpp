@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 namespace ionskin {
 
@@ -29,13 +30,13 @@ public:
     case ValueType::number:
       return {{}, {number(value)}};
     case ValueType::quantity:
-      return {{}, {quantity(value)}};
+      return scalar_quantity(value);
     case ValueType::number_pair:
       return {{}, pair(value, &ValueReader::number)};
     case ValueType::quantity_pair:
-      return {{}, pair(value, &ValueReader::quantity)};
+      return {{}, pair(value, &ValueReader::quantity), row_.dimension};
     case ValueType::quantity_list:
-      return {{}, list(value, &ValueReader::quantity)};
+      return {{}, list(value, &ValueReader::quantity), row_.dimension};
     }
     throw InternalError("a value type without a reader");
   }
@@ -96,6 +97,20 @@ private:
     return in_range(value, value.as_floating());
   }
 
+  /// In the row's dimension or, where the text has that, in its other one.
+  Value scalar_quantity(const toml::value& value) const {
+    if (row_.other_dimension && value.is_string()) {
+      std::optional<double> number;
+      try {
+        number = units::parse_quantity(value.as_string().str, *row_.other_dimension);
+      } catch (const UserError&) { // read below as the row's own dimension
+      }
+      if (number)
+        return {{}, {in_range(value, *number, *row_.other_dimension)}, *row_.other_dimension};
+    }
+    return {{}, {quantity(value)}, row_.dimension};
+  }
+
   double quantity(const toml::value& value) const {
     if (value.is_integer() || value.is_floating())
       refuse(value,
@@ -111,28 +126,32 @@ private:
       result = units::parse_quantity(value.as_string().str, row_.dimension);
     } catch (const UserError& error) {
       refuse(value, fmt::format("{}: {}", key_, error.what()),
-             fmt::format("units of {}: {}", units::dimension_info(row_.dimension).name,
-                         usual_units()));
+             usual_units(row_.dimension) +
+                 (row_.other_dimension ? "; " + usual_units(*row_.other_dimension) : ""));
     }
-    return in_range(value, result);
+    return in_range(value, result, row_.dimension);
   }
 
-  std::string usual_units() const {
+  static std::string usual_units(units::Dimension dimension) {
     std::string list;
-    for (const std::string& unit : units::dimension_info(row_.dimension).examples)
+    for (const std::string& unit : units::dimension_info(dimension).examples)
       list += (list.empty() ? "" : ", ") + unit;
-    return list;
+    return fmt::format("units of {}: {}", units::dimension_info(dimension).name, list);
   }
 
   double in_range(const toml::value& value, double number) const {
+    return in_range(value, number, row_.dimension);
+  }
+
+  double in_range(const toml::value& value, double number, units::Dimension dimension) const {
     if (std::isfinite(number) && row_.range.contains(number))
       return number;
-    const std::string in_si = units::format_si(number, row_.dimension);
+    const std::string in_si = units::format_si(number, dimension);
     const std::string as_written = written(value);
     const bool same = as_written == in_si || as_written == "\"" + in_si + "\"";
     const std::string si = same ? "" : fmt::format(" ({})", in_si);
     refuse(value, fmt::format("{} = {}{} is out of range", key_, as_written, si),
-           fmt::format("it must be {}{}{}", describe(row_.range, row_.dimension),
+           fmt::format("it must be {}{}{}", describe(row_.range, dimension),
                        row_.range_reason.empty() ? "" : ": ", row_.range_reason));
   }
 
@@ -176,7 +195,7 @@ std::string format_value(const SchemaRow& row, const Value& value) {
     return value.text;
   std::string list;
   for (const double number : value.numbers)
-    list += (list.empty() ? "" : ", ") + units::format_si(number, row.dimension);
+    list += (list.empty() ? "" : ", ") + units::format_si(number, value.dimension);
   const bool scalar = row.type == ValueType::integer || row.type == ValueType::number ||
                       row.type == ValueType::quantity;
   return scalar ? list : "[" + list + "]";

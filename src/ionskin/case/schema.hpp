@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,8 @@ enum class ValueType {
 };
 
 /// When a key must be given.
-enum class Need { optional, always, with_contact, with_strain_file };
+/// `when_it_applies`: with contact, where `SchemaRow::applies` says so.
+enum class Need { optional, always, with_contact, with_strain_file, when_it_applies };
 
 /// Allowed interval of a number, in SI units; each end belongs to it or not.
 struct Range {
@@ -47,8 +49,9 @@ struct Choice {
 
 /// A value as read, in SI units.
 struct Value {
-  std::string text;            ///< of `text` and `choice`
-  std::vector<double> numbers; ///< one for scalars, two for pairs
+  std::string text;                                      ///< of `text` and `choice`
+  std::vector<double> numbers;                           ///< one for scalars, two for pairs
+  units::Dimension dimension = units::Dimension::number; ///< that the numbers were written in
 };
 
 /// Where the values of a case go while it is read: materials are known by name until layers take
@@ -71,13 +74,15 @@ struct SchemaRow {
       key{}; ///< "skin.length"; wildcards "skin.layers[].name", "materials.NAME.poissons_ratio"
   ValueType type = ValueType::text;
   units::Dimension dimension = units::Dimension::number;
+  std::optional<units::Dimension> other_dimension{}; ///< a quantity may have this one instead
   Range range{};
   std::string range_reason{}; ///< why the range ends where it does, when that is not plain
   Need need = Need::optional;
-  std::string default_value{};   ///< TOML; used when an optional key is missing
-  std::vector<Choice> choices{}; ///< of type `choice`
-  std::string help{};            ///< one sentence
-  std::string source{};          ///< where the default comes from
+  std::function<bool(const Case&)> applies{}; ///< of Need::when_it_applies
+  std::string default_value{};                ///< TOML; used when an optional key is missing
+  std::vector<Choice> choices{};              ///< of type `choice`
+  std::string help{};                         ///< one sentence
+  std::string source{};                       ///< where the default comes from
   std::function<void(CaseDraft&, const KeyIndex&, const Value&)> set{};
 };
 

@@ -41,6 +41,13 @@ SchemaRow distance(const std::string& key, const std::string& help, const Range&
           .set = into(&Case::motion, member)};
 }
 
+// An indentation or a force.
+void into_preload(CaseDraft& draft, const KeyIndex&, const Value& value) {
+  const bool force = value.dimension == Dimension::force;
+  draft.input.motion.preload = force ? 0 : value.numbers[0];
+  draft.input.motion.preload_force = force ? value.numbers[0] : 0;
+}
+
 } // namespace
 
 void add_slider(SchemaRows& rows) {
@@ -81,8 +88,14 @@ void add_motion(SchemaRows& rows) {
   rows.push_back(distance("motion.gap",
                           "Clearance between slider and skin at the start of a cycle.",
                           not_negative, &Motion::gap));
-  rows.push_back(
-      distance("motion.preload", "Indentation while sliding.", positive, &Motion::preload));
+  rows.push_back({.key = "motion.preload",
+                  .type = ValueType::quantity,
+                  .dimension = Dimension::length,
+                  .other_dimension = Dimension::force,
+                  .range = positive,
+                  .need = Need::with_contact,
+                  .help = "Indentation while sliding, or the normal force that is held instead.",
+                  .set = into_preload});
   rows.push_back(distance("motion.stroke", "Length of the slide; zero is a press-and-hold.",
                           not_negative, &Motion::stroke));
   rows.push_back({.key = "motion.direction",

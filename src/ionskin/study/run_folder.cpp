@@ -85,6 +85,7 @@ std::string mechanics_hash(const Case& input) {
   text += fmt::format(" motion {} {} {} {} {} {} {} {} {} {}", static_cast<int>(motion.kind),
                       motion.gap, motion.preload, motion.stroke, motion.direction, motion.touchdown,
                       motion.slide, motion.lift, motion.return_, motion.cycles);
+  text += fmt::format(" force {}", motion.preload_force);
   text += fmt::format(" contact {} {} measure {}", static_cast<int>(input.contact.law),
                       input.contact.friction, static_cast<int>(input.coupling.measure));
   text += fmt::format(" numerics {} {} {}", static_cast<int>(input.numerics.preset),

@@ -11,6 +11,7 @@ enum class Dimension {
   number,
   length,
   time,
+  force,
   temperature,
   stress,
   diffusivity,

@@ -41,6 +41,18 @@ TEST(ReadCase, FillsTheStructsInSiUnits) {
   EXPECT_EQ(input.text, valid_case());
 }
 
+TEST(ReadCase, PreloadIsAnIndentationOrAForce) {
+  const TemporaryCase file(valid_case("preload = \"1 um\"", "preload = \"250 mN\""));
+  const CaseDocument document = read_case_document(file.path());
+  EXPECT_TRUE(document.input.motion.force_controlled());
+  EXPECT_DOUBLE_EQ(document.input.motion.preload_force, 0.25);
+  EXPECT_EQ(document.input.motion.preload, 0);
+  EXPECT_EQ(document.find("motion.preload")->si, "0.25 N");
+  const Case pressed = read_case(file.path(), {"motion.preload=2 um"});
+  EXPECT_FALSE(pressed.motion.force_controlled());
+  EXPECT_DOUBLE_EQ(pressed.motion.preload, 2e-6);
+}
+
 TEST(ReadCase, AppliesEditsAndKeepsTheRest) {
   const TemporaryCase file(valid_case());
   const Case input =
