@@ -68,8 +68,14 @@ Case model_case() {
                        {"top", LayerRole::electrode, platinum, 10e-6}};
   input.slider.size = {3e-3, 1.5e-3};
   input.slider.start = {4.5e-3, 1e-3};
-  input.motion = {
-      MotionKind::touch_slide_lift, 1e-3, 1e-6, 6e-3, {1.0, 0.0}, 0.5, 2.0, 0.5, 1.0, 3};
+  input.motion = {.gap = 1e-3,
+                  .preload = 1e-6,
+                  .stroke = 6e-3,
+                  .touchdown = 0.5,
+                  .slide = 2.0,
+                  .lift = 0.5,
+                  .return_ = 1.0,
+                  .cycles = 3};
   input.contact.friction = 0.3;
   input.electrochemistry = {293.15, 7e-11, 2e-3, 1200.0, 1};
   input.coupling.coefficient = 0.1;
