@@ -30,9 +30,14 @@ IonSolution run_step(double mesh_refinement, double time_refinement, const Optio
   input.numerics.mesh_refinement = mesh_refinement;
   input.numerics.time_refinement = time_refinement;
   const double shear = amplitude / input.coupling.coefficient;
-  // A little longer than the last reference, so that its current stands between two rows.
-  return run_model(input, linear_step_history(-shear, shear, {0.0, 1e-3, 0.01, 0.1, 1.0, 4.0, 4.2}),
-                   options);
+  // Steps land close to the references on either side, so that currents can be read there.
+  std::vector<double> landings{0.0};
+  for (const Reference& reference : references) {
+    for (const double share : {0.9, 1.0, 1.1}) {
+      landings.push_back(share * reference.time);
+    }
+  }
+  return run_model(input, linear_step_history(-shear, shear, landings), options);
 }
 
 double charge(const IonSolution& solution, double time) {

@@ -86,7 +86,7 @@ struct Electrochemistry {
   int valence = 1;                       ///< of the mobile cation
 };
 
-enum class CouplingLaw { fixed_charge, volume_neutral, column_neutral };
+enum class CouplingLaw { fixed_charge, volume_neutral, column_neutral, pair_generation };
 enum class ShearMeasure { off_diagonal };
 
 struct Coupling {
@@ -112,6 +112,7 @@ struct Numerics {
   Preset preset = Preset::standard;
   double mesh_refinement = 1; ///< divides every mesh size
   double time_refinement = 1; ///< divides every time step
+  double time_tolerance = 0;  ///< relative error of the charge per time step; 0: the preset's
 };
 
 struct Output {

@@ -52,8 +52,7 @@ void add_coupling(SchemaRows& rows) {
       {.key = "coupling.law",
        .type = ValueType::choice,
        .default_value = "\"fixed-charge\"",
-       .choices =
-           {{"fixed-charge"}, {"volume-neutral"}, {"column-neutral"}, {"pair-generation", false}},
+       .choices = {{"fixed-charge"}, {"volume-neutral"}, {"column-neutral"}, {"pair-generation"}},
        .help = "How shear changes the fixed charge: cf = c0 (1 + k gamma), or with the "
                "mean of gamma over "
                "the core or over the thickness subtracted.",
@@ -61,7 +60,8 @@ void add_coupling(SchemaRows& rows) {
        .set = into<Coupling, CouplingLaw>(&Case::coupling, &Coupling::law,
                                           {{"fixed-charge", CouplingLaw::fixed_charge},
                                            {"volume-neutral", CouplingLaw::volume_neutral},
-                                           {"column-neutral", CouplingLaw::column_neutral}})});
+                                           {"column-neutral", CouplingLaw::column_neutral},
+                                           {"pair-generation", CouplingLaw::pair_generation}})});
   rows.push_back({.key = "coupling.coefficient",
                   .type = ValueType::number,
                   .need = Need::always,

@@ -53,6 +53,14 @@ void add_run_control(SchemaRows& rows) {
                   .default_value = "1",
                   .help = "Divides every time step of the preset; for convergence studies.",
                   .set = into(&Case::numerics, &Numerics::time_refinement)});
+  rows.push_back({.key = "numerics.time_tolerance",
+                  .type = ValueType::number,
+                  .range = {0, 0.1, true, true},
+                  .default_value = "0",
+                  .help = "Error of the charge that one time step may add, against the largest "
+                          "charge so far; 0 takes the preset's, 3e-4, 3e-5 or 3e-6.",
+                  .source = "measured: docs/electrochemistry.md",
+                  .set = into(&Case::numerics, &Numerics::time_tolerance)});
   rows.push_back({.key = "output.fields",
                   .type = ValueType::quantity_list,
                   .dimension = Dimension::time,

@@ -2,9 +2,6 @@
 #include "ionskin/electrochemistry/charges.hpp"
 
 namespace ionskin::electrochemistry {
-namespace {
-
-/// Integral of zeta/h over the charge that a unit ion density at a level stands for.
 double ramo_weight(const ScaledGrid& grid, std::size_t level) {
   double weight = charge_weights(grid, level).here * grid.position[level];
   if (level > 0) {
@@ -15,8 +12,6 @@ double ramo_weight(const ScaledGrid& grid, std::size_t level) {
   }
   return weight;
 }
-
-} // namespace
 
 void wall_charges(const ScaledGrid& grid, const IonState& state,
                   std::span<const double> fixed_charge, WallCharges& charges) {

@@ -22,6 +22,9 @@ struct WallCharges {
 void wall_charges(const ScaledGrid& grid, const IonState& state,
                   std::span<const double> fixed_charge, WallCharges& charges);
 
+/// Integral of zeta/h over the charge that a unit ion density at a level stands for.
+double ramo_weight(const ScaledGrid& grid, std::size_t level);
+
 /// The top charge by the theorem of Ramo (1939, doi 10.1109/JRPROC.1939.228757) and Shockley (1938,
 /// doi 10.1063/1.1710367), summed over the columns and scaled like `wall_charges`:
 ///   Q_top = integral((zeta/h)(cf - v c)) + (phi_top - phi_bottom)/h.

@@ -16,9 +16,9 @@ double level_sum(std::span<const double> field, std::size_t level, std::size_t c
 
 } // namespace
 
-ExactAverage::ExactAverage(const ScaledGrid& grid, double ion_amount)
-    : grid_(grid), ion_amount_(ion_amount), mean_(grid.levels), charge_(grid.levels),
-      diagonal_(grid.levels), potential_(grid.levels) {}
+ExactAverage::ExactAverage(const ScaledGrid& grid)
+    : grid_(grid), mean_(grid.levels), charge_(grid.levels), diagonal_(grid.levels),
+      potential_(grid.levels) {}
 
 double ExactAverage::total(const ScaledGrid& grid, std::span<const double> field) {
   double total = 0.0;
@@ -29,7 +29,7 @@ double ExactAverage::total(const ScaledGrid& grid, std::span<const double> field
 }
 
 void ExactAverage::correct(const StageProblem& problem, IonState& state) {
-  const double factor = ion_amount_ / total(grid_, state.concentration());
+  const double factor = problem.ion_amount / total(grid_, state.concentration());
   for (double& value : state.concentration()) {
     value *= factor;
   }

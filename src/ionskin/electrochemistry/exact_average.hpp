@@ -14,8 +14,7 @@ namespace ionskin::electrochemistry {
 /// equation, a tridiagonal system.
 class ExactAverage {
 public:
-  /// @param ion_amount sum over the control volumes of height times concentration
-  ExactAverage(const ScaledGrid& grid, double ion_amount);
+  explicit ExactAverage(const ScaledGrid& grid);
 
   void correct(const StageProblem& problem, IonState& state);
 
@@ -24,7 +23,6 @@ public:
 
 private:
   const ScaledGrid& grid_;
-  double ion_amount_;
   std::vector<double> mean_, charge_, diagonal_, potential_; ///< per level
 };
 

@@ -20,11 +20,14 @@ struct IonState {
   std::span<const double> potential() const { return {values.data() + nodes(), nodes()}; }
 };
 
-/// What a time step starts from.
+/// What a time step starts from, and all that its choice depends on.
 struct TransportState {
   IonState ions;
-  /// Rate of change at the end of the last step [1/scaled time]: where the next guess comes from.
+  /// Rate of change at the end of the last step [1/scaled time]: of concentration minus released
+  /// ions, then of potential.
   std::vector<double> rate;
+  double next_step = 0;    ///< length to try next [s]
+  double charge_scale = 0; ///< largest charge so far; see ChargeNorm
 };
 
 } // namespace ionskin::electrochemistry

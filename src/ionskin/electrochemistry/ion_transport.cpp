@@ -4,11 +4,12 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/interrupt.hpp"
 #include "ionskin/electrochemistry/solution_rows.hpp"
-#include "ionskin/electrochemistry/time_grid.hpp"
+#include "ionskin/electrochemistry/step_control.hpp"
 #include "ionskin/electrochemistry/time_integrator.hpp"
 #include "ionskin/electrochemistry/transport_grid.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <utility>
 
 namespace ionskin::electrochemistry {
@@ -22,6 +23,12 @@ int useful_threads(int threads, const ScaledGrid& grid) {
   return std::clamp(std::min(threads, most), 1, static_cast<int>(grid.levels));
 }
 
+/// Share of the error allowed to a time step that Newton's method may leave, within what single
+/// precision in the preconditioner and rounding allow.
+double newton_tolerance(double time_tolerance) {
+  return std::clamp(0.3 * time_tolerance, 1e-9, 1e-4);
+}
+
 /// The parts of one run, wired together.
 class TransportRun {
 public:
@@ -29,18 +36,19 @@ public:
       : options_(options), grid_(make_transport_grid(input, history)),
         scales_(derive_scales(input.electrochemistry, history.core_thickness())),
         scaled_(scale_grid(grid_, scales_.debye_length)),
-        times_(make_time_grid(history, step_rule(input.numerics, scales_), options.snapshot_times)),
+        control_(make_step_landings(history, options.snapshot_times),
+                 step_rule(input.numerics, scales_)),
         fixed_charge_(input, history, grid_, scaled_),
         team_(useful_threads(options.threads, scaled_)),
-        solver_(scaled_, initial_ion_amount(scaled_), team_),
+        solver_(scaled_, newton_tolerance(control_.tolerance()), team_),
         integrator_(scaled_, scales_, fixed_charge_, options.potentials, solver_),
-        rows_(input.electrochemistry, scales_, grid_, scaled_, fixed_charge_, times_,
-              options.snapshot_times) {}
+        rows_(input.electrochemistry, scales_, grid_, scaled_, fixed_charge_,
+              control_.landings().time, options.snapshot_times) {}
 
   IonSolution run() {
     begin();
     try {
-      while (run_.step + 1 < times_.size()) {
+      while (!control_.finished(time())) {
         base::check_interrupt();
         advance();
       }
@@ -53,50 +61,79 @@ public:
   }
 
 private:
-  static double initial_ion_amount(const ScaledGrid& grid) {
-    return ExactAverage::total(grid, std::vector<double>(grid.nodes(), 1.0));
-  }
+  double time() const { return run_.solution.time.back(); }
 
   void begin() {
     if (options_.resume) {
       resume();
     } else {
-      integrator_.initialise(times_.front(), run_.state);
+      const double begin = control_.landings().time.front();
+      integrator_.initialise(begin, run_.state);
+      run_.state.next_step = control_.first_step();
       run_.solution.grid = grid_;
-      rows_.append(times_.front(), run_.state.ions, run_.solution);
+      rows_.append(begin, run_.state.ions, run_.solution);
       copy_counters();
     }
   }
 
   void resume() {
     run_ = *options_.resume;
-    const auto& time = run_.solution.time;
+    const std::vector<double>& done = run_.solution.time;
     const bool same_grid = run_.solution.grid.x_edges == grid_.x_edges &&
                            run_.solution.grid.y_edges == grid_.y_edges &&
                            run_.solution.grid.z_nodes == grid_.z_nodes &&
                            run_.state.ions.nodes() == scaled_.nodes();
-    if (!same_grid || time.size() != run_.step + 1 || time.size() > times_.size() ||
-        !std::equal(time.begin(), time.end(), times_.begin())) {
+    if (!same_grid || done.size() != run_.step + 1 || !control_.has_landed(done)) {
       throw UserError(
           "the saved state of the ion transport belongs to another case: its grid or its "
           "time steps differ; remove it to start afresh");
     }
     solver_.restore_counters({run_.solution.newton_iterations, run_.solution.krylov_iterations,
                               run_.solution.preconditioner_setups});
-    fixed_charge_.evaluate(times_[run_.step]);
+    integrator_.take_up(time(), run_.state);
   }
 
   void advance() {
-    const double end = times_[run_.step + 1];
-    integrator_.advance(times_[run_.step], end, run_.state);
+    const double begin = time();
+    const double end = take_step(begin);
     ++run_.step;
     rows_.append(end, run_.state.ions, run_.solution);
     copy_counters();
-    options_.progress("ion transport",
-                      static_cast<double>(run_.step) / static_cast<double>(times_.size() - 1));
+    const auto [from, to] = control_.span();
+    options_.progress("ion transport", (end - from) / (to - from));
     if (run_.step % options_.checkpoint_interval == 0) {
       save();
     }
+  }
+
+  /// Tries shorter and shorter steps until one is good enough; returns its end.
+  double take_step(double begin) {
+    TransportState& state = run_.state;
+    while (true) {
+      const double end = control_.step_end(begin, state.next_step);
+      const std::optional<double> error = integrator_.try_step(begin, end, state);
+      const double share = error.value_or(0.0) / control_.tolerance();
+      if (error && share <= 1.0) {
+        integrator_.accept(state);
+        state.next_step = control_.after_success(begin, end, state.next_step, share);
+        return end;
+      }
+      ++run_.solution.rejected_steps;
+      state.next_step =
+          error ? control_.after_rejection(begin, end, share) : control_.after_failure(begin, end);
+      if (control_.too_short(state.next_step)) {
+        give_up(begin, end);
+      }
+    }
+  }
+
+  [[noreturn]] void give_up(double begin, double end) const {
+    throw SolverError(
+        fmt::format("the ion transport found no solution between t = {:.9g} s and {:.9g} s; before "
+                    "that the smallest concentration was {:.3g} of its initial value",
+                    begin, end, std::ranges::min(run_.state.ions.concentration())),
+        "raise numerics.mesh_refinement, or make coupling.coefficient or the electrode potentials "
+        "smaller");
   }
 
   void copy_counters() {
@@ -116,7 +153,7 @@ private:
   TransportGrid grid_;
   DerivedScales scales_;
   ScaledGrid scaled_;
-  std::vector<double> times_;
+  StepControl control_;
   FixedCharge fixed_charge_;
   WorkerTeam team_;
   NewtonKrylov solver_;

@@ -18,7 +18,7 @@ namespace ionskin::electrochemistry {
 
 /// All that a run needs to go on where it stopped, with the same result bit for bit.
 struct IonCheckpoint {
-  std::size_t step = 0; ///< finished steps
+  std::size_t step = 0; ///< finished steps; the rejected ones do not count
   TransportState state; ///< scaled
   IonSolution solution; ///< all rows and snapshots so far
 };

@@ -8,8 +8,6 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-/// Error allowed in the unknowns, against the largest departure from the state at rest.
-constexpr double relative_tolerance = 3e-5;
 /// Rounding of the scaled unknowns, which are of order 1.
 constexpr double rounding = 1e-14;
 constexpr int newton_limit = 40;
@@ -22,14 +20,25 @@ constexpr int patience = 12;
 
 } // namespace
 
-NewtonKrylov::NewtonKrylov(const ScaledGrid& grid, double ion_amount, WorkerTeam& team)
-    : grid_(grid), vectors_(team), equations_(grid, team), preconditioner_(grid, team),
-      gmres_(2 * grid.nodes(), team), exact_average_(grid, ion_amount), trial_(grid.nodes()),
-      residual_(2 * grid.nodes()), defect_(residual_.size()), correction_(residual_.size()) {}
+NewtonKrylov::NewtonKrylov(const ScaledGrid& grid, double tolerance, WorkerTeam& team)
+    : grid_(grid), tolerance_(tolerance), vectors_(team), equations_(grid, team),
+      preconditioner_(grid, team), gmres_(2 * grid.nodes(), team), exact_average_(grid),
+      trial_(grid.nodes()), residual_(2 * grid.nodes()), defect_(residual_.size()),
+      correction_(residual_.size()) {}
 
 void NewtonKrylov::prepare(const IonState& state, double step) {
   preconditioner_.factorise(state, step);
   ++counters_.preconditioner_setups;
+}
+
+void NewtonKrylov::rate(const StageProblem& problem, const IonState& state, std::span<double> out) {
+  StageProblem unit_step = problem;
+  unit_step.start = state.concentration();
+  unit_step.step = 1.0;
+  equations_.residual(unit_step, state, residual_);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i] = -residual_[i] / grid_.height[i / grid_.columns()];
+  }
 }
 
 double NewtonKrylov::precondition_residual(const StageProblem& problem, const IonState& state) {
@@ -38,17 +47,17 @@ double NewtonKrylov::precondition_residual(const StageProblem& problem, const Io
   return vectors_.norm(defect_);
 }
 
-double NewtonKrylov::tolerance(const StageProblem& problem, const IonState& state) {
+double NewtonKrylov::allowed_error(const StageProblem& problem, const IonState& state) {
   double scale = std::max({std::abs(problem.potential_bottom), std::abs(problem.potential_top),
                            vectors_.largest_magnitude(state.potential())});
   for (const double value : problem.fixed_charge) {
     scale = std::max(scale, std::abs(value - 1.0));
   }
-  return relative_tolerance * std::min(scale, 1.0) + rounding;
+  return tolerance_ * std::min(scale, 1.0) + rounding;
 }
 
 bool NewtonKrylov::solve(const StageProblem& problem, IonState& state) {
-  const double allowed = tolerance(problem, state);
+  const double allowed = allowed_error(problem, state);
   precondition_residual(problem, state);
   bool renew = false;
   for (int iteration = 0; iteration < newton_limit; ++iteration) {

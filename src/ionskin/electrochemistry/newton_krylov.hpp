@@ -23,8 +23,9 @@ struct SolverCounters {
 /// shortened: c stays positive on the way, and what is accepted satisfies the equations.
 class NewtonKrylov {
 public:
-  /// @param ion_amount conserved; see ExactAverage
-  NewtonKrylov(const ScaledGrid& grid, double ion_amount, WorkerTeam& team);
+  /// @param tolerance error allowed in the unknowns, against the largest departure from the state
+  ///   at rest
+  NewtonKrylov(const ScaledGrid& grid, double tolerance, WorkerTeam& team);
 
   /// Renews the preconditioner for stages with this implicit step near this state.
   void prepare(const IonState& state, double step);
@@ -33,12 +34,16 @@ public:
   /// @returns false when Newton's method gives up; `state` is then of no use
   bool solve(const StageProblem& problem, IonState& state);
 
+  /// Rate of change of the concentrations by transport at a state that satisfies Poisson's equation
+  /// [nodes].
+  void rate(const StageProblem& problem, const IonState& state, std::span<double> out);
+
   const SolverCounters& counters() const { return counters_; }
   void restore_counters(const SolverCounters& counters) { counters_ = counters; }
 
 private:
   double precondition_residual(const StageProblem& problem, const IonState& state);
-  double tolerance(const StageProblem& problem, const IonState& state);
+  double allowed_error(const StageProblem& problem, const IonState& state);
   void step(const IonState& state, double length, std::span<const double> correction,
             IonState& out);
   bool search(const StageProblem& problem, IonState& state);
@@ -46,6 +51,7 @@ private:
   int solve_linearised(const StageProblem& problem, const IonState& state, double reduction);
 
   const ScaledGrid& grid_;
+  double tolerance_;
   VectorOperations vectors_;
   TransportEquations equations_;
   FastDiagonalisation preconditioner_;

@@ -3,7 +3,7 @@
 
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/electrochemistry/derived_scales.hpp"
-#include "ionskin/electrochemistry/time_grid.hpp"
+#include "ionskin/electrochemistry/step_control.hpp"
 #include "ionskin/electrochemistry/transport_grid.hpp"
 
 #include <algorithm>
@@ -69,8 +69,8 @@ ProblemSize problem_size(const Case& input, const strain::StrainHistory& history
   size.columns_y = grid.y_edges.size() - 1;
   size.levels = grid.z_nodes.size();
   size.unknowns = 2 * size.columns_x * size.columns_y * size.levels;
-  size.steps =
-      make_time_grid(history, step_rule(input.numerics, scales), input.output.fields).size() - 1;
+  size.steps = estimate_steps(make_step_landings(history, input.output.fields),
+                              step_rule(input.numerics, scales));
   size.memory = vectors_per_unknown * sizeof(double) * static_cast<double>(size.unknowns);
   return size;
 }

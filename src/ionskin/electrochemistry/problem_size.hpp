@@ -11,11 +11,11 @@ namespace ionskin::electrochemistry {
 struct ProblemSize {
   std::size_t columns_x = 0, columns_y = 0, levels = 0;
   std::size_t unknowns = 0; ///< concentration and potential
-  std::size_t steps = 0;    ///< time steps of two implicit stages each
+  std::size_t steps = 0;    ///< estimate of the time steps, of two implicit stages each
   double memory = 0;        ///< estimate [bytes]
 };
 
-/// Exact size for a given history.
+/// Size for a given history.
 ProblemSize problem_size(const Case& input, const strain::StrainHistory& history);
 
 /// Estimate from the motion alone, before Study 1: the grid is exact, the steps are those after the

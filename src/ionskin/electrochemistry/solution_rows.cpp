@@ -34,7 +34,7 @@ std::vector<double> scaled_copy(std::span<const double> values, double unit) {
 
 SolutionRows::SolutionRows(const Electrochemistry& electrochemistry, const DerivedScales& scales,
                            const TransportGrid& grid, const ScaledGrid& scaled,
-                           const FixedCharge& fixed_charge, const std::vector<double>& times,
+                           const FixedCharge& fixed_charge, const std::vector<double>& landings,
                            const std::vector<double>& snapshot_times)
     : scaled_(scaled), fixed_charge_(fixed_charge),
       charge_unit_(scales.charge_density * column_area(grid)),
@@ -42,7 +42,7 @@ SolutionRows::SolutionRows(const Electrochemistry& electrochemistry, const Deriv
       concentration_unit_(electrochemistry.fixed_charge_concentration / electrochemistry.valence),
       potential_unit_(scales.potential_scale) {
   for (const double instant : snapshot_times) {
-    snapshot_times_.push_back(nearest(times, instant));
+    snapshot_times_.push_back(nearest(landings, instant));
   }
 }
 

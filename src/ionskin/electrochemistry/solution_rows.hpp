@@ -17,11 +17,11 @@ namespace ionskin::electrochemistry {
 /// stand at the instant of the state.
 class SolutionRows {
 public:
-  /// @param times step ends [s]
-  /// @param snapshot_times wanted instants [s]; each is kept at the nearest step end
+  /// @param landings instants on which steps end [s]
+  /// @param snapshot_times wanted instants [s]; each is kept at the nearest of them
   SolutionRows(const Electrochemistry& electrochemistry, const DerivedScales& scales,
                const TransportGrid& grid, const ScaledGrid& scaled, const FixedCharge& fixed_charge,
-               const std::vector<double>& times, const std::vector<double>& snapshot_times);
+               const std::vector<double>& landings, const std::vector<double>& snapshot_times);
 
   void append(double time, const IonState& state, IonSolution& solution);
   /// Adds what is kept for the last row only.

@@ -5,6 +5,7 @@
 #include "ionskin/electrochemistry/column_neutral.hpp"
 #include "ionskin/electrochemistry/derived_scales.hpp"
 #include "ionskin/electrochemistry/fixed_charge.hpp"
+#include "ionskin/electrochemistry/pair_generation.hpp"
 #include "ionskin/electrochemistry/transport_grid.hpp"
 #include "ionskin/electrochemistry/volume_neutral.hpp"
 
@@ -24,6 +25,8 @@ void apply_law(const Coupling& coupling, const ScaledGrid& grid, std::span<const
     return apply_volume_neutral(coupling.coefficient, grid, shear, ratio);
   case CouplingLaw::column_neutral:
     return apply_column_neutral(coupling.coefficient, grid, shear, ratio);
+  case CouplingLaw::pair_generation:
+    return apply_pair_generation(coupling.coefficient, shear, ratio);
   }
   throw InternalError("unknown coupling law");
 }

@@ -23,6 +23,8 @@ public:
 
   std::span<const double> shear() const { return shear_; } ///< per control volume [1]
   std::span<const double> ratio() const { return ratio_; } ///< cf / c0 [1]
+  /// Whether the law adds a mobile ion for every fixed charge it adds.
+  bool releases_ions() const { return coupling_.law == CouplingLaw::pair_generation; }
 
 private:
   void check_sign(double time) const;

@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/electrochemistry/charge_norm.hpp"
 #include "ionskin/electrochemistry/derived_scales.hpp"
 #include "ionskin/electrochemistry/electrode_potentials.hpp"
 #include "ionskin/electrochemistry/ion_state.hpp"
 #include "ionskin/electrochemistry/newton_krylov.hpp"
 #include "ionskin/electrochemistry/space_charge.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace ionskin::electrochemistry {
 
-/// Two-stage diagonally implicit Runge-Kutta method of order 2 with gamma = 1 - 1/sqrt(2): L-stable
-/// and stiffly accurate (Alexander 1977, doi 10.1137/0714068), so that double layers faster than a
-/// step stay quiet and Poisson's equation holds at the end of every step.
+/// TR-BDF2 as a diagonally implicit Runge-Kutta method with an explicit first stage: of order 2,
+/// L-stable and stiffly accurate, so that double layers faster than a step stay quiet and Poisson's
+/// equation holds at the end of every step; both implicit stages have the same implicit part of the
+/// step, and the embedded formula of order 3 estimates the error (Bank et al. 1985, IEEE
+/// Transactions on Electron Devices 32, 1992; Hosea and Shampine 1996, Applied Numerical
+/// Mathematics 20, 21). Ions that the coupling law releases enter exactly: the method advances
+/// concentration minus released ions.
 class TimeIntegrator {
 public:
   TimeIntegrator(const ScaledGrid& grid, const DerivedScales& scales, FixedCharge& fixed_charge,
@@ -22,28 +28,42 @@ public:
   /// The response at the first instant: ions where they were, phi from Poisson's equation.
   /// Throws SolverError.
   void initialise(double time, TransportState& state);
+  /// Takes up a state that a run has left at an instant.
+  void take_up(double time, const TransportState& state);
 
-  /// Advances from `begin` to `end` [s]; leaves the fixed charge at `end`. A step that Newton's
-  /// method cannot take is halved. Throws SolverError when that does not help.
-  void advance(double begin, double end, TransportState& state);
+  /// Tries the step from `begin`, where the state stands, to `end` [s], and leaves the fixed charge
+  /// at `end`.
+  /// @returns the estimated error of the charge, over the largest charge so far; nothing where
+  ///   Newton's method found no solution
+  std::optional<double> try_step(double begin, double end, const TransportState& state);
+  /// Makes the end of the step tried last the new state.
+  void accept(TransportState& state);
 
 private:
-  bool try_step(double begin, double end, TransportState& state);
-  bool solve_stage(double time, double step, IonState& state);
-  /// guess = state + factor * direction, or the state itself where that would deplete a
-  /// concentration.
-  void extrapolate(const IonState& state, double factor, const std::vector<double>& direction,
-                   IonState& guess) const;
-  void advance_halved(double begin, double end, TransportState& state, int halvings);
+  void note_charge(TransportState& state);
+  /// Keeps the concentration that a step starts from, without the released ions.
+  void settle(const IonState& ions);
+  double released(std::size_t node) const;
+  StageProblem problem_at(double time);
+  void guess_stage(const TransportState& state);
+  void guess_end(const TransportState& state);
+  /// Takes `safe` instead of a guess that would deplete a concentration.
+  static void keep_positive(const IonState& safe, IonState& guess);
+  double charge_error(const TransportState& state);
 
   const ScaledGrid& grid_;
   DerivedScales scales_;
   FixedCharge& fixed_charge_;
   ElectrodePotentials potentials_;
   NewtonKrylov& solver_;
-  std::vector<double> start_; ///< concentration a stage starts from
+  ChargeNorm charge_norm_;
+  double resting_amount_;       ///< ions in the core at rest, scaled
+  double length_ = 0;           ///< of the step at hand [relaxation times]
+  double implicit_ = 0;         ///< its implicit part
+  std::vector<double> settled_; ///< concentration minus released ions where the step begins
+  std::vector<double> start_;   ///< concentration a stage starts from
+  std::vector<double> stage_rate_, end_rate_; ///< of concentration minus released ions
   IonState stage_, end_;
-  std::vector<double> slope_;
 };
 
 } // namespace ionskin::electrochemistry

@@ -19,6 +19,8 @@ struct StageProblem {
   double step = 0;                      ///< implicit part of the time step; 0 asks for phi alone
   std::span<const double> fixed_charge; ///< cf / c0 at the instant of the stage [nodes]
   double potential_bottom = 0, potential_top = 0; ///< of the electrodes
+  /// Ions in the core: sum over the control volumes of height times concentration.
+  double ion_amount = 0;
 };
 
 /// The Poisson-Nernst-Planck equations on finite volumes: the residual of a stage and its exact

@@ -34,7 +34,7 @@ struct Counter {
   std::size_t IonSolution::*value;
 };
 constexpr std::array counters{
-    Counter{"steps", &IonSolution::steps},
+    Counter{"steps", &IonSolution::steps}, Counter{"rejected_steps", &IonSolution::rejected_steps},
     Counter{"newton_iterations", &IonSolution::newton_iterations},
     Counter{"krylov_iterations", &IonSolution::krylov_iterations},
     Counter{"preconditioner_setups", &IonSolution::preconditioner_setups}};
@@ -49,6 +49,8 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& inpu
   file.set_attribute("/", "step", static_cast<double>(checkpoint.step));
   file.write("/state/ions", checkpoint.state.ions.values);
   file.write("/state/rate", checkpoint.state.rate);
+  file.set_attribute("/state", "next_step", checkpoint.state.next_step);
+  file.set_attribute("/state", "charge_scale", checkpoint.state.charge_scale);
   const IonSolution& solution = checkpoint.solution;
   file.write("/grid/x", solution.grid.x_edges);
   file.write("/grid/y", solution.grid.y_edges);
@@ -84,6 +86,8 @@ std::optional<IonCheckpoint> read_checkpoint(const std::filesystem::path& path,
   checkpoint.step = static_cast<std::size_t>(file.number_attribute("/", "step").value_or(0));
   checkpoint.state.ions.values = file.read("/state/ions");
   checkpoint.state.rate = file.read("/state/rate");
+  checkpoint.state.next_step = file.number_attribute("/state", "next_step").value_or(0);
+  checkpoint.state.charge_scale = file.number_attribute("/state", "charge_scale").value_or(0);
   IonSolution& solution = checkpoint.solution;
   solution.grid = {file.read("/grid/x"), file.read("/grid/y"), file.read("/grid/z")};
   for (const Row& row : rows) {

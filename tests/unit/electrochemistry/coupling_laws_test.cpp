@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/electrochemistry/column_neutral.hpp"
 #include "ionskin/electrochemistry/fixed_charge.hpp"
+#include "ionskin/electrochemistry/pair_generation.hpp"
 #include "ionskin/electrochemistry/volume_neutral.hpp"
 
 #include "small_grid.hpp"
@@ -39,6 +40,11 @@ TEST_F(CouplingLaws, FixedChargeIsLocal) {
   apply_fixed_charge(0.1, shear, ratio);
   EXPECT_DOUBLE_EQ(ratio[5], 1.0 + 0.1 * shear[5]);
   EXPECT_GT(mean_excess(0, grid.columns()), 1e-4);
+}
+
+TEST_F(CouplingLaws, PairGenerationIsLocalToo) {
+  apply_pair_generation(-0.3, shear, ratio);
+  EXPECT_DOUBLE_EQ(ratio[5], 1.0 - 0.3 * shear[5]);
 }
 
 TEST_F(CouplingLaws, VolumeNeutralConservesTheTotalOnly) {

@@ -75,14 +75,14 @@ TEST(IonTransport, InterruptedAndResumedEqualsUninterrupted) {
   struct Stop : std::exception {};
   IonCheckpoint kept;
   IonOptions first = options;
-  first.checkpoint_interval = 40;
+  first.checkpoint_interval = 20;
   first.checkpoint = [&kept](const IonCheckpoint& checkpoint) {
     kept = checkpoint;
     throw Stop();
   };
   EXPECT_THROW(solve(coarse_case(), history, first), Stop);
-  EXPECT_EQ(kept.step, 40U);
-  EXPECT_EQ(kept.solution.time.size(), 41U);
+  EXPECT_EQ(kept.step, 20U);
+  EXPECT_EQ(kept.solution.time.size(), 21U);
 
   IonOptions second = options;
   second.resume = kept;
@@ -93,7 +93,7 @@ TEST(IonTransport, CheckpointOfAnotherCaseIsRefused) {
   const auto history = linear_step_history(-0.01, 0.01, {0.0, 1.0});
   IonOptions options;
   IonCheckpoint kept;
-  options.checkpoint_interval = 10;
+  options.checkpoint_interval = 5;
   options.checkpoint = [&kept](const IonCheckpoint& checkpoint) { kept = checkpoint; };
   solve(coarse_case(), history, options);
   IonOptions resumed;
@@ -162,6 +162,26 @@ TEST(IonTransport, NegativeFixedChargeStopsTheRunAndHandsOverWhatItHas) {
   EXPECT_GT(rows, 5U);
 }
 
+TEST(IonTransport, ShortensAStepThatNewtonCannotTake) {
+  IonOptions options;
+  options.potentials.top = [](double time) { return time > 0.0 ? 25.0 : 0.0; };
+  const auto solution = solve(coarse_case(), linear_step_history(0.0, 0.0, {0.0, 0.05}), options);
+  EXPECT_GT(solution.rejected_steps, 0U);
+  EXPECT_GT(solution.min_concentration.back(), 0.0);
+}
+
+TEST(IonTransport, GivesUpWithTheInstantAndARemedy) {
+  IonOptions options;
+  options.potentials.top = [](double time) { return time > 0.01 ? std::nan("") : 0.0; };
+  try {
+    solve(coarse_case(), linear_step_history(0.0, 0.0, {0.0, 0.05}), options);
+    FAIL() << "no error";
+  } catch (const SolverError& error) {
+    EXPECT_NE(std::string(error.what()).find("between t = 0.0"), std::string::npos) << error.what();
+    EXPECT_NE(error.remedy().find("coupling.coefficient"), std::string::npos);
+  }
+}
+
 TEST(IonTransport, DeepDepletionStaysPositiveAndKeepsTheIdentities) {
   Case input = coarse_case();
   input.coupling.coefficient = 1.0;
@@ -173,6 +193,20 @@ TEST(IonTransport, DeepDepletionStaysPositiveAndKeepsTheIdentities) {
     EXPECT_NEAR(solution.ion_amount[i], solution.ion_amount[0], 1e-12 * solution.ion_amount[0]);
   }
   EXPECT_LT(solution.min_concentration.back(), 1e-3);
+}
+
+TEST(IonTransport, PairGenerationKeepsTheCoreNeutralAndCountsTheReleasedIons) {
+  Case input = coarse_case();
+  input.coupling.law = CouplingLaw::pair_generation;
+  const auto solution = solve(input, onset_history());
+  const double unit = input.coupling.coefficient * 1200.0;
+  for (std::size_t i = 0; i < solution.time.size(); ++i) {
+    const double released = unit * solution.shear_integral[i];
+    EXPECT_NEAR(solution.ion_amount[i], solution.ion_amount[0] + released,
+                1e-12 * solution.ion_amount[0]);
+    EXPECT_NEAR(solution.charge_top[i] + solution.charge_bottom[i], 0.0, 1e-14);
+  }
+  EXPECT_GT(std::abs(solution.charge_top.back()), 1e-9);
 }
 
 TEST(IonTransport, ProgressReachesOne) {

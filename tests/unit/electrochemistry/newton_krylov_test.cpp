@@ -41,8 +41,8 @@ protected:
 };
 
 TEST_F(Newton, SolvesAStageWithStrongFieldsAndKeepsIonsAndCharge) {
-  const StageProblem problem{start, 2.0, fixed, -1.5, 1.5};
-  NewtonKrylov newton(grid, amount, team);
+  const StageProblem problem{start, 2.0, fixed, -1.5, 1.5, amount};
+  NewtonKrylov newton(grid, 3e-5, team);
   newton.prepare(state, problem.step);
   ASSERT_TRUE(newton.solve(problem, state));
   EXPECT_LT(largest_residual(problem), 1e-4);
@@ -57,9 +57,9 @@ TEST_F(Newton, SolvesAStageWithStrongFieldsAndKeepsIonsAndCharge) {
 }
 
 TEST_F(Newton, RestStaysAtRestExactly) {
-  NewtonKrylov newton(grid, amount, team);
+  NewtonKrylov newton(grid, 3e-5, team);
   newton.prepare(state, 3.0);
-  ASSERT_TRUE(newton.solve({start, 3.0, start, 0.0, 0.0}, state));
+  ASSERT_TRUE(newton.solve({start, 3.0, start, 0.0, 0.0, amount}, state));
   for (std::size_t i = 0; i < grid.nodes(); ++i) {
     EXPECT_EQ(state.concentration()[i], 1.0);
     EXPECT_EQ(state.potential()[i], 0.0);
@@ -68,9 +68,9 @@ TEST_F(Newton, RestStaysAtRestExactly) {
 
 TEST_F(Newton, GivesUpOnNonsense) {
   fixed[grid.columns() + 3] = std::nan("");
-  NewtonKrylov newton(grid, amount, team);
+  NewtonKrylov newton(grid, 3e-5, team);
   newton.prepare(state, 1.0);
-  EXPECT_FALSE(newton.solve({start, 1.0, fixed, 0.0, 0.0}, state));
+  EXPECT_FALSE(newton.solve({start, 1.0, fixed, 0.0, 0.0, amount}, state));
 }
 
 } // namespace

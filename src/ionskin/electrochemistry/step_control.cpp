@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/electrochemistry/step_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ionskin::electrochemistry {
+namespace {
+
+/// Share of the length at which the error would be just allowed.
+constexpr double safety = 0.85;
+constexpr double largest_growth = 4.0, smallest_shrinkage = 0.1;
+
+/// Factor on a step's length that brings its error of third order to what is allowed.
+double ideal_factor(double error) {
+  return safety / std::cbrt(std::max(error, 1e-12));
+}
+
+/// Growth that steps keep up behind events, as it was measured on the baseline; for estimates.
+constexpr double usual_growth = 2.5;
+
+} // namespace
+
+double preset_tolerance(Preset preset) {
+  switch (preset) {
+  case Preset::coarse:
+    return 3e-4;
+  case Preset::standard:
+    return 3e-5;
+  case Preset::fine:
+    return 3e-6;
+  }
+  return 3e-6;
+}
+
+StepRule step_rule(const Numerics& numerics, const DerivedScales& scales) {
+  const double refinement = numerics.time_refinement;
+  const double tolerance =
+      numerics.time_tolerance > 0.0 ? numerics.time_tolerance : preset_tolerance(numerics.preset);
+  return {tolerance / (refinement * refinement * refinement),
+          std::min(1e-5, scales.relaxation_time / 50.0) / refinement,
+          std::min(0.2, scales.slow_time / 4.0) / refinement, 1e-9 * scales.relaxation_time};
+}
+
+bool StepControl::has_landed(const std::vector<double>& ends) const {
+  if (ends.empty() || ends.front() != landings_.time.front()) {
+    return false;
+  }
+  const auto passed =
+      landings_.time.begin() + static_cast<std::ptrdiff_t>(landings_.behind(ends.back()));
+  return std::includes(ends.begin(), ends.end(), landings_.time.begin(), passed);
+}
+
+double StepControl::step_end(double time, double wanted) const {
+  const double landing = landings_.time[landings_.behind(time)], rest = landing - time;
+  const double length = std::min(wanted, rule_.longest);
+  if (length >= 0.999 * rest) {
+    return landing;
+  }
+  // Two equal steps rather than a long one and a sliver.
+  return time + (2.0 * length > rest ? 0.5 * rest : length);
+}
+
+double StepControl::after_success(double begin, double end, double wanted, double error) const {
+  const std::size_t landing = landings_.behind(end) - 1;
+  if (landings_.time[landing] == end && landings_.is_event[landing]) {
+    return rule_.first;
+  }
+  const double length = end - begin;
+  const double next = length * std::clamp(ideal_factor(error), smallest_shrinkage, largest_growth);
+  // A step cut short by a landing says little against a longer one.
+  return next >= length ? std::max(next, std::min(wanted, rule_.longest)) : next;
+}
+
+double StepControl::after_rejection(double begin, double end, double error) const {
+  return (end - begin) * std::clamp(ideal_factor(error), smallest_shrinkage, 0.7);
+}
+
+std::size_t estimate_steps(const StepLandings& landings, const StepRule& rule) {
+  double steps = 0.0, step = rule.first;
+  for (std::size_t i = 1; i < landings.time.size(); ++i) {
+    double rest = landings.time[i] - landings.time[i - 1];
+    while (rest > 0.0) {
+      rest -= step;
+      step = std::min(step * usual_growth, rule.longest);
+      steps += 1.0;
+    }
+    if (landings.is_event[i]) {
+      step = rule.first;
+    }
+  }
+  return static_cast<std::size_t>(steps);
+}
+
+} // namespace ionskin::electrochemistry

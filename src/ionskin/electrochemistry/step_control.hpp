@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/electrochemistry/derived_scales.hpp"
+#include "ionskin/electrochemistry/step_landings.hpp"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace ionskin::electrochemistry {
+
+/// What the length of time steps is held to.
+struct StepRule {
+  double tolerance = 0; ///< error of the charge that one step may add, over the charge so far
+  double first = 0;     ///< first trial after an event [s]
+  double longest = 0;   ///< [s]
+  double shortest = 0;  ///< below it the solver gives up [s]
+};
+
+/// The rule for a case: the tolerance is the user's or the preset's; steps start at 1e-5 s after
+/// events and reach up to a fifth of a second, both shorter where the relaxation or the charging of
+/// the core is faster than in Nafion. `time_refinement` divides steps, so it divides the tolerance
+/// by its third power, that of the error of a step.
+StepRule step_rule(const Numerics& numerics, const DerivedScales& scales);
+
+/// Time tolerance of a preset.
+double preset_tolerance(Preset preset);
+
+/// Chooses the ends of the steps: on every landing, as long as the error allows in between, small
+/// after events (elementary controller with limits: Hairer, Norsett and Wanner, Solving Ordinary
+/// Differential Equations I, 1993, section II.4).
+class StepControl {
+public:
+  StepControl(StepLandings landings, const StepRule& rule)
+      : landings_(std::move(landings)), rule_(rule) {}
+
+  const StepLandings& landings() const { return landings_; }
+
+  /// First and last instant [s].
+  std::pair<double, double> span() const { return {landings_.time.front(), landings_.time.back()}; }
+  /// Whether step ends so far are those of a run with these landings [s].
+  bool has_landed(const std::vector<double>& ends) const;
+
+  /// The step to start a run with [s].
+  double first_step() const { return rule_.first; }
+  bool finished(double time) const { return time >= landings_.time.back(); }
+  /// End of the step from `time` whose length should be `wanted`: exactly on a landing when that is
+  /// near, and never so that a sliver remains [s].
+  double step_end(double time, double wanted) const;
+  /// Length to try after a finished step [s].
+  /// @param wanted what `step_end` was asked for
+  /// @param error of the step over what is allowed
+  double after_success(double begin, double end, double wanted, double error) const;
+  /// Length to try instead of a step whose error was too large [s].
+  double after_rejection(double begin, double end, double error) const;
+  /// Length to try instead of a step without a solution [s].
+  double after_failure(double begin, double end) const { return 0.25 * (end - begin); }
+
+  double tolerance() const { return rule_.tolerance; }
+  bool too_short(double wanted) const { return wanted < rule_.shortest; }
+
+private:
+  StepLandings landings_;
+  StepRule rule_;
+};
+
+/// Number of steps a run is likely to take, for estimates before it: landings, and the growth of
+/// the steps behind events and between far landings.
+std::size_t estimate_steps(const StepLandings& landings, const StepRule& rule);
+
+} // namespace ionskin::electrochemistry

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/electrochemistry/step_landings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ionskin::electrochemistry {
+namespace {
+
+/// Instants closer than this are one.
+double same_instant(const strain::StrainHistory& history) {
+  return 1e-12 * history.duration();
+}
+
+bool is_among(const std::vector<double>& instants, double instant, double resolution) {
+  const auto from = std::lower_bound(instants.begin(), instants.end(), instant - resolution);
+  return from != instants.end() && *from <= instant + resolution;
+}
+
+} // namespace
+
+std::size_t StepLandings::behind(double instant) const {
+  return static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), instant) -
+                                  time.begin());
+}
+
+StepLandings make_step_landings(const strain::StrainHistory& history,
+                                const std::vector<double>& wanted) {
+  const double resolution = same_instant(history);
+  StepLandings landings;
+  landings.time = history.time;
+  for (const double instant : wanted) {
+    const double inside = std::clamp(instant, history.time.front(), history.time.back());
+    // A wanted instant next to a sample is that sample.
+    if (!is_among(history.time, inside, resolution)) {
+      landings.time.push_back(inside);
+    }
+  }
+  std::sort(landings.time.begin(), landings.time.end());
+  const auto same = [resolution](double a, double b) { return b - a <= resolution; };
+  landings.time.erase(std::unique(landings.time.begin(), landings.time.end(), same),
+                      landings.time.end());
+  std::vector<double> events = history.event_time;
+  std::sort(events.begin(), events.end());
+  for (const double instant : landings.time) {
+    landings.is_event.push_back(is_among(events, instant, resolution));
+  }
+  return landings;
+}
+
+} // namespace ionskin::electrochemistry

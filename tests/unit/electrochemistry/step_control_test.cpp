@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/electrochemistry/step_control.hpp"
+
+#include "model_cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace ionskin::electrochemistry {
+namespace {
+
+const StepControl control{{{0.0, 1.0, 3.0}, {true, true, false}}, {1e-4, 1e-5, 0.5, 1e-12}};
+
+TEST(StepControl, LandsWithoutSlivers) {
+  EXPECT_DOUBLE_EQ(control.step_end(0.2, 0.1), 0.3);
+  EXPECT_EQ(control.step_end(0.9, 0.2), 1.0);
+  EXPECT_DOUBLE_EQ(control.step_end(0.85, 0.1), 0.925);
+  EXPECT_EQ(control.step_end(1.0, 9.0), 1.5);
+  EXPECT_TRUE(control.finished(3.0));
+  EXPECT_FALSE(control.finished(2.9));
+}
+
+TEST(StepControl, ErrorOfThirdOrderSetsTheLength) {
+  EXPECT_NEAR(control.after_success(0.1, 0.2, 0.1, 0.1), 0.1 * 0.85 * std::cbrt(10.0), 1e-12);
+  EXPECT_NEAR(control.after_success(0.1, 0.2, 0.1, 0.9), 0.1 * 0.85 / std::cbrt(0.9), 1e-12);
+  EXPECT_NEAR(control.after_success(0.1, 0.2, 0.1, 0.0), 0.4, 1e-12);
+  EXPECT_LT(control.after_rejection(0.1, 0.2, 1.01), 0.071);
+  EXPECT_NEAR(control.after_rejection(0.1, 0.2, 1e9), 0.01, 1e-12);
+  EXPECT_NEAR(control.after_failure(0.1, 0.2), 0.025, 1e-12);
+}
+
+TEST(StepControl, RestartsBehindEventsAndRemembersLongerStepsElsewhere) {
+  EXPECT_EQ(control.after_success(0.9, 1.0, 0.5, 0.0), 1e-5);
+  EXPECT_EQ(control.after_success(2.99, 3.0, 0.5, 0.1), 0.5);
+}
+
+TEST(StepControl, KnowsTheLandingsOfAnEarlierRun) {
+  EXPECT_TRUE(control.has_landed({0.0, 0.4, 1.0, 1.7}));
+  EXPECT_FALSE(control.has_landed({0.0, 0.4, 1.7}));
+  EXPECT_FALSE(control.has_landed({0.1, 1.0}));
+}
+
+TEST(StepRule, RefinementDividesStepsOfThirdOrder) {
+  const DerivedScales scales = derive_scales(verification::model_case().electrochemistry, 180e-6);
+  const StepRule once = step_rule({Preset::standard, 1.0, 1.0}, scales);
+  const StepRule twice = step_rule({Preset::standard, 1.0, 2.0}, scales);
+  EXPECT_DOUBLE_EQ(once.tolerance, preset_tolerance(Preset::standard));
+  EXPECT_DOUBLE_EQ(twice.tolerance, once.tolerance / 8.0);
+  EXPECT_DOUBLE_EQ(twice.first, 0.5 * once.first);
+  EXPECT_DOUBLE_EQ(twice.longest, 0.5 * once.longest);
+  EXPECT_DOUBLE_EQ(step_rule({Preset::fine, 1.0, 1.0, 0.01}, scales).tolerance, 0.01);
+}
+
+} // namespace
+} // namespace ionskin::electrochemistry
