@@ -87,7 +87,7 @@ struct Electrochemistry {
 };
 
 enum class CouplingLaw { fixed_charge, volume_neutral, column_neutral, pair_generation };
-enum class ShearMeasure { off_diagonal };
+enum class ShearMeasure { off_diagonal, deviatoric, signed_xz };
 
 struct Coupling {
   CouplingLaw law = CouplingLaw::fixed_charge;

@@ -73,11 +73,14 @@ void add_coupling(SchemaRows& rows) {
       {.key = "coupling.measure",
        .type = ValueType::choice,
        .default_value = "\"off-diagonal\"",
-       .choices = {{"off-diagonal"}},
-       .help = "Scalar made of the strain: gamma = 2 sqrt(exy^2 + eyz^2 + exz^2).",
-       .source = "the paper's equivalent shear strain",
+       .choices = {{"off-diagonal"}, {"deviatoric"}, {"signed-xz"}},
+       .help = "Scalar gamma made of the strain e: 2 sqrt(exy^2 + eyz^2 + exz^2), sqrt(2 e':e') of "
+               "the deviator e' (whatever the axes), or 2 exz with its sign.",
+       .source = "off-diagonal is the paper's equivalent shear strain",
        .set = into<Coupling, ShearMeasure>(&Case::coupling, &Coupling::measure,
-                                           {{"off-diagonal", ShearMeasure::off_diagonal}})});
+                                           {{"off-diagonal", ShearMeasure::off_diagonal},
+                                            {"deviatoric", ShearMeasure::deviatoric},
+                                            {"signed-xz", ShearMeasure::signed_xz}})});
 }
 
 } // namespace ionskin

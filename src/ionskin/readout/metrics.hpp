@@ -41,9 +41,8 @@ std::vector<Metric> signal_metrics(const SignalTable& signals, const SignalTable
 /// @param expected total charge: F c0 k times the integral of gamma under `fixed-charge`, 0 under
 /// the
 ///        neutral laws [C]
-/// @param scale largest F c0 |k| times the integral of gamma over the run [C]; with a scale of 0
-/// the
-///        error is 0 when the violation is, and infinite otherwise
+/// @param scale largest F c0 |k| times the integral of |gamma| over the run [C]; with a scale of 0
+///        the error is 0 when the violation is, and infinite otherwise
 double charge_identity_error(const std::vector<double>& charge_top,
                              const std::vector<double>& charge_bottom,
                              const std::vector<double>& expected, double scale);

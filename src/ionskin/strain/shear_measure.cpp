@@ -2,34 +2,48 @@
 #include "ionskin/strain/shear_measure.hpp"
 
 #include "ionskin/base/error.hpp"
-
-#include <cmath>
+#include "ionskin/strain/deviatoric_shear.hpp"
+#include "ionskin/strain/off_diagonal_shear.hpp"
+#include "ionskin/strain/signed_xz_shear.hpp"
 
 namespace ionskin::strain {
+namespace {
 
-double off_diagonal_shear(const std::array<double, 6>& strain) {
-  return 2 * std::sqrt(strain[3] * strain[3] + strain[4] * strain[4] + strain[5] * strain[5]);
+using PointMeasure = double (*)(const std::array<double, 6>&);
+
+PointMeasure at_point(ShearMeasure measure) {
+  switch (measure) {
+  case ShearMeasure::off_diagonal:
+    return off_diagonal_shear;
+  case ShearMeasure::deviatoric:
+    return deviatoric_shear;
+  case ShearMeasure::signed_xz:
+    return signed_xz_shear;
+  }
+  throw InternalError("unknown shear measure");
 }
+
+} // namespace
 
 std::string_view name(ShearMeasure measure) {
   switch (measure) {
   case ShearMeasure::off_diagonal:
     return "off-diagonal";
+  case ShearMeasure::deviatoric:
+    return "deviatoric";
+  case ShearMeasure::signed_xz:
+    return "signed-xz";
   }
   throw InternalError("unknown shear measure");
 }
 
 void evaluate_shear(ShearMeasure measure, const std::array<std::vector<double>, 6>& component,
                     std::vector<double>& shear) {
-  const std::size_t points = component[0].size();
-  shear.resize(points);
-  for (std::size_t i = 0; i < points; ++i) {
-    switch (measure) {
-    case ShearMeasure::off_diagonal:
-      shear[i] = off_diagonal_shear({component[0][i], component[1][i], component[2][i],
-                                     component[3][i], component[4][i], component[5][i]});
-      break;
-    }
+  const PointMeasure evaluate = at_point(measure);
+  shear.resize(component[0].size());
+  for (std::size_t i = 0; i < shear.size(); ++i) {
+    shear[i] = evaluate({component[0][i], component[1][i], component[2][i], component[3][i],
+                         component[4][i], component[5][i]});
   }
 }
 

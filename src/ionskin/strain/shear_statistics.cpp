@@ -59,6 +59,25 @@ double percentile(std::vector<std::pair<double, double>>& entries, double total,
   return begin == entries.end() ? 0.0 : begin->first;
 }
 
+/// Integral over the core of what `mean_of(low, high)` gives as the mean over an interval between
+/// two levels [m3].
+template <class MeanOf>
+double integral(const StrainHistory& history, double time, const MeanOf& mean_of) {
+  const Instant instant(history, time);
+  const auto& z = history.grid.z_nodes;
+  const std::size_t columns = instant.area.size();
+  double integral = 0;
+  for (std::size_t k = 0; k + 1 < z.size(); ++k) {
+    double slice = 0;
+    for (std::size_t c = 0; c < columns; ++c) {
+      slice += instant.area[c] *
+               mean_of(instant.field[k * columns + c], instant.field[(k + 1) * columns + c]);
+    }
+    integral += (z[k + 1] - z[k]) * slice;
+  }
+  return integral;
+}
+
 } // namespace
 
 ShearStatistics shear_statistics(const StrainHistory& history, double time) {
@@ -85,8 +104,8 @@ ShearStatistics shear_statistics(const StrainHistory& history, double time) {
       result.mean += cell * mean;
       result.rms += cell * (low * low + low * high + high * high) / 3;
       result.first_moment += cell * (mean * centre + (high - low) * dz / (12 * height));
-      result.element_max = std::max(result.element_max, mean);
-      entries.emplace_back(mean, cell);
+      result.element_max = std::max(result.element_max, std::abs(mean));
+      entries.emplace_back(std::abs(mean), cell);
     }
   }
   result.mean /= volume;
@@ -98,19 +117,14 @@ ShearStatistics shear_statistics(const StrainHistory& history, double time) {
 }
 
 double shear_integral(const StrainHistory& history, double time) {
-  const Instant instant(history, time);
-  const auto& z = history.grid.z_nodes;
-  const std::size_t columns = instant.area.size();
-  double integral = 0;
-  for (std::size_t k = 0; k + 1 < z.size(); ++k) {
-    double slice = 0;
-    for (std::size_t c = 0; c < columns; ++c) {
-      slice +=
-          instant.area[c] * (instant.field[k * columns + c] + instant.field[(k + 1) * columns + c]);
-    }
-    integral += 0.5 * (z[k + 1] - z[k]) * slice;
-  }
-  return integral;
+  return integral(history, time, [](double low, double high) { return 0.5 * (low + high); });
+}
+
+double shear_magnitude_integral(const StrainHistory& history, double time) {
+  return integral(history, time, [](double low, double high) {
+    const double sum = std::abs(low) + std::abs(high);
+    return low * high >= 0 ? 0.5 * sum : 0.5 * (low * low + high * high) / sum;
+  });
 }
 
 } // namespace ionskin::strain

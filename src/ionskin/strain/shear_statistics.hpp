@@ -5,11 +5,12 @@
 
 namespace ionskin::strain {
 
-/// Scalars of the shear at one instant, volume weighted over the whole core.
+/// Scalars of the shear at one instant, volume weighted over the whole core. Percentiles and
+/// maximum are of the magnitude, so that they tell how large a shear of either sign is.
 struct ShearStatistics {
   double mean = 0;         ///< [1]
   double rms = 0;          ///< [1]
-  double p95 = 0, p99 = 0; ///< percentiles by volume, over z intervals of cells [1]
+  double p95 = 0, p99 = 0; ///< percentiles by volume, over averages of z intervals of cells [1]
   double first_moment = 0; ///< mean of gamma (zeta/h - 1/2) [1]
   double element_max = 0;  ///< largest average over one z interval of one cell [1]
 };
@@ -20,5 +21,8 @@ ShearStatistics shear_statistics(const StrainHistory& history, double time);
 
 /// Integral of gamma over the core [m3], exact for the piecewise-linear form.
 double shear_integral(const StrainHistory& history, double time);
+
+/// The same of |gamma| [m3].
+double shear_magnitude_integral(const StrainHistory& history, double time);
 
 } // namespace ionskin::strain

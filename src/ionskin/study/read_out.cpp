@@ -77,14 +77,15 @@ readout::Metric charge_identity(const Case& input, const MechanicsRecord& mechan
                                 const IonSolution& ions, int threads) {
   const double factor = constants::faraday * input.electrochemistry.fixed_charge_concentration *
                         input.coupling.coefficient;
-  std::vector<double> expected(ions.time.size());
+  std::vector<double> expected(ions.time.size()), magnitude(ions.time.size());
   base::run_tasks(expected.size(), threads, [&](std::size_t row) {
     expected[row] = factor * strain::shear_integral(mechanics.history, ions.time[row]);
   });
-  const double scale = readout::peak_magnitude(expected);
+  const double scale = readout::peak_magnitude(magnitude);
   if (input.coupling.law != CouplingLaw::fixed_charge) {
     expected.assign(expected.size(), 0.0);
   }
+    magnitude[row] = factor * strain::shear_magnitude_integral(mechanics.history, ions.time[row]);
   return {"charge_identity_error",
           readout::charge_identity_error(ions.charge_top, ions.charge_bottom, expected, scale),
           "1"};

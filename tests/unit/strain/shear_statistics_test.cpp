@@ -40,6 +40,27 @@ TEST(ShearStatistics, PercentileSplitsTheVolume) {
   EXPECT_DOUBLE_EQ(statistics.p99, 5);
 }
 
+TEST(ShearStatistics, SizesOfASignedShearAreOfItsMagnitude) {
+  StrainHistory history = two_columns();
+  history.gamma[1] = std::make_shared<StrainField>(StrainField{0, -3, -2, -3, -4, -3});
+  const auto statistics = shear_statistics(history, 10);
+  const auto mirrored = shear_statistics(two_columns(), 10);
+  EXPECT_DOUBLE_EQ(statistics.mean, -mirrored.mean);
+  EXPECT_DOUBLE_EQ(statistics.first_moment, -mirrored.first_moment);
+  EXPECT_DOUBLE_EQ(statistics.rms, mirrored.rms);
+  EXPECT_DOUBLE_EQ(statistics.p95, mirrored.p95);
+  EXPECT_DOUBLE_EQ(statistics.element_max, 3);
+}
+
+TEST(ShearStatistics, IntegratesTheMagnitudeThroughAChangeOfSign) {
+  StrainHistory history = two_columns();
+  EXPECT_DOUBLE_EQ(shear_magnitude_integral(history, 10), shear_integral(history, 10));
+  // Column 1 from -1 over 1 to 1: two triangles of 1/4 and a square; column 2 is -3 throughout.
+  history.gamma[1] = std::make_shared<StrainField>(StrainField{-1, -3, 1, -3, 1, -3});
+  EXPECT_NEAR(shear_magnitude_integral(history, 10), 1.5 + 3 * 2 * 3, 1e-14);
+  EXPECT_NEAR(shear_integral(history, 10), 1.0 - 3 * 2 * 3, 1e-14);
+}
+
 TEST(ShearStatistics, IsLinearInTimeBetweenSamples) {
   const auto history = two_columns();
   EXPECT_NEAR(shear_statistics(history, 2.5).mean, 0.25 * shear_statistics(history, 10).mean,
