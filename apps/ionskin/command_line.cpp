@@ -96,6 +96,28 @@ void add_verify(CLI::App& app, Command& command) {
   verb->callback([options, &command] { command = *options; });
 }
 
+void add_impedance(CLI::App& app, Command& command) {
+  auto options = std::make_shared<ImpedanceOptions>();
+  CLI::App* verb = app.add_subcommand(
+      "impedance", "Small-signal spectrum of the cell at rest: CSV, Nyquist and Bode figures");
+  verb->add_option("case", options->case_path, "Case file")->required()->type_name("CASE.toml");
+  verb->add_option("--from", options->from, "Lowest frequency, such as 0.01Hz")
+      ->required()
+      ->type_name("FREQUENCY");
+  verb->add_option("--to", options->to, "Highest frequency, such as 1kHz")
+      ->required()
+      ->type_name("FREQUENCY");
+  verb->add_option("--points", options->points, "Frequencies per decade")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  verb->add_option("-o,--output", options->output, "Folder for the results")
+      ->required()
+      ->type_name("DIR");
+  add_set_option(*verb, options->set_edits);
+  verb->add_flag("--overwrite", options->overwrite, "Replace the results in an existing folder");
+  verb->callback([options, &command] { command = *options; });
+}
+
 } // namespace
 
 std::optional<Command> parse_command_line(int argc, char** argv, int& exit_code) {
@@ -107,6 +129,7 @@ std::optional<Command> parse_command_line(int argc, char** argv, int& exit_code)
   add_init(app, command);
   add_check(app, command);
   add_run(app, command);
+  add_impedance(app, command);
   add_verify(app, command);
   if (argc == 1) {
     std::fputs(app.help().c_str(), stdout);

@@ -29,6 +29,16 @@ struct VerifyOptions {
   int threads = 0;
 };
 
-using Command = std::variant<InitOptions, CheckOptions, RunOptions, VerifyOptions>;
+struct ImpedanceOptions {
+  std::string case_path;
+  std::string output;
+  std::vector<std::string> set_edits;
+  std::string from, to; ///< frequencies with unit
+  int points = 10;      ///< per decade
+  bool overwrite = false;
+};
+
+using Command =
+    std::variant<InitOptions, CheckOptions, RunOptions, VerifyOptions, ImpedanceOptions>;
 
 } // namespace ionskin::apps

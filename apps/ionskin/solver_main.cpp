@@ -4,6 +4,7 @@
 
 #include "command_line.hpp"
 #include "guard.hpp"
+#include "impedance.hpp"
 #include "run.hpp"
 #include "verify.hpp"
 
@@ -16,12 +17,15 @@ int main(int argc, char** argv) {
     if (!command) {
       return exit_code;
     }
+    std::string command_text = "ionskin";
+    for (int i = 1; i < argc; ++i) {
+      command_text.append(" ").append(argv[i]);
+    }
     if (const auto* run_options = std::get_if<RunOptions>(&*command)) {
-      std::string command_text = "ionskin";
-      for (int i = 1; i < argc; ++i) {
-        command_text.append(" ").append(argv[i]);
-      }
       return run(*run_options, command_text);
+    }
+    if (const auto* impedance_options = std::get_if<ImpedanceOptions>(&*command)) {
+      return impedance(*impedance_options, command_text);
     }
     return verify(std::get<VerifyOptions>(*command));
   });

@@ -95,7 +95,7 @@ def case_groups(case):
     groups = []
     for key, heading in CASE_GROUPS.items():
         entries = [(name.replace("_", " "), readable(value)) for name, value in case.get(key, {}).items()
-                   if not isinstance(value, dict) and name != "layers"]
+                   if not isinstance(value, dict) and name not in ("layers", "taxels")]
         if entries:
             groups.append((heading, entries))
     for name, material in case.get("materials", {}).items():

@@ -11,6 +11,8 @@ namespace ionskin::verification {
 std::vector<Row> identity_rows(const Options& options);
 /// E3: linear step through the thickness against its closed form, and the observed orders.
 std::vector<Row> linear_step_rows(const Options& options);
+/// E4: impedance of the blocking cell over five decades against its closed form.
+std::vector<Row> impedance_rows();
 /// E5: wall charge of nonlinear double layers.
 std::vector<Row> double_layer_rows(const Options& options);
 /// E8: in the linear limit the laterally averaged response is the response of the averaged shear.

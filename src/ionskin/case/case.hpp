@@ -102,8 +102,28 @@ struct StrainSource {
   std::string file; ///< absolute path; empty for contact
 };
 
+/// A rectangle of the top electrode with a lead of its own.
+struct Taxel {
+  std::string name;
+  std::array<double, 2> lower{}, upper{}; ///< corners, x and y [m]
+};
+
+/// What is connected to the two electrodes.
+enum class ReadoutCircuit { short_circuit, amplifier };
+
+/// Transimpedance amplifier; it holds the electrodes at one potential.
+struct Amplifier {
+  double bandwidth = 0;     ///< of its first-order low pass, -3 dB [Hz]
+  double noise_density = 0; ///< input-referred, one-sided [A/sqrt(Hz)]
+  double range = 0;         ///< largest current of either sign [A]; 0 for any
+  int noise_seed = 0;
+};
+
 struct Readout {
   double sample_interval = 0; ///< [s]
+  ReadoutCircuit circuit = ReadoutCircuit::short_circuit;
+  Amplifier amplifier;       ///< of circuit `amplifier`
+  std::vector<Taxel> taxels; ///< disjoint; empty for one whole electrode
 };
 
 enum class Preset { coarse, standard, fine };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/check_case.hpp"
 
+#include "ionskin/case/check_readout.hpp"
 #include "ionskin/case/check_track.hpp"
 
 #include <fmt/format.h>
@@ -109,6 +110,7 @@ void check_case(const CaseDocument& document) {
   Problems problems;
   check_layer_names(document, problems);
   check_core(document, problems);
+  check_readout(document, problems);
   if (document.input.strain.kind == StrainSourceKind::contact) {
     check_track(document, problems);
     check_preload(document, problems);

@@ -51,7 +51,7 @@ public:
       if (row.key.starts_with("materials."))
         continue;
       if (const std::size_t brackets = row.key.find("[]"); brackets != std::string::npos)
-        for (std::size_t i = 0; i < walk_.draft.input.skin.layers.size(); ++i)
+        for (std::size_t i = 0; i < walk_.list_sizes[row.key.substr(0, brackets)]; ++i)
           look_at(row, std::string(row.key).replace(brackets, 2, fmt::format("[{}]", i)), {i, ""});
       else
         look_at(row, row.key, {});

@@ -63,7 +63,7 @@ struct CaseDraft {
 
 /// What the wildcards of a row's key stand for.
 struct KeyIndex {
-  std::size_t layer = 0;
+  std::size_t entry = 0; ///< of a list of tables, from 0
   std::string material;
 };
 

@@ -25,6 +25,7 @@ void add_contact(SchemaRows& rows);
 void add_electrochemistry(SchemaRows& rows);
 void add_coupling(SchemaRows& rows);
 void add_strain(SchemaRows& rows);
+void add_readout(SchemaRows& rows);
 void add_run_control(SchemaRows& rows);
 
 } // namespace ionskin

@@ -24,14 +24,6 @@ void add_strain(SchemaRows& rows) {
 }
 
 void add_run_control(SchemaRows& rows) {
-  rows.push_back({.key = "readout.sample_interval",
-                  .type = ValueType::quantity,
-                  .dimension = Dimension::time,
-                  .range = positive,
-                  .default_value = "\"10 ms\"",
-                  .help = "Interval of the sampled currents: charge gained over it divided by it.",
-                  .source = "100 readings a second, as of an ordinary multimeter interface",
-                  .set = into(&Case::readout, &Readout::sample_interval)});
   rows.push_back(
       {.key = "numerics.preset",
        .type = ValueType::choice,

@@ -41,7 +41,13 @@ Setter into(Section Case::*section, Member Section::*member) {
 
 template <typename Member> Setter into_layer(Member Layer::*member) {
   return [=](CaseDraft& draft, const KeyIndex& index, const Value& value) {
-    store(value, draft.input.skin.layers[index.layer].*member);
+    store(value, draft.input.skin.layers[index.entry].*member);
+  };
+}
+
+template <typename Member> Setter into_taxel(Member Taxel::*member) {
+  return [=](CaseDraft& draft, const KeyIndex& index, const Value& value) {
+    store(value, draft.input.readout.taxels[index.entry].*member);
   };
 }
 
@@ -71,7 +77,7 @@ Setter into(Section Case::*section, Enum Section::*member, const Names<Enum>& na
 
 template <typename Enum> Setter into_layer(Enum Layer::*member, const Names<Enum>& names) {
   return [=](CaseDraft& draft, const KeyIndex& index, const Value& value) {
-    draft.input.skin.layers[index.layer].*member = constant_of(names, value.text);
+    draft.input.skin.layers[index.entry].*member = constant_of(names, value.text);
   };
 }
 

@@ -10,7 +10,7 @@ using units::Dimension;
 namespace {
 
 void into_layer_material(CaseDraft& draft, const KeyIndex& index, const Value& value) {
-  draft.input.skin.layers[index.layer].material.name = value.text;
+  draft.input.skin.layers[index.entry].material.name = value.text;
 }
 
 } // namespace

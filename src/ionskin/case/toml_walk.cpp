@@ -74,6 +74,20 @@ std::string list_of_siblings(const std::string& key, const std::string& pattern)
                                 : fmt::format("keys of {}: {}", parent_of(key), list);
 }
 
+constexpr const char* layer_list = "skin.layers";
+
+// What one table of a list stands for, for messages.
+std::string entry_name(const std::string& pattern) {
+  return pattern == layer_list ? "layer, from bottom to top" : "taxel";
+}
+
+void resize_list(Case& input, const std::string& pattern, std::size_t size) {
+  if (pattern == layer_list)
+    input.skin.layers.resize(size);
+  else
+    input.readout.taxels.resize(size);
+}
+
 } // namespace
 
 Place TomlWalk::place_of(const toml::value& value) const {
@@ -87,7 +101,7 @@ void TomlWalk::visit_value(const toml::value& value, const std::string& key,
   if (const SchemaRow* row = find_row(pattern))
     read(*row, value, key, index);
   else if (any_row_starts_with(pattern + "[]."))
-    visit_layers(value, key, pattern);
+    visit_list(value, key, pattern);
   else if (any_row_starts_with(pattern + "."))
     visit_table(value, key, pattern, index);
   else
@@ -115,15 +129,16 @@ void TomlWalk::visit_table(const toml::value& value, const std::string& key,
   }
 }
 
-void TomlWalk::visit_layers(const toml::value& value, const std::string& key,
-                            const std::string& pattern) {
+void TomlWalk::visit_list(const toml::value& value, const std::string& key,
+                          const std::string& pattern) {
   if (!value.is_array() || (!value.as_array().empty() && !value.as_array().front().is_table())) {
     problems_.add(fmt::format("{} must be a list of tables", key), {{place_of(value), ""}},
-                  fmt::format("write one section [[{}]] for each layer, from bottom to top", key));
+                  fmt::format("write one section [[{}]] for each {}", key, entry_name(pattern)));
     return;
   }
   tables[key] = place_of(value);
-  draft.input.skin.layers.resize(value.as_array().size());
+  list_sizes[key] = value.as_array().size();
+  resize_list(draft.input, pattern, value.as_array().size());
   for (std::size_t i = 0; i < value.as_array().size(); ++i)
     visit_table(value.as_array()[i], fmt::format("{}[{}]", key, i), pattern + "[]", {i, ""});
 }

@@ -25,6 +25,8 @@ public:
   std::vector<ValueRecord> records;
   /// Where the tables stand: "skin", "skin.layers[0]", "materials.nafion".
   std::map<std::string, Place> tables;
+  /// Number of tables in each list of them: "skin.layers".
+  std::map<std::string, std::size_t> list_sizes;
   /// Keys and sections that were there, even misspelt or with a bad value.
   std::map<std::string, bool> seen;
 
@@ -33,7 +35,7 @@ private:
                    const KeyIndex& index);
   void visit_table(const toml::value& value, const std::string& key, const std::string& pattern,
                    const KeyIndex& index);
-  void visit_layers(const toml::value& value, const std::string& key, const std::string& pattern);
+  void visit_list(const toml::value& value, const std::string& key, const std::string& pattern);
   void read(const SchemaRow& row, const toml::value& value, const std::string& key,
             const KeyIndex& index);
   void report_unknown(const toml::value& value, const std::string& key, const std::string& pattern);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace ionskin::electrochemistry {
@@ -20,6 +21,12 @@ struct IonSnapshot {
   std::vector<double> shear;         ///< on the transport grid [1]
 };
 
+/// Charge on the metal of one part of the top electrode, one entry per row [C].
+struct SegmentCharge {
+  std::string name;
+  std::vector<double> charge;
+};
+
 /// All of Study 2. Row 0 is the initial state with the response to a shear that does not start at
 /// 0.
 struct IonSolution {
@@ -30,10 +37,11 @@ struct IonSolution {
   std::vector<double> charge_top, charge_bottom;
   /// The same by the volume formula of design E2 (Ramo) [C].
   std::vector<double> ramo_charge_top;
-  std::vector<double> ion_amount;        ///< integral of c [mol]
-  std::vector<double> min_concentration; ///< [mol/m3]
-  std::vector<double> max_potential;     ///< largest |phi| [V]
-  std::vector<double> shear_integral;    ///< of gamma on the transport grid [m3]
+  std::vector<double> ion_amount;          ///< integral of c [mol]
+  std::vector<double> min_concentration;   ///< [mol/m3]
+  std::vector<double> max_potential;       ///< largest |phi| [V]
+  std::vector<double> shear_integral;      ///< of gamma on the transport grid [m3]
+  std::vector<SegmentCharge> top_segments; ///< the taxels and the rest; empty without taxels
   /// Charge of the top wall per column at the last row [C], [y][x].
   std::vector<double> column_charge_top;
   std::vector<IonSnapshot> snapshots;

@@ -42,8 +42,8 @@ public:
         team_(useful_threads(options.threads, scaled_)),
         solver_(scaled_, newton_tolerance(control_.tolerance()), team_),
         integrator_(scaled_, scales_, fixed_charge_, options.potentials, solver_),
-        rows_(input.electrochemistry, scales_, grid_, scaled_, fixed_charge_,
-              control_.landings().time, options.snapshot_times) {}
+        rows_(input, scales_, grid_, scaled_, fixed_charge_, control_.landings().time,
+              options.snapshot_times) {}
 
   IonSolution run() {
     begin();

@@ -32,15 +32,17 @@ std::vector<double> scaled_copy(std::span<const double> values, double unit) {
 
 } // namespace
 
-SolutionRows::SolutionRows(const Electrochemistry& electrochemistry, const DerivedScales& scales,
+SolutionRows::SolutionRows(const Case& input, const DerivedScales& scales,
                            const TransportGrid& grid, const ScaledGrid& scaled,
                            const FixedCharge& fixed_charge, const std::vector<double>& landings,
                            const std::vector<double>& snapshot_times)
     : scaled_(scaled), fixed_charge_(fixed_charge),
       charge_unit_(scales.charge_density * column_area(grid)),
       volume_unit_(scales.debye_length * column_area(grid)),
-      concentration_unit_(electrochemistry.fixed_charge_concentration / electrochemistry.valence),
-      potential_unit_(scales.potential_scale) {
+      concentration_unit_(input.electrochemistry.fixed_charge_concentration /
+                          input.electrochemistry.valence),
+      potential_unit_(scales.potential_scale),
+      segments_(make_electrode_segments(input.readout.taxels, grid)) {
   for (const double instant : snapshot_times) {
     snapshot_times_.push_back(nearest(landings, instant));
   }
@@ -53,6 +55,7 @@ void SolutionRows::append(double time, const IonState& state, IonSolution& solut
   solution.time.push_back(time);
   solution.charge_top.push_back(charge_unit_ * charges_.total_top);
   solution.charge_bottom.push_back(charge_unit_ * charges_.total_bottom);
+  append_segments(solution);
   solution.ramo_charge_top.push_back(charge_unit_ *
                                      ramo_charge_top(scaled_, state, fixed_charge_.ratio()));
   solution.ion_amount.push_back(volume_unit_ * concentration_unit_ *
@@ -63,6 +66,15 @@ void SolutionRows::append(double time, const IonState& state, IonSolution& solut
                                     ExactAverage::total(scaled_, fixed_charge_.shear()));
   if (std::ranges::find(snapshot_times_, time) != snapshot_times_.end()) {
     solution.snapshots.push_back(snapshot(time, state));
+  }
+}
+
+void SolutionRows::append_segments(IonSolution& solution) const {
+  const std::vector<double> charges = segments_.charges(charges_.top);
+  solution.top_segments.resize(charges.size());
+  for (std::size_t i = 0; i < charges.size(); ++i) {
+    solution.top_segments[i].name = segments_.names[i];
+    solution.top_segments[i].charge.push_back(charge_unit_ * charges[i]);
   }
 }
 

@@ -4,6 +4,7 @@
 #include "ionskin/case/case.hpp"
 #include "ionskin/electrochemistry/charges.hpp"
 #include "ionskin/electrochemistry/derived_scales.hpp"
+#include "ionskin/electrochemistry/electrode_segments.hpp"
 #include "ionskin/electrochemistry/ion_solution.hpp"
 #include "ionskin/electrochemistry/ion_state.hpp"
 #include "ionskin/electrochemistry/scaled_grid.hpp"
@@ -19,8 +20,8 @@ class SolutionRows {
 public:
   /// @param landings instants on which steps end [s]
   /// @param snapshot_times wanted instants [s]; each is kept at the nearest of them
-  SolutionRows(const Electrochemistry& electrochemistry, const DerivedScales& scales,
-               const TransportGrid& grid, const ScaledGrid& scaled, const FixedCharge& fixed_charge,
+  SolutionRows(const Case& input, const DerivedScales& scales, const TransportGrid& grid,
+               const ScaledGrid& scaled, const FixedCharge& fixed_charge,
                const std::vector<double>& landings, const std::vector<double>& snapshot_times);
 
   void append(double time, const IonState& state, IonSolution& solution);
@@ -28,6 +29,7 @@ public:
   void finish(const IonState& state, IonSolution& solution);
 
 private:
+  void append_segments(IonSolution& solution) const;
   IonSnapshot snapshot(double time, const IonState& state) const;
 
   const ScaledGrid& scaled_;
@@ -38,6 +40,7 @@ private:
   double potential_unit_;     ///< R T / (v F) [V]
   std::vector<double> snapshot_times_;
   WallCharges charges_;
+  ElectrodeSegments segments_;
 };
 
 } // namespace ionskin::electrochemistry

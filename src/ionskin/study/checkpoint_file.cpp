@@ -61,6 +61,11 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& inpu
   for (const Counter& counter : counters) {
     file.set_attribute("/rows", counter.name, static_cast<double>(solution.*counter.value));
   }
+  for (std::size_t i = 0; i < solution.top_segments.size(); ++i) {
+    const std::string dataset = fmt::format("/segments/{:06}", i);
+    file.write(dataset, solution.top_segments[i].charge);
+    file.set_attribute(dataset, "name", solution.top_segments[i].name);
+  }
   for (std::size_t i = 0; i < solution.snapshots.size(); ++i) {
     const IonSnapshot& snapshot = solution.snapshots[i];
     const std::string group = fmt::format("/snapshots/{:06}", i);
@@ -96,6 +101,13 @@ std::optional<IonCheckpoint> read_checkpoint(const std::filesystem::path& path,
   for (const Counter& counter : counters) {
     solution.*counter.value =
         static_cast<std::size_t>(file.number_attribute("/rows", counter.name).value_or(0));
+  }
+  if (file.has("/segments")) {
+    for (const std::string& name : file.members("/segments")) {
+      const std::string dataset = "/segments/" + name;
+      solution.top_segments.push_back(
+          {file.text_attribute(dataset, "name").value_or(""), file.read(dataset)});
+    }
   }
   if (file.has("/snapshots")) {
     for (const std::string& name : file.members("/snapshots")) {

@@ -4,10 +4,15 @@
 #include "ionskin/base/constants.hpp"
 #include "ionskin/base/task_pool.hpp"
 #include "ionskin/electrochemistry/derived_scales.hpp"
+#include "ionskin/readout/amplifier.hpp"
+#include "ionskin/readout/circuit.hpp"
 #include "ionskin/readout/phases.hpp"
 #include "ionskin/readout/sampling.hpp"
 #include "ionskin/readout/signal_table.hpp"
+#include "ionskin/readout/taxels.hpp"
 #include "ionskin/strain/shear_statistics.hpp"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -80,12 +85,12 @@ readout::Metric charge_identity(const Case& input, const MechanicsRecord& mechan
   std::vector<double> expected(ions.time.size()), magnitude(ions.time.size());
   base::run_tasks(expected.size(), threads, [&](std::size_t row) {
     expected[row] = factor * strain::shear_integral(mechanics.history, ions.time[row]);
+    magnitude[row] = factor * strain::shear_magnitude_integral(mechanics.history, ions.time[row]);
   });
   const double scale = readout::peak_magnitude(magnitude);
   if (input.coupling.law != CouplingLaw::fixed_charge) {
     expected.assign(expected.size(), 0.0);
   }
-    magnitude[row] = factor * strain::shear_magnitude_integral(mechanics.history, ions.time[row]);
   return {"charge_identity_error",
           readout::charge_identity_error(ions.charge_top, ions.charge_bottom, expected, scale),
           "1"};
@@ -108,6 +113,45 @@ void add_ion_metrics(const Case& input, const IonSolution& ions,
   metrics.push_back({"max_potential", readout::peak_magnitude(ions.max_potential), "V"});
 }
 
+void add_taxels(const IonSolution& ions, Signals& signals) {
+  if (ions.top_segments.empty()) {
+    return;
+  }
+  std::vector<readout::TaxelCharge> charges;
+  for (const auto& segment : ions.top_segments) {
+    charges.push_back({segment.name, segment.charge});
+  }
+  signals.taxels = readout::taxel_signals(ions.time, charges);
+  signals.metrics.push_back(
+      {"taxel_balance_error",
+       readout::taxel_balance_error(*signals.taxels, signals.resolved.column("current_top").values),
+       "1"});
+}
+
+void add_amplifier(const Amplifier& amplifier, const IonSolution& ions, Signals& signals) {
+  const auto reading = readout::amplify(
+      amplifier, ions.time, readout::charge_difference(ions.charge_top, ions.charge_bottom));
+  signals.circuit = readout::amplifier_signals(ions.time, reading);
+  signals.metrics.push_back(
+      {"peak_amplifier_current", readout::peak_magnitude(reading.current), "A"});
+  signals.metrics.push_back({"amplifier_clipped_time", reading.clipped_time, "s"});
+  if (reading.clipped_time > 0) {
+    signals.warnings.push_back(fmt::format(
+        "The amplifier clips: the current reaches {:.3g} A, its range {:.3g} A, for {:.3g} s in "
+        "all. Raise readout.amplifier_range.",
+        reading.largest, amplifier.range, reading.clipped_time));
+  }
+}
+
+void add_circuit(const Case& input, const IonSolution& ions, Signals& signals) {
+  switch (input.readout.circuit) {
+  case ReadoutCircuit::short_circuit:
+    return;
+  case ReadoutCircuit::amplifier:
+    return add_amplifier(input.readout.amplifier, ions, signals);
+  }
+}
+
 } // namespace
 
 Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonSolution& ions,
@@ -123,6 +167,8 @@ Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonS
   add_slide_metrics(input, mechanics, signals.metrics);
   signals.metrics.push_back(charge_identity(input, mechanics, ions, threads));
   add_ion_metrics(input, ions, signals.resolved, signals.metrics);
+  add_taxels(ions, signals);
+  add_circuit(input, ions, signals);
   return signals;
 }
 

@@ -7,6 +7,8 @@
 #include "ionskin/readout/signals.hpp"
 #include "ionskin/study/mechanics_record.hpp"
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace ionskin::study {
@@ -14,6 +16,9 @@ namespace ionskin::study {
 /// What a run tells: every signal over time, the sampled currents, and the named figures.
 struct Signals {
   readout::SignalTable resolved, sampled;
+  std::optional<readout::SignalTable> taxels;  ///< of a segmented top electrode
+  std::optional<readout::SignalTable> circuit; ///< at the terminals, unless they are shorted
+  std::vector<std::string> warnings;           ///< of the readout
   std::vector<readout::Metric> metrics;
 };
 

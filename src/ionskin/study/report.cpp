@@ -41,28 +41,40 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return result;
 }
 
-} // namespace
-
-std::optional<std::string> make_report(const std::filesystem::path& folder) {
-  std::vector<std::string> arguments{IONSKIN_PYTHON, "-m", "ionskin.report", folder.string()};
+/// @param product what the module makes, for messages
+std::optional<std::string> run_module(const std::string& module,
+                                      const std::filesystem::path& folder,
+                                      const std::string& product) {
+  std::vector<std::string> arguments{IONSKIN_PYTHON, "-m", module, folder.string()};
   std::vector<std::string> environment = python_environment();
   const std::string remedy =
       fmt::format("install python3-numpy, python3-h5py and python3-matplotlib, then run: "
-                  "{} -m ionskin.report {}",
-                  IONSKIN_PYTHON, folder.string());
+                  "{} -m {} {}",
+                  IONSKIN_PYTHON, module, folder.string());
   pid_t child = 0;
   if (posix_spawn(&child, IONSKIN_PYTHON, nullptr, nullptr, pointers(arguments).data(),
                   pointers(environment).data()) != 0) {
-    return fmt::format("No report was made: {} cannot be started. Remedy: {}", IONSKIN_PYTHON,
+    return fmt::format("No {} was made: {} cannot be started. Remedy: {}", product, IONSKIN_PYTHON,
                        remedy);
   }
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    return fmt::format("No report was made: its script failed (see above). Remedy: {}", remedy);
+    return fmt::format("No {} was made: its script failed (see above). Remedy: {}", product,
+                       remedy);
   }
   return std::nullopt;
+}
+
+} // namespace
+
+std::optional<std::string> make_report(const std::filesystem::path& folder) {
+  return run_module("ionskin.report", folder, "report");
+}
+
+std::optional<std::string> draw_impedance(const std::filesystem::path& folder) {
+  return run_module("ionskin.impedance", folder, "figure");
 }
 
 } // namespace ionskin::study

@@ -12,4 +12,7 @@ namespace ionskin::study {
 /// on it.
 std::optional<std::string> make_report(const std::filesystem::path& folder);
 
+/// The same for the figures of an impedance spectrum.
+std::optional<std::string> draw_impedance(const std::filesystem::path& folder);
+
 } // namespace ionskin::study

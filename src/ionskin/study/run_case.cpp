@@ -116,6 +116,8 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
     outputs.ions = study_2(input, options, folder, mechanics.history, timers);
     outputs.signals = read_out(input, mechanics, *outputs.ions, options.threads);
     outputs.warnings = collect_warnings(input, mechanics, *outputs.ions, outputs.signals.resolved);
+    outputs.warnings.insert(outputs.warnings.end(), outputs.signals.warnings.begin(),
+                            outputs.signals.warnings.end());
   }
   outputs.stage_seconds = timers.seconds();
   RunOutcome outcome = write_outputs(input, options, mechanics, outputs, start, folder);

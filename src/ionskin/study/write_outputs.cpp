@@ -13,11 +13,30 @@ namespace {
 
 namespace names = results::file_names;
 
+/// A table that only some readouts have; an earlier run's is removed.
+void write_optional(results::ResultsFile& file, const std::string& group,
+                    const std::optional<readout::SignalTable>& table) {
+  file.file().remove("/" + group);
+  if (table) {
+    file.write_signals(group, *table);
+  }
+}
+
+void write_optional(const std::filesystem::path& path,
+                    const std::optional<readout::SignalTable>& table) {
+  std::filesystem::remove(path);
+  if (table) {
+    results::write_csv(path, *table);
+  }
+}
+
 void write_results_file(const Case& input, const MechanicsRecord& mechanics,
                         const RunOutputs& outputs, const RunFolder& folder) {
   results::ResultsFile file(folder.file(names::results), results::ResultsFile::Start::extend);
   file.write_signals("signals", outputs.signals.resolved);
   file.write_signals("sampled", outputs.signals.sampled);
+  write_optional(file, "taxels", outputs.signals.taxels);
+  write_optional(file, "circuit", outputs.signals.circuit);
   if (!mechanics.has_contact()) {
     file.write_strain(mechanics.history);
   }
@@ -74,6 +93,8 @@ RunOutcome write_outputs(const Case& input, const RunOptions& options,
     options.progress("results and report", 0.0);
     results::write_csv(folder.file(names::signals), outputs.signals.resolved);
     results::write_csv(folder.file(names::sampled), outputs.signals.sampled);
+    write_optional(folder.file(names::taxels), outputs.signals.taxels);
+    write_optional(folder.file(names::circuit), outputs.signals.circuit);
     if (outputs.ions && !outputs.ions->snapshots.empty()) {
       results::write_fields(folder.file(names::fields), outputs.ions->grid,
                             input.skin.core_bottom(), outputs.ions->snapshots);

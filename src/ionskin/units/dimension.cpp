@@ -19,6 +19,11 @@ const std::map<Dimension, DimensionInfo>& table() {
       {Dimension::permittivity, {"a permittivity", "F/m", {"F/m", "mF/m", "nF/m"}}},
       {Dimension::concentration,
        {"a concentration", "mol/m3", {"mol/m3", "mol/L", "mmol/L", "M", "mM"}}},
+      {Dimension::resistance, {"a resistance", "ohm", {"MOhm", "kOhm", "Ohm", "GOhm"}}},
+      {Dimension::frequency, {"a frequency", "Hz", {"Hz", "kHz", "mHz", "MHz"}}},
+      {Dimension::current, {"an electric current", "A", {"mA", "uA", "nA", "A"}}},
+      {Dimension::current_noise_density,
+       {"a current noise density", "A/sqrt(Hz)", {"pA/sqrt(Hz)", "nA/sqrt(Hz)", "fA/sqrt(Hz)"}}},
   };
   return rows;
 }
@@ -43,12 +48,10 @@ const std::vector<DimensionInfo>& other_dimensions() {
                                                   {"a mass", "kg", {}},
                                                   {"an energy", "J", {}},
                                                   {"a power", "W", {}},
-                                                  {"an electric current", "A", {}},
                                                   {"an electric charge", "C", {}},
                                                   {"a voltage", "V", {}},
                                                   {"a capacitance", "F", {}},
-                                                  {"an amount of substance", "mol", {}},
-                                                  {"a frequency", "1/s", {}}};
+                                                  {"an amount of substance", "mol", {}}};
   return rows;
 }
 

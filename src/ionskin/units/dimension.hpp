@@ -16,7 +16,11 @@ enum class Dimension {
   stress,
   diffusivity,
   permittivity,
-  concentration
+  concentration,
+  resistance,
+  frequency,
+  current,
+  current_noise_density
 };
 
 struct DimensionInfo {

@@ -23,11 +23,28 @@ std::mutex& library_mutex() {
   return mutex;
 }
 
+// udunits2 knows whole powers only, so the unit of noise densities is one of its own.
+constexpr const char* root_hertz = "roothertz";
+
+void add_root_hertz(ut_system* system) {
+  const Unit unit(ut_new_base_unit(system), &ut_free);
+  ut_map_name_to_unit(root_hertz, UT_ASCII, unit.get());
+  ut_map_unit_to_name(unit.get(), root_hertz, UT_ASCII);
+}
+
+std::string with_root_hertz(const std::string& unit) {
+  static const std::regex spelling(R"(sqrt\(Hz\)|√Hz)");
+  return std::regex_replace(unit, spelling, root_hertz);
+}
+
 ut_system* unit_system() {
   static const std::unique_ptr<ut_system, decltype(&ut_free_system)> system = [] {
     ut_set_error_message_handler(ut_ignore);
-    return std::unique_ptr<ut_system, decltype(&ut_free_system)>(ut_read_xml(nullptr),
-                                                                 &ut_free_system);
+    std::unique_ptr<ut_system, decltype(&ut_free_system)> read(ut_read_xml(nullptr),
+                                                               &ut_free_system);
+    if (read)
+      add_root_hertz(read.get());
+    return read;
   }();
   if (!system)
     throw UserError(
@@ -52,7 +69,8 @@ bool is_plain_unit(const std::string& unit) {
 Unit parse(const std::string& unit) {
   if (!is_plain_unit(unit))
     return {nullptr, &ut_free};
-  return {ut_parse(unit_system(), with_molar_aliases(unit).c_str(), UT_UTF8), &ut_free};
+  return {ut_parse(unit_system(), with_root_hertz(with_molar_aliases(unit)).c_str(), UT_UTF8),
+          &ut_free};
 }
 
 } // namespace

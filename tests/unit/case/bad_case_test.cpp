@@ -131,6 +131,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"SampleIntervalTooLong", "[coupling]",
                 "[readout]\nsample_interval = \"5 s\"\n[coupling]", "longer than the run of 4 s",
                 "47:19", "^^^^^", "at most 4 s"},
+        Mistake{"AmplifierWithoutItsCircuit", "[coupling]",
+                "[readout]\namplifier_range = \"1 mA\"\n[coupling]",
+                "readout.amplifier_range is given, but the circuit has none", "47:19", "^^^^^^",
+                "set readout.circuit = \"amplifier\""},
         Mistake{"FieldsAfterTheEnd", "[coupling]",
                 "[output]\nfields = [\"1 s\", \"4.5 s\"]\n[coupling]",
                 "output.fields: 4.5 s lies behind the end", "47:10", "^^^^^^^", "from 0 s to 4 s"},
@@ -145,6 +149,56 @@ INSTANTIATE_TEST_SUITE_P(
                 "missing key materials.jelly.poissons_ratio", "18:1", "^^^^^^^^^^^^^^^^^",
                 "below 0.5"}),
     [](const auto& instance) { return instance.param.name; });
+
+std::string with_taxels(const std::string& taxels) {
+  return valid_case("[coupling]", taxels + "\n[coupling]");
+}
+
+std::string taxel(const std::string& name, const std::string& lower, const std::string& upper) {
+  return "[[readout.taxels]]\nname = \"" + name + "\"\nlower = [" + lower + "]\nupper = [" + upper +
+         "]\n";
+}
+
+TEST(BadCase, TaxelsThatOverlap) {
+  const std::string message =
+      error_of(with_taxels(taxel("a", "\"0 mm\", \"0 mm\"", "\"2 mm\", \"2 mm\"") +
+                           taxel("b", "\"1.9 mm\", \"0 mm\"", "\"4 mm\", \"2 mm\"")));
+  EXPECT_THAT(message, HasSubstr("the taxels \"a\" and \"b\" overlap"));
+  EXPECT_THAT(message, HasSubstr("case.toml:52:9\n"));
+  EXPECT_THAT(message, HasSubstr("^^^^^^^^^^^^^^^^^^ second"));
+}
+
+TEST(BadCase, TaxelsThatTouchAreFine) {
+  const TemporaryCase file(with_taxels(taxel("a", "\"0 mm\", \"0 mm\"", "\"2.1 mm\", \"2 mm\"") +
+                                       taxel("b", "\"2.1 mm\", \"0 mm\"", "\"15 mm\", \"2 mm\"")));
+  const Case input = read_case(file.path());
+  ASSERT_EQ(input.readout.taxels.size(), 2U);
+  EXPECT_EQ(input.readout.taxels[1].name, "b");
+  EXPECT_DOUBLE_EQ(input.readout.taxels[1].lower[0], 2.1e-3);
+}
+
+TEST(BadCase, TaxelsOffTheSkinOrWithoutExtentOrName) {
+  const std::string bad =
+      error_of(with_taxels(taxel("a", "\"0 mm\", \"1 mm\"", "\"2 mm\", \"1 mm\"") +
+                           taxel("a", "\"3 mm\", \"0 mm\"", "\"16 mm\", \"2 mm\"") +
+                           taxel("rest", "\"2 mm\", \"0 mm\"", "\"3 mm\", \"2 mm\"") +
+                           "[[readout.taxels]]\nname = \"d\"\n"));
+  EXPECT_THAT(bad, HasSubstr("missing key readout.taxels[3].lower"));
+  const std::string message =
+      error_of(with_taxels(taxel("a", "\"0 mm\", \"1 mm\"", "\"2 mm\", \"1 mm\"") +
+                           taxel("a", "\"3 mm\", \"0 mm\"", "\"16 mm\", \"2 mm\"") +
+                           taxel("rest", "\"2 mm\", \"0 mm\"", "\"3 mm\", \"2 mm\"")));
+  EXPECT_THAT(message, HasSubstr("4 problems in"));
+  EXPECT_THAT(message, HasSubstr("has no extent along y: it reaches from 1 mm to 1 mm"));
+  EXPECT_THAT(message, HasSubstr("leaves the top face: it reaches to 16 mm along x"));
+  EXPECT_THAT(message, HasSubstr("two taxels have the name \"a\""));
+  EXPECT_THAT(message, HasSubstr("\"rest\" cannot name a taxel"));
+}
+
+TEST(BadCase, TaxelsAreAValue) {
+  EXPECT_THAT(error_of(with_taxels("[readout]\ntaxels = 4\n")),
+              HasSubstr("write one section [[readout.taxels]] for each taxel"));
+}
 
 TEST(BadCase, MissingSectionIsOneProblem) {
   const std::string message = error_of(valid_case("[contact]\nfriction = 0.3 # a comment\n", ""));

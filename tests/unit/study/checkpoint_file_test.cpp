@@ -17,6 +17,7 @@ electrochemistry::IonCheckpoint example() {
   checkpoint.solution.time = {0, 0.1};
   checkpoint.solution.charge_top = {0, 1e-9 / 7};
   checkpoint.solution.krylov_iterations = 1234;
+  checkpoint.solution.top_segments = {{"left", {1e-9, 2e-9}}, {"rest", {3e-9, 1e-9 / 3}}};
   checkpoint.solution.snapshots = {{0.1, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}}};
   return checkpoint;
 }
@@ -33,6 +34,9 @@ TEST(CheckpointFile, GivesBackEveryBit) {
   EXPECT_EQ(read->solution.grid.z_nodes, written.solution.grid.z_nodes);
   EXPECT_EQ(read->solution.charge_top, written.solution.charge_top);
   EXPECT_EQ(read->solution.krylov_iterations, written.solution.krylov_iterations);
+  ASSERT_EQ(read->solution.top_segments.size(), 2u);
+  EXPECT_EQ(read->solution.top_segments[1].name, "rest");
+  EXPECT_EQ(read->solution.top_segments[1].charge, written.solution.top_segments[1].charge);
   ASSERT_EQ(read->solution.snapshots.size(), 1u);
   EXPECT_EQ(read->solution.snapshots[0].time, 0.1);
   EXPECT_EQ(read->solution.snapshots[0].potential, written.solution.snapshots[0].potential);

@@ -47,8 +47,13 @@ INSTANTIATE_TEST_SUITE_P(
         Good{"1200 mol/m3", Dimension::concentration, 1200},
         Good{"1.2 M", Dimension::concentration, 1200},
         Good{"1200 mM", Dimension::concentration, 1200},
-        Good{"1.2 mol/L", Dimension::concentration, 1200}, Good{"0.3", Dimension::number, 0.3},
-        Good{"30 %", Dimension::number, 0.3}));
+        Good{"1.2 mol/L", Dimension::concentration, 1200},
+        Good{"1 MOhm", Dimension::resistance, 1e6}, Good{"4.7 kΩ", Dimension::resistance, 4700},
+        Good{"0.01Hz", Dimension::frequency, 0.01}, Good{"1kHz", Dimension::frequency, 1e3},
+        Good{"2 1/s", Dimension::frequency, 2}, Good{"10 mA", Dimension::current, 0.01},
+        Good{"5 pA/sqrt(Hz)", Dimension::current_noise_density, 5e-12},
+        Good{"5 fA/√Hz", Dimension::current_noise_density, 5e-15},
+        Good{"0.3", Dimension::number, 0.3}, Good{"30 %", Dimension::number, 0.3}));
 
 struct Bad {
   const char* text;

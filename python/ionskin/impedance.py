@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Draws the spectrum that `ionskin impedance` has written: /usr/bin/python3 -m ionskin.impedance FOLDER"""
+
+import argparse
+import pathlib
+import sys
+
+import numpy
+from matplotlib.ticker import EngFormatter, MultipleLocator
+
+from . import style
+from .results import read_table
+
+PNG_DPI = 180
+MARKED = 4  # decades that stand beside the Nyquist curve, at most
+
+
+def nyquist(spectrum):
+    """Minus the imaginary part over the real part, decades of the frequency marked."""
+    real, imaginary = spectrum["impedance_real"], -spectrum["impedance_imaginary"]
+    figure, axes = style.stacked(1, heights=[1.7])
+    panel = axes[0]
+    divisor, prefix = style.si_scale(real.max())
+    panel.plot(real / divisor, imaginary / divisor, color=style.BLUE, marker=".", markersize=2.5)
+    for row in decade_rows(spectrum["frequency"], imaginary, 6 * real.max()):
+        panel.plot(real[row] / divisor, imaginary[row] / divisor, "o", color=style.ORANGE, markersize=3.5)
+        panel.annotate(f"{EngFormatter(unit='Hz').format_eng(spectrum['frequency'][row])}Hz",
+                       (real[row] / divisor, imaginary[row] / divisor), xytext=(6, 0),
+                       textcoords="offset points", va="center", fontsize=7.5, color=style.QUIET)
+    # The capacitive end grows without bound; the bulk shows at the scale of the resistance.
+    panel.set_ylim(0, min(imaginary.max(), 1.6 * real.max()) / divisor * 1.05)
+    panel.set_xlim(0, 1.25 * real.max() / divisor)
+    panel.set_xlabel(f"real part [{prefix}Ω]")
+    panel.set_ylabel(f"−imaginary part [{prefix}Ω]")
+    style.title(panel, "Nyquist: impedance between the electrodes at rest")
+    return figure
+
+
+def decade_rows(frequency, imaginary, ceiling):
+    """The rows nearest to whole decades whose points lie within the picture."""
+    decades = 10.0 ** numpy.arange(numpy.ceil(numpy.log10(frequency[0]) - 1e-9),
+                                   numpy.floor(numpy.log10(frequency[-1]) + 1e-9) + 1)
+    rows = [int(numpy.argmin(numpy.abs(numpy.log(frequency / decade)))) for decade in decades]
+    return [row for row in rows if imaginary[row] < ceiling][:MARKED]
+
+
+def bode(spectrum):
+    """Magnitude and phase over the frequency."""
+    figure, axes = style.stacked(2, heights=[1.1, 0.9])
+    axes[0].loglog(spectrum["frequency"], spectrum["magnitude"], color=style.BLUE)
+    axes[0].yaxis.set_major_formatter(EngFormatter(unit="Ω"))
+    axes[0].set_ylabel("magnitude")
+    style.title(axes[0], "Bode: impedance between the electrodes at rest")
+    axes[1].semilogx(spectrum["frequency"], spectrum["phase_angle"], color=style.ORANGE)
+    axes[1].set_ylim(-95, 5)
+    axes[1].yaxis.set_major_locator(MultipleLocator(30))
+    axes[1].set_ylabel("phase [°]")
+    axes[1].xaxis.set_major_formatter(EngFormatter(unit="Hz"))
+    axes[1].set_xlabel("frequency")
+    axes[1].set_xlim(spectrum["frequency"][0], spectrum["frequency"][-1])
+    figure.subplots_adjust(right=0.965)
+    return figure
+
+
+def draw(folder):
+    """Writes figures/nyquist.png and figures/bode.png."""
+    folder = pathlib.Path(folder)
+    spectrum = read_table(folder / "impedance.csv")
+    (folder / "figures").mkdir(exist_ok=True)
+    for name, figure in (("nyquist", nyquist(spectrum)), ("bode", bode(spectrum))):
+        figure.savefig(folder / "figures" / f"{name}.png", dpi=PNG_DPI)
+
+
+def main():
+    """Command line."""
+    parser = argparse.ArgumentParser(prog="ionskin.impedance", description=__doc__)
+    parser.add_argument("folder", type=pathlib.Path, help="output folder of `ionskin impedance`")
+    arguments = parser.parse_args()
+    try:
+        draw(arguments.folder)
+    except OSError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 2
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

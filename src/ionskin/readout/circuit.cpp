@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/readout/circuit.hpp"
+
+#include <cstddef>
+
+namespace ionskin::readout {
+
+std::vector<double> charge_difference(const std::vector<double>& charge_top,
+                                      const std::vector<double>& charge_bottom) {
+  std::vector<double> difference(charge_top.size());
+  for (std::size_t row = 0; row < difference.size(); ++row) {
+    difference[row] = 0.5 * (charge_top[row] - charge_bottom[row]);
+  }
+  return difference;
+}
+
+SignalTable amplifier_signals(const std::vector<double>& time, const AmplifierReading& reading) {
+  SignalTable table;
+  table.columns = {
+      {"time", "s", time}, {"current", "A", reading.current}, {"charge", "C", reading.charge}};
+  return table;
+}
+
+} // namespace ionskin::readout

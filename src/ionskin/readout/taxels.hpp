@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/readout/signals.hpp"
+
+#include <string>
+#include <vector>
+
+namespace ionskin::readout {
+
+/// Charge on the metal of one part of a segmented top electrode, one entry per row [C].
+struct TaxelCharge {
+  std::string name;
+  std::vector<double> charge;
+};
+
+/// Columns of taxels.csv: time, then current_top_NAME of every taxel (mean over the step that ends
+/// at the row), then charge_top_NAME. Every taxel is held at the potential of the whole electrode,
+/// as a virtual ground of its own does.
+SignalTable taxel_signals(const std::vector<double>& time, const std::vector<TaxelCharge>& taxels);
+
+/// Largest |sum of the taxels' currents - current of the whole electrode| over the peak of the
+/// latter; 0 when both vanish.
+/// @param current_top of the whole electrode [A]
+double taxel_balance_error(const SignalTable& taxels, const std::vector<double>& current_top);
+
+} // namespace ionskin::readout

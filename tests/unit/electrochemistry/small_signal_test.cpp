@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/electrochemistry/small_signal.hpp"
+
+#include "model_cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace ionskin::electrochemistry {
+namespace {
+
+TEST(SmallSignalCell, IsAResistanceInTheMiddleAndCapacitancesAtTheEnds) {
+  const Case input = verification::model_case();
+  const DerivedScales scales = derive_scales(input.electrochemistry, 180e-6);
+  const SmallSignalCell cell(input);
+  // Far below 1/(slow time): two double layers in series, eps/(2 lambda).
+  const double low = 1e-4;
+  const double series = input.electrochemistry.permittivity / (2.0 * scales.debye_length);
+  EXPECT_NEAR(cell.area_impedance(low).imag() * -2.0 * std::numbers::pi * low * series, 1.0, 1e-2);
+  // Between the two: the bulk, h/sigma.
+  EXPECT_NEAR(cell.area_impedance(1.0).real(), 180e-6 / scales.conductivity,
+              0.03 * 180e-6 / scales.conductivity);
+  // Far above the relaxation: the empty capacitor, eps/h.
+  const double high = 1e5, empty = input.electrochemistry.permittivity / 180e-6;
+  EXPECT_NEAR(cell.area_impedance(high).imag() * -2.0 * std::numbers::pi * high * empty, 1.0, 1e-3);
+}
+
+TEST(SmallSignalCell, AnswersToTheValence) {
+  Case input = verification::model_case();
+  input.electrochemistry.valence = 2;
+  const DerivedScales scales = derive_scales(input.electrochemistry, 180e-6);
+  EXPECT_NEAR(SmallSignalCell(input).area_impedance(1.0).real(), 180e-6 / scales.conductivity,
+              0.03 * 180e-6 / scales.conductivity);
+}
+
+} // namespace
+} // namespace ionskin::electrochemistry

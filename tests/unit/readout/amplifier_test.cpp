@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/readout/amplifier.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace ionskin::readout {
+namespace {
+
+constexpr double bandwidth = 100;
+const double time_constant = 0.5 / (std::numbers::pi * bandwidth);
+
+TEST(Amplifier, FollowsAStepOfCurrentExactlyOnAnySteps) {
+  const double current = 2e-6;
+  const std::vector<double> time{0, 1e-4, 3e-3, 3.1e-3, 0.02};
+  std::vector<double> charge;
+  for (const double t : time) {
+    charge.push_back(current * t);
+  }
+  const AmplifierReading reading = amplify({bandwidth, 0, 0, 1}, time, charge);
+  for (std::size_t row = 0; row < time.size(); ++row) {
+    const double decay = std::exp(-time[row] / time_constant);
+    EXPECT_NEAR(reading.current[row], current * (1 - decay), 1e-14 * current);
+    EXPECT_NEAR(reading.charge[row], current * (time[row] - time_constant * (1 - decay)),
+                1e-14 * charge.back());
+  }
+  EXPECT_EQ(reading.clipped_time, 0);
+}
+
+TEST(Amplifier, PassesTheWholeChargeOfAnImpulse) {
+  const AmplifierReading reading = amplify({bandwidth, 0, 0, 1}, {0, 0.1, 1}, {5e-9, 5e-9, 5e-9});
+  EXPECT_DOUBLE_EQ(reading.current[0], 5e-9 / time_constant);
+  EXPECT_EQ(reading.charge[0], 0);
+  EXPECT_NEAR(reading.charge[2], 5e-9, 1e-21);
+}
+
+TEST(Amplifier, ClipsAndSaysForHowLong) {
+  const AmplifierReading reading =
+      amplify({bandwidth, 0, 1e-6, 1}, {0, 1, 2, 3}, {0, 2e-6, 2.5e-6, -0.5e-6});
+  EXPECT_DOUBLE_EQ(reading.current[1], 1e-6);
+  EXPECT_NEAR(reading.current[2], 0.5e-6, 1e-15);
+  EXPECT_DOUBLE_EQ(reading.current[3], -1e-6);
+  EXPECT_DOUBLE_EQ(reading.clipped_time, 2);
+  EXPECT_NEAR(reading.largest, 3e-6, 1e-15);
+  EXPECT_DOUBLE_EQ(reading.charge[1], 1e-6);
+}
+
+TEST(Amplifier, NoiseHasTheVarianceOfItsBandAndTheDensityOfItsIntegral) {
+  const double density = 3e-12;
+  const int count = 20000;
+  // Unequal steps, far shorter and far longer than the time constant.
+  std::vector<double> time{0};
+  for (int i = 0; i < count; ++i) {
+    time.push_back(time.back() + (i % 2 == 0 ? 0.1 : 20.0) * time_constant);
+  }
+  const AmplifierReading reading =
+      amplify({bandwidth, density, 0, 7}, time, std::vector<double>(time.size(), 0.0));
+  double square = 0, jump = 0, charge = 0;
+  for (std::size_t row = 2; row < time.size(); row += 2) {
+    square += reading.current[row] * reading.current[row];
+    jump += std::pow(reading.current[row - 1] - reading.current[row - 2], 2);
+    charge += std::pow(reading.charge[row] - reading.charge[row - 1], 2);
+  }
+  const double pairs = count / 2.0, variance = density * density * bandwidth * std::numbers::pi / 2;
+  // Standard error of a variance from 10000 samples: 1.4 %.
+  EXPECT_NEAR(square / pairs / variance, 1, 0.06);
+  EXPECT_NEAR(jump / pairs / (2 * variance * (1 - std::exp(-0.1))), 1, 0.06);
+  // Over long times the charge walks at random: S^2 T / 2, less an end effect of one time constant.
+  EXPECT_NEAR(charge / pairs / (0.5 * density * density * 19 * time_constant), 1, 0.06);
+}
+
+TEST(Amplifier, TheSameSeedGivesTheSameNoise) {
+  const std::vector<double> time{0, 1e-3, 5e-3}, charge{0, 0, 0};
+  const auto once = amplify({bandwidth, 1e-12, 0, 3}, time, charge);
+  EXPECT_EQ(once.current, amplify({bandwidth, 1e-12, 0, 3}, time, charge).current);
+  EXPECT_NE(once.current, amplify({bandwidth, 1e-12, 0, 4}, time, charge).current);
+}
+
+} // namespace
+} // namespace ionskin::readout
