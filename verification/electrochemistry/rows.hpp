@@ -13,6 +13,8 @@ std::vector<Row> identity_rows(const Options& options);
 std::vector<Row> linear_step_rows(const Options& options);
 /// E4: impedance of the blocking cell over five decades against its closed form.
 std::vector<Row> impedance_rows();
+/// E4 in time: the linear cell behind a load and open.
+std::vector<Row> circuit_rows(const Options& options);
 /// E5: wall charge of nonlinear double layers.
 std::vector<Row> double_layer_rows(const Options& options);
 /// E8: in the linear limit the laterally averaged response is the response of the averaged shear.

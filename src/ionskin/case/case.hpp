@@ -109,7 +109,7 @@ struct Taxel {
 };
 
 /// What is connected to the two electrodes.
-enum class ReadoutCircuit { short_circuit, amplifier };
+enum class ReadoutCircuit { short_circuit, open, load, amplifier };
 
 /// Transimpedance amplifier; it holds the electrodes at one potential.
 struct Amplifier {
@@ -122,8 +122,9 @@ struct Amplifier {
 struct Readout {
   double sample_interval = 0; ///< [s]
   ReadoutCircuit circuit = ReadoutCircuit::short_circuit;
-  Amplifier amplifier;       ///< of circuit `amplifier`
-  std::vector<Taxel> taxels; ///< disjoint; empty for one whole electrode
+  double load_resistance = 0; ///< of circuit `load` [ohm]
+  Amplifier amplifier;        ///< of circuit `amplifier`
+  std::vector<Taxel> taxels;  ///< disjoint; empty for one whole electrode
 };
 
 enum class Preset { coarse, standard, fine };

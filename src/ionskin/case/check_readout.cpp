@@ -83,8 +83,9 @@ void check_circuit(const CaseDocument& document, Problems& problems) {
     ReadoutCircuit circuit;
     const char* name;
   };
-  static constexpr std::array<Use, 4> uses{
-      {{"readout.amplifier_bandwidth", ReadoutCircuit::amplifier, "amplifier"},
+  static constexpr std::array<Use, 5> uses{
+      {{"readout.load_resistance", ReadoutCircuit::load, "load"},
+       {"readout.amplifier_bandwidth", ReadoutCircuit::amplifier, "amplifier"},
        {"readout.amplifier_noise_density", ReadoutCircuit::amplifier, "amplifier"},
        {"readout.amplifier_range", ReadoutCircuit::amplifier, "amplifier"},
        {"readout.noise_seed", ReadoutCircuit::amplifier, "amplifier"}}};

@@ -29,13 +29,23 @@ void add_circuit(SchemaRows& rows) {
       {.key = "readout.circuit",
        .type = ValueType::choice,
        .default_value = "\"short\"",
-       .choices = {{"short"}, {"open", false}, {"load", false}, {"amplifier"}},
+       .choices = {{"short"}, {"open"}, {"load"}, {"amplifier"}},
        .help = "What joins the electrodes: a short circuit, nothing, a load resistor, or "
                "a transimpedance amplifier that reads the short-circuit current.",
        .source = "the paper's electrodes are at one potential",
-       .set = into<Readout, ReadoutCircuit>(
-           &Case::readout, &Readout::circuit,
-           {{"short", ReadoutCircuit::short_circuit}, {"amplifier", ReadoutCircuit::amplifier}})});
+       .set = into<Readout, ReadoutCircuit>(&Case::readout, &Readout::circuit,
+                                            {{"short", ReadoutCircuit::short_circuit},
+                                             {"open", ReadoutCircuit::open},
+                                             {"load", ReadoutCircuit::load},
+                                             {"amplifier", ReadoutCircuit::amplifier}})});
+  rows.push_back({.key = "readout.load_resistance",
+                  .type = ValueType::quantity,
+                  .dimension = Dimension::resistance,
+                  .range = positive,
+                  .default_value = "\"1 MOhm\"",
+                  .help = "Resistor between the electrodes in the circuit \"load\".",
+                  .source = "input resistance of ordinary oscilloscopes",
+                  .set = into(&Case::readout, &Readout::load_resistance)});
 }
 
 void add_amplifier(SchemaRows& rows) {

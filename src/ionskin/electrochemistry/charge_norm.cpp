@@ -57,8 +57,11 @@ double ChargeNorm::of_state(const IonState& state, std::span<const double> fixed
     all += 0.5 * (top * top + bottom * bottom);
     difference += 0.25 * (top - bottom) * (top - bottom);
   }
-  return std::max({0.5 * std::abs(charges.total_top - charges.total_bottom) / columns,
-                   0.1 * std::sqrt(difference / columns), 0.01 * std::sqrt(all / columns)});
+  const double mean = 0.5 * (charges.total_top - charges.total_bottom) / columns;
+  const auto phi = state.potential();
+  const double polarisation = mean - (phi.back() - phi.front()) / grid_.thickness;
+  return std::max({std::abs(mean), std::abs(polarisation), 0.1 * std::sqrt(difference / columns),
+                   0.01 * std::sqrt(all / columns)});
 }
 
 } // namespace ionskin::electrochemistry

@@ -25,8 +25,9 @@ public:
   double of_change(std::span<const double> change);
 
   /// Size of the charge of a state: the mean over the columns of half the difference between the
-  /// electrodes, or a tenth of the root mean square over the columns of the difference, or a
-  /// hundredth of that of all charges, whichever is largest.
+  /// electrodes, as it is or at equal potentials (an open circuit keeps it at nothing), or a tenth
+  /// of the root mean square over the columns of the difference, or a hundredth of that of all
+  /// charges, whichever is largest.
   double of_state(const IonState& state, std::span<const double> fixed_charge) const;
 
 private:

@@ -40,8 +40,9 @@ std::vector<double> ElectrodeSegments::charges(std::span<const double> column_ch
   std::vector<double> result;
   result.reserve(share.size());
   for (const std::vector<double>& weights : share) {
-    result.push_back(
-        std::inner_product(weights.begin(), weights.end(), column_charge.begin(), 0.0));
+    // Short steps divide what the sum rounds off by their length.
+    result.push_back(static_cast<double>(
+        std::inner_product(weights.begin(), weights.end(), column_charge.begin(), 0.0L)));
   }
   return result;
 }

@@ -17,7 +17,7 @@ double level_sum(std::span<const double> field, std::size_t level, std::size_t c
 } // namespace
 
 ExactAverage::ExactAverage(const ScaledGrid& grid)
-    : grid_(grid), mean_(grid.levels), charge_(grid.levels), diagonal_(grid.levels),
+    : grid_(grid), voltage_(grid), mean_(grid.levels), charge_(grid.levels), diagonal_(grid.levels),
       potential_(grid.levels) {}
 
 double ExactAverage::total(const ScaledGrid& grid, std::span<const double> field) {
@@ -33,6 +33,7 @@ void ExactAverage::correct(const StageProblem& problem, IonState& state) {
   for (double& value : state.concentration()) {
     value *= factor;
   }
+  const double potential_top = top_potential(problem, voltage_, state.concentration());
   const std::size_t columns = grid_.columns(), top = grid_.levels - 1;
   const auto count = static_cast<double>(columns);
   for (std::size_t k = 0; k <= top; ++k) {
@@ -52,14 +53,14 @@ void ExactAverage::correct(const StageProblem& problem, IonState& state) {
     diagonal_[k] = up + down - factor_below * previous_upper;
     potential_[k] = charge_[k] - factor_below * potential_[k - 1];
   }
-  potential_[top] = problem.potential_top;
+  potential_[top] = potential_top;
   for (std::size_t k = top; k-- > 1;) {
     potential_[k] = (potential_[k] + potential_[k + 1] / grid_.spacing[k]) / diagonal_[k];
   }
   const auto phi = state.potential();
   for (std::size_t i = 0; i < columns; ++i) {
     phi[i] = problem.potential_bottom;
-    phi[top * columns + i] = problem.potential_top;
+    phi[top * columns + i] = potential_top;
   }
   for (std::size_t k = 1; k < top; ++k) {
     const double shift = potential_[k] - level_sum(phi, k, columns, 0.0) / count;

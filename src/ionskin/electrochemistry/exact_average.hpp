@@ -23,6 +23,7 @@ public:
 
 private:
   const ScaledGrid& grid_;
+  TerminalVoltage voltage_;
   std::vector<double> mean_, charge_, diagonal_, potential_; ///< per level
 };
 

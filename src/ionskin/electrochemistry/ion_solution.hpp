@@ -37,6 +37,7 @@ struct IonSolution {
   std::vector<double> charge_top, charge_bottom;
   /// The same by the volume formula of design E2 (Ramo) [C].
   std::vector<double> ramo_charge_top;
+  std::vector<double> voltage;             ///< of the top electrode against the bottom one [V]
   std::vector<double> ion_amount;          ///< integral of c [mol]
   std::vector<double> min_concentration;   ///< [mol/m3]
   std::vector<double> max_potential;       ///< largest |phi| [V]

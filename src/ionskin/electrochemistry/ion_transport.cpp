@@ -3,6 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/interrupt.hpp"
+#include "ionskin/electrochemistry/external_circuit.hpp"
 #include "ionskin/electrochemistry/solution_rows.hpp"
 #include "ionskin/electrochemistry/step_control.hpp"
 #include "ionskin/electrochemistry/time_integrator.hpp"
@@ -41,7 +42,9 @@ public:
         fixed_charge_(input, history, grid_, scaled_),
         team_(useful_threads(options.threads, scaled_)),
         solver_(scaled_, newton_tolerance(control_.tolerance()), team_),
-        integrator_(scaled_, scales_, fixed_charge_, options.potentials, solver_),
+        integrator_(
+            scaled_, scales_, fixed_charge_, options.potentials, solver_,
+            circuit_conductance(input.readout, scales_, input.skin.length * input.skin.width)),
         rows_(input, scales_, grid_, scaled_, fixed_charge_, control_.landings().time,
               options.snapshot_times) {}
 

@@ -43,7 +43,7 @@ void NewtonKrylov::rate(const StageProblem& problem, const IonState& state, std:
 
 double NewtonKrylov::precondition_residual(const StageProblem& problem, const IonState& state) {
   equations_.residual(problem, state, residual_);
-  preconditioner_.apply(residual_, defect_);
+  preconditioner_.apply(problem.circuit, residual_, defect_);
   return vectors_.norm(defect_);
 }
 
@@ -92,9 +92,9 @@ bool NewtonKrylov::solve(const StageProblem& problem, IonState& state) {
 int NewtonKrylov::solve_linearised(const StageProblem& problem, const IonState& state,
                                    double reduction) {
   equations_.linearise(problem, state);
-  const auto preconditioned_jacobian = [this](std::span<const double> x, std::span<double> y) {
+  const auto preconditioned_jacobian = [&](std::span<const double> x, std::span<double> y) {
     equations_.apply_jacobian(x, residual_);
-    preconditioner_.apply(residual_, y);
+    preconditioner_.apply(problem.circuit, residual_, y);
   };
   const Gmres::Result result =
       gmres_.solve(preconditioned_jacobian, defect_, correction_, reduction, krylov_limit);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/electrochemistry/closed_preconditioner.hpp"
 #include "ionskin/electrochemistry/exact_average.hpp"
 #include "ionskin/electrochemistry/gmres.hpp"
-#include "ionskin/electrochemistry/preconditioner.hpp"
 #include "ionskin/electrochemistry/transport_equations.hpp"
 #include "ionskin/electrochemistry/vector_operations.hpp"
 
@@ -54,7 +54,7 @@ private:
   double tolerance_;
   VectorOperations vectors_;
   TransportEquations equations_;
-  FastDiagonalisation preconditioner_;
+  ClosedPreconditioner preconditioner_;
   Gmres gmres_;
   ExactAverage exact_average_;
   SolverCounters counters_;

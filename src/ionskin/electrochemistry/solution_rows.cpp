@@ -58,6 +58,8 @@ void SolutionRows::append(double time, const IonState& state, IonSolution& solut
   append_segments(solution);
   solution.ramo_charge_top.push_back(charge_unit_ *
                                      ramo_charge_top(scaled_, state, fixed_charge_.ratio()));
+  solution.voltage.push_back(potential_unit_ *
+                             (state.potential().back() - state.potential().front()));
   solution.ion_amount.push_back(volume_unit_ * concentration_unit_ *
                                 ExactAverage::total(scaled_, c));
   solution.min_concentration.push_back(concentration_unit_ * std::ranges::min(c));

@@ -26,9 +26,9 @@ constexpr double depletion_limit = 0.3;
 
 TimeIntegrator::TimeIntegrator(const ScaledGrid& grid, const DerivedScales& scales,
                                FixedCharge& fixed_charge, ElectrodePotentials potentials,
-                               NewtonKrylov& solver)
+                               NewtonKrylov& solver, std::optional<double> conductance)
     : grid_(grid), scales_(scales), fixed_charge_(fixed_charge), potentials_(std::move(potentials)),
-      solver_(solver), charge_norm_(grid),
+      solver_(solver), conductance_(conductance), terminals_(grid), charge_norm_(grid),
       resting_amount_(ExactAverage::total(grid, std::vector<double>(grid.nodes(), 1.0))),
       settled_(grid.nodes()), start_(grid.nodes()), stage_rate_(grid.nodes()),
       end_rate_(grid.nodes()), stage_(grid.nodes()), end_(grid.nodes()) {}
@@ -41,6 +41,16 @@ void TimeIntegrator::settle(const IonState& ions) {
   for (std::size_t i = 0; i < settled_.size(); ++i) {
     settled_[i] = ions.values[i] - released(i);
   }
+  settled_charge_ = terminals_.polarisation(ions.concentration(), fixed_charge_.ratio()) +
+                    voltage(ions) / grid_.thickness;
+}
+
+double TimeIntegrator::voltage(const IonState& ions) const {
+  return ions.potential().back() - ions.potential().front();
+}
+
+double TimeIntegrator::charge_rate(const IonState& ions) const {
+  return -conductance_.value_or(0.0) * voltage(ions);
 }
 
 void TimeIntegrator::note_charge(TransportState& state) {
@@ -63,13 +73,16 @@ StageProblem TimeIntegrator::problem_at(double time) {
           fixed_charge_.ratio(),
           potentials_.bottom(time) / scales_.potential_scale,
           potentials_.top(time) / scales_.potential_scale,
-          ion_amount};
+          ion_amount,
+          conductance_ ? std::optional(CircuitStage{start_charge_, implicit_ * *conductance_})
+                       : std::nullopt};
 }
 
 void TimeIntegrator::initialise(double time, TransportState& state) {
   state = {IonState(grid_.nodes()), std::vector<double>(2 * grid_.nodes(), 0.0), 0.0, 0.0};
   std::ranges::fill(start_, 1.0);
   implicit_ = 0.0;
+  start_charge_ = 0.0;
   const StageProblem problem = problem_at(time);
   std::ranges::copy(start_, state.ions.values.begin());
   solver_.prepare(state.ions, 0.0);
@@ -97,6 +110,7 @@ std::optional<double> TimeIntegrator::try_step(double begin, double end,
   for (std::size_t i = 0; i < nodes; ++i) {
     start_[i] = settled_[i] + implicit_ * state.rate[i];
   }
+  start_charge_ = settled_charge_ + implicit_ * charge_rate(state.ions);
   const StageProblem at_stage = problem_at(begin + stage_fraction * (end - begin));
   guess_stage(state);
   if (!solver_.solve(at_stage, stage_)) {
@@ -106,6 +120,8 @@ std::optional<double> TimeIntegrator::try_step(double begin, double end,
     stage_rate_[i] = (stage_.values[i] - start_[i]) / implicit_;
     start_[i] = settled_[i] + weight * length_ * (state.rate[i] + stage_rate_[i]);
   }
+  start_charge_ =
+      settled_charge_ + weight * length_ * (charge_rate(state.ions) + charge_rate(stage_));
   const StageProblem at_end = problem_at(end);
   guess_end(state);
   if (!solver_.solve(at_end, end_)) {
@@ -161,7 +177,10 @@ double TimeIntegrator::charge_error(const TransportState& state) {
     start_[i] = length_ * (error_of_begin * state.rate[i] + error_of_stage * stage_rate_[i] +
                            error_of_end * end_rate_[i]);
   }
-  const double error = charge_norm_.of_change(start_);
+  const double passed =
+      length_ * (error_of_begin * charge_rate(state.ions) + error_of_stage * charge_rate(stage_) +
+                 error_of_end * charge_rate(end_));
+  const double error = std::max(charge_norm_.of_change(start_), std::abs(passed));
   const double scale =
       std::max(state.charge_scale, charge_norm_.of_state(end_, fixed_charge_.ratio()));
   return error == 0.0 ? 0.0 : error / scale;

@@ -22,8 +22,11 @@ namespace ionskin::electrochemistry {
 /// concentration minus released ions.
 class TimeIntegrator {
 public:
+  /// @param conductance of the circuit between the electrodes, see `circuit_conductance`; without
+  ///   it the potentials are given
   TimeIntegrator(const ScaledGrid& grid, const DerivedScales& scales, FixedCharge& fixed_charge,
-                 ElectrodePotentials potentials, NewtonKrylov& solver);
+                 ElectrodePotentials potentials, NewtonKrylov& solver,
+                 std::optional<double> conductance = std::nullopt);
 
   /// The response at the first instant: ions where they were, phi from Poisson's equation.
   /// Throws SolverError.
@@ -41,6 +44,9 @@ public:
 
 private:
   void note_charge(TransportState& state);
+  double voltage(const IonState& ions) const;
+  /// Rate of half the difference of the electrodes' charges through the circuit.
+  double charge_rate(const IonState& ions) const;
   /// Keeps the concentration that a step starts from, without the released ions.
   void settle(const IonState& ions);
   double released(std::size_t node) const;
@@ -56,12 +62,16 @@ private:
   FixedCharge& fixed_charge_;
   ElectrodePotentials potentials_;
   NewtonKrylov& solver_;
+  std::optional<double> conductance_;
+  TerminalVoltage terminals_;
   ChargeNorm charge_norm_;
   double resting_amount_;       ///< ions in the core at rest, scaled
   double length_ = 0;           ///< of the step at hand [relaxation times]
   double implicit_ = 0;         ///< its implicit part
   std::vector<double> settled_; ///< concentration minus released ions where the step begins
   std::vector<double> start_;   ///< concentration a stage starts from
+  double settled_charge_ = 0;   ///< half the difference of the charges where the step begins
+  double start_charge_ = 0;     ///< the same that a stage starts from
   std::vector<double> stage_rate_, end_rate_; ///< of concentration minus released ions
   IonState stage_, end_;
 };

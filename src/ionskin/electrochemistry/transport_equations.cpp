@@ -9,8 +9,16 @@ TransportEquations::Workspace::Workspace(const ScaledGrid& grid)
     : thickness_flux(grid.columns()), lateral_flux(grid), flux_below(grid.columns()),
       flux_above(grid.columns()), lateral_ions(grid.columns()), lateral_field(grid.columns()) {}
 
+double top_potential(const StageProblem& problem, const TerminalVoltage& voltage,
+                     std::span<const double> concentration) {
+  return problem.circuit
+             ? problem.potential_bottom +
+                   voltage.voltage(*problem.circuit, concentration, problem.fixed_charge)
+             : problem.potential_top;
+}
+
 TransportEquations::TransportEquations(const ScaledGrid& grid, WorkerTeam& team)
-    : grid_(grid), team_(team), by_lower_(grid.nodes() - grid.columns()),
+    : grid_(grid), team_(team), voltage_(grid), by_lower_(grid.nodes() - grid.columns()),
       by_upper_(by_lower_.size()), by_difference_(by_lower_.size()) {
   for (std::size_t i = 0; i < team.size(); ++i) {
     workspaces_.emplace_back(grid);
@@ -19,14 +27,15 @@ TransportEquations::TransportEquations(const ScaledGrid& grid, WorkerTeam& team)
 
 void TransportEquations::residual(const StageProblem& problem, const IonState& state,
                                   std::span<double> out) {
+  const double top = top_potential(problem, voltage_, state.concentration());
   team_.for_blocks(grid_.levels, 1, [&](std::size_t begin, std::size_t end, std::size_t worker) {
-    residual_levels(problem, state, begin, end, workspaces_[worker], out);
+    residual_levels(problem, top, state, begin, end, workspaces_[worker], out);
   });
 }
 
-void TransportEquations::residual_levels(const StageProblem& problem, const IonState& state,
-                                         std::size_t begin, std::size_t end, Workspace& work,
-                                         std::span<double> out) const {
+void TransportEquations::residual_levels(const StageProblem& problem, double potential_top,
+                                         const IonState& state, std::size_t begin, std::size_t end,
+                                         Workspace& work, std::span<double> out) const {
   const std::size_t columns = grid_.columns(), nodes = grid_.nodes(), top = grid_.levels - 1;
   const auto level = [columns](std::span<const double> field, std::size_t k) {
     return field.subspan(k * columns, columns);
@@ -62,7 +71,7 @@ void TransportEquations::residual_levels(const StageProblem& problem, const IonS
     double* poisson = out.data() + nodes + k * columns;
     const double* phi_k = phi.data() + k * columns;
     if (k == 0 || k == top) {
-      const double wall = k == 0 ? problem.potential_bottom : problem.potential_top;
+      const double wall = k == 0 ? problem.potential_bottom : potential_top;
       for (std::size_t i = 0; i < columns; ++i) {
         poisson[i] = phi_k[i] - wall;
       }
@@ -91,6 +100,7 @@ void TransportEquations::residual_levels(const StageProblem& problem, const IonS
 void TransportEquations::linearise(const StageProblem& problem, const IonState& state) {
   state_ = &state;
   step_ = problem.step;
+  circuit_ = problem.circuit;
   const std::size_t columns = grid_.columns();
   const auto c = state.concentration(), phi = state.potential();
   team_.for_blocks(grid_.levels - 1, 1,
@@ -108,8 +118,10 @@ void TransportEquations::linearise(const StageProblem& problem, const IonState& 
 }
 
 void TransportEquations::apply_jacobian(std::span<const double> direction, std::span<double> out) {
+  const double potential_change =
+      circuit_ ? voltage_.change(*circuit_, direction.first(grid_.nodes())) : 0.0;
   team_.for_blocks(grid_.levels, 1, [&](std::size_t begin, std::size_t end, std::size_t worker) {
-    jacobian_levels(direction, begin, end, workspaces_[worker], out);
+    jacobian_levels(direction, potential_change, begin, end, workspaces_[worker], out);
   });
 }
 
@@ -129,8 +141,8 @@ void TransportEquations::flux_change(std::size_t interface, std::span<const doub
   }
 }
 
-void TransportEquations::jacobian_levels(std::span<const double> direction, std::size_t begin,
-                                         std::size_t end, Workspace& work,
+void TransportEquations::jacobian_levels(std::span<const double> direction, double potential_change,
+                                         std::size_t begin, std::size_t end, Workspace& work,
                                          std::span<double> out) const {
   const std::size_t columns = grid_.columns(), nodes = grid_.nodes(), top = grid_.levels - 1;
   const auto level = [columns](std::span<const double> field, std::size_t k) {
@@ -164,7 +176,10 @@ void TransportEquations::jacobian_levels(std::span<const double> direction, std:
     double* poisson = out.data() + nodes + k * columns;
     const double* dphi = direction.data() + nodes + k * columns;
     if (k == 0 || k == top) {
-      std::copy_n(dphi, columns, poisson);
+      const double wall = k == 0 ? 0.0 : potential_change;
+      for (std::size_t i = 0; i < columns; ++i) {
+        poisson[i] = dphi[i] - wall;
+      }
     } else {
       const double up = 1.0 / grid_.spacing[k], down = 1.0 / grid_.spacing[k - 1];
       const double* dphi_above = dphi + columns;

@@ -5,8 +5,10 @@
 #include "ionskin/electrochemistry/ion_state.hpp"
 #include "ionskin/electrochemistry/lateral_flux.hpp"
 #include "ionskin/electrochemistry/scaled_grid.hpp"
+#include "ionskin/electrochemistry/terminal_voltage.hpp"
 #include "ionskin/electrochemistry/worker_team.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,7 +23,13 @@ struct StageProblem {
   double potential_bottom = 0, potential_top = 0; ///< of the electrodes
   /// Ions in the core: sum over the control volumes of height times concentration.
   double ion_amount = 0;
+  /// Replaces `potential_top` by the bottom's potential plus the voltage of the circuit.
+  std::optional<CircuitStage> circuit{};
 };
+
+/// Potential of the top electrode: given, or what the circuit makes of the concentrations.
+double top_potential(const StageProblem& problem, const TerminalVoltage& voltage,
+                     std::span<const double> concentration);
 
 /// The Poisson-Nernst-Planck equations on finite volumes: the residual of a stage and its exact
 /// derivative, applied without forming a matrix.
@@ -48,18 +56,24 @@ private:
     std::vector<double> flux_below, flux_above, lateral_ions, lateral_field;
   };
 
-  void residual_levels(const StageProblem& problem, const IonState& state, std::size_t begin,
-                       std::size_t end, Workspace& work, std::span<double> out) const;
-  void jacobian_levels(std::span<const double> direction, std::size_t begin, std::size_t end,
-                       Workspace& work, std::span<double> out) const;
+  /// @param potential_top of the electrode
+  void residual_levels(const StageProblem& problem, double potential_top, const IonState& state,
+                       std::size_t begin, std::size_t end, Workspace& work,
+                       std::span<double> out) const;
+  /// @param potential_change of the top electrode
+  void jacobian_levels(std::span<const double> direction, double potential_change,
+                       std::size_t begin, std::size_t end, Workspace& work,
+                       std::span<double> out) const;
   void flux_change(std::size_t interface, std::span<const double> direction,
                    std::span<double> flux) const;
 
   const ScaledGrid& grid_;
   WorkerTeam& team_;
+  TerminalVoltage voltage_;
   std::vector<Workspace> workspaces_;
   const IonState* state_ = nullptr;
   double step_ = 0;
+  std::optional<CircuitStage> circuit_;
   std::vector<double> by_lower_, by_upper_, by_difference_; ///< flux derivatives per interface
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/readout/circuit.hpp"
 
+#include "ionskin/readout/electrode_current.hpp"
+
 #include <cstddef>
 
 namespace ionskin::readout {
@@ -12,6 +14,16 @@ std::vector<double> charge_difference(const std::vector<double>& charge_top,
     difference[row] = 0.5 * (charge_top[row] - charge_bottom[row]);
   }
   return difference;
+}
+
+SignalTable terminal_signals(const std::vector<double>& time, const std::vector<double>& voltage,
+                             const std::vector<double>& charge) {
+  SignalTable table;
+  table.columns = {{"time", "s", time},
+                   {"voltage", "V", voltage},
+                   {"current", "A", step_rates(time, charge)},
+                   {"charge", "C", charge}};
+  return table;
 }
 
 SignalTable amplifier_signals(const std::vector<double>& time, const AmplifierReading& reading) {

@@ -30,7 +30,7 @@ std::vector<double> frequencies(const FrequencyRange& range) {
                                 "above 0 Hz and --to above --from",
                                 range.from, range.to));
   }
-  const double decades = std::log10(range.to / range.from);
+  const double decades = std::log10(range.to) - std::log10(range.from);
   const auto intervals =
       static_cast<std::size_t>(std::ceil(decades * range.points_per_decade - 1e-9));
   if (intervals >= most_frequencies) {
@@ -40,7 +40,7 @@ std::vector<double> frequencies(const FrequencyRange& range) {
   std::vector<double> result;
   for (std::size_t i = 0; i <= intervals; ++i) {
     const double part = static_cast<double>(i) / static_cast<double>(intervals);
-    result.push_back(range.from * std::pow(range.to / range.from, part));
+    result.push_back(range.from * std::pow(10.0, decades * part));
   }
   result.back() = range.to;
   return result;

@@ -143,10 +143,20 @@ void add_amplifier(const Amplifier& amplifier, const IonSolution& ions, Signals&
   }
 }
 
+void add_terminals(const IonSolution& ions, Signals& signals) {
+  signals.circuit = readout::terminal_signals(
+      ions.time, ions.voltage, readout::charge_difference(ions.charge_top, ions.charge_bottom));
+  signals.metrics.push_back({"peak_voltage", readout::peak_magnitude(ions.voltage), "V"});
+  signals.metrics.push_back({"rms_voltage", readout::rms_linear(ions.time, ions.voltage), "V"});
+}
+
 void add_circuit(const Case& input, const IonSolution& ions, Signals& signals) {
   switch (input.readout.circuit) {
   case ReadoutCircuit::short_circuit:
     return;
+  case ReadoutCircuit::open:
+  case ReadoutCircuit::load:
+    return add_terminals(ions, signals);
   case ReadoutCircuit::amplifier:
     return add_amplifier(input.readout.amplifier, ions, signals);
   }

@@ -56,6 +56,31 @@ TEST_F(Newton, SolvesAStageWithStrongFieldsAndKeepsIonsAndCharge) {
   EXPECT_NEAR(charges.total_top, ramo_charge_top(grid, state, fixed), 1e-11);
 }
 
+TEST_F(Newton, ClosesTheCircuitExactlyWithoutMoreIterations) {
+  NewtonKrylov given(grid, 3e-5, team);
+  IonState shorted = state;
+  given.prepare(shorted, 2.0);
+  ASSERT_TRUE(given.solve({start, 2.0, fixed, 0.0, 0.0, amount}, shorted));
+  // Open, the core's own impedance, and nearly shorted.
+  for (const double conductance : {0.0, 0.3, 1e6}) {
+    const CircuitStage circuit{0.25, conductance};
+    const StageProblem problem{start, 2.0, fixed, 0.4, 0.0, amount, circuit};
+    NewtonKrylov newton(grid, 3e-5, team);
+    IonState closed = state;
+    newton.prepare(closed, problem.step);
+    ASSERT_TRUE(newton.solve(problem, closed));
+    EXPECT_LE(newton.counters().krylov_iterations, given.counters().krylov_iterations + 4);
+    WallCharges charges;
+    wall_charges(grid, closed, fixed, charges);
+    const double voltage = closed.potential().back() - closed.potential().front();
+    const double charge =
+        0.5 * (charges.total_top - charges.total_bottom) / static_cast<double>(grid.columns());
+    EXPECT_NEAR(charge, circuit.start - conductance * voltage, 1e-12 + 1e-16 * conductance);
+    EXPECT_EQ(closed.potential().front(), 0.4);
+    EXPECT_NEAR(ExactAverage::total(grid, closed.concentration()), amount, 1e-13 * amount);
+  }
+}
+
 TEST_F(Newton, RestStaysAtRestExactly) {
   NewtonKrylov newton(grid, 3e-5, team);
   newton.prepare(state, 3.0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/electrochemistry/transport_equations.hpp"
 
-#include "ionskin/electrochemistry/preconditioner.hpp"
+#include "ionskin/electrochemistry/closed_preconditioner.hpp"
 #include "small_grid.hpp"
 
 #include <gtest/gtest.h>
@@ -18,6 +18,8 @@ protected:
   Equations()
       : start(grid.nodes(), 1.0), fixed(grid.nodes(), 1.1),
         residual(2 * grid.nodes()), problem{start, 0.8, fixed, 0.3, -0.2} {}
+
+  void expect_exact_jacobian();
 
   ScaledGrid grid = test::small_grid();
   std::vector<double> start, fixed, residual;
@@ -48,6 +50,15 @@ TEST_F(Equations, FluxesMoveIonsWithoutLosingAny) {
 }
 
 TEST_F(Equations, JacobianAgreesWithDifferences) {
+  expect_exact_jacobian();
+}
+
+TEST_F(Equations, JacobianOfAClosedCircuitAgreesWithDifferences) {
+  problem.circuit = CircuitStage{0.1, 0.02};
+  expect_exact_jacobian();
+}
+
+void Equations::expect_exact_jacobian() {
   TransportEquations equations(grid, team);
   const IonState state = test::wavy_state(grid);
   IonState direction(grid.nodes());
@@ -88,6 +99,23 @@ TEST_F(Equations, PreconditionerInvertsTheJacobianOfALaterallyUniformState) {
   preconditioner.apply(image, back);
   for (std::size_t i = 0; i < back.size(); ++i) {
     EXPECT_NEAR(back[i], direction.values[i], 1e-5) << i;
+  }
+}
+
+TEST_F(Equations, ClosedPreconditionerDoesSoWithACircuit) {
+  IonState state(grid.nodes());
+  std::ranges::fill(state.concentration(), 1.2);
+  problem.circuit = CircuitStage{0.1, 0.02};
+  TransportEquations equations(grid, team);
+  ClosedPreconditioner preconditioner(grid, team);
+  equations.linearise(problem, state);
+  preconditioner.factorise(state, problem.step);
+  const IonState direction = test::wavy_state(grid);
+  std::vector<double> image(2 * grid.nodes()), back(image);
+  equations.apply_jacobian(direction.values, image);
+  preconditioner.apply(problem.circuit, image, back);
+  for (std::size_t i = 0; i < back.size(); ++i) {
+    EXPECT_NEAR(back[i], direction.values[i], 3e-5) << i;
   }
 }
 
