@@ -34,7 +34,9 @@ TEST(CaseFiles, QuickIsTheSameSkinAtThePresetCoarse) {
 }
 
 TEST(CaseFiles, PresetsAreInstalled) {
-  EXPECT_EQ(installed_materials(), (std::vector<std::string>{"nafion", "platinum"}));
+  EXPECT_EQ(installed_materials(),
+            (std::vector<std::string>{"nafion", "nafion_wet", "nafion_wet_100c", "palladium",
+                                      "platinum"}));
 }
 
 } // namespace

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One strain history read out in every circuit, and the impedance spectrum."""
+
+import unittest
+
+import h5py
+import numpy
+
+from program import QUICK, ProgramTest, metric, signals, summary, write_strain_file
+
+TAXELS = ('[{name="a", lower=["0 mm", "0 mm"], upper=["4 mm", "2 mm"]},'
+          ' {name="b", lower=["4 mm", "0 mm"], upper=["9.3 mm", "0.7 mm"]}]')
+
+
+class Readouts(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        # Shear that grows towards the top, more so on the left, and relaxes again.
+        shape = numpy.array([[[0.2, 0.1]], [[1.0, 0.4]]])
+        self.strain = self.folder / "strain.h5"
+        write_strain_file(self.strain, 1e-3 * numpy.array([0.0, 1.0, 0.3])[:, None, None, None] * shape,
+                          [0.0, 0.02, 0.5], x=(0, 6e-3, 15e-3))
+
+    def read_out(self, name, *edits):
+        options = [option for edit in edits for option in ("--set", edit)]
+        self.run_program("run", QUICK, "-o", name, "--set", "strain.source=file", "--set",
+                         f'strain.file="{self.strain}"', *options)
+        out = self.folder / name
+        self.assertLess(metric(out, "charge_identity_error"), 1e-9)
+        return signals(out), out
+
+    def test_open_circuit_and_taxels(self):
+        whole, out = self.read_out("open", "readout.circuit=open", f"readout.taxels={TAXELS}")
+        peak = numpy.abs(whole["charge_top"]).max()
+        numpy.testing.assert_allclose(whole["charge_top"], whole["charge_bottom"], atol=1e-12 * peak, rtol=0)
+        self.assertGreater(numpy.abs(signals(out, "circuit")["voltage"]).max(), 1e-4)
+
+        taxels = signals(out, "taxels")
+        self.assertEqual([name for name in taxels if name.startswith("current")],
+                         ["current_top_a", "current_top_b", "current_top_rest"])
+        total = sum(taxels[name] for name in taxels if name.startswith("charge"))
+        numpy.testing.assert_allclose(total, whole["charge_top"], atol=1e-15 * peak, rtol=0)
+        self.assertLess(metric(out, "taxel_balance_error"), 1e-12)
+        # The left taxel lies where the shear is largest.
+        self.assertGreater(numpy.abs(taxels["charge_top_a"]).max() / 8,
+                           1.5 * numpy.abs(taxels["charge_top_b"]).max() / (5.3 * 0.7))
+
+    def test_load_obeys_ohms_law(self):
+        _, out = self.read_out("load", "readout.circuit=load", "readout.load_resistance=20 Ohm")
+        load = signals(out, "circuit")
+        middle = (load["voltage"][1:] + load["voltage"][:-1]) / 2
+        passed = -numpy.cumsum(numpy.diff(load["time"]) * middle) / 20
+        self.assertLess(numpy.abs(passed - load["charge"][1:]).max(), 0.02 * numpy.abs(load["charge"]).max())
+
+    def test_amplifier_clips_and_says_so(self):
+        whole, out = self.read_out("amplifier", "readout.circuit=amplifier", "readout.amplifier_bandwidth=10 kHz",
+                                   "readout.amplifier_range=0.1 mA")
+        reading = signals(out, "circuit")
+        self.assertEqual(list(reading), ["time", "current", "charge"])
+        self.assertGreater(numpy.abs(whole["current_difference"]).max(), 1.1e-4)
+        self.assertEqual(numpy.abs(reading["current"]).max(), 1e-4)
+        self.assertTrue(any("clips" in warning for warning in summary(out)["warnings"]))
+        with h5py.File(out / "results.h5") as file:
+            numpy.testing.assert_array_equal(file["circuit/current"][:], reading["current"])
+
+    def test_impedance(self):
+        self.run_program("impedance", QUICK, "--from", "0.1Hz", "--to", "1 Hz", "--points", "1", "-o", "cell")
+        spectrum = signals(self.folder / "cell", "impedance")
+        expected = numpy.array([5.5486e-4 - 1.05351e-3j, 5.5402e-4 - 1.2677e-4j])
+        simulated = spectrum["area_impedance_real"] + 1j * spectrum["area_impedance_imaginary"]
+        numpy.testing.assert_allclose(simulated, expected, rtol=5e-3)
+        for name in ("nyquist", "bode"):
+            self.assertTrue((self.folder / "cell" / "figures" / f"{name}.png").exists())
+        self.run_program("impedance", QUICK, "--from", "1 Hz", "--to", "1 Hz", "-o", "none", expect=2)
+        self.run_program("impedance", QUICK, "--from", "1 s", "--to", "1 Hz", "-o", "none", expect=2)
+
+
+if __name__ == "__main__":
+    unittest.main()
