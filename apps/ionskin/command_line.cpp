@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command_line.hpp"
 
+#include "command_line_options.hpp"
 #include "ionskin/base/error.hpp"
 #include "version.hpp"
 
@@ -22,21 +23,7 @@ constexpr const char* description =
 
 constexpr const char* exit_codes =
     "Exit codes: 0 success, 2 the case or command line is wrong, 3 a solver gave up (what was\n"
-    "finished is kept), 130 interrupted (finish with --resume).";
-
-void add_set_option(CLI::App& verb, std::vector<std::string>& edits) {
-  verb.add_option(
-          "--set", edits,
-          "Change a key for this run: --set contact.friction=0.2, --set \"motion.stroke=3 mm\"")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->take_all();
-}
-
-void add_threads_option(CLI::App& verb, int& threads) {
-  verb.add_option("--threads", threads, "Threads to use at most (default: all processors)")
-      ->check(CLI::PositiveNumber);
-}
+    "finished is kept; in a sweep: every point failed), 130 interrupted (finish with --resume).";
 
 void add_init(CLI::App& app, Command& command) {
   auto options = std::make_shared<InitOptions>();
@@ -63,27 +50,13 @@ void add_run(CLI::App& app, Command& command) {
   CLI::App* verb =
       app.add_subcommand("run", "Run a case: contact mechanics, ion transport, results");
   verb->add_option("case", options->case_path, "Case file")->required()->type_name("CASE.toml");
-  verb->add_option("-o,--output", options->output, "Folder for the results")
-      ->required()
-      ->type_name("DIR");
+  add_output_options(*verb, options->output, options->overwrite, options->resume);
   add_set_option(*verb, options->set_edits);
   add_threads_option(*verb, options->threads);
-  CLI::Option* overwrite = verb->add_flag("--overwrite", options->overwrite,
-                                          "Replace the results in an existing folder");
-  verb->add_flag("--resume", options->resume, "Finish an interrupted run in its folder")
-      ->excludes(overwrite);
   verb->add_option("--only", options->only,
                    "Run one study: electrochemistry takes up finished mechanics")
       ->check(CLI::IsMember({"mechanics", "electrochemistry"}));
-  verb->add_option_function<std::string>(
-          "--log",
-          [options](const std::string& format) {
-            options->log = format == "json" ? LogFormat::json : LogFormat::automatic;
-          },
-          "Progress as text (default) or JSON lines")
-      ->check(CLI::IsMember({"text", "json"}));
-  verb->add_flag_callback(
-      "--quiet", [options] { options->log = LogFormat::quiet; }, "No progress");
+  add_log_options(*verb, options->log);
   verb->callback([options, &command] { command = *options; });
 }
 
@@ -130,6 +103,7 @@ std::optional<Command> parse_command_line(int argc, char** argv, int& exit_code)
   add_check(app, command);
   add_run(app, command);
   add_impedance(app, command);
+  add_study_verbs(app, command);
   add_verify(app, command);
   if (argc == 1) {
     std::fputs(app.help().c_str(), stdout);

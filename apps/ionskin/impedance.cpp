@@ -23,7 +23,8 @@ void print_ends(const readout::SignalTable& spectrum) {
   const auto& points = spectrum.columns;
   for (const std::size_t row : {std::size_t{0}, points.front().values.size() - 1}) {
     fmt::print("{:>10.6g} Hz: {:.6g} ohm, {:.4g} degree\n", points.front().values[row],
-               spectrum.column("magnitude").values[row], spectrum.column("phase_angle").values[row]);
+               spectrum.column("magnitude").values[row],
+               spectrum.column("phase_angle").values[row]);
   }
 }
 

@@ -4,7 +4,9 @@
 // the others to `ionskin-solver` beside it, whose libraries take half a second to load.
 
 #include "check.hpp"
+#include "cite.hpp"
 #include "command_line.hpp"
+#include "doctor.hpp"
 #include "guard.hpp"
 #include "init.hpp"
 
@@ -32,12 +34,18 @@ int become_solver(char** argv) {
 int main(int argc, char** argv) {
   using namespace ionskin::apps;
   return guarded([&]() -> int {
-    require_vector_instructions();
     int exit_code = 0;
     const auto command = parse_command_line(argc, argv, exit_code);
     if (!command) {
       return exit_code;
     }
+    if (std::holds_alternative<DoctorOptions>(*command)) {
+      return doctor();
+    }
+    if (std::holds_alternative<CiteOptions>(*command)) {
+      return cite();
+    }
+    require_vector_instructions();
     if (const auto* init_options = std::get_if<InitOptions>(&*command)) {
       return init(*init_options);
     }

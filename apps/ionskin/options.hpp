@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -24,6 +25,35 @@ struct RunOptions {
   LogFormat log = LogFormat::automatic;
 };
 
+struct SweepOptions {
+  std::string case_path;
+  std::string output;
+  std::vector<std::string> over; ///< "KEY=first:step:last", "KEY=value,value" or "KEY=a:b"
+  std::vector<std::string> set_edits;
+  std::size_t samples = 0; ///< 0: a grid
+  std::string sampling = "sobol";
+  std::uint64_t seed = 1;
+  int threads = 0;
+  bool overwrite = false;
+  bool resume = false;
+  bool no_report = false;
+  std::string only; ///< "mechanics" or empty for both studies
+  LogFormat log = LogFormat::automatic;
+};
+
+struct ReportOptions {
+  std::string folder;
+  std::vector<std::string> figures; ///< only these; empty for all
+};
+
+struct CompareOptions {
+  std::string first, second; ///< run folders
+  double tolerance = 1e-9;   ///< relative differences up to here are no differences
+};
+
+struct DoctorOptions {};
+struct CiteOptions {};
+
 struct VerifyOptions {
   std::string part; ///< "mechanics", "electrochemistry", "chain" or empty for all
   int threads = 0;
@@ -39,6 +69,7 @@ struct ImpedanceOptions {
 };
 
 using Command =
-    std::variant<InitOptions, CheckOptions, RunOptions, VerifyOptions, ImpedanceOptions>;
+    std::variant<InitOptions, CheckOptions, RunOptions, SweepOptions, ImpedanceOptions,
+                 ReportOptions, CompareOptions, VerifyOptions, DoctorOptions, CiteOptions>;
 
 } // namespace ionskin::apps

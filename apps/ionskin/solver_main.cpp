@@ -5,7 +5,9 @@
 #include "command_line.hpp"
 #include "guard.hpp"
 #include "impedance.hpp"
+#include "python_verbs.hpp"
 #include "run.hpp"
+#include "sweep.hpp"
 #include "verify.hpp"
 
 int main(int argc, char** argv) {
@@ -26,6 +28,15 @@ int main(int argc, char** argv) {
     }
     if (const auto* impedance_options = std::get_if<ImpedanceOptions>(&*command)) {
       return impedance(*impedance_options, command_text);
+    }
+    if (const auto* sweep_options = std::get_if<SweepOptions>(&*command)) {
+      return sweep(*sweep_options, command_text);
+    }
+    if (const auto* report_options = std::get_if<ReportOptions>(&*command)) {
+      return report(*report_options);
+    }
+    if (const auto* compare_options = std::get_if<CompareOptions>(&*command)) {
+      return compare(*compare_options);
     }
     return verify(std::get<VerifyOptions>(*command));
   });

@@ -36,6 +36,8 @@ private:
 
 /// Wall clock since an arbitrary start [s].
 double wall_time();
+/// Processor time of this process so far, all threads [s].
+double processor_time();
 /// Largest resident memory of this process so far [bytes].
 double peak_memory();
 

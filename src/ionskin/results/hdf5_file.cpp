@@ -49,9 +49,15 @@ Hdf5Handle simple_space(const Hdf5File::Shape& shape) {
           "HDF5 refuses the shape of an array"};
 }
 
+std::recursive_mutex& library_mutex() {
+  static std::recursive_mutex mutex;
+  return mutex;
+}
+
 } // namespace
 
-Hdf5File::Hdf5File(std::filesystem::path path, Access access) : path_(std::move(path)) {
+Hdf5File::Hdf5File(std::filesystem::path path, Access access)
+    : library_(library_mutex()), path_(std::move(path)) {
   // Our own messages say what failed; HDF5's stack trace would only bury them.
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   id_ = open_file(path_, access);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,7 +13,8 @@ namespace ionskin::results {
 
 /// One HDF5 file with the few operations the results need. Objects are named by their path inside
 /// the file ("/strain/gamma"); groups on the way are made when writing. Numbers are doubles,
-/// integers are converted on reading. Only one thread at a time may use HDF5.
+/// integers are converted on reading. HDF5 serves one thread at a time: while a file is open, its
+/// thread holds a lock, and other threads wait for it when they open one.
 ///
 /// Errors: UserError when the file cannot be opened, is no HDF5 file, lacks what is read or cannot
 /// be written; the message names the file and the object.
@@ -71,6 +73,7 @@ public:
   std::optional<double> number_attribute(const std::string& object, const std::string& name) const;
 
 private:
+  std::unique_lock<std::recursive_mutex> library_; ///< released last
   std::filesystem::path path_;
   std::int64_t id_ = -1;
 };

@@ -31,12 +31,13 @@ void remove_results(const fs::path& folder) {
   for (const char* name :
        {file_names::case_text, file_names::summary, file_names::signals, file_names::sampled,
         file_names::taxels, file_names::circuit, file_names::impedance, file_names::results,
-        file_names::checkpoint, file_names::report, file_names::manifest}) {
+        file_names::checkpoint, file_names::report, file_names::manifest, file_names::sweep_table,
+        file_names::sweep_signals}) {
     fs::remove(folder / name);
     fs::remove(folder / (std::string(name) + ".tmp"));
   }
   remove_by_extension(folder / file_names::fields, {".vtu", ".pvd"});
-  remove_by_extension(folder / file_names::figures, {".png", ".svg"});
+  remove_by_extension(folder / file_names::figures, {".png", ".svg", ".pdf"});
 }
 
 void require_own(const fs::path& folder, ExistingFolder existing) {

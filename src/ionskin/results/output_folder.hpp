@@ -33,6 +33,10 @@ inline constexpr const char* checkpoint = "checkpoint.h5"; ///< of an unfinished
 inline constexpr const char* report = "report.html";
 inline constexpr const char* fields = "fields";
 inline constexpr const char* figures = "figures";
+// Of a sweep.
+inline constexpr const char* points = "points"; ///< folder of the points' folders
+inline constexpr const char* sweep_table = "sweep.csv";
+inline constexpr const char* sweep_signals = "sweep.h5";
 } // namespace file_names
 
 } // namespace ionskin::results

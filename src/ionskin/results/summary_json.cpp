@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/results/summary_json.hpp"
 
+#include "ionskin/base/error.hpp"
 #include "ionskin/results/atomic_file.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <limits>
 
 namespace ionskin::results {
 
@@ -21,6 +26,24 @@ std::string summary_text(const Summary& summary) {
 
 void write_summary(const std::filesystem::path& path, const Summary& summary) {
   write_text_file(path, summary_text(summary));
+}
+
+std::vector<readout::Metric> read_metrics(const std::filesystem::path& path) {
+  std::ifstream stream(path);
+  const auto json = nlohmann::ordered_json::parse(stream, nullptr, false);
+  if (json.is_discarded() || !json.is_object() || !json.contains("metrics")) {
+    throw UserError(fmt::format("{} is missing or no summary of a run\n  = run the case again with "
+                                "--overwrite",
+                                path.string()));
+  }
+  std::vector<readout::Metric> metrics;
+  for (const auto& [name, entry] : json["metrics"].items()) {
+    const auto& value = entry.at("value");
+    metrics.push_back(
+        {name, value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>(),
+         entry.at("unit").get<std::string>()});
+  }
+  return metrics;
 }
 
 } // namespace ionskin::results

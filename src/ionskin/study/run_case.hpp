@@ -20,6 +20,7 @@ struct RunOptions {
   bool resume = false;    ///< take up the finished parts of an interrupted run of the same case
   /// `electrochemistry` alone takes up the finished mechanics in the folder.
   Studies studies = Studies::both;
+  bool report = true;  ///< draw the figures and the page
   std::string command; ///< for the manifest
   base::ProgressCallback progress = base::no_progress;
 };

@@ -103,7 +103,7 @@ RunOutcome write_outputs(const Case& input, const RunOptions& options,
     // The report reads the summary; its own time is added below.
     write_summary();
     options.progress("results and report", 0.5);
-    auto problem = make_report(folder.path());
+    auto problem = options.report ? make_report(folder.path()) : std::nullopt;
     options.progress("results and report", 1.0);
     return problem;
   });
@@ -112,7 +112,8 @@ RunOutcome write_outputs(const Case& input, const RunOptions& options,
   }
   write_summary();
   folder.finish();
-  return {folder.path(), report_problem ? std::filesystem::path{} : folder.file(names::report),
+  const bool reported = options.report && !report_problem;
+  return {folder.path(), reported ? folder.file(names::report) : std::filesystem::path{},
           summary.metrics, summary.warnings, base::wall_time() - start};
 }
 

@@ -20,9 +20,10 @@ void fill_with_results(const fs::path& folder) {
   fs::create_directories(folder / "fields");
   fs::create_directories(folder / "figures");
   write_manifest(folder / "manifest.json", new_manifest("ionskin run", 1, "0"));
-  for (const char* name : {"case.toml", "summary.json", "signals.csv", "sampled.csv", "results.h5",
-                           "results.h5.tmp", "report.html", "fields/fields_0000.vtu",
-                           "fields/fields.pvd", "figures/motion.png", "figures/motion.svg"}) {
+  for (const char* name :
+       {"case.toml", "summary.json", "signals.csv", "sampled.csv", "results.h5", "results.h5.tmp",
+        "report.html", "fields/fields_0000.vtu", "fields/fields.pvd", "figures/motion.png",
+        "figures/motion.svg", "figures/motion.pdf", "sweep.csv", "sweep.h5"}) {
     write_all(folder / name, "old");
   }
 }

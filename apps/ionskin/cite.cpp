@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cite.hpp"
+
+#include "version.hpp"
+
+#include <fmt/core.h>
+
+namespace ionskin::apps {
+
+int cite() {
+  const std::string version = version_text().substr(version_text().rfind(' ') + 1);
+  fmt::print(
+      "The ionskin contributors: ionskin, a simulator of ionic artificial skins, version {0}."
+      "\n\n"
+      "@software{{ionskin,\n"
+      "  author  = {{{{The ionskin contributors}}}},\n"
+      "  title   = {{{{ionskin}}: a simulator of ionic artificial skins}},\n"
+      "  version = {{{0}}}\n"
+      "}}\n\n"
+      "State the commit and the input hash too: both stand in manifest.json of every run.\n",
+      version);
+  return 0;
+}
+
+} // namespace ionskin::apps

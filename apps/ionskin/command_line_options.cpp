@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_line_options.hpp"
+
+namespace ionskin::apps {
+
+void add_set_option(CLI::App& verb, std::vector<std::string>& edits) {
+  verb.add_option(
+          "--set", edits,
+          "Change a key for this run: --set contact.friction=0.2, --set \"motion.stroke=3 mm\"")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
+}
+
+void add_threads_option(CLI::App& verb, int& threads) {
+  verb.add_option("--threads", threads, "Threads to use at most (default: all processors)")
+      ->check(CLI::PositiveNumber);
+}
+
+void add_log_options(CLI::App& verb, LogFormat& log) {
+  verb.add_option_function<std::string>(
+          "--log",
+          [&log](const std::string& format) {
+            log = format == "json" ? LogFormat::json : LogFormat::automatic;
+          },
+          "Progress as text (default) or JSON lines")
+      ->check(CLI::IsMember({"text", "json"}));
+  verb.add_flag_callback(
+      "--quiet", [&log] { log = LogFormat::quiet; }, "No progress");
+}
+
+void add_output_options(CLI::App& verb, std::string& output, bool& overwrite, bool& resume) {
+  verb.add_option("-o,--output", output, "Folder for the results")->required()->type_name("DIR");
+  CLI::Option* replace =
+      verb.add_flag("--overwrite", overwrite, "Replace the results in an existing folder");
+  verb.add_flag("--resume", resume, "Finish an interrupted run in its folder")->excludes(replace);
+}
+
+} // namespace ionskin::apps

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace ionskin::apps {
+
+// Options that several verbs share.
+void add_set_option(CLI::App& verb, std::vector<std::string>& edits);
+void add_threads_option(CLI::App& verb, int& threads);
+void add_log_options(CLI::App& verb, LogFormat& log);
+void add_output_options(CLI::App& verb, std::string& output, bool& overwrite, bool& resume);
+
+/// sweep, report, compare, doctor and cite.
+void add_study_verbs(CLI::App& app, Command& command);
+
+} // namespace ionskin::apps

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_line_options.hpp"
+
+#include <memory>
+
+namespace ionskin::apps {
+namespace {
+
+template <class Options>
+void set_when_parsed(CLI::App& verb, const Options& options, Command& command) {
+  verb.callback([options, &command] { command = *options; });
+}
+
+void add_design_options(CLI::App& verb, SweepOptions& options) {
+  verb.add_option("--over", options.over,
+                  "Key to vary and its values: contact.friction=0.05:0.05:0.5 (first:step:last), "
+                  "\"motion.preload=1 um,2 um\"; several make a grid; with --samples an interval: "
+                  "contact.friction=0.05:0.5")
+      ->required()
+      ->type_name("KEY=VALUES")
+      ->expected(1)
+      ->take_all();
+  CLI::Option* samples =
+      verb.add_option("--samples", options.samples, "Number of points within the intervals")
+          ->check(CLI::Range(1, 100000));
+  verb.add_option("--sampling", options.sampling, "How they fill the intervals")
+      ->check(CLI::IsMember({"sobol", "latin"}))
+      ->needs(samples)
+      ->capture_default_str();
+  verb.add_option("--seed", options.seed, "Seed of the design")
+      ->needs(samples)
+      ->capture_default_str();
+}
+
+void add_sweep(CLI::App& app, Command& command) {
+  auto options = std::make_shared<SweepOptions>();
+  CLI::App* verb = app.add_subcommand("sweep", "Run a case at many values of its keys");
+  verb->add_option("case", options->case_path, "Case file")->required()->type_name("CASE.toml");
+  add_design_options(*verb, *options);
+  add_output_options(*verb, options->output, options->overwrite, options->resume);
+  add_set_option(*verb, options->set_edits);
+  add_threads_option(*verb, options->threads);
+  verb->add_option("--only", options->only, "Run the mechanics alone")
+      ->check(CLI::IsMember({"mechanics"}));
+  verb->add_flag("--no-report", options->no_report,
+                 "Leave out figures and report (ionskin report DIR makes them later)");
+  add_log_options(*verb, options->log);
+  set_when_parsed(*verb, options, command);
+}
+
+void add_report(CLI::App& app, Command& command) {
+  auto options = std::make_shared<ReportOptions>();
+  CLI::App* verb =
+      app.add_subcommand("report", "Draw all figures and the report of a run or a sweep");
+  verb->add_option("folder", options->folder, "Folder of a run or a sweep")
+      ->required()
+      ->type_name("DIR");
+  verb->add_option("--figure", options->figures, "Only this figure, such as fig05_shear")
+      ->expected(1)
+      ->take_all();
+  set_when_parsed(*verb, options, command);
+}
+
+void add_compare(CLI::App& app, Command& command) {
+  auto options = std::make_shared<CompareOptions>();
+  CLI::App* verb = app.add_subcommand(
+      "compare", "Tell the parameters, metrics and signals in which two runs differ");
+  verb->add_option("first", options->first, "Folder of a run")->required()->type_name("A");
+  verb->add_option("second", options->second, "Folder of a run")->required()->type_name("B");
+  verb->add_option("--tolerance", options->tolerance, "Relative difference that counts as none")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  set_when_parsed(*verb, options, command);
+}
+
+} // namespace
+
+void add_study_verbs(CLI::App& app, Command& command) {
+  add_sweep(app, command);
+  add_report(app, command);
+  add_compare(app, command);
+  app.add_subcommand("doctor", "Tell what this machine lacks for ionskin and how to get it")
+      ->callback([&command] { command = DoctorOptions{}; });
+  app.add_subcommand("cite", "How to cite ionskin")->callback([&command] {
+    command = CiteOptions{};
+  });
+}
+
+} // namespace ionskin::apps

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "python_verbs.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/study/python_module.hpp"
+
+#include <fmt/core.h>
+
+namespace ionskin::apps {
+namespace {
+
+int run_module(const std::string& module, const std::vector<std::string>& arguments) {
+  const int code = study::run_python_module(module, arguments);
+  if (code < 0) {
+    throw UserError(study::python_interpreter() +
+                    " cannot be started\n  = ionskin doctor says what is missing");
+  }
+  return code;
+}
+
+} // namespace
+
+int report(const ReportOptions& options) {
+  std::vector<std::string> arguments{options.folder, "--all"};
+  for (const std::string& figure : options.figures) {
+    arguments.insert(arguments.end(), {"--figure", figure});
+  }
+  return run_module("ionskin.report", arguments);
+}
+
+int compare(const CompareOptions& options) {
+  return run_module("ionskin.compare", {options.first, options.second, "--tolerance",
+                                        fmt::format("{}", options.tolerance)});
+}
+
+} // namespace ionskin::apps

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/sweep_mechanics.hpp"
+
+#include "ionskin/base/task_pool.hpp"
+#include "ionskin/mechanics/solve_contact.hpp"
+#include "ionskin/mesh/skin_mesh.hpp"
+#include "ionskin/results/atomic_file.hpp"
+#include "ionskin/results/output_folder.hpp"
+#include "ionskin/study/mechanics_file.hpp"
+#include "ionskin/study/run_folder.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+namespace ionskin::study {
+namespace {
+
+constexpr double solution_memory = 1.2e9;  // bytes for the contact solutions held at once
+constexpr double states_per_solution = 75; // touchdown, onset, steady sliding, lift-off
+
+/// Points with one and the same Study 1.
+struct SharedMechanics {
+  double friction = 0;
+  std::vector<std::size_t> points;
+};
+/// Those of them that differ in the friction coefficient only.
+using FrictionGroup = std::vector<SharedMechanics>;
+
+RunOptions point_options(const RunOptions& options, const SweepPoint& point) {
+  RunOptions result = options;
+  result.folder = options.folder / point.name;
+  return result;
+}
+
+std::string hash_without_friction(Case input) {
+  input.contact.friction = 0;
+  return mechanics_hash(input);
+}
+
+std::vector<FrictionGroup> group_points(const std::vector<SweepPoint>& points,
+                                        const std::vector<std::size_t>& chosen) {
+  std::map<std::string, std::map<std::string, SharedMechanics>> groups;
+  std::vector<std::string> order;
+  for (const std::size_t i : chosen) {
+    const std::string group = hash_without_friction(points[i].input);
+    if (groups.count(group) == 0) {
+      order.push_back(group);
+    }
+    SharedMechanics& shared = groups[group][mechanics_hash(points[i].input)];
+    shared.friction = points[i].input.contact.friction;
+    shared.points.push_back(i);
+  }
+  std::vector<FrictionGroup> result;
+  for (const std::string& name : order) {
+    FrictionGroup& group = result.emplace_back();
+    for (auto& [hash, shared] : groups[name]) {
+      group.push_back(std::move(shared));
+    }
+    std::sort(group.begin(), group.end(),
+              [](const auto& a, const auto& b) { return a.points.front() < b.points.front(); });
+  }
+  return result;
+}
+
+/// Friction coefficients whose solutions fit into memory together.
+std::size_t batch_size(const Case& input) {
+  const mesh::SkinMesh mesh(input);
+  const auto elements = mesh.elements();
+  const auto core = mesh.core_z();
+  const double gauss_points =
+      8.0 * static_cast<double>(elements[0] * elements[1] * (core[1] - core[0]));
+  const double bytes = states_per_solution * 6 * sizeof(double) * gauss_points;
+  return std::max<std::size_t>(1, static_cast<std::size_t>(solution_memory / bytes));
+}
+
+/// Study 1 of one point that a finished point shares, read from that point's folder.
+bool take_over(const std::vector<SweepPoint>& points, const RunOptions& options, std::size_t donor,
+               std::size_t receiver) {
+  const auto record =
+      read_mechanics(point_options(options, points[donor]).folder / results::file_names::results,
+                     mechanics_hash(points[donor].input), points[donor].input.skin);
+  if (!record) {
+    return false;
+  }
+  RunFolder folder(points[receiver].input, point_options(options, points[receiver]));
+  return folder.stage("strain", [&] {
+    write_mechanics(folder.file(results::file_names::results),
+                    mechanics_hash(points[receiver].input), *record);
+    return true;
+  });
+}
+
+/// Leaves a solution in the folders of all points that share it.
+void leave_in_folders(const std::vector<SweepPoint>& points, const SharedMechanics& shared,
+                      const mechanics::ContactSolution& contact, double seconds,
+                      const RunOptions& options) {
+  const Case& input = points[shared.points.front()].input;
+  std::optional<std::filesystem::path> first;
+  for (const std::size_t i : shared.points) {
+    RunFolder folder(points[i].input, point_options(options, points[i]));
+    folder.add_finished("mechanics", first ? 0.0 : seconds);
+    folder.stage("strain", [&] {
+      const auto path = folder.file(results::file_names::results);
+      if (first) {
+        results::PendingFile pending(path);
+        std::filesystem::copy_file(*first, pending.path());
+        pending.commit();
+      } else {
+        write_mechanics(path, mechanics_hash(input), make_mechanics_record(input, contact));
+        first = path;
+      }
+      return true;
+    });
+  }
+}
+
+class SharedMechanicsSolver {
+public:
+  SharedMechanicsSolver(const std::vector<SweepPoint>& points, const RunOptions& options,
+                        base::Timers& timers, std::size_t units)
+      : points_(points), options_(options), timers_(timers), units_(units) {}
+
+  /// Solves entries [begin, end) of a group together.
+  void solve(const FrictionGroup& group, std::size_t begin, std::size_t end) {
+    try {
+      solve_together(group, begin, end);
+      finished_ += end - begin;
+    } catch (const SolverError& error) {
+      if (end - begin > 1) {
+        const std::size_t middle = begin + (end - begin) / 2;
+        solve(group, begin, middle);
+        solve(group, middle, end);
+        return;
+      }
+      for (const std::size_t i : group[begin].points) {
+        failures[i] = std::string(error.what()) + "; remedy: " + error.remedy();
+      }
+      finished_ += 1;
+    }
+  }
+
+  SweepFailures failures;
+
+private:
+  void solve_together(const FrictionGroup& group, std::size_t begin, std::size_t end) {
+    const double start = base::wall_time();
+    const double before = static_cast<double>(finished_) / static_cast<double>(units_);
+    const double share = static_cast<double>(end - begin) / static_cast<double>(units_);
+    mechanics::ContactOptions contact_options;
+    contact_options.threads = options_.threads;
+    contact_options.progress = [&](std::string_view, double fraction) {
+      options_.progress("mechanics of all points", before + share * fraction);
+    };
+    std::vector<double> frictions;
+    for (std::size_t i = begin; i < end; ++i) {
+      frictions.push_back(group[i].friction);
+    }
+    auto solutions = mechanics::solve_contact(points_[group[begin].points.front()].input, frictions,
+                                              contact_options, timers_);
+    const double seconds = (base::wall_time() - start) / static_cast<double>(end - begin);
+    base::run_tasks(solutions.size(), options_.threads, [&](std::size_t i) {
+      const auto contact = std::make_unique<mechanics::ContactSolution>(std::move(solutions[i]));
+      leave_in_folders(points_, group[begin + i], *contact, seconds, options_);
+    });
+  }
+
+  const std::vector<SweepPoint>& points_;
+  const RunOptions& options_;
+  base::Timers& timers_;
+  std::size_t units_, finished_ = 0;
+};
+
+bool has_mechanics(const SweepPoint& point, const RunOptions& options) {
+  const auto folder = point_options(options, point).folder;
+  if (!results::is_ionskin_manifest(folder / results::file_names::manifest)) {
+    return false;
+  }
+  return RunFolder(point.input, point_options(options, point)).was_finished("strain") &&
+         std::filesystem::exists(folder / results::file_names::results);
+}
+
+} // namespace
+
+SweepFailures solve_shared_mechanics(const std::vector<SweepPoint>& points,
+                                     const std::vector<std::size_t>& unfinished,
+                                     const RunOptions& options, base::Timers& timers) {
+  std::map<std::string, std::size_t> donors;
+  std::vector<std::size_t> lacking;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].input.strain.kind != StrainSourceKind::contact) {
+      continue;
+    }
+    if (has_mechanics(points[i], options)) {
+      donors.emplace(mechanics_hash(points[i].input), i);
+    } else if (std::find(unfinished.begin(), unfinished.end(), i) != unfinished.end()) {
+      lacking.push_back(i);
+    }
+  }
+  std::vector<std::size_t> to_solve;
+  for (const std::size_t i : lacking) {
+    const auto donor = donors.find(mechanics_hash(points[i].input));
+    if (donor == donors.end() || !take_over(points, options, donor->second, i)) {
+      to_solve.push_back(i);
+    }
+  }
+  const std::vector<FrictionGroup> groups = group_points(points, to_solve);
+  std::size_t units = 0;
+  for (const FrictionGroup& group : groups) {
+    units += group.size();
+  }
+  SharedMechanicsSolver solver(points, options, timers, units);
+  for (const FrictionGroup& group : groups) {
+    const std::size_t batch = batch_size(points[group.front().points.front()].input);
+    for (std::size_t begin = 0; begin < group.size(); begin += batch) {
+      solver.solve(group, begin, std::min(group.size(), begin + batch));
+    }
+  }
+  return std::move(solver.failures);
+}
+
+} // namespace ionskin::study

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/sweep_table.hpp"
+
+#include "ionskin/results/atomic_file.hpp"
+#include "ionskin/results/hdf5_file.hpp"
+#include "ionskin/results/output_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace ionskin::study {
+namespace {
+
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) {
+    return text;
+  }
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+  }
+  return quoted + "\"";
+}
+
+const char* to_text(PointStatus status) {
+  switch (status) {
+  case PointStatus::finished:
+    return "finished";
+  case PointStatus::failed:
+    return "failed";
+  case PointStatus::pending:
+    return "pending";
+  }
+  return "";
+}
+
+/// Every metric that any point has, in the order of their first appearance.
+std::vector<readout::Metric> all_metrics(const std::vector<PointState>& states) {
+  std::vector<readout::Metric> result;
+  for (const PointState& state : states) {
+    for (const readout::Metric& metric : state.metrics) {
+      const auto known = std::find_if(result.begin(), result.end(),
+                                      [&](const auto& other) { return other.name == metric.name; });
+      if (known == result.end()) {
+        result.push_back(metric);
+      }
+    }
+  }
+  return result;
+}
+
+double metric_value(const PointState& state, const std::string& name) {
+  for (const readout::Metric& metric : state.metrics) {
+    if (metric.name == name) {
+      return metric.value;
+    }
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+void copy_group(const results::Hdf5File& source, const std::string& group,
+                results::Hdf5File& target, const std::string& target_group) {
+  if (!source.has("/" + group)) {
+    return;
+  }
+  for (const std::string& name : source.members("/" + group)) {
+    const std::string from = "/" + group + "/" + name;
+    const std::string to = target_group + "/" + group + "/" + name;
+    if (!source.has_numbers(from)) {
+      target.write_texts(to, source.read_texts(from));
+      continue;
+    }
+    target.write(to, source.read(from));
+    if (const auto unit = source.text_attribute(from, "unit")) {
+      target.set_attribute(to, "unit", *unit);
+    }
+  }
+}
+
+void write_swept(results::Hdf5File& file, const std::vector<SweepPoint>& points) {
+  for (std::size_t k = 0; k < points.front().values.size(); ++k) {
+    const SweptValue& first = points.front().values[k];
+    const std::string dataset = "/swept/" + first.key;
+    if (first.unit.empty()) {
+      std::vector<std::string> texts;
+      for (const SweepPoint& point : points) {
+        texts.push_back(point.values[k].written);
+      }
+      file.write_texts(dataset, texts);
+      continue;
+    }
+    std::vector<double> numbers;
+    for (const SweepPoint& point : points) {
+      numbers.push_back(std::strtod(point.values[k].si.c_str(), nullptr));
+    }
+    file.write(dataset, numbers);
+    file.set_attribute(dataset, "unit", first.unit);
+  }
+}
+
+} // namespace
+
+std::string sweep_table_text(const std::vector<SweepPoint>& points,
+                             const std::vector<PointState>& states) {
+  const std::vector<readout::Metric> metrics = all_metrics(states);
+  std::string text = "point,folder";
+  for (const SweptValue& value : points.front().values) {
+    text += value.unit.empty() ? fmt::format(",{}", value.key)
+                               : fmt::format(",{} [{}]", value.key, value.unit);
+  }
+  text += ",status,reason";
+  for (const readout::Metric& metric : metrics) {
+    text += fmt::format(",{} [{}]", metric.name, metric.unit);
+  }
+  text += "\n";
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    text += fmt::format("{},{}/{}", i + 1, results::file_names::points, points[i].name);
+    for (const SweptValue& value : points[i].values) {
+      text += fmt::format(",{}", cell(value.si));
+    }
+    text += fmt::format(",{},{}", to_text(states[i].status), cell(states[i].reason));
+    for (const readout::Metric& metric : metrics) {
+      const double value = metric_value(states[i], metric.name);
+      text += std::isnan(value) ? "," : fmt::format(",{}", value);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+void write_sweep_signals(const std::filesystem::path& folder, const std::vector<SweepPoint>& points,
+                         const std::vector<PointState>& states) {
+  results::PendingFile pending(folder / results::file_names::sweep_signals);
+  results::Hdf5File file(pending.path(), results::Hdf5File::Access::create);
+  write_swept(file, points);
+  for (const readout::Metric& metric : all_metrics(states)) {
+    std::vector<double> values;
+    for (const PointState& state : states) {
+      values.push_back(metric_value(state, metric.name));
+    }
+    const std::string dataset = "/metrics/" + metric.name;
+    file.write(dataset, values);
+    file.set_attribute(dataset, "unit", metric.unit);
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (states[i].status != PointStatus::finished) {
+      continue;
+    }
+    const std::string group = "/points/" + points[i].name;
+    const results::Hdf5File source(folder / results::file_names::points / points[i].name /
+                                       results::file_names::results,
+                                   results::Hdf5File::Access::read);
+    copy_group(source, "signals", file, group);
+    copy_group(source, "sampled", file, group);
+    for (const SweptValue& value : points[i].values) {
+      file.set_attribute(group, value.key, value.written);
+    }
+  }
+  file.close();
+  pending.commit();
+}
+
+} // namespace ionskin::study

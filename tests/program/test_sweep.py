@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Sweeps: sharing, killing and resuming, points that fail, bad input."""
+
+import csv
+import signal
+import subprocess
+import time
+import unittest
+
+import h5py
+import numpy
+
+from program import PROGRAM, QUICK, ProgramTest, metric, signals
+
+# A mesh and time steps that serve to test the bookkeeping, not the physics.
+SMALL = ("--set", "numerics.mesh_refinement=0.5", "--set", "numerics.time_refinement=0.3")
+SWEEP = ("sweep", QUICK, "-o", "out", "--no-report", *SMALL, "--over", "contact.friction=0.1,0.4")
+SAME = 1e-12
+
+
+def rows(folder):
+    """sweep.csv as dictionaries."""
+    with open(folder / "sweep.csv", newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+class Sweep(ProgramTest):
+    def assert_same_tables(self, first, second):
+        first_rows, second_rows = rows(first), rows(second)
+        self.assertEqual(len(first_rows), len(second_rows))
+        for one, two in zip(first_rows, second_rows):
+            self.assertEqual(list(one), list(two))
+            for name, value in one.items():
+                if "[" in name and value:
+                    scale = abs(float(two[name])) if "residual" not in name and "identity" not in name else 1
+                    self.assertLessEqual(abs(float(value) - float(two[name])), SAME * scale, name)
+                else:
+                    self.assertEqual(value, two[name], name)
+
+    def test_kill_and_resume(self):
+        """Killed without warning at several instants, the sweep ends with the table of an untouched one, which
+        equals single runs."""
+        self.run_program(*SWEEP[:2], "-o", "whole", *SWEEP[4:])
+        for share in (0.35, 0.8):
+            self.kill_after_points(share)
+        self.run_program(*SWEEP, "--resume")
+        self.assert_same_tables(self.folder / "out", self.folder / "whole")
+        self.assertEqual([row["status"] for row in rows(self.folder / "out")], ["finished"] * 2)
+        self.run_program("run", QUICK, "-o", "single", *SMALL, "--set", "contact.friction=0.4")
+        swept = signals(self.folder / "out" / "points" / "0002_friction=0.4")
+        single = signals(self.folder / "single")
+        for name in ("normal_force", "mean_shear", "current_top"):
+            numpy.testing.assert_allclose(swept[name], single[name], rtol=0,
+                                          atol=1e-9 * numpy.nanmax(numpy.abs(single[name])))
+        with h5py.File(self.folder / "out" / "sweep.h5") as file:
+            numpy.testing.assert_array_equal(file["points/0002_friction=0.4/signals/current_top"], swept["current_top"])
+            numpy.testing.assert_array_equal(file["swept/contact.friction"], [0.1, 0.4])
+            self.assertEqual(file["metrics/normal_force_slide"].attrs["unit"], "N")
+
+    def kill_after_points(self, share):
+        """Starts or resumes the sweep and kills it a while after its first file appeared."""
+        start = ["--resume"] if (self.folder / "out").exists() else []
+        with subprocess.Popen([PROGRAM, *map(str, SWEEP), *start], cwd=self.folder, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL) as process:
+            ready = self.folder / "out" / "points" / "0001_friction=0.1"
+            deadline = time.monotonic() + 300
+            while not ready.exists() and process.poll() is None and time.monotonic() < deadline:
+                time.sleep(0.01)
+            time.sleep(share)
+            process.send_signal(signal.SIGKILL)
+
+    def test_interrupt_keeps_finished_points(self):
+        def first_finished():
+            return (self.folder / "out" / "sweep.csv").exists() and rows(self.folder / "out")[0]["status"] == "finished"
+
+        self.interrupt_program(*SWEEP, "--threads", "1", when=first_finished)
+        self.assertEqual([row["status"] for row in rows(self.folder / "out")], ["finished", "pending"])
+        process = self.run_program(*SWEEP, "--over", "motion.stroke=3 mm", "--resume", expect=2)
+        self.assertIn("another case", process.stderr)
+
+    def test_a_poisoned_point_leaves_the_others(self):
+        """A fixed charge below zero fails one of two points; mechanics is the same for both."""
+        sweep = ("sweep", QUICK, "--no-report", *SMALL, "--over", "coupling.coefficient=0.1,-40")
+        process = self.run_program(*sweep, "-o", "out")
+        self.assertIn("1 of 2 points failed", process.stderr)
+        good, bad = rows(self.folder / "out")
+        self.assertEqual((good["status"], bad["status"]), ("finished", "failed"))
+        self.assertIn("fixed charge", bad["reason"])
+        self.run_program("run", QUICK, "-o", "single", *SMALL)
+        self.assertAlmostEqual(float(good["rms_current_difference [A]"]),
+                               metric(self.folder / "single", "rms_current_difference"), delta=1e-15)
+        self.run_program(*sweep[:-1], "coupling.coefficient=-40", "-o", "none", expect=3)
+
+    def test_bad_sweeps_do_no_work(self):
+        for over, words in (("contact.friction=0.1,5", "point 2"), ("contact.fricton=0.1,0.2", "contact.friction"),
+                            ("motion.stroke=1 mm:1 um:2 mm", "units"), ("contact.friction=0.1:0.2", "--samples")):
+            with self.subTest(over):
+                process = self.run_program("sweep", QUICK, "-o", "out", "--over", over, expect=2)
+                self.assertIn(words, process.stderr)
+                self.assertFalse((self.folder / "out").exists())
+
+    def test_sampled_mechanics(self):
+        """A seeded design over two keys, mechanics alone."""
+        self.run_program("sweep", QUICK, "-o", "out", "--no-report", *SMALL, "--only", "mechanics", "--samples", 2, "--seed", 5,
+                         "--over", "contact.friction=0.1:0.5", "--over", "motion.preload=0.5:1.5 um")
+        for row in rows(self.folder / "out"):
+            self.assertEqual(row["status"], "finished")
+            self.assertTrue(0.5e-6 <= float(row["motion.preload [m]"]) <= 1.5e-6)
+            # Flat slider: the force is in proportion to the preload.
+            self.assertAlmostEqual(float(row["normal_force_slide [N]"]) / float(row["motion.preload [m]"]), 64.5e6,
+                                   delta=2e6)
+
+
+if __name__ == "__main__":
+    unittest.main()
