@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Read the results of ionskin, draw them and make the report of a run."""
+"""Read the results of ionskin, draw them and make the reports of runs and sweeps."""
 
 from .results import Metric, Results, Table
+from .sweep import Study, Sweep
 
-__all__ = ["Metric", "Results", "Table"]
+__all__ = ["Metric", "Results", "Study", "Sweep", "Table"]

@@ -3,68 +3,9 @@
 
 from typing import Callable, NamedTuple
 
-import numpy
-from matplotlib.ticker import EngFormatter, FixedLocator, NullLocator
-
 from . import style
-
-CONTACT_PHASES = {"touchdown": style.BAND, "slide": style.BAND_STRONG, "lift": style.BAND}
-STEP = {"drawstyle": "steps-pre"}  # a current is the mean over the step that ends at its row
-SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-DECADES = 5  # between the largest current and the linear part of a symmetric logarithmic axis
-
-
-def shade_phases(results, axes, offset=0.0, cycle=None):
-    """Bands behind the phases in contact; the slide is the darker one."""
-    for span in results.phases():
-        if span.phase in CONTACT_PHASES and (cycle is None or span.cycle == cycle):
-            axes.axvspan(span.start - offset, span.end - offset, color=CONTACT_PHASES[span.phase], lw=0, zorder=0)
-
-
-def name_phases(results, axes, offset, cycle):
-    """Phase names along the upper edge of a panel that shows one cycle."""
-    for span in results.phases():
-        if span.cycle == cycle:
-            axes.text((span.start + span.end) / 2 - offset, 1.0, span.phase, transform=axes.get_xaxis_transform(),
-                      ha="center", va="bottom", fontsize=7, color=style.QUIET)
-
-
-def time_axis(results, axes):
-    """Limits of the run below the last panel and its label."""
-    time = results.signals["time"]
-    axes[-1].set_xlim(time[0], time[-1])
-    axes[-1].set_xlabel("time [s]")
-    for panel in axes:
-        shade_phases(results, panel)
-
-
-def scaled(panel, name, unit, peak):
-    """Labels a linear axis with a prefixed unit and returns the divisor of its values."""
-    divisor, prefix = style.si_scale(peak)
-    if unit == "1":
-        power = f"{round(numpy.log10(divisor)):d}".translate(SUPERSCRIPTS)
-        panel.set_ylabel(f"{name} [10{power}]" if divisor != 1 else name)
-    else:
-        panel.set_ylabel(f"{name} [{prefix}{unit}]")
-    return divisor
-
-
-def peak_of(*columns):
-    """Largest magnitude over columns with empty entries."""
-    return max((numpy.nanmax(numpy.abs(column)) for column in columns if len(column)), default=0.0)
-
-
-def signed_log_axis(panel, unit, peak):
-    """Symmetric logarithmic axis over the decades below a peak, with few and readable ticks."""
-    top = int(numpy.ceil(numpy.log10(peak))) if peak > 0 else 0
-    threshold = 10.0 ** (top - DECADES)
-    panel.set_yscale("symlog", linthresh=threshold, linscale=0.6)
-    powers = [10.0 ** (top - n) for n in range(0, DECADES + 1, 2)]
-    panel.yaxis.set_major_locator(FixedLocator([-p for p in powers] + [0.0] + powers[::-1]))
-    panel.yaxis.set_minor_locator(NullLocator())
-    panel.yaxis.set_major_formatter(EngFormatter(unit=unit))
-    panel.set_ylim(-1.3 * 10.0**top, 1.3 * 10.0**top)
-
+from .panels import (STEP, first_cycle_names, name_phases, peak_of, rows_within, sampled_label, scaled, shade_phases,
+                     signed_log_axis, slide_start, time_axis)
 
 def motion(results):
     """Prescribed position of the slider and its phases."""
@@ -82,14 +23,6 @@ def motion(results):
     time_axis(results, axes)
     first_cycle_names(results, axes[0])
     return figure
-
-
-def first_cycle_names(results, panel):
-    """Says once what the bands mean."""
-    handles = [panel.fill_between([], [], color=colour, lw=0, label=label) for colour, label in
-               ((style.BAND, "touchdown, lift"), (style.BAND_STRONG, "slide"))]
-    panel.legend(handles=handles, loc="lower right", bbox_to_anchor=(1.0, 0.98), ncol=2, borderaxespad=0.1,
-                 handlelength=1.4)
 
 
 def shear(results):
@@ -155,14 +88,6 @@ def currents(results):
     return figure
 
 
-def sampled_label(results):
-    """Names the sampled current with its interval."""
-    time = results.sampled["time"]
-    if len(time) < 2:
-        return "sampled"
-    return f"sampled, mean over {EngFormatter(unit='s').format_eng(round(time[1] - time[0], 9))}s each"
-
-
 def charge(results):
     """Charge on the metal of both electrodes."""
     signals = results.signals
@@ -181,11 +106,6 @@ def charge(results):
     style.legend(axes[0])
     time_axis(results, axes)
     return figure
-
-
-def slide_start(results):
-    """Start of the slide of the first cycle [s], or None."""
-    return next((span.start for span in results.phases() if span.phase == "slide"), None)
 
 
 def join_time(results):
@@ -256,11 +176,6 @@ def relaxation(results):
     height = figure.get_figheight()
     figure.subplots_adjust(hspace=0.5, top=1 - 0.36 / height)
     return figure
-
-
-def rows_within(signals, span):
-    """Rows whose whole step lies in a span."""
-    return (signals["time"] > span.start) & (signals["time"] <= span.end)
 
 
 def cycle_looks(spans):

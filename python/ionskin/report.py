@@ -1,17 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Makes report.html and figures/ of a run: /usr/bin/python3 -m ionskin.report FOLDER"""
+"""Makes report.html and figures/ of a run or a sweep: /usr/bin/python3 -m ionskin.report FOLDER"""
 
 import argparse
-import html
 import io
 import pathlib
 import re
 import sys
 
-from . import figures, report_text, style
+from . import claims, figures, gallery, markup, report_text, style, sweep_page
 from .results import Results
+from .sweep import Study
 
-STYLE_SHEET = pathlib.Path(__file__).with_name("report.css")
 PNG_DPI = 180
 FAST_PNG = {"compress_level": 2}
 
@@ -49,52 +48,27 @@ def white_background(svg):
     return f'{svg[:start]}\n <rect width="100%" height="100%" fill="white"/>{svg[start:]}'
 
 
-def escaped(value):
-    """Text for HTML."""
-    return html.escape(str(value), quote=True)
-
-
-def section(identifier, heading, body):
-    """One section of the page; nothing when it has no body."""
-    return f'<section id="{identifier}"><h2>{escaped(heading)}</h2>{body}</section>' if body else ""
-
-
-def table(head, rows, number_columns=()):
-    """An HTML table of texts; columns of numbers are aligned to the right."""
-    if not rows:
-        return ""
-
-    def cell(tag, column, text):
-        kind = ' class="number"' if column in number_columns else ""
-        return f"<{tag}{kind}>{escaped(text)}</{tag}>"
-
-    top = "".join(cell("th", column, text) for column, text in enumerate(head))
-    body = "".join("<tr>" + "".join(cell("td", column, text) for column, text in enumerate(row)) + "</tr>"
-                   for row in rows)
-    return f'<div class="scroll"><table><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table></div>'
-
-
 def headline(results):
     """The few numbers that a reader wants first."""
-    cards = [f'<div class="card"><b>{escaped(value)}</b><span>{escaped(label)}</span></div>'
+    cards = [f'<div class="card"><b>{markup.escaped(value)}</b><span>{markup.escaped(label)}</span></div>'
              for label, value in report_text.headline(results)]
     return f'<div class="cards">{"".join(cards)}</div>' if cards else ""
 
 
 def warnings(results):
     """The warnings of the run."""
-    items = "".join(f"<li>{escaped(text)}</li>" for text in results.summary.get("warnings", []))
+    items = "".join(f"<li>{markup.escaped(text)}</li>" for text in results.summary.get("warnings", []))
     return f'<ul class="warnings">{items}</ul>' if items else "<p>None.</p>"
 
 
 def case_summary(results):
     """What was simulated."""
     groups = "".join(
-        f"<div><h3>{escaped(heading)}</h3><dl>"
-        + "".join(f"<dt>{escaped(key)}</dt><dd>{escaped(value)}</dd>" for key, value in entries)
+        f"<div><h3>{markup.escaped(heading)}</h3><dl>"
+        + "".join(f"<dt>{markup.escaped(key)}</dt><dd>{markup.escaped(value)}</dd>" for key, value in entries)
         + "</dl></div>"
         for heading, entries in report_text.case_groups(results.case))
-    layers = table(("layer, top first", "role", "material", "thickness"), report_text.layers(results.case))
+    layers = markup.table(("layer, top first", "role", "material", "thickness"), report_text.layers(results.case))
     return f'{layers}<div class="groups">{groups}</div>' if groups or layers else ""
 
 
@@ -102,70 +76,88 @@ def numbers(results):
     """Every metric; the column of errors stands only where some are estimated."""
     head, rows = ("quantity", "value", "unit", "estimated error"), report_text.metric_rows(results)
     used = 4 if any(row[3] for row in rows) else 3
-    return table(head[:used], [row[:used] for row in rows], (1, 3))
+    return markup.table(head[:used], [row[:used] for row in rows], (1, 3))
 
 
 def figure_sections(drawn):
     """Every figure with its caption."""
     return "".join(
-        section(entry.name, entry.heading,
-                f'<figure role="img" aria-label="{escaped(entry.heading)}">{svg}'
-                f"<figcaption>{escaped(entry.caption)}</figcaption></figure>")
+        markup.section(entry.name, entry.heading,
+                f'<figure role="img" aria-label="{markup.escaped(entry.heading)}">{svg}'
+                f"<figcaption>{markup.escaped(entry.caption)}</figcaption></figure>")
         for entry, svg in drawn)
-
-
-def contents(sections):
-    """Links to the sections that the page has."""
-    found = re.findall(r'<section id="([^"]+)"><h2>(.*?)</h2>', sections)
-    return "<nav>" + "".join(f'<a href="#{identifier}">{heading}</a>' for identifier, heading in found) + "</nav>"
 
 
 def page(results, drawn):
     """The whole page."""
     title = results.case.get("title", results.folder.resolve().name)
     sections = "".join([
-        section("warnings", "Warnings", warnings(results)),
-        section("case", "What was simulated", case_summary(results)),
+        markup.section("warnings", "Warnings", warnings(results)),
+        markup.section("case", "What was simulated", case_summary(results)),
         figure_sections(drawn),
-        section("numbers", "Numbers", numbers(results)
-                + f"<p class='note'>{escaped(report_text.NUMBERS_NOTE)}</p>"),
-        section("timing", "Timing", table(("stage", "state", "wall time", "peak memory"),
+        markup.section("claims", "The paper's claims", markup.verdict_table(claims.judge(Study(results.folder)))),
+        markup.section("numbers", "Numbers", numbers(results)
+                + f"<p class='note'>{markup.escaped(report_text.NUMBERS_NOTE)}</p>"),
+        markup.section("timing", "Timing", markup.table(("stage", "state", "wall time", "peak memory"),
                                           report_text.timing_rows(results), (2, 3))
-                + table(("counter", "value"), report_text.counter_rows(results), (1,))),
-        section("limits", "Limits of the model",
-                "<ul>" + "".join(f"<li>{escaped(text)}</li>" for text in report_text.limits(results)) + "</ul>"),
-        section("origin", "Origin", table(("", ""), report_text.origin_rows(results))),
+                + markup.table(("counter", "value"), report_text.counter_rows(results), (1,))),
+        markup.section("limits", "Limits of the model",
+                "<ul>" + "".join(f"<li>{markup.escaped(text)}</li>" for text in report_text.limits(results)) + "</ul>"),
+        markup.section("origin", "Origin", markup.table(("", ""), report_text.origin_rows(results))),
     ])
-    return (f'<!doctype html><html lang="en"><head><meta charset="utf-8">'
-            f'<meta name="viewport" content="width=device-width, initial-scale=1">'
-            f'<meta name="color-scheme" content="light dark">'
-            f"<title>{escaped(title)} – ionskin</title><style>{STYLE_SHEET.read_text(encoding='utf-8')}</style></head>"
-            f"<body><main><header><h1>{escaped(title)}</h1><p>{escaped(report_text.subtitle(results))}</p></header>"
-            f"{headline(results)}{contents(sections)}{sections}</main></body></html>\n")
+    return markup.frame(title, report_text.subtitle(results), f"{headline(results)}{markup.contents(sections)}{sections}")
 
 
 def make_report(folder):
-    """Writes figures/ and report.html of a run's folder; returns the path of the report."""
+    """Writes figures/ and report.html of a run or a sweep; returns the path of the report."""
+    folder = pathlib.Path(folder)
+    if (folder / "sweep.csv").exists():
+        return sweep_page.make(folder)
     results = Results(folder)
-    text = page(results, list(save_figures(results)))
-    path = results.folder / "report.html"
-    pending = path.with_suffix(".html.tmp")
-    pending.write_text(text, encoding="utf-8")
-    pending.replace(path)
-    return path
+    return markup.write_page(folder / "report.html", page(results, list(save_figures(results))))
+
+
+def make_gallery(folder, only=()):
+    """Writes the numbered figures; returns pairs of name and reason for those that cannot be drawn."""
+    unknown = [name for name in only if name not in gallery.known_names()]
+    if unknown:
+        raise ValueError(f"there is no figure {unknown[0]}: choose among {', '.join(gallery.known_names())}")
+    left_out = []
+    for entry, figure in gallery.draw(Study(folder), only):
+        if isinstance(figure, str):
+            left_out.append((entry.name, figure))
+        else:
+            gallery.save(figure, pathlib.Path(folder) / "figures", entry.name)
+    return left_out
 
 
 def main():
     """Command line."""
     parser = argparse.ArgumentParser(prog="ionskin.report", description=__doc__)
-    parser.add_argument("folder", type=pathlib.Path, help="output folder of a run")
+    parser.add_argument("folder", type=pathlib.Path, help="output folder of a run or a sweep")
+    parser.add_argument("--all", action="store_true", help="the numbered figures too, and what was left out")
+    parser.add_argument("--figure", action="append", default=[], metavar="NAME", help="this numbered figure only")
     arguments = parser.parse_args()
     try:
-        make_report(arguments.folder)
-    except OSError as error:
+        if arguments.all:
+            tell(arguments.folder, arguments.figure)
+        if not arguments.figure:
+            make_report(arguments.folder)
+    except (OSError, ValueError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 2
     return 0
+
+
+def tell(folder, only):
+    """Draws the numbered figures and prints where they are, what was left out, and the verdicts."""
+    for name, reason in make_gallery(folder, only):
+        print(f"{name}: left out, {reason}")
+    print(f"figures: {folder}/figures (PNG, SVG, PDF)")
+    if not only:
+        for verdict in claims.judge(Study(folder)):
+            print(f"{verdict.verdict}: {verdict.claim}; {verdict.number}")
+        print(f"report: {folder}/report.html")
 
 
 if __name__ == "__main__":

@@ -64,7 +64,8 @@ def read_table(path):
     return Table(columns, units)
 
 
-def _read_json(path):
+def read_json(path):
+    """The content of a JSON file; empty when it is missing."""
     return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
 
 
@@ -85,8 +86,8 @@ class Results:
             raise FileNotFoundError(f"{self.folder} holds no signals.csv: name the folder of a finished run")
         self.signals = read_table(self.folder / "signals.csv")
         self.sampled = read_table(self.folder / "sampled.csv")
-        self.summary = _read_json(self.folder / "summary.json")
-        self.manifest = _read_json(self.folder / "manifest.json")
+        self.summary = read_json(self.folder / "summary.json")
+        self.manifest = read_json(self.folder / "manifest.json")
         self.metrics = {
             name: Metric(entry["value"], entry["unit"]) for name, entry in self.summary.get("metrics", {}).items()
         }

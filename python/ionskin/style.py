@@ -100,3 +100,23 @@ def si_scale(peak):
         while peak >= 10.0 ** (exponent + 3) and exponent < 9:
             exponent += 3
     return 10.0**exponent, PREFIXES[exponent]
+
+SEQUENCE = "viridis"  # perceptually even and safe for colour-blind readers
+DIVERGING = "PuOr_r"
+
+
+def canvas(width=WIDTH, height=3.0, **margins):
+    """An empty figure of a size in inches, in the common style."""
+    apply()
+    figure = Figure(figsize=(width, height))
+    FigureCanvasAgg(figure)
+    if margins:
+        figure.subplots_adjust(**margins)
+    return figure
+
+
+def sequence(count):
+    """Colours for an ordered family of curves, from dark to light, without the palest."""
+    import matplotlib
+
+    return [matplotlib.colormaps[SEQUENCE](0.9 * i / max(1, count - 1)) for i in range(count)]

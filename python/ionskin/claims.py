@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The paper's claims, judged on the data: each with its verdict and its number."""
+
+from typing import NamedTuple
+
+import numpy
+
+from . import derived, regimes
+from .panels import peak_of
+from .report_text import quantity
+
+HOLDS, CONDITION, FAILS, OPEN = "holds", "holds under a condition", "does not hold", "cannot be judged"
+DETACHED = 1e-3  # shear of the return over the peak that still counts as none
+FOLLOWS = 0.9  # correlation from which one series is said to follow another
+OPPOSITE = 0.1  # part of the common current in both that still counts as equal and opposite
+
+
+class Verdict(NamedTuple):
+    """One claim: what it says, how it fares, and by which number."""
+
+    claim: str
+    verdict: str
+    number: str
+
+
+def detached(study):
+    """γ is near 0 while the slider is detached."""
+    claim = "γ is near 0 while the slider is detached"
+    worst = 0.0
+    for member in study.members:
+        signals = member.results.signals
+        spans = [span for span in member.results.phases() if span.phase == "return"]
+        if not spans or not signals.has("mean_shear"):
+            return Verdict(claim, OPEN, "the run has no detached phase")
+        rows = numpy.any([(signals["time"] > span.start) & (signals["time"] <= span.end) for span in spans], axis=0)
+        worst = max(worst, peak_of(signals["mean_shear"][rows]) / (peak_of(signals["mean_shear"]) or 1))
+    return Verdict(claim, HOLDS if worst < DETACHED else FAILS,
+                   f"largest mean γ during the return: {worst:.1e} of its peak")
+
+
+def monotone(study, metric, words):
+    """A metric rises with the swept key."""
+    claim = f"{words} rises with {study.name}"
+    values = numpy.array(study.metric(metric))
+    if study.single or not numpy.isfinite(values).all():
+        return Verdict(claim, OPEN, "it needs several finished runs")
+    unit = study.typical.results.metrics[metric].unit
+    ends = f"from {quantity(values[0], unit, 3)} to {quantity(values[-1], unit, 3)}"
+    steps = numpy.diff(values)
+    if (steps > 0).all():
+        return Verdict(claim, HOLDS, f"{ends}, rising at every step")
+    if (steps < 0).all():
+        return Verdict(claim, FAILS, f"it falls at every step, {ends}")
+    at = study.members[int(numpy.argmax(steps <= 0))]
+    return Verdict(claim, FAILS, f"not monotone: {int((steps <= 0).sum())} of {len(steps)} steps fall, the first "
+                                 f"after {study.label(at)}")
+
+
+def two_regimes(study, metric, words):
+    """A metric has a weak and a strong regime."""
+    claim = f"two regimes: {words} rises faster at high {study.name}"
+    fit = regimes.fit([member.value for member in study.members], study.metric(metric))
+    if fit is None:
+        return Verdict(claim, OPEN, f"it needs {regimes.FEWEST} points or more")
+    if not fit.two:
+        return Verdict(claim, FAILS, f"one power law serves: exponent {fit.low:.2f} ± {fit.low_error:.2f}")
+    number = (f"exponent {fit.low:.2f} ± {fit.low_error:.2f} below {fit.break_at:.2g}, {fit.high:.2f} ± "
+              f"{fit.high_error:.2f} above (information criterion better by {fit.gain:.0f})")
+    if fit.high <= fit.low:
+        return Verdict(claim, FAILS, number)
+    error, bend = fit_error(study, metric, fit), smooth_law(study, metric)
+    if bend is not None and bend[0] < error:
+        return Verdict(claim, CONDITION, f"{number}; but {bend[1]} fits better than the two laws ({error:.2%}): the "
+                                         "change is gradual, without a break")
+    return Verdict(claim, HOLDS, number)
+
+
+def fit_error(study, metric, fit):
+    """Root mean square of the relative residuals of a fit."""
+    values = numpy.array([member.value for member in study.members])
+    data = numpy.array(study.metric(metric))
+    kept = (values > 0) & (data > 0)
+    return float(numpy.sqrt(numpy.mean((fit(values[kept]) / data[kept] - 1) ** 2)))
+
+
+def smooth_law(study, metric):
+    """Relative residual and words of y² = a + b x + c x²: a hyperbola, which bends without a break."""
+    values = numpy.array([member.value for member in study.members])
+    data = numpy.array(study.metric(metric))
+    if len(values) < 5 or not (data > 0).all():
+        return None
+    matrix = numpy.stack([numpy.ones_like(values), values, values**2], axis=1) / data[:, None] ** 2
+    coefficients, *_ = numpy.linalg.lstsq(matrix, numpy.ones_like(data), rcond=None)
+    squares = coefficients @ numpy.array([numpy.ones_like(values), values, values**2])
+    if (squares <= 0).any():
+        return None
+    error = float(numpy.sqrt(numpy.mean((numpy.sqrt(squares) / data - 1) ** 2)))
+    return error, f"a smooth hyperbola with one parameter less (residual {error:.2%})"
+
+
+def follows_rate(study, part, words):
+    """A part of the current follows the rate of the mean shear."""
+    claim = f"the {words} follows dγ/dt"
+    if not study.typical.results.sampled.has("current_top"):
+        return Verdict(claim, OPEN, "the runs have no currents")
+    found = [derived.rate_correlations(member.results) for member in study.members]
+    sampled = [entry[part, "sampled"] for entry in found]
+    resolved = [entry[part, "resolved"] for entry in found]
+    worst = min(sampled + resolved)
+    number = (f"correlation {span_of(sampled)} sampled, {span_of(resolved)} resolved")
+    return Verdict(claim, HOLDS if worst >= FOLLOWS else FAILS, number)
+
+
+def span_of(values):
+    """A range of numbers in words."""
+    low, high = min(values), max(values)
+    return f"{low:.3f}" if high - low < 5e-4 else f"{low:.3f} to {high:.3f}"
+
+
+def opposite(study):
+    """The currents of the electrodes are equal and opposite."""
+    claim = "the electrodes' currents are equal and opposite"
+    common, difference = (numpy.array(study.metric(f"rms_current_{name}")) for name in ("common", "difference"))
+    if not numpy.isfinite(common).all() or not difference.any():
+        return Verdict(claim, OPEN, "the runs have no currents")
+    share = common / numpy.hypot(common, difference)
+    law = study.typical.results.case.get("coupling", {}).get("law", "fixed-charge")
+    number = f"the common part has {span_of(list(share * 100))} % of the rms (law {law})"
+    return Verdict(claim, HOLDS if share.max() < OPPOSITE else FAILS, number)
+
+
+def transient(study):
+    """The current is concentrated at the contact events."""
+    claim = "the current is transient: it is concentrated at contact, onset and separation"
+    results = study.typical.results
+    if not results.sampled.has("current_top"):
+        return Verdict(claim, OPEN, "the runs have no currents")
+    time, number = results.sampled["time"], []
+    shares = []
+    for name in ("top", "difference"):
+        charge = numpy.abs(results.sampled[f"current_{name}"])
+        steps = numpy.diff(numpy.concatenate([[0.0], time]))
+        events = numpy.zeros(len(time), bool)
+        for span in results.phases():
+            if span.phase in ("slide", "lift"):
+                events |= numpy.abs(time - span.start) < 0.03
+        shares.append(float((charge * steps)[events].sum() / max((charge * steps).sum(), 1e-300)))
+        number.append(f"{shares[-1]:.0%} of the {name} charge moves within 30 ms of an event")
+    return Verdict(claim, HOLDS if min(shares) > 0.8 else CONDITION if max(shares) > 0.8 else FAILS, "; ".join(number))
+
+
+def judge(study):
+    """All claims in the order of the paper."""
+    return [
+        detached(study),
+        monotone(study, "peak_mean_shear", "the peak of the mean shear"),
+        monotone(study, "time_mean_shear", "the time mean of the mean shear"),
+        two_regimes(study, "peak_mean_shear", "the peak of the mean shear"),
+        two_regimes(study, "time_mean_shear", "the time mean of the mean shear"),
+        monotone(study, "peak_sampled_current_top", "the peak of the sampled top current"),
+        monotone(study, "peak_sampled_current_difference", "the peak of the sampled difference current"),
+        transient(study),
+        follows_rate(study, "top", "top electrode's current"),
+        follows_rate(study, "common", "common current"),
+        follows_rate(study, "difference", "difference current, which an ammeter sees,"),
+        opposite(study),
+    ]

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Tells in what two runs differ: parameters, metrics, signals. /usr/bin/python3 -m ionskin.compare A B"""
+
+import argparse
+import sys
+
+import numpy
+
+from .results import Results
+
+
+def flat(value, prefix=""):
+    """A nested case as one dictionary: {"skin.layers[0].name": "..."}."""
+    if isinstance(value, dict):
+        return {key: entry for name, inner in value.items()
+                for key, entry in flat(inner, f"{prefix}.{name}" if prefix else name).items()}
+    if isinstance(value, list) and value and isinstance(value[0], dict):
+        return {key: entry for i, inner in enumerate(value) for key, entry in flat(inner, f"{prefix}[{i}]").items()}
+    return {prefix: value}
+
+
+def parameters(first, second):
+    """Rows of key and both values where the cases differ; None where one lacks the key."""
+    one, two = flat(first.case), flat(second.case)
+    return [(key, one.get(key), two.get(key)) for key in dict.fromkeys([*one, *two]) if one.get(key) != two.get(key)]
+
+
+def relative(first, second):
+    """Difference over the larger magnitude; 0 for two zeros."""
+    scale = max(abs(first), abs(second))
+    return abs(first - second) / scale if scale else 0.0
+
+
+def metrics(first, second, tolerance):
+    """Rows of name, both values, unit and relative difference where it exceeds the tolerance."""
+    rows = []
+    for name in dict.fromkeys([*first.metrics, *second.metrics]):
+        one, two = first.metrics.get(name), second.metrics.get(name)
+        values = [entry.value if entry else None for entry in (one, two)]
+        difference = relative(*values) if None not in values else float(values[0] is not values[1])
+        if difference > tolerance:
+            rows.append((name, *values, (one or two).unit, difference))
+    return rows
+
+
+def signals(first, second, tolerance):
+    """Rows of table, name and largest difference over the peak, at the first run's instants both runs cover."""
+    rows = []
+    for table in ("signals", "sampled"):
+        one, two = getattr(first, table), getattr(second, table)
+        time = one["time"][one["time"] <= two["time"][-1]]
+        for name in one.columns:
+            if name in ("time", "cycle", "phase") or name not in two or not (one.has(name) and two.has(name)):
+                continue
+            gap = numpy.nanmax(numpy.abs(one[name][:len(time)] - two.at(name, time)))
+            scale = max(numpy.nanmax(numpy.abs(one[name])), numpy.nanmax(numpy.abs(two[name])))
+            if scale and gap > tolerance * scale:
+                rows.append((table, name, gap / scale))
+    return rows
+
+
+def number(value):
+    """A number for the table."""
+    return "–" if value is None else f"{value:.8g}"
+
+
+def report(first, second, tolerance):
+    """The differences as lines of text."""
+    lines = []
+    for heading, rows in (
+            ("parameters", [f"{key}: {one!r} | {two!r}" for key, one, two in parameters(first, second)]),
+            ("metrics (relative difference)", [f"{name}: {number(one)} | {number(two)} {unit} ({gap:.2e})"
+                                               for name, one, two, unit, gap in metrics(first, second, tolerance)]),
+            ("signals (largest difference over the peak)", [f"{table}/{name}: {gap:.2e}" for table, name, gap
+                                                            in signals(first, second, tolerance)])):
+        if rows:
+            lines += [heading, *(f"  {row}" for row in rows)]
+    return lines or [f"no differences above {tolerance:g}"]
+
+
+def main():
+    """Command line."""
+    parser = argparse.ArgumentParser(prog="ionskin.compare", description=__doc__)
+    parser.add_argument("first", help="output folder of a run")
+    parser.add_argument("second", help="output folder of a run")
+    parser.add_argument("--tolerance", type=float, default=1e-9, help="relative difference that counts as none")
+    arguments = parser.parse_args()
+    try:
+        print("\n".join(report(Results(arguments.first), Results(arguments.second), arguments.tolerance)))
+    except OSError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 2
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

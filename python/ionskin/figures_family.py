@@ -1,0 +1,260 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Figures 5 to 10 and 16: the family of runs along the swept key."""
+
+import numpy
+from matplotlib.colors import SymLogNorm
+from matplotlib.ticker import EngFormatter
+
+from . import regimes, style
+from .panels import peak_of, sampled_label, scaled, shade_phases
+
+NO_CURRENT = "the runs have no currents"
+NEEDS_SEVERAL = "it needs several runs of a sweep"
+MAP_COLUMNS = 1500
+CURRENTS = [("top", style.BLUE, "o"), ("bottom", style.ORANGE, "s"), ("difference", style.GREEN, "^"),
+            ("common", style.PURPLE, "D")]
+
+
+def family_grid(study, rows_height, columns):
+    """One panel per member with common axes; unused panels are gone."""
+    count = len(study.members)
+    columns = min(columns, count)
+    rows = -(-count // columns)
+    height = rows_height * rows + 0.75
+    figure = style.canvas(height=height, left=0.085, right=0.985, top=1 - 0.30 / height, bottom=0.42 / height,
+                          hspace=0.42, wspace=0.06)
+    panels = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
+    for panel in panels.ravel()[count:]:
+        panel.set_visible(False)
+    for panel in panels[-1]:
+        panel.set_xlabel("time [s]")
+    for panel in panels.ravel()[max(0, count - columns):count]:
+        panel.tick_params(labelbottom=True)
+        panel.set_xlabel("time [s]")
+    return figure, panels
+
+
+def shear(study):
+    """Figure 5: mean shear over time, one panel per member, common y axis."""
+    if not study.typical.results.signals.has("mean_shear"):
+        return "the runs have no shear"
+    figure, panels = family_grid(study, 0.82, 2)
+    unit = max(peak_of(member.results.signals["mean_shear"]) for member in study.members)
+    for panel, member in zip(panels.ravel(), study.members):
+        signals = member.results.signals
+        panel.plot(signals["time"], signals["mean_shear"] * 1e3, color=style.BLUE, lw=1.0)
+        shade_phases(member.results, panel)
+        panel.set_title(study.label(member), loc="left", fontsize=7.5, pad=2)
+        panel.set_xlim(signals["time"][0], signals["time"][-1])
+    panels[0, 0].set_ylim(0, 1.08e3 * unit)
+    figure.supylabel("mean shear γ of the core [10⁻³]", fontsize=8, x=0.005)
+    return figure
+
+
+def currents(study):
+    """Figure 9: sampled currents over time, one row per member, common y axis per column."""
+    if not study.typical.results.sampled.has("current_top"):
+        return NO_CURRENT
+    count = len(study.members)
+    height = 0.72 * count + 0.85
+    figure = style.canvas(height=height, left=0.105, right=0.985, top=1 - 0.52 / height, bottom=0.40 / height,
+                          hspace=0.42, wspace=0.22)
+    panels = figure.subplots(count, 2, sharex=True, sharey="col", squeeze=False)
+    for row, member in zip(panels, study.members):
+        time = member.results.sampled["time"]
+        for name, colour in (("top", style.BLUE), ("bottom", style.ORANGE)):
+            row[0].plot(time, member.results.sampled[f"current_{name}"] * 1e3, color=colour, lw=0.9 if name == "top" else 0.7,
+                        drawstyle="steps-pre", ls="-" if name == "top" else (0, (4, 1.5)), label=name)
+        row[1].plot(time, member.results.sampled["current_difference"] * 1e3, color=style.GREEN, lw=0.9,
+                    drawstyle="steps-pre", label="difference (top − bottom)/2")
+        row[0].set_ylabel(study.label(member), fontsize=7.5)
+        for panel, signal in zip(row, ("current_top", "current_difference")):
+            shade_phases(member.results, panel)
+            panel.set_xlim(0, time[-1])
+            peak = peak_of(member.results.signals[signal])
+            panel.text(1.0, 1.0, f"resolved peak {significant(peak)}", transform=panel.transAxes, ha="right",
+                       va="bottom", fontsize=6, color=style.QUIET)
+    for panel in panels[0]:
+        panel.legend(loc="lower right", bbox_to_anchor=(1.0, 1.12), ncol=2, borderaxespad=0.0, fontsize=7)
+    panels[0, 0].set_title("electrodes [mA]", loc="left", fontsize=8, pad=11)
+    panels[0, 1].set_title("[mA]", loc="left", fontsize=8, pad=11)
+    for panel in panels[-1]:
+        panel.set_xlabel(f"time [s]; {sampled_label(study.typical.results)}")
+    return figure
+
+
+def value_edges(values):
+    """Edges of cells around ascending values."""
+    values = numpy.asarray(values)
+    middle = (values[1:] + values[:-1]) / 2
+    return numpy.concatenate([[values[0] - (middle[0] - values[0])], middle, [values[-1] + (values[-1] - middle[-1])]])
+
+
+def time_grid(study):
+    """Edges and centres of the columns of a map over the run."""
+    time = study.typical.results.signals["time"]
+    edges = numpy.linspace(time[0], time[-1], MAP_COLUMNS + 1)
+    return edges, (edges[1:] + edges[:-1]) / 2
+
+
+def shear_map(study):
+    """Figure 6: mean shear over time and the swept key."""
+    if study.single:
+        return NEEDS_SEVERAL
+    edges, centres = time_grid(study)
+    rows = numpy.array([member.results.signals.at("mean_shear", centres) for member in study.members])
+    figure, axes = style.stacked(1, heights=[1.5], left=0.09)
+    image = axes[0].pcolormesh(edges, value_edges([member.value for member in study.members]), rows * 1e3,
+                               cmap=style.SEQUENCE, vmin=0, rasterized=True)
+    axes[0].set(xlabel="time [s]", ylabel=study.axis_label())
+    axes[0].grid(False)
+    style.title(axes[0], "Mean shear γ of the core")
+    figure.colorbar(image, ax=axes[0], pad=0.015, fraction=0.05).set_label("γ [10⁻³]")
+    return figure
+
+
+def current_map(study):
+    """Figure 10: sampled currents over time and the swept key, on a symmetric logarithmic scale."""
+    if study.single:
+        return NEEDS_SEVERAL
+    if not study.typical.results.sampled.has("current_top"):
+        return NO_CURRENT
+    figure, axes = style.stacked(3, heights=[0.85] * 3, left=0.09)
+    figure.subplots_adjust(hspace=0.3, right=0.955)
+    edges = value_edges([member.value for member in study.members])
+    for panel, (name, words) in zip(axes, (("top", "Top electrode"), ("bottom", "Bottom electrode"),
+                                           ("difference", "Difference (top − bottom)/2"))):
+        column = f"current_{name}"
+        time = study.typical.results.sampled["time"]
+        starts = numpy.concatenate([[study.typical.results.signals["time"][0]], time])
+        rows = numpy.array([member.results.sampled[column][:len(time)] for member in study.members])
+        peak = peak_of(rows.ravel())
+        norm = SymLogNorm(linthresh=peak * 1e-3 or 1e-12, vmin=-peak, vmax=peak)
+        image = panel.pcolormesh(starts, edges, rows, cmap=style.DIVERGING, norm=norm, rasterized=True)
+        panel.set_ylabel(study.axis_label() if panel is axes[1] else "")
+        panel.grid(False)
+        style.title(panel, f"{words}, {sampled_label(study.typical.results)}")
+        ticks = [-peak, -peak / 30, 0, peak / 30, peak]
+        bar = figure.colorbar(image, ax=panel, pad=0.015, fraction=0.05, ticks=ticks)
+        bar.ax.set_yticklabels([significant(tick) for tick in ticks], fontsize=6.5)
+        bar.ax.minorticks_off()
+    axes[-1].set_xlabel("time [s]")
+    return figure
+
+
+def significant(current):
+    """A current with two digits and a prefix: "-41 mA"."""
+    divisor, prefix = style.si_scale(abs(current))
+    value = current / divisor
+    return f"{value:.0f} {prefix}A" if abs(value) >= 10 else f"{value:.2g} {prefix}A" if current else "0"
+
+
+def plot_metric(study, panel, name, divisor, **look):
+    """A metric against the swept key, with error bars where an error is estimated."""
+    values = numpy.array(study.metric(name)) / divisor
+    errors = numpy.array(study.errors(name)) * numpy.abs(values)
+    panel.errorbar([member.value for member in study.members], values, yerr=errors if errors.any() else None,
+                   capsize=2, lw=1.0, **look)
+
+
+def mark_regimes(study, panel, name, divisor):
+    """The regimes found in the data: the two power laws, their exponents and the place of the break."""
+    fit = regimes.fit([member.value for member in study.members], study.metric(name))
+    if fit is None:
+        return
+    x = numpy.geomspace(fit.values[0], fit.values[-1], 200)
+    panel.plot(x, fit(x) / divisor, color=style.INK, lw=0.8, ls=(0, (1, 1.2)), zorder=5)
+    if fit.two:
+        panel.axvline(fit.break_at, color=style.QUIET, lw=0.7, ls="--")
+        panel.text(0.98, 0.04, f"below {study.label(study.members[0]).split(' = ', maxsplit=1)[0]} = "
+                   f"{fit.break_at:.2g}: exponent {fit.low:.2f} ± {fit.low_error:.2f}\nabove: "
+                   f"{fit.high:.2f} ± {fit.high_error:.2f}", transform=panel.transAxes, ha="right", va="bottom", fontsize=7)
+    else:
+        panel.text(0.98, 0.04, f"one power law: exponent {fit.low:.2f} ± {fit.low_error:.2f}",
+                   transform=panel.transAxes, ha="right", va="bottom", fontsize=7)
+
+
+def current_panel(study, panel, prefix, name_of, title):
+    """Peaks or rms of the currents against the swept key on a logarithmic axis."""
+    for name, colour, marker in CURRENTS:
+        metric = name_of.format(name)
+        if numpy.isfinite(study.metric(metric)).any():
+            plot_metric(study, panel, metric, 1.0, color=colour, marker=marker, markersize=3.5, label=f"{name}{prefix[0]}")
+        sampled = f"peak_sampled_current_{name}"
+        if prefix[1] and numpy.isfinite(study.metric(sampled)).any():
+            plot_metric(study, panel, sampled, 1.0, color=colour, marker=marker, markersize=3.5, ls="--",
+                        markerfacecolor="white", label=f"{name}{prefix[1]}")
+    panel.set_yscale("log")
+    panel.yaxis.set_major_formatter(EngFormatter("A"))
+    panel.set_xlabel(study.axis_label())
+    style.title(panel, title)
+    panel.legend(fontsize=6.3, loc="upper left", bbox_to_anchor=(1.0, 1.02), handlelength=2.6)
+
+
+def two_panels():
+    """A panel for the shear and one for the currents, with room for a legend on the right."""
+    figure = style.canvas(height=2.75, left=0.085, right=0.80, top=0.91, bottom=0.16, wspace=0.34)
+    return figure, figure.subplots(1, 2)
+
+
+def peaks(study):
+    """Figure 7: peak shear and peak currents against the swept key."""
+    figure, axes = two_panels()
+    divisor = scaled(axes[0], "peak mean shear γ", "1", peak_of(study.metric("peak_mean_shear")))
+    plot_metric(study, axes[0], "peak_mean_shear", divisor, color=style.BLUE, marker="o", markersize=3.5)
+    axes[0].set_ylim(bottom=0)
+    axes[0].set_xlabel(study.axis_label())
+    mark_regimes(study, axes[0], "peak_mean_shear", divisor)
+    style.title(axes[0], "Peak shear")
+    if numpy.isfinite(study.metric("peak_current_top")).any():
+        current_panel(study, axes[1], (", resolved", ", sampled"), "peak_current_{}", "Peak current")
+    else:
+        axes[1].set_visible(False)
+    return figure
+
+
+def means(study):
+    """Figure 8: mean shear and rms currents against the swept key."""
+    figure, axes = two_panels()
+    divisor = scaled(axes[0], "time mean of γ", "1", peak_of(study.metric("time_mean_shear")))
+    plot_metric(study, axes[0], "time_mean_shear", divisor, color=style.BLUE, marker="o", markersize=3.5)
+    axes[0].set_ylim(bottom=0)
+    axes[0].set_xlabel(study.axis_label())
+    mark_regimes(study, axes[0], "time_mean_shear", divisor)
+    style.title(axes[0], "Time mean of the mean shear")
+    if numpy.isfinite(study.metric("rms_current_top")).any():
+        current_panel(study, axes[1], ("", ""), "rms_current_{}", "Rms current, resolved")
+    else:
+        axes[1].set_visible(False)
+    return figure
+
+
+def correlation(study):
+    """Figure 16: peak current against peak shear."""
+    if study.single:
+        return NEEDS_SEVERAL
+    if not numpy.isfinite(study.metric("peak_current_top")).any():
+        return NO_CURRENT
+    figure = style.canvas(height=2.75, left=0.085, right=0.87, top=0.90, bottom=0.16, wspace=0.42)
+    axes = figure.subplots(1, 3)
+    shear_peaks = numpy.array(study.metric("peak_mean_shear")) * 1e3
+    values = [member.value for member in study.members]
+    points = None
+    for panel, (metric, words) in zip(axes, (("peak_current_top", "top, resolved"),
+                                             ("peak_sampled_current_top", "top, sampled"),
+                                             ("peak_sampled_current_difference", "difference, sampled"))):
+        current = numpy.array(study.metric(metric))
+        divisor = scaled(panel, "peak current", "A", peak_of(current))
+        panel.plot(shear_peaks, current / divisor, color=style.PALE, lw=0.9, zorder=1)
+        points = panel.scatter(shear_peaks, current / divisor, c=values, cmap=style.SEQUENCE, s=18, zorder=2,
+                               edgecolor=style.INK, linewidth=0.3)
+        panel.set_xlabel("peak mean shear γ [10⁻³]")
+        panel.set_ylim(0, 1.25 * peak_of(current) / divisor)
+        panel.set_xlim(left=0)
+        with numpy.errstate(invalid="ignore"):
+            r = numpy.corrcoef(shear_peaks, current)[0, 1]
+        panel.text(0.04, 0.97, f"r = {r:.3f}", transform=panel.transAxes, va="top", fontsize=7.5)
+        style.title(panel, words)
+    place = figure.add_axes((0.895, 0.16, 0.015, 0.74))
+    figure.colorbar(points, cax=place).set_label(study.axis_label())
+    return figure

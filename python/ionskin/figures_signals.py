@@ -1,0 +1,235 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Figures 11 to 15: motion, shear and current of the run that stands for all."""
+
+import numpy
+
+from . import derived, style
+from .panels import STEP, name_phases, peak_of, sampled_label, scaled, shade_phases, time_axis
+
+NO_CURRENT = "the run has no currents"
+
+
+def has_currents(results):
+    """True when the run solved the ion transport."""
+    return results.sampled.has("current_top")
+
+
+def title_of(study, text):
+    """A panel title that names the member."""
+    return f"{text}, {study.label(study.typical)}"
+
+
+def rate(study):
+    """Figure 11: current with the rate of the shear, per readout interval."""
+    results = study.typical.results
+    if not has_currents(results):
+        return NO_CURRENT
+    sampled = results.sampled
+    correlations = derived.rate_correlations(results)
+    shear_rate = derived.sampled_rate(results)
+    figure, axes = style.stacked(3, heights=[0.9] * 3)
+    figure.subplots_adjust(right=0.90)
+    for panel, (name, colour) in zip(axes, (("top", style.BLUE), ("common", style.PURPLE), ("difference", style.GREEN))):
+        column = f"current_{name}"
+        unit = scaled(panel, "current", "A", peak_of(sampled[column]))
+        panel.plot(sampled["time"], sampled[column] / unit, color=colour, lw=1.0, **STEP)
+        twin = panel.twinx()
+        twin.plot(sampled["time"], shear_rate, color=style.ORANGE, lw=0.8, ls=(0, (3, 1.5)), **STEP)
+        twin.set_ylabel("dγ/dt [1/s]", color=style.ORANGE)
+        twin.spines["right"].set_visible(True)
+        twin.grid(False)
+        for each, values in ((panel, sampled[column] / unit), (twin, shear_rate)):
+            limit = 1.15 * peak_of(values) or 1
+            each.set_ylim(-limit, limit)
+        style.title(panel, title_of(study, f"{name.capitalize()} current") if name == "top" else f"{name.capitalize()} current")
+        panel.set_title(f"r = {correlations[name, 'sampled']:.3f} sampled, {correlations[name, 'resolved']:.3f} resolved",
+                        loc="right", fontsize=7.5, pad=4)
+    time_axis(results, axes)
+    axes[-1].set_xlabel(f"time [s]; current and dashed rate are {sampled_label(results).replace('sampled, ', '')}")
+    return figure
+
+
+def current_motion(study):
+    """Figure 12: current with the motion."""
+    results = study.typical.results
+    if not has_currents(results) or not results.signals.has("slider_x"):
+        return NO_CURRENT
+    signals, sampled = results.signals, results.sampled
+    figure, axes = style.stacked(3, heights=[0.6, 0.6, 1.1])
+    axes[0].plot(signals["time"], signals["slider_x"] * 1e3, color=style.INK, lw=1.0)
+    axes[0].set_ylabel("x [mm]")
+    axes[1].plot(signals["time"], signals["slider_z"] * 1e3, color=style.INK, lw=1.0)
+    axes[1].set_ylabel("z [mm]")
+    unit = scaled(axes[2], "sampled current", "A", peak_of(sampled["current_top"]))
+    for name, colour in (("top", style.BLUE), ("bottom", style.ORANGE), ("difference", style.GREEN)):
+        axes[2].plot(sampled["time"], sampled[f"current_{name}"] / unit, color=colour, lw=0.9, label=name, **STEP)
+    style.legend(axes[2])
+    style.title(axes[0], title_of(study, "Centre of the slider"))
+    style.title(axes[1], "Underside above the skin")
+    style.title(axes[2], "Electrode currents")
+    time_axis(results, axes)
+    return figure
+
+
+def first_cycle(results):
+    """Start and end of the first cycle [s]."""
+    spans = [span for span in results.phases() if span.cycle == 1]
+    return (spans[0].start, spans[-1].end) if spans else (results.signals["time"][0], results.signals["time"][-1])
+
+
+def cycle(study):
+    """Figure 13: one cycle of motion, shear and current."""
+    results = study.typical.results
+    if not has_currents(results) or not results.signals.has("slider_x"):
+        return NO_CURRENT
+    signals, sampled = results.signals, results.sampled
+    figure, axes = style.stacked(4, heights=[0.75, 0.75, 0.85, 0.75])
+    axes[0].plot(signals["time"], signals["slider_x"] * 1e3 - signals["slider_x"][0] * 1e3, color=style.INK, label="x − start")
+    axes[0].plot(signals["time"], signals["slider_z"] * 1e3, color=style.INK, ls="--", label="z")
+    axes[0].set_ylabel("motion [mm]")
+    style.legend(axes[0])
+    divisor = scaled(axes[1], "mean shear γ", "1", peak_of(signals["mean_shear"]))
+    axes[1].plot(signals["time"], signals["mean_shear"] / divisor, color=style.BLUE)
+    unit = scaled(axes[2], "current", "A", peak_of(sampled["current_top"]))
+    for name, colour in (("top", style.BLUE), ("bottom", style.ORANGE)):
+        axes[2].plot(sampled["time"], sampled[f"current_{name}"] / unit, color=colour, lw=1.0, label=name, **STEP)
+    style.legend(axes[2])
+    unit = scaled(axes[3], "current", "A", peak_of(sampled["current_difference"]))
+    axes[3].plot(sampled["time"], sampled["current_difference"] / unit, color=style.GREEN, lw=1.0, **STEP)
+    time_axis(results, axes)
+    axes[0].set_xlim(*first_cycle(results))
+    for panel, words in zip(axes, ("Motion", title_of(study, "Shear"), "Electrodes, " + sampled_label(results),
+                                   "Difference (top − bottom)/2, sampled")):
+        style.title(panel, words)
+    return figure
+
+
+def phases(study):
+    """Figure 14: the boundaries of the phases on the current of one cycle, with the three events enlarged."""
+    results = study.typical.results
+    if not has_currents(results) or not results.phases():
+        return NO_CURRENT
+    sampled = results.sampled
+    start, end = first_cycle(results)
+    figure = style.canvas(height=4.9, left=0.085, right=0.985, top=0.93, bottom=0.09, hspace=0.62, wspace=0.36)
+    grid = figure.add_gridspec(3, 3)
+    for row, (name, colour, words) in enumerate((("top", style.BLUE, "Top electrode"),
+                                                 ("difference", style.GREEN, "Difference (top − bottom)/2"))):
+        panel = figure.add_subplot(grid[row, :])
+        column = f"current_{name}"
+        shown = (sampled["time"] > start) & (sampled["time"] <= end)
+        unit = scaled(panel, "sampled current", "A", peak_of(sampled[column][shown]))
+        panel.plot(sampled["time"], sampled[column] / unit, color=colour, **STEP)
+        shade_phases(results, panel)
+        for span in results.phases():
+            if span.cycle == 1:
+                panel.axvline(span.end, color=style.QUIET, lw=0.8, ls="--")
+        panel.set_xlim(start, end)
+        panel.set_title(title_of(study, words) if row == 0 else words, loc="left", pad=13 if row == 0 else 4,
+                        fontweight="bold")
+        if row == 0:
+            name_phases(results, panel, 0.0, 1)
+        else:
+            panel.set_xlabel("time [s]")
+    for place, (instant, before, after, words) in enumerate(events(results)):
+        enlarged(figure.add_subplot(grid[2, place]), results, instant, before, after, words)
+    return figure
+
+
+def events(results):
+    """Contact, onset of sliding and loss of contact in the first cycle: instant, window before and after [s], name."""
+    spans = {span.phase: span for span in reversed(results.phases())}
+    found = []
+    if "touchdown" in spans:
+        found.append((spans["touchdown"].end, 1.0e-3, 0.0, "contact closes"))
+    if "slide" in spans:
+        found.append((spans["slide"].start, 0.2e-3, 6e-3, "sliding begins"))
+    if "lift" in spans:
+        found.append((spans["lift"].start, 0.2e-3, 1.0e-3, "contact opens"))
+    return found
+
+
+def enlarged(panel, results, instant, before, after, words):
+    """The resolved current of both electrodes around an event, with the sampled one."""
+    signals, sampled = results.signals, results.sampled
+    shown = (signals["time"] >= instant - before) & (signals["time"] <= instant + after)
+    columns = [(f"current_{name}", name, colour, dash) for name, colour, dash in
+               (("top", style.BLUE, "-"), ("bottom", style.ORANGE, (0, (3, 1.5))))]
+    unit = scaled(panel, "current", "A", peak_of(*(signals[column][shown] for column, *_ in columns)))
+    for column, name, colour, dash in columns:
+        panel.plot((signals["time"] - instant) * 1e3, signals[column] / unit, color=colour, ls=dash, lw=1.0,
+                   label=f"{name}, resolved", **STEP)
+    panel.plot((sampled["time"] - instant) * 1e3, sampled["current_top"] / unit, color=style.PALE, lw=2.0, zorder=1,
+               label="top, sampled", **STEP)
+    panel.set_xlim(-1e3 * before, 1e3 * after)
+    values = numpy.concatenate([signals[column][shown] for column, *_ in columns]) / unit
+    low, high = min(0.0, numpy.nanmin(values)), max(0.0, numpy.nanmax(values))
+    panel.set_ylim(low - 0.08 * (high - low), high + 0.35 * (high - low))
+    panel.set_xlabel(f"time from {instant:.4g} s [ms]")
+    style.title(panel, words)
+    panel.legend(fontsize=5.8, loc="upper center", ncol=2, borderaxespad=0.1, handlelength=1.4, columnspacing=0.8)
+
+
+def normalised(study):
+    """Figure 15: motion, shear and current, each divided by its largest magnitude."""
+    results = study.typical.results
+    if not has_currents(results) or not results.signals.has("slider_x"):
+        return NO_CURRENT
+    signals, sampled = results.signals, results.sampled
+    figure, axes = style.stacked(2, heights=[1.1, 1.1])
+    travel = signals["slider_x"] - signals["slider_x"][0]
+    for panel in axes:
+        panel.plot(signals["time"], travel / (peak_of(travel) or 1), color=style.PALE, lw=1.4, label="slider x")
+        panel.plot(signals["time"], signals["mean_shear"] / (peak_of(signals["mean_shear"]) or 1), color=style.ORANGE,
+                   lw=1.1, label="mean shear γ")
+        panel.set_ylabel("divided by its peak")
+        panel.set_ylim(-1.12, 1.12)
+    for panel, (name, colour) in zip(axes, (("top", style.BLUE), ("difference", style.GREEN))):
+        values = sampled[f"current_{name}"]
+        panel.plot(sampled["time"], values / (peak_of(values) or 1), color=colour, lw=0.9, label=f"{name} current, sampled",
+                   **STEP)
+        style.legend(panel)
+        style.title(panel, title_of(study, "Top electrode") if name == "top" else "Difference")
+    time_axis(results, axes)
+    return figure
+
+
+def charge(study):
+    """Figure 20: charge that each phase moves, and the audit against the shear."""
+    results = study.typical.results
+    spans = results.phases()
+    if not has_currents(results) or not spans:
+        return NO_CURRENT
+    signals = results.signals
+    factor = derived.charge_per_shear(results)
+    fixed = results.case.get("coupling", {}).get("law", "fixed-charge") == "fixed-charge"
+    figure, axes = style.stacked(2, heights=[1.1, 0.9], share_x=False)
+    place = numpy.arange(len(spans))
+
+    def gained(column):
+        return numpy.array([signals.at(column, span.end) - signals.at(column, span.start) for span in spans])
+
+    top, bottom, shear = gained("charge_top"), gained("charge_bottom"), gained("mean_shear")
+    unit = scaled(axes[0], "charge gained", "C", peak_of(top, bottom, top + bottom))
+    for shift, values, colour, label in ((-0.27, top, style.BLUE, "top"), (0.0, bottom, style.ORANGE, "bottom"),
+                                         (0.27, top + bottom, style.PURPLE, "sum")):
+        axes[0].bar(place + shift, values / unit, 0.25, color=colour, label=label)
+    if factor is not None and fixed:
+        axes[0].plot(place + 0.27, factor * shear / unit, ls="", marker="_", markersize=9, markeredgewidth=1.4,
+                     color=style.INK, label="sum by F c₀ k ∫γ dV")
+    half = (top - bottom) / 2
+    unit = scaled(axes[1], "charge gained", "C", peak_of(half))
+    axes[1].bar(place, half / unit, 0.5, color=style.GREEN)
+    names = [f"{span.phase}\n{span.cycle}" for span in spans]
+    for panel in axes:
+        panel.axhline(0, color=style.QUIET, lw=0.6)
+        panel.set_xticks(place, names if panel is axes[1] else [""] * len(spans), fontsize=6.5)
+        panel.grid(axis="x", visible=False)
+    axes[1].set_xlabel("phase and cycle")
+    figure.subplots_adjust(bottom=0.62 / figure.get_figheight(), hspace=0.25)
+    error = results.metrics.get("charge_identity_error")
+    audit = f"; charge identity to {error.value:.0e}" if error and error.value is not None else ""
+    style.title(axes[0], study.label(study.typical) + audit)
+    style.title(axes[1], "Difference (top − bottom)/2")
+    style.legend(axes[0])
+    return figure

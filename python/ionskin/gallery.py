@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The numbered figures of a run or a sweep as PNG, SVG and PDF files."""
+
+from typing import Callable, NamedTuple
+
+from . import figures_family, figures_fields, figures_model, figures_signals
+
+PNG_DPI = 300
+
+
+class Entry(NamedTuple):
+    """One numbered figure; `draw` takes a Study and returns a Figure, or the reason for none."""
+
+    name: str
+    heading: str
+    caption: str
+    draw: Callable
+
+
+PAPER_FIGURES = [
+    Entry("fig01_model", "The model", "Skin and slider before touchdown.", figures_model.model),
+    Entry("fig02_layers", "The layers", "Section through the skin, not to scale, with what holds on its faces.",
+          figures_model.layers),
+    Entry("fig03_stages", "The stages of a cycle", "Pale: where a stage begins; heights are not to scale.",
+          figures_model.stages),
+    Entry("fig04_motion", "Input motion", "Prescribed position and height of the slider. Bands: touchdown and lift pale, "
+          "slide darker.", figures_model.motion),
+    Entry("fig05_shear", "Shear over time", "Volume mean of γ over the core; the vertical axis is common.",
+          figures_family.shear),
+    Entry("fig06_shear_map", "Shear over time and the swept key", "Volume mean of γ over the core.",
+          figures_family.shear_map),
+    Entry("fig07_peaks", "Peaks", "Peak of the mean shear with the power laws found in the data, and peaks of the currents: "
+          "resolved peaks are set by how short the contact events are, sampled ones are what an integrating instrument sees.",
+          figures_family.peaks),
+    Entry("fig08_means", "Means", "Time mean of the mean shear with the power laws found in the data, and rms of the resolved "
+          "currents over the run.", figures_family.means),
+    Entry("fig09_current", "Currents over time", "Sampled currents of both electrodes and their difference; the vertical axes "
+          "are common along a column.", figures_family.currents),
+    Entry("fig10_current_map", "Currents over time and the swept key", "Sampled; the colour scale is linear within a "
+          "thousandth of the peak and logarithmic beyond.", figures_family.current_map),
+    Entry("fig11_rate", "Current and the rate of the shear", "Sampled current (solid) and the rate of the mean shear over the "
+          "same intervals (dashed), with their correlation.", figures_signals.rate),
+    Entry("fig12_current_motion", "Current with the motion", "Sampled currents below the prescribed motion.",
+          figures_signals.current_motion),
+    Entry("fig13_cycle", "One cycle", "Motion, mean shear and currents of the first cycle.", figures_signals.cycle),
+    Entry("fig14_phases", "Phases on the current", "Boundaries of the phases of the first cycle on the sampled current.",
+          figures_signals.phases),
+    Entry("fig15_normalised", "Normalised", "Travel, mean shear and sampled current, each divided by its largest magnitude.",
+          figures_signals.normalised),
+    Entry("fig16_correlation", "Peak current against peak shear", "One mark per run; r is Pearson's coefficient.",
+          figures_family.correlation),
+    Entry("fig17_stick_slip", "Stick and slip", "Stuck part of the contact area during the onset of sliding.",
+          figures_fields.stick_slip),
+    Entry("fig18_contact_maps", "Contact and shear maps", "In the slider's frame. Peaks at sharp edges depend on the mesh: the "
+          "colour scales end where 95 % of the area (tractions) and 99 % of the section (shear, at mid-width) lie below.", figures_fields.contact_maps),
+    Entry("fig19_ions", "Ions through the thickness", "Concentration and potential in one column at the instants of "
+          "output.fields; the outer panels enlarge the double layers.", figures_fields.ions),
+    Entry("fig20_charge", "Charge per phase", "Charge gained by each electrode in each phase; the marks are what the shear "
+          "predicts for the sum.", figures_signals.charge),
+]
+
+
+def draw(study, only=()):
+    """Yields (Entry, Figure or reason) for every figure, or for those named."""
+    for entry in PAPER_FIGURES:
+        if not only or entry.name in only:
+            yield entry, entry.draw(study)
+
+
+def save(figure, folder, name):
+    """Writes NAME.png, .svg and .pdf into the folder."""
+    folder.mkdir(exist_ok=True)
+    figure.savefig(folder / f"{name}.png", dpi=PNG_DPI)
+    figure.savefig(folder / f"{name}.svg", metadata={"Date": None})
+    figure.savefig(folder / f"{name}.pdf", metadata={"CreationDate": None})
+
+
+def known_names():
+    """Names of all figures, for messages."""
+    return [entry.name for entry in PAPER_FIGURES]

@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Quantities as they stand in case files, in SI units."""
+
+import re
+
+UNITS = {"m": 1.0, "mm": 1e-3, "um": 1e-6, "µm": 1e-6, "nm": 1e-9, "cm": 1e-2, "s": 1.0, "ms": 1e-3, "us": 1e-6}
+NUMBER = re.compile(r"\s*([-+0-9.eE]+)\s*(\S+)\s*")
+
+
+def si(text):
+    """A length or a time of a case file in metres or seconds. Raises ValueError for any other unit."""
+    if isinstance(text, (list, tuple)):
+        return [si(entry) for entry in text]
+    match = NUMBER.fullmatch(str(text))
+    if not match or match[2] not in UNITS:
+        raise ValueError(f"{text!r} is not a length or a time that a figure can draw")
+    return float(match[1]) * UNITS[match[2]]

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The folder of a sweep, and what a report draws: members in the order of one swept key."""
+
+import csv
+import functools
+import pathlib
+from typing import NamedTuple
+
+from .results import Results, read_json
+
+FRICTION = "contact.friction"
+NAMES = {FRICTION: "friction coefficient µ", "coupling.coefficient": "coupling coefficient k",
+         "motion.preload": "preload", "motion.stroke": "stroke", "electrochemistry.diffusivity": "diffusivity"}
+TYPICAL_FRICTION = 0.3  # the paper's representative curves are drawn at one coefficient within its sweep
+
+
+class Point(NamedTuple):
+    """One row of sweep.csv. values: SI number, or text, by key."""
+
+    number: int
+    folder: pathlib.Path
+    values: dict
+    status: str
+    reason: str
+    metrics: dict
+
+
+class Sweep:
+    """sweep.csv as points; `keys` maps each swept key to its SI unit, "" for texts.
+
+    Raises FileNotFoundError when the folder holds no sweep.csv.
+    """
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+        path = self.folder / "sweep.csv"
+        if not path.exists():
+            raise FileNotFoundError(f"{self.folder} holds no sweep.csv: name the folder of a sweep")
+        with open(path, newline="", encoding="utf-8") as file:
+            header, *rows = list(csv.reader(file))
+        titles = [title.rstrip("]").split(" [") for title in header]
+        status = header.index("status")
+        self.keys = {name: unit[0] if unit else "" for name, *unit in titles[2:status]}
+        self.units = {name: unit[0] for name, *unit in titles[status + 2:] if unit}
+        self.manifest = read_json(self.folder / "manifest.json")
+        self.points = [self._point(titles, status, row) for row in rows]
+
+    def _point(self, titles, status, row):
+        values = {name: float(text) if unit else text
+                  for (name, *unit), text in zip(titles[2:status], row[2:status])}
+        metrics = {name[0]: float(text) for name, text in zip(titles[status + 2:], row[status + 2:]) if text}
+        return Point(int(row[0]), self.folder / row[1], values, row[status], row[status + 1], metrics)
+
+
+class Member(NamedTuple):
+    """One curve of a family: its value on the swept key, and its run."""
+
+    value: float
+    results: Results
+
+
+class Study:
+    """What figures are drawn from: the members of a sweep along one key, or the one run there is.
+
+    key, name, unit  the swept key, its name in words, its unit
+    members          in ascending order of the value
+    note             what of the sweep is not shown; "" for nothing
+    """
+
+    def __init__(self, folder):
+        folder = pathlib.Path(folder)
+        self.folder, self.note = folder, ""
+        self.sweep = Sweep(folder) if (folder / "sweep.csv").exists() else None
+        if self.sweep:
+            self._take_members()
+        else:
+            results = Results(folder)
+            friction = results.case.get("contact", {}).get("friction", 0.0)
+            self.key, self.members = FRICTION, [Member(float(friction), results)]
+            self.unit = "1"
+        self.name = NAMES.get(self.key, self.key)
+
+    def _take_members(self):
+        numeric = [key for key, unit in self.sweep.keys.items() if unit]
+        finished = [point for point in self.sweep.points if point.status == "finished"]
+        if not finished:
+            raise FileNotFoundError(f"{self.folder}: no point of this sweep has finished")
+        self.key = FRICTION if FRICTION in numeric or not numeric else numeric[0]
+        self.unit = self.sweep.keys.get(self.key, "1")
+        others = [key for key in self.sweep.keys if key != self.key]
+        first = finished[0].values
+        shown = [point for point in finished if all(point.values[key] == first[key] for key in others)]
+        if len(shown) < len(finished):
+            at = ", ".join(f"{key} = {first[key]}" for key in others)
+            self.note = f"Shown at {at}: {len(shown)} of {len(finished)} finished points."
+        self.members = sorted((Member(point.values.get(self.key, 0.0), Results(point.folder)) for point in shown),
+                              key=lambda member: member.value)
+
+    @property
+    def single(self):
+        """True when there is one run only."""
+        return len(self.members) == 1
+
+    @functools.cached_property
+    def typical(self):
+        """The member that stands for all: µ nearest 0.3, or the middle one along another key."""
+        if self.key == FRICTION:
+            return min(self.members, key=lambda member: abs(member.value - TYPICAL_FRICTION))
+        return self.members[len(self.members) // 2]
+
+    def label(self, member):
+        """Value with symbol: "µ = 0.3"."""
+        symbol = "µ" if self.key == FRICTION else self.key.rsplit(".", maxsplit=1)[-1]
+        return f"{symbol} = {member.value:.4g}" + ("" if self.unit == "1" else f" {self.unit}")
+
+    def axis_label(self):
+        """For an axis along the members."""
+        return self.name if self.unit == "1" else f"{self.name} [{self.unit}]"
+
+    def metric(self, name):
+        """One metric of all members; NaN where a member lacks it."""
+        return [value if (value := member.results.metrics.get(name, (None,))[0]) is not None else float("nan")
+                for member in self.members]
+
+    def errors(self, name):
+        """Estimated relative errors of a metric of all members; 0 where none is estimated."""
+        return [member.results.summary.get("error_estimate", {}).get(name) or 0.0 for member in self.members]

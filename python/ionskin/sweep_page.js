@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+"use strict";
+(() => {
+  const SVG = "http://www.w3.org/2000/svg";
+  const WIDTH = 900, LEFT = 74, RIGHT = 14, TOP = 24, BOTTOM = 42;
+  const PREFIX = [[1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"], [1e-12, "p"]];
+  const PANELS = [
+    { title: "Motion", height: 146, curves: ["slider_x", "slider_z"], colours: ["--blue", "--orange"] },
+    { title: "Mean shear γ of the core", height: 156, curves: ["mean_shear"], colours: ["--blue"] },
+    { title: "Electrode currents, sampled", height: 186, curves: ["current_top", "current_bottom", "current_common"],
+      colours: ["--blue", "--orange", "--purple"] },
+    { title: "Difference current (top − bottom)/2, sampled", height: 186, curves: ["current_difference"],
+      colours: ["--green"] },
+  ];
+  const state = { member: DATA.typical, span: null, metric: 0 };
+
+  function make(parent, tag, attributes = {}, text = "") {
+    const node = document.createElementNS(SVG, tag);
+    for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
+    if (text) node.textContent = text;
+    parent.append(node);
+    return node;
+  }
+
+  function withUnit(value, unit, digits = 4) {
+    if (value === null || value === undefined) return "–";
+    if (unit === "1") return Number(value.toPrecision(digits)).toString();
+    if (value === 0) return `0 ${unit}`;
+    const [scale, prefix] = PREFIX.find(([size]) => Math.abs(value) >= size) || PREFIX[PREFIX.length - 1];
+    return `${Number((value / scale).toPrecision(digits))} ${prefix}${unit}`;
+  }
+
+  function ticks(low, high, count) {
+    const raw = (high - low) / count, power = 10 ** Math.floor(Math.log10(raw));
+    const step = [1, 2, 2.5, 5, 10].find((factor) => factor * power >= raw) * power;
+    const found = [];
+    for (let value = Math.ceil(low / step) * step; value <= high + step * 1e-9; value += step) {
+      found.push(Math.abs(value) < step * 1e-9 ? 0 : value);
+    }
+    return found;
+  }
+
+  // Common over all members, so that picking another run changes the curve and not the scale.
+  function commonRange(names) {
+    let low = 0, high = 0;
+    for (const member of DATA.members) for (const name of names) for (const value of member.series[name] || []) {
+      if (value !== null) { low = Math.min(low, value); high = Math.max(high, value); }
+    }
+    const room = 0.06 * (high - low || 1);
+    return [low - (low < 0 ? room : 0), high + room];
+  }
+
+  function windowRange(member, names, span) {
+    let low = 0, high = 0;
+    for (const name of names) (member.series[name] || []).forEach((value, i) => {
+      if (value !== null && member.time[i] >= span[0] && member.time[i] <= span[1]) {
+        low = Math.min(low, value); high = Math.max(high, value);
+      }
+    });
+    const room = 0.06 * (high - low || 1e-12);
+    return [low - (low < 0 ? room : 0), high + room];
+  }
+
+  function axes(svg, frame, xTitle, unit) {
+    for (const value of ticks(...frame.x, 8)) {
+      make(svg, "line", { class: "gridline", x1: frame.px(value), x2: frame.px(value), y1: TOP, y2: frame.bottom });
+      make(svg, "text", { x: frame.px(value), y: frame.bottom + 15, "text-anchor": "middle" },
+           Number(value.toPrecision(8)).toString());
+    }
+    for (const value of ticks(...frame.y, 5)) {
+      make(svg, "line", { class: "gridline", x1: LEFT, x2: WIDTH - RIGHT, y1: frame.py(value), y2: frame.py(value) });
+      make(svg, "text", { x: LEFT - 6, y: frame.py(value) + 4, "text-anchor": "end" }, withUnit(value, unit, 3));
+    }
+    make(svg, "rect", { class: "axis", x: LEFT, y: TOP, width: WIDTH - LEFT - RIGHT, height: frame.bottom - TOP });
+    make(svg, "text", { x: (LEFT + WIDTH - RIGHT) / 2, y: frame.bottom + 32, "text-anchor": "middle" }, xTitle);
+  }
+
+  function makeFrame(x, y, height) {
+    const bottom = height - BOTTOM;
+    return {
+      x, y, bottom,
+      px: (value) => LEFT + (value - x[0]) / (x[1] - x[0]) * (WIDTH - LEFT - RIGHT),
+      py: (value) => bottom - (value - y[0]) / (y[1] - y[0]) * (bottom - TOP),
+      time: (pixel) => x[0] + (pixel - LEFT) / (WIDTH - LEFT - RIGHT) * (x[1] - x[0]),
+    };
+  }
+
+  function legend(svg, labels, colours) {
+    let x = WIDTH - RIGHT;
+    for (let i = labels.length - 1; i >= 0; --i) {
+      const text = make(svg, "text", { x, y: 15, "text-anchor": "end", style: `fill: var(${colours[i]})` }, labels[i]);
+      x -= (text.getComputedTextLength ? text.getComputedTextLength() : labels[i].length * 6) + 16;
+    }
+  }
+
+  function drawPanel(panel, holder) {
+    const member = DATA.members[state.member], names = panel.curves.filter((name) => member.series[name]);
+    holder.textContent = "";
+    if (!names.length) return;
+    const span = state.span || [0, member.time[member.time.length - 1]];
+    const unit = DATA.curves.find((curve) => curve.name === names[0]).unit;
+    const frame = makeFrame(span, state.span ? windowRange(member, names, span) : commonRange(names), panel.height);
+    const svg = make(holder, "svg", { viewBox: `0 0 ${WIDTH} ${panel.height}`, role: "img", "aria-label": panel.title });
+    const clip = `clip-${panel.curves[0]}`;
+    make(make(svg, "clipPath", { id: clip }), "rect",
+         { x: LEFT, y: TOP, width: WIDTH - LEFT - RIGHT, height: frame.bottom - TOP });
+    const inside = make(svg, "g", { "clip-path": `url(#${clip})` });
+    for (const [phase, start, end] of member.phases) if (phase !== "return") {
+      make(inside, "rect", { class: phase === "slide" ? "slide" : "contact", x: frame.px(start), y: TOP,
+                             width: frame.px(end) - frame.px(start), height: frame.bottom - TOP });
+    }
+    axes(svg, frame, "time [s]", unit);
+    names.forEach((name, i) => {
+      const step = name.startsWith("current");
+      let path = "", pen = "M", last = null;
+      member.series[name].forEach((value, k) => {
+        if (value === null) return;
+        const x = frame.px(member.time[k]).toFixed(2), y = frame.py(value).toFixed(2);
+        if (step && last !== null) path += `V${y}`;
+        path += `${pen}${x} ${y}`;
+        pen = "L"; last = y;
+      });
+      make(svg, "path", { class: "curve", d: path, style: `stroke: var(${panel.colours[i]})`, "clip-path": `url(#${clip})`,
+                          "data-curve": name });
+    });
+    make(svg, "text", { class: "name", x: LEFT, y: 15 }, `${panel.title}, ${member.label}`);
+    if (names.length > 1) {
+      legend(svg, names.map((name) => DATA.curves.find((curve) => curve.name === name).label), panel.colours);
+    }
+    interact(svg, frame);
+  }
+
+  function pixelOf(svg, event) {
+    const box = svg.getBoundingClientRect();
+    return Math.min(WIDTH - RIGHT, Math.max(LEFT, (event.clientX - box.left) / box.width * WIDTH));
+  }
+
+  function interact(svg, frame) {
+    let from = null, shade = null;
+    const cursor = make(svg, "line", { class: "cursor", x1: -9, x2: -9, y1: TOP, y2: frame.bottom });
+    svg.addEventListener("pointermove", (event) => {
+      const pixel = pixelOf(svg, event);
+      cursor.setAttribute("x1", pixel);
+      cursor.setAttribute("x2", pixel);
+      tell(frame.time(pixel));
+      if (shade) {
+        shade.setAttribute("x", Math.min(from, pixel));
+        shade.setAttribute("width", Math.abs(pixel - from));
+      }
+    });
+    svg.addEventListener("pointerdown", (event) => {
+      from = pixelOf(svg, event);
+      shade = make(svg, "rect", { class: "window", x: from, y: TOP, width: 0, height: frame.bottom - TOP });
+    });
+    const end = (event) => {
+      if (from === null) return;
+      const to = pixelOf(svg, event), begin = from;
+      from = null;
+      if (Math.abs(to - begin) > 4) {
+        state.span = [frame.time(Math.min(to, begin)), frame.time(Math.max(to, begin))];
+        drawAll();
+      } else {
+        shade.remove();
+        shade = null;
+      }
+    };
+    svg.addEventListener("pointerup", end);
+    svg.addEventListener("pointerleave", end);
+    svg.addEventListener("dblclick", () => { state.span = null; drawAll(); });
+  }
+
+  function tell(time) {
+    const member = DATA.members[state.member];
+    let row = member.time.findIndex((value) => value >= time);
+    if (row < 0) row = member.time.length - 1;
+    const values = DATA.curves.filter((curve) => member.series[curve.name])
+      .map((curve) => `${curve.label} ${withUnit(member.series[curve.name][row], curve.unit)}`);
+    document.querySelector(".readout").textContent = `${member.label}, t = ${time.toFixed(4)} s: ${values.join(", ")}`;
+  }
+
+  function drawTrend() {
+    const holder = document.getElementById("trend"), metric = DATA.metrics[state.metric];
+    holder.textContent = "";
+    const chart = document.createElement("div");
+    chart.className = "chart";
+    holder.append(chart);
+    const known = DATA.members.map((member, i) => [member.value, metric.values[i], i]).filter((entry) => entry[1] !== null);
+    const xs = known.map((entry) => entry[0]), ys = known.map((entry) => entry[1]);
+    const pad = 0.05 * (Math.max(...xs) - Math.min(...xs)) || Math.abs(xs[0]) * 0.1 || 1;
+    const top = Math.max(0, ...ys), low = Math.min(0, ...ys);
+    const frame = makeFrame([Math.min(...xs) - pad, Math.max(...xs) + pad], [low, top + 0.08 * (top - low || 1)], 260);
+    const svg = make(chart, "svg", { viewBox: `0 0 ${WIDTH} 260`, role: "img", "aria-label": metric.name });
+    axes(svg, frame, DATA.axis, metric.unit);
+    make(svg, "text", { class: "name", x: LEFT, y: 15 }, metric.name.replaceAll("_", " "));
+    make(svg, "path", { class: "curve", style: "stroke: var(--blue)",
+                        d: known.map(([x, y], i) => `${i ? "L" : "M"}${frame.px(x)} ${frame.py(y)}`).join("") });
+    for (const [x, y, i] of known) {
+      const mark = make(svg, "circle", { cx: frame.px(x), cy: frame.py(y), r: i === state.member ? 7 : 4.5,
+                                         style: `fill: var(${i === state.member ? "--orange" : "--blue"}); cursor: pointer` });
+      make(mark, "title", {}, `${DATA.members[i].label}: ${withUnit(y, metric.unit)}`);
+      mark.addEventListener("click", () => pick(i));
+    }
+  }
+
+  function button(holder, text, pressed, action) {
+    const node = document.createElement("button");
+    node.textContent = text;
+    node.setAttribute("aria-pressed", pressed);
+    node.addEventListener("click", action);
+    holder.append(node);
+  }
+
+  function pick(member) {
+    state.member = Math.min(DATA.members.length - 1, Math.max(0, member));
+    drawAll();
+  }
+
+  function drawAll() {
+    const picker = document.querySelector("#explore .picker"), metrics = document.getElementById("metrics");
+    picker.textContent = "";
+    metrics.textContent = "";
+    DATA.members.forEach((member, i) => button(picker, member.label, i === state.member, () => pick(i)));
+    DATA.metrics.forEach((metric, i) => button(metrics, metric.name.replaceAll("_", " "), i === state.metric, () => {
+      state.metric = i;
+      drawAll();
+    }));
+    const charts = document.getElementById("charts");
+    while (charts.children.length < PANELS.length) {
+      const chart = document.createElement("div");
+      chart.className = "chart";
+      charts.append(chart);
+    }
+    PANELS.forEach((panel, i) => drawPanel(panel, charts.children[i]));
+    if (DATA.metrics.length) drawTrend();
+  }
+
+  document.addEventListener("keydown", (event) => {
+    if (event.key === "ArrowRight") pick(state.member + 1);
+    if (event.key === "ArrowLeft") pick(state.member - 1);
+  });
+  drawAll();
+})();

@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Sweeps made by hand: reading, figures, claims, regimes, comparison, and the page in a browser."""
+
+import json
+import pathlib
+import re
+import shutil
+import tempfile
+import unittest
+
+import numpy
+
+from browser import browser_page, chromium
+from ionskin import Results, Study
+from ionskin import claims, compare, gallery, regimes
+from ionskin.report import make_gallery, make_report
+from report_test import write_run
+
+FRICTIONS = [0.1, 0.2, 0.3, 0.4, 0.5]
+
+
+def write_sweep(folder, frictions=tuple(FRICTIONS)):
+    """A sweep whose shear is the square root of friction below 0.3 and in proportion to it above; one point failed."""
+    rows = ["point,folder,contact.friction [1],status,reason,peak_mean_shear [1]"]
+    for number, friction in enumerate(frictions, 1):
+        point = folder / "points" / f"{number:04}"
+        point.mkdir(parents=True)
+        write_run(point)
+        shear = 0.01 * (friction / 0.3) ** (0.5 if friction < 0.3 else 1.0)
+        summary = json.loads((point / "summary.json").read_text())
+        summary["metrics"].update({
+            "peak_mean_shear": {"value": shear, "unit": "1"}, "time_mean_shear": {"value": shear / 2, "unit": "1"},
+            **{f"{kind}_current_{name}": {"value": size * friction, "unit": "A"}
+               for kind, size in (("peak", 1.0), ("peak_sampled", 0.05), ("rms", 0.01))
+               for name in ("top", "bottom", "difference", "common")}})
+        (point / "summary.json").write_text(json.dumps(summary))
+        rows.append(f"{number},points/{number:04},{friction},finished,,{shear}")
+    rows.append(f'{len(frictions) + 1},points/none,0.9,failed,"it broke, badly",')
+    (folder / "sweep.csv").write_text("\n".join(rows) + "\n")
+
+
+class SweepTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="ionskin-sweep-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+
+class Reading(SweepTest):
+    def test_members_and_failures(self):
+        write_sweep(self.folder)
+        study = Study(self.folder)
+        self.assertEqual([member.value for member in study.members], FRICTIONS)
+        self.assertEqual(study.typical.value, 0.3)
+        self.assertEqual(study.label(study.typical), "µ = 0.3")
+        self.assertEqual(study.sweep.points[-1].reason, "it broke, badly")
+        self.assertEqual(study.sweep.points[0].metrics, {"peak_mean_shear": study.metric("peak_mean_shear")[0]})
+
+
+class Figures(SweepTest):
+    def test_every_figure_as_three_files(self):
+        write_sweep(self.folder)
+        left_out = dict(make_gallery(self.folder, ["fig05_shear", "fig07_peaks", "fig10_current_map", "fig19_ions"]))
+        self.assertEqual(left_out, {"fig19_ions": "the run has no results.h5"})
+        names = {f"{name}.{kind}" for name in ("fig05_shear", "fig07_peaks", "fig10_current_map")
+                 for kind in ("png", "svg", "pdf")}
+        self.assertEqual({path.name for path in (self.folder / "figures").iterdir()}, names)
+
+    def test_one_run_leaves_out_the_maps_with_a_reason(self):
+        write_run(self.folder)
+        drawn = {entry.name: figure for entry, figure in gallery.draw(Study(self.folder))}
+        self.assertEqual(len(drawn), 20)
+        for name in ("fig06_shear_map", "fig10_current_map", "fig16_correlation"):
+            self.assertIn("several runs", drawn[name])
+        self.assertNotIsInstance(drawn["fig13_cycle"], str)
+
+    def test_an_unknown_figure_is_refused(self):
+        write_run(self.folder)
+        with self.assertRaisesRegex(ValueError, "fig01_model"):
+            make_gallery(self.folder, ["fig99"])
+
+
+class Regimes(unittest.TestCase):
+    X = numpy.linspace(0.05, 0.5, 10)
+
+    def test_two_laws_are_found(self):
+        data = numpy.where(self.X < 0.2, 3 * self.X**0.4, 3 * 0.2**-0.5 * self.X**0.9)
+        fit = regimes.fit(self.X, data)
+        self.assertTrue(fit.two)
+        self.assertAlmostEqual(fit.low, 0.4, places=3)
+        self.assertAlmostEqual(fit.high, 0.9, places=3)
+        self.assertAlmostEqual(fit.break_at, 0.2, places=3)
+        numpy.testing.assert_allclose(fit(self.X), data, rtol=2e-3)
+
+    def test_one_law_stays_one_under_noise(self):
+        noise = 1 + 0.01 * numpy.random.default_rng(4).standard_normal(len(self.X))
+        fit = regimes.fit(self.X, 2 * self.X**0.7 * noise)
+        self.assertFalse(fit.two)
+        self.assertAlmostEqual(fit.low, 0.7, delta=4 * fit.low_error)
+
+    def test_too_few_points_are_not_judged(self):
+        self.assertIsNone(regimes.fit(self.X[:4], self.X[:4]))
+
+
+class Claims(SweepTest):
+    def test_verdicts_follow_the_data(self):
+        write_sweep(self.folder)
+        found = {entry.claim: entry for entry in claims.judge(Study(self.folder))}
+        rising = next(entry for claim, entry in found.items() if claim.startswith("the peak of the mean shear rises"))
+        self.assertEqual(rising.verdict, claims.HOLDS)
+        regimes_found = next(entry for claim, entry in found.items() if claim.startswith("two regimes: the peak"))
+        self.assertEqual(regimes_found.verdict, claims.HOLDS)
+        self.assertIn("exponent 0.50", regimes_found.number)
+        # The made-up shear does not vanish in the return, and the common part is as large as the difference.
+        self.assertEqual(found["γ is near 0 while the slider is detached"].verdict, claims.FAILS)
+        self.assertEqual(found["the electrodes' currents are equal and opposite"].verdict, claims.FAILS)
+
+    def test_one_run_cannot_be_monotone(self):
+        write_run(self.folder)
+        verdicts = [entry.verdict for entry in claims.judge(Study(self.folder))]
+        self.assertIn(claims.OPEN, verdicts)
+
+
+class Compare(SweepTest):
+    def test_differences_and_none(self):
+        for name in ("a", "b"):
+            (self.folder / name).mkdir()
+            write_run(self.folder / name)
+        first, second = Results(self.folder / "a"), Results(self.folder / "b")
+        self.assertEqual(compare.report(first, second, 1e-9), ["no differences above 1e-09"])
+        case = self.folder / "b" / "case.toml"
+        case.write_text(case.read_text().replace("15 mm", "16 mm"))
+        summary = self.folder / "b" / "summary.json"
+        summary.write_text(summary.read_text().replace("65.25", "66.0"))
+        table = self.folder / "b" / "signals.csv"
+        table.write_text(table.read_text().replace("0.008", "0.009"))
+        text = "\n".join(compare.report(first, Results(self.folder / "b"), 1e-9))
+        for words in ("skin.length: '15 mm' | '16 mm'", "normal_force_slide: 65.25 | 66 N", "signals/mean_shear: 1.11e-01"):
+            self.assertIn(words, text)
+        self.assertNotIn("current_top", text)
+
+
+class Page(SweepTest):
+    def test_stands_alone_and_says_what_failed(self):
+        write_sweep(self.folder)
+        page = make_report(self.folder).read_text()
+        self.assertEqual([link for link in re.findall(r'(?:src|href)="(?!#)([^"]*)"', page)
+                          if not link.startswith("data:image/png;base64,")], [])
+        self.assertNotIn("url(http", page)
+        self.assertIn("it broke, badly", page)
+        self.assertIn("5 of 6 points finished", page)
+
+    @unittest.skipUnless(chromium(), "no Chromium on this machine: apt-get install chromium to test the page in it")
+    def test_clicking_through_the_page(self):
+        write_sweep(self.folder)
+        with browser_page(make_report(self.folder)) as page:
+            self.assertEqual(page.evaluate("document.querySelectorAll('#charts svg').length"), 4)
+            self.pick_another_run(page)
+            self.hover_and_zoom(page)
+            self.choose_another_metric(page)
+            self.assertEqual(page.errors, [])
+
+    def pick_another_run(self, page):
+        left, top, width, height = page.box("#explore .picker button:nth-child(5)")
+        page.click(left + width / 2, top + height / 2)
+        self.assertEqual(page.evaluate("document.querySelector('#explore [aria-pressed=true]').textContent"), "µ = 0.5")
+        self.assertIn("µ = 0.5", page.evaluate("document.querySelector('#charts .name').textContent"))
+
+    def hover_and_zoom(self, page):
+        left, top, width, height = page.box("#charts .chart:nth-child(2) svg")
+        middle = top + height / 2
+        page.mouse("mouseMoved", left + width / 2, middle)
+        self.assertRegex(page.evaluate("document.querySelector('.readout').textContent"), r"µ = 0.5, t = .*mean shear")
+        last_tick = "[...document.querySelectorAll('#charts .chart:nth-child(2) text[text-anchor=middle]')].at(-2).textContent"
+        whole = float(page.evaluate(last_tick))
+        page.mouse("mousePressed", left + 0.3 * width, middle)
+        page.mouse("mouseMoved", left + 0.4 * width, middle)
+        page.mouse("mouseReleased", left + 0.5 * width, middle)
+        self.assertLess(float(page.evaluate(last_tick)), 0.7 * whole)
+        page.click(left + 0.5 * width, middle, clicks=2)
+        self.assertEqual(float(page.evaluate(last_tick)), whole)
+
+    def choose_another_metric(self, page):
+        left, top, width, height = page.box("#metrics button:nth-child(3)")
+        page.click(left + width / 2, top + height / 2)
+        self.assertEqual(page.evaluate("document.querySelector('#trend .name').textContent"), "peak sampled current top")
+        left, top, width, height = page.box("#trend circle:nth-of-type(1)")
+        page.click(left + width / 2, top + height / 2)
+        self.assertEqual(page.evaluate("document.querySelector('#explore [aria-pressed=true]').textContent"), "µ = 0.1")
+
+
+if __name__ == "__main__":
+    unittest.main()
