@@ -42,8 +42,8 @@ struct ConfinedEstimate {
   double shear = 0;    ///< of the core in full slip [1]
 };
 
-// Layers in series under the preload d: p = d / sum(t / M), M = E (1 - nu) / ((1 + nu)(1 - 2 nu))
-// the oedometric modulus; shear of the core mu p / G, G = E / (2 (1 + nu)).
+// Layers in series under the largest indentation d: p = d / sum(t / M), M = E (1 - nu) / ((1 +
+// nu)(1 - 2 nu)) the oedometric modulus; shear of the core mu p / G, G = E / (2 (1 + nu)).
 ConfinedEstimate confined_estimate(const Case& input) {
   double compliance = 0;
   for (const Layer& layer : input.skin.layers) {
@@ -53,7 +53,12 @@ ConfinedEstimate confined_estimate(const Case& input) {
   }
   const Material& core = input.skin.layers[input.skin.core_index()].material;
   const double shear_modulus = core.youngs_modulus / (2 * (1 + core.poissons_ratio));
-  const double pressure = input.motion.preload / compliance;
+  const double area = input.slider.size[0] * input.slider.size[1];
+  double pressure = 0;
+  for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
+    const double value = leg.to_level.value;
+    pressure = std::max(pressure, leg.to_level.is_force ? value / area : -value / compliance);
+  }
   return {pressure, input.contact.friction * pressure / shear_modulus};
 }
 

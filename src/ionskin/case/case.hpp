@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,10 +51,21 @@ struct Slider {
   std::array<double, 2> start{}; ///< centre at the start of a cycle, x and y [m]
 };
 
-enum class MotionKind { touch_slide_lift };
+/// One cycle of touchdown, slide, lift-off and detached return; the same with several strokes back
+/// and forth in contact; or any path.
+enum class MotionKind { touch_slide_lift, reciprocating, waypoints };
 
-/// Touchdown, slide, lift-off, detached return; repeated `cycles` times. What the slider does in
-/// one cycle, whatever the kind, is said by motion_legs (case/slider_motion.hpp).
+/// A place on the path of the slider, with its height or with the force that holds it there.
+struct Waypoint {
+  double time = 0;                  ///< since the start of the cycle [s]
+  std::array<double, 2> position{}; ///< centre, x and y [m]
+  std::optional<double> height;     ///< underside above the undeformed top face [m]
+  std::optional<double> force;      ///< normal, on the full skin [N]
+  std::size_t line = 0;             ///< in the file it was read from, from 1; 0 in a case
+};
+
+/// How the slider moves, repeated `cycles` times. What it does in one cycle, whatever the kind, is
+/// said by motion_legs (case/slider_motion.hpp).
 struct Motion {
   MotionKind kind = MotionKind::touch_slide_lift;
   double gap = 0;           ///< initial clearance [m]
@@ -62,13 +74,19 @@ struct Motion {
   double stroke = 0;        ///< [m]; 0 is a press-and-hold
   std::array<double, 2> direction{1, 0}; ///< unit vector of the slide in the x-y plane
   double touchdown = 0;                  ///< duration [s]
-  double slide = 0;                      ///< duration [s]
+  double slide = 0;                      ///< duration of one stroke [s]
   double lift = 0;                       ///< duration [s]
   double return_ = 0;                    ///< duration [s]
   int cycles = 1;
+  // reciprocating
+  int strokes = 2;  ///< one way each, back and forth
+  double dwell = 0; ///< rest at each reversal [s]
+  // waypoints: these alone say what happens, and what stands above is not used but for `cycles`
+  std::vector<Waypoint> waypoints; ///< ascending in time
+  std::string file; ///< absolute path of the file they were read from; empty for those of the case
 
   bool force_controlled() const { return preload_force > 0; }
-  double cycle_duration() const { return touchdown + slide + lift + return_; }
+  double cycle_duration() const; ///< [s]
 };
 
 enum class FrictionLaw { coulomb };

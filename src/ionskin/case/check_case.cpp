@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/check_case.hpp"
 
+#include "ionskin/case/check_motion.hpp"
 #include "ionskin/case/check_readout.hpp"
 #include "ionskin/case/check_track.hpp"
 
@@ -112,9 +113,11 @@ void check_case(const CaseDocument& document) {
   check_core(document, problems);
   check_readout(document, problems);
   if (document.input.strain.kind == StrainSourceKind::contact) {
-    check_track(document, problems);
+    if (check_motion(document, problems)) {
+      check_track(document, problems);
+      check_instants(document, problems);
+    }
     check_preload(document, problems);
-    check_instants(document, problems);
   } else {
     check_strain_file(document, problems);
   }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/check_track.hpp"
 
+#include "ionskin/case/check_motion.hpp"
+#include "ionskin/case/slider_motion.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,6 +49,12 @@ std::string remedy(const Axis& axis, double half_size, double travel) {
       lowest * 1e3, highest * 1e3, axis.name);
 }
 
+bool lies_inside(double low, double high, double extent) {
+  const double tolerance = 1e-9 * extent;
+  const bool flush = std::abs(low) <= tolerance && std::abs(high - extent) <= tolerance;
+  return flush || (low > 0 && high < extent);
+}
+
 void check_axis(const CaseDocument& document, const Axis& axis, Problems& problems) {
   const Slider& slider = document.input.slider;
   const Motion& motion = document.input.motion;
@@ -54,9 +63,7 @@ void check_axis(const CaseDocument& document, const Axis& axis, Problems& proble
   for (const bool at_end : {false, true}) {
     const double centre = slider.start[axis.index] + (at_end ? travel : 0.0);
     const double low = centre - half_size, high = centre + half_size;
-    const double tolerance = 1e-9 * axis.extent;
-    const bool flush = std::abs(low) <= tolerance && std::abs(high - axis.extent) <= tolerance;
-    if (flush || (low > 0 && high < axis.extent))
+    if (lies_inside(low, high, axis.extent))
       continue;
     problems.add(
         fmt::format(
@@ -68,29 +75,48 @@ void check_axis(const CaseDocument& document, const Axis& axis, Problems& proble
   }
 }
 
-// Between symmetry planes a slider over the whole width, at both ends of the track, makes plane
-// strain.
+// Between symmetry planes a slider over the whole width, wherever it goes, makes plane strain.
 bool covers_width(const Case& input) {
   if (input.skin.sides != SideCondition::symmetry)
     return false;
-  const double travel = input.motion.stroke * input.motion.direction[1];
-  const double start = input.slider.start[1], half_size = 0.5 * input.slider.size[1];
-  return std::max(start, start + travel) - half_size <= 0 &&
-         std::min(start, start + travel) + half_size >= input.skin.width;
+  const MotionBox box = motion_box(input.motion, input.slider);
+  const double half_size = 0.5 * input.slider.size[1];
+  return box.high[1] - half_size <= 0 && box.low[1] + half_size >= input.skin.width;
+}
+
+void check_waypoints(const CaseDocument& document, const Axis& axis, Problems& problems) {
+  const double half_size = 0.5 * document.input.slider.size[axis.index];
+  const std::vector<Waypoint>& waypoints = document.input.motion.waypoints;
+  for (std::size_t i = 0; i < waypoints.size(); ++i) {
+    const double centre = waypoints[i].position[axis.index];
+    if (lies_inside(centre - half_size, centre + half_size, axis.extent))
+      continue;
+    problems.add(
+        fmt::format("the slider is not inside the skin at waypoint {}: it reaches from {:.6g} mm "
+                    "to {:.6g} mm along {}, the skin from 0 mm to {:.6g} mm",
+                    i + 1, (centre - half_size) * 1e3, (centre + half_size) * 1e3, axis.name,
+                    axis.extent * 1e3),
+        point_at_waypoint(document, i),
+        fmt::format("with this size its centre must lie between {:.6g} mm and {:.6g} mm along {}",
+                    half_size * 1e3, (axis.extent - half_size) * 1e3, axis.name));
+    return;
+  }
 }
 
 } // namespace
 
 void check_track(const CaseDocument& document, Problems& problems) {
   const Case& input = document.input;
-  if (input.motion.direction == std::array<double, 2>{0, 0}) {
+  const bool waypoints = input.motion.kind == MotionKind::waypoints;
+  if (!waypoints && input.motion.direction == std::array<double, 2>{0, 0}) {
     problems.add("motion.direction has no length", document.point_at("motion.direction"),
                  "at least one of its two numbers must differ from 0");
     return;
   }
-  check_axis(document, {0, "x", "skin.length", input.skin.length}, problems);
+  const auto check = waypoints ? check_waypoints : check_axis;
+  check(document, {0, "x", "skin.length", input.skin.length}, problems);
   if (!covers_width(input))
-    check_axis(document, {1, "y", "skin.width", input.skin.width}, problems);
+    check(document, {1, "y", "skin.width", input.skin.width}, problems);
 }
 
 } // namespace ionskin

@@ -68,14 +68,18 @@ private:
       return;
     if (is_needed(row))
       report_missing(row, key);
-    else if (!row.default_value.empty())
+    else if (!row.default_value.empty() && applies(row))
       set_default(row, key, index);
+  }
+
+  bool applies(const SchemaRow& row) const {
+    return !row.applies || row.applies(walk_.draft.input);
   }
 
   bool is_needed(const SchemaRow& row) const {
     const bool contact = walk_.draft.input.strain.kind == StrainSourceKind::contact;
     if (row.need == Need::when_it_applies)
-      return contact && row.applies(walk_.draft.input);
+      return contact && applies(row);
     return row.need == Need::always || (row.need == Need::with_contact && contact) ||
            (row.need == Need::with_strain_file && !contact);
   }

@@ -8,6 +8,7 @@
 #include "ionskin/case/set_edit.hpp"
 #include "ionskin/case/toml_text.hpp"
 #include "ionskin/case/toml_walk.hpp"
+#include "ionskin/case/waypoint_file.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -26,14 +27,24 @@ CaseText edited_text(const std::string& path, const std::vector<std::string>& se
   return text;
 }
 
-// The written case must run from any folder, so its strain file gets an absolute path.
-void anchor_strain_file(CaseDocument& document, CaseText& text) {
-  StrainSource& strain = document.input.strain;
-  if (strain.file.empty() || fs::path(strain.file).is_absolute())
+// The written case must run from any folder, so a file that it names gets an absolute path.
+void anchor_file(const CaseDocument& document, const std::string& key, std::string& file,
+                 CaseText& text) {
+  if (file.empty() || fs::path(file).is_absolute())
     return;
   const fs::path folder = fs::absolute(document.file).parent_path();
-  strain.file = (folder / strain.file).lexically_normal().string();
-  apply_set_edit(text, "strain.file=" + strain.file);
+  file = (folder / file).lexically_normal().string();
+  apply_set_edit(text, key + "=" + file);
+}
+
+void take_waypoints(Case& input) {
+  Motion& motion = input.motion;
+  if (motion.kind != MotionKind::waypoints)
+    return;
+  if (!motion.file.empty() && motion.waypoints.empty())
+    motion.waypoints = read_waypoint_file(motion.file);
+  if (!motion.waypoints.empty())
+    input.slider.start = motion.waypoints.front().position;
 }
 
 // Place in the schema; the keys of one layer or material stay together, in the order of the file.
@@ -65,7 +76,9 @@ CaseDocument read_case_document(const std::string& path,
                      return rank(first.key) < rank(second.key);
                    });
   CaseDocument document{std::move(walk.draft.input), path, std::move(walk.records)};
-  anchor_strain_file(document, text);
+  anchor_file(document, "strain.file", document.input.strain.file, text);
+  anchor_file(document, "motion.file", document.input.motion.file, text);
+  take_waypoints(document.input);
   document.input.text = text.text();
   check_case(document);
   return document;

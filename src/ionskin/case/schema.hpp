@@ -25,8 +25,16 @@ enum class ValueType {
 };
 
 /// When a key must be given.
-/// `when_it_applies`: with contact, where `SchemaRow::applies` says so.
-enum class Need { optional, always, with_contact, with_strain_file, when_it_applies };
+/// `when_it_applies`: with contact, where `SchemaRow::applies` says so. `one_of_several`: the
+/// checks of the case see to it that one of the keys with the same purpose is there.
+enum class Need {
+  optional,
+  always,
+  with_contact,
+  with_strain_file,
+  when_it_applies,
+  one_of_several
+};
 
 /// Allowed interval of a number, in SI units; each end belongs to it or not.
 struct Range {
@@ -78,11 +86,12 @@ struct SchemaRow {
   Range range{};
   std::string range_reason{}; ///< why the range ends where it does, when that is not plain
   Need need = Need::optional;
-  std::function<bool(const Case&)> applies{}; ///< of Need::when_it_applies
-  std::string default_value{};                ///< TOML; used when an optional key is missing
-  std::vector<Choice> choices{};              ///< of type `choice`
-  std::string help{};                         ///< one sentence
-  std::string source{};                       ///< where the default comes from
+  /// Whether the key has a meaning in a case; empty for always. Of Need::when_it_applies.
+  std::function<bool(const Case&)> applies{};
+  std::string default_value{};   ///< TOML; used when an optional key is missing
+  std::vector<Choice> choices{}; ///< of type `choice`
+  std::string help{};            ///< one sentence
+  std::string source{};          ///< where the default comes from
   std::function<void(CaseDraft&, const KeyIndex&, const Value&)> set{};
 };
 

@@ -18,13 +18,24 @@ void into_direction(CaseDraft& draft, const KeyIndex&, const Value& value) {
   draft.input.motion.direction = {value.numbers[0] * scale, value.numbers[1] * scale};
 }
 
+bool goes_through_waypoints(const Case& input) {
+  return input.motion.kind == MotionKind::waypoints;
+}
+bool goes_in_strokes(const Case& input) {
+  return !goes_through_waypoints(input);
+}
+bool reciprocates(const Case& input) {
+  return input.motion.kind == MotionKind::reciprocating;
+}
+
 // One duration of the motion.
 SchemaRow duration(const std::string& key, const std::string& help, double Motion::*member) {
   return {.key = key,
           .type = ValueType::quantity,
           .dimension = Dimension::time,
           .range = positive,
-          .need = Need::with_contact,
+          .need = Need::when_it_applies,
+          .applies = goes_in_strokes,
           .help = help,
           .set = into(&Case::motion, member)};
 }
@@ -36,7 +47,8 @@ SchemaRow distance(const std::string& key, const std::string& help, const Range&
           .type = ValueType::quantity,
           .dimension = Dimension::length,
           .range = range,
-          .need = Need::with_contact,
+          .need = Need::when_it_applies,
+          .applies = goes_in_strokes,
           .help = help,
           .set = into(&Case::motion, member)};
 }
@@ -46,6 +58,53 @@ void into_preload(CaseDraft& draft, const KeyIndex&, const Value& value) {
   const bool force = value.dimension == Dimension::force;
   draft.input.motion.preload = force ? 0 : value.numbers[0];
   draft.input.motion.preload_force = force ? value.numbers[0] : 0;
+}
+
+Setter into_waypoint(const std::function<void(Waypoint&, const Value&)>& store_value) {
+  return [=](CaseDraft& draft, const KeyIndex& index, const Value& value) {
+    store_value(draft.input.motion.waypoints[index.entry], value);
+  };
+}
+
+void add_waypoints(SchemaRows& rows) {
+  const auto add = [&](const std::string& name, ValueType type, Dimension dimension,
+                       const std::string& help, const Setter& set) -> SchemaRow& {
+    rows.push_back({.key = "motion.waypoints[]." + name,
+                    .type = type,
+                    .dimension = dimension,
+                    .need = Need::one_of_several,
+                    .applies = goes_through_waypoints,
+                    .help = help,
+                    .set = set});
+    return rows.back();
+  };
+  SchemaRow& time = add("time", ValueType::quantity, Dimension::time,
+                        "Instant of the waypoint since the start of the cycle; the first is 0 s.",
+                        into_waypoint([](Waypoint& waypoint, const Value& value) {
+                          waypoint.time = value.numbers[0];
+                        }));
+  time.range = not_negative;
+  time.need = Need::when_it_applies;
+  add("position", ValueType::quantity_pair, Dimension::length,
+      "Centre of the slider, x and y from the skin's corner.",
+      into_waypoint(
+          [](Waypoint& waypoint, const Value& value) { store(value, waypoint.position); }))
+      .need = Need::when_it_applies;
+  add("height", ValueType::quantity, Dimension::length,
+      "Height of the slider's underside above the undeformed top face; negative when it indents.",
+      into_waypoint(
+          [](Waypoint& waypoint, const Value& value) { waypoint.height = value.numbers[0]; }));
+  add("force", ValueType::quantity, Dimension::force, "Normal force, in place of a height.",
+      into_waypoint(
+          [](Waypoint& waypoint, const Value& value) { waypoint.force = value.numbers[0]; }))
+      .range = positive;
+  rows.push_back({.key = "motion.file",
+                  .type = ValueType::text,
+                  .need = Need::one_of_several,
+                  .applies = goes_through_waypoints,
+                  .help = "File of waypoints in place of motion.waypoints: columns time, x, y, "
+                          "height or force, with units in the header.",
+                  .set = into(&Case::motion, &Motion::file)});
 }
 
 } // namespace
@@ -70,7 +129,8 @@ void add_slider(SchemaRows& rows) {
       {.key = "slider.start",
        .type = ValueType::quantity_pair,
        .dimension = Dimension::length,
-       .need = Need::with_contact,
+       .need = Need::when_it_applies,
+       .applies = goes_in_strokes,
        .help = "Centre of the slider at the start of a cycle, x and y from the skin's corner.",
        .set = into(&Case::slider, &Slider::start)});
 }
@@ -80,11 +140,14 @@ void add_motion(SchemaRows& rows) {
       {.key = "motion.kind",
        .type = ValueType::choice,
        .default_value = "\"touch-slide-lift\"",
-       .choices = {{"touch-slide-lift"}},
-       .help = "Touchdown, slide in contact, lift-off, detached return.",
+       .choices = {{"touch-slide-lift"}, {"reciprocating"}, {"waypoints"}},
+       .help = "Touchdown, slide in contact, lift-off, detached return; the same with strokes back "
+               "and forth; or any path through waypoints.",
        .source = "the paper's cycle",
        .set = into<Motion, MotionKind>(&Case::motion, &Motion::kind,
-                                       {{"touch-slide-lift", MotionKind::touch_slide_lift}})});
+                                       {{"touch-slide-lift", MotionKind::touch_slide_lift},
+                                        {"reciprocating", MotionKind::reciprocating},
+                                        {"waypoints", MotionKind::waypoints}})});
   rows.push_back(distance("motion.gap",
                           "Clearance between slider and skin at the start of a cycle.",
                           not_negative, &Motion::gap));
@@ -93,28 +156,48 @@ void add_motion(SchemaRows& rows) {
                   .dimension = Dimension::length,
                   .other_dimension = Dimension::force,
                   .range = positive,
-                  .need = Need::with_contact,
+                  .need = Need::when_it_applies,
+                  .applies = goes_in_strokes,
                   .help = "Indentation while sliding, or the normal force that is held instead.",
                   .set = into_preload});
   rows.push_back(distance("motion.stroke", "Length of the slide; zero is a press-and-hold.",
                           not_negative, &Motion::stroke));
   rows.push_back({.key = "motion.direction",
                   .type = ValueType::number_pair,
+                  .applies = goes_in_strokes,
                   .default_value = "[1, 0]",
                   .help = "Direction of the slide in the x-y plane; any length, it is normalised.",
                   .source = "the paper slides along the skin",
                   .set = into_direction});
   rows.push_back(duration("motion.touchdown", "Duration of the descent.", &Motion::touchdown));
-  rows.push_back(
-      duration("motion.slide", "Duration of the slide, or of the hold.", &Motion::slide));
+  rows.push_back(duration("motion.slide", "Duration of the slide, or of the hold; of one stroke.",
+                          &Motion::slide));
   rows.push_back(duration("motion.lift", "Duration of the ascent.", &Motion::lift));
   rows.push_back(duration("motion.return", "Duration of the detached return.", &Motion::return_));
+  rows.push_back({.key = "motion.strokes",
+                  .type = ValueType::integer,
+                  .range = {1, 1000, true, true},
+                  .applies = reciprocates,
+                  .default_value = "2",
+                  .help = "Number of strokes in contact, back and forth, one way each.",
+                  .source = "once there and back",
+                  .set = into(&Case::motion, &Motion::strokes)});
+  rows.push_back({.key = "motion.dwell",
+                  .type = ValueType::quantity,
+                  .dimension = Dimension::time,
+                  .range = not_negative,
+                  .applies = reciprocates,
+                  .default_value = "\"0 s\"",
+                  .help = "Rest of the slider at each reversal.",
+                  .source = "no rest",
+                  .set = into(&Case::motion, &Motion::dwell)});
   rows.push_back({.key = "motion.cycles",
                   .type = ValueType::integer,
                   .range = {1, 10000, true, true},
                   .default_value = "1",
                   .help = "Number of cycles.",
                   .set = into(&Case::motion, &Motion::cycles)});
+  add_waypoints(rows);
 }
 
 void add_contact(SchemaRows& rows) {

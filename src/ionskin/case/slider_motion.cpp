@@ -37,16 +37,49 @@ private:
   std::vector<MotionLeg> legs_;
 };
 
-std::vector<MotionLeg> touch_slide_lift(const Motion& motion, const Slider& slider) {
-  const SliderLevel above{false, motion.gap}, pressed{false, -motion.preload};
+/// Touchdown, strokes back and forth with rests between them, lift-off, return.
+std::vector<MotionLeg> strokes(const Motion& motion, const Slider& slider, int count) {
+  const SliderLevel above{false, motion.gap};
+  const SliderLevel pressed = motion.force_controlled() ? SliderLevel{true, motion.preload_force}
+                                                        : SliderLevel{false, -motion.preload};
   const Point start = slider.start;
   const Point end{start[0] + motion.stroke * motion.direction[0],
                   start[1] + motion.stroke * motion.direction[1]};
   Cycle cycle(start, above);
   cycle.add(Phase::touchdown, motion.touchdown, start, pressed);
-  cycle.add(Phase::slide, motion.slide, end, pressed);
-  cycle.add(Phase::lift, motion.lift, end, above);
+  for (int i = 0; i < count; ++i) {
+    const Point& from = i % 2 == 0 ? start : end;
+    if (i > 0 && motion.dwell > 0)
+      cycle.add(Phase::slide, motion.dwell, from, pressed);
+    cycle.add(Phase::slide, motion.slide, i % 2 == 0 ? end : start, pressed);
+  }
+  const Point last = count % 2 == 0 ? start : end;
+  cycle.add(Phase::lift, motion.lift, last, above);
   cycle.add(Phase::return_, motion.return_, start, above);
+  return cycle.take();
+}
+
+SliderLevel level_of(const Waypoint& waypoint) {
+  return waypoint.force ? SliderLevel{true, *waypoint.force}
+                        : SliderLevel{false, waypoint.height.value_or(0)};
+}
+
+/// Detached legs belong to touchdown before the first contact and to the return behind it.
+Phase phase_of(const SliderLevel& from, const SliderLevel& to, bool has_touched) {
+  if (from.touches())
+    return to.touches() ? Phase::slide : Phase::lift;
+  return to.touches() || !has_touched ? Phase::touchdown : Phase::return_;
+}
+
+std::vector<MotionLeg> through_waypoints(const std::vector<Waypoint>& waypoints) {
+  Cycle cycle(waypoints.front().position, level_of(waypoints.front()));
+  bool has_touched = false;
+  for (std::size_t i = 1; i < waypoints.size(); ++i) {
+    const SliderLevel from = level_of(waypoints[i - 1]), to = level_of(waypoints[i]);
+    cycle.add(phase_of(from, to, has_touched), waypoints[i].time - waypoints[i - 1].time,
+              waypoints[i].position, to);
+    has_touched = has_touched || to.touches();
+  }
   return cycle.take();
 }
 
@@ -84,10 +117,26 @@ bool MotionLeg::repeats(const MotionLeg& other) const {
          from_level == other.from_level && to_level == other.to_level;
 }
 
+double Motion::cycle_duration() const {
+  switch (kind) {
+  case MotionKind::touch_slide_lift:
+    return touchdown + slide + lift + return_;
+  case MotionKind::reciprocating:
+    return touchdown + strokes * slide + (strokes - 1) * dwell + lift + return_;
+  case MotionKind::waypoints:
+    return waypoints.empty() ? 0 : waypoints.back().time;
+  }
+  throw InternalError("a kind of motion without duration");
+}
+
 std::vector<MotionLeg> motion_legs(const Motion& motion, const Slider& slider) {
   switch (motion.kind) {
   case MotionKind::touch_slide_lift:
-    return touch_slide_lift(motion, slider);
+    return strokes(motion, slider, 1);
+  case MotionKind::reciprocating:
+    return strokes(motion, slider, motion.strokes);
+  case MotionKind::waypoints:
+    return through_waypoints(motion.waypoints);
   }
   throw InternalError("a kind of motion without legs");
 }
@@ -114,8 +163,9 @@ ContactPart contact_part(const MotionLeg& leg) {
 }
 
 MotionBox motion_box(const Motion& motion, const Slider& slider) {
-  MotionBox box{slider.start, slider.start};
-  for (const MotionLeg& leg : motion_legs(motion, slider))
+  const std::vector<MotionLeg> legs = motion_legs(motion, slider);
+  MotionBox box{legs.front().from, legs.front().from};
+  for (const MotionLeg& leg : legs)
     for (const std::size_t d : {0, 1}) {
       box.low[d] = std::min(box.low[d], leg.to[d]);
       box.high[d] = std::max(box.high[d], leg.to[d]);

@@ -75,15 +75,20 @@ std::string list_of_siblings(const std::string& key, const std::string& pattern)
 }
 
 constexpr const char* layer_list = "skin.layers";
+constexpr const char* waypoint_list = "motion.waypoints";
 
 // What one table of a list stands for, for messages.
 std::string entry_name(const std::string& pattern) {
+  if (pattern == waypoint_list)
+    return "waypoint, in the order of time";
   return pattern == layer_list ? "layer, from bottom to top" : "taxel";
 }
 
 void resize_list(Case& input, const std::string& pattern, std::size_t size) {
   if (pattern == layer_list)
     input.skin.layers.resize(size);
+  else if (pattern == waypoint_list)
+    input.motion.waypoints.resize(size);
   else
     input.readout.taxels.resize(size);
 }

@@ -38,12 +38,13 @@ void warn_of_short_slides(const ContactPlan& plan, double friction, ContactSolut
     }
   }
   if (count > 0) {
-    solution.warnings.push_back(fmt::format(
-        "{} of up to {:.3g} um before the slider slides fully at a friction of {:.3g}; what "
-        "happens until it does so is computed at the mesh of the place where it begins",
-        count == 1 ? std::string("a slide ends after a way")
-                   : fmt::format("{} slides end after ways", count),
-        longest * 1e6, friction));
+    const std::string which =
+        count == 1 ? fmt::format("a slide of {:.3g} um ends", longest * 1e6)
+                   : fmt::format("{} slides of at most {:.3g} um end", count, longest * 1e6);
+    solution.warnings.push_back(
+        fmt::format("{} before the slider slides fully at a friction of {:.3g}; until it does so "
+                    "all is computed on the mesh of the place where it began",
+                    which, friction));
   }
 }
 

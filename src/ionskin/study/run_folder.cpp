@@ -10,6 +10,22 @@
 namespace ionskin::study {
 namespace {
 
+std::string waypoints_text(const Motion& motion) {
+  std::string text;
+  for (const Waypoint& waypoint : motion.waypoints) {
+    text += fmt::format(" waypoint {} {} {} {}", waypoint.time, waypoint.position,
+                        waypoint.height ? fmt::format("height {}", *waypoint.height) : "",
+                        waypoint.force ? fmt::format("force {}", *waypoint.force) : "");
+  }
+  return text;
+}
+
+/// The text of a case stands for all of it but for the contents of its file of waypoints.
+std::string input_hash(const Case& input) {
+  const bool from_file = !input.motion.file.empty();
+  return results::content_hash(input.text + (from_file ? waypoints_text(input.motion) : ""));
+}
+
 results::ExistingFolder existing_folder(const RunOptions& options) {
   if (options.overwrite) {
     return results::ExistingFolder::overwrite;
@@ -22,8 +38,7 @@ results::ExistingFolder existing_folder(const RunOptions& options) {
 
 RunFolder::RunFolder(const Case& input, const RunOptions& options) : folder_(options.folder) {
   results::prepare_output_folder(folder_, existing_folder(options));
-  manifest_ =
-      results::new_manifest(options.command, options.threads, results::content_hash(input.text));
+  manifest_ = results::new_manifest(options.command, options.threads, input_hash(input));
   const auto manifest_path = file(results::file_names::manifest);
   if ((options.resume || options.studies == Studies::electrochemistry) &&
       std::filesystem::exists(manifest_path)) {
@@ -85,7 +100,9 @@ std::string mechanics_hash(const Case& input) {
   text += fmt::format(" motion {} {} {} {} {} {} {} {} {} {}", static_cast<int>(motion.kind),
                       motion.gap, motion.preload, motion.stroke, motion.direction, motion.touchdown,
                       motion.slide, motion.lift, motion.return_, motion.cycles);
-  text += fmt::format(" force {}", motion.preload_force);
+  text +=
+      fmt::format(" force {} strokes {} {}", motion.preload_force, motion.strokes, motion.dwell);
+  text += waypoints_text(motion);
   text += fmt::format(" contact {} {} measure {}", static_cast<int>(input.contact.law),
                       input.contact.friction, static_cast<int>(input.coupling.measure));
   text += fmt::format(" numerics {} {} {}", static_cast<int>(input.numerics.preset),

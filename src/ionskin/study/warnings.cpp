@@ -64,10 +64,10 @@ std::vector<std::string> mechanics_warnings(const Case& input, const MechanicsRe
     const double pressure = force / (input.slider.size[0] * input.slider.size[1]);
     if (pressure > pressure_limit) {
       warnings.push_back(
-          fmt::format("The preload of {:.3g} um presses with {:.3g} N, a mean pressure of {:.3g} "
-                      "MPa. Pressure under "
+          fmt::format("The slider presses with up to {:.3g} N, a mean pressure of {:.3g} MPa. "
+                      "Pressure under "
                       "the slider's sharp edges depends on the mesh and is no result.",
-                      input.motion.preload * 1e6, force, pressure / 1e6));
+                      force, pressure / 1e6));
     }
   }
   return warnings;

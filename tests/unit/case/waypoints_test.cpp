@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/base/error.hpp"
+#include "ionskin/case/read_case.hpp"
+#include "temporary_case.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace ionskin {
+namespace {
+
+using testing::HasSubstr;
+
+/// The valid case with another section on the motion.
+std::string with_motion(const std::string& motion) {
+  std::string text = valid_case("start = [\"4.5 mm\", \"1 mm\"]\n", "");
+  const std::size_t begin = text.find("[motion]"), end = text.find("[contact]");
+  return text.replace(begin, end - begin, motion + "\n");
+}
+
+const std::string path = R"([motion]
+kind = "waypoints"
+[[motion.waypoints]]
+time = "0 s"
+position = ["4 mm", "1 mm"]
+height = "1 mm"
+[[motion.waypoints]]
+time = "0.5 s"
+position = ["4 mm", "1 mm"]
+force = "1 N"
+[[motion.waypoints]]
+time = "2 s"
+position = ["6 mm", "1 mm"]
+force = "2 N"
+)";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+TEST(Waypoints, AreReadFromTheCase) {
+  const TemporaryCase file(with_motion(path));
+  const Case input = read_case(file.path());
+  ASSERT_EQ(input.motion.waypoints.size(), 3u);
+  EXPECT_EQ(input.motion.waypoints[0].height, 1e-3);
+  EXPECT_EQ(input.motion.waypoints[1].force, 1);
+  EXPECT_DOUBLE_EQ(input.motion.waypoints[2].position[0], 6e-3);
+  EXPECT_DOUBLE_EQ(input.slider.start[0], 4e-3);
+  EXPECT_EQ(input.motion.cycle_duration(), 2);
+}
+
+struct Mistake {
+  std::string from, to, message;
+};
+
+TEST(Waypoints, MistakesAreSaid) {
+  const Mistake mistakes[] = {
+      {"height = \"1 mm\"", "height = \"-1 um\"", "touches the skin from the start"},
+      {"height = \"1 mm\"", "", "waypoint 1 has neither height nor force"},
+      {"force = \"2 N\"", "force = \"2 N\"\nheight = \"0 mm\"", "both a height and a force"},
+      {"force = \"2 N\"", "height = \"-1 um\"", "while a height turns into a force"},
+      {"time = \"2 s\"", "time = \"0.4 s\"", "does not come after waypoint 2"},
+      {"time = \"0 s\"", "time = \"0.1 s\"", "the first waypoint must be at 0 s"},
+      {"time = \"0 s\"\n", "", "missing key motion.waypoints[0].time"},
+      {"[\"6 mm\"", "[\"14 mm\"", "not inside the skin at waypoint 3"},
+      {"kind = \"waypoints\"", "kind = \"waypoints\"\ncycles = 2", "does not end where it begins"},
+      {"kind = \"waypoints\"", "kind = \"waypoints\"\nstroke = \"1 mm\"", "stroke has no effect"},
+      {"height = \"1 mm\"", "heigth = \"1 mm\"", "did you mean motion.waypoints[0].height"}};
+  for (const Mistake& mistake : mistakes)
+    EXPECT_THAT(error_of(with_motion(replaced(path, mistake.from, mistake.to))),
+                HasSubstr(mistake.message));
+  EXPECT_THAT(error_of(with_motion("[motion]\nkind = \"waypoints\"\n")),
+              HasSubstr("at least two waypoints"));
+  EXPECT_THAT(error_of(valid_case("stroke = \"6 mm\"", "stroke = \"6 mm\"\nstrokes = 3")),
+              HasSubstr("motion.strokes has no effect"));
+}
+
+std::string error_of_file(const std::string& rows) {
+  const TemporaryCase file(with_motion("[motion]\nkind = \"waypoints\"\nfile = \"path.csv\""));
+  std::ofstream(file.folder() + "/path.csv") << rows;
+  try {
+    read_case(file.path());
+  } catch (const UserError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Waypoints, AreReadFromAFileWithUnitsInItsHeader) {
+  const TemporaryCase file(with_motion("[motion]\nkind = \"waypoints\"\nfile = \"path.csv\""));
+  std::ofstream(file.folder() + "/path.csv")
+      << "# a recorded path\ntime [ms], x [mm], y [mm], height [um], force [N]\n"
+         "0, 4, 1, 1000,\n500, 4, 1, , 1.5\n\n";
+  const Case input = read_case(file.path());
+  ASSERT_EQ(input.motion.waypoints.size(), 2u);
+  EXPECT_DOUBLE_EQ(input.motion.waypoints[1].time, 0.5);
+  EXPECT_DOUBLE_EQ(*input.motion.waypoints[0].height, 1e-3);
+  EXPECT_EQ(input.motion.waypoints[1].force, 1.5);
+  EXPECT_THAT(input.text, HasSubstr(file.folder() + "/path.csv"));
+}
+
+TEST(Waypoints, MistakesInAFileAreSaidWithTheirLine) {
+  const std::string header = "time [s], x [mm], y [mm], height [um]\n";
+  EXPECT_THAT(error_of_file("time, x [mm]\n"), HasSubstr("\"time\" has no unit"));
+  EXPECT_THAT(error_of_file("time [s], x [mm], y [mm]\n"), HasSubstr("neither a column"));
+  EXPECT_THAT(error_of_file("time [s], x [kg], y [mm], height [um]\n"), HasSubstr("x: "));
+  EXPECT_THAT(error_of_file("time [s], x [mm], y [mm], hight [um]\n"),
+              HasSubstr("did you mean \"height\"?"));
+  EXPECT_THAT(error_of_file(header + "0, 4, 1\n"), HasSubstr("path.csv:2"));
+  EXPECT_THAT(error_of_file(header + "0, 4, 1, 5\n1, four, 1, 5\n"), HasSubstr("path.csv:3"));
+  EXPECT_THAT(error_of_file(header + "0, 4, 1, 5\n1, 4, 1, 5\n1, 4, 1, 5\n"),
+              HasSubstr("path.csv:4"));
+  EXPECT_THAT(error_of_file(""), HasSubstr("no header"));
+}
+
+} // namespace
+} // namespace ionskin
