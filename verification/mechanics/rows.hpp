@@ -11,6 +11,8 @@ namespace ionskin::verification {
 std::vector<Row> patch_rows();
 /// M4 to M8 on the baseline at the coarse preset.
 std::vector<Row> contact_rows(const Options& options);
+/// M9 to M11: off-centre, oblique and reversing tracks, force control.
+std::vector<Row> motion_rows(const Options& options);
 /// Observed orders of reported averages under numerics.mesh_refinement, in plane strain.
 std::vector<Row> convergence_rows(const Options& options);
 

@@ -5,7 +5,8 @@ namespace ionskin::verification {
 
 std::vector<Row> verify_mechanics(const Options& options) {
   std::vector<Row> rows = patch_rows();
-  for (const auto& more : {convergence_rows(options), contact_rows(options)}) {
+  for (const auto& more :
+       {convergence_rows(options), contact_rows(options), motion_rows(options)}) {
     rows.insert(rows.end(), more.begin(), more.end());
   }
   return rows;

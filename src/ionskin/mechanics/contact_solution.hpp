@@ -29,6 +29,7 @@ struct ContactState {
   std::vector<double> normal_traction;       ///< [Pa]
   std::vector<double> tangential_traction_x; ///< [Pa]
   std::vector<double> tangential_traction_y; ///< [Pa]
+  std::vector<double> surface; ///< mean displacement of each cell: normal downwards, x, y [m]
   /// Length of the slip since the state before on the path [m]; in steady sliding the travel since
   /// the node before.
   std::vector<double> slip;

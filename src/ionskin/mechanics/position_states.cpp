@@ -62,6 +62,7 @@ void PositionStates::add(ContactState& destination, SurfaceState state,
                          double reference_force, double reference_indentation) {
   const CellVector force = reflected(model_.cells, state.force, position.reflect);
   store_tractions(model_.cells, force, destination);
+  destination.surface = reflected(model_.cells, state.surface, position.reflect);
   store_sums(force, model_.mesh.half_model(), destination);
   for (std::size_t cell = 0; cell < model_.cells.count(); ++cell) {
     destination.slip.push_back(state.slip[reflected_cell(model_.cells, cell, position.reflect)]);

@@ -22,8 +22,8 @@ linear_algebra::SymbolicCholesky analyse(const ElasticSpace& space, const Contac
 
 } // namespace
 
-SkinModel::SkinModel(const Case& input)
-    : mesh(input),
+SkinModel::SkinModel(const Case& input, mesh::MeshedPart part)
+    : mesh(input, part),
       space(mesh.lines(input.slider.start), skin_boundary(input.skin, mesh.half_model())),
       law_of_row(laws_of_rows(input.skin, mesh)),
       cells(contact_cells(mesh, space, cells_per_element_edge)), gap(cells.count(), 0.0),

@@ -23,7 +23,8 @@ struct SkinModel {
   std::vector<double> gap; ///< of the slider's underside over the cells [m]
   linear_algebra::SymbolicCholesky symbolic;
 
-  explicit SkinModel(const Case& input);
+  explicit SkinModel(const Case& input,
+                     mesh::MeshedPart part = mesh::MeshedPart::half_if_symmetric);
 };
 
 } // namespace ionskin::mechanics

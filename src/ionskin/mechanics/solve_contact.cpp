@@ -15,6 +15,10 @@
 namespace ionskin::mechanics {
 namespace {
 
+mesh::MeshedPart whole(const ContactOptions& options) {
+  return options.full_model ? mesh::MeshedPart::whole : mesh::MeshedPart::half_if_symmetric;
+}
+
 /// Threads whose factors fit together into the memory meant for them.
 int threads_within_memory(const SkinModel& model, int threads) {
   constexpr double factor_memory = 2.4e9; // bytes
@@ -43,7 +47,7 @@ private:
 std::vector<ContactSolution> solve_contact(const Case& input, const std::vector<double>& frictions,
                                            const ContactOptions& options, base::Timers& timers) {
   auto analysis = std::make_unique<base::Timers::Scope>(timers, "mechanics: analysis");
-  const SkinModel model(input);
+  const SkinModel model(input, whole(options));
   analysis.reset();
   base::check_interrupt();
 

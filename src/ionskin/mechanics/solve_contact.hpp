@@ -17,6 +17,8 @@ struct ContactOptions {
   PathSteps steps;
   /// Interpolation nodes along the track; 0 takes the preset's.
   std::size_t nodes = 0;
+  /// Meshes the whole skin where half of it would do, to compare.
+  bool full_model = false;
   /// Surface displacement that an earlier cycle left under the slider's start [m], as in
   /// ContactSolution::final_surface; empty for none.
   std::vector<double> surface_before;

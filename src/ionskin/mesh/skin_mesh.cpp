@@ -99,8 +99,8 @@ SkinMesh::Axis SkinMesh::make_axis(const Case& input, std::size_t direction) con
   return axis;
 }
 
-SkinMesh::SkinMesh(const Case& input) : skin_(input.skin) {
-  half_model_ = moves_on_symmetry_plane(input);
+SkinMesh::SkinMesh(const Case& input, MeshedPart part) : skin_(input.skin) {
+  half_model_ = part == MeshedPart::half_if_symmetric && moves_on_symmetry_plane(input);
   x_ = make_axis(input, 0);
   y_ = make_axis(input, 1);
 

@@ -15,6 +15,9 @@ struct MeshLines {
   std::vector<double> x, y, z;
 };
 
+/// Half the skin suffices where the motion lies on the symmetry plane.
+enum class MeshedPart { half_if_symmetric, whole };
+
 /// The slider-attached mesh of one case: a fixed topology whose lines stay on the slider's edges
 /// while the parts outside the footprint stretch smoothly with the slider's position, so that every
 /// result is a smooth function of the position along the track. Mirrored positions have mirrored
@@ -24,13 +27,13 @@ public:
   /// Builds the element counts once for all positions of the track.
   /// Throws UserError when the slider comes so close to the skin's edge that no element fits
   /// between.
-  explicit SkinMesh(const Case& input);
+  explicit SkinMesh(const Case& input, MeshedPart part = MeshedPart::half_if_symmetric);
 
   /// Lines for a slider centred at `centre` [m]. The half model spans y in [0, width / 2].
   MeshLines lines(const std::array<double, 2>& centre) const;
 
-  /// True when the motion lies on the symmetry plane y = width / 2 and only y <= width / 2 is
-  /// meshed.
+  /// True when only y <= width / 2 is meshed, as the motion lies on the symmetry plane y = width /
+  /// 2.
   bool half_model() const { return half_model_; }
   /// First and one-past-last element index of the footprint along x and y.
   std::array<std::size_t, 2> footprint_x() const {

@@ -36,6 +36,16 @@ void write_mechanics(const std::filesystem::path& path, const std::string& hash,
   write("/path/onset_begin", onset_column(record, 0), "s");
   write("/path/onset_end", onset_column(record, 1), "s");
   file.write_texts("/path/warnings", record.warnings);
+  std::vector<std::string> names, units;
+  std::vector<double> values;
+  for (const readout::Metric& metric : record.metrics) {
+    names.push_back(metric.name);
+    units.push_back(metric.unit);
+    values.push_back(metric.value);
+  }
+  file.write("/path/metrics/value", values);
+  file.write_texts("/path/metrics/name", names);
+  file.write_texts("/path/metrics/unit", units);
   file.set_attribute("/path", "mechanics_hash", hash);
   file.set_attribute("/path", "join_time", record.join_time);
   file.set_attribute("/path", "worst_equilibrium_residual", record.worst_equilibrium_residual);
@@ -65,6 +75,12 @@ std::optional<MechanicsRecord> read_mechanics(const std::filesystem::path& path,
     const auto begins = file.read("/path/onset_begin"), ends = file.read("/path/onset_end");
     for (std::size_t i = 0; i < begins.size(); ++i) {
       record.onsets.push_back({begins[i], ends[i]});
+    }
+    const auto names = file.read_texts("/path/metrics/name");
+    const auto units = file.read_texts("/path/metrics/unit");
+    const auto values = file.read("/path/metrics/value");
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      record.metrics.push_back({names[i], values[i], units[i]});
     }
     record.warnings = file.read_texts("/path/warnings");
     record.join_time = number("join_time");

@@ -2,7 +2,9 @@
 #include "ionskin/study/mechanics_record.hpp"
 
 #include "ionskin/case/slider_motion.hpp"
+#include "ionskin/readout/phases.hpp"
 #include "ionskin/strain/contact_timeline.hpp"
+#include "ionskin/strain/energy_balance.hpp"
 #include "ionskin/strain/handover.hpp"
 
 #include <fmt/core.h>
@@ -79,6 +81,45 @@ std::vector<results::ContactMap> make_maps(const std::vector<MotionLeg>& legs,
   return collector.take();
 }
 
+/// Area of the cells that press on the skin [m2].
+double contact_area(const mechanics::ContactSolution& contact,
+                    const strain::StateCombination& combination) {
+  const std::size_t columns = contact.cell_lines_x.size() - 1;
+  double area = 0;
+  for (std::size_t cell = 0; cell < columns * (contact.cell_lines_y.size() - 1); ++cell) {
+    const std::size_t i = cell % columns, j = cell / columns;
+    double traction = 0;
+    for (const auto& term : combination.terms) {
+      traction += term.weight * term.state->normal_traction[cell];
+    }
+    if (traction > 0) {
+      area += (contact.cell_lines_x[i + 1] - contact.cell_lines_x[i]) *
+              (contact.cell_lines_y[j + 1] - contact.cell_lines_y[j]);
+    }
+  }
+  return contact.mesh.half_model() ? 2 * area : area;
+}
+
+std::vector<readout::Metric> contact_metrics(const Case& input,
+                                             const mechanics::ContactSolution& contact,
+                                             const strain::ContactTimeline& timeline) {
+  const auto slide = timeline.at(readout::middle_of_slide(input.motion, input.slider));
+  const double area = contact_area(contact, slide);
+  const strain::EnergyBalance energy = strain::energy_balance(timeline, contact);
+  std::vector<readout::Metric> metrics{
+      {"contact_area_slide", area, "m2"},
+      {"mean_pressure_slide", area > 0 ? slide.normal_force() / area : 0.0, "Pa"},
+      {"external_work", energy.external_work, "J"},
+      {"friction_work", energy.friction_work, "J"},
+      {"energy_balance_error", energy.relative_error, "1"}};
+  const auto pressed = timeline.at(readout::end_of_touchdown(input.motion, input.slider));
+  if (!pressed.terms.empty()) {
+    metrics.push_back(
+        {"stick_fraction_touchdown", pressed.terms.front().state->stick_fraction, "1"});
+  }
+  return metrics;
+}
+
 } // namespace
 
 MechanicsRecord make_mechanics_record(const Case& input,
@@ -105,6 +146,7 @@ MechanicsRecord make_mechanics_record(const Case& input,
   record.worst_complementarity_residual = contact.worst_complementarity_residual;
   record.contact_solves = contact.contact_solves;
   record.warnings = contact.warnings;
+  record.metrics = contact_metrics(input, contact, timeline);
   return record;
 }
 

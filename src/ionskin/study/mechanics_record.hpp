@@ -3,6 +3,7 @@
 
 #include "ionskin/case/case.hpp"
 #include "ionskin/mechanics/contact_solution.hpp"
+#include "ionskin/readout/metrics.hpp"
 #include "ionskin/results/contact_map.hpp"
 #include "ionskin/strain/strain_history.hpp"
 
@@ -27,6 +28,7 @@ struct MechanicsRecord {
   double worst_equilibrium_residual = 0;
   double worst_complementarity_residual = 0;
   int contact_solves = 0;
+  std::vector<readout::Metric> metrics; ///< of the contact, for summary.json
   std::vector<std::string> warnings;
 
   bool has_contact() const { return !normal_force.empty(); }

@@ -73,6 +73,7 @@ void add_slide_metrics(const Case& input, const MechanicsRecord& mechanics,
                                               readout::middle_of_slide(input.motion, input.slider));
   metrics.push_back({"p95_shear_slide", slide.p95, "1"});
   metrics.push_back({"element_max_shear_slide", slide.element_max, "1"});
+  metrics.insert(metrics.end(), mechanics.metrics.begin(), mechanics.metrics.end());
   metrics.push_back({"equilibrium_residual", mechanics.worst_equilibrium_residual, "1"});
   metrics.push_back({"complementarity_residual", mechanics.worst_complementarity_residual, "1"});
 }

@@ -2,6 +2,7 @@
 #include "ionskin/mechanics/solve_contact.hpp"
 
 #include "ionskin/mechanics/condensed_position.hpp"
+#include "ionskin/mechanics/contact_plan.hpp"
 #include "ionskin/mechanics/core_strain.hpp"
 #include "ionskin/mechanics/slider_track.hpp"
 #include "small_case.hpp"
@@ -179,10 +180,72 @@ TEST(SolveContact, oblique_tracks_use_the_full_model) {
 
 TEST(SolveContact, half_and_full_model_agree) {
   Case input = small_case();
-  const ContactState half = touchdown(solve(input));
-  input.slider.start[1] += 1e-9;
-  const ContactState full = touchdown(solve(input));
-  EXPECT_NEAR(half.normal_force, full.normal_force, 1e-5 * full.normal_force);
+  input.motion.stroke = 0;
+  ContactOptions options;
+  options.full_model = true;
+  const ContactState half = touchdown(solve(input)), full = touchdown(solve(input, options));
+  EXPECT_NEAR(half.normal_force, full.normal_force, 1e-9 * full.normal_force);
+}
+
+TEST(SolveContact, a_stroke_back_starts_from_sliding_forth) {
+  Case input = small_case();
+  input.motion.kind = MotionKind::reciprocating;
+  input.motion.strokes = 3;
+  input.motion.dwell = 0.1;
+  ContactOptions options;
+  options.nodes = 3;
+  const ContactSolution solution = solve(input, options);
+  const LegSolution &forth = solution.legs[1], &rest = solution.legs[2], &back = solution.legs[3];
+  EXPECT_EQ(rest.last(), forth.last());
+  EXPECT_EQ(back.path.front().state, forth.last());
+  // It sticks at first and ends in sliding the other way.
+  EXPECT_GT(back.path[1].state->stick_fraction, 0.9);
+  const ContactState &last = *back.path.back().state, &steady = *back.steady.front().state;
+  EXPECT_NEAR(last.tangential_force[0], steady.tangential_force[0], 1e-5 * steady.normal_force);
+  EXPECT_NEAR(steady.tangential_force[0], -0.3 * steady.normal_force, 1e-8 * steady.normal_force);
+  // The skin is symmetric about its middle, and the third stroke repeats the first.
+  EXPECT_NEAR(steady.normal_force, forth.steady.front().state->normal_force,
+              1e-8 * steady.normal_force);
+  EXPECT_EQ(solution.legs[5].steady.front().state, forth.steady.front().state);
+  EXPECT_EQ(plan_contact(input, 3).positions.size(), 2u);
+}
+
+TEST(SolveContact, a_force_is_held_with_the_indentation_free) {
+  Case input = small_case();
+  input.motion.preload = 0;
+  input.motion.preload_force = 1;
+  ContactOptions options;
+  options.nodes = 3;
+  const ContactSolution solution = solve(input, options);
+  for (const auto* path : {&slide(solution).path, &slide(solution).steady}) {
+    for (const PathState& point : *path) {
+      EXPECT_NEAR(point.state->normal_force, 1, 1e-9);
+    }
+  }
+  EXPECT_GT(touchdown(solution).indentation, 1e-9);
+  EXPECT_NEAR(slide(solution).last()->indentation,
+              lift_off(solution).path.front().state->indentation, 0);
+  EXPECT_NEAR(lift_off(solution).last()->normal_force, 0, 1e-12);
+}
+
+TEST(SolveContact, a_path_may_land_and_leave_on_the_way) {
+  Case input = small_case();
+  input.motion.kind = MotionKind::waypoints;
+  input.motion.waypoints = {{0, {1.5e-3, 1e-3}, 1e-6, {}},
+                            {1, {2.0e-3, 1e-3}, -1e-6, {}},
+                            {2, {3.0e-3, 1e-3}, -1e-6, {}},
+                            {3, {3.5e-3, 1e-3}, 1e-6, {}}};
+  ContactOptions options;
+  options.nodes = 3;
+  const ContactSolution solution = solve(input, options);
+  const LegSolution &landing = solution.legs[0], &leaving = solution.legs[2];
+  EXPECT_DOUBLE_EQ(landing.path.front().time, 0.5);
+  EXPECT_EQ(landing.steady.front().state, nullptr);
+  EXPECT_NEAR(landing.last()->normal_force, slide(solution).steady.front().state->normal_force,
+              1e-9 * landing.last()->normal_force);
+  EXPECT_TRUE(slide(solution).path.empty()); // slides on in the same direction
+  EXPECT_DOUBLE_EQ(leaving.steady.back().time, 0.5);
+  EXPECT_EQ(leaving.last(), nullptr);
 }
 
 TEST(SolveContact, plane_strain_with_symmetric_sides) {

@@ -21,6 +21,7 @@ TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
       state->normal_traction = {2e6};
       state->tangential_traction_x = state->tangential_traction_y = {1e5};
       state->slip = {1e-6};
+      state->surface = {1e-6, 0, 0};
     }
   };
   for (const auto& leg : contact.legs) {
@@ -40,6 +41,10 @@ TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
   EXPECT_EQ(read->onsets, record.onsets);
   EXPECT_EQ(read->normal_force, record.normal_force);
   EXPECT_EQ(read->tangential_force, record.tangential_force);
+  ASSERT_EQ(read->metrics.size(), record.metrics.size());
+  EXPECT_EQ(read->metrics[0].name, "contact_area_slide");
+  EXPECT_EQ(read->metrics[0].value, record.metrics[0].value);
+  EXPECT_EQ(read->metrics[0].unit, "m2");
   EXPECT_EQ(read->join_time, record.join_time);
   EXPECT_EQ(read->warnings, record.warnings);
   EXPECT_EQ(read->history.time, record.history.time);

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/core_strain.hpp"
+#include "ionskin/mechanics/slider_track.hpp"
+#include "ionskin/mechanics/solve_contact.hpp"
+#include "ionskin/strain/contact_timeline.hpp"
+#include "ionskin/strain/energy_balance.hpp"
+#include "mechanics/baseline_case.hpp"
+#include "mechanics/rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ionskin::verification {
+namespace {
+
+using mechanics::ContactSolution;
+using mechanics::ContactState;
+
+/// A small skin on a mesh that costs little: these rows compare solutions on one mesh.
+Case small_case() {
+  Case input = baseline_case();
+  input.skin.length = 5e-3;
+  input.slider.size = {1e-3, 0.8e-3};
+  input.slider.start = {1.5e-3, 1e-3};
+  input.motion.stroke = 2e-3;
+  input.numerics.mesh_refinement = 0.5;
+  return input;
+}
+
+ContactSolution solve(const Case& input, const Options& options, bool full_model = false) {
+  mechanics::ContactOptions contact;
+  contact.threads = options.threads;
+  contact.full_model = full_model;
+  contact.nodes = 3;
+  base::Timers timers;
+  return mechanics::solve_contact(input, contact, timers);
+}
+
+const ContactState& in_mid_slide(const ContactSolution& solution) {
+  return *solution.legs[1].steady[1].state;
+}
+
+/// Integral of the off-diagonal shear over the whole core [m3].
+double shear(const Case& input, const ContactSolution& solution, const ContactState& state,
+             double fraction) {
+  const auto centre = mechanics::SliderTrack(input).centre(fraction * input.motion.stroke);
+  const double meshed = mechanics::off_diagonal_shear_integral(
+      state.strain, solution.mesh.lines(centre), solution.mesh.core_z());
+  return solution.mesh.half_model() ? 2 * meshed : meshed;
+}
+
+/// Largest relative difference of forces and shear in two solutions of the same cycle, where the
+/// second may be seen in a mirror.
+double difference(const Case& a_input, const ContactSolution& a, const Case& b_input,
+                  const ContactSolution& b, const std::array<double, 2>& mirror) {
+  double largest = 0;
+  const auto compare_states = [&](const ContactState& one, const ContactState& other,
+                                  double fraction) {
+    const double scale = one.normal_force;
+    largest = std::max(largest, std::abs(other.normal_force - scale) / scale);
+    for (std::size_t d = 0; d < 2; ++d) {
+      largest = std::max(largest,
+                         std::abs(mirror[d] * other.tangential_force[d] - one.tangential_force[d]) /
+                             scale);
+    }
+    largest = std::max(
+        largest,
+        std::abs(shear(b_input, b, other, fraction) / shear(a_input, a, one, fraction) - 1));
+  };
+  compare_states(*a.legs[0].last(), *b.legs[0].last(), 0);
+  compare_states(*a.legs[1].path[15].state, *b.legs[1].path[15].state, 0);
+  for (std::size_t i = 0; i < a.legs[1].steady.size(); ++i) {
+    compare_states(*a.legs[1].steady[i].state, *b.legs[1].steady[i].state,
+                   a.legs[1].steady[i].time / a_input.motion.slide);
+  }
+  return largest;
+}
+
+/// The same slide seen in a mirror along x, along y or along both.
+Case mirrored(Case input, const std::array<double, 2>& mirror) {
+  const std::array<double, 2> extent{input.skin.length, input.skin.width};
+  for (std::size_t d = 0; d < 2; ++d) {
+    if (mirror[d] < 0) {
+      input.slider.start[d] = extent[d] - input.slider.start[d];
+      input.motion.direction[d] *= -1;
+    }
+  }
+  return input;
+}
+
+/// Off-centre and oblique slides against their mirror images, none of which shares a position with
+/// its image within one solution.
+void add_mirror_rows(const Options& options, std::vector<Row>& rows) {
+  const auto add = [&](const char* quantity, const Case& input,
+                       const std::array<double, 2>& mirror) {
+    const Case image = mirrored(input, mirror);
+    rows.push_back(at_most(
+        "M9", quantity,
+        difference(input, solve(input, options), image, solve(image, options), mirror), 1e-8));
+  };
+  Case off_centre = small_case();
+  off_centre.slider.start = {1.2e-3, 0.85e-3};
+  off_centre.motion.stroke = 1e-3;
+  add("off-centre slide against its mirror image, forces and shear", off_centre, {1, -1});
+  Case oblique = off_centre;
+  oblique.motion.direction = {0.96, 0.28};
+  oblique.motion.stroke = 0.6e-3;
+  add("oblique slide against its mirror image, forces and shear", oblique, {-1, -1});
+}
+
+/// The half model meshes the same elements as the full one.
+void add_half_model_row(const Options& options, std::vector<Row>& rows) {
+  const Case input = small_case();
+  rows.push_back(at_most(
+      "M9", "half model against full model, forces and shear",
+      difference(input, solve(input, options), input, solve(input, options, true), {1, 1}), 1e-9));
+}
+
+/// A square skin and slider: x and y differ by the element counts outside the footprint alone.
+void add_direction_row(const Options& options, std::vector<Row>& rows) {
+  Case along_x = small_case();
+  along_x.skin.width = along_x.skin.length = 3e-3;
+  along_x.slider.size = {0.8e-3, 0.8e-3};
+  along_x.slider.start = {1e-3, 1.5e-3};
+  along_x.motion.stroke = 1e-3;
+  Case along_y = along_x;
+  std::swap(along_y.slider.start[0], along_y.slider.start[1]);
+  along_y.motion.direction = {0, 1};
+  const ContactSolution x = solve(along_x, options), y = solve(along_y, options);
+  const double force = in_mid_slide(y).normal_force / in_mid_slide(x).normal_force - 1;
+  const double sheared =
+      shear(along_y, y, in_mid_slide(y), 0.5) / shear(along_x, x, in_mid_slide(x), 0.5) - 1;
+  rows.push_back(at_most("M9", "slide along y against slide along x on a square skin, relative",
+                         std::max(std::abs(force), std::abs(sheared)), 5e-3));
+}
+
+/// Area between two tangential forces over a stroke's onset, over that below their magnitudes.
+double loop_gap(const ContactSolution& solution, std::size_t leg, std::size_t other) {
+  const auto &a = solution.legs[leg].path, &b = solution.legs[other].path;
+  double gap = 0, scale = 0;
+  for (std::size_t i = 1; i < a.size(); ++i) {
+    gap =
+        std::max(gap, std::abs(a[i].state->tangential_force[0] - b[i].state->tangential_force[0]));
+    scale = std::max(scale, std::abs(a[i].state->tangential_force[0]));
+  }
+  return gap / scale;
+}
+
+/// Small strokes that stay on one mesh and step through the whole history.
+void add_reversal_rows(const Options& options, std::vector<Row>& rows) {
+  Case input = small_case();
+  input.motion.kind = MotionKind::reciprocating;
+  input.motion.strokes = 5;
+  input.motion.stroke = 2e-6; // ends within the onset, so that every step is taken
+  const ContactSolution solution = solve(input, options);
+  rows.push_back(at_most("M10", "reversal loop: tangential force of the 4th stroke against the 2nd",
+                         loop_gap(solution, 4, 2), 1e-3));
+  rows.push_back(at_most("M10", "reversal loop: tangential force of the 5th stroke against the 3rd",
+                         loop_gap(solution, 5, 3), 1e-3));
+  rows.push_back(at_least("M10", "reversal loop: the 3rd stroke differs from the first, relative",
+                          loop_gap(solution, 3, 1), 1e-2));
+  const strain::ContactTimeline timeline(input, solution);
+  rows.push_back(at_most("M10", "energy balance of a reciprocating cycle, relative",
+                         strain::energy_balance(timeline, solution).relative_error, 1e-3));
+}
+
+/// A force instead of an indentation.
+void add_force_rows(const Options& options, std::vector<Row>& rows) {
+  Case input = small_case();
+  input.motion.preload = 0;
+  input.motion.preload_force = 1;
+  const ContactSolution solution = solve(input, options);
+  const strain::ContactTimeline timeline(input, solution);
+  double worst = 0;
+  for (const double time : timeline.sample_times()) {
+    if (time >= input.motion.touchdown && time <= input.motion.touchdown + input.motion.slide) {
+      worst = std::max(worst, std::abs(timeline.at(time).normal_force() - 1));
+    }
+  }
+  rows.push_back(at_most("M11", "force control: |N - 1 N| from touchdown to the end of slide [N]",
+                         worst, 1e-6));
+  rows.push_back(at_most("M11", "energy balance of a cycle under force control, relative",
+                         strain::energy_balance(timeline, solution).relative_error, 1e-3));
+  // The indentation that was found, given instead, carries the force.
+  Case given = input;
+  given.motion.preload = solution.legs[0].last()->indentation;
+  given.motion.preload_force = 0;
+  rows.push_back(compare("M11", "normal force under the indentation found for 1 N [N]",
+                         solve(given, options).legs[0].last()->normal_force, 1, 1e-8));
+}
+
+} // namespace
+
+std::vector<Row> motion_rows(const Options& options) {
+  std::vector<Row> rows;
+  add_mirror_rows(options, rows);
+  options.progress("mechanics: motions", 0.4);
+  add_half_model_row(options, rows);
+  add_direction_row(options, rows);
+  options.progress("mechanics: motions", 0.7);
+  add_reversal_rows(options, rows);
+  add_force_rows(options, rows);
+  options.progress("mechanics: motions", 1);
+  return rows;
+}
+
+} // namespace ionskin::verification
