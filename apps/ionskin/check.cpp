@@ -17,7 +17,7 @@ int check(const CheckOptions& options) {
   if (document.input.strain.kind == StrainSourceKind::contact)
     mesh::SkinMesh{document.input};
   const std::string explanation = options.explain ? explain(document) : std::string();
-  fmt::print("{} is valid.\n{}", options.case_path, explanation);
+  fmt::print("{} is valid.\n{}{}", options.case_path, warning_of_ions(document.input), explanation);
   return 0;
 }
 

@@ -6,6 +6,7 @@
 
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/electrochemistry/derived_scales.hpp"
+#include "ionskin/electrochemistry/wall_potential.hpp"
 
 #include <fmt/format.h>
 
@@ -145,6 +146,18 @@ std::string costs(const Case& input) {
 }
 
 } // namespace
+
+std::string warning_of_ions(const Case& input) {
+  if (input.strain.kind != StrainSourceKind::contact)
+    return "";
+  const double share =
+      input.slider.size[0] * input.slider.size[1] / (input.skin.length * input.skin.width);
+  const auto reason =
+      electrochemistry::no_sane_solution(input, confined_estimate(input).shear * share);
+  return reason ? fmt::format("warning: {}; the shear is estimated\n  = {}\n", *reason,
+                              electrochemistry::no_sane_solution_remedy())
+                : "";
+}
 
 std::string explain(const CaseDocument& document) {
   const Case& input = document.input;

@@ -12,4 +12,7 @@ namespace ionskin::apps {
 /// when the mesh cannot be built.
 std::string explain(const CaseDocument& document);
 
+/// A warning where the ions have no sane solution, by an estimate of the shear; else empty.
+std::string warning_of_ions(const Case& input);
+
 } // namespace ionskin::apps

@@ -4,12 +4,14 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/interrupt.hpp"
 #include "ionskin/electrochemistry/external_circuit.hpp"
+#include "ionskin/electrochemistry/mid_width_mirror.hpp"
 #include "ionskin/electrochemistry/solution_rows.hpp"
 #include "ionskin/electrochemistry/step_control.hpp"
 #include "ionskin/electrochemistry/time_integrator.hpp"
 #include "ionskin/electrochemistry/transport_grid.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <utility>
 
@@ -30,22 +32,42 @@ double newton_tolerance(double time_tolerance) {
   return std::clamp(0.3 * time_tolerance, 1e-9, 1e-4);
 }
 
+/// The least charge that the steps resolve, as a share of the fixed charge in one Debye length at
+/// the largest shear: without it a first contact would be resolved from nothing.
+constexpr double least_charge = 1e-3;
+
+double largest_magnitude(const strain::StrainHistory& history) {
+  double largest = 0.0;
+  const strain::StrainField* seen = nullptr;
+  for (const auto& field : history.gamma) {
+    if (field.get() != seen) {
+      seen = field.get();
+      for (const double gamma : *seen) {
+        largest = std::max(largest, std::abs(gamma));
+      }
+    }
+  }
+  return largest;
+}
+
 /// The parts of one run, wired together.
 class TransportRun {
 public:
   TransportRun(const Case& input, const strain::StrainHistory& history, const IonOptions& options)
       : options_(options), grid_(make_transport_grid(input, history)),
         scales_(derive_scales(input.electrochemistry, history.core_thickness())),
-        scaled_(scale_grid(grid_, scales_.debye_length)),
+        mirror_(grid_, history), scaled_(scale_grid(mirror_.solved_grid(), scales_.debye_length)),
         control_(make_step_landings(history, options.snapshot_times),
                  step_rule(input.numerics, scales_)),
-        fixed_charge_(input, history, grid_, scaled_),
+        fixed_charge_(input, history, mirror_.solved_grid(), scaled_),
+        charge_floor_(least_charge * std::abs(input.coupling.coefficient) *
+                      largest_magnitude(history)),
         team_(useful_threads(options.threads, scaled_)),
         solver_(scaled_, newton_tolerance(control_.tolerance()), team_),
         integrator_(
             scaled_, scales_, fixed_charge_, options.potentials, solver_,
             circuit_conductance(input.readout, scales_, input.skin.length * input.skin.width)),
-        rows_(input, scales_, grid_, scaled_, fixed_charge_, control_.landings().time,
+        rows_(input, scales_, grid_, mirror_, scaled_, fixed_charge_, control_.landings().time,
               options.snapshot_times) {}
 
   IonSolution run() {
@@ -73,6 +95,7 @@ private:
       const double begin = control_.landings().time.front();
       integrator_.initialise(begin, run_.state);
       run_.state.next_step = control_.first_step();
+      run_.state.charge_scale = std::max(run_.state.charge_scale, charge_floor_);
       run_.solution.grid = grid_;
       rows_.append(begin, run_.state.ions, run_.solution);
       copy_counters();
@@ -155,9 +178,11 @@ private:
   const IonOptions& options_;
   TransportGrid grid_;
   DerivedScales scales_;
+  MidWidthMirror mirror_;
   ScaledGrid scaled_;
   StepControl control_;
   FixedCharge fixed_charge_;
+  double charge_floor_;
   WorkerTeam team_;
   NewtonKrylov solver_;
   TimeIntegrator integrator_;

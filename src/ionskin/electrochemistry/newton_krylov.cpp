@@ -41,6 +41,15 @@ void NewtonKrylov::rate(const StageProblem& problem, const IonState& state, std:
   }
 }
 
+void NewtonKrylov::damp(std::span<double> change) {
+  std::ranges::fill(residual_, 0.0);
+  for (std::size_t i = 0; i < change.size(); ++i) {
+    residual_[i] = grid_.height[i / grid_.columns()] * change[i];
+  }
+  preconditioner_.apply(residual_, defect_);
+  std::copy_n(defect_.begin(), change.size(), change.begin());
+}
+
 double NewtonKrylov::precondition_residual(const StageProblem& problem, const IonState& state) {
   equations_.residual(problem, state, residual_);
   preconditioner_.apply(problem.circuit, residual_, defect_);

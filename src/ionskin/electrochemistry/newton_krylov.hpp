@@ -38,6 +38,10 @@ public:
   /// [nodes].
   void rate(const StageProblem& problem, const IonState& state, std::span<double> out);
 
+  /// Damps what is faster than the step in a change of the concentrations, as one implicit Euler
+  /// step of the prepared length does [nodes].
+  void damp(std::span<double> change);
+
   const SolverCounters& counters() const { return counters_; }
   void restore_counters(const SolverCounters& counters) { counters_ = counters; }
 

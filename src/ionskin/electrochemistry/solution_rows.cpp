@@ -33,10 +33,11 @@ std::vector<double> scaled_copy(std::span<const double> values, double unit) {
 } // namespace
 
 SolutionRows::SolutionRows(const Case& input, const DerivedScales& scales,
-                           const TransportGrid& grid, const ScaledGrid& scaled,
-                           const FixedCharge& fixed_charge, const std::vector<double>& landings,
+                           const TransportGrid& grid, const MidWidthMirror& mirror,
+                           const ScaledGrid& scaled, const FixedCharge& fixed_charge,
+                           const std::vector<double>& landings,
                            const std::vector<double>& snapshot_times)
-    : scaled_(scaled), fixed_charge_(fixed_charge),
+    : mirror_(mirror), scaled_(scaled), fixed_charge_(fixed_charge),
       charge_unit_(scales.charge_density * column_area(grid)),
       volume_unit_(scales.debye_length * column_area(grid)),
       concentration_unit_(input.electrochemistry.fixed_charge_concentration /
@@ -50,21 +51,22 @@ SolutionRows::SolutionRows(const Case& input, const DerivedScales& scales,
 
 void SolutionRows::append(double time, const IonState& state, IonSolution& solution) {
   wall_charges(scaled_, state, fixed_charge_.ratio(), charges_);
+  mirror_.complete(charges_);
   const auto c = state.concentration();
   const auto [low, high] = std::ranges::minmax(state.potential());
   solution.time.push_back(time);
   solution.charge_top.push_back(charge_unit_ * charges_.total_top);
   solution.charge_bottom.push_back(charge_unit_ * charges_.total_bottom);
   append_segments(solution);
-  solution.ramo_charge_top.push_back(charge_unit_ *
+  solution.ramo_charge_top.push_back(mirror_.copies() * charge_unit_ *
                                      ramo_charge_top(scaled_, state, fixed_charge_.ratio()));
   solution.voltage.push_back(potential_unit_ *
                              (state.potential().back() - state.potential().front()));
-  solution.ion_amount.push_back(volume_unit_ * concentration_unit_ *
+  solution.ion_amount.push_back(mirror_.copies() * volume_unit_ * concentration_unit_ *
                                 ExactAverage::total(scaled_, c));
   solution.min_concentration.push_back(concentration_unit_ * std::ranges::min(c));
   solution.max_potential.push_back(potential_unit_ * std::max(high, -low));
-  solution.shear_integral.push_back(volume_unit_ *
+  solution.shear_integral.push_back(mirror_.copies() * volume_unit_ *
                                     ExactAverage::total(scaled_, fixed_charge_.shear()));
   if (std::ranges::find(snapshot_times_, time) != snapshot_times_.end()) {
     solution.snapshots.push_back(snapshot(time, state));
@@ -82,12 +84,14 @@ void SolutionRows::append_segments(IonSolution& solution) const {
 
 void SolutionRows::finish(const IonState& state, IonSolution& solution) {
   wall_charges(scaled_, state, fixed_charge_.ratio(), charges_);
+  mirror_.complete(charges_);
   solution.column_charge_top = scaled_copy(charges_.top, charge_unit_);
 }
 
 IonSnapshot SolutionRows::snapshot(double time, const IonState& state) const {
-  return {time, scaled_copy(state.concentration(), concentration_unit_),
-          scaled_copy(state.potential(), potential_unit_), scaled_copy(fixed_charge_.shear(), 1.0)};
+  return {time, scaled_copy(mirror_.whole(state.concentration()), concentration_unit_),
+          scaled_copy(mirror_.whole(state.potential()), potential_unit_),
+          mirror_.whole(fixed_charge_.shear())};
 }
 
 } // namespace ionskin::electrochemistry

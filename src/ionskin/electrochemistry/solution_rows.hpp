@@ -7,6 +7,7 @@
 #include "ionskin/electrochemistry/electrode_segments.hpp"
 #include "ionskin/electrochemistry/ion_solution.hpp"
 #include "ionskin/electrochemistry/ion_state.hpp"
+#include "ionskin/electrochemistry/mid_width_mirror.hpp"
 #include "ionskin/electrochemistry/scaled_grid.hpp"
 #include "ionskin/electrochemistry/space_charge.hpp"
 
@@ -18,11 +19,14 @@ namespace ionskin::electrochemistry {
 /// stand at the instant of the state.
 class SolutionRows {
 public:
+  /// @param grid the whole one
+  /// @param mirror says which part of it `scaled` is
   /// @param landings instants on which steps end [s]
   /// @param snapshot_times wanted instants [s]; each is kept at the nearest of them
   SolutionRows(const Case& input, const DerivedScales& scales, const TransportGrid& grid,
-               const ScaledGrid& scaled, const FixedCharge& fixed_charge,
-               const std::vector<double>& landings, const std::vector<double>& snapshot_times);
+               const MidWidthMirror& mirror, const ScaledGrid& scaled,
+               const FixedCharge& fixed_charge, const std::vector<double>& landings,
+               const std::vector<double>& snapshot_times);
 
   void append(double time, const IonState& state, IonSolution& solution);
   /// Adds what is kept for the last row only.
@@ -32,6 +36,7 @@ private:
   void append_segments(IonSolution& solution) const;
   IonSnapshot snapshot(double time, const IonState& state) const;
 
+  const MidWidthMirror& mirror_;
   const ScaledGrid& scaled_;
   const FixedCharge& fixed_charge_;
   double charge_unit_;        ///< F c0 lambda times the area of a column [C]

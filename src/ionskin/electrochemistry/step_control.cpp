@@ -16,6 +16,8 @@ double ideal_factor(double error) {
   return safety / std::cbrt(std::max(error, 1e-12));
 }
 
+constexpr double longest_step = 0.2; // [s]
+
 /// Growth that steps keep up behind events, as it was measured on the baseline; for estimates.
 constexpr double usual_growth = 2.5;
 
@@ -38,8 +40,8 @@ StepRule step_rule(const Numerics& numerics, const DerivedScales& scales) {
   const double tolerance =
       numerics.time_tolerance > 0.0 ? numerics.time_tolerance : preset_tolerance(numerics.preset);
   return {tolerance / (refinement * refinement * refinement),
-          std::min(1e-5, scales.relaxation_time / 50.0) / refinement,
-          std::min(0.2, scales.slow_time / 4.0) / refinement, 1e-9 * scales.relaxation_time};
+          std::min(1e-5, scales.slow_time / 1000.0) / refinement, longest_step / refinement,
+          1e-9 * scales.relaxation_time};
 }
 
 bool StepControl::has_landed(const std::vector<double>& ends) const {

@@ -19,9 +19,9 @@ struct StepRule {
   double shortest = 0;  ///< below it the solver gives up [s]
 };
 
-/// The rule for a case: the tolerance is the user's or the preset's; steps start at 1e-5 s after
-/// events and reach up to a fifth of a second, both shorter where the relaxation or the charging of
-/// the core is faster than in Nafion. `time_refinement` divides steps, so it divides the tolerance
+/// The rule for a case: the tolerance is the user's or the preset's; after events a first step of
+/// 1e-5 s is tried, a shorter one where the core charges faster than Nafion, and steps reach up to
+/// a fifth of a second. `time_refinement` divides steps, so it divides the tolerance
 /// by its third power, that of the error of a step.
 StepRule step_rule(const Numerics& numerics, const DerivedScales& scales);
 

@@ -19,6 +19,9 @@ constexpr double weight = 0.25 * std::numbers::sqrt2; // w; the formula of order
 constexpr double error_of_begin = (4.0 * weight - 1.0) / 3.0, error_of_stage = -1.0 / 3.0,
                  error_of_end = 2.0 * diagonal / 3.0;
 
+/// Rounding of a concentration, in the charge of a core of many Debye lengths.
+constexpr double rounding = 2e-16;
+
 /// Share of a concentration that a guess must leave.
 constexpr double depletion_limit = 0.3;
 
@@ -180,7 +183,9 @@ double TimeIntegrator::charge_error(const TransportState& state) {
   const double passed =
       length_ * (error_of_begin * charge_rate(state.ions) + error_of_stage * charge_rate(stage_) +
                  error_of_end * charge_rate(end_));
-  const double error = std::max(charge_norm_.of_change(start_), std::abs(passed));
+  solver_.damp(start_);
+  const double error = std::max(0.0, std::max(charge_norm_.of_change(start_), std::abs(passed)) -
+                                         rounding * grid_.thickness);
   const double scale =
       std::max(state.charge_scale, charge_norm_.of_state(end_, fixed_charge_.ratio()));
   return error == 0.0 ? 0.0 : error / scale;

@@ -5,6 +5,7 @@
 #include "ionskin/base/timers.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
 #include "ionskin/electrochemistry/space_charge.hpp"
+#include "ionskin/electrochemistry/wall_potential.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/results/strain_file.hpp"
@@ -94,6 +95,7 @@ IonSolution study_2(const Case& input, const RunOptions& options, RunFolder& fol
   }
   return folder.stage("electrochemistry", [&] {
     electrochemistry::check_fixed_charge(input, history);
+    electrochemistry::check_net_charge(input, history);
     return electrochemistry::solve_ion_transport(input, history, ion_options, timers);
   });
 }

@@ -209,6 +209,23 @@ TEST(IonTransport, PairGenerationKeepsTheCoreNeutralAndCountsTheReleasedIons) {
   EXPECT_GT(std::abs(solution.charge_top.back()), 1e-9);
 }
 
+TEST(IonTransport, DebyeLayersOfNanometresStayPositive) {
+  Case input = coarse_case();
+  input.electrochemistry.permittivity = 7.1e-10;
+  input.coupling.coefficient = 1e-3;
+  for (const auto law : {CouplingLaw::column_neutral, CouplingLaw::pair_generation}) {
+    input.coupling.law = law;
+    auto history = linear_step_history(0.0, 0.0, {0.0, 0.1, 0.1005, 0.2});
+    history.gamma[2] = std::make_shared<const strain::StrainField>(strain::StrainField{0.0, 0.1});
+    history.gamma[3] = history.gamma[2];
+    history.event_time = {0.1, 0.1005};
+    const auto solution = solve(input, history);
+    EXPECT_GT(std::ranges::min(solution.min_concentration), 0.0);
+    EXPECT_NE(solution.charge_top.back(), 0.0);
+    EXPECT_LT(solution.steps, 150U);
+  }
+}
+
 TEST(IonTransport, ProgressReachesOne) {
   IonOptions options;
   double last = 0.0;
