@@ -46,7 +46,7 @@ void NewtonKrylov::damp(std::span<double> change) {
   for (std::size_t i = 0; i < change.size(); ++i) {
     residual_[i] = grid_.height[i / grid_.columns()] * change[i];
   }
-  preconditioner_.apply(residual_, defect_);
+  preconditioner_.apply(std::nullopt, residual_, defect_);
   std::copy_n(defect_.begin(), change.size(), change.begin());
 }
 
