@@ -42,8 +42,10 @@ def monotone(study, metric, words):
     """A metric rises with the swept key."""
     claim = f"{words} rises with {study.name}"
     values = numpy.array(study.metric(metric))
-    if study.single or not numpy.isfinite(values).all():
+    if study.single:
         return Verdict(claim, OPEN, "it needs several finished runs")
+    if not numpy.isfinite(values).all():
+        return Verdict(claim, OPEN, "not every run has it")
     unit = study.typical.results.metrics[metric].unit
     ends = f"from {quantity(values[0], unit, 3)} to {quantity(values[-1], unit, 3)}"
     steps = numpy.diff(values)

@@ -6,9 +6,8 @@ import numpy
 from . import style
 from .figures_family import value_edges
 from .panels import peak_of, scaled, slide_start
-from .quantity import si
 
-STUCK = 1e-6  # slip increment over travel increment below which a cell sticks
+STUCK = 1e-6  # speed of slip over the largest one below which a cell sticks
 NO_FIELDS = "the run has no results.h5"
 NO_CONTACT = "the run has no contact"
 
@@ -24,19 +23,18 @@ def cell_areas(file):
 
 
 def stick_history(file):
-    """Travel [m] and stuck part of the contact area along the onset of sliding."""
-    names = sorted(name for name in file["contact"] if name.startswith("onset_"))
+    """Time since the begin of the first slide [s] and stuck part of the contact area along its onset."""
+    states = [file["contact"][name] for name in sorted(file["contact"]) if name.startswith("onset_")]
     areas = cell_areas(file)
-    travels, fractions, before = [], [], 0.0
-    for name in names:
-        group = file["contact"][name]
-        travel = float(group.attrs["parameter"])
-        touching = group["pressure"][...] > 0
-        stuck = touching & (group["slip"][...] < STUCK * (travel - before))
+    times = numpy.array([float(state.attrs["parameter"]) for state in states]) - file["path/onset_begin"][0]
+    speeds = [state["slip"][...] / step for state, step in zip(states, numpy.diff(times, prepend=0.0))]
+    sliding = max(speed.max() for speed in speeds)
+    fractions = []
+    for state, speed in zip(states, speeds):
+        touching = state["pressure"][...] > 0
+        stuck = touching & (speed < STUCK * sliding)
         fractions.append((areas * stuck).sum() / max((areas * touching).sum(), 1e-300))
-        travels.append(travel)
-        before = travel
-    return numpy.array(travels), numpy.array(fractions)
+    return times, numpy.array(fractions)
 
 
 def stick_slip(study):
@@ -49,10 +47,7 @@ def stick_slip(study):
         with fields_of(member.results) as file:
             if "contact" not in file or not any(name.startswith("onset_") for name in file["contact"]):
                 continue
-            motion = member.results.case["motion"]
-            speed = si(motion["stroke"]) / si(motion["slide"])
-            travel, stuck = stick_history(file)
-            histories.append((member, travel / speed, stuck))
+            histories.append((member, *stick_history(file)))
     if not histories:
         return "no run has an onset of sliding"
     slipping = [own[numpy.argmax(stuck <= 0)] if (stuck <= 0).any() else own[-1] for _, own, stuck in histories]

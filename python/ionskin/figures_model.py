@@ -32,7 +32,7 @@ def geometry(results):
         return None
 
 
-NO_CONTACT = "the run has no slider"
+NO_CONTACT = "the run has no slider, or one that this figure cannot draw"
 
 
 def box(axes, low, high, colour, alpha):

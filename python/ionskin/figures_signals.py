@@ -111,7 +111,7 @@ def phases(study):
         return NO_CURRENT
     sampled = results.sampled
     start, end = first_cycle(results)
-    figure = style.canvas(height=4.9, left=0.085, right=0.985, top=0.93, bottom=0.09, hspace=0.62, wspace=0.36)
+    figure = style.canvas(height=4.9, left=0.085, right=0.975, top=0.93, bottom=0.125, hspace=0.62, wspace=0.36)
     grid = figure.add_gridspec(3, 3)
     for row, (name, colour, words) in enumerate((("top", style.BLUE, "Top electrode"),
                                                  ("difference", style.GREEN, "Difference (top − bottom)/2"))):
@@ -131,8 +131,12 @@ def phases(study):
             name_phases(results, panel, 0.0, 1)
         else:
             panel.set_xlabel("time [s]")
+    panel = None
     for place, (instant, before, after, words) in enumerate(events(results)):
-        enlarged(figure.add_subplot(grid[2, place]), results, instant, before, after, words)
+        panel = figure.add_subplot(grid[2, place])
+        enlarged(panel, results, instant, before, after, words)
+    if panel is not None:
+        figure.legend(*panel.get_legend_handles_labels(), loc="lower center", ncol=3, fontsize=7, borderaxespad=0.1)
     return figure
 
 
@@ -164,10 +168,9 @@ def enlarged(panel, results, instant, before, after, words):
     panel.set_xlim(-1e3 * before, 1e3 * after)
     values = numpy.concatenate([signals[column][shown] for column, *_ in columns]) / unit
     low, high = min(0.0, numpy.nanmin(values)), max(0.0, numpy.nanmax(values))
-    panel.set_ylim(low - 0.08 * (high - low), high + 0.35 * (high - low))
+    panel.set_ylim(low - 0.08 * (high - low), high + 0.08 * (high - low))
     panel.set_xlabel(f"time from {instant:.4g} s [ms]")
     style.title(panel, words)
-    panel.legend(fontsize=5.8, loc="upper center", ncol=2, borderaxespad=0.1, handlelength=1.4, columnspacing=0.8)
 
 
 def normalised(study):

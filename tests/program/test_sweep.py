@@ -57,6 +57,13 @@ class Sweep(ProgramTest):
             numpy.testing.assert_array_equal(file["swept/contact.friction"], [0.1, 0.4])
             self.assertEqual(file["metrics/normal_force_slide"].attrs["unit"], "N")
 
+    def test_resuming_a_finished_sweep_leaves_its_points(self):
+        self.run_program(*SWEEP, "--only", "mechanics")
+        files = sorted((self.folder / "out" / "points").glob("*/*.*"))
+        before = [(path, path.stat().st_mtime_ns) for path in files]
+        self.run_program(*SWEEP, "--only", "mechanics", "--resume")
+        self.assertEqual(before, [(path, path.stat().st_mtime_ns) for path in files])
+
     def kill_after_points(self, share):
         """Starts or resumes the sweep and kills it a while after its first file appeared."""
         start = ["--resume"] if (self.folder / "out").exists() else []

@@ -173,10 +173,13 @@ private:
 
 bool has_mechanics(const SweepPoint& point, const RunOptions& options) {
   const auto folder = point_options(options, point).folder;
-  if (!results::is_ionskin_manifest(folder / results::file_names::manifest)) {
+  const auto manifest_path = folder / results::file_names::manifest;
+  if (!results::is_ionskin_manifest(manifest_path)) {
     return false;
   }
-  return RunFolder(point.input, point_options(options, point)).was_finished("strain") &&
+  const results::Manifest manifest = results::read_manifest(manifest_path);
+  const auto strain = manifest.stages.find("strain");
+  return strain != manifest.stages.end() && strain->second.state == "finished" &&
          std::filesystem::exists(folder / results::file_names::results);
 }
 

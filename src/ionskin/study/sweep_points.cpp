@@ -89,6 +89,20 @@ SweepPoint read_point(const SweepRequest& request, const std::vector<SweepAxis>&
   return point;
 }
 
+/// A key whose values are of several kinds (an indentation here, a force there) becomes a text.
+void unify_units(std::vector<SweepPoint>& points) {
+  for (std::size_t k = 0; k < points.front().values.size(); ++k) {
+    const std::string unit = points.front().values[k].unit;
+    const bool same = std::all_of(points.begin(), points.end(), [&](const SweepPoint& point) {
+      return point.values[k].unit == unit;
+    });
+    for (SweepPoint& point : points) {
+      SweptValue& value = point.values[k];
+      value = same ? value : SweptValue{value.key, value.written, value.written, ""};
+    }
+  }
+}
+
 /// The design as a comment at the end of the base case: the text then tells one sweep from another.
 std::string design_comment(const SweepRequest& request) {
   std::string text = "\n# Swept:\n";
@@ -113,6 +127,7 @@ SweepPlan plan_sweep(const SweepRequest& request) {
   for (std::size_t i = 0; i < design.size(); ++i) {
     plan.points.push_back(read_point(request, axes, design[i], i + 1));
   }
+  unify_units(plan.points);
   // The swept keys may be missing in the file: the first point gives the base its values.
   plan.base = plan.points.front().input;
   plan.base.text += design_comment(request);
