@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/linear_algebra/fixed_point_matrix.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace ionskin::linear_algebra {
+namespace {
+
+/// More rows than one block, columns of very different size, one of them zero.
+DenseMatrix example() {
+  DenseMatrix matrix(700, 5);
+  for (int j = 0; j < 4; ++j) {
+    for (int i = 0; i < matrix.rows; ++i) {
+      matrix(i, j) = std::pow(1e-3, j) * std::sin(0.7 * i + j);
+    }
+  }
+  return matrix;
+}
+
+FixedPointMatrix fixed(const DenseMatrix& matrix) {
+  FixedPointMatrix result(matrix.rows, matrix.columns);
+  for (int j = 0; j < matrix.columns; ++j) {
+    result.set_column(j, matrix.column(j));
+  }
+  return result;
+}
+
+TEST(FixedPointMatrix, rounds_to_a_fraction_of_the_largest_entry_of_the_column) {
+  const DenseMatrix matrix = example();
+  const FixedPointMatrix rounded = fixed(matrix);
+  for (int j = 0; j < matrix.columns; ++j) {
+    for (int i = 0; i < matrix.rows; ++i) {
+      EXPECT_NEAR(rounded(i, j), matrix(i, j), 2.4e-10 * std::pow(1e-3, j));
+    }
+  }
+  EXPECT_EQ(rounded(3, 4), 0.0);
+}
+
+TEST(FixedPointMatrix, product_is_that_of_the_rounded_entries) {
+  const FixedPointMatrix rounded = fixed(example());
+  DenseMatrix right(5, 3);
+  for (int k = 0; k < 3; ++k) {
+    for (int j = 0; j < 5; ++j) {
+      right(j, k) = std::pow(1e3, j) * std::cos(j + 2.0 * k);
+    }
+  }
+  const DenseMatrix product = multiply(rounded, right);
+  ASSERT_EQ(product.rows, 700);
+  for (int k = 0; k < 3; ++k) {
+    for (int i = 0; i < 700; ++i) {
+      double expected = 0;
+      for (int j = 0; j < 5; ++j) {
+        expected += rounded(i, j) * right(j, k);
+      }
+      EXPECT_NEAR(product(i, k), expected, 1e-14);
+    }
+  }
+}
+
+} // namespace
+} // namespace ionskin::linear_algebra
