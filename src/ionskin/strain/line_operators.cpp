@@ -177,6 +177,14 @@ void apply_along(const LineOperator& line, std::size_t outer, std::size_t inner,
   for (std::size_t o = 0; o < outer; ++o) {
     for (std::size_t row = 0; row < line.rows(); ++row) {
       double* out = &result[(o * line.rows() + row) * inner];
+      if (inner == 1) {
+        // Values lie one behind the other: a dot product in vector instructions.
+        const auto size = static_cast<Eigen::Index>(line.weights[row].size());
+        const double* in = &field[o * line.sources + line.first[row]];
+        *out = Eigen::Map<const Eigen::VectorXd>(line.weights[row].data(), size)
+                   .dot(Eigen::Map<const Eigen::VectorXd>(in, size));
+        continue;
+      }
       for (std::size_t j = 0; j < line.weights[row].size(); ++j) {
         const double weight = line.weights[row][j];
         const double* in = &field[(o * line.sources + line.first[row] + j) * inner];
