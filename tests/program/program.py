@@ -26,6 +26,8 @@ class ProgramTest(unittest.TestCase):
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="ionskin-test-"))
         self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+        # Every test starts with an empty cache of its own.
+        os.environ["IONSKIN_CACHE"] = str(self.folder / "cache")
 
     def run_program(self, *arguments, expect=0):
         """Runs `ionskin ARGUMENTS`; asserts the exit code; returns the finished process."""

@@ -34,6 +34,9 @@ struct ContactState {
   /// the node before.
   std::vector<double> slip;
   CoreStrain strain;
+  /// Largest von Mises stress of each electrode layer as a membrane, averaged through its thickness
+  /// and over each column of elements; bottom to top [Pa].
+  std::vector<double> electrode_stress;
   // diagnostics
   double equilibrium_residual = 0; ///< contact forces against base reactions, relative
   double complementarity_residual =

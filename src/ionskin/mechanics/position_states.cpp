@@ -86,6 +86,7 @@ void PositionStates::complete(const CondensedPosition& position) {
     const bool reflect = pending_[i].reflect[0] || pending_[i].reflect[1];
     state.strain = reflect ? mirrored(responses[i].strain, pending_[i].reflect)
                            : std::move(responses[i].strain);
+    state.electrode_stress = std::move(responses[i].electrode_stress);
     state.equilibrium_residual = responses[i].equilibrium_residual;
   }
   pending_.clear();

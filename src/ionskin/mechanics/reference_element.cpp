@@ -27,13 +27,6 @@ ReferenceElement build() {
       }
     }
   }
-  const dealii::QGauss<3> gauss(2);
-  for (int q = 0; q < strain_points; ++q) {
-    for (int i = 0; i < element_nodes; ++i) {
-      const auto gradient = shape.shape_grad(hierarchic[i], gauss.point(q));
-      result.strain_gradient[q][i] = {gradient[0], gradient[1], gradient[2]};
-    }
-  }
   return result;
 }
 

@@ -6,17 +6,14 @@
 namespace ionskin::mechanics {
 
 inline constexpr int element_nodes = 27; ///< of the triquadratic hexahedron
-inline constexpr int strain_points = 8;  ///< 2x2x2 Gauss points
 
-/// Integrals and derivatives of the triquadratic shape functions on the unit cube. Nodes and points
-/// are in lexicographic order, x fastest. Because all elements are boxes, everything else is a
-/// scaled combination of these.
+/// Integrals of the triquadratic shape functions on the unit cube. Nodes are in lexicographic
+/// order, x fastest. Because all elements are boxes, everything else is a scaled combination of
+/// these.
 struct ReferenceElement {
   /// gradient_product[r][s][i][j]: integral of dN_i/dx_r dN_j/dx_s, exact.
   std::array<std::array<std::array<std::array<double, element_nodes>, element_nodes>, 3>, 3>
       gradient_product{};
-  /// strain_gradient[q][i][r]: dN_i/dx_r at the q-th Gauss point.
-  std::array<std::array<std::array<double, 3>, element_nodes>, strain_points> strain_gradient{};
 };
 
 /// Built once; safe to use from several threads.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/skin_model.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace ionskin::mechanics {
 namespace {
 
@@ -16,8 +19,12 @@ std::vector<ElasticLaw> laws_of_rows(const Skin& skin, const mesh::SkinMesh& mes
   return laws;
 }
 
-linear_algebra::SymbolicCholesky analyse(const ElasticSpace& space, const ContactCells& cells) {
-  return {space.pattern(), space.elimination_order(cells.nodes), cells.unit_load.rows};
+/// Factors that are held at the same time, within the memory meant for them.
+std::ptrdiff_t factors_within_memory(const linear_algebra::SymbolicCholesky& symbolic) {
+  constexpr double factor_memory = 2.4e9; // bytes
+  constexpr double with_updates = 1.3;    // factor and the update matrices of its making
+  const double per_factor = 8 * with_updates * symbolic.factor_entries();
+  return std::max(std::ptrdiff_t{1}, static_cast<std::ptrdiff_t>(factor_memory / per_factor));
 }
 
 } // namespace
@@ -26,7 +33,17 @@ SkinModel::SkinModel(const Case& input, mesh::MeshedPart part)
     : mesh(input, part),
       space(mesh.lines(input.slider.start), skin_boundary(input.skin, mesh.half_model())),
       law_of_row(laws_of_rows(input.skin, mesh)),
-      cells(contact_cells(mesh, space, cells_per_element_edge)), gap(cells.count(), 0.0),
-      symbolic(analyse(space, cells)) {}
+      cells(contact_cells(mesh, space, cells_per_element_edge)), gap(cells.count(), 0.0) {}
+
+SkinAnalysis::SkinAnalysis(linear_algebra::SymbolicCholesky symbolic_factor)
+    : symbolic(std::move(symbolic_factor)), free_factors(factors_within_memory(symbolic)) {}
+
+const SkinAnalysis& SkinModel::analysis() const {
+  std::call_once(analysed_, [this] {
+    analysis_ = std::make_unique<const SkinAnalysis>(linear_algebra::SymbolicCholesky(
+        space.pattern(), space.elimination_order(cells.nodes), cells.unit_load.rows));
+  });
+  return *analysis_;
+}
 
 } // namespace ionskin::mechanics

@@ -19,12 +19,9 @@ mesh::MeshedPart whole(const ContactOptions& options) {
   return options.full_model ? mesh::MeshedPart::whole : mesh::MeshedPart::half_if_symmetric;
 }
 
-/// Threads whose factors fit together into the memory meant for them.
-int threads_within_memory(const SkinModel& model, int threads) {
-  constexpr double factor_memory = 2.4e9; // bytes
-  const double per_factor = 8 * 1.1 * model.symbolic.factor_entries();
-  return std::clamp(static_cast<int>(factor_memory / per_factor), 1, std::max(1, threads));
-}
+/// From so many friction coefficients on, the response to every unit force is worth its making in
+/// the same run.
+constexpr std::size_t many_frictions = 3;
 
 /// Reports progress from several threads, one at a time.
 class SharedProgress {
@@ -55,23 +52,40 @@ std::vector<ContactSolution> solve_contact(const Case& input, const std::vector<
   const std::vector<PositionTask>& tasks = plan.positions;
   std::vector<SolvedPieces> pieces(frictions.size(), SolvedPieces(plan));
   SharedProgress progress(options.progress, tasks.size() * (1 + frictions.size()));
-  base::run_tasks(tasks.size(), threads_within_memory(model, options.threads), [&](std::size_t t) {
+  const auto solve = [&](std::size_t t, std::size_t f, const CondensedPosition& condensed) {
+    base::check_interrupt();
+    PositionSolver solver(model, plan, options.steps, options.surface_before, condensed,
+                          frictions[f]);
+    {
+      const base::Timers::Scope contact(timers, "mechanics: contact");
+      solver.solve(tasks[t], pieces[f]);
+    }
+    const base::Timers::Scope strain(timers, "mechanics: strain");
+    solver.complete(condensed);
+    progress.finish_unit();
+  };
+  // Positions that hold no factor are light: they are kept, and each of their friction coefficients
+  // is a task of its own, since most states belong to the first position.
+  std::vector<std::unique_ptr<const CondensedPosition>> light(tasks.size());
+  base::run_tasks(tasks.size(), options.threads, [&](std::size_t t) {
     base::check_interrupt();
     auto factorisation = std::make_unique<base::Timers::Scope>(timers, "mechanics: factorisation");
-    const CondensedPosition condensed(model, tasks[t].centre);
+    const PositionStore store{options.cache, frictions.size() >= many_frictions};
+    auto condensed = std::make_unique<const CondensedPosition>(model, tasks[t].centre, store);
     factorisation.reset();
     progress.finish_unit();
+    if (!condensed->holds_factor()) {
+      light[t] = std::move(condensed);
+      return;
+    }
     for (std::size_t f = 0; f < frictions.size(); ++f) {
-      base::check_interrupt();
-      PositionSolver solver(model, plan, options.steps, options.surface_before, condensed,
-                            frictions[f]);
-      {
-        const base::Timers::Scope contact(timers, "mechanics: contact");
-        solver.solve(tasks[t], pieces[f]);
-      }
-      const base::Timers::Scope strain(timers, "mechanics: strain");
-      solver.complete(condensed);
-      progress.finish_unit();
+      solve(t, f, *condensed);
+    }
+  });
+  base::run_tasks(tasks.size() * frictions.size(), options.threads, [&](std::size_t i) {
+    const std::size_t t = i / frictions.size();
+    if (light[t]) {
+      solve(t, i % frictions.size(), *light[t]);
     }
   });
   std::vector<ContactSolution> solutions;
@@ -100,19 +114,18 @@ std::vector<ContactState> solve_steady_sliding(const Case& input,
   const MotionLeg leg = first_slide(motion_legs(input.motion, input.slider));
   const SliderLoad load = load_of(leg.to_level, model.mesh.half_model() ? 0.5 : 1.0);
   std::vector<ContactState> result(arc_lengths.size());
-  base::run_tasks(
-      arc_lengths.size(), threads_within_memory(model, options.threads), [&](std::size_t i) {
-        base::check_interrupt();
-        const CanonicalPosition position{track.centre(arc_lengths[i]), {false, false}};
-        const CondensedPosition condensed(model, position.centre);
-        const ContactProblem problem{
-            condensed.compliance(), model.cells.area, model.gap, {input.contact.friction}};
-        const SurfaceState steady = steady_sliding(problem, load, track.direction, 0);
-        PositionStates states(model);
-        states.add(result[i], steady, problem, position, largest_normal_force(steady.force),
-                   steady.indentation);
-        states.complete(condensed);
-      });
+  base::run_tasks(arc_lengths.size(), options.threads, [&](std::size_t i) {
+    base::check_interrupt();
+    const CanonicalPosition position{track.centre(arc_lengths[i]), {false, false}};
+    const CondensedPosition condensed(model, position.centre, {options.cache});
+    const ContactProblem problem{
+        condensed.compliance(), model.cells.area, model.gap, {input.contact.friction}};
+    const SurfaceState steady = steady_sliding(problem, load, track.direction, 0);
+    PositionStates states(model);
+    states.add(result[i], steady, problem, position, largest_normal_force(steady.force),
+               steady.indentation);
+    states.complete(condensed);
+  });
   return result;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/base/disk_cache.hpp"
 #include "ionskin/base/progress.hpp"
 #include "ionskin/base/timers.hpp"
 #include "ionskin/case/case.hpp"
@@ -14,6 +15,7 @@ namespace ionskin::mechanics {
 struct ContactOptions {
   int threads = 1;
   base::ProgressCallback progress = base::no_progress; ///< called from one thread at a time
+  base::DiskCache* cache = nullptr;                    ///< of condensed positions; none when null
   PathSteps steps;
   /// Interpolation nodes along the track; 0 takes the preset's.
   std::size_t nodes = 0;

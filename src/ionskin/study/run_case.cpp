@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/run_case.hpp"
 
+#include "ionskin/base/disk_cache.hpp"
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/timers.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
@@ -17,7 +18,9 @@
 #include "ionskin/study/warnings.hpp"
 #include "ionskin/study/write_outputs.hpp"
 
+#include <memory>
 #include <optional>
+#include <utility>
 
 namespace ionskin::study {
 namespace {
@@ -47,9 +50,15 @@ std::optional<MechanicsRecord> strain_from_file(const Case& input, const RunOpti
   return record;
 }
 
+/// The user's cache, or none. Throws UserError when its settings are wrong.
+std::unique_ptr<base::DiskCache> open_cache(const RunOptions& options) {
+  const auto folder = options.use_cache ? base::cache_folder() : std::nullopt;
+  return folder ? std::make_unique<base::DiskCache>(*folder, base::cache_limit()) : nullptr;
+}
+
 /// Case -> SkinMesh -> ContactSolution -> StrainHistory, or what an earlier run of it left.
-MechanicsRecord study_1(const Case& input, const RunOptions& options, RunFolder& folder,
-                        base::Timers& timers) {
+MechanicsRecord study_1(const Case& input, const RunOptions& options, base::DiskCache* cache,
+                        RunFolder& folder, base::Timers& timers) {
   const auto results_path = folder.file(results::file_names::results);
   const std::string hash = mechanics_hash(input);
   if (folder.was_finished("strain")) {
@@ -67,11 +76,17 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, RunFolder&
     mechanics::ContactOptions contact_options;
     contact_options.threads = options.threads;
     contact_options.progress = options.progress;
+    contact_options.cache = cache;
     return mechanics::solve_contact(input, contact_options, timers);
   });
   return folder.stage("strain", [&] {
     options.progress("strain history", 0.0);
     MechanicsRecord record = make_mechanics_record(input, contact);
+    if (cache != nullptr) {
+      for (std::string& note : cache->take_notes()) {
+        record.warnings.push_back(std::move(note));
+      }
+    }
     write_mechanics(results_path, hash, record);
     options.progress("strain history", 1.0);
     return record;
@@ -105,11 +120,13 @@ IonSolution study_2(const Case& input, const RunOptions& options, RunFolder& fol
 RunOutcome run_case(const Case& input, const RunOptions& options) {
   const double start = base::wall_time();
   auto given_strain = strain_from_file(input, options);
+  const auto cache = open_cache(options);
   RunFolder folder(input, options);
   base::Timers timers;
 
-  const MechanicsRecord mechanics =
-      given_strain ? std::move(*given_strain) : study_1(input, options, folder, timers);
+  const MechanicsRecord mechanics = given_strain
+                                        ? std::move(*given_strain)
+                                        : study_1(input, options, cache.get(), folder, timers);
   RunOutputs outputs;
   if (options.studies == Studies::mechanics) {
     outputs.signals = read_out_mechanics(input, mechanics, options.threads);

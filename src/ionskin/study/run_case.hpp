@@ -20,8 +20,9 @@ struct RunOptions {
   bool resume = false;    ///< take up the finished parts of an interrupted run of the same case
   /// `electrochemistry` alone takes up the finished mechanics in the folder.
   Studies studies = Studies::both;
-  bool report = true;  ///< draw the figures and the page
-  std::string command; ///< for the manifest
+  bool report = true;    ///< draw the figures and the page
+  bool use_cache = true; ///< look up and keep condensed slider positions in the user's cache
+  std::string command;   ///< for the manifest
   base::ProgressCallback progress = base::no_progress;
 };
 

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The cache of factorised slider positions saves time and never changes a result."""
+
+import os
+import resource
+import signal
+import subprocess
+import unittest
+
+import numpy
+
+from program import PROGRAM, QUICK, ProgramTest, signals, summary
+
+ARGUMENTS = ("--only", "mechanics", "--quiet", "--set", "numerics.mesh_refinement=0.5")
+FORCES = ("normal_force", "tangential_force")
+SHEARS = ("mean_shear", "rms_shear", "shear_first_moment")
+
+
+class Cache(ProgramTest):
+    def mechanics(self, out, *arguments):
+        self.run_program("run", QUICK, "-o", out, *ARGUMENTS, *arguments)
+
+    def setUp(self):
+        super().setUp()
+        # No reports: drawing them would take longer than everything else here.
+        os.environ["IONSKIN_PYTHON_PATH"] = str(self.folder)
+        self.addCleanup(os.environ.pop, "IONSKIN_PYTHON_PATH")
+        self.mechanics("plain", "--no-cache")
+        self.assertEqual(self.entries(), [])
+
+    def entries(self):
+        return sorted((self.folder / "cache").glob("*.ionskin-cache"))
+
+    def notes(self, out):
+        return [text for text in summary(self.folder / out)["warnings"] if "cache" in text]
+
+    def assert_agrees(self, out):
+        """With the plain run: forces to 1e-10 of the largest, shear to 1e-8 of the largest mean."""
+        found, expected = signals(self.folder / out), signals(self.folder / "plain")
+        for names, scale, tolerance in ((FORCES, "normal_force", 1e-10), (SHEARS, "mean_shear", 1e-8)):
+            for name in names:
+                worst = numpy.max(numpy.abs(found[name] - expected[name]))
+                self.assertLessEqual(worst, tolerance * numpy.max(numpy.abs(expected[scale])), name)
+
+    def test_cached_run_repeats_the_plain_one_and_damage_is_repaired(self):
+        self.mechanics("first")
+        small = self.entries()[0].stat().st_size
+        # Positions that come again are kept whole, whatever the friction.
+        self.mechanics("second", "--set", "contact.friction=0.1")
+        self.assertGreater(self.entries()[0].stat().st_size, 10 * small)
+        self.mechanics("cached")
+        self.assert_agrees("cached")
+        # A truncated entry, one of another version, and one with a changed number.
+        first, second, third = self.entries()[:3]
+        os.truncate(first, first.stat().st_size // 2)
+        for path, place in ((second, 8), (third, third.stat().st_size - 100)):
+            content = bytearray(path.read_bytes())
+            content[place] ^= 1
+            path.write_bytes(content)
+        self.mechanics("damaged")
+        self.assert_agrees("damaged")
+        self.assertEqual(len(self.notes("damaged")), 1)
+        self.assertIn("ignored and is replaced", self.notes("damaged")[0])
+        self.mechanics("repaired")
+        self.assert_agrees("repaired")
+        self.assertEqual(self.notes("repaired"), [])
+
+    def test_killed_run_and_two_runs_at_once(self):
+        self.interrupt_program("run", QUICK, "-o", "killed", *ARGUMENTS, when=self.entries,
+                               how=signal.SIGKILL, expect=-signal.SIGKILL)
+        both = [subprocess.Popen([PROGRAM, "run", QUICK, "-o", out, *ARGUMENTS], cwd=self.folder)
+                for out in ("one", "other")]
+        self.assertEqual([process.wait() for process in both], [0, 0])
+        for out in ("one", "other"):
+            self.assert_agrees(out)
+            self.assertEqual(self.notes(out), [])
+
+    def test_full_disk_costs_the_cache_only(self):
+        self.mechanics("first")
+        limit = 3 * (self.folder / "plain" / "results.h5").stat().st_size // 2
+        sizes = {path: path.stat().st_size for path in self.entries()}
+        outcome = subprocess.run(
+            [PROGRAM, "run", QUICK, "-o", "full", *ARGUMENTS], cwd=self.folder, check=False,
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+        self.assertEqual(outcome.returncode, 0)
+        self.assert_agrees("full")
+        self.assertEqual(len(self.notes("full")), 1)
+        self.assertIn("Nothing was kept in the cache", self.notes("full")[0])
+        # The whole entries found no room; nothing half-written stays behind.
+        self.assertEqual({path: path.stat().st_size for path in (self.folder / "cache").iterdir()}, sizes)
+
+
+class CacheSettings(ProgramTest):
+    def test_limit_that_cannot_be_read_is_a_mistake(self):
+        os.environ["IONSKIN_CACHE_LIMIT"] = "plenty"
+        self.addCleanup(os.environ.pop, "IONSKIN_CACHE_LIMIT")
+        process = self.run_program("run", QUICK, "-o", "out", expect=2)
+        self.assertIn("IONSKIN_CACHE_LIMIT", process.stderr)
+        self.assertFalse((self.folder / "out").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
