@@ -39,7 +39,8 @@ format:
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format-14 -i
 
 bench: build
-	@cmake --build --preset release --target stages --parallel $(JOBS)
+	@cmake --build --preset release --target benchmarks --parallel $(JOBS)
+	$(BUILD)/benchmarks/mechanics
 	$(BUILD)/benchmarks/stages
 
 clean:

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+
+// What Study 1 of the paper's case costs: machine-independent counters, seconds of one core beside
+// them, and the floor, its operations at this machine's measured rate of a matrix product.
+// Arguments: the presets to measure (default: coarse standard).
+
+#include "ionskin/base/task_pool.hpp"
+#include "ionskin/base/timers.hpp"
+#include "ionskin/case/read_case.hpp"
+#include "ionskin/mechanics/elastic_system.hpp"
+#include "ionskin/mechanics/solve_contact.hpp"
+#include "ionskin/mechanics/unit_response.hpp"
+#include "ionskin/study/mechanics_record.hpp"
+
+#include <cblas.h>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+#include <stdlib.h>
+#include <string>
+#include <thread>
+#include <time.h>
+#include <vector>
+
+namespace {
+
+using namespace ionskin;
+
+/// Processor time of the calling thread, or of the whole process [s].
+double processor_time(clockid_t clock) {
+  timespec time{};
+  clock_gettime(clock, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// Processor time that one thread needs for some work [s].
+template <class Work> double seconds_of(const Work& work) {
+  const double start = processor_time(CLOCK_THREAD_CPUTIME_ID);
+  work();
+  return processor_time(CLOCK_THREAD_CPUTIME_ID) - start;
+}
+
+/// Operations a second of a matrix product in double precision on one core.
+double product_rate() {
+  constexpr int size = 1200;
+  openblas_set_num_threads(1);
+  linear_algebra::DenseMatrix a(size, size), b(size, size);
+  std::fill(a.values.begin(), a.values.end(), 1.5);
+  std::fill(b.values.begin(), b.values.end(), 0.5);
+  double best = 0;
+  for (int repeat = 0; repeat < 5; ++repeat) {
+    const double seconds = seconds_of([&] { linear_algebra::multiply(a, b); });
+    best = std::max(best, 2.0 * size * size * size / seconds);
+  }
+  return best;
+}
+
+Case paper_case(const std::string& preset) {
+  return read_case(std::string(IONSKIN_CASES) + "/paper.toml", {"numerics.preset=" + preset});
+}
+
+void line(const std::string& name, const std::string& value) {
+  fmt::print("  {:<52} {}\n", name, value);
+}
+
+/// One position, on one core.
+void measure_position(const Case& input, double rate) {
+  std::unique_ptr<mechanics::SkinModel> model;
+  line("numbering and contact cells",
+       fmt::format("{:.2f} s",
+                   seconds_of([&] { model = std::make_unique<mechanics::SkinModel>(input); })));
+  line("symbolic analysis, once for all positions",
+       fmt::format("{:.2f} s", seconds_of([&] { model->analysis(); })));
+  const auto& symbolic = model->analysis().symbolic;
+  line("displacement unknowns", fmt::format("{}", model->space.unknowns()));
+  line("contact cells", fmt::format("{}", model->cells.count()));
+  line("entries of the factor", fmt::format("{:.3g}", symbolic.factor_entries()));
+  line("operations of a factorisation", fmt::format("{:.3g}", symbolic.operations()));
+  line("  floor", fmt::format("{:.2f} s", symbolic.operations() / rate));
+  const auto lines = model->mesh.lines(input.slider.start);
+  mechanics::ElasticSystem system;
+  line("assembly", fmt::format("{:.2f} s", seconds_of([&] {
+                                 system =
+                                     mechanics::assemble(model->space, lines, model->law_of_row);
+                               })));
+  std::unique_ptr<linear_algebra::Cholesky> factor;
+  const double factorisation = seconds_of(
+      [&] { factor = std::make_unique<linear_algebra::Cholesky>(symbolic, system.stiffness); });
+  line("factorisation", fmt::format("{:.2f} s, {:.1f} GFlop/s", factorisation,
+                                    symbolic.operations() / factorisation * 1e-9));
+  linear_algebra::DenseMatrix forward;
+  line("compliance from the trailing block",
+       fmt::format("{:.2f} s", seconds_of([&] {
+                     forward = factor->trailing_forward(model->cells.unit_load);
+                     linear_algebra::gram(forward);
+                   })));
+  linear_algebra::DenseMatrix block(forward.rows, std::min(64, forward.columns));
+  std::copy_n(forward.values.begin(), block.values.size(), block.values.begin());
+  const double backward = seconds_of([&] { factor->backward_from_trailing(block); });
+  line("fields by backward substitution, a state",
+       fmt::format("{:.1f} ms ({:.3g} operations, {:.1f} GFlop/s)", backward / block.columns * 1e3,
+                   2 * symbolic.factor_entries(),
+                   2 * symbolic.factor_entries() * block.columns / backward * 1e-9));
+  line("response to all unit forces",
+       fmt::format("{:.2f} s", backward / block.columns * forward.columns));
+}
+
+struct Total {
+  double wall = 0, processor = 0;
+  int states = 0;
+};
+
+/// Study 1 as far as the strain histories that Study 2 takes up.
+Total measure_study(const Case& input, const std::vector<double>& frictions, int threads,
+                    base::DiskCache* cache, bool show_stages) {
+  const double wall = base::wall_time(), processor = processor_time(CLOCK_PROCESS_CPUTIME_ID);
+  mechanics::ContactOptions options;
+  options.threads = threads;
+  options.cache = cache;
+  base::Timers timers;
+  Total total;
+  {
+    const auto solutions = mechanics::solve_contact(input, frictions, options, timers);
+    const base::Timers::Scope scope(timers, "strain history");
+    base::run_tasks(solutions.size(), threads,
+                    [&](std::size_t i) { study::make_mechanics_record(input, solutions[i]); });
+    for (const auto& solution : solutions) {
+      total.states += solution.contact_solves;
+    }
+  }
+  total.wall = base::wall_time() - wall;
+  total.processor = processor_time(CLOCK_PROCESS_CPUTIME_ID) - processor;
+  if (show_stages) {
+    for (const auto& [stage, seconds] : timers.seconds()) {
+      line("  " + stage,
+           fmt::format("{:.2f} s, {:.1f} ms a state", seconds, seconds * 1e3 / total.states));
+    }
+  }
+  return total;
+}
+
+class ScratchFolder {
+public:
+  ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "ionskin-bench-XXXXXX").string();
+    path = mkdtemp(name.data());
+  }
+  ~ScratchFolder() { std::filesystem::remove_all(path); }
+  std::filesystem::path path;
+};
+
+void measure(const std::string& preset, double rate, int threads) {
+  const Case input = paper_case(preset);
+  fmt::print("\n{} preset, one core\n", preset);
+  measure_position(input, rate);
+  fmt::print("{} preset, {} cycles, {} threads\n", preset, input.motion.cycles, threads);
+  const ScratchFolder folder;
+  base::DiskCache cache(folder.path, 20'000'000'000u);
+  std::vector<double> ten(10);
+  std::iota(ten.begin(), ten.end(), 1.0);
+  std::transform(ten.begin(), ten.end(), ten.begin(), [](double i) { return 0.05 * i; });
+  const auto show = [](const std::string& name, const Total& total) {
+    line(name, fmt::format("{:.1f} s, {:.1f} s of processors, {} states; memory so far {:.2f} GB",
+                           total.wall, total.processor, total.states, base::peak_memory() * 1e-9));
+  };
+  show("one friction coefficient, no cache", measure_study(input, {0.3}, threads, nullptr, true));
+  show("ten friction coefficients, empty cache", measure_study(input, ten, threads, &cache, true));
+  show("ten friction coefficients, cached", measure_study(input, ten, threads, &cache, true));
+  show("one friction coefficient, cached", measure_study(input, {0.3}, threads, &cache, true));
+  for (const std::string& text : cache.take_notes()) {
+    fmt::print("{}\n", text);
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> given(argv + 1, argv + argc),
+      presets = given.empty() ? std::vector<std::string>{"coarse", "standard"} : given;
+  const double rate = product_rate();
+  fmt::print("matrix product on one core: {:.1f} GFlop/s\n", rate * 1e-9);
+  for (const std::string& preset : presets) {
+    measure(preset, rate, static_cast<int>(std::thread::hardware_concurrency()));
+  }
+}
