@@ -7,12 +7,12 @@
 #include "ionskin/base/task_pool.hpp"
 #include "ionskin/base/timers.hpp"
 #include "ionskin/case/read_case.hpp"
+#include "ionskin/linear_algebra/dense_kernels.hpp"
 #include "ionskin/mechanics/elastic_system.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
 #include "ionskin/mechanics/unit_response.hpp"
 #include "ionskin/study/mechanics_record.hpp"
 
-#include <cblas.h>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ template <class Work> double seconds_of(const Work& work) {
 /// Operations a second of a matrix product in double precision on one core.
 double product_rate() {
   constexpr int size = 1200;
-  openblas_set_num_threads(1);
+  linear_algebra::use_one_thread_per_kernel();
   linear_algebra::DenseMatrix a(size, size), b(size, size);
   std::fill(a.values.begin(), a.values.end(), 1.5);
   std::fill(b.values.begin(), b.values.end(), 0.5);

@@ -3,8 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/linear_algebra/cholmod_handles.hpp"
-
-#include <cblas.h>
+#include "ionskin/linear_algebra/dense_kernels.hpp"
 
 #include <algorithm>
 #include <string>
@@ -73,8 +72,7 @@ DenseMatrix trailing_block(const cholmod_factor& factor, int count) {
 
 Cholesky::Cholesky(const SymbolicCholesky& symbolic, const std::vector<double>& values)
     : symbolic_(symbolic), numbers_(std::make_unique<Numbers>()) {
-  // Several factorisations run at once, one thread each.
-  openblas_set_num_threads(1);
+  use_one_thread_per_kernel();
   CholmodWorkspace& workspace = numbers_->workspace;
   numbers_->factor = cholmod_copy_factor(symbolic.symbols_->factor, *workspace);
   workspace.check("copying the symbolic factor");
@@ -103,9 +101,8 @@ DenseMatrix Cholesky::solve(DenseMatrix right_hand_sides) const {
 }
 
 DenseMatrix Cholesky::trailing_forward(DenseMatrix loads) const {
-  cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, loads.rows,
-              loads.columns, 1.0, trailing_block_.values.data(), trailing_block_.rows,
-              loads.values.data(), loads.rows);
+  solve_left(loads.rows, loads.columns, trailing_block_.values.data(), trailing_block_.rows,
+             loads.values.data(), loads.rows);
   return loads;
 }
 
@@ -135,8 +132,8 @@ DenseMatrix Cholesky::backward_from_trailing(const DenseMatrix& forward) const {
 
 DenseMatrix gram(const DenseMatrix& y) {
   DenseMatrix result(y.columns, y.columns);
-  cblas_dsyrk(CblasColMajor, CblasLower, CblasTrans, y.columns, y.rows, 1.0, y.values.data(),
-              y.rows, 0.0, result.values.data(), result.rows);
+  symmetric_product(true, y.columns, y.rows, 1.0, y.values.data(), y.rows, result.values.data(),
+                    result.rows);
   for (int j = 0; j < result.columns; ++j) {
     for (int i = 0; i < j; ++i) {
       result(i, j) = result(j, i);
@@ -147,9 +144,8 @@ DenseMatrix gram(const DenseMatrix& y) {
 
 DenseMatrix multiply(const DenseMatrix& a, const DenseMatrix& b) {
   DenseMatrix result(a.rows, b.columns);
-  cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, a.rows, b.columns, a.columns, 1.0,
-              a.values.data(), a.rows, b.values.data(), b.rows, 0.0, result.values.data(),
-              result.rows);
+  product(false, a.rows, b.columns, a.columns, 1.0, a.values.data(), a.rows, b.values.data(),
+          b.rows, 0.0, result.values.data(), result.rows);
   return result;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/linear_algebra/fixed_point_matrix.hpp"
 
-#include <cblas.h>
+#include "ionskin/linear_algebra/dense_kernels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,7 @@ double FixedPointMatrix::operator()(int i, int j) const {
 }
 
 DenseMatrix multiply(const FixedPointMatrix& a, const DenseMatrix& b) {
-  openblas_set_num_threads(1); // several positions are served at once
+  use_one_thread_per_kernel();
   DenseMatrix result(a.rows, b.columns), scaled = b, block(std::min(block_rows, a.rows), a.columns);
   for (int k = 0; k < b.columns; ++k) {
     for (int j = 0; j < a.columns; ++j) {
@@ -55,9 +55,8 @@ DenseMatrix multiply(const FixedPointMatrix& a, const DenseMatrix& b) {
       const std::int32_t* from = a.values.data() + place(a.rows, first, j);
       std::copy(from, from + count, block.column(j));
     }
-    cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, count, b.columns, a.columns, 1.0,
-                block.values.data(), block.rows, scaled.values.data(), scaled.rows, 0.0,
-                result.values.data() + first, result.rows);
+    product(false, count, b.columns, a.columns, 1.0, block.values.data(), block.rows,
+            scaled.values.data(), scaled.rows, 0.0, result.values.data() + first, result.rows);
   }
   return result;
 }

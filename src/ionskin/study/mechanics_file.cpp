@@ -35,6 +35,7 @@ void write_mechanics(const std::filesystem::path& path, const std::string& hash,
   write("/path/tangential_force", record.tangential_force, "N");
   write("/path/onset_begin", onset_column(record, 0), "s");
   write("/path/onset_end", onset_column(record, 1), "s");
+  write("/path/electrode_stress", record.electrode_stress, "Pa");
   file.write_texts("/path/warnings", record.warnings);
   std::vector<std::string> names, units;
   std::vector<double> values;
@@ -82,6 +83,7 @@ std::optional<MechanicsRecord> read_mechanics(const std::filesystem::path& path,
     for (std::size_t i = 0; i < names.size(); ++i) {
       record.metrics.push_back({names[i], values[i], units[i]});
     }
+    record.electrode_stress = file.read("/path/electrode_stress");
     record.warnings = file.read_texts("/path/warnings");
     record.join_time = number("join_time");
     record.worst_equilibrium_residual = number("worst_equilibrium_residual");

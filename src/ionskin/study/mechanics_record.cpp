@@ -9,6 +9,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include <set>
 #include <utility>
 
@@ -120,6 +122,25 @@ std::vector<readout::Metric> contact_metrics(const Case& input,
   return metrics;
 }
 
+/// Per electrode layer, over all states of the motion.
+std::vector<double> largest_electrode_stress(const mechanics::ContactSolution& contact) {
+  std::vector<double> largest;
+  for (const mechanics::LegSolution& leg : contact.legs) {
+    for (const auto* points : {&leg.path, &leg.steady}) {
+      for (const mechanics::PathState& point : *points) {
+        if (point.state) {
+          const std::vector<double>& stress = point.state->electrode_stress;
+          largest.resize(std::max(largest.size(), stress.size()));
+          for (std::size_t i = 0; i < stress.size(); ++i) {
+            largest[i] = std::max(largest[i], stress[i]);
+          }
+        }
+      }
+    }
+  }
+  return largest;
+}
+
 } // namespace
 
 MechanicsRecord make_mechanics_record(const Case& input,
@@ -145,6 +166,7 @@ MechanicsRecord make_mechanics_record(const Case& input,
   record.worst_equilibrium_residual = contact.worst_equilibrium_residual;
   record.worst_complementarity_residual = contact.worst_complementarity_residual;
   record.contact_solves = contact.contact_solves;
+  record.electrode_stress = largest_electrode_stress(contact);
   record.warnings = contact.warnings;
   record.metrics = contact_metrics(input, contact, timeline);
   return record;

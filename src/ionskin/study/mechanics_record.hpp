@@ -29,6 +29,8 @@ struct MechanicsRecord {
   double worst_complementarity_residual = 0;
   int contact_solves = 0;
   std::vector<readout::Metric> metrics; ///< of the contact, for summary.json
+  /// Largest membrane stress of each electrode layer over all states, bottom to top [Pa].
+  std::vector<double> electrode_stress;
   std::vector<std::string> warnings;
 
   bool has_contact() const { return !normal_force.empty(); }

@@ -74,6 +74,12 @@ void add_slide_metrics(const Case& input, const MechanicsRecord& mechanics,
   metrics.push_back({"p95_shear_slide", slide.p95, "1"});
   metrics.push_back({"element_max_shear_slide", slide.element_max, "1"});
   metrics.insert(metrics.end(), mechanics.metrics.begin(), mechanics.metrics.end());
+  if (!mechanics.electrode_stress.empty()) {
+    metrics.push_back(
+        {"electrode_membrane_stress",
+         *std::max_element(mechanics.electrode_stress.begin(), mechanics.electrode_stress.end()),
+         "Pa"});
+  }
   metrics.push_back({"equilibrium_residual", mechanics.worst_equilibrium_residual, "1"});
   metrics.push_back({"complementarity_residual", mechanics.worst_complementarity_residual, "1"});
 }

@@ -22,6 +22,7 @@ TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
       state->tangential_traction_x = state->tangential_traction_y = {1e5};
       state->slip = {1e-6};
       state->surface = {1e-6, 0, 0};
+      state->electrode_stress = {3e6, 4e6};
     }
   };
   for (const auto& leg : contact.legs) {
@@ -30,6 +31,7 @@ TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
   }
   contact.warnings = {"a warning"};
   const auto record = make_mechanics_record(input, contact);
+  EXPECT_EQ(record.electrode_stress, (std::vector<double>{3e6, 4e6}));
   ASSERT_EQ(record.normal_force.size(), record.history.time.size());
   ASSERT_EQ(record.maps.maps.size(), 1u + 2 + 9 + 2);
 
@@ -47,6 +49,7 @@ TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
   EXPECT_EQ(read->metrics[0].unit, "m2");
   EXPECT_EQ(read->join_time, record.join_time);
   EXPECT_EQ(read->warnings, record.warnings);
+  EXPECT_EQ(read->electrode_stress, record.electrode_stress);
   EXPECT_EQ(read->history.time, record.history.time);
   EXPECT_EQ(read->history.event_time, record.history.event_time);
   EXPECT_EQ(*read->history.gamma[20], *record.history.gamma[20]);

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/linear_algebra/dense_kernels.hpp"
+
+#include <cblas.h>
+#include <f77blas.h>
+
+namespace ionskin::linear_algebra {
+namespace {
+
+// The Fortran interface takes pointers to non-const but does not write through these.
+double* input(const double* values) {
+  return const_cast<double*>(values);
+}
+
+} // namespace
+
+void use_one_thread_per_kernel() {
+  openblas_set_num_threads(1);
+}
+
+void product(bool transpose_a, int m, int n, int k, double alpha, const double* a, int lead_a,
+             const double* b, int lead_b, double beta, double* c, int lead_c) {
+  char form_a = transpose_a ? 'T' : 'N', form_b = 'N';
+  dgemm_(&form_a, &form_b, &m, &n, &k, &alpha, input(a), &lead_a, input(b), &lead_b, &beta, c,
+         &lead_c);
+}
+
+void symmetric_product(bool transpose_first, int n, int k, double alpha, const double* a,
+                       int lead_a, double* c, int lead_c) {
+  char triangle = 'L', form = transpose_first ? 'T' : 'N';
+  double beta = 0;
+  dsyrk_(&triangle, &form, &n, &k, &alpha, input(a), &lead_a, &beta, c, &lead_c);
+}
+
+void solve_left(int m, int n, const double* l, int lead_l, double* b, int lead_b) {
+  char side = 'L', triangle = 'L', form = 'N', diagonal = 'N';
+  double alpha = 1;
+  dtrsm_(&side, &triangle, &form, &diagonal, &m, &n, &alpha, input(l), &lead_l, b, &lead_b);
+}
+
+} // namespace ionskin::linear_algebra

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace ionskin::linear_algebra {
+
+// The kernels of BLAS in use, on column-major arrays with leading dimensions. They go
+// through the Fortran interface: programs that link GSL may find its unoptimised CBLAS under the
+// names of OpenBLAS's.
+
+/// One thread per kernel from now on: positions, not kernels, run at the same time.
+void use_one_thread_per_kernel();
+
+/// C := alpha A B + beta C, or alpha A^T B + beta C; C has shape [m, n], the sum runs over k.
+void product(bool transpose_a, int m, int n, int k, double alpha, const double* a, int lead_a,
+             const double* b, int lead_b, double beta, double* c, int lead_c);
+
+/// Lower triangle of C := alpha A A^T, or alpha A^T A; C has shape [n, n], the sum runs over k.
+void symmetric_product(bool transpose_first, int n, int k, double alpha, const double* a,
+                       int lead_a, double* c, int lead_c);
+
+/// B := L^-1 B with the lower triangle L [m, m]; B has shape [m, n].
+void solve_left(int m, int n, const double* l, int lead_l, double* b, int lead_b);
+
+} // namespace ionskin::linear_algebra
