@@ -56,10 +56,7 @@ void add_run(CLI::App& app, Command& command) {
   verb->add_option("--only", options->only,
                    "Run one study: electrochemistry takes up finished mechanics")
       ->check(CLI::IsMember({"mechanics", "electrochemistry"}));
-  verb->add_flag_callback(
-      "--no-cache", [options] { options->use_cache = false; },
-      "Neither look up nor keep factorised slider positions in the cache of this user\n"
-      "(IONSKIN_CACHE, by default ~/.cache/ionskin; see docs/cache.md)");
+  add_cache_option(*verb, options->use_cache);
   add_log_options(*verb, options->log);
   verb->callback([options, &command] { command = *options; });
 }

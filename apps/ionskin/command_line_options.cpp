@@ -17,6 +17,13 @@ void add_threads_option(CLI::App& verb, int& threads) {
       ->check(CLI::PositiveNumber);
 }
 
+void add_cache_option(CLI::App& verb, bool& use_cache) {
+  verb.add_flag_callback(
+      "--no-cache", [&use_cache] { use_cache = false; },
+      "Neither look up nor keep factorised slider positions in the cache of this user\n"
+      "(IONSKIN_CACHE, by default ~/.cache/ionskin; see docs/cache.md)");
+}
+
 void add_log_options(CLI::App& verb, LogFormat& log) {
   verb.add_option_function<std::string>(
           "--log",

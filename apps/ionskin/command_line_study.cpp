@@ -44,6 +44,7 @@ void add_sweep(CLI::App& app, Command& command) {
       ->check(CLI::IsMember({"mechanics"}));
   verb->add_flag("--no-report", options->no_report,
                  "Leave out figures and report (ionskin report DIR makes them later)");
+  add_cache_option(*verb, options->use_cache);
   add_log_options(*verb, options->log);
   set_when_parsed(*verb, options, command);
 }

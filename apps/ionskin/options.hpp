@@ -38,6 +38,7 @@ struct SweepOptions {
   bool overwrite = false;
   bool resume = false;
   bool no_report = false;
+  bool use_cache = true;
   std::string only; ///< "mechanics" or empty for both studies
   LogFormat log = LogFormat::automatic;
 };

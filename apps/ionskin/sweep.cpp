@@ -64,6 +64,7 @@ int sweep(const SweepOptions& options, const std::string& command) {
     settings.overwrite = options.overwrite;
     settings.resume = options.resume;
     settings.report = !options.no_report;
+    settings.use_cache = options.use_cache;
     settings.studies =
         options.only == "mechanics" ? study::Studies::mechanics : study::Studies::both;
     settings.command = command;

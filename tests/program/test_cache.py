@@ -22,6 +22,7 @@ class Cache(ProgramTest):
 
     def setUp(self):
         super().setUp()
+        os.environ["IONSKIN_CACHE_LIMIT"] = "1 GB"
         # No reports: drawing them would take longer than everything else here.
         os.environ["IONSKIN_PYTHON_PATH"] = str(self.folder)
         self.addCleanup(os.environ.pop, "IONSKIN_PYTHON_PATH")
@@ -93,7 +94,6 @@ class Cache(ProgramTest):
 class CacheSettings(ProgramTest):
     def test_limit_that_cannot_be_read_is_a_mistake(self):
         os.environ["IONSKIN_CACHE_LIMIT"] = "plenty"
-        self.addCleanup(os.environ.pop, "IONSKIN_CACHE_LIMIT")
         process = self.run_program("run", QUICK, "-o", "out", expect=2)
         self.assertIn("IONSKIN_CACHE_LIMIT", process.stderr)
         self.assertFalse((self.folder / "out").exists())

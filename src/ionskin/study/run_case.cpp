@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/run_case.hpp"
 
-#include "ionskin/base/disk_cache.hpp"
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/timers.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
@@ -15,10 +14,10 @@
 #include "ionskin/study/mechanics_record.hpp"
 #include "ionskin/study/read_out.hpp"
 #include "ionskin/study/run_folder.hpp"
+#include "ionskin/study/user_cache.hpp"
 #include "ionskin/study/warnings.hpp"
 #include "ionskin/study/write_outputs.hpp"
 
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -48,12 +47,6 @@ std::optional<MechanicsRecord> strain_from_file(const Case& input, const RunOpti
                     "\n  = " + error.remedy());
   }
   return record;
-}
-
-/// The user's cache, or none. Throws UserError when its settings are wrong.
-std::unique_ptr<base::DiskCache> open_cache(const RunOptions& options) {
-  const auto folder = options.use_cache ? base::cache_folder() : std::nullopt;
-  return folder ? std::make_unique<base::DiskCache>(*folder, base::cache_limit()) : nullptr;
 }
 
 /// Case -> SkinMesh -> ContactSolution -> StrainHistory, or what an earlier run of it left.
@@ -120,7 +113,7 @@ IonSolution study_2(const Case& input, const RunOptions& options, RunFolder& fol
 RunOutcome run_case(const Case& input, const RunOptions& options) {
   const double start = base::wall_time();
   auto given_strain = strain_from_file(input, options);
-  const auto cache = open_cache(options);
+  const auto cache = open_user_cache(options);
   RunFolder folder(input, options);
   base::Timers timers;
 

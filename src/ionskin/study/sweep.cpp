@@ -41,6 +41,7 @@ RunOptions sweep_folder_options(const SweepOptions& options) {
   result.threads = options.threads;
   result.overwrite = options.overwrite;
   result.resume = options.resume;
+  result.use_cache = options.use_cache;
   result.command = options.command;
   return result;
 }

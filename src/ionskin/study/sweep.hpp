@@ -19,6 +19,7 @@ struct SweepOptions {
   bool resume = false;             ///< finish what an earlier sweep of the same points lacks
   Studies studies = Studies::both; ///< or `mechanics`
   bool report = true;              ///< draw the figures and the page of the whole sweep
+  bool use_cache = true;           ///< of condensed slider positions
   std::string command;             ///< for the manifests
   base::ProgressCallback progress = base::no_progress; ///< called from one thread at a time
 };

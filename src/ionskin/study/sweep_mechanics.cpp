@@ -8,6 +8,7 @@
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/study/mechanics_file.hpp"
 #include "ionskin/study/run_folder.hpp"
+#include "ionskin/study/user_cache.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -119,7 +120,8 @@ class SharedMechanicsSolver {
 public:
   SharedMechanicsSolver(const std::vector<SweepPoint>& points, const RunOptions& options,
                         base::Timers& timers, std::size_t units)
-      : points_(points), options_(options), timers_(timers), units_(units) {}
+      : points_(points), options_(options), timers_(timers), units_(units),
+        cache_(open_user_cache(options)) {}
 
   /// Solves entries [begin, end) of a group together.
   void solve(const FrictionGroup& group, std::size_t begin, std::size_t end) {
@@ -149,6 +151,7 @@ private:
     const double share = static_cast<double>(end - begin) / static_cast<double>(units_);
     mechanics::ContactOptions contact_options;
     contact_options.threads = options_.threads;
+    contact_options.cache = cache_.get();
     contact_options.progress = [&](std::string_view, double fraction) {
       options_.progress("mechanics of all points", before + share * fraction);
     };
@@ -158,6 +161,12 @@ private:
     }
     auto solutions = mechanics::solve_contact(points_[group[begin].points.front()].input, frictions,
                                               contact_options, timers_);
+    if (cache_) {
+      const std::vector<std::string> notes = cache_->take_notes();
+      for (auto& solution : solutions) {
+        solution.warnings.insert(solution.warnings.end(), notes.begin(), notes.end());
+      }
+    }
     const double seconds = (base::wall_time() - start) / static_cast<double>(end - begin);
     base::run_tasks(solutions.size(), options_.threads, [&](std::size_t i) {
       const auto contact = std::make_unique<mechanics::ContactSolution>(std::move(solutions[i]));
@@ -169,6 +178,7 @@ private:
   const RunOptions& options_;
   base::Timers& timers_;
   std::size_t units_, finished_ = 0;
+  std::unique_ptr<base::DiskCache> cache_;
 };
 
 bool has_mechanics(const SweepPoint& point, const RunOptions& options) {
