@@ -29,6 +29,7 @@ SymbolicCholesky::SymbolicCholesky(SymmetricPattern pattern, std::vector<int> or
   workspace.check("analyze");
 }
 
+SymbolicCholesky::SymbolicCholesky(SymbolicCholesky&&) noexcept = default;
 SymbolicCholesky::~SymbolicCholesky() = default;
 
 double SymbolicCholesky::factor_entries() const {

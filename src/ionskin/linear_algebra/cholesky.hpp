@@ -15,6 +15,7 @@ public:
   /// @param order elimination order of all unknowns, postordered
   /// @param trailing how many unknowns at its end form the trailing block
   SymbolicCholesky(SymmetricPattern pattern, std::vector<int> order, int trailing);
+  SymbolicCholesky(SymbolicCholesky&&) noexcept;
   ~SymbolicCholesky();
 
   const SymmetricPattern& pattern() const { return pattern_; }
