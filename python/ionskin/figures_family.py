@@ -63,8 +63,8 @@ def currents(study):
     for row, member in zip(panels, study.members):
         time = member.results.sampled["time"]
         for name, colour in (("top", style.BLUE), ("bottom", style.ORANGE)):
-            row[0].plot(time, member.results.sampled[f"current_{name}"] * 1e3, color=colour, lw=0.9 if name == "top" else 0.7,
-                        drawstyle="steps-pre", ls="-" if name == "top" else (0, (4, 1.5)), label=name)
+            row[0].plot(time, member.results.sampled[f"current_{name}"] * 1e3, color=colour, lw=0.8, label=name,
+                        drawstyle="steps-pre", ls="-" if name == "top" else (0, (4, 1.5)))
         row[1].plot(time, member.results.sampled["current_difference"] * 1e3, color=style.GREEN, lw=0.9,
                     drawstyle="steps-pre", label="difference (top − bottom)/2")
         row[0].set_ylabel(study.label(member), fontsize=7.5)
@@ -128,8 +128,8 @@ def current_map(study):
         time = study.typical.results.sampled["time"]
         starts = numpy.concatenate([[study.typical.results.signals["time"][0]], time])
         rows = numpy.array([member.results.sampled[column][:len(time)] for member in study.members])
-        peak = peak_of(rows.ravel())
-        norm = SymLogNorm(linthresh=peak * 1e-3 or 1e-12, vmin=-peak, vmax=peak)
+        peak = peak_of(rows) or 1e-12  # a scale for runs without any current
+        norm = SymLogNorm(linthresh=peak * 1e-3, vmin=-peak, vmax=peak)
         image = panel.pcolormesh(starts, edges, rows, cmap=style.DIVERGING, norm=norm, rasterized=True)
         panel.set_ylabel(study.axis_label() if panel is axes[1] else "")
         panel.grid(False)
@@ -168,7 +168,8 @@ def mark_regimes(study, panel, name, divisor):
         panel.axvline(fit.break_at, color=style.QUIET, lw=0.7, ls="--")
         panel.text(0.98, 0.04, f"below {study.label(study.members[0]).split(' = ', maxsplit=1)[0]} = "
                    f"{fit.break_at:.2g}: exponent {fit.low:.2f} ± {fit.low_error:.2f}\nabove: "
-                   f"{fit.high:.2f} ± {fit.high_error:.2f}", transform=panel.transAxes, ha="right", va="bottom", fontsize=7)
+                   f"{fit.high:.2f} ± {fit.high_error:.2f}", transform=panel.transAxes, ha="right", va="bottom",
+                   fontsize=7)
     else:
         panel.text(0.98, 0.04, f"one power law: exponent {fit.low:.2f} ± {fit.low_error:.2f}",
                    transform=panel.transAxes, ha="right", va="bottom", fontsize=7)
@@ -179,7 +180,8 @@ def current_panel(study, panel, prefix, name_of, title):
     for name, colour, marker in CURRENTS:
         metric = name_of.format(name)
         if numpy.isfinite(study.metric(metric)).any():
-            plot_metric(study, panel, metric, 1.0, color=colour, marker=marker, markersize=3.5, label=f"{name}{prefix[0]}")
+            plot_metric(study, panel, metric, 1.0, color=colour, marker=marker, markersize=3.5,
+                        label=f"{name}{prefix[0]}")
         sampled = f"peak_sampled_current_{name}"
         if prefix[1] and numpy.isfinite(study.metric(sampled)).any():
             plot_metric(study, panel, sampled, 1.0, color=colour, marker=marker, markersize=3.5, ls="--",

@@ -55,11 +55,14 @@ def stick_slip(study):
     figure = style.canvas(height=2.6, left=0.09, right=0.985, top=0.90, bottom=0.17, wspace=0.28)
     axes = figure.subplots(1, 2)
     edges = numpy.linspace(0, end, 601)
-    rows = numpy.array([numpy.interp((edges[1:] + edges[:-1]) / 2, numpy.concatenate([[0], own]), numpy.concatenate([[1], stuck]), right=0)
-                        for _, own, stuck in histories])
+    centres = (edges[1:] + edges[:-1]) / 2
+    # Before the first state of the onset everything sticks.
+    histories = [(member, numpy.concatenate([[0], own]), numpy.concatenate([[1], stuck]))
+                 for member, own, stuck in histories]
+    rows = numpy.array([numpy.interp(centres, own, stuck, right=0) for _, own, stuck in histories])
     colours = style.sequence(len(histories))
     for (member, own, stuck), colour in zip(histories, colours):
-        axes[0].plot(numpy.concatenate([[0], own]) * 1e3, numpy.concatenate([[1], stuck]), color=colour, lw=1.0,
+        axes[0].plot(own * 1e3, stuck, color=colour, lw=1.0,
                      label=study.label(member) if member in (histories[0][0], histories[-1][0]) else None)
     axes[0].set(xlabel="time since the slide began [ms]", ylabel="stuck part of the contact area", ylim=(-0.02, 1.05))
     axes[0].set_xlim(0, 1e3 * end)
@@ -72,7 +75,8 @@ def stick_slip(study):
                                cmap=style.SEQUENCE, vmin=0, vmax=1, rasterized=True)
     axes[1].set(xlabel="time since the slide began [ms]", ylabel=study.axis_label())
     axes[1].grid(False)
-    axes[1].plot(numpy.array(slipping) * 1e3, [member.value for member, *_ in histories], color="white", marker="o", markersize=2.5, lw=0.8)
+    axes[1].plot(numpy.array(slipping) * 1e3, [member.value for member, *_ in histories], color="white", marker="o",
+                 markersize=2.5, lw=0.8)
     style.title(axes[1], "Stuck part; line: full slip")
     figure.colorbar(image, ax=axes[1], pad=0.02)
     return figure
@@ -117,7 +121,8 @@ def contact_maps(study):
             shear = numpy.hypot(group["shear_x"][...], group["shear_y"][...])
             for row, (values, name) in enumerate(((pressure, "pressure"), (mirrored(file, shear)[1], "shear traction"))):
                 panel = panels[row, column]
-                image = panel.pcolormesh(x, y * 1e3, values / 1e6, cmap=style.SEQUENCE, vmin=0, vmax=capped(values, mirrored(file, cell_areas(file))[1]) / 1e6,
+                top = capped(values, mirrored(file, cell_areas(file))[1])
+                image = panel.pcolormesh(x, y * 1e3, values / 1e6, cmap=style.SEQUENCE, vmin=0, vmax=top / 1e6,
                                          rasterized=True)
                 panel.set(xlabel="x from the slider's centre [mm]", ylabel="y [mm]" if column == 0 else "")
                 style.title(panel, f"{name.capitalize()} [MPa], {words}")
@@ -138,8 +143,9 @@ def core_sections(figure, panels, file, results):
     middle = strain["gamma"].shape[2] // 2
     sections = [strain["gamma"][int(numpy.abs(time - instant).argmin()), :, middle, :] for instant in instants]
     for panel, section, words in zip(panels, sections, ("end of touchdown", "mid-slide")):
-        image = panel.pcolormesh((x[1:] + x[:-1]) / 2, z, section * 1e3, cmap=style.SEQUENCE, vmin=0,
-                                 vmax=capped(section, numpy.diff(strain["grid/x"][...]), 0.99) * 1e3, shading="gouraud", rasterized=True)
+        top = capped(section, numpy.diff(x), 0.99)
+        image = panel.pcolormesh((x[1:] + x[:-1]) / 2, z, section * 1e3, cmap=style.SEQUENCE, vmin=0, vmax=top * 1e3,
+                                 shading="gouraud", rasterized=True)
         panel.set(xlabel="x from the slider's centre [mm]", ylabel="z [µm]" if panel is panels[0] else "")
         panel.set_xlim(-3.5, 3.5)
         panel.grid(False)
@@ -178,10 +184,12 @@ def ions(study):
             style.title(panel, words)
         for panel in panels[1]:
             panel.set_xlabel("height in the core [µm]")
-        centre = [(edges[i] + edges[i + 1]) / 2 * 1e3 for edges, i in ((grid["x"][...], column[1]), (grid["y"][...], column[0]))]
+        centre = [(edges[i] + edges[i + 1]) / 2 * 1e3
+                  for edges, i in ((grid["x"][...], column[1]), (grid["y"][...], column[0]))]
         panels[0, 1].legend(loc="lower left", fontsize=6.5, ncol=2)
-        figure.text(0.985, 0.985, f"{study.label(study.typical)}; column at x = {centre[0]:.3g} mm, y = {centre[1]:.3g} mm, "
-                                  "where the potential deviates most", ha="right", va="top", fontsize=7, color=style.QUIET)
+        words = (f"{study.label(study.typical)}; column at x = {centre[0]:.3g} mm, y = {centre[1]:.3g} mm, where the "
+                 "potential deviates most")
+        figure.text(0.985, 0.985, words, ha="right", va="top", fontsize=7, color=style.QUIET)
     return figure
 
 

@@ -65,7 +65,8 @@ def model(study):
     handles.append(Rectangle((0, 0), 1, 1, facecolor=SLIDER_COLOUR, edgecolor=style.INK, lw=0.4,
                              label=f"slider ({shape['shape']}): {size[0]:.4g} mm × {size[1]:.4g} mm"))
     stroke = numpy.array(shape["direction"]) / numpy.linalg.norm(shape["direction"]) * shape["stroke"] * 1e3
-    axes.quiver(*start, height + gap + 1.0, *stroke, 0, color=style.INK, linewidth=1.0, arrow_length_ratio=0.06, clip_on=False)
+    axes.quiver(*start, height + gap + 1.0, *stroke, 0, color=style.INK, linewidth=1.0, arrow_length_ratio=0.06,
+                clip_on=False)
     axes.text(*(start + stroke), height + gap + 1.25, f"stroke {shape['stroke'] * 1e3:.4g} mm", fontsize=7.5)
     axes.plot([high[0]] * 2, [low[1]] * 2, [height, height + gap], color=style.INK, lw=0.8, clip_on=False)
     axes.text(high[0] + 0.2, low[1], height + gap / 2, f"gap {gap:.4g} mm", fontsize=7.5, va="center")

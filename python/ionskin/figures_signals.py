@@ -7,6 +7,7 @@ from . import derived, style
 from .panels import STEP, name_phases, peak_of, sampled_label, scaled, shade_phases, time_axis
 
 NO_CURRENT = "the run has no currents"
+NO_MOTION = "the run has no prescribed motion"
 
 
 def has_currents(results):
@@ -41,7 +42,8 @@ def rate(study):
         for each, values in ((panel, sampled[column] / unit), (twin, shear_rate)):
             limit = 1.15 * peak_of(values) or 1
             each.set_ylim(-limit, limit)
-        style.title(panel, title_of(study, f"{name.capitalize()} current") if name == "top" else f"{name.capitalize()} current")
+        words = f"{name.capitalize()} current"
+        style.title(panel, title_of(study, words) if panel is axes[0] else words)
         panel.set_title(f"r = {correlations[name, 'sampled']:.3f} sampled, {correlations[name, 'resolved']:.3f} resolved",
                         loc="right", fontsize=7.5, pad=4)
     time_axis(results, axes)
@@ -52,8 +54,10 @@ def rate(study):
 def current_motion(study):
     """Figure 12: current with the motion."""
     results = study.typical.results
-    if not has_currents(results) or not results.signals.has("slider_x"):
+    if not has_currents(results):
         return NO_CURRENT
+    if not results.signals.has("slider_x"):
+        return NO_MOTION
     signals, sampled = results.signals, results.sampled
     figure, axes = style.stacked(3, heights=[0.6, 0.6, 1.1])
     axes[0].plot(signals["time"], signals["slider_x"] * 1e3, color=style.INK, lw=1.0)
@@ -80,11 +84,13 @@ def first_cycle(results):
 def cycle(study):
     """Figure 13: one cycle of motion, shear and current."""
     results = study.typical.results
-    if not has_currents(results) or not results.signals.has("slider_x"):
+    if not has_currents(results):
         return NO_CURRENT
+    if not results.signals.has("slider_x"):
+        return NO_MOTION
     signals, sampled = results.signals, results.sampled
     figure, axes = style.stacked(4, heights=[0.75, 0.75, 0.85, 0.75])
-    axes[0].plot(signals["time"], signals["slider_x"] * 1e3 - signals["slider_x"][0] * 1e3, color=style.INK, label="x − start")
+    axes[0].plot(signals["time"], (signals["slider_x"] - signals["slider_x"][0]) * 1e3, color=style.INK, label="x − start")
     axes[0].plot(signals["time"], signals["slider_z"] * 1e3, color=style.INK, ls="--", label="z")
     axes[0].set_ylabel("motion [mm]")
     style.legend(axes[0])
@@ -107,8 +113,10 @@ def cycle(study):
 def phases(study):
     """Figure 14: the boundaries of the phases on the current of one cycle, with the three events enlarged."""
     results = study.typical.results
-    if not has_currents(results) or not results.phases():
+    if not has_currents(results):
         return NO_CURRENT
+    if not results.phases():
+        return NO_MOTION
     sampled = results.sampled
     start, end = first_cycle(results)
     figure = style.canvas(height=4.9, left=0.085, right=0.975, top=0.93, bottom=0.125, hspace=0.62, wspace=0.36)
@@ -176,8 +184,10 @@ def enlarged(panel, results, instant, before, after, words):
 def normalised(study):
     """Figure 15: motion, shear and current, each divided by its largest magnitude."""
     results = study.typical.results
-    if not has_currents(results) or not results.signals.has("slider_x"):
+    if not has_currents(results):
         return NO_CURRENT
+    if not results.signals.has("slider_x"):
+        return NO_MOTION
     signals, sampled = results.signals, results.sampled
     figure, axes = style.stacked(2, heights=[1.1, 1.1])
     travel = signals["slider_x"] - signals["slider_x"][0]
@@ -201,8 +211,10 @@ def charge(study):
     """Figure 20: charge that each phase moves, and the audit against the shear."""
     results = study.typical.results
     spans = results.phases()
-    if not has_currents(results) or not spans:
+    if not has_currents(results):
         return NO_CURRENT
+    if not spans:
+        return NO_MOTION
     signals = results.signals
     factor = derived.charge_per_shear(results)
     fixed = results.case.get("coupling", {}).get("law", "fixed-charge") == "fixed-charge"

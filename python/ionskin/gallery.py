@@ -52,7 +52,8 @@ PAPER_FIGURES = [
     Entry("fig17_stick_slip", "Stick and slip", "Stuck part of the contact area during the onset of sliding.",
           figures_fields.stick_slip),
     Entry("fig18_contact_maps", "Contact and shear maps", "In the slider's frame. Peaks at sharp edges depend on the mesh: the "
-          "colour scales end where 95 % of the area (tractions) and 99 % of the section (shear, at mid-width) lie below.", figures_fields.contact_maps),
+          "colour scales end where 95 % of the area (tractions) and 99 % of the section (shear, at mid-width) lie below.",
+          figures_fields.contact_maps),
     Entry("fig19_ions", "Ions through the thickness", "Concentration and potential in one column at the instants of "
           "output.fields; the outer panels enlarge the double layers.", figures_fields.ions),
     Entry("fig20_charge", "Charge per phase", "Charge gained by each electrode in each phase; the marks are what the shear "

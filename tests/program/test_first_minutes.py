@@ -3,6 +3,7 @@
 
 import json
 import unittest
+import unittest.mock
 
 import h5py
 import numpy
@@ -59,6 +60,27 @@ class FirstMinutes(ProgramTest):
         manifest = json.loads((out / "manifest.json").read_text())
         self.assertIn("peak_memory", json.dumps(manifest))
         self.assertEqual(sorted(set(signals(out)["phase"][1:])), ["lift", "return", "slide", "touchdown"])
+
+        self.figures_and_comparison_of_a_run()
+
+    def figures_and_comparison_of_a_run(self):
+        """`report` and `compare` on the run in `out`; `fig05_shear` needs no several runs, the maps do."""
+        self.assertIn("figures", self.run_program("report", "out", "--figure", "fig05_shear").stdout)
+        for kind in ("png", "svg", "pdf"):
+            self.assertTrue((self.folder / "out" / "figures" / f"fig05_shear.{kind}").exists())
+        process = self.run_program("report", "out", "--figure", "fig06_shear_map")
+        self.assertIn("several runs", process.stdout)
+        self.assertIn("fig01_model", self.run_program("report", "out", "--figure", "fig99", expect=2).stderr)
+        self.assertIn("no differences", self.run_program("compare", "out", "out").stdout)
+        self.assertIn("signals.csv", self.run_program("compare", "out", "nowhere", expect=2).stderr)
+
+    def test_doctor_and_cite(self):
+        self.assertIn("Nothing is missing", self.run_program("doctor").stdout)
+        with unittest.mock.patch.dict("os.environ", IONSKIN_DATA="nowhere"):
+            lacking = self.run_program("doctor", expect=2).stdout
+        self.assertRegex(lacking, r"MISSING +cases and materials in nowhere")
+        self.assertIn("IONSKIN_DATA", lacking)
+        self.assertIn("@software", self.run_program("cite").stdout)
 
     def test_json_progress(self):
         process = self.run_program("run", QUICK, "-o", "out", "--log", "json")

@@ -154,8 +154,9 @@ void write_sweep_signals(const std::filesystem::path& folder, const std::vector<
     const results::Hdf5File source(folder / results::file_names::points / points[i].name /
                                        results::file_names::results,
                                    results::Hdf5File::Access::read);
-    copy_group(source, "signals", file, group);
-    copy_group(source, "sampled", file, group);
+    for (const char* table : {"signals", "sampled", "taxels", "circuit"}) {
+      copy_group(source, table, file, group);
+    }
     for (const SweptValue& value : points[i].values) {
       file.set_attribute(group, value.key, value.written);
     }

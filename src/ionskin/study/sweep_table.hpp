@@ -24,9 +24,10 @@ struct PointState {
 std::string sweep_table_text(const std::vector<SweepPoint>& points,
                              const std::vector<PointState>& states);
 
-/// sweep.h5 from the folders of the finished points: under /points/NAME the groups signals and
-/// sampled as in results.h5 with the swept values as attributes; under /swept and /metrics one
-/// array over all points each, NaN where a point has none.
+/// sweep.h5 from the folders of the finished points: under /points/NAME the groups signals,
+/// sampled, taxels and circuit as in results.h5, as far as they are there, with the swept values as
+/// attributes; under /swept and /metrics one array over all points each, NaN where a point has
+/// none.
 void write_sweep_signals(const std::filesystem::path& folder, const std::vector<SweepPoint>& points,
                          const std::vector<PointState>& states);
 

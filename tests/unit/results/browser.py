@@ -66,8 +66,9 @@ class Page:
 
     def box(self, selector):
         """Place of the first element of a selector: left, top, width, height."""
-        return self.evaluate(f"(() => {{ const e = document.querySelector({json.dumps(selector)}); e.scrollIntoView({{behavior: 'instant'}}); "
-                             "const b = e.getBoundingClientRect(); return [b.left, b.top, b.width, b.height]; })()")
+        find = f"const e = document.querySelector({json.dumps(selector)}); e.scrollIntoView({{behavior: 'instant'}});"
+        return self.evaluate(f"(() => {{ {find} const b = e.getBoundingClientRect(); "
+                             "return [b.left, b.top, b.width, b.height]; })()")
 
     def mouse(self, kind, x, y, clicks=1):
         """One event of the mouse."""
