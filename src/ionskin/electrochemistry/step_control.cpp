@@ -28,11 +28,11 @@ double preset_tolerance(Preset preset) {
   case Preset::coarse:
     return 3e-4;
   case Preset::standard:
-    return 1e-4;
+    return 5e-5;
   case Preset::fine:
-    return 1e-5;
+    return 3e-6;
   }
-  return 1e-5;
+  return 3e-6;
 }
 
 StepRule step_rule(const Numerics& numerics, const DerivedScales& scales) {
