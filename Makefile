@@ -24,9 +24,11 @@ demo: build
 	$(BUILD)/ionskin run cases/paper.toml -o $(DEMO_OUT) --overwrite
 	@echo "Report: $(CURDIR)/$(DEMO_OUT)/report.html"
 
-check: build sanitize
+# The cheap checks come first, so that a slip shows before the long build.
+check: setup
 	@scripts/check_format.sh
 	@/usr/bin/python3 scripts/check_includes.py
+	@$(MAKE) --no-print-directory build sanitize
 	@ctest --preset release
 
 # The unit tests once more under the address and undefined-behaviour sanitizers.

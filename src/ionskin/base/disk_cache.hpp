@@ -49,8 +49,8 @@ private:
 };
 
 /// The user's cache: the folder $IONSKIN_CACHE, or ionskin in $XDG_CACHE_HOME, or ~/.cache/ionskin;
-/// at most $IONSKIN_CACHE_LIMIT, such as "500 MB" or "8 GB" (default 5 GB), 0 to turn it off. Nothing when no folder
-/// is known. Throws UserError when the limit cannot be read.
+/// at most $IONSKIN_CACHE_LIMIT, such as "500 MB" or "8 GB" (default 5 GB), 0 to turn it off.
+/// Nothing when no folder is known. Throws UserError when the limit cannot be read.
 std::optional<std::filesystem::path> cache_folder();
 std::uintmax_t cache_limit();
 

@@ -42,16 +42,12 @@ std::vector<std::string> usual_units() {
 }
 
 const std::vector<DimensionInfo>& other_dimensions() {
-  static const std::vector<DimensionInfo> rows = {{"an area", "m2", {}},
-                                                  {"a volume", "m3", {}},
-                                                  {"a speed", "m/s", {}},
-                                                  {"a mass", "kg", {}},
-                                                  {"an energy", "J", {}},
-                                                  {"a power", "W", {}},
-                                                  {"an electric charge", "C", {}},
-                                                  {"a voltage", "V", {}},
-                                                  {"a capacitance", "F", {}},
-                                                  {"an amount of substance", "mol", {}}};
+  static const std::vector<DimensionInfo> rows = {
+      {"an area", "m2", {}},           {"a volume", "m3", {}},
+      {"a speed", "m/s", {}},          {"a mass", "kg", {}},
+      {"an energy", "J", {}},          {"a power", "W", {}},
+      {"an electric charge", "C", {}}, {"a voltage", "V", {}},
+      {"a capacitance", "F", {}},      {"an amount of substance", "mol", {}}};
   return rows;
 }
 
