@@ -7,6 +7,7 @@
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/electrochemistry/derived_scales.hpp"
 #include "ionskin/electrochemistry/wall_potential.hpp"
+#include "ionskin/mesh/footprint.hpp"
 
 #include <fmt/format.h>
 
@@ -80,7 +81,21 @@ std::string scales_of_ions(const Case& input) {
   return text;
 }
 
+/// The contact of a round slider is not known before it is solved.
+std::string scales_of_round_contact(const Case& input) {
+  const mesh::Footprint largest = mesh::largest_footprint(input);
+  std::string text = "\nContact\n";
+  if (input.motion.force_controlled())
+    text += row("normal force", fmt::format("{:.3g} N", input.motion.preload_force));
+  return text + row("contact at most",
+                    fmt::format("{:.3g} mm x {:.3g} mm", 2e3 * largest.half_size[0],
+                                2e3 * largest.half_size[1]),
+                    "the mesh is fitted to the contact that a coarse solution finds");
+}
+
 std::string scales_of_contact(const Case& input) {
+  if (!input.slider.sharp())
+    return scales_of_round_contact(input);
   const ConfinedEstimate estimate = confined_estimate(input);
   const auto scales =
       electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness());

@@ -36,7 +36,8 @@ class StrainFile(ProgramTest):
         strain = self.folder / "step.h5"
         write_strain_file(strain, numpy.tile(numpy.array([-amplitude, amplitude])[None, :, None, None],
                                              (2, 1, 1, 1)), [0.0, 5.0])
-        result = self.run_on(strain, "numerics.preset=standard")
+        # A current is the mean over its row: the first instant of the table needs short rows.
+        result = self.run_on(strain, "numerics.preset=standard", "numerics.time_refinement=4")
         area = 15e-3 * 2e-3
         charge = (result["charge_top"] - result["charge_bottom"]) / 2 / area
         times = numpy.array([1e-3, 0.01, 0.1, 1, 4])

@@ -9,6 +9,10 @@ namespace ionskin::verification {
 
 /// M1: exact affine displacement through the three layers.
 std::vector<Row> patch_rows();
+/// M2: Hertz (sphere and cylinder) and Cattaneo-Mindlin on deep blocks of one material.
+std::vector<Row> round_contact_rows(const Options& options);
+/// M2: a thin bonded layer under a wide cylinder.
+std::vector<Row> thin_layer_rows();
 /// M4 to M8 on the baseline at the coarse preset.
 std::vector<Row> contact_rows(const Options& options);
 /// M9 to M11: off-centre, oblique and reversing tracks, force control.

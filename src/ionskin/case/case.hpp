@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/case/height_map.hpp"
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -43,12 +45,24 @@ struct Skin {
   double core_volume() const;     ///< [m3]
 };
 
-enum class SliderShape { flat };
+enum class SliderShape { flat, cylinder, sphere, profile };
 
+/// A rigid body whose underside presses on the skin.
 struct Slider {
   SliderShape shape = SliderShape::flat;
-  std::array<double, 2> size{};  ///< footprint along x and y [m]
+  std::array<double, 2> size{};  ///< plan of the underside along x and y [m]
+  double edge_radius = 0;        ///< of the rounded edges of a flat slider, 0 for sharp ones [m]
+  double radius = 0;             ///< of a cylinder (axis along y) or sphere [m]
+  std::string profile;           ///< absolute path of the height map; empty without one
+  HeightMap profile_heights;     ///< what stands in it
   std::array<double, 2> start{}; ///< centre at the start of a cycle, x and y [m]
+
+  /// Flat with sharp edges: it touches all over its plan at once.
+  bool sharp() const { return shape == SliderShape::flat && edge_radius == 0; }
+  /// Half sizes of the part that touches at once; 0 along a round direction [m].
+  std::array<double, 2> flat_half_size() const;
+  /// Whether the underside is its own mirror image under x -> -x and under y -> -y.
+  std::array<bool, 2> symmetric() const;
 };
 
 /// One cycle of touchdown, slide, lift-off and detached return; the same with several strokes back
@@ -172,5 +186,8 @@ struct Case {
   Output output;
   std::string text; ///< the TOML text with all `--set` edits applied, as written to case.toml
 };
+
+/// Between symmetry planes a slider over the whole width, wherever it goes, makes plane strain.
+bool covers_width(const Case& input);
 
 } // namespace ionskin

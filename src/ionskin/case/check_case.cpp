@@ -3,6 +3,7 @@
 
 #include "ionskin/case/check_motion.hpp"
 #include "ionskin/case/check_readout.hpp"
+#include "ionskin/case/check_slider.hpp"
 #include "ionskin/case/check_track.hpp"
 
 #include <fmt/format.h>
@@ -113,6 +114,7 @@ void check_case(const CaseDocument& document) {
   check_core(document, problems);
   check_readout(document, problems);
   if (document.input.strain.kind == StrainSourceKind::contact) {
+    check_slider(document, problems);
     if (check_motion(document, problems)) {
       check_track(document, problems);
       check_instants(document, problems);

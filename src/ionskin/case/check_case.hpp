@@ -6,7 +6,7 @@
 namespace ionskin {
 
 /// Checks between the keys of a case whose single values are in range: the stack of layers, the
-/// slider along its whole track, preload, instants within the run, the strain file's existence.
+/// slider's shape and whole track, preload, instants within the run, the strain file's existence.
 /// Throws UserError with all mistakes: what, the places of all keys involved, remedy.
 void check_case(const CaseDocument& document);
 

@@ -2,7 +2,6 @@
 #include "ionskin/case/check_track.hpp"
 
 #include "ionskin/case/check_motion.hpp"
-#include "ionskin/case/slider_motion.hpp"
 
 #include <fmt/format.h>
 
@@ -58,7 +57,7 @@ bool lies_inside(double low, double high, double extent) {
 void check_axis(const CaseDocument& document, const Axis& axis, Problems& problems) {
   const Slider& slider = document.input.slider;
   const Motion& motion = document.input.motion;
-  const double half_size = 0.5 * slider.size[axis.index];
+  const double half_size = slider.flat_half_size()[axis.index];
   const double travel = motion.stroke * motion.direction[axis.index];
   for (const bool at_end : {false, true}) {
     const double centre = slider.start[axis.index] + (at_end ? travel : 0.0);
@@ -75,17 +74,8 @@ void check_axis(const CaseDocument& document, const Axis& axis, Problems& proble
   }
 }
 
-// Between symmetry planes a slider over the whole width, wherever it goes, makes plane strain.
-bool covers_width(const Case& input) {
-  if (input.skin.sides != SideCondition::symmetry)
-    return false;
-  const MotionBox box = motion_box(input.motion, input.slider);
-  const double half_size = 0.5 * input.slider.size[1];
-  return box.high[1] - half_size <= 0 && box.low[1] + half_size >= input.skin.width;
-}
-
 void check_waypoints(const CaseDocument& document, const Axis& axis, Problems& problems) {
-  const double half_size = 0.5 * document.input.slider.size[axis.index];
+  const double half_size = document.input.slider.flat_half_size()[axis.index];
   const std::vector<Waypoint>& waypoints = document.input.motion.waypoints;
   for (std::size_t i = 0; i < waypoints.size(); ++i) {
     const double centre = waypoints[i].position[axis.index];

@@ -47,6 +47,13 @@ void take_waypoints(Case& input) {
     input.slider.start = motion.waypoints.front().position;
 }
 
+void settle_slider(Slider& slider) {
+  if (slider.shape == SliderShape::sphere && slider.size[0] == 0)
+    slider.size = {2 * slider.radius, 2 * slider.radius};
+  if (slider.shape == SliderShape::profile)
+    slider.profile_heights = read_height_map(slider.profile);
+}
+
 // Place in the schema; the keys of one layer or material stay together, in the order of the file.
 std::size_t rank(const std::string& key) {
   const std::size_t wildcard =
@@ -78,6 +85,9 @@ CaseDocument read_case_document(const std::string& path,
   CaseDocument document{std::move(walk.draft.input), path, std::move(walk.records)};
   anchor_file(document, "strain.file", document.input.strain.file, text);
   anchor_file(document, "motion.file", document.input.motion.file, text);
+  anchor_file(document, "slider.profile", document.input.slider.profile, text);
+  if (document.input.strain.kind == StrainSourceKind::contact)
+    settle_slider(document.input.slider);
   take_waypoints(document.input);
   document.input.text = text.text();
   check_case(document);

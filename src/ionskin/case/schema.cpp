@@ -54,13 +54,4 @@ const SchemaRow* find_row(const std::string& pattern) {
   return found == schema().end() ? nullptr : &*found;
 }
 
-const std::map<std::string, std::string>& keys_of_later_versions() {
-  static const std::map<std::string, std::string> keys = {
-      {"slider.edge_radius", "rounded edges"},
-      {"slider.radius", "spherical and cylindrical sliders"},
-      {"slider.profile", "sliders of any profile"},
-  };
-  return keys;
-}
-
 } // namespace ionskin

@@ -101,7 +101,4 @@ const std::vector<SchemaRow>& schema();
 /// The row of a key pattern, or nullptr.
 const SchemaRow* find_row(const std::string& pattern);
 
-/// Keys that belong to later versions: pattern and what they will be for.
-const std::map<std::string, std::string>& keys_of_later_versions();
-
 } // namespace ionskin

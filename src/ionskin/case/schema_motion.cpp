@@ -21,9 +21,6 @@ void into_direction(CaseDraft& draft, const KeyIndex&, const Value& value) {
 bool goes_through_waypoints(const Case& input) {
   return input.motion.kind == MotionKind::waypoints;
 }
-bool goes_in_strokes(const Case& input) {
-  return !goes_through_waypoints(input);
-}
 bool reciprocates(const Case& input) {
   return input.motion.kind == MotionKind::reciprocating;
 }
@@ -108,32 +105,6 @@ void add_waypoints(SchemaRows& rows) {
 }
 
 } // namespace
-
-void add_slider(SchemaRows& rows) {
-  rows.push_back({.key = "slider.shape",
-                  .type = ValueType::choice,
-                  .default_value = "\"flat\"",
-                  .choices = {{"flat"}, {"sphere", false}, {"cylinder", false}, {"profile", false}},
-                  .help = "Shape of the underside of the rigid slider; flat has sharp edges.",
-                  .source = "the paper's slider is a block",
-                  .set = into<Slider, SliderShape>(&Case::slider, &Slider::shape,
-                                                   {{"flat", SliderShape::flat}})});
-  rows.push_back({.key = "slider.size",
-                  .type = ValueType::quantity_pair,
-                  .dimension = Dimension::length,
-                  .range = positive,
-                  .need = Need::with_contact,
-                  .help = "Footprint of the slider along x and y.",
-                  .set = into(&Case::slider, &Slider::size)});
-  rows.push_back(
-      {.key = "slider.start",
-       .type = ValueType::quantity_pair,
-       .dimension = Dimension::length,
-       .need = Need::when_it_applies,
-       .applies = goes_in_strokes,
-       .help = "Centre of the slider at the start of a cycle, x and y from the skin's corner.",
-       .set = into(&Case::slider, &Slider::start)});
-}
 
 void add_motion(SchemaRows& rows) {
   rows.push_back(

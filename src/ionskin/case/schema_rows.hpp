@@ -16,6 +16,11 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr Range positive{0.0, infinity, false, false};
 inline constexpr Range not_negative{0.0, infinity, true, false};
 
+/// Whether the motion starts at slider.start; waypoints bring their own places.
+inline bool goes_in_strokes(const Case& input) {
+  return input.motion.kind != MotionKind::waypoints;
+}
+
 void add_skin(SchemaRows& rows);
 void add_layers(SchemaRows& rows);
 void add_materials(SchemaRows& rows);

@@ -167,12 +167,6 @@ void TomlWalk::report_unknown(const toml::value& value, const std::string& key,
                               const std::string& pattern) {
   const TextSpan span = key_span(text_.text(), value);
   const std::vector<Pointer> where = {{text_.place(span.begin, span.length), ""}};
-  const auto later = keys_of_later_versions().find(pattern);
-  if (later != keys_of_later_versions().end()) {
-    problems_.add(fmt::format("{} is not in this version", key), where,
-                  fmt::format("remove the key: {} will come later", later->second));
-    return;
-  }
   const std::string meant = probable_key(key, pattern);
   seen[meant] = true; // so that it is not reported as missing too
   problems_.add(fmt::format("unknown {} {}", value.is_table() ? "section" : "key", key), where,

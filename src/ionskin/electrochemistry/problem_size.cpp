@@ -38,8 +38,7 @@ std::vector<double> cycle_events(const std::vector<MotionLeg>& legs) {
 strain::StrainHistory outline(const Case& input) {
   strain::StrainHistory history;
   const Skin& skin = input.skin;
-  const bool uniform_y =
-      skin.sides == SideCondition::symmetry && input.slider.size[1] >= skin.width;
+  const bool uniform_y = covers_width(input);
   history.length = skin.length;
   history.width = skin.width;
   history.grid.x_edges = {0.0, 0.5 * skin.length, skin.length};

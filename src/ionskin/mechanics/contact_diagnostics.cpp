@@ -35,18 +35,25 @@ ContactViolations contact_violations(const ContactProblem& problem, const Surfac
   return worst;
 }
 
-double stick_fraction(const ContactProblem& problem, const CellVector& force) {
-  double touching = 0, sticking = 0;
+std::vector<double> stick_reserve(const ContactProblem& problem, const CellVector& force) {
+  std::vector<double> reserve(problem.area.size(), 0.0);
   for (int cell = 0; cell < problem.cells(); ++cell) {
     const std::size_t at = 3 * static_cast<std::size_t>(cell);
-    if (force[at] <= 0) {
-      continue;
+    if (force[at] > 0) {
+      const double limit = problem.friction_limit(cell, force[at], 0, 0);
+      const double left = limit - std::hypot(force[at + 1], force[at + 2]);
+      reserve[cell] = left > limit * 1e-9 ? left / problem.area[cell] : 0.0;
     }
-    touching += problem.area[cell];
-    const double limit = problem.friction_limit(cell, force[at], 0, 0);
-    if (std::hypot(force[at + 1], force[at + 2]) < limit * (1 - 1e-9)) {
-      sticking += problem.area[cell];
-    }
+  }
+  return reserve;
+}
+
+double stick_fraction(const ContactProblem& problem, const CellVector& force) {
+  const std::vector<double> reserve = stick_reserve(problem, force);
+  double touching = 0, sticking = 0;
+  for (std::size_t cell = 0; cell < reserve.size(); ++cell) {
+    touching += force[3 * cell] > 0 ? problem.area[cell] : 0.0;
+    sticking += reserve[cell] > 0 ? problem.area[cell] : 0.0;
   }
   return touching > 0 ? sticking / touching : 0.0;
 }

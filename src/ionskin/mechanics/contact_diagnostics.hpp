@@ -22,6 +22,9 @@ struct ContactViolations {
 ContactViolations contact_violations(const ContactProblem& problem, const SurfaceState& state,
                                      double reference_force, double preload);
 
+/// Friction limit less tangential traction of each cell [Pa]; 0 where it slips or is open.
+std::vector<double> stick_reserve(const ContactProblem& problem, const CellVector& force);
+
 /// Area that touches without reaching the friction limit over the area that touches; 0 without
 /// contact.
 double stick_fraction(const ContactProblem& problem, const CellVector& force);

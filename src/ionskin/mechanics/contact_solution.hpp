@@ -37,6 +37,8 @@ struct ContactState {
   /// Largest von Mises stress of each electrode layer as a membrane, averaged through its thickness
   /// and over each column of elements; bottom to top [Pa].
   std::vector<double> electrode_stress;
+  double contact_area = 0; ///< of the full skin, see covered_area.hpp [m2]
+  double stick_area = 0;   ///< of it, where nothing slips [m2]
   // diagnostics
   double equilibrium_residual = 0; ///< contact forces against base reactions, relative
   double complementarity_residual =

@@ -32,6 +32,18 @@ SharedState PositionSolver::keep(const SurfaceState& state, const CanonicalPosit
   return kept;
 }
 
+void PositionSolver::turn_slider(const CanonicalPosition& position) {
+  const std::size_t count = model_.gap.size();
+  CellVector heights(3 * count, 0.0);
+  for (std::size_t cell = 0; cell < count; ++cell) {
+    heights[3 * cell] = model_.gap[cell];
+  }
+  heights = reflected(model_.cells, heights, position.reflect);
+  for (std::size_t cell = 0; cell < count; ++cell) {
+    problem_.gap[cell] = heights[3 * cell];
+  }
+}
+
 void PositionSolver::solve(const PositionTask& task, SolvedPieces& pieces) {
   for (const auto& node : task.nodes) {
     solve_node(node, pieces);
@@ -47,6 +59,7 @@ void PositionSolver::solve(const PositionTask& task, SolvedPieces& pieces) {
 }
 
 void PositionSolver::solve_node(const PositionTask::Node& node, SolvedPieces& pieces) {
+  turn_slider(node.position);
   const MotionLeg& leg = plan_.legs[node.leg];
   const ContactPart part = contact_part(leg);
   const std::vector<double>& ways = plan_.nodes[node.leg];
@@ -91,6 +104,7 @@ const SolvedChain* PositionSolver::solved_alike(const PositionTask& task,
 
 void PositionSolver::solve_chain(const PositionTask::Chain& chain, SolvedPieces& pieces) {
   const CanonicalPosition& position = chain.position;
+  turn_slider(position);
   ContactPath path(problem_, steps_, meshed_share_);
   if (plan_.legs[chain.leg].lands()) {
     const bool left_over = chain.leg == 0 && !surface_before_.empty();

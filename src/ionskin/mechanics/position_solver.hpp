@@ -32,6 +32,8 @@ private:
     void include(const SurfaceState& state);
   };
 
+  /// Turns the slider's underside as the canonical position sees it.
+  void turn_slider(const CanonicalPosition& position);
   void solve_node(const PositionTask::Node& node, SolvedPieces& pieces);
   void solve_chain(const PositionTask::Chain& chain, SolvedPieces& pieces);
   /// An earlier chain here that goes the same way, or nullptr.

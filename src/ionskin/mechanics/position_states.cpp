@@ -3,6 +3,7 @@
 
 #include "ionskin/mechanics/contact_diagnostics.hpp"
 #include "ionskin/mechanics/core_strain.hpp"
+#include "ionskin/mechanics/covered_area.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -68,6 +69,9 @@ void PositionStates::add(ContactState& destination, SurfaceState state,
     destination.slip.push_back(state.slip[reflected_cell(model_.cells, cell, position.reflect)]);
   }
   destination.indentation = state.indentation;
+  const double parts = model_.mesh.half_model() ? 2 : 1;
+  destination.contact_area = parts * contact_area(model_.cells, state.force);
+  destination.stick_area = parts * covered_area(model_.cells, stick_reserve(problem, state.force));
   destination.complementarity_residual =
       contact_violations(problem, state, reference_force, reference_indentation).largest();
   destination.stick_fraction = stick_fraction(problem, state.force);

@@ -32,8 +32,9 @@ struct SkinModel {
   ContactCells cells;
   std::vector<double> gap; ///< of the slider's underside over the cells [m]
 
-  explicit SkinModel(const Case& input,
-                     mesh::MeshedPart part = mesh::MeshedPart::half_if_symmetric);
+  /// @param footprint in which the slider may touch
+  SkinModel(const Case& input, const mesh::Footprint& footprint,
+            mesh::MeshedPart part = mesh::MeshedPart::half_if_symmetric);
   /// Made at the first call: positions that come from a cache need none.
   const SkinAnalysis& analysis() const;
 

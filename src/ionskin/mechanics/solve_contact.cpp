@@ -4,6 +4,7 @@
 #include "ionskin/base/interrupt.hpp"
 #include "ionskin/base/task_pool.hpp"
 #include "ionskin/mechanics/contact_plan.hpp"
+#include "ionskin/mechanics/find_footprint.hpp"
 #include "ionskin/mechanics/position_solver.hpp"
 #include "ionskin/mechanics/steady_sliding.hpp"
 
@@ -39,12 +40,12 @@ private:
   std::mutex mutex_;
 };
 
-} // namespace
-
-std::vector<ContactSolution> solve_contact(const Case& input, const std::vector<double>& frictions,
-                                           const ContactOptions& options, base::Timers& timers) {
+std::vector<ContactSolution> solve_on_footprint(const Case& input, const mesh::Footprint& footprint,
+                                                const std::vector<double>& frictions,
+                                                const ContactOptions& options,
+                                                base::Timers& timers) {
   auto analysis = std::make_unique<base::Timers::Scope>(timers, "mechanics: analysis");
-  const SkinModel model(input, whole(options));
+  const SkinModel model(input, footprint, whole(options));
   analysis.reset();
   base::check_interrupt();
 
@@ -98,6 +99,25 @@ std::vector<ContactSolution> solve_contact(const Case& input, const std::vector<
   return solutions;
 }
 
+} // namespace
+
+std::vector<ContactSolution> solve_contact(const Case& input, const std::vector<double>& frictions,
+                                           const ContactOptions& options, base::Timers& timers) {
+  mesh::Footprint footprint;
+  {
+    const base::Timers::Scope scope(timers, "mechanics: footprint");
+    footprint = find_footprint(input, *std::max_element(frictions.begin(), frictions.end()));
+  }
+  for (;;) {
+    auto solutions = solve_on_footprint(input, footprint, frictions, options, timers);
+    const auto wider = widened_footprint(input, footprint, solutions);
+    if (!wider) {
+      return solutions;
+    }
+    footprint = *wider;
+  }
+}
+
 ContactSolution solve_contact(const Case& input, const ContactOptions& options,
                               base::Timers& timers) {
   return std::move(
@@ -109,7 +129,7 @@ std::vector<ContactState> solve_steady_sliding(const Case& input,
                                                const ContactOptions& options,
                                                base::Timers& timers) {
   const base::Timers::Scope scope(timers, "mechanics: steady sliding");
-  const SkinModel model(input);
+  const SkinModel model(input, find_footprint(input, input.contact.friction));
   const SliderTrack track(input);
   const MotionLeg leg = first_slide(motion_legs(input.motion, input.slider));
   const SliderLoad load = load_of(leg.to_level, model.mesh.half_model() ? 0.5 : 1.0);

@@ -13,18 +13,19 @@ struct PresetResolution {
   double outer_growth;
   double outer_minimum, core_elements;
   double core_growth;
+  double rim_elements, depth_growth;
 };
 
 PresetResolution preset_resolution(Preset preset) {
   switch (preset) {
   case Preset::coarse:
-    return {0.12, 2.0, 2.0, 2.0, 9, 3, 1.8};
+    return {0.12, 2.0, 2.0, 2.0, 9, 3, 1.8, 8, 2.0};
   case Preset::standard:
-    return {0.05, 2.0, 1.5, 2.0, 16, 4, 2.0};
+    return {0.05, 2.0, 1.5, 2.0, 16, 4, 2.0, 12, 1.7};
   case Preset::fine:
     break;
   }
-  return {0.02, 1.7, 1.0, 1.6, 22, 7, 1.5};
+  return {0.02, 1.7, 1.0, 1.6, 22, 7, 1.5, 18, 1.45};
 }
 
 std::size_t scaled_count(double count, double refinement) {
@@ -33,13 +34,18 @@ std::size_t scaled_count(double count, double refinement) {
 
 } // namespace
 
-MeshResolution mesh_resolution(const Case& input) {
+MeshResolution mesh_resolution(const Case& input, const Footprint& footprint) {
   const PresetResolution preset = preset_resolution(input.numerics.preset);
   const double refinement = input.numerics.mesh_refinement;
   const double size =
-      std::min({input.skin.thickness(), input.slider.size[0] / 4, input.slider.size[1] / 4});
+      std::min({input.skin.thickness(), footprint.half_size[0] / 2, footprint.half_size[1] / 2});
   MeshResolution result;
-  result.edge_size = preset.edge * size / refinement;
+  for (std::size_t d = 0; d < 2; ++d) {
+    result.edge_size[d] =
+        footprint.sharp(d)
+            ? preset.edge * size / refinement
+            : footprint.rim[d] / static_cast<double>(scaled_count(preset.rim_elements, refinement));
+  }
   result.footprint_growth = std::pow(preset.footprint_growth, 1 / refinement);
   result.footprint_largest = preset.footprint_largest * size / refinement;
   result.outer_growth = std::pow(preset.outer_growth, 1 / refinement);
@@ -47,6 +53,7 @@ MeshResolution mesh_resolution(const Case& input) {
   result.core_elements = scaled_count(preset.core_elements, refinement);
   result.core_growth = std::pow(preset.core_growth, 1 / refinement);
   result.electrode_elements = scaled_count(1, refinement);
+  result.depth_growth = std::pow(preset.depth_growth, 1 / refinement);
   return result;
 }
 

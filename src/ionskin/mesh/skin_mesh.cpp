@@ -5,11 +5,13 @@
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/mesh/grading.hpp"
 #include "ionskin/mesh/mesh_resolution.hpp"
+#include "ionskin/mesh/thickness_lines.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ionskin::mesh {
 namespace {
@@ -17,25 +19,39 @@ namespace {
 /// Outer elements thinner than this fraction of the edge element are refused.
 constexpr double smallest_margin = 0.05;
 
-bool covers_width(const Case& input) {
-  return input.skin.sides == SideCondition::symmetry && input.slider.size[1] >= input.skin.width;
-}
-
 bool moves_on_symmetry_plane(const Case& input) {
   const MotionBox box = motion_box(input.motion, input.slider);
   const double offset = std::abs(box.low[1] - input.skin.width / 2);
-  return box.low[1] == box.high[1] && (covers_width(input) || offset <= 1e-12 * input.skin.width);
+  return box.low[1] == box.high[1] && input.slider.symmetric()[1] &&
+         (covers_width(input) || offset <= 1e-12 * input.skin.width);
 }
 
-std::vector<double> footprint_lines(double size, const MeshResolution& resolution, bool half) {
-  const std::vector<double> outwards = graded_line(
-      size / 2, resolution.edge_size, resolution.footprint_growth, resolution.footprint_largest);
-  std::vector<double> lines{-size / 2};
-  append(lines, outwards);
+/// From the edge inwards to the centre: a uniform rim, then growing elements.
+std::vector<double> lines_inwards(const Footprint& footprint, const MeshResolution& resolution,
+                                  std::size_t direction) {
+  const double half_size = footprint.half_size[direction], rim = footprint.rim[direction];
+  const double size = resolution.edge_size[direction];
+  const double largest = std::max(size, resolution.footprint_largest);
+  if (footprint.sharp(direction)) {
+    return graded_line(half_size, size, resolution.footprint_growth, largest);
+  }
+  std::vector<double> lines = graded_line(std::min(rim, half_size), size, 1, size);
+  if (!footprint.round(direction)) {
+    append(lines, graded_line(half_size - rim, size, resolution.footprint_growth, largest));
+  }
+  return lines;
+}
+
+std::vector<double> footprint_lines(const Footprint& footprint, const MeshResolution& resolution,
+                                    std::size_t direction, bool half) {
+  const double half_size = footprint.half_size[direction];
+  const std::vector<double> inwards = lines_inwards(footprint, resolution, direction);
+  std::vector<double> lines{-half_size};
+  append(lines, inwards);
   lines.back() = 0;
   if (!half) {
-    for (std::size_t i = outwards.size() - 1; i-- > 0;) {
-      lines.push_back(size / 2 - outwards[i]);
+    for (std::size_t i = inwards.size() - 1; i-- > 0;) {
+      lines.push_back(half_size - inwards[i]);
     }
   }
   return lines;
@@ -61,7 +77,8 @@ std::vector<double> SkinMesh::Axis::lines(double centre, double skin_size) const
 }
 
 SkinMesh::Axis SkinMesh::make_axis(const Case& input, std::size_t direction) const {
-  const MeshResolution resolution = mesh_resolution(input);
+  const MeshResolution resolution = mesh_resolution(input, footprint_);
+  const double edge_size = resolution.edge_size[direction];
   const double skin_size = direction == 0 ? skin_.length : skin_.width;
   Axis axis;
   axis.half = direction == 1 && half_model_;
@@ -73,50 +90,46 @@ SkinMesh::Axis SkinMesh::make_axis(const Case& input, std::size_t direction) con
     axis.inner = {-skin_size / 2, axis.half ? 0.0 : skin_size / 2};
     return axis;
   }
-  const double size = input.slider.size[direction];
-  axis.inner = footprint_lines(size, resolution, axis.half);
+  const double half_size = footprint_.half_size[direction];
+  axis.inner = footprint_lines(footprint_, resolution, direction, axis.half);
   const MotionBox box = motion_box(input.motion, input.slider);
   const double low = box.low[direction], high = box.high[direction];
-  const double shortest = std::min(low, skin_size - high) - size / 2;
-  const double longest = std::max(high, skin_size - low) - size / 2;
+  const double shortest = std::min(low, skin_size - high) - half_size;
+  const double longest = std::max(high, skin_size - low) - half_size;
   if (longest <= 1e-9 * skin_size) {
     return axis; // as large as the skin along this direction
   }
-  if (shortest < smallest_margin * resolution.edge_size) {
+  if (shortest < smallest_margin * edge_size) {
     throw UserError(fmt::format("the slider comes within {:.3g} mm of the skin's edge along {} (at "
                                 "least {:.3g} mm are needed "
                                 "for the mesh): shorten motion.stroke or move slider.start",
                                 std::max(0.0, shortest) * 1e3, direction == 0 ? "x" : "y",
-                                smallest_margin * resolution.edge_size * 1e3));
+                                smallest_margin * edge_size * 1e3));
   }
   const double way = box.high[direction] - box.low[direction];
   const double whole = std::hypot(box.high[0] - box.low[0], box.high[1] - box.low[1]);
   const bool main_direction = whole > 0 ? way > 0.5 * whole : direction == 0;
   const std::size_t minimum = main_direction ? resolution.outer_minimum : 2;
-  axis.outer =
-      std::max(minimum, geometric_count(longest, resolution.edge_size, resolution.outer_growth));
-  axis.outer_first = std::min(resolution.edge_size, shortest / static_cast<double>(axis.outer));
+  axis.outer = std::max(minimum, geometric_count(longest, edge_size, resolution.outer_growth));
+  axis.outer_first = std::min(edge_size, shortest / static_cast<double>(axis.outer));
   return axis;
 }
 
-SkinMesh::SkinMesh(const Case& input, MeshedPart part) : skin_(input.skin) {
+SkinMesh::SkinMesh(const Case& input, MeshedPart part)
+    : SkinMesh(input, largest_footprint(input), part) {}
+
+SkinMesh::SkinMesh(const Case& input, const Footprint& footprint, MeshedPart part)
+    : skin_(input.skin), footprint_(footprint) {
   half_model_ = part == MeshedPart::half_if_symmetric && moves_on_symmetry_plane(input);
   x_ = make_axis(input, 0);
   y_ = make_axis(input, 1);
-
-  const MeshResolution resolution = mesh_resolution(input);
-  z_ = {0.0};
-  for (std::size_t l = 0; l < skin_.layers.size(); ++l) {
-    const Layer& layer = skin_.layers[l];
-    const bool core = layer.role == LayerRole::core;
-    const std::size_t count = core ? resolution.core_elements : resolution.electrode_elements;
-    const std::size_t first = z_.size() - 1;
-    append(z_, two_sided_line(layer.thickness, resolution.core_growth, count));
-    layer_of_row_.resize(z_.size() - 1, l);
-    if (core) {
-      core_z_ = {first, first + count};
-    }
-  }
+  ThicknessLines thickness = thickness_lines(skin_, footprint_, mesh_resolution(input, footprint_));
+  z_ = std::move(thickness.z);
+  layer_of_row_ = std::move(thickness.layer_of_row);
+  const auto rows =
+      std::equal_range(layer_of_row_.begin(), layer_of_row_.end(), skin_.core_index());
+  core_z_ = {static_cast<std::size_t>(rows.first - layer_of_row_.begin()),
+             static_cast<std::size_t>(rows.second - layer_of_row_.begin())};
 }
 
 MeshLines SkinMesh::lines(const std::array<double, 2>& centre) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ionskin/case/case.hpp"
+#include "ionskin/mesh/footprint.hpp"
 
 #include <array>
 #include <cstddef>
@@ -24,10 +25,13 @@ enum class MeshedPart { half_if_symmetric, whole };
 /// lines.
 class SkinMesh {
 public:
-  /// Builds the element counts once for all positions of the track.
+  /// Builds the element counts once for all positions of the track. Without a footprint it takes
+  /// the largest that the slider can have.
   /// Throws UserError when the slider comes so close to the skin's edge that no element fits
   /// between.
   explicit SkinMesh(const Case& input, MeshedPart part = MeshedPart::half_if_symmetric);
+  SkinMesh(const Case& input, const Footprint& footprint,
+           MeshedPart part = MeshedPart::half_if_symmetric);
 
   /// Lines for a slider centred at `centre` [m]. The half model spans y in [0, width / 2].
   MeshLines lines(const std::array<double, 2>& centre) const;
@@ -45,6 +49,7 @@ public:
   /// Footprint lines from the slider's centre [m]; half models end at 0 along y.
   const std::vector<double>& footprint_lines_x() const { return x_.inner; }
   const std::vector<double>& footprint_lines_y() const { return y_.inner; }
+  const Footprint& footprint() const { return footprint_; }
   /// First and one-past-last element index of the core along z.
   std::array<std::size_t, 2> core_z() const { return core_z_; }
   /// Index of the layer that holds each element row along z.
@@ -72,6 +77,7 @@ private:
   Axis make_axis(const Case& input, std::size_t direction) const;
 
   Skin skin_;
+  Footprint footprint_;
   bool half_model_ = false;
   Axis x_, y_;
   std::array<std::size_t, 2> core_z_{};

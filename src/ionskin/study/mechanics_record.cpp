@@ -83,30 +83,21 @@ std::vector<results::ContactMap> make_maps(const std::vector<MotionLeg>& legs,
   return collector.take();
 }
 
-/// Area of the cells that press on the skin [m2].
-double contact_area(const mechanics::ContactSolution& contact,
-                    const strain::StateCombination& combination) {
-  const std::size_t columns = contact.cell_lines_x.size() - 1;
-  double area = 0;
-  for (std::size_t cell = 0; cell < columns * (contact.cell_lines_y.size() - 1); ++cell) {
-    const std::size_t i = cell % columns, j = cell / columns;
-    double traction = 0;
-    for (const auto& term : combination.terms) {
-      traction += term.weight * term.state->normal_traction[cell];
-    }
-    if (traction > 0) {
-      area += (contact.cell_lines_x[i + 1] - contact.cell_lines_x[i]) *
-              (contact.cell_lines_y[j + 1] - contact.cell_lines_y[j]);
-    }
+/// Of a combination of states, an area of each [m2].
+double combined_area(const strain::StateCombination& combination,
+                     double mechanics::ContactState::*area) {
+  double sum = 0;
+  for (const auto& term : combination.terms) {
+    sum += term.weight * term.state->*area;
   }
-  return contact.mesh.half_model() ? 2 * area : area;
+  return sum;
 }
 
 std::vector<readout::Metric> contact_metrics(const Case& input,
                                              const mechanics::ContactSolution& contact,
                                              const strain::ContactTimeline& timeline) {
   const auto slide = timeline.at(readout::middle_of_slide(input.motion, input.slider));
-  const double area = contact_area(contact, slide);
+  const double area = combined_area(slide, &mechanics::ContactState::contact_area);
   const strain::EnergyBalance energy = strain::energy_balance(timeline, contact);
   std::vector<readout::Metric> metrics{
       {"contact_area_slide", area, "m2"},

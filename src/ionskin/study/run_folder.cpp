@@ -20,12 +20,6 @@ std::string waypoints_text(const Motion& motion) {
   return text;
 }
 
-/// The text of a case stands for all of it but for the contents of its file of waypoints.
-std::string input_hash(const Case& input) {
-  const bool from_file = !input.motion.file.empty();
-  return results::content_hash(input.text + (from_file ? waypoints_text(input.motion) : ""));
-}
-
 results::ExistingFolder existing_folder(const RunOptions& options) {
   if (options.overwrite) {
     return results::ExistingFolder::overwrite;
@@ -87,6 +81,11 @@ void RunFolder::write_manifest() const {
   results::write_manifest(file(results::file_names::manifest), manifest_);
 }
 
+std::string input_hash(const Case& input) {
+  const bool from_file = !input.motion.file.empty();
+  return results::content_hash(input.text + (from_file ? waypoints_text(input.motion) : ""));
+}
+
 std::string mechanics_hash(const Case& input) {
   std::string text = fmt::format("skin {} {} {}", input.skin.length, input.skin.width,
                                  static_cast<int>(input.skin.sides));
@@ -95,8 +94,11 @@ std::string mechanics_hash(const Case& input) {
                         layer.material.youngs_modulus, layer.material.poissons_ratio);
   }
   const Motion& motion = input.motion;
-  text += fmt::format(" slider {} {} {}", static_cast<int>(input.slider.shape), input.slider.size,
-                      input.slider.start);
+  const Slider& slider = input.slider;
+  text += fmt::format(" slider {} {} {} {} {}", static_cast<int>(slider.shape), slider.size,
+                      slider.start, slider.edge_radius, slider.radius);
+  text += fmt::format(" heights {} {} {}", slider.profile_heights.x, slider.profile_heights.y,
+                      slider.profile_heights.height);
   text += fmt::format(" motion {} {} {} {} {} {} {} {} {} {}", static_cast<int>(motion.kind),
                       motion.gap, motion.preload, motion.stroke, motion.direction, motion.touchdown,
                       motion.slide, motion.lift, motion.return_, motion.cycles);

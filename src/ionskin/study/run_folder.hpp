@@ -58,6 +58,9 @@ private:
   results::Manifest earlier_;
 };
 
+/// Hash of a case: of its text, and of the waypoints that it takes from a file.
+std::string input_hash(const Case& input);
+
 /// Hash of everything that decides Study 1.
 std::string mechanics_hash(const Case& input);
 

@@ -105,8 +105,7 @@ private:
     const auto manifest = results::read_manifest(manifest_path);
     const auto ions = manifest.stages.find("electrochemistry");
     const bool both = ions != manifest.stages.end() && ions->second.state == "finished";
-    if (manifest.state == "finished" &&
-        manifest.input_hash == results::content_hash(plan_.points[i].input.text) &&
+    if (manifest.state == "finished" && manifest.input_hash == input_hash(plan_.points[i].input) &&
         (both || options_.studies == Studies::mechanics)) {
       states_[i] = {PointStatus::finished, "",
                     results::read_metrics(folder / results::file_names::summary)};

@@ -58,15 +58,14 @@ void warn_about_onset_peak(const MechanicsRecord& mechanics, const readout::Sign
 
 std::vector<std::string> mechanics_warnings(const Case& input, const MechanicsRecord& mechanics) {
   std::vector<std::string> warnings = mechanics.warnings;
-  if (mechanics.has_contact()) {
+  if (mechanics.has_contact() && input.slider.sharp()) {
     const double force =
         *std::max_element(mechanics.normal_force.begin(), mechanics.normal_force.end());
     const double pressure = force / (input.slider.size[0] * input.slider.size[1]);
     if (pressure > pressure_limit) {
       warnings.push_back(
           fmt::format("The slider presses with up to {:.3g} N, a mean pressure of {:.3g} MPa. "
-                      "Pressure under "
-                      "the slider's sharp edges depends on the mesh and is no result.",
+                      "Pressure under its sharp edges depends on the mesh and is no result.",
                       force, pressure / 1e6));
     }
   }

@@ -53,6 +53,50 @@ TEST(ReadCase, PreloadIsAnIndentationOrAForce) {
   EXPECT_DOUBLE_EQ(pressed.motion.preload, 2e-6);
 }
 
+TEST(ReadCase, ASphereWithoutAPlanHasItsDiameter) {
+  const TemporaryCase file(
+      valid_case("size = [\"3 mm\", \"1.5 mm\"]", "shape = \"sphere\"\nradius = \"8 mm\""));
+  const Case input = read_case(file.path());
+  EXPECT_DOUBLE_EQ(input.slider.size[0], 0.016);
+  EXPECT_DOUBLE_EQ(input.slider.size[1], 0.016);
+  EXPECT_FALSE(input.slider.sharp());
+}
+
+TEST(ReadCase, AProfileComesFromATableBesideTheCase) {
+  const TemporaryCase file(
+      valid_case("[slider]", "[slider]\nshape = \"profile\"\nprofile = \"map.csv\""));
+  std::ofstream(file.folder() + "/map.csv") << "mm, -2, 0, 2\n-1, 0.2, 0, 0.4\n1, 0.2, 0, 0.4\n";
+  const Case input = read_case(file.path());
+  const HeightMap& map = input.slider.profile_heights;
+  EXPECT_EQ(map.x.size(), 3U);
+  EXPECT_DOUBLE_EQ(map.interpolated(-1e-3, 0.3e-3), 0.1e-3);
+  EXPECT_DOUBLE_EQ(map.interpolated(1e-3, 1e-3), 0.2e-3);
+  EXPECT_EQ(input.slider.symmetric(), (std::array<bool, 2>{false, true}));
+  EXPECT_THAT(input.text, testing::HasSubstr("profile = \"" + file.folder() + "/map.csv\""));
+}
+
+TEST(ReadCase, ABadHeightMapIsRefusedWithItsLine) {
+  const TemporaryCase file(
+      valid_case("[slider]", "[slider]\nshape = \"profile\"\nprofile = \"map.csv\""));
+  const auto message = [&](const std::string& table) -> std::string {
+    std::ofstream(file.folder() + "/map.csv") << table;
+    try {
+      read_case(file.path());
+    } catch (const UserError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(message("mm,-2,2\n-1,0,0\n-1,0,0\n"),
+              testing::HasSubstr("y must ascend\n  in its line 3"));
+  EXPECT_THAT(message("mm,-2,2\n-1,0\n"),
+              testing::HasSubstr("2 values instead of y and 2 heights"));
+  EXPECT_THAT(message("-2,2,4\n-1,0,0\n"), testing::HasSubstr("line 1"));
+  EXPECT_THAT(message("mm,-2,2\n-1,0,x\n"),
+              testing::HasSubstr("\"x mm\" does not begin with a number"));
+  EXPECT_THAT(message("mm,-1,1\n-1,0,0\n1,0,0\n"), testing::HasSubstr("less than slider.size"));
+}
+
 TEST(ReadCase, AppliesEditsAndKeepsTheRest) {
   const TemporaryCase file(valid_case());
   const Case input =

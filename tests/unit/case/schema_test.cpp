@@ -42,11 +42,6 @@ TEST(Schema, EveryChoiceOfThisVersionCanBeSet) {
     }
 }
 
-TEST(Schema, LaterKeysAreNoKeysYet) {
-  for (const auto& [key, purpose] : keys_of_later_versions())
-    EXPECT_EQ(find_row(key), nullptr) << key;
-}
-
 TEST(Range, EndsBelongOrNot) {
   const Range range{0.0, 0.5, true, false};
   EXPECT_TRUE(range.contains(0.0));

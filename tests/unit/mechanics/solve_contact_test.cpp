@@ -95,7 +95,7 @@ TEST(SolveContact, reflected_nodes_agree_with_their_own_factorisation) {
 
 TEST(SolveContact, touchdown_in_one_increment_is_exact) {
   const Case input = small_case();
-  const SkinModel model(input);
+  const SkinModel model(input, mesh::largest_footprint(input));
   const CondensedPosition position(model, input.slider.start);
   const ContactProblem problem{position.compliance(), model.cells.area, model.gap, {0.3}};
   const PathSteps steps;

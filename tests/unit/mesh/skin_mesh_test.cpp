@@ -120,5 +120,61 @@ TEST(SkinMesh, refuses_a_slider_at_the_edge_of_the_skin) {
   EXPECT_THROW(SkinMesh{input}, UserError);
 }
 
+TEST(SkinMesh, a_round_contact_has_a_uniform_footprint) {
+  Case input = example();
+  input.slider.shape = SliderShape::sphere;
+  input.slider.radius = 8e-3;
+  input.slider.size = {16e-3, 16e-3};
+  const SkinMesh mesh(input, {{0.4e-3, 0.3e-3}, {0.4e-3, 0.3e-3}});
+  const std::vector<double>& x = mesh.footprint_lines_x();
+  EXPECT_EQ(x.front(), -0.4e-3);
+  EXPECT_NEAR(x.back(), 0.4e-3, 1e-18);
+  for (std::size_t i = 2; i < x.size(); ++i) {
+    EXPECT_NEAR(x[i] - x[i - 1], x[1] - x[0], 1e-15);
+  }
+  EXPECT_TRUE(mesh.half_model());
+}
+
+TEST(SkinMesh, a_rounded_edge_has_a_rim_of_equal_elements_before_larger_ones) {
+  Case input = example();
+  input.slider.edge_radius = 0.1e-3;
+  const SkinMesh mesh(input, {{1.42e-3, 0.67e-3}, {0.02e-3, 0.02e-3}});
+  const std::vector<double>& x = mesh.footprint_lines_x();
+  EXPECT_NEAR(x[2] - x[1], x[1] - x[0], 1e-15);
+  EXPECT_LT(x[1] - x[0], 5e-6);
+  EXPECT_GT(x[x.size() / 2] - x[x.size() / 2 - 1], 5 * (x[1] - x[0]));
+}
+
+TEST(SkinMesh, a_deep_block_is_graded_downwards_and_a_thin_skin_is_not) {
+  Case input = example();
+  const std::vector<double> thin = SkinMesh(input).lines({4.5e-3, 1e-3}).z;
+  EXPECT_EQ(thin.size(), 7u);
+  input.skin.layers[1].thickness = 5e-3;
+  const SkinMesh deep(input);
+  const std::vector<double> z = deep.lines({4.5e-3, 1e-3}).z;
+  expect_ascending(z, 5.025e-3);
+  EXPECT_GT(deep.core_z()[1] - deep.core_z()[0], 3u);
+  // Within the core sizes fall upwards.
+  for (std::size_t row = deep.core_z()[0] + 1; row < deep.core_z()[1]; ++row) {
+    EXPECT_LT(z[row + 1] - z[row], z[row] - z[row - 1]);
+  }
+}
+
+TEST(Footprint, bounds_follow_shape_and_load) {
+  Case input = example();
+  input.slider.shape = SliderShape::sphere;
+  input.slider.radius = 8e-3;
+  input.slider.size = {16e-3, 16e-3};
+  input.motion.preload = 1e-6;
+  EXPECT_NEAR(largest_footprint(input).half_size[0], 1.15 * 2 * std::sqrt(8e-9), 1e-12);
+  input.motion.preload = 0;
+  input.motion.preload_force = 1;
+  const double modulus = 250e6 / (1 - 0.49 * 0.49);
+  EXPECT_NEAR(largest_footprint(input).half_size[0], 1.15 * std::cbrt(0.75 * 8e-3 / modulus),
+              1e-12);
+  input.slider.start[1] = 0.1e-3;
+  EXPECT_LT(largest_footprint(input).half_size[1], 0.1e-3);
+}
+
 } // namespace
 } // namespace ionskin::mesh

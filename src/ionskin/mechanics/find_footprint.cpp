@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/find_footprint.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/base/interrupt.hpp"
+#include "ionskin/case/slider_motion.hpp"
+#include "ionskin/mechanics/condensed_position.hpp"
+#include "ionskin/mechanics/slider_track.hpp"
+#include "ionskin/mechanics/steady_sliding.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ionskin::mechanics {
+namespace {
+
+constexpr int most_passes = 12;
+constexpr double growth = 1.4;
+constexpr double least_fill = 0.6;   ///< of the rim by the contact, before it is accepted
+constexpr double trial_margin = 1.3; ///< of a rim that is tried next
+constexpr double margin = 1.1;       ///< of the rim that is accepted
+constexpr double grid_ratio = 1.05;
+
+/// How far from the slider's centre any cell carries force, along x and y, and whether cells at the
+/// border do.
+struct Reach {
+  std::array<double, 2> extent{};
+  std::array<bool, 2> border{};
+};
+
+void extend(Reach& reach, const ContactCells& cells, const CellVector& force) {
+  const std::array<const std::vector<double>*, 2> lines{&cells.lines_x, &cells.lines_y};
+  for (std::size_t cell = 0; cell < cells.count(); ++cell) {
+    if (force[3 * cell] <= 0) {
+      continue;
+    }
+    const std::array<std::size_t, 2> at{cell % cells.columns(), cell / cells.columns()};
+    for (std::size_t d = 0; d < 2; ++d) {
+      const double low = -(*lines[d])[at[d]], high = (*lines[d])[at[d] + 1];
+      const double half_size = -lines[d]->front();
+      reach.extent[d] = std::max({reach.extent[d], low, high});
+      reach.border[d] = reach.border[d] || std::max(low, high) >= half_size * (1 - 1e-9);
+    }
+  }
+}
+
+/// Loads that press hardest, of the meshed part.
+std::vector<SliderLoad> heaviest_loads(const Case& input, bool half_model) {
+  const mesh::HeaviestLoad heaviest = mesh::heaviest_load(input);
+  std::vector<SliderLoad> loads;
+  if (heaviest.indentation > 0) {
+    loads.push_back({LoadKind::indentation, heaviest.indentation});
+  }
+  if (heaviest.force > 0) {
+    loads.push_back({LoadKind::force, heaviest.force / (half_model ? 2 : 1)});
+  }
+  return loads;
+}
+
+/// Touchdown without history and steady sliding, to and fro, at two corners of the track.
+Reach reach_of(const Case& input, const mesh::Footprint& footprint, double friction) {
+  const SkinModel model(input, footprint);
+  const MotionBox box = motion_box(input.motion, input.slider);
+  const std::vector<MotionLeg> legs = motion_legs(input.motion, input.slider);
+  const CellVector none(3 * model.cells.count(), 0.0);
+  Reach reach;
+  std::vector<std::array<double, 2>> solved;
+  for (const auto& corner : {box.low, box.high}) {
+    base::check_interrupt();
+    const std::array<double, 2> centre = canonical_position(input.skin, corner).centre;
+    if (std::find(solved.begin(), solved.end(), centre) != solved.end()) {
+      continue;
+    }
+    solved.push_back(centre);
+    const CondensedPosition condensed(model, centre);
+    const ContactProblem problem{condensed.compliance(), model.cells.area, model.gap, {friction}};
+    for (const SliderLoad& load : heaviest_loads(input, model.mesh.half_model())) {
+      extend(reach, model.cells, solve_contact_step(problem, {load, {0, 0}, 0, none}, none).force);
+      for (const MotionLeg& leg : legs) {
+        const std::array<double, 2> way = leg.direction();
+        for (const double sign : {1.0, -1.0}) {
+          if (leg.slides()) {
+            extend(reach, model.cells,
+                   steady_sliding(problem, load, {sign * way[0], sign * way[1]}, 0).force);
+          }
+        }
+      }
+    }
+  }
+  return reach;
+}
+
+/// Next larger value of a geometric grid.
+double rounded_up(double value) {
+  return std::pow(grid_ratio, std::ceil(std::log(value) / std::log(grid_ratio)));
+}
+
+void set_rim(mesh::Footprint& footprint, std::size_t direction, double rim,
+             const mesh::Footprint& limit) {
+  const double flat = limit.half_size[direction] - limit.rim[direction];
+  footprint.rim[direction] = std::min(rim, limit.rim[direction]);
+  footprint.half_size[direction] = flat + footprint.rim[direction];
+}
+
+/// Whether a state carries force in the outermost cells, along x and y.
+std::array<bool, 2> border_touched(const ContactState& state, std::size_t columns,
+                                   bool half_model) {
+  const std::vector<double>& traction = state.normal_traction;
+  const std::size_t rows = traction.size() / columns;
+  std::array<bool, 2> touched{};
+  for (std::size_t j = 0; j < rows; ++j) {
+    touched[0] = touched[0] || traction[columns * j] > 0 || traction[columns * (j + 1) - 1] > 0;
+  }
+  for (std::size_t i = 0; i < columns; ++i) {
+    touched[1] =
+        touched[1] || traction[i] > 0 || (!half_model && traction[columns * (rows - 1) + i] > 0);
+  }
+  return touched;
+}
+
+[[noreturn]] void refuse_edge(std::size_t direction) {
+  throw UserError(fmt::format("the contact reaches the edge of the skin along {}: move "
+                              "slider.start, shorten motion.stroke or lower motion.preload",
+                              direction == 0 ? "x" : "y"));
+}
+
+} // namespace
+
+mesh::Footprint find_footprint(const Case& input, double friction) {
+  mesh::Footprint footprint = mesh::largest_footprint(input);
+  if (input.slider.sharp()) {
+    return footprint;
+  }
+  const mesh::Footprint limit = mesh::footprint_limit(input);
+  Case coarse = input;
+  coarse.numerics.preset = Preset::coarse;
+  coarse.numerics.mesh_refinement = std::min(0.75, input.numerics.mesh_refinement);
+  for (int pass = 0; pass < most_passes; ++pass) {
+    const Reach reach = reach_of(coarse, footprint, friction);
+    bool settled = true;
+    std::array<double, 2> rim{};
+    for (std::size_t d = 0; d < 2; ++d) {
+      if (footprint.sharp(d)) {
+        continue;
+      }
+      const double flat = footprint.half_size[d] - footprint.rim[d];
+      rim[d] = std::max(reach.extent[d] - flat, footprint.rim[d] / 20);
+      const bool at_limit = footprint.rim[d] >= limit.rim[d] * (1 - 1e-9);
+      if (reach.border[d] && !at_limit) {
+        settled = false;
+        set_rim(footprint, d, growth * footprint.rim[d], limit);
+      } else if (reach.border[d] && limit.half_size[d] < input.slider.size[d] / 2 * (1 - 1e-9)) {
+        refuse_edge(d);
+      } else if (rim[d] < least_fill * footprint.rim[d]) {
+        settled = false;
+        set_rim(footprint, d, trial_margin * rim[d], limit);
+      }
+    }
+    if (settled) {
+      for (std::size_t d = 0; d < 2; ++d) {
+        if (!footprint.sharp(d)) {
+          set_rim(footprint, d, rounded_up(margin * rim[d]), limit);
+        }
+      }
+      return footprint;
+    }
+  }
+  throw SolverError("the footprint of the slider was not found",
+                    "lower contact.friction, or give slider.size closer to the contact");
+}
+
+std::optional<mesh::Footprint> widened_footprint(const Case& input,
+                                                 const mesh::Footprint& footprint,
+                                                 const std::vector<ContactSolution>& solutions) {
+  const mesh::Footprint limit = mesh::footprint_limit(input);
+  mesh::Footprint wider = footprint;
+  const auto widen_for = [&](const ContactSolution& solution, const SharedState& state) {
+    if (!state) {
+      return;
+    }
+    const auto touched =
+        border_touched(*state, solution.cell_lines_x.size() - 1, solution.mesh.half_model());
+    for (std::size_t d = 0; d < 2; ++d) {
+      if (touched[d] && !footprint.sharp(d)) {
+        set_rim(wider, d, growth * footprint.rim[d], limit);
+      }
+    }
+  };
+  for (const ContactSolution& solution : solutions) {
+    for (const LegSolution& leg : solution.legs) {
+      for (const auto* states : {&leg.path, &leg.steady}) {
+        for (const PathState& point : *states) {
+          widen_for(solution, point.state);
+        }
+      }
+    }
+  }
+  return wider.half_size == footprint.half_size ? std::nullopt : std::optional(wider);
+}
+
+} // namespace ionskin::mechanics

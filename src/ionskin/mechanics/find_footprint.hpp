@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/mechanics/contact_solution.hpp"
+#include "ionskin/mesh/footprint.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace ionskin::mechanics {
+
+/// The footprint that a slider will have. That of a sharp one is its plan. That of any other is
+/// found from `mesh::largest_footprint` by solving touchdown and steady sliding at both ends of the
+/// track at the coarse preset: it shrinks until the contact fills most of it, grows where the
+/// contact reaches its border, and keeps a margin. Rims are rounded up to a geometric grid, so that
+/// cases that differ little share one mesh.
+/// Throws UserError when the contact reaches the edge of the skin.
+mesh::Footprint find_footprint(const Case& input, double friction);
+
+/// A larger footprint when the contact of any state reaches the border of this one, which it should
+/// not; empty when it nowhere does, or the slider ends there.
+std::optional<mesh::Footprint> widened_footprint(const Case& input,
+                                                 const mesh::Footprint& footprint,
+                                                 const std::vector<ContactSolution>& solutions);
+
+} // namespace ionskin::mechanics

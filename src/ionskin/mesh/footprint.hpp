@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+
+#include <array>
+
+namespace ionskin::mesh {
+
+/// The rectangle under the slider in which the skin may be touched, centred on the slider. Along
+/// each direction it ends at a sharp edge of the slider, or the border of the contact lies anywhere
+/// in a rim of some width inside it.
+struct Footprint {
+  std::array<double, 2> half_size{}; ///< along x and y [m]
+  std::array<double, 2> rim{};       ///< 0 for a sharp edge, half_size for a round contact [m]
+
+  bool sharp(std::size_t direction) const { return rim[direction] == 0; }
+  /// The border may lie anywhere, so all of it is meshed alike.
+  bool round(std::size_t direction) const { return rim[direction] >= half_size[direction]; }
+};
+
+/// What presses hardest during a cycle; either may be 0.
+struct HeaviestLoad {
+  double indentation = 0; ///< [m]
+  double force = 0;       ///< on the full skin [N]
+};
+HeaviestLoad heaviest_load(const Case& input);
+
+/// The slider's plan as far as the skin reaches: no contact can be larger.
+Footprint footprint_limit(const Case& input);
+
+/// Largest footprint that the slider can have: the plan of a sharp slider; for a round one the
+/// contact of a layer of its radius, bounded by an elastic half-space of the softest layer under a
+/// given force (Hertz) and by a thin bonded incompressible layer, which bulges most, under a given
+/// indentation (Johnson, Contact Mechanics, 1985, chapters 4 and 5).
+Footprint largest_footprint(const Case& input);
+
+} // namespace ionskin::mesh

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/find_footprint.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "small_case.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ionskin::mechanics {
+namespace {
+
+Case small_finger() {
+  Case input = small_case();
+  input.slider.shape = SliderShape::sphere;
+  input.slider.radius = 4e-3;
+  input.slider.size = {8e-3, 8e-3};
+  input.motion.stroke = 0;
+  return input;
+}
+
+TEST(FindFootprint, of_a_sharp_slider_is_its_plan) {
+  const mesh::Footprint footprint = find_footprint(small_case(), 0.3);
+  EXPECT_EQ(footprint.half_size, (std::array<double, 2>{0.5e-3, 0.4e-3}));
+  EXPECT_TRUE(footprint.sharp(0) && footprint.sharp(1));
+}
+
+TEST(FindFootprint, of_a_sphere_holds_its_contact_closely) {
+  const mesh::Footprint footprint = find_footprint(small_finger(), 0.3);
+  EXPECT_TRUE(footprint.round(0) && footprint.round(1));
+  const mesh::Footprint largest = mesh::largest_footprint(small_finger());
+  for (std::size_t d = 0; d < 2; ++d) {
+    EXPECT_LT(footprint.half_size[d], 1.2 * largest.half_size[d]);
+    EXPECT_GT(footprint.half_size[d], 0.25 * largest.half_size[d]);
+  }
+}
+
+TEST(FindFootprint, refuses_a_contact_over_the_edge_of_the_skin) {
+  Case input = small_finger();
+  input.slider.start[0] = 20e-6;
+  EXPECT_THROW(find_footprint(input, 0.3), UserError);
+}
+
+} // namespace
+} // namespace ionskin::mechanics

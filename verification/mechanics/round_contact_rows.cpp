@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mechanics/pressed_skin.hpp"
+#include "mechanics/rows.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace ionskin::verification {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double youngs_modulus = 1e9;      // [Pa]
+constexpr double radius = 10e-3;            // of the slider [m]
+constexpr double indentation = 10e-6;       // [m]
+constexpr double contact_estimate = 316e-6; // sqrt(radius * indentation) [m]
+
+/// One material in all layers, a block of some contact radii in depth and four times as wide.
+Case block(SliderShape shape, double depth_ratio, double poissons_ratio, double friction) {
+  const Material material{"block", youngs_modulus, poissons_ratio};
+  const double depth = depth_ratio * contact_estimate;
+  Case input;
+  input.skin.length = input.skin.width = 4 * depth;
+  input.skin.layers = {{"lower", LayerRole::electrode, material, 0.3 * depth},
+                       {"middle", LayerRole::core, material, 0.4 * depth},
+                       {"upper", LayerRole::electrode, material, 0.3 * depth}};
+  input.slider.shape = shape;
+  input.slider.radius = radius;
+  input.slider.size = {2 * radius, 2 * radius};
+  if (shape == SliderShape::cylinder) {
+    input.skin.width = 1e-3;
+    input.skin.sides = SideCondition::symmetry;
+  }
+  input.slider.start = {input.skin.length / 2, input.skin.width / 2};
+  input.motion.preload = indentation;
+  input.contact.friction = friction;
+  input.numerics.preset = Preset::coarse;
+  return input;
+}
+
+double plane_modulus(double poissons_ratio) {
+  return youngs_modulus / (1 - poissons_ratio * poissons_ratio);
+}
+
+/// Contact radius under a force (Hertz 1882; Johnson, Contact Mechanics, 1985, chapter 4).
+double hertz_radius(double force, double poissons_ratio) {
+  return std::cbrt(0.75 * force * radius / plane_modulus(poissons_ratio));
+}
+
+/// Found values over those of the half-space under the same force.
+struct HertzRatios {
+  double radius = 0, pressure = 0;
+};
+
+HertzRatios sphere_ratios(double depth_ratio) {
+  constexpr double nu = 0.3;
+  PressedSkin skin(block(SliderShape::sphere, depth_ratio, nu, 0));
+  skin.advance({0, 0});
+  const double expected = hertz_radius(skin.force(0), nu);
+  return {std::sqrt(skin.contact_area() / pi) / expected,
+          skin.central_pressure(expected) / (1.5 * skin.force(0) / (pi * expected * expected))};
+}
+
+HertzRatios cylinder_ratios(double depth_ratio) {
+  constexpr double nu = 0.3;
+  Case input = block(SliderShape::cylinder, depth_ratio, nu, 0);
+  input.numerics.mesh_refinement = 6;
+  PressedSkin skin(input);
+  skin.advance({0, 0});
+  const double force = skin.force(0) / input.skin.width;
+  const double expected = std::sqrt(4 * force * radius / (pi * plane_modulus(nu)));
+  return {skin.contact_area() / (2 * input.skin.width) / expected,
+          skin.central_pressure(expected) / (2 * force / (pi * expected))};
+}
+
+/// The error of a finite block falls like radius over depth; the second block is twice as deep.
+double at_infinite_depth(double shallow, double deep) {
+  return 2 * deep - shallow;
+}
+
+void add_hertz_rows(const char* shape, const HertzRatios& shallow, const HertzRatios& deep,
+                    std::vector<Row>& rows) {
+  rows.push_back(compare("M2", fmt::format("{} on a block: contact radius over Hertz's", shape),
+                         at_infinite_depth(shallow.radius, deep.radius), 1, 0.01));
+  rows.push_back(compare("M2", fmt::format("{} on a block: peak pressure over Hertz's", shape),
+                         at_infinite_depth(shallow.pressure, deep.pressure), 1, 0.01));
+}
+
+/// Partial slip under a tangential displacement (Cattaneo 1938, Mindlin 1949; Johnson, Contact
+/// Mechanics, 1985, section 7.2).
+struct PartialSlip {
+  /// Found less expected stick radius over the contact radius; the depth hardly matters to it.
+  double stick_error = 0;
+  double compliance = 0; ///< displacement over that of the half-space under the same forces
+};
+
+PartialSlip partial_slip(double depth_ratio) {
+  // Nearly incompressible, so that pressure moves nothing sideways, as the theory has it.
+  constexpr double nu = 0.4999, mu = 0.3, part_of_full_slip = 0.6;
+  constexpr int steps = 3;
+  constexpr double shear_modulus = youngs_modulus / (2 * (1 + nu));
+  PressedSkin skin(block(SliderShape::sphere, depth_ratio, nu, mu));
+  skin.advance({0, 0});
+  const auto full_slip = [&] {
+    const double limit = mu * skin.force(0);
+    return 3 * (2 - nu) * limit / (16 * shear_modulus * hertz_radius(skin.force(0), nu));
+  };
+  const double travel = part_of_full_slip * full_slip();
+  for (int i = 0; i < steps; ++i) {
+    skin.advance({travel / steps, 0});
+  }
+  const double reserve = 1 - skin.force(1) / (mu * skin.force(0));
+  const double contact = hertz_radius(skin.force(0), nu);
+  return {std::sqrt(skin.stick_area() / pi) / contact - std::cbrt(reserve),
+          travel / (full_slip() * (1 - std::pow(reserve, 2.0 / 3)))};
+}
+
+} // namespace
+
+std::vector<Row> round_contact_rows(const Options& options) {
+  const auto report = [&](double done) { options.progress("mechanics: round contacts", done); };
+  std::vector<Row> rows;
+  add_hertz_rows("cylinder", cylinder_ratios(8), cylinder_ratios(16), rows);
+  report(0.1);
+  add_hertz_rows("sphere", sphere_ratios(4), sphere_ratios(8), rows);
+  report(0.5);
+  const PartialSlip shallow = partial_slip(6), deep = partial_slip(12);
+  report(1);
+  rows.push_back(compare("M2", "Cattaneo-Mindlin: error of the stick radius over contact radius",
+                         deep.stick_error, 0, 0.02));
+  rows.push_back(compare("M2", "Cattaneo-Mindlin: tangential compliance over Mindlin's",
+                         at_infinite_depth(shallow.compliance, deep.compliance), 1, 0.02));
+  return rows;
+}
+
+} // namespace ionskin::verification
