@@ -15,9 +15,10 @@ double mean_root(double from, double to, double border) {
 
 /// Where a field like sqrt(border - x) ends that has given means over its last positive cell, which
 /// begins at 0, and over the cell before it.
-/// @param width,width_before of these cells; @param ratio of their means
-double border_of(double width, double width_before, double ratio) {
-  double low = 0, high = 1.5 * width; // at most up to the middle of the next cell
+/// @param width,width_before of these cells; @param width_beyond of the open cell behind them, of
+/// which at most half is covered; @param ratio of their means
+double border_of(double width, double width_before, double width_beyond, double ratio) {
+  double low = 0, high = width + 0.5 * width_beyond;
   for (int i = 0; i < 50; ++i) {
     const double middle = (low + high) / 2;
     const double at_middle = mean_root(0, width, middle) / mean_root(-width_before, 0, middle);
@@ -93,8 +94,10 @@ private:
     const double along = slope(before, d), across = slope(before, 1 - d);
     const double steepness = along * along + across * across;
     const double weight = steepness > 0 ? along * along / steepness : 0.0;
-    const double beyond =
-        border_of(width(cell, d), width(before, d), field_[cell] / field_[before]) - width(cell, d);
+    const double width_beyond = width(neighbour(cell, d, upwards), d);
+    const double border =
+        border_of(width(cell, d), width(before, d), width_beyond, field_[cell] / field_[before]);
+    const double beyond = border - width(cell, d);
     return weight * beyond * width(cell, 1 - d);
   }
 
