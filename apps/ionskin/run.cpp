@@ -32,8 +32,12 @@ study::Studies studies(const std::string& only) {
 void print_outcome(const study::RunOutcome& outcome) {
   for (const auto& metric : outcome.metrics) {
     if (std::find(headline.begin(), headline.end(), metric.name) != headline.end()) {
-      fmt::print("{:<34} {:.6g} {}\n", metric.name, metric.value,
-                 metric.unit == "1" ? "" : metric.unit);
+      const auto error = outcome.error_estimate.find(metric.name);
+      fmt::print("{:<34} {:.6g} {}{}\n", metric.name, metric.value,
+                 metric.unit == "1" ? "" : metric.unit,
+                 error == outcome.error_estimate.end()
+                     ? ""
+                     : fmt::format("  (error about {:.2g} %)", 100 * error->second));
     }
   }
   if (!outcome.warnings.empty()) {

@@ -16,6 +16,31 @@ std::vector<double> onset_column(const MechanicsRecord& record, std::size_t colu
   return values;
 }
 
+void write_metrics(results::Hdf5File& file, const std::string& group,
+                   const std::vector<readout::Metric>& metrics) {
+  std::vector<std::string> names, units;
+  std::vector<double> values;
+  for (const readout::Metric& metric : metrics) {
+    names.push_back(metric.name);
+    units.push_back(metric.unit);
+    values.push_back(metric.value);
+  }
+  file.write(group + "/value", values);
+  file.write_texts(group + "/name", names);
+  file.write_texts(group + "/unit", units);
+}
+
+std::vector<readout::Metric> read_metrics(const results::Hdf5File& file, const std::string& group) {
+  const auto names = file.read_texts(group + "/name");
+  const auto units = file.read_texts(group + "/unit");
+  const auto values = file.read(group + "/value");
+  std::vector<readout::Metric> metrics;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    metrics.push_back({names[i], values[i], units[i]});
+  }
+  return metrics;
+}
+
 } // namespace
 
 void write_mechanics(const std::filesystem::path& path, const std::string& hash,
@@ -37,16 +62,8 @@ void write_mechanics(const std::filesystem::path& path, const std::string& hash,
   write("/path/onset_end", onset_column(record, 1), "s");
   write("/path/electrode_stress", record.electrode_stress, "Pa");
   file.write_texts("/path/warnings", record.warnings);
-  std::vector<std::string> names, units;
-  std::vector<double> values;
-  for (const readout::Metric& metric : record.metrics) {
-    names.push_back(metric.name);
-    units.push_back(metric.unit);
-    values.push_back(metric.value);
-  }
-  file.write("/path/metrics/value", values);
-  file.write_texts("/path/metrics/name", names);
-  file.write_texts("/path/metrics/unit", units);
+  write_metrics(file, "/path/metrics", record.metrics);
+  write_metrics(file, "/path/companion_metrics", record.companion_metrics);
   file.set_attribute("/path", "mechanics_hash", hash);
   file.set_attribute("/path", "join_time", record.join_time);
   file.set_attribute("/path", "worst_equilibrium_residual", record.worst_equilibrium_residual);
@@ -77,12 +94,8 @@ std::optional<MechanicsRecord> read_mechanics(const std::filesystem::path& path,
     for (std::size_t i = 0; i < begins.size(); ++i) {
       record.onsets.push_back({begins[i], ends[i]});
     }
-    const auto names = file.read_texts("/path/metrics/name");
-    const auto units = file.read_texts("/path/metrics/unit");
-    const auto values = file.read("/path/metrics/value");
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      record.metrics.push_back({names[i], values[i], units[i]});
-    }
+    record.metrics = read_metrics(file, "/path/metrics");
+    record.companion_metrics = read_metrics(file, "/path/companion_metrics");
     record.electrode_stress = file.read("/path/electrode_stress");
     record.warnings = file.read_texts("/path/warnings");
     record.join_time = number("join_time");

@@ -28,7 +28,8 @@ struct MechanicsRecord {
   double worst_equilibrium_residual = 0;
   double worst_complementarity_residual = 0;
   int contact_solves = 0;
-  std::vector<readout::Metric> metrics; ///< of the contact, for summary.json
+  std::vector<readout::Metric> metrics;           ///< of the contact, for summary.json
+  std::vector<readout::Metric> companion_metrics; ///< of Study 1 on twice the mesh sizes
   /// Largest membrane stress of each electrode layer over all states, bottom to top [Pa].
   std::vector<double> electrode_stress;
   std::vector<std::string> warnings;

@@ -6,14 +6,15 @@
 #include "ionskin/electrochemistry/ion_transport.hpp"
 #include "ionskin/electrochemistry/space_charge.hpp"
 #include "ionskin/electrochemistry/wall_potential.hpp"
-#include "ionskin/mechanics/solve_contact.hpp"
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/results/strain_file.hpp"
 #include "ionskin/study/checkpoint_file.hpp"
+#include "ionskin/study/mechanics_error.hpp"
 #include "ionskin/study/mechanics_file.hpp"
 #include "ionskin/study/mechanics_record.hpp"
 #include "ionskin/study/read_out.hpp"
 #include "ionskin/study/run_folder.hpp"
+#include "ionskin/study/solve_mechanics.hpp"
 #include "ionskin/study/user_cache.hpp"
 #include "ionskin/study/warnings.hpp"
 #include "ionskin/study/write_outputs.hpp"
@@ -65,16 +66,17 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, base::Disk
                     "--only electrochemistry takes up: run without --only, or with "
                     "--only mechanics, first");
   }
-  const auto contact = folder.stage("mechanics", [&] {
+  const auto solved = folder.stage("mechanics", [&] {
     mechanics::ContactOptions contact_options;
     contact_options.threads = options.threads;
     contact_options.progress = options.progress;
     contact_options.cache = cache;
-    return mechanics::solve_contact(input, contact_options, timers);
+    return std::move(
+        solve_mechanics(input, {input.contact.friction}, contact_options, timers).front());
   });
   return folder.stage("strain", [&] {
     options.progress("strain history", 0.0);
-    MechanicsRecord record = make_mechanics_record(input, contact);
+    MechanicsRecord record = record_mechanics(input, solved, options.threads);
     if (cache != nullptr) {
       for (std::string& note : cache->take_notes()) {
         record.warnings.push_back(std::move(note));
@@ -131,6 +133,8 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
     outputs.warnings.insert(outputs.warnings.end(), outputs.signals.warnings.begin(),
                             outputs.signals.warnings.end());
   }
+  outputs.error_estimate =
+      estimate_mechanics_errors(outputs.signals.metrics, mechanics.companion_metrics);
   outputs.stage_seconds = timers.seconds();
   RunOutcome outcome = write_outputs(input, options, mechanics, outputs, start, folder);
   std::filesystem::remove(folder.file(checkpoint_name));

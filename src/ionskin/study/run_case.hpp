@@ -6,6 +6,7 @@
 #include "ionskin/readout/metrics.hpp"
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct RunOutcome {
   std::filesystem::path folder;
   std::filesystem::path report; ///< empty when no report was made
   std::vector<readout::Metric> metrics;
+  std::map<std::string, double> error_estimate; ///< relative, by name of the metric [1]
   std::vector<std::string> warnings;
   double seconds = 0;
 };

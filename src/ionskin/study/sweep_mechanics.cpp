@@ -2,12 +2,12 @@
 #include "ionskin/study/sweep_mechanics.hpp"
 
 #include "ionskin/base/task_pool.hpp"
-#include "ionskin/mechanics/solve_contact.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 #include "ionskin/results/atomic_file.hpp"
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/study/mechanics_file.hpp"
 #include "ionskin/study/run_folder.hpp"
+#include "ionskin/study/solve_mechanics.hpp"
 #include "ionskin/study/user_cache.hpp"
 
 #include <algorithm>
@@ -94,8 +94,7 @@ bool take_over(const std::vector<SweepPoint>& points, const RunOptions& options,
 
 /// Leaves a solution in the folders of all points that share it.
 void leave_in_folders(const std::vector<SweepPoint>& points, const SharedMechanics& shared,
-                      const mechanics::ContactSolution& contact, double seconds,
-                      const RunOptions& options) {
+                      const SolvedMechanics& solved, double seconds, const RunOptions& options) {
   const Case& input = points[shared.points.front()].input;
   std::optional<std::filesystem::path> first;
   for (const std::size_t i : shared.points) {
@@ -108,7 +107,7 @@ void leave_in_folders(const std::vector<SweepPoint>& points, const SharedMechani
         std::filesystem::copy_file(*first, pending.path());
         pending.commit();
       } else {
-        write_mechanics(path, mechanics_hash(input), make_mechanics_record(input, contact));
+        write_mechanics(path, mechanics_hash(input), record_mechanics(input, solved, 1));
         first = path;
       }
       return true;
@@ -159,18 +158,19 @@ private:
     for (std::size_t i = begin; i < end; ++i) {
       frictions.push_back(group[i].friction);
     }
-    auto solutions = mechanics::solve_contact(points_[group[begin].points.front()].input, frictions,
-                                              contact_options, timers_);
+    auto solutions = solve_mechanics(points_[group[begin].points.front()].input, frictions,
+                                     contact_options, timers_);
     if (cache_) {
       const std::vector<std::string> notes = cache_->take_notes();
       for (auto& solution : solutions) {
-        solution.warnings.insert(solution.warnings.end(), notes.begin(), notes.end());
+        std::vector<std::string>& warnings = solution.contact.warnings;
+        warnings.insert(warnings.end(), notes.begin(), notes.end());
       }
     }
     const double seconds = (base::wall_time() - start) / static_cast<double>(end - begin);
     base::run_tasks(solutions.size(), options_.threads, [&](std::size_t i) {
-      const auto contact = std::make_unique<mechanics::ContactSolution>(std::move(solutions[i]));
-      leave_in_folders(points_, group[begin + i], *contact, seconds, options_);
+      const auto solved = std::make_unique<SolvedMechanics>(std::move(solutions[i]));
+      leave_in_folders(points_, group[begin + i], *solved, seconds, options_);
     });
   }
 

@@ -85,6 +85,7 @@ RunOutcome write_outputs(const Case& input, const RunOptions& options,
   results::Summary summary;
   summary.metrics = outputs.signals.metrics;
   summary.warnings = outputs.warnings;
+  summary.error_estimate = outputs.error_estimate;
   const auto write_summary = [&] {
     summary.timing = timing(folder, start);
     results::write_summary(folder.file(names::summary), summary);
@@ -113,8 +114,9 @@ RunOutcome write_outputs(const Case& input, const RunOptions& options,
   write_summary();
   folder.finish();
   const bool reported = options.report && !report_problem;
-  return {folder.path(), reported ? folder.file(names::report) : std::filesystem::path{},
-          summary.metrics, summary.warnings, base::wall_time() - start};
+  return {folder.path(),    reported ? folder.file(names::report) : std::filesystem::path{},
+          summary.metrics,  summary.error_estimate,
+          summary.warnings, base::wall_time() - start};
 }
 
 } // namespace ionskin::study

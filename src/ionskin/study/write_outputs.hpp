@@ -19,7 +19,8 @@ struct RunOutputs {
   std::optional<electrochemistry::IonSolution> ions; ///< empty in runs of the mechanics alone
   Signals signals;
   std::vector<std::string> warnings;
-  std::map<std::string, double> stage_seconds; ///< parts of the stages, for the manifest [s]
+  std::map<std::string, double> error_estimate; ///< relative, by metric [1]
+  std::map<std::string, double> stage_seconds;  ///< parts of the stages, for the manifest [s]
 };
 
 /// Signals -> Results: writes every file of a run, the report last.

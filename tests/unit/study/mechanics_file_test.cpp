@@ -30,7 +30,8 @@ TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
     std::for_each(leg.steady.begin(), leg.steady.end(), give_cell);
   }
   contact.warnings = {"a warning"};
-  const auto record = make_mechanics_record(input, contact);
+  auto record = make_mechanics_record(input, contact);
+  record.companion_metrics = {{"normal_force_slide", 65.0, "N"}};
   EXPECT_EQ(record.electrode_stress, (std::vector<double>{3e6, 4e6}));
   ASSERT_EQ(record.normal_force.size(), record.history.time.size());
   ASSERT_EQ(record.maps.maps.size(), 1u + 2 + 9 + 2);
@@ -47,6 +48,9 @@ TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
   EXPECT_EQ(read->metrics[0].name, "contact_area_slide");
   EXPECT_EQ(read->metrics[0].value, record.metrics[0].value);
   EXPECT_EQ(read->metrics[0].unit, "m2");
+  ASSERT_EQ(read->companion_metrics.size(), 1u);
+  EXPECT_EQ(read->companion_metrics[0].name, "normal_force_slide");
+  EXPECT_EQ(read->companion_metrics[0].value, 65.0);
   EXPECT_EQ(read->join_time, record.join_time);
   EXPECT_EQ(read->warnings, record.warnings);
   EXPECT_EQ(read->electrode_stress, record.electrode_stress);
