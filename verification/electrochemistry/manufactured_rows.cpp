@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "electrochemistry/model_cases.hpp"
+#include "electrochemistry/rows.hpp"
+
+#include "ionskin/base/constants.hpp"
+#include "ionskin/electrochemistry/derived_scales.hpp"
+#include "ionskin/electrochemistry/ion_transport.hpp"
+#include "ionskin/electrochemistry/transport_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <span>
+
+namespace ionskin::verification {
+namespace {
+
+using electrochemistry::IonSnapshot;
+using electrochemistry::TransportGrid;
+
+constexpr double debye_length = 20e-6, relaxation_time = 0.01;
+constexpr double length = 300e-6, width = 200e-6, thickness = 180e-6;
+constexpr double duration = 2.0 * relaxation_time;
+
+/// An exact solution of the nonlinear equations under `pair-generation`, in Debye lengths and
+/// relaxation times: phi = f(t) g(x, y, z) and c = exp(-phi) + (f'/f) (exp(-phi) - 1) make the flux
+/// f' grad g, whose divergence is the rate of the charge, so that cf = c + laplacian(phi) gives all
+/// else. g and its slope vanish on the electrodes, its normal slope on the sides; f(0) = 0 starts
+/// it from the program's initial state.
+class ExactSolution {
+public:
+  struct Values {
+    double potential, concentration, fixed_charge;
+  };
+
+  Values at(double time, double x, double y, double z) const {
+    const double t = time / relaxation_time;
+    const double rate = 0.5 * std::exp(-0.5 * t), f = 1.0 - std::exp(-0.5 * t);
+    const double kx = std::numbers::pi / length, ky = std::numbers::pi / width;
+    const double wave = std::cos(kx * x) * std::cos(ky * y), s = z / thickness;
+    const double profile = s * s * (8.0 + s * s * (16.0 * s - 24.0));
+    const double curvature = (16.0 + s * s * (320.0 * s - 288.0)) / (thickness * thickness);
+    const double g = amplitude * (mean + wave) * profile;
+    const double laplacian = amplitude * debye_length * debye_length *
+                             ((mean + wave) * curvature - (kx * kx + ky * ky) * wave * profile);
+    const double phi = f * g;
+    const double released = f > 0.0 ? rate / f * std::expm1(-phi) : -rate * g;
+    const double c = std::exp(-phi) + released;
+    return {phi, c, c + f * laplacian};
+  }
+
+private:
+  static constexpr double amplitude = 0.7, mean = 0.4;
+};
+
+Case manufactured_case(double mesh_refinement) {
+  Case input = model_case();
+  input.skin.length = length;
+  input.skin.width = width;
+  auto& ions = input.electrochemistry;
+  ions.permittivity = debye_length * debye_length * constants::faraday * constants::faraday *
+                      ions.fixed_charge_concentration /
+                      (constants::gas_constant * ions.temperature);
+  ions.diffusivity = debye_length * debye_length / relaxation_time;
+  input.coupling.law = CouplingLaw::pair_generation;
+  input.coupling.coefficient = 1.0;
+  input.numerics.preset = Preset::fine;
+  input.numerics.mesh_refinement = mesh_refinement;
+  return input;
+}
+
+template <class Body> void for_nodes(const TransportGrid& grid, const Body& body) {
+  for (const double z : grid.z_nodes) {
+    for (std::size_t j = 0; j + 1 < grid.y_edges.size(); ++j) {
+      for (std::size_t i = 0; i + 1 < grid.x_edges.size(); ++i) {
+        body(0.5 * (grid.x_edges[i] + grid.x_edges[i + 1]),
+             0.5 * (grid.y_edges[j] + grid.y_edges[j + 1]), z);
+      }
+    }
+  }
+}
+
+/// The fixed charge of the exact solution as a history of shear on the transport grid itself.
+strain::StrainHistory manufactured_history(const Case& input, int samples) {
+  strain::StrainHistory history;
+  history.measure = "manufactured";
+  history.length = length;
+  history.width = width;
+  history.grid = {{0.0, 0.5 * length, length}, {0.0, 0.5 * width, width}, {0.0, thickness}};
+  const TransportGrid grid = electrochemistry::make_transport_grid(input, history);
+  history.grid = {grid.x_edges, grid.y_edges, grid.z_nodes};
+  const ExactSolution exact;
+  for (int sample = 0; sample <= samples; ++sample) {
+    const double time = duration * sample / samples;
+    auto field = std::make_shared<strain::StrainField>();
+    for_nodes(grid, [&](double x, double y, double z) {
+      field->push_back(exact.at(time, x, y, z).fixed_charge - 1.0);
+    });
+    history.time.push_back(time);
+    history.gamma.push_back(field);
+  }
+  history.event_time = {0.0};
+  return history;
+}
+
+struct FinalState {
+  TransportGrid grid;
+  std::vector<double> potential, concentration; ///< scaled
+};
+
+FinalState run(double mesh_refinement, double time_refinement, int samples, double tolerance,
+               const Options& options) {
+  Case input = manufactured_case(mesh_refinement);
+  input.numerics.time_refinement = time_refinement;
+  input.numerics.time_tolerance = tolerance;
+  electrochemistry::IonOptions ion_options;
+  ion_options.threads = options.threads;
+  ion_options.snapshot_times = {duration};
+  base::Timers timers;
+  const auto solution = electrochemistry::solve_ion_transport(
+      input, manufactured_history(input, samples), ion_options, timers);
+  const auto scales = electrochemistry::derive_scales(input.electrochemistry, thickness);
+  FinalState state{solution.grid, solution.snapshots.front().potential,
+                   solution.snapshots.front().concentration};
+  for (double& value : state.potential) {
+    value /= scales.potential_scale;
+  }
+  for (double& value : state.concentration) {
+    value /= input.electrochemistry.fixed_charge_concentration;
+  }
+  return state;
+}
+
+/// Root mean square over the nodes of all columns, weighted by the volumes they stand for.
+double rms(const TransportGrid& grid, std::span<const double> a, std::span<const double> b) {
+  const std::vector<double>& z = grid.z_nodes;
+  const std::size_t columns = a.size() / z.size();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const std::size_t k = i / columns;
+    const double above = k + 1 < z.size() ? z[k + 1] : z[k], below = k > 0 ? z[k - 1] : z[k];
+    sum += 0.5 * (above - below) * (a[i] - b[i]) * (a[i] - b[i]);
+  }
+  return std::sqrt(sum / (thickness * static_cast<double>(columns)));
+}
+
+struct Error {
+  double potential, concentration;
+};
+
+Error error_of(const FinalState& state) {
+  std::vector<double> potential, concentration;
+  const ExactSolution exact;
+  for_nodes(state.grid, [&](double x, double y, double z) {
+    const auto values = exact.at(duration, x, y, z);
+    potential.push_back(values.potential);
+    concentration.push_back(values.concentration);
+  });
+  return {rms(state.grid, state.potential, potential),
+          rms(state.grid, state.concentration, concentration)};
+}
+
+double observed_order(double coarse, double fine) {
+  return std::log2(coarse / fine);
+}
+
+void add_space_rows(const Options& options, std::vector<Row>& rows) {
+  constexpr int samples = 48; // that linear interpolation between them does not count
+  constexpr double tolerance = 3e-6;
+  const Error coarse = error_of(run(1.0, 1.0, samples, tolerance, options));
+  const Error fine = error_of(run(2.0, 1.0, samples, tolerance, options));
+  rows.push_back(at_most("E7", "3D manufactured: error of phi / V_T, rms", fine.potential, 5e-4));
+  rows.push_back(at_most("E7", "3D manufactured: error of c / c0, rms", fine.concentration, 2e-4));
+  rows.push_back(at_least("E7", "3D manufactured: observed order of phi in space",
+                          observed_order(coarse.potential, fine.potential), 1.8));
+  rows.push_back(at_least("E7", "3D manufactured: observed order of c in space",
+                          observed_order(coarse.concentration, fine.concentration), 1.8));
+}
+
+/// Differences between runs on one mesh: its own error and the interpolation drop out.
+void add_time_rows(const Options& options, std::vector<Row>& rows) {
+  const auto at = [&](double refinement) { return run(0.5, refinement, 4, 1e-3, options); };
+  const FinalState first = at(2.0), second = at(4.0), third = at(8.0);
+  const auto change = [&](const FinalState& a, const FinalState& b) {
+    return Error{rms(first.grid, a.potential, b.potential),
+                 rms(first.grid, a.concentration, b.concentration)};
+  };
+  const Error coarse = change(first, second), fine = change(second, third);
+  rows.push_back(at_least("E7", "3D manufactured: observed order of phi in time",
+                          observed_order(coarse.potential, fine.potential), 1.8));
+  rows.push_back(at_least("E7", "3D manufactured: observed order of c in time",
+                          observed_order(coarse.concentration, fine.concentration), 1.8));
+}
+
+} // namespace
+
+std::vector<Row> manufactured_rows(const Options& options) {
+  std::vector<Row> rows;
+  add_space_rows(options, rows);
+  add_time_rows(options, rows);
+  return rows;
+}
+
+} // namespace ionskin::verification
