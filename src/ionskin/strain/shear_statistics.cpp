@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/strain/shear_statistics.hpp"
 
+#include "ionskin/strain/level_integrals.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,15 +10,6 @@
 
 namespace ionskin::strain {
 namespace {
-
-/// Length of each cell within [0, extent].
-std::vector<double> lengths_within(const std::vector<double>& edges, double extent) {
-  std::vector<double> result(edges.size() - 1);
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    result[i] = std::max(0.0, std::min(edges[i + 1], extent) - std::max(edges[i], 0.0));
-  }
-  return result;
-}
 
 /// The field at an instant with the areas of its columns inside the core.
 struct Instant {

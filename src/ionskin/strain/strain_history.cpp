@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/strain/strain_history.hpp"
 
+#include "ionskin/strain/level_integrals.hpp"
+
 #include <algorithm>
 
 namespace ionskin::strain {
@@ -60,6 +62,7 @@ void interpolate_field(const StrainHistory& history, const TimeBracket& at, Stra
   for (std::size_t i = 0; i < field.size(); ++i) {
     field[i] += at.weight * (after[i] - before[i]);
   }
+  keep_level_integrals_linear(history, at, field);
 }
 
 } // namespace ionskin::strain

@@ -25,7 +25,8 @@ using StrainField = std::vector<double>;
 
 /// Scalar shear in the core over time: the only handover between mechanics and ion transport.
 /// Linear in time and in z between the samples, constant over each x-y cell. In the slider frame
-/// the cells ride with the slider, whose position is linear in time between the samples too.
+/// the cells ride with the slider, whose position is linear in time between the samples too; values
+/// are then adjusted so that integrals over the core are linear (see level_integrals.hpp).
 struct StrainHistory {
   StrainGrid grid;
   Frame frame = Frame::skin;

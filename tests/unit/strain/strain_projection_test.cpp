@@ -57,6 +57,18 @@ TEST(StrainProjection, ConservesTheIntegralAtEveryInstant) {
   }
 }
 
+TEST(StrainProjection, IntegralsOfRidingCellsAreLinearBetweenTheSamples) {
+  const auto history = riding_history();
+  const auto at = [&](double time) { return shear_statistics(history, time); };
+  const auto a = at(1), b = at(3);
+  for (const double weight : {0.2, 0.5, 0.9}) {
+    const auto between = at(1 + 2 * weight);
+    EXPECT_NEAR(between.mean, a.mean + weight * (b.mean - a.mean), 1e-14);
+    EXPECT_NEAR(between.first_moment, a.first_moment + weight * (b.first_moment - a.first_moment),
+                1e-14);
+  }
+}
+
 TEST(StrainProjection, OneColumnTakesTheLateralAverage) {
   const auto history = riding_history();
   const StrainProjection projection(history, {0, 4}, {0, 2}, history.grid.z_nodes);
