@@ -37,6 +37,10 @@ struct IonSolution {
   std::vector<double> charge_top, charge_bottom;
   /// The same by the volume formula of design E2 (Ramo) [C].
   std::vector<double> ramo_charge_top;
+  /// The part of half the difference of the charges that changes smoothly at kinks of the shear,
+  /// and its rate [C], [A]: the ions' part at given potentials, all of it behind a circuit. The
+  /// rest follows the shear linearly between the rows.
+  std::vector<double> relaxation_charge, relaxation_current;
   std::vector<double> voltage;             ///< of the top electrode against the bottom one [V]
   std::vector<double> ion_amount;          ///< integral of c [mol]
   std::vector<double> min_concentration;   ///< [mol/m3]

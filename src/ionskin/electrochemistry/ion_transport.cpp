@@ -97,7 +97,7 @@ private:
       run_.state.next_step = control_.first_step();
       run_.state.charge_scale = std::max(run_.state.charge_scale, charge_floor_);
       run_.solution.grid = grid_;
-      rows_.append(begin, run_.state.ions, run_.solution);
+      append_row(begin);
       copy_counters();
     }
   }
@@ -123,7 +123,7 @@ private:
     const double begin = time();
     const double end = take_step(begin);
     ++run_.step;
-    rows_.append(end, run_.state.ions, run_.solution);
+    append_row(end);
     copy_counters();
     const auto [from, to] = control_.span();
     options_.progress("ion transport", (end - from) / (to - from));
@@ -160,6 +160,10 @@ private:
                     begin, end, std::ranges::min(run_.state.ions.concentration())),
         "raise numerics.mesh_refinement, or make coupling.coefficient or the electrode potentials "
         "smaller");
+  }
+
+  void append_row(double time) {
+    rows_.append(time, run_.state.ions, integrator_.relaxation(run_.state), run_.solution);
   }
 
   void copy_counters() {

@@ -39,7 +39,8 @@ SolutionRows::SolutionRows(const Case& input, const DerivedScales& scales,
                            const std::vector<double>& snapshot_times)
     : mirror_(mirror), scaled_(scaled), fixed_charge_(fixed_charge),
       charge_unit_(scales.charge_density * column_area(grid)),
-      volume_unit_(scales.debye_length * column_area(grid)),
+      mean_unit_(mirror.copies() * static_cast<double>(scaled.columns()) * charge_unit_),
+      time_unit_(scales.relaxation_time), volume_unit_(scales.debye_length * column_area(grid)),
       concentration_unit_(input.electrochemistry.fixed_charge_concentration /
                           input.electrochemistry.valence),
       potential_unit_(scales.potential_scale),
@@ -49,7 +50,8 @@ SolutionRows::SolutionRows(const Case& input, const DerivedScales& scales,
   }
 }
 
-void SolutionRows::append(double time, const IonState& state, IonSolution& solution) {
+void SolutionRows::append(double time, const IonState& state, const Relaxation& relaxation,
+                          IonSolution& solution) {
   wall_charges(scaled_, state, fixed_charge_.ratio(), charges_);
   mirror_.complete(charges_);
   const auto c = state.concentration();
@@ -60,6 +62,8 @@ void SolutionRows::append(double time, const IonState& state, IonSolution& solut
   append_segments(solution);
   solution.ramo_charge_top.push_back(mirror_.copies() * charge_unit_ *
                                      ramo_charge_top(scaled_, state, fixed_charge_.ratio()));
+  solution.relaxation_charge.push_back(mean_unit_ * relaxation.charge);
+  solution.relaxation_current.push_back(mean_unit_ / time_unit_ * relaxation.rate);
   solution.voltage.push_back(potential_unit_ *
                              (state.potential().back() - state.potential().front()));
   solution.ion_amount.push_back(mirror_.copies() * volume_unit_ * concentration_unit_ *

@@ -10,6 +10,7 @@
 #include "ionskin/electrochemistry/mid_width_mirror.hpp"
 #include "ionskin/electrochemistry/scaled_grid.hpp"
 #include "ionskin/electrochemistry/space_charge.hpp"
+#include "ionskin/electrochemistry/time_integrator.hpp"
 
 #include <vector>
 
@@ -28,7 +29,8 @@ public:
                const FixedCharge& fixed_charge, const std::vector<double>& landings,
                const std::vector<double>& snapshot_times);
 
-  void append(double time, const IonState& state, IonSolution& solution);
+  void append(double time, const IonState& state, const Relaxation& relaxation,
+              IonSolution& solution);
   /// Adds what is kept for the last row only.
   void finish(const IonState& state, IonSolution& solution);
 
@@ -40,6 +42,8 @@ private:
   const ScaledGrid& scaled_;
   const FixedCharge& fixed_charge_;
   double charge_unit_;        ///< F c0 lambda times the area of a column [C]
+  double mean_unit_;          ///< the same times the number of columns [C]
+  double time_unit_;          ///< relaxation time [s]
   double volume_unit_;        ///< lambda times the area of a column [m3]
   double concentration_unit_; ///< c0 / v [mol/m3]
   double potential_unit_;     ///< R T / (v F) [V]

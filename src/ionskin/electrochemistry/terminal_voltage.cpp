@@ -30,8 +30,11 @@ double TerminalVoltage::weighted_mean(const std::vector<double>& weights,
 
 double TerminalVoltage::polarisation(std::span<const double> concentration,
                                      std::span<const double> fixed_charge) const {
-  return weighted_mean(fixed_weight_, fixed_charge, 1.0) -
-         weighted_mean(ion_weight_, concentration, 1.0);
+  return weighted_mean(fixed_weight_, fixed_charge, 1.0) + of_ions(concentration, 1.0);
+}
+
+double TerminalVoltage::of_ions(std::span<const double> concentration, double origin) const {
+  return -weighted_mean(ion_weight_, concentration, origin);
 }
 
 double TerminalVoltage::voltage(const CircuitStage& stage, std::span<const double> concentration,
@@ -42,8 +45,7 @@ double TerminalVoltage::voltage(const CircuitStage& stage, std::span<const doubl
 
 double TerminalVoltage::change(const CircuitStage& stage,
                                std::span<const double> concentration_change) const {
-  return weighted_mean(ion_weight_, concentration_change, 0.0) /
-         (1.0 / grid_.thickness + stage.conductance);
+  return -of_ions(concentration_change, 0.0) / (1.0 / grid_.thickness + stage.conductance);
 }
 
 } // namespace ionskin::electrochemistry

@@ -27,6 +27,9 @@ public:
   /// Half the difference of the electrodes' charges per area at equal potentials, p.
   double polarisation(std::span<const double> concentration,
                       std::span<const double> fixed_charge) const;
+  /// The part of p, or of a change of p, that departures of the ion concentration from `origin`
+  /// make.
+  double of_ions(std::span<const double> concentration, double origin) const;
   double voltage(const CircuitStage& stage, std::span<const double> concentration,
                  std::span<const double> fixed_charge) const;
   /// Change of the voltage with a change of the concentrations.

@@ -206,4 +206,12 @@ void TimeIntegrator::accept(TransportState& state) {
   note_charge(state);
 }
 
+Relaxation TimeIntegrator::relaxation(const TransportState& state) const {
+  if (conductance_) {
+    return {settled_charge_, charge_rate(state.ions)};
+  }
+  return {terminals_.of_ions(settled_, 1.0),
+          terminals_.of_ions(std::span(state.rate).first(settled_.size()), 0.0)};
+}
+
 } // namespace ionskin::electrochemistry

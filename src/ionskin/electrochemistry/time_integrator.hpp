@@ -13,6 +13,12 @@
 
 namespace ionskin::electrochemistry {
 
+/// Part of the charge that changes smoothly at kinks of the shear, see IonSolution, and its rate;
+/// per area and scaled.
+struct Relaxation {
+  double charge = 0, rate = 0;
+};
+
 /// TR-BDF2 as a diagonally implicit Runge-Kutta method with an explicit first stage: of order 2,
 /// L-stable and stiffly accurate, so that double layers faster than a step stay quiet and Poisson's
 /// equation holds at the end of every step; both implicit stages have the same implicit part of the
@@ -41,6 +47,9 @@ public:
   std::optional<double> try_step(double begin, double end, const TransportState& state);
   /// Makes the end of the step tried last the new state.
   void accept(TransportState& state);
+
+  /// Of the state that was accepted or taken up last.
+  Relaxation relaxation(const TransportState& state) const;
 
 private:
   void note_charge(TransportState& state);

@@ -45,7 +45,8 @@ double value_at(const std::vector<double>& time, const std::vector<double>& quan
   return weight == 0 ? quantity[i - 1] : quantity[i - 1] + weight * (quantity[i] - quantity[i - 1]);
 }
 
-SignalTable sample_currents(const SignalTable& signals, double interval) {
+SignalTable sample_currents(const SignalTable& signals, double interval,
+                            const ChargeRelaxation& relaxation) {
   const std::vector<double>& time = signals.column("time").values;
   const double start = time.front();
   const auto count =
@@ -54,9 +55,14 @@ SignalTable sample_currents(const SignalTable& signals, double interval) {
   for (std::size_t i = 1; i <= count; ++i) {
     instants.push_back(start + static_cast<double>(i) * interval);
   }
-  const ElectrodeCurrents means =
-      electrode_currents(instants, values_at(time, signals.column("charge_top").values, instants),
-                         values_at(time, signals.column("charge_bottom").values, instants));
+  std::vector<double> top = values_at(time, signals.column("charge_top").values, instants);
+  std::vector<double> bottom = values_at(time, signals.column("charge_bottom").values, instants);
+  for (std::size_t i = 0; i < instants.size(); ++i) {
+    const double departure = departure_from_line(time, relaxation, instants[i]);
+    top[i] += departure;
+    bottom[i] -= departure;
+  }
+  const ElectrodeCurrents means = electrode_currents(instants, top, bottom);
   SignalTable sampled;
   sampled.columns.push_back({"time", "s", {instants.begin() + 1, instants.end()}});
   sampled.columns.push_back(interval_means("current_top", means.top));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/readout/charge_relaxation.hpp"
 #include "ionskin/readout/signals.hpp"
 
 #include <vector>
@@ -13,13 +14,16 @@ double value_at(const std::vector<double>& time, const std::vector<double>& quan
                 double instant);
 
 /// What an integrating instrument sees: the charge gained over each readout interval divided by it.
-/// The charge is linear between the rows. Unlike the resolved peaks these converge with the time
-/// step. The intervals start at the first row, whose impulse charge is not part of the first
-/// interval; a last interval that the run does not complete is dropped.
+/// Between the rows half the difference of the charges relaxes by a cubic and the rest is linear.
+/// Unlike the resolved peaks these converge with the time step. The intervals start at the first
+/// row, whose impulse charge is not part of the first interval; a last interval that the run does
+/// not complete is dropped.
 /// @param signals with time, charge_top and charge_bottom
 /// @param interval readout interval [s], positive
+/// @param relaxation at the rows; without it every charge is linear between them
 /// @return columns time (end of each interval), current_top, current_bottom, current_difference and
 ///         current_common; no cycle and phase, because an interval may span several
-SignalTable sample_currents(const SignalTable& signals, double interval);
+SignalTable sample_currents(const SignalTable& signals, double interval,
+                            const ChargeRelaxation& relaxation = {});
 
 } // namespace ionskin::readout

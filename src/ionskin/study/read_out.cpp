@@ -9,6 +9,7 @@
 #include "ionskin/readout/phases.hpp"
 #include "ionskin/readout/sampling.hpp"
 #include "ionskin/readout/signal_table.hpp"
+#include "ionskin/readout/tail_current.hpp"
 #include "ionskin/readout/taxels.hpp"
 #include "ionskin/strain/shear_statistics.hpp"
 
@@ -82,6 +83,14 @@ void add_slide_metrics(const Case& input, const MechanicsRecord& mechanics,
   }
   metrics.push_back({"equilibrium_residual", mechanics.worst_equilibrium_residual, "1"});
   metrics.push_back({"complementarity_residual", mechanics.worst_complementarity_residual, "1"});
+}
+
+void add_tail_metric(const Case& input, const MechanicsRecord& mechanics, Signals& signals) {
+  const std::vector<bool> tail = readout::in_tail(signals.sampled, input.readout.sample_interval,
+                                                  mechanics.history.event_time);
+  signals.metrics.push_back(
+      {"tail_current_difference",
+       readout::tail_rms(signals.sampled.column("current_difference").values, tail), "A"});
 }
 
 /// Gauss' law against the integral of the shear as the strain folder takes it.
@@ -178,9 +187,11 @@ Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonS
   inputs.charge_bottom = ions.charge_bottom;
   Signals signals;
   signals.resolved = readout::build_signal_table(inputs);
-  signals.sampled = readout::sample_currents(signals.resolved, input.readout.sample_interval);
+  signals.sampled = readout::sample_currents(signals.resolved, input.readout.sample_interval,
+                                             {ions.relaxation_charge, ions.relaxation_current});
   signals.metrics =
       readout::signal_metrics(signals.resolved, signals.sampled, named_instants(input, mechanics));
+  add_tail_metric(input, mechanics, signals);
   add_slide_metrics(input, mechanics, signals.metrics);
   signals.metrics.push_back(charge_identity(input, mechanics, ions, threads));
   add_ion_metrics(input, ions, signals.resolved, signals.metrics);

@@ -16,6 +16,7 @@ electrochemistry::IonCheckpoint example() {
   checkpoint.solution.grid = {{0, 1}, {0, 2}, {0, 0.1, 0.2}};
   checkpoint.solution.time = {0, 0.1};
   checkpoint.solution.charge_top = {0, 1e-9 / 7};
+  checkpoint.solution.relaxation_current = {0, 2e-9 / 7};
   checkpoint.solution.krylov_iterations = 1234;
   checkpoint.solution.top_segments = {{"left", {1e-9, 2e-9}}, {"rest", {3e-9, 1e-9 / 3}}};
   checkpoint.solution.snapshots = {{0.1, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}}};
@@ -33,6 +34,7 @@ TEST(CheckpointFile, GivesBackEveryBit) {
   EXPECT_EQ(read->state.rate, written.state.rate);
   EXPECT_EQ(read->solution.grid.z_nodes, written.solution.grid.z_nodes);
   EXPECT_EQ(read->solution.charge_top, written.solution.charge_top);
+  EXPECT_EQ(read->solution.relaxation_current, written.solution.relaxation_current);
   EXPECT_EQ(read->solution.krylov_iterations, written.solution.krylov_iterations);
   ASSERT_EQ(read->solution.top_segments.size(), 2u);
   EXPECT_EQ(read->solution.top_segments[1].name, "rest");
