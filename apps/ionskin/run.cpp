@@ -17,10 +17,11 @@
 namespace ionskin::apps {
 namespace {
 
-constexpr std::array<std::string_view, 6> headline{
+constexpr std::array<std::string_view, 7> headline{
     "normal_force_slide",       "mean_shear_slide",
     "peak_sampled_current_top", "peak_sampled_current_difference",
-    "rms_current_difference",   "charge_identity_error"};
+    "rms_current_difference",   "tail_current_difference",
+    "charge_identity_error"};
 
 study::Studies studies(const std::string& only) {
   if (only == "mechanics") {
@@ -37,7 +38,7 @@ void print_outcome(const study::RunOutcome& outcome) {
                  metric.unit == "1" ? "" : metric.unit,
                  error == outcome.error_estimate.end()
                      ? ""
-                     : fmt::format("  (error about {:.2g} %)", 100 * error->second));
+                     : fmt::format("  (estimated error {:.2g} %)", 100 * error->second));
     }
   }
   if (!outcome.warnings.empty()) {

@@ -19,6 +19,8 @@ std::vector<Row> circuit_rows(const Options& options);
 std::vector<Row> double_layer_rows(const Options& options);
 /// E7: an exact solution of the nonlinear equations in 3D, and the observed orders.
 std::vector<Row> manufactured_rows(const Options& options);
+/// C5: the program's own estimate of the error of its currents against the truth.
+std::vector<Row> error_estimate_rows(const Options& options);
 /// E8: in the linear limit the laterally averaged response is the response of the averaged shear.
 std::vector<Row> lateral_average_rows(const Options& options);
 

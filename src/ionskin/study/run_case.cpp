@@ -9,7 +9,8 @@
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/results/strain_file.hpp"
 #include "ionskin/study/checkpoint_file.hpp"
-#include "ionskin/study/mechanics_error.hpp"
+#include "ionskin/study/ion_error_estimate.hpp"
+#include "ionskin/study/mechanics_error_estimate.hpp"
 #include "ionskin/study/mechanics_file.hpp"
 #include "ionskin/study/mechanics_record.hpp"
 #include "ionskin/study/read_out.hpp"
@@ -110,6 +111,21 @@ IonSolution study_2(const Case& input, const RunOptions& options, RunFolder& fol
   });
 }
 
+/// A run keeps its results where their error cannot be estimated.
+void add_ion_errors(const Case& input, const strain::StrainHistory& history,
+                    const RunOptions& options, base::Timers& timers, RunOutputs& outputs) {
+  options.progress("error estimate", 0.0);
+  try {
+    outputs.error_estimate.merge(
+        estimate_ion_errors(input, history, *outputs.ions, options.threads, timers));
+  } catch (const SolverError& error) {
+    outputs.warnings.push_back(
+        std::string("The error of the currents is not estimated: on a mesh of twice the size ") +
+        error.what() + ".");
+  }
+  options.progress("error estimate", 1.0);
+}
+
 } // namespace
 
 RunOutcome run_case(const Case& input, const RunOptions& options) {
@@ -132,9 +148,10 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
     outputs.warnings = collect_warnings(input, mechanics, *outputs.ions, outputs.signals.resolved);
     outputs.warnings.insert(outputs.warnings.end(), outputs.signals.warnings.begin(),
                             outputs.signals.warnings.end());
+    add_ion_errors(input, mechanics.history, options, timers, outputs);
   }
-  outputs.error_estimate =
-      estimate_mechanics_errors(outputs.signals.metrics, mechanics.companion_metrics);
+  outputs.error_estimate.merge(
+      estimate_mechanics_errors(outputs.signals.metrics, mechanics.companion_metrics));
   outputs.stage_seconds = timers.seconds();
   RunOutcome outcome = write_outputs(input, options, mechanics, outputs, start, folder);
   std::filesystem::remove(folder.file(checkpoint_name));

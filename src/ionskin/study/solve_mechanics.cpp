@@ -1,40 +1,69 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/solve_mechanics.hpp"
 
-#include "ionskin/study/mechanics_error.hpp"
+#include "ionskin/base/error.hpp"
+#include "ionskin/study/mechanics_error_estimate.hpp"
 #include "ionskin/study/read_out.hpp"
 
+#include <string>
 #include <utility>
 
 namespace ionskin::study {
+namespace {
+
+using Solutions = std::vector<mechanics::ContactSolution>;
+
+/// A run keeps its results where their error cannot be estimated; then `problem` says why.
+Solutions solve_companion(const Case& input, const std::vector<double>& frictions,
+                          const mechanics::ContactOptions& options, std::string& problem) {
+  mechanics::ContactOptions quiet = options;
+  quiet.progress = base::no_progress;
+  base::Timers parts; // of the companion, which counts as one stage
+  try {
+    return mechanics::solve_contact(companion_case(input), frictions, quiet, parts);
+  } catch (const SolverError& error) {
+    problem = error.what();
+  } catch (const UserError& error) { // its mesh does not fit beside the slider
+    problem = error.what();
+  }
+  return {};
+}
+
+} // namespace
 
 std::vector<SolvedMechanics> solve_mechanics(const Case& input,
                                              const std::vector<double>& frictions,
                                              const mechanics::ContactOptions& options,
                                              base::Timers& timers) {
-  mechanics::ContactOptions quiet = options;
-  quiet.progress = base::no_progress;
-  base::Timers companion_timers;
-  std::vector<mechanics::ContactSolution> companions;
+  std::string problem;
+  Solutions companions;
   {
     const base::Timers::Scope scope(timers, "mechanics: companion");
-    companions =
-        mechanics::solve_contact(companion_case(input), frictions, quiet, companion_timers);
+    companions = solve_companion(input, frictions, options, problem);
   }
-  auto solutions = mechanics::solve_contact(input, frictions, options, timers);
+  Solutions solutions = mechanics::solve_contact(input, frictions, options, timers);
   std::vector<SolvedMechanics> solved;
   for (std::size_t i = 0; i < frictions.size(); ++i) {
-    solved.push_back({std::move(solutions[i]), std::move(companions[i])});
+    solved.push_back({std::move(solutions[i]), std::nullopt});
+    if (companions.empty()) {
+      solved.back().contact.warnings.push_back(
+          "The error of the mechanics is not estimated: on a mesh of twice the size " + problem +
+          ".");
+    } else {
+      solved.back().companion = std::move(companions[i]);
+    }
   }
   return solved;
 }
 
 MechanicsRecord record_mechanics(const Case& input, const SolvedMechanics& solved, int threads) {
   MechanicsRecord record = make_mechanics_record(input, solved.contact);
-  const Case companion = companion_case(input);
-  record.companion_metrics =
-      read_out_mechanics(companion, make_mechanics_record(companion, solved.companion), threads)
-          .metrics;
+  if (solved.companion) {
+    const Case companion = companion_case(input);
+    record.companion_metrics =
+        read_out_mechanics(companion, make_mechanics_record(companion, *solved.companion), threads)
+            .metrics;
+  }
   return record;
 }
 

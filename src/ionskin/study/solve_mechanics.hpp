@@ -5,13 +5,15 @@
 #include "ionskin/mechanics/solve_contact.hpp"
 #include "ionskin/study/mechanics_record.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace ionskin::study {
 
 /// Study 1, and the same on a companion mesh of twice the sizes, which tells the error.
 struct SolvedMechanics {
-  mechanics::ContactSolution contact, companion;
+  mechanics::ContactSolution contact;
+  std::optional<mechanics::ContactSolution> companion; ///< empty where that mesh has no solution
 };
 
 /// Solves a case for several friction coefficients together.

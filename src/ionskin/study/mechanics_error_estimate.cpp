@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/study/mechanics_error.hpp"
+#include "ionskin/study/mechanics_error_estimate.hpp"
 
 #include <algorithm>
 #include <cmath>
