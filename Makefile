@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # The thin front of the build: CMake presets do the work.
-.PHONY: help setup build demo check format format-check bench sanitize clean
+.PHONY: help setup build demo check docs format format-check bench sanitize clean
 
 BUILD := build
 JOBS := $(shell nproc)
@@ -10,6 +10,7 @@ help:
 	@echo "make demo    install what is missing, build, run the paper's case, say where the report is"
 	@echo "make check   the same set-up, then every test"
 	@echo "make build   build/ionskin"
+	@echo "make docs    the pages, in docs/_build/html"
 	@echo "make format  format the sources (clang-format 14)"
 	@echo "make bench   time the stages on this machine"
 
@@ -37,6 +38,11 @@ sanitize: setup
 	@cmake --build --preset sanitize --target unit_tests --parallel $(JOBS)
 	@ctest --preset sanitize
 
+# Runs the verification set and the gallery's sweep once; remove build/docs/material to run them again.
+docs: build
+	@/usr/bin/python3 docs/generate/build.py --program $(BUILD)/ionskin --work $(BUILD)/docs --output docs/_build/html --material
+	@echo "Pages: $(CURDIR)/docs/_build/html/index.html"
+
 format:
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format-14 -i
 
@@ -46,4 +52,4 @@ bench: build
 	$(BUILD)/benchmarks/stages
 
 clean:
-	rm -rf build build-debug build-sanitize build-audit out
+	rm -rf build build-debug build-sanitize build-audit out docs/_build

@@ -66,6 +66,7 @@ void add_verify(CLI::App& app, Command& command) {
   CLI::App* verb = app.add_subcommand("verify", "Run the verification set and print its table");
   verb->add_option("part", options->part, "Only this part")
       ->check(CLI::IsMember({"mechanics", "electrochemistry", "chain"}));
+  verb->add_option("--csv", options->csv, "Write the table to this file too")->type_name("FILE");
   add_threads_option(*verb, options->threads);
   verb->callback([options, &command] { command = *options; });
 }
@@ -94,18 +95,25 @@ void add_impedance(CLI::App& app, Command& command) {
 
 } // namespace
 
-std::optional<Command> parse_command_line(int argc, char** argv, int& exit_code) {
-  CLI::App app{description, "ionskin"};
+void describe_command_line(CLI::App& app, Command& command) {
+  app.description(description);
+  app.name("ionskin");
   app.footer(exit_codes);
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
-  Command command;
   add_init(app, command);
   add_check(app, command);
   add_run(app, command);
   add_impedance(app, command);
   add_study_verbs(app, command);
   add_verify(app, command);
+  add_help_verbs(app, command);
+}
+
+std::optional<Command> parse_command_line(int argc, char** argv, int& exit_code) {
+  CLI::App app;
+  Command command;
+  describe_command_line(app, command);
   if (argc == 1) {
     std::fputs(app.help().c_str(), stdout);
     exit_code = 0;

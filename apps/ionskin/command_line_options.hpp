@@ -17,7 +17,12 @@ void add_cache_option(CLI::App& verb, bool& use_cache);
 void add_log_options(CLI::App& verb, LogFormat& log);
 void add_output_options(CLI::App& verb, std::string& output, bool& overwrite, bool& resume);
 
-/// sweep, report, compare, doctor and cite.
+/// sweep, report and compare.
 void add_study_verbs(CLI::App& app, Command& command);
+/// doctor, keys, completion, man and cite.
+void add_help_verbs(CLI::App& app, Command& command);
+
+/// All verbs with their options; parsing fills `command`, which must outlive `app`.
+void describe_command_line(CLI::App& app, Command& command);
 
 } // namespace ionskin::apps

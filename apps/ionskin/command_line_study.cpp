@@ -80,11 +80,6 @@ void add_study_verbs(CLI::App& app, Command& command) {
   add_sweep(app, command);
   add_report(app, command);
   add_compare(app, command);
-  app.add_subcommand("doctor", "Tell what this machine lacks for ionskin and how to get it")
-      ->callback([&command] { command = DoctorOptions{}; });
-  app.add_subcommand("cite", "How to cite ionskin")->callback([&command] {
-    command = CiteOptions{};
-  });
 }
 
 } // namespace ionskin::apps

@@ -9,6 +9,7 @@
 #include "doctor.hpp"
 #include "guard.hpp"
 #include "init.hpp"
+#include "manual_page.hpp"
 
 #include "ionskin/base/error.hpp"
 
@@ -44,6 +45,15 @@ int main(int argc, char** argv) {
     }
     if (std::holds_alternative<CiteOptions>(*command)) {
       return cite();
+    }
+    if (std::holds_alternative<ManualOptions>(*command)) {
+      return manual_page();
+    }
+    if (const auto* key_options = std::get_if<KeysOptions>(&*command)) {
+      return keys(*key_options);
+    }
+    if (const auto* completion_options = std::get_if<CompletionOptions>(&*command)) {
+      return completion(*completion_options);
     }
     require_vector_instructions();
     if (const auto* init_options = std::get_if<InitOptions>(&*command)) {

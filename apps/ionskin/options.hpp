@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "check.hpp"
+#include "completion.hpp"
 #include "init.hpp"
+#include "keys.hpp"
 
 namespace ionskin::apps {
 
@@ -55,9 +57,11 @@ struct CompareOptions {
 
 struct DoctorOptions {};
 struct CiteOptions {};
+struct ManualOptions {};
 
 struct VerifyOptions {
   std::string part; ///< "mechanics", "electrochemistry", "chain" or empty for all
+  std::string csv;  ///< file for the table; empty for none
   int threads = 0;
 };
 
@@ -70,8 +74,8 @@ struct ImpedanceOptions {
   bool overwrite = false;
 };
 
-using Command =
-    std::variant<InitOptions, CheckOptions, RunOptions, SweepOptions, ImpedanceOptions,
-                 ReportOptions, CompareOptions, VerifyOptions, DoctorOptions, CiteOptions>;
+using Command = std::variant<InitOptions, CheckOptions, RunOptions, SweepOptions, ImpedanceOptions,
+                             ReportOptions, CompareOptions, VerifyOptions, DoctorOptions,
+                             CiteOptions, KeysOptions, CompletionOptions, ManualOptions>;
 
 } // namespace ionskin::apps

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -38,6 +39,20 @@ void print_table(const std::vector<verification::Row>& rows) {
   }
 }
 
+/// Quantities stand in quotes: some contain commas.
+void write_csv(const std::vector<verification::Row>& rows, const std::string& path) {
+  std::ofstream file(path);
+  file << "id,quantity,value,reference,tolerance,verdict\n";
+  for (const auto& row : rows) {
+    file << fmt::format("{},\"{}\",{:.10g},{:.10g},{:.10g},{}\n", row.id, row.quantity, row.value,
+                        row.reference, row.tolerance, row.passed ? "pass" : "FAIL");
+  }
+  if (!file.flush()) {
+    throw UserError(
+        fmt::format("{} cannot be written\n  = check its folder and its permissions", path));
+  }
+}
+
 } // namespace
 
 int verify(const VerifyOptions& options) {
@@ -57,6 +72,9 @@ int verify(const VerifyOptions& options) {
     }
   }
   print_table(rows);
+  if (!options.csv.empty()) {
+    write_csv(rows, options.csv);
+  }
   const auto passed =
       std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.passed; });
   const auto failed = static_cast<std::ptrdiff_t>(rows.size()) - passed;

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "keys.hpp"
+
+#include "ionskin/case/schema.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace ionskin::apps {
+namespace {
+
+using units::dimension_info;
+
+std::string type_name(ValueType type) {
+  switch (type) {
+  case ValueType::text:
+    return "text";
+  case ValueType::choice:
+    return "choice";
+  case ValueType::integer:
+    return "integer";
+  case ValueType::number:
+    return "number";
+  case ValueType::number_pair:
+    return "pair of numbers";
+  case ValueType::quantity:
+    return "quantity";
+  case ValueType::quantity_pair:
+    return "pair of quantities";
+  case ValueType::quantity_list:
+    return "list of quantities";
+  }
+  return "";
+}
+
+std::string need_name(Need need) {
+  switch (need) {
+  case Need::optional:
+    return "optional";
+  case Need::always:
+    return "required";
+  case Need::with_contact:
+    return "required with strain.source = \"contact\"";
+  case Need::with_strain_file:
+    return "required with strain.source = \"file\"";
+  case Need::when_it_applies:
+    return "required where it applies";
+  case Need::one_of_several:
+    return "one of several keys for this is required";
+  }
+  return "";
+}
+
+bool has_dimension(const SchemaRow& row) {
+  return row.dimension != units::Dimension::number;
+}
+
+std::string range_of(const SchemaRow& row) {
+  const bool bounded = std::isfinite(row.range.lower) || std::isfinite(row.range.upper);
+  return bounded ? describe(row.range, row.dimension) : "";
+}
+
+nlohmann::json json_of(const SchemaRow& row) {
+  std::vector<std::string> choices;
+  for (const Choice& choice : row.choices) {
+    if (choice.in_this_version) {
+      choices.push_back(choice.name);
+    }
+  }
+  std::vector<std::string> kinds;
+  if (has_dimension(row)) {
+    kinds.push_back(dimension_info(row.dimension).name);
+  }
+  if (row.other_dimension) {
+    kinds.push_back(dimension_info(*row.other_dimension).name);
+  }
+  return {{"key", row.key},
+          {"type", type_name(row.type)},
+          {"dimensions", kinds},
+          {"si_unit", has_dimension(row) ? dimension_info(row.dimension).si_unit : ""},
+          {"range", range_of(row)},
+          {"range_reason", row.range_reason},
+          {"need", need_name(row.need)},
+          {"default", row.default_value},
+          {"choices", choices},
+          {"help", row.help},
+          {"source", row.source}};
+}
+
+std::string line_of(const SchemaRow& row, std::size_t width) {
+  const std::string value = row.default_value.empty() ? need_name(row.need) : row.default_value;
+  return fmt::format("{:<{}}  {}  [{}]\n", row.key, width, row.help, value);
+}
+
+} // namespace
+
+int keys(const KeysOptions& options) {
+  if (options.json) {
+    nlohmann::json all = nlohmann::json::array();
+    for (const SchemaRow& row : schema()) {
+      all.push_back(json_of(row));
+    }
+    fmt::print("{}\n", all.dump(1));
+    return 0;
+  }
+  std::size_t width = 0;
+  for (const SchemaRow& row : schema()) {
+    width = std::max(width, row.key.size());
+  }
+  for (const SchemaRow& row : schema()) {
+    fmt::print("{}", line_of(row, width));
+  }
+  return 0;
+}
+
+} // namespace ionskin::apps

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The figure gallery: what `ionskin report` draws of a ten-point friction sweep."""
+
+import shutil
+
+HEAD = """# Figure gallery
+
+What `ionskin report` draws. Figures 1 to 16 are those of the paper, 17 to 20 what it lacks. These are of the coarse
+sweep
+
+    ionskin sweep cases/quick.toml --over contact.friction=0.05:0.05:0.5 -o sweep
+    ionskin report sweep
+
+and show layout, not reference numbers. Every figure is there as PNG, SVG and PDF.
+
+"""
+NOTHING = HEAD + "The figures were not there when these pages were built; `make docs` makes them.\n"
+TITLES = {
+    "fig01_model": "The model in three dimensions", "fig02_layers": "The layers",
+    "fig03_stages": "Stages of the motion", "fig04_input": "Motion of the slider",
+    "fig05_shear": "Mean shear over time", "fig06_shear_map": "Mean shear over time and friction",
+    "fig07_peaks": "Peaks against friction", "fig08_means": "Means against friction",
+    "fig09_currents": "Currents over time", "fig10_current_map": "Current over time and friction",
+    "fig11_current_rate": "Current and rate of the shear", "fig12_current_motion": "Current and motion",
+    "fig13_cycle": "One cycle", "fig14_phases": "Phases on the current", "fig15_normalised": "The three normalised",
+    "fig16_correlation": "Peak current against peak shear", "fig17_stick_slip": "Stick and slip",
+    "fig18_contact_maps": "Pressure and shear in contact", "fig19_ions": "Ions and potential",
+    "fig20_charge": "Charge and its audit",
+}
+
+
+def gallery(figures, folder):
+    """Copies the pictures into the folder and returns the Markdown of the page."""
+    pictures = sorted(figures.glob("fig*.png")) if figures.exists() else []
+    if not pictures:
+        return NOTHING
+    parts = []
+    for picture in pictures:
+        shutil.copy(picture, folder / picture.name)
+        title = TITLES.get(picture.stem, picture.stem)
+        parts.append(f"## {title}\n\n`ionskin report sweep --figure {picture.stem}`\n\n![{title}]({picture.name})\n")
+    return HEAD + "\n".join(parts)
