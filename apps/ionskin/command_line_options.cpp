@@ -9,6 +9,7 @@ void add_set_option(CLI::App& verb, std::vector<std::string>& edits) {
           "Change a key for this run: --set contact.friction=0.2, --set \"motion.stroke=3 mm\"")
       ->type_name("KEY=VALUE")
       ->expected(1)
+      ->allow_extra_args(false)
       ->take_all();
 }
 

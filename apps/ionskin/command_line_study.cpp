@@ -19,6 +19,7 @@ void add_design_options(CLI::App& verb, SweepOptions& options) {
       ->required()
       ->type_name("KEY=VALUES")
       ->expected(1)
+      ->allow_extra_args(false)
       ->take_all();
   CLI::Option* samples =
       verb.add_option("--samples", options.samples, "Number of points within the intervals")
@@ -58,6 +59,7 @@ void add_report(CLI::App& app, Command& command) {
       ->type_name("DIR");
   verb->add_option("--figure", options->figures, "Only this figure, such as fig05_shear")
       ->expected(1)
+      ->allow_extra_args(false)
       ->take_all();
   set_when_parsed(*verb, options, command);
 }
