@@ -17,11 +17,11 @@ and show layout, not reference numbers. Every figure is there as PNG, SVG and PD
 NOTHING = HEAD + "The figures were not there when these pages were built; `make docs` makes them.\n"
 TITLES = {
     "fig01_model": "The model in three dimensions", "fig02_layers": "The layers",
-    "fig03_stages": "Stages of the motion", "fig04_input": "Motion of the slider",
+    "fig03_stages": "Stages of the motion", "fig04_motion": "Motion of the slider",
     "fig05_shear": "Mean shear over time", "fig06_shear_map": "Mean shear over time and friction",
     "fig07_peaks": "Peaks against friction", "fig08_means": "Means against friction",
-    "fig09_currents": "Currents over time", "fig10_current_map": "Current over time and friction",
-    "fig11_current_rate": "Current and rate of the shear", "fig12_current_motion": "Current and motion",
+    "fig09_current": "Currents over time", "fig10_current_map": "Current over time and friction",
+    "fig11_rate": "Current and rate of the shear", "fig12_current_motion": "Current and motion",
     "fig13_cycle": "One cycle", "fig14_phases": "Phases on the current", "fig15_normalised": "The three normalised",
     "fig16_correlation": "Peak current against peak shear", "fig17_stick_slip": "Stick and slip",
     "fig18_contact_maps": "Pressure and shear in contact", "fig19_ions": "Ions and potential",

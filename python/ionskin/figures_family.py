@@ -22,7 +22,7 @@ def family_grid(study, rows_height, columns):
     rows = -(-count // columns)
     height = rows_height * rows + 0.75
     figure = style.canvas(height=height, left=0.085, right=0.985, top=1 - 0.30 / height, bottom=0.42 / height,
-                          hspace=0.42, wspace=0.06)
+                          hspace=0.42, wspace=0.12)
     panels = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
     for panel in panels.ravel()[count:]:
         panel.set_visible(False)
@@ -104,6 +104,7 @@ def shear_map(study):
     edges, centres = time_grid(study)
     rows = numpy.array([member.results.signals.at("mean_shear", centres) for member in study.members])
     figure, axes = style.stacked(1, heights=[1.5], left=0.09)
+    figure.subplots_adjust(right=0.945)
     image = axes[0].pcolormesh(edges, value_edges([member.value for member in study.members]), rows * 1e3,
                                cmap=style.SEQUENCE, vmin=0, rasterized=True)
     axes[0].set(xlabel="time [s]", ylabel=study.axis_label())
@@ -169,10 +170,10 @@ def mark_regimes(study, panel, name, divisor):
         panel.text(0.98, 0.04, f"below {study.label(study.members[0]).split(' = ', maxsplit=1)[0]} = "
                    f"{fit.break_at:.2g}: exponent {fit.low:.2f} ± {fit.low_error:.2f}\nabove: "
                    f"{fit.high:.2f} ± {fit.high_error:.2f}", transform=panel.transAxes, ha="right", va="bottom",
-                   fontsize=7)
+                   fontsize=7, bbox=style.BEHIND_TEXT)
     else:
         panel.text(0.98, 0.04, f"one power law: exponent {fit.low:.2f} ± {fit.low_error:.2f}",
-                   transform=panel.transAxes, ha="right", va="bottom", fontsize=7)
+                   transform=panel.transAxes, ha="right", va="bottom", fontsize=7, bbox=style.BEHIND_TEXT)
 
 
 def current_panel(study, panel, prefix, name_of, title):

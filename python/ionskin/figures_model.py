@@ -69,7 +69,8 @@ def model(study):
                 clip_on=False)
     axes.text(*(start + stroke), height + gap + 1.25, f"stroke {shape['stroke'] * 1e3:.4g} mm", fontsize=7.5)
     axes.plot([high[0]] * 2, [low[1]] * 2, [height, height + gap], color=style.INK, lw=0.8, clip_on=False)
-    axes.text(high[0] + 0.2, low[1], height + gap / 2, f"gap {gap:.4g} mm", fontsize=7.5, va="center")
+    axes.text(high[0] + 0.2, low[1], height + gap / 2, f"gap {gap:.4g} mm", fontsize=7.5, va="center",
+              bbox=style.BEHIND_TEXT)
     axes.text(length / 2, 0, -0.35, f"length {length:.4g} mm (x)", fontsize=7.5, ha="center", va="top")
     axes.text(length + 0.35, width / 2, 0, f"width {width:.4g} mm (y)", fontsize=7.5)
     tall = height + gap + 1.5

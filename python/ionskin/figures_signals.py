@@ -66,7 +66,8 @@ def current_motion(study):
     axes[1].set_ylabel("z [mm]")
     unit = scaled(axes[2], "sampled current", "A", peak_of(sampled["current_top"]))
     for name, colour in (("top", style.BLUE), ("bottom", style.ORANGE), ("difference", style.GREEN)):
-        axes[2].plot(sampled["time"], sampled[f"current_{name}"] / unit, color=colour, lw=0.9, label=name, **STEP)
+        axes[2].plot(sampled["time"], sampled[f"current_{name}"] / unit, color=colour, lw=0.9, label=name,
+                     ls=(0, (3, 1.5)) if name == "bottom" else "-", **STEP)
     style.legend(axes[2])
     style.title(axes[0], title_of(study, "Centre of the slider"))
     style.title(axes[1], "Underside above the skin")
@@ -98,7 +99,8 @@ def cycle(study):
     axes[1].plot(signals["time"], signals["mean_shear"] / divisor, color=style.BLUE)
     unit = scaled(axes[2], "current", "A", peak_of(sampled["current_top"]))
     for name, colour in (("top", style.BLUE), ("bottom", style.ORANGE)):
-        axes[2].plot(sampled["time"], sampled[f"current_{name}"] / unit, color=colour, lw=1.0, label=name, **STEP)
+        axes[2].plot(sampled["time"], sampled[f"current_{name}"] / unit, color=colour, lw=1.0, label=name,
+                     ls=(0, (3, 1.5)) if name == "bottom" else "-", **STEP)
     style.legend(axes[2])
     unit = scaled(axes[3], "current", "A", peak_of(sampled["current_difference"]))
     axes[3].plot(sampled["time"], sampled["current_difference"] / unit, color=style.GREEN, lw=1.0, **STEP)
@@ -240,6 +242,7 @@ def charge(study):
         panel.axhline(0, color=style.QUIET, lw=0.6)
         panel.set_xticks(place, names if panel is axes[1] else [""] * len(spans), fontsize=6.5)
         panel.grid(axis="x", visible=False)
+        panel.set_xlim(-0.6, len(spans) - 0.4)
     axes[1].set_xlabel("phase and cycle")
     figure.subplots_adjust(bottom=0.62 / figure.get_figheight(), hspace=0.25)
     error = results.metrics.get("charge_identity_error")

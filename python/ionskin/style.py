@@ -7,6 +7,7 @@ from matplotlib.figure import Figure
 
 INK = "#22252a"
 QUIET = "#6b7280"
+BEHIND_TEXT = {"facecolor": "white", "alpha": 0.8, "edgecolor": "none", "pad": 1.0}
 GRID = "#dfe2e7"
 PALE = "#b4bac4"
 BAND = "#eef1f5"
