@@ -91,11 +91,13 @@ def figure_sections(drawn):
 def page(results, drawn):
     """The whole page."""
     title = results.case.get("title", results.folder.resolve().name)
+    study = Study(results.folder)
     sections = "".join([
         markup.section("warnings", "Warnings", warnings(results)),
         markup.section("case", "What was simulated", case_summary(results)),
+        markup.section("explore", "Explore", sweep_page.explore(study)),
         figure_sections(drawn),
-        markup.section("claims", "The paper's claims", markup.verdict_table(claims.judge(Study(results.folder)))),
+        markup.section("claims", "The paper's claims", markup.verdict_table(claims.judge(study))),
         markup.section("numbers", "Numbers", numbers(results)
                 + f"<p class='note'>{markup.escaped(report_text.NUMBERS_NOTE)}</p>"),
         markup.section("timing", "Timing", markup.table(("stage", "state", "wall time", "peak memory"),
@@ -105,7 +107,8 @@ def page(results, drawn):
                 "<ul>" + "".join(f"<li>{markup.escaped(text)}</li>" for text in report_text.limits(results)) + "</ul>"),
         markup.section("origin", "Origin", markup.table(("", ""), report_text.origin_rows(results))),
     ])
-    return markup.frame(title, report_text.subtitle(results), f"{headline(results)}{markup.contents(sections)}{sections}")
+    return markup.frame(title, report_text.subtitle(results), f"{headline(results)}{markup.contents(sections)}{sections}",
+                        sweep_page.script(study))
 
 
 def make_report(folder):

@@ -218,9 +218,11 @@
   function drawAll() {
     const picker = document.querySelector("#explore .picker"), metrics = document.getElementById("metrics");
     picker.textContent = "";
-    metrics.textContent = "";
-    DATA.members.forEach((member, i) => button(picker, member.label, i === state.member, () => pick(i)));
-    DATA.metrics.forEach((metric, i) => button(metrics, metric.name.replaceAll("_", " "), i === state.metric, () => {
+    if (DATA.members.length > 1) {
+      DATA.members.forEach((member, i) => button(picker, member.label, i === state.member, () => pick(i)));
+    }
+    if (metrics) metrics.textContent = "";
+    if (metrics) DATA.metrics.forEach((metric, i) => button(metrics, metric.name.replaceAll("_", " "), i === state.metric, () => {
       state.metric = i;
       drawAll();
     }));
@@ -231,7 +233,7 @@
       charts.append(chart);
     }
     PANELS.forEach((panel, i) => drawPanel(panel, charts.children[i]));
-    if (DATA.metrics.length) drawTrend();
+    if (metrics && DATA.metrics.length) drawTrend();
   }
 
   document.addEventListener("keydown", (event) => {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""report.html of a sweep: one page that works offline, with its data and its script inside."""
+"""report.html of a sweep, and the charts to explore in that of a run: offline, with data and script inside."""
 
 import base64
 import io
@@ -88,19 +88,33 @@ def failures(study):
     return markup.table(("point", "reason"), rows)
 
 
+def explore(study):
+    """Charts to hover over and to zoom into; empty where nothing was sampled."""
+    if "time" not in study.typical.results.sampled:
+        return ""
+    note = f'<p class="note">{markup.escaped(study.note)}</p>' if study.note else ""
+    keys = "" if study.single else "; arrow keys step through the runs"
+    return ('<div class="picker" role="group" aria-label="run"></div><div class="readout" aria-live="polite"></div>'
+            '<div id="charts"></div><p class="note">Drag over a chart to enlarge a time span, double-click to see all '
+            f"again{keys}. Currents are sampled: the charge gained over each readout interval divided by it.</p>" + note)
+
+
+def script(study):
+    """Data and code of the charts; None where there are none."""
+    if "time" not in study.typical.results.sampled:
+        return None
+    payload = json.dumps(data(study), separators=(",", ":"), ensure_ascii=False).replace("</", "<\\/")
+    return f"const DATA={payload};\n{SCRIPT.read_text(encoding='utf-8')}"
+
+
 def page(study):
     """The whole page."""
     results = study.typical.results
     title = results.case.get("title") or study.folder.resolve().name
     finished = sum(point.status == "finished" for point in study.sweep.points)
-    note = f'<p class="note">{markup.escaped(study.note)}</p>' if study.note else ""
-    charts = ('<div class="picker" role="group" aria-label="run"></div><div class="readout" aria-live="polite"></div>'
-              '<div id="charts"></div><p class="note">Drag over a chart to enlarge a time span, double-click to see all '
-              "again; arrow keys step through the runs. Currents are sampled: the charge gained over each readout interval "
-              "divided by it.</p>" + note)
     sections = "".join([
         markup.section("failures", "Points that failed", failures(study)),
-        markup.section("explore", "Explore", charts),
+        markup.section("explore", "Explore", explore(study)),
         markup.section("against", f"Against the {study.name}", '<div class="picker" id="metrics"></div><div id="trend"></div>'),
         markup.section("claims", "The paper's claims", markup.verdict_table(claims.judge(study))),
         markup.section("figures", "Figures", figures(study)),
@@ -109,10 +123,8 @@ def page(study):
             f"<li>{markup.escaped(text)}</li>" for text in report_text.limits(results)) + "</ul>"),
         markup.section("origin", "Origin", markup.table(("", ""), report_text.origin_rows(study.sweep))),
     ])
-    payload = json.dumps(data(study), separators=(",", ":"), ensure_ascii=False).replace("</", "<\\/")
-    script = f"const DATA={payload};\n{SCRIPT.read_text(encoding='utf-8')}"
     subtitle = f"{finished} of {len(study.sweep.points)} points finished · {solving_time(study)}"
-    return markup.frame(f"{title}: sweep", subtitle, markup.contents(sections) + sections, script)
+    return markup.frame(f"{title}: sweep", subtitle, markup.contents(sections) + sections, script(study))
 
 
 def solving_time(study):

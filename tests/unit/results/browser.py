@@ -17,17 +17,18 @@ def chromium():
 
 
 class Page:
-    """One open page. Errors of its script are in `errors`."""
+    """One open page. What its script throws and what appears as an error on the console is in `errors`; addresses that
+    it asks for beyond its own file are in `requests`, and get no answer."""
 
     def __init__(self, to_browser, from_browser):
         self._to, self._from, self._numbers = to_browser, from_browser, itertools.count(1)
-        self._session, self.errors = None, []
+        self._session, self.errors, self.requests = None, [], []
 
     def open(self, path):
         """Opens a file and waits until it is loaded."""
         target = self.call("Target.createTarget", url="about:blank")["targetId"]
         self._session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
-        for domain in ("Page", "Runtime"):
+        for domain in ("Page", "Runtime", "Log", "Network"):
             self.call(f"{domain}.enable")
         self.call("Emulation.setDeviceMetricsOverride", width=1100, height=2400, deviceScaleFactor=1, mobile=False)
         self.call("Page.navigate", url=pathlib.Path(path).resolve().as_uri())
@@ -58,6 +59,13 @@ class Page:
         answer = json.loads(text)
         if answer.get("method") == "Runtime.exceptionThrown":
             self.errors.append(answer["params"]["exceptionDetails"])
+        if answer.get("method") == "Log.entryAdded" and answer["params"]["entry"]["level"] == "error":
+            self.errors.append(answer["params"]["entry"]["text"])
+        if answer.get("method") == "Runtime.consoleAPICalled" and answer["params"]["type"] in ("error", "assert"):
+            self.errors.append(answer["params"]["args"])
+        if answer.get("method") == "Network.requestWillBeSent":
+            address = answer["params"]["request"]["url"]
+            self.requests += [address] if not address.startswith(("file:", "data:")) else []
         return answer
 
     def evaluate(self, expression):
@@ -69,6 +77,22 @@ class Page:
         find = f"const e = document.querySelector({json.dumps(selector)}); e.scrollIntoView({{behavior: 'instant'}});"
         return self.evaluate(f"(() => {{ {find} const b = e.getBoundingClientRect(); "
                              "return [b.left, b.top, b.width, b.height]; })()")
+
+    def overlapping_labels(self, selector):
+        """Pairs of texts of one SVG that lie over each other."""
+        return self.evaluate("""(() => {
+          const found = [];
+          for (const svg of document.querySelectorAll(%s)) {
+            const texts = [...svg.querySelectorAll("text")].filter((text) => text.textContent);
+            const boxes = texts.map((text) => text.getBoundingClientRect());
+            boxes.forEach((a, i) => boxes.slice(0, i).forEach((b, j) => {
+              const wide = Math.min(a.right, b.right) - Math.max(a.left, b.left);
+              const high = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+              if (wide > 1 && high > 2) found.push([texts[j].textContent, texts[i].textContent]);
+            }));
+          }
+          return found;
+        })()""" % json.dumps(selector))
 
     def mouse(self, kind, x, y, clicks=1):
         """One event of the mouse."""
@@ -89,6 +113,7 @@ def browser_page(path):
     from_read, from_write = os.pipe()
     with tempfile.TemporaryDirectory(prefix="ionskin-browser-", ignore_cleanup_errors=True) as profile:
         command = (f'exec "{chromium()}" --headless --no-sandbox --disable-gpu --no-first-run --disable-dev-shm-usage '
+                   '--host-resolver-rules="MAP * ~NOTFOUND" --disable-background-networking '
                    f'--user-data-dir="{profile}" --remote-debugging-pipe 3<&{to_read} 4>&{from_write}')
         with subprocess.Popen(["bash", "-c", command], pass_fds=(to_read, from_write), stdout=subprocess.DEVNULL,
                               stderr=subprocess.DEVNULL) as process:

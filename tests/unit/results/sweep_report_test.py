@@ -157,7 +157,22 @@ class Page(SweepTest):
             self.pick_another_run(page)
             self.hover_and_zoom(page)
             self.choose_another_metric(page)
-            self.assertEqual(page.errors, [])
+            self.assert_quiet(page)
+
+    @unittest.skipUnless(chromium(), "no Chromium on this machine: apt-get install chromium to test the page in it")
+    def test_clicking_through_the_page_of_a_run(self):
+        write_run(self.folder)
+        with browser_page(make_report(self.folder)) as page:
+            self.assertEqual(page.evaluate("document.querySelectorAll('#charts svg').length"), 4)
+            self.assertEqual(page.evaluate("document.querySelectorAll('#explore .picker button').length"), 0)
+            self.hover_and_zoom(page, r"t = .*mean shear")
+            self.assert_quiet(page)
+
+    def assert_quiet(self, page):
+        """No error, nothing asked of the network, no label over another."""
+        self.assertEqual(page.overlapping_labels("#charts svg, #trend svg"), [])
+        self.assertEqual(page.errors, [])
+        self.assertEqual(page.requests, [])
 
     def pick_another_run(self, page):
         left, top, width, height = page.box("#explore .picker button:nth-child(5)")
@@ -165,11 +180,11 @@ class Page(SweepTest):
         self.assertEqual(page.evaluate("document.querySelector('#explore [aria-pressed=true]').textContent"), "µ = 0.5")
         self.assertIn("µ = 0.5", page.evaluate("document.querySelector('#charts .name').textContent"))
 
-    def hover_and_zoom(self, page):
+    def hover_and_zoom(self, page, told=r"µ = 0.5, t = .*mean shear"):
         left, top, width, height = page.box("#charts .chart:nth-child(2) svg")
         middle = top + height / 2
         page.mouse("mouseMoved", left + width / 2, middle)
-        self.assertRegex(page.evaluate("document.querySelector('.readout').textContent"), r"µ = 0.5, t = .*mean shear")
+        self.assertRegex(page.evaluate("document.querySelector('.readout').textContent"), told)
         last_tick = "[...document.querySelectorAll('#charts .chart:nth-child(2) text[text-anchor=middle]')].at(-2).textContent"
         whole = float(page.evaluate(last_tick))
         page.mouse("mousePressed", left + 0.3 * width, middle)
