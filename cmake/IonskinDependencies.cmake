@@ -9,6 +9,9 @@ find_package(nlohmann_json REQUIRED)
 find_package(GTest REQUIRED)
 find_package(benchmark REQUIRED)
 find_package(deal.II 9.4 REQUIRED)
+set(Python_EXECUTABLE ${IONSKIN_PYTHON})
+find_package(Python REQUIRED COMPONENTS Interpreter Development.Module)
+find_package(pybind11 REQUIRED)
 
 # Prints a clear error when a library or header is missing.
 function(ionskin_find_library target header library)

@@ -3,6 +3,6 @@
 # Fails when a source is not formatted as .clang-format says.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-find src apps tests verification benchmarks -name '*.cpp' -o -name '*.hpp' |
+find src apps python tests verification benchmarks -name '*.cpp' -o -name '*.hpp' |
   xargs clang-format-14 --dry-run -Werror
 echo "format: all sources are formatted"

@@ -1,7 +1,20 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Read the results of ionskin, draw them and make the reports of runs and sweeps."""
+"""Run ionskin from Python, read its results, draw them and make the reports of runs and sweeps.
 
+    import ionskin
+    case = ionskin.Case.from_file("cases/quick.toml")
+    case["contact.friction"] = 0.2
+    result = ionskin.run(case)
+    result.signals["current_difference"]  # numpy array; result.signals.units has its unit
+
+Running needs the compiled solver (PYTHONPATH=build/python); reading and drawing do not.
+"""
+
+from .case import Case, Value
+from .errors import CaseError, SolverError
 from .results import Metric, Results, Table
-from .sweep import Study, Sweep
+from .running import run, sweep
+from .sweep_results import Study, Sweep, open_results
 
-__all__ = ["Metric", "Results", "Study", "Sweep", "Table"]
+__all__ = ["Case", "CaseError", "Metric", "Results", "SolverError", "Study", "Sweep", "Table", "Value", "open_results",
+           "run", "sweep"]

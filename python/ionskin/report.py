@@ -9,7 +9,7 @@ import sys
 
 from . import claims, figures, gallery, markup, report_text, style, sweep_page
 from .results import Results
-from .sweep import Study
+from .sweep_results import Study
 
 PNG_DPI = 180
 FAST_PNG = {"compress_level": 2}

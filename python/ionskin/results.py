@@ -8,6 +8,8 @@ from typing import NamedTuple
 
 import numpy
 
+from . import labelled
+
 TEXT_COLUMNS = ("phase",)
 
 
@@ -28,11 +30,26 @@ class PhaseSpan(NamedTuple):
 
 
 class Table:
-    """Columns over time by name, with units. Empty entries are NaN."""
+    """Columns over time by name, with units. Empty entries are NaN.
 
-    def __init__(self, columns, units):
+    columns  numpy array [rows] by name, in the order of the file
+    units    SI unit by name, "1" for pure numbers, "" for cycle and phase
+    """
+
+    def __init__(self, columns: dict[str, numpy.ndarray], units: dict[str, str]) -> None:
         self.columns = columns
         self.units = units
+
+    def __iter__(self):
+        return iter(self.columns)
+
+    def __repr__(self) -> str:
+        names = ", ".join(f"{name} [{unit}]" if unit else name for name, unit in self.units.items())
+        return f"Table of {len(next(iter(self.columns.values()), ()))} rows: {names}"
+
+    def to_xarray(self):
+        """The columns over time as an xarray.Dataset. Raises ImportError when xarray is missing."""
+        return labelled.table_dataset(self)
 
     def __getitem__(self, name):
         return self.columns[name]
@@ -73,6 +90,7 @@ class Results:
     """What a run has written into its folder.
 
     signals, sampled  Table; see the documentation of the columns
+    taxels, circuit   Table, or None in runs without
     metrics           dict of name to Metric
     summary, manifest dict, as in the files; empty when the file is missing
     case              dict of the case file, quantities as texts
@@ -80,12 +98,16 @@ class Results:
     Raises FileNotFoundError when the folder holds no signals.csv.
     """
 
-    def __init__(self, folder):
+    def __init__(self, folder, keep=None):
+        """keep: whatever must live as long as the folder is needed, such as the owner of a temporary one."""
+        self._keep = keep
         self.folder = pathlib.Path(folder)
         if not (self.folder / "signals.csv").exists():
             raise FileNotFoundError(f"{self.folder} holds no signals.csv: name the folder of a finished run")
         self.signals = read_table(self.folder / "signals.csv")
         self.sampled = read_table(self.folder / "sampled.csv")
+        self.taxels, self.circuit = (read_table(path) if path.exists() else None
+                                     for path in (self.folder / "taxels.csv", self.folder / "circuit.csv"))
         self.summary = read_json(self.folder / "summary.json")
         self.manifest = read_json(self.folder / "manifest.json")
         self.metrics = {
@@ -93,6 +115,18 @@ class Results:
         }
         case = self.folder / "case.toml"
         self.case = tomllib.loads(case.read_text(encoding="utf-8")) if case.exists() else {}
+
+    @property
+    def warnings(self) -> list[str]:
+        """What a reader of the results must know."""
+        return self.summary.get("warnings", [])
+
+    def to_xarray(self):
+        """The signals over time as an xarray.Dataset. Raises ImportError when xarray is missing."""
+        return self.signals.to_xarray()
+
+    def __repr__(self) -> str:
+        return f"Results({self.folder}: {len(self.signals['time'])} rows, {len(self.metrics)} metrics)"
 
     def open_fields(self):
         """results.h5 as an h5py.File, for the strain, the ions and the contact maps."""

@@ -9,7 +9,7 @@ import pathlib
 import numpy
 
 from . import claims, gallery, markup, report_text
-from .sweep import Study
+from .sweep_results import Study
 
 SCRIPT = pathlib.Path(__file__).with_name("sweep_page.js")
 EMBEDDED_DPI = 130

@@ -3,6 +3,7 @@
 
 #include "ionskin/case/case.hpp"
 #include "ionskin/case/place.hpp"
+#include "ionskin/case/schema.hpp"
 
 #include <optional>
 #include <string>
@@ -22,6 +23,7 @@ struct ValueRecord {
   std::string si;      ///< as used: "1e-05 m"
   ValueOrigin origin = ValueOrigin::file;
   std::optional<Place> place; ///< empty for defaults
+  Value value{};              ///< as used
 };
 
 /// A case together with the origin of its values.

@@ -92,7 +92,7 @@ private:
     const Value& value = std::get<Value>(result);
     row.set(walk_.draft, index, value);
     walk_.records.push_back(
-        {key, row.default_value, format_value(row, value), ValueOrigin::default_value, {}});
+        {key, row.default_value, format_value(row, value), ValueOrigin::default_value, {}, value});
   }
 
   std::vector<Pointer> pointers_to(const std::string& table) const {

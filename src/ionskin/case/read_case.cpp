@@ -19,8 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-CaseText edited_text(const std::string& path, const std::vector<std::string>& set_edits) {
-  CaseText text(path, read_text_file(path, "case"));
+CaseText edited_text(CaseText text, const std::vector<std::string>& set_edits) {
   parse_toml(text.text(), text.file()); // mistakes of the file are not to be blamed on an edit
   for (const std::string& edit : set_edits)
     apply_set_edit(text, edit);
@@ -69,7 +68,12 @@ std::size_t rank(const std::string& key) {
 
 CaseDocument read_case_document(const std::string& path,
                                 const std::vector<std::string>& set_edits) {
-  CaseText text = edited_text(path, set_edits);
+  return read_case_text(read_text_file(path, "case"), path, set_edits);
+}
+
+CaseDocument read_case_text(const std::string& original, const std::string& path,
+                            const std::vector<std::string>& set_edits) {
+  CaseText text = edited_text({path, original}, set_edits);
   Problems problems;
   TomlWalk walk(text, problems);
   walk.visit(parse_toml(text.text(), text.file()));
@@ -92,6 +96,14 @@ CaseDocument read_case_document(const std::string& path,
   document.input.text = text.text();
   check_case(document);
   return document;
+}
+
+void check_values(const std::string& original, const std::string& name,
+                  const std::vector<std::string>& set_edits) {
+  const CaseText text = edited_text({name, original}, set_edits);
+  Problems problems;
+  TomlWalk(text, problems).visit(parse_toml(text.text(), text.file()));
+  problems.throw_if_any(name);
 }
 
 Case read_case(const std::string& path, const std::vector<std::string>& set_edits) {

@@ -18,4 +18,14 @@ Case read_case(const std::string& path, const std::vector<std::string>& set_edit
 CaseDocument read_case_document(const std::string& path,
                                 const std::vector<std::string>& set_edits = {});
 
+/// The same of a text.
+/// @param path names it in messages; files that the case names are looked for in its folder
+CaseDocument read_case_text(const std::string& text, const std::string& path,
+                            const std::vector<std::string>& set_edits = {});
+
+/// Checks each value that a text gives, by itself. Throws UserError for unknown keys and bad
+/// values; missing keys and values that do not fit together are left to the reading.
+void check_values(const std::string& text, const std::string& name,
+                  const std::vector<std::string>& set_edits = {});
+
 } // namespace ionskin

@@ -54,4 +54,20 @@ const SchemaRow* find_row(const std::string& pattern) {
   return found == schema().end() ? nullptr : &*found;
 }
 
+std::string key_pattern(const std::string& key) {
+  std::string pattern;
+  bool in_index = false;
+  for (const char letter : key) {
+    in_index = in_index && letter != ']';
+    if (!in_index)
+      pattern += letter;
+    in_index = in_index || letter == '[';
+  }
+  const std::string materials = "materials.";
+  const std::size_t end = pattern.find('.', materials.size());
+  if (pattern.starts_with(materials) && end != std::string::npos)
+    pattern.replace(materials.size(), end - materials.size(), "NAME");
+  return pattern;
+}
+
 } // namespace ionskin

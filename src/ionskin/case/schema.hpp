@@ -101,4 +101,7 @@ const std::vector<SchemaRow>& schema();
 /// The row of a key pattern, or nullptr.
 const SchemaRow* find_row(const std::string& pattern);
 
+/// The pattern that a key of a case follows: "skin.layers[].name" of "skin.layers[1].name".
+std::string key_pattern(const std::string& key);
+
 } // namespace ionskin

@@ -160,7 +160,7 @@ void TomlWalk::read(const SchemaRow& row, const toml::value& value, const std::s
   const TextSpan span = value_span(text_.text(), value);
   records.push_back({key, text_.text().substr(span.begin, span.length), format_value(row, read),
                      text_.is_edited(span.begin) ? ValueOrigin::set_edit : ValueOrigin::file,
-                     place_of(value)});
+                     place_of(value), read});
 }
 
 void TomlWalk::report_unknown(const toml::value& value, const std::string& key,

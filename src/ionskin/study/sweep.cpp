@@ -136,7 +136,7 @@ private:
 void run_point(const SweepPlan& plan, std::size_t i, RunOptions options, SweepRecord& record) {
   options.folder /= plan.points[i].name;
   options.progress = [&record, i](std::string_view activity, double fraction) {
-    if (activity == "electrochemistry") {
+    if (activity == "ion transport") {
       record.progress(i, 0.95 * fraction);
     }
   };

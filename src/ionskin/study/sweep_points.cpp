@@ -75,7 +75,9 @@ SweepPoint read_point(const SweepRequest& request, const std::vector<SweepAxis>&
   SweepPoint point;
   point.name = name.substr(0, longest_name);
   try {
-    const CaseDocument document = read_case_document(request.case_path, edits);
+    const CaseDocument document = request.case_text
+                                      ? read_case_text(*request.case_text, request.case_path, edits)
+                                      : read_case_document(request.case_path, edits);
     if (document.input.strain.kind == StrainSourceKind::contact) {
       mesh::SkinMesh{document.input};
     }

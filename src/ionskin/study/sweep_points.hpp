@@ -5,6 +5,7 @@
 #include "ionskin/study/sweep_design.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,10 @@ namespace ionskin::study {
 /// What the user asks of a sweep: a base case and the keys to vary.
 struct SweepRequest {
   std::string case_path;
-  std::vector<std::string> set_edits; ///< of the base case
-  std::vector<std::string> over;      ///< one `KEY=...` per axis, see `parse_axis`
-  std::size_t samples = 0;            ///< 0: the grid of all values
+  std::optional<std::string> case_text; ///< instead of the file's
+  std::vector<std::string> set_edits;   ///< of the base case
+  std::vector<std::string> over;        ///< one `KEY=...` per axis, see `parse_axis`
+  std::size_t samples = 0;              ///< 0: the grid of all values
   Sampling sampling = Sampling::sobol;
   std::uint64_t seed = 1;
 };

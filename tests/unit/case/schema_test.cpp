@@ -42,6 +42,12 @@ TEST(Schema, EveryChoiceOfThisVersionCanBeSet) {
     }
 }
 
+TEST(Schema, KeysFollowPatterns) {
+  EXPECT_EQ(key_pattern("contact.friction"), "contact.friction");
+  EXPECT_EQ(key_pattern("skin.layers[12].thickness"), "skin.layers[].thickness");
+  EXPECT_EQ(key_pattern("materials.nafion.youngs_modulus"), "materials.NAME.youngs_modulus");
+}
+
 TEST(Range, EndsBelongOrNot) {
   const Range range{0.0, 0.5, true, false};
   EXPECT_TRUE(range.contains(0.0));

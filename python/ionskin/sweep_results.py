@@ -6,6 +6,9 @@ import functools
 import pathlib
 from typing import NamedTuple
 
+import numpy
+
+from . import labelled
 from .results import Results, read_json
 
 FRICTION = "contact.friction"
@@ -28,10 +31,14 @@ class Point(NamedTuple):
 class Sweep:
     """sweep.csv as points; `keys` maps each swept key to its SI unit, "" for texts.
 
+    points, units  list of Point, and the SI unit of each metric by name
+
     Raises FileNotFoundError when the folder holds no sweep.csv.
     """
 
-    def __init__(self, folder):
+    def __init__(self, folder, keep=None):
+        """keep: whatever must live as long as the folder is needed, such as the owner of a temporary one."""
+        self._keep = keep
         self.folder = pathlib.Path(folder)
         path = self.folder / "sweep.csv"
         if not path.exists():
@@ -44,6 +51,31 @@ class Sweep:
         self.units = {name: unit[0] for name, *unit in titles[status + 2:] if unit}
         self.manifest = read_json(self.folder / "manifest.json")
         self.points = [self._point(titles, status, row) for row in rows]
+
+    def values(self, key):
+        """The values of a swept key as an array [points]: SI numbers, or texts."""
+        return numpy.array([point.values[key] for point in self.points])
+
+    def metric(self, name):
+        """One metric as an array [points]; NaN where a point has none."""
+        if name not in self.units:
+            raise KeyError(f"{name} is no metric of this sweep; it has {', '.join(self.units) or 'none yet'}")
+        return numpy.array([point.metrics.get(name, numpy.nan) for point in self.points])
+
+    def result(self, index):
+        """The Results of a finished point, by its place in `points`."""
+        return Results(self.points[index].folder, self._keep)
+
+    def to_xarray(self):
+        """Metrics over the points as an xarray.Dataset. Raises ImportError when xarray is missing."""
+        return labelled.sweep_dataset(self)
+
+    def __len__(self):
+        return len(self.points)
+
+    def __repr__(self):
+        finished = sum(point.status == "finished" for point in self.points)
+        return f"Sweep({self.folder}: {finished} of {len(self)} points finished, over {', '.join(self.keys)})"
 
     def _point(self, titles, status, row):
         values = {name: float(text) if unit else text
@@ -125,3 +157,9 @@ class Study:
     def errors(self, name):
         """Estimated relative errors of a metric of all members; 0 where none is estimated."""
         return [member.results.summary.get("error_estimate", {}).get(name) or 0.0 for member in self.members]
+
+
+def open_results(folder):
+    """Results of a run's folder, or Sweep of a sweep's. Raises FileNotFoundError when it holds neither."""
+    folder = pathlib.Path(folder)
+    return Sweep(folder) if (folder / "sweep.csv").exists() else Results(folder)

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What goes wrong, with the messages of the program. An interrupt is Python's own KeyboardInterrupt."""
+
+
+class CaseError(ValueError):
+    """The case, a file or a setting is wrong; nothing was computed. The message says what, where, and the remedy."""
+
+
+class SolverError(RuntimeError):
+    """A solver gave up on a valid case; what was finished is kept in the output folder.
+
+    remedy  what can be changed
+    """
+
+    def __init__(self, what_happened: str, remedy: str = "") -> None:
+        super().__init__(f"{what_happened}\nremedy: {remedy}" if remedy else what_happened)
+        self.remedy = remedy
+
+    def __reduce__(self):
+        return _restored_solver_error, (str(self), self.remedy)
+
+
+def _restored_solver_error(message: str, remedy: str) -> SolverError:
+    error = SolverError(message)
+    error.remedy = remedy
+    return error
