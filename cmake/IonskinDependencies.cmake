@@ -26,6 +26,8 @@ function(ionskin_find_library target header library)
 endfunction()
 
 ionskin_find_library(dep_toml11 toml.hpp "")
+# By hand: its package looks for glog and gflags, which we do not use.
+ionskin_find_library(dep_ceres ceres/ceres.h ceres)
 ionskin_find_library(dep_udunits2 udunits2.h udunits2)
 ionskin_find_library(dep_cholmod cholmod.h cholmod HEADER_PATHS /usr/include/suitesparse)
 # deal.II links the openmpi flavour of HDF5, so ours must be the same.

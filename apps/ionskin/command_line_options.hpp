@@ -17,7 +17,7 @@ void add_cache_option(CLI::App& verb, bool& use_cache);
 void add_log_options(CLI::App& verb, LogFormat& log);
 void add_output_options(CLI::App& verb, std::string& output, bool& overwrite, bool& resume);
 
-/// sweep, report and compare.
+/// sweep, fit, report and compare.
 void add_study_verbs(CLI::App& app, Command& command);
 /// doctor, keys, completion, man and cite.
 void add_help_verbs(CLI::App& app, Command& command);

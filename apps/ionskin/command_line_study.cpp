@@ -50,6 +50,38 @@ void add_sweep(CLI::App& app, Command& command) {
   set_when_parsed(*verb, options, command);
 }
 
+void add_fit(CLI::App& app, Command& command) {
+  auto options = std::make_shared<FitOptions>();
+  CLI::App* verb = app.add_subcommand(
+      "fit", "Fit keys of a case to a measured current, charge or voltage: estimates with 95 % "
+             "intervals, the fitted case, a figure");
+  verb->add_option("case", options->case_path, "Case to start from")
+      ->required()
+      ->type_name("CASE.toml");
+  verb->add_option("--data", options->data_path,
+                   "Measurement with units in its header: time [s],current_difference [A]")
+      ->required()
+      ->type_name("DATA.csv");
+  verb->add_option("--free", options->free,
+                   "Keys to fit: coupling.coefficient,electrochemistry.diffusivity. Those that "
+                   "change the mechanics cost a contact solution at every trial")
+      ->required()
+      ->type_name("KEY,KEY")
+      ->delimiter(',')
+      ->expected(1)
+      ->take_all();
+  verb->add_option("--column", options->column, "Signal of the data, where it holds several");
+  verb->add_option("-o,--output", options->output, "Folder for the results")
+      ->required()
+      ->type_name("DIR");
+  add_set_option(*verb, options->set_edits);
+  add_threads_option(*verb, options->threads);
+  verb->add_flag("--overwrite", options->overwrite, "Replace the results in an existing folder");
+  add_cache_option(*verb, options->use_cache);
+  add_log_options(*verb, options->log);
+  set_when_parsed(*verb, options, command);
+}
+
 void add_report(CLI::App& app, Command& command) {
   auto options = std::make_shared<ReportOptions>();
   CLI::App* verb =
@@ -80,6 +112,7 @@ void add_compare(CLI::App& app, Command& command) {
 
 void add_study_verbs(CLI::App& app, Command& command) {
   add_sweep(app, command);
+  add_fit(app, command);
   add_report(app, command);
   add_compare(app, command);
 }

@@ -45,6 +45,17 @@ struct SweepOptions {
   LogFormat log = LogFormat::automatic;
 };
 
+struct FitOptions {
+  std::string case_path, data_path, output;
+  std::vector<std::string> free; ///< keys, each a name or several with commas
+  std::string column;            ///< of the data; empty when only one can be fitted
+  std::vector<std::string> set_edits;
+  int threads = 0;
+  bool overwrite = false;
+  bool use_cache = true;
+  LogFormat log = LogFormat::automatic;
+};
+
 struct ReportOptions {
   std::string folder;
   std::vector<std::string> figures; ///< only these; empty for all
@@ -74,8 +85,9 @@ struct ImpedanceOptions {
   bool overwrite = false;
 };
 
-using Command = std::variant<InitOptions, CheckOptions, RunOptions, SweepOptions, ImpedanceOptions,
-                             ReportOptions, CompareOptions, VerifyOptions, DoctorOptions,
-                             CiteOptions, KeysOptions, CompletionOptions, ManualOptions>;
+using Command = std::variant<InitOptions, CheckOptions, RunOptions, SweepOptions, FitOptions,
+                             ImpedanceOptions, ReportOptions, CompareOptions, VerifyOptions,
+                             DoctorOptions, CiteOptions, KeysOptions, CompletionOptions,
+                             ManualOptions>;
 
 } // namespace ionskin::apps

@@ -3,6 +3,7 @@
 // The verbs that compute; started by `ionskin` with the same arguments.
 
 #include "command_line.hpp"
+#include "fit.hpp"
 #include "guard.hpp"
 #include "impedance.hpp"
 #include "python_verbs.hpp"
@@ -31,6 +32,9 @@ int main(int argc, char** argv) {
     }
     if (const auto* sweep_options = std::get_if<SweepOptions>(&*command)) {
       return sweep(*sweep_options, command_text);
+    }
+    if (const auto* fit_options = std::get_if<FitOptions>(&*command)) {
+      return fit(*fit_options, command_text);
     }
     if (const auto* report_options = std::get_if<ReportOptions>(&*command)) {
       return report(*report_options);

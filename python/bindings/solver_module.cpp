@@ -3,6 +3,7 @@
 // The solver as Python sees it. What users meet is the package `ionskin`, which stands on these few
 // functions of plain values.
 
+#include "case_source.hpp"
 #include "solve_guard.hpp"
 
 #include "guard.hpp"
@@ -20,18 +21,11 @@ namespace {
 namespace py = pybind11;
 using namespace ionskin;
 
-/// A case as the package keeps it: the text, the path that names it, and the edits in their order.
-struct CaseSource {
-  std::string text, path;
-  std::vector<std::string> edits;
+using python::case_source;
+using python::CaseSource;
 
-  CaseDocument read() const { return read_case_text(text, path, edits); }
-};
-
-CaseSource source(const py::handle& python_case) {
-  return {python_case.attr("_original").cast<std::string>(),
-          python_case.attr("_path").cast<std::string>(),
-          python_case.attr("_edit_list")().cast<std::vector<std::string>>()};
+CaseDocument read(const CaseSource& source) {
+  return read_case_text(source.text, source.path, source.edits);
 }
 
 std::string unit_of(units::Dimension dimension) {
@@ -53,7 +47,7 @@ py::object python_value(const ValueRecord& record) {
 
 py::dict values(const py::handle& python_case) {
   py::dict result;
-  for (const ValueRecord& record : source(python_case).read().records) {
+  for (const ValueRecord& record : read(case_source(python_case)).records) {
     result[py::str(record.key)] =
         py::make_tuple(python_value(record), unit_of(record.value.dimension),
                        to_string(record.origin), record.written);
@@ -103,7 +97,7 @@ Options common(const py::dict& settings, python::PythonProgress& progress) {
 }
 
 void run(const py::handle& python_case, const py::dict& settings, const py::object& callback) {
-  const Case input = source(python_case).read().input;
+  const Case input = read(case_source(python_case)).input;
   python::PythonProgress progress(callback);
   const auto options = common<study::RunOptions>(settings, progress);
   python::solve_unlocked(settings["main_thread"].cast<bool>(), progress,
@@ -113,7 +107,7 @@ void run(const py::handle& python_case, const py::dict& settings, const py::obje
 std::map<std::string, std::string> sweep(const py::handle& python_case,
                                          const std::vector<std::string>& over,
                                          const py::dict& settings, const py::object& callback) {
-  const CaseSource base = source(python_case);
+  const CaseSource base = case_source(python_case);
   study::SweepRequest request;
   request.case_path = base.path;
   request.case_text = base.text;
@@ -134,19 +128,31 @@ std::map<std::string, std::string> sweep(const py::handle& python_case,
 
 } // namespace
 
+namespace ionskin::python {
+
+CaseSource case_source(const py::handle& python_case) {
+  return {python_case.attr("_original").cast<std::string>(),
+          python_case.attr("_path").cast<std::string>(),
+          python_case.attr("_edit_list")().cast<std::vector<std::string>>()};
+}
+
+} // namespace ionskin::python
+
 PYBIND11_MODULE(_ionskin_solver, module) {
   module.doc() = "Solver of ionskin; the package `ionskin` is its face.";
   python::translate_errors();
   apps::require_vector_instructions();
   module.def("check_values", [](const py::handle& python_case) {
-    const CaseSource base = source(python_case);
+    const CaseSource base = case_source(python_case);
     check_values(base.text, base.path, base.edits);
   });
-  module.def("case_text",
-             [](const py::handle& python_case) { return source(python_case).read().input.text; });
+  module.def("case_text", [](const py::handle& python_case) {
+    return read(case_source(python_case)).input.text;
+  });
   module.def("values", &values);
   module.def("key_unit", &key_unit);
   module.def("nearest_key", &nearest_key);
   module.def("run", &run);
   module.def("sweep", &sweep);
+  python::add_fit_bindings(module);
 }

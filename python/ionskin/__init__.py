@@ -12,9 +12,11 @@ Running needs the compiled solver (PYTHONPATH=build/python); reading and drawing
 
 from .case import Case, Value
 from .errors import CaseError, SolverError
+from .fit_results import Fit
+from .fitting import FitModel, fit
 from .results import Metric, Results, Table
 from .running import run, sweep
 from .sweep_results import Study, Sweep, open_results
 
-__all__ = ["Case", "CaseError", "Metric", "Results", "SolverError", "Study", "Sweep", "Table", "Value", "open_results",
-           "run", "sweep"]
+__all__ = ["Case", "CaseError", "Fit", "FitModel", "Metric", "Results", "SolverError", "Study", "Sweep", "Table", "Value",
+           "fit", "open_results", "run", "sweep"]

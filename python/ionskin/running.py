@@ -39,7 +39,7 @@ def run(case: Case, output: str | os.PathLike | None = None, *, threads: int = 0
     """
     _require("only", only, STUDIES)
     with_folder, keep = _folder(output)
-    settings = _settings(with_folder, threads, overwrite, resume, only, report, cache, "run")
+    settings = solve_settings(with_folder, threads, overwrite, resume, only, report, cache, "run")
     solver.load().run(case, settings, progress)
     return Results(with_folder, keep)
 
@@ -64,7 +64,7 @@ def sweep(case: Case, over: Mapping[str, str | Sequence[Any]], output: str | os.
     if not axes:
         raise CaseError("the sweep varies nothing\n  = give `over` at least one key with its values")
     with_folder, keep = _folder(output)
-    settings = _settings(with_folder, threads, overwrite, resume, only, report, cache, "sweep")
+    settings = solve_settings(with_folder, threads, overwrite, resume, only, report, cache, "sweep")
     settings |= {"samples": samples, "sampling": sampling, "seed": seed}
     failures = solver.load().sweep(case, axes, settings, progress)
     result = Sweep(with_folder, keep)
@@ -98,7 +98,7 @@ def _folder(output: str | os.PathLike | None) -> tuple[str, _TemporaryFolder | N
     return keep.name, keep
 
 
-def _settings(folder: str, threads: int, overwrite: bool, resume: bool, only: str, report: bool, cache: bool,
+def solve_settings(folder: str, threads: int, overwrite: bool, resume: bool, only: str, report: bool, cache: bool,
               verb: str) -> dict[str, Any]:
     if overwrite and resume:
         raise CaseError("overwrite and resume exclude each other")

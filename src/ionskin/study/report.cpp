@@ -33,4 +33,8 @@ std::optional<std::string> draw_impedance(const std::filesystem::path& folder) {
   return draw("ionskin.impedance", folder, "figure", "give the command again with --overwrite");
 }
 
+std::optional<std::string> draw_fit(const std::filesystem::path& folder) {
+  return draw("ionskin.fit_figure", folder, "figure", "give the command again with --overwrite");
+}
+
 } // namespace ionskin::study

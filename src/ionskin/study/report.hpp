@@ -15,4 +15,7 @@ std::optional<std::string> make_report(const std::filesystem::path& folder);
 /// The same for the figures of an impedance spectrum.
 std::optional<std::string> draw_impedance(const std::filesystem::path& folder);
 
+/// The same for the figure of a fit.
+std::optional<std::string> draw_fit(const std::filesystem::path& folder);
+
 } // namespace ionskin::study

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Fit keys of a case to measured data."""
+
+import os
+import threading
+from collections.abc import Sequence
+
+import numpy
+
+from . import solver
+from .case import Case
+from .errors import CaseError
+from .fit_results import Fit
+from .running import Progress, solve_settings
+
+
+class FitModel:
+    """A case as a function of a few of its keys, to be fitted to one set of data after another.
+
+    free     keys of single real numbers, not 0 in the case, from which the fit starts; their signs stay
+    threads  at most so many; 0: all processors
+    cache    use the user's cache of factorised slider positions
+
+    The mechanics is solved once where the keys leave it the same, and every solution is kept. Raises CaseError.
+    """
+
+    def __init__(self, case: Case, free: Sequence[str], *, threads: int = 0, cache: bool = True) -> None:
+        self._model = solver.load().FitModel(case, list(free), threads, cache)
+
+    def fit(self, time, values, column: str = "current_difference", *, progress: Progress | None = None) -> Fit:
+        """Least squares in the logarithms of the keys.
+
+        time, values  arrays [rows]: strictly ascending instants [s], and the signal in its SI unit; rows with NaN are
+                      passed over
+        column        the signal: a current (mean since the row before), a charge or the voltage, as in signals.csv
+
+        Raises CaseError, SolverError and KeyboardInterrupt.
+        """
+        time, values = (numpy.asarray(data, dtype=float) for data in (time, values))
+        units = solver.load().fit_columns()
+        if column not in units:
+            raise CaseError(f"{column} is no signal to fit\n  = known: {', '.join(units)}")
+        if time.ndim != 1 or time.shape != values.shape or not (numpy.diff(time) > 0).all():
+            raise CaseError("time and values must be of one length, and the time must ascend")
+        known = numpy.isfinite(values)
+        main = threading.current_thread() is threading.main_thread()
+        return Fit.from_text(*self._model.fit(column, units[column], time[known].tolist(), values[known].tolist(), main,
+                                              progress))
+
+
+def fit(case: Case, data: str | os.PathLike, free: Sequence[str], output: str | os.PathLike, *, column: str = "",
+        threads: int = 0, progress: Progress | None = None, overwrite: bool = False, report: bool = False,
+        cache: bool = True) -> Fit:
+    """Fits keys of a case to a measurement in a file, and writes the results as `ionskin fit` does.
+
+    data    CSV with units in its header, such as our own signals.csv: time [s],current_difference [uA]
+    free    the keys, see FitModel
+    output  folder: fitted.toml, fit.json, fit.csv, and with `report` the figure
+    column  which signal of the data, where they hold several
+
+    Raises CaseError before any work, SolverError and KeyboardInterrupt.
+    """
+    settings = solve_settings(os.fspath(output), threads, overwrite, False, "", report, cache, "fit")
+    solver.load().fit_folder(case, os.fspath(data), column, list(free), settings, progress)
+    return Fit.from_folder(output)
