@@ -85,9 +85,9 @@ struct ImpedanceOptions {
   bool overwrite = false;
 };
 
-using Command = std::variant<InitOptions, CheckOptions, RunOptions, SweepOptions, FitOptions,
-                             ImpedanceOptions, ReportOptions, CompareOptions, VerifyOptions,
-                             DoctorOptions, CiteOptions, KeysOptions, CompletionOptions,
-                             ManualOptions>;
+using Command =
+    std::variant<InitOptions, CheckOptions, RunOptions, SweepOptions, FitOptions, ImpedanceOptions,
+                 ReportOptions, CompareOptions, VerifyOptions, DoctorOptions, CiteOptions,
+                 KeysOptions, CompletionOptions, ManualOptions>;
 
 } // namespace ionskin::apps
