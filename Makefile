@@ -48,6 +48,7 @@ format:
 
 bench: build
 	@cmake --build --preset release --target benchmarks --parallel $(JOBS)
+	$(BUILD)/benchmarks/electrochemistry
 	$(BUILD)/benchmarks/mechanics
 	$(BUILD)/benchmarks/stages
 

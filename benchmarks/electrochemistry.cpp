@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+
+// What Study 2 of the paper's case costs: counters, cost per unknown and step, and the floor, the
+// bytes that its vectors and factors are, each moved once per use, at this machine's measured rate.
+// Arguments: the presets to measure (default: coarse standard).
+
+#include "ionskin/base/task_pool.hpp"
+#include "ionskin/base/timers.hpp"
+#include "ionskin/case/read_case.hpp"
+#include "ionskin/electrochemistry/ion_transport.hpp"
+#include "ionskin/electrochemistry/mid_width_mirror.hpp"
+#include "ionskin/electrochemistry/problem_size.hpp"
+#include "ionskin/electrochemistry/transport_grid.hpp"
+#include "ionskin/mechanics/solve_contact.hpp"
+#include "ionskin/strain/handover.hpp"
+#include "ionskin/study/ion_error_estimate.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+using namespace ionskin;
+
+// Bytes a node (two unknowns of 8 bytes; 4 in the preconditioner) that one pass over memory moves.
+/// Residual: state, start, fixed charge, result. Preconditioner: see below. Linearisation: state
+/// and three derivatives. Search and error: direction, new state, norms.
+constexpr double preconditioner_bytes =
+    24 + 2 * 32 + 24; // to modes, down and up with factors, back
+constexpr double newton_bytes = 48 + preconditioner_bytes + 40 + 48 + 32;
+/// Jacobian: direction, state, derivatives, result. Orthogonalisation against two vectors.
+constexpr double krylov_bytes = 72 + preconditioner_bytes + 144;
+/// Guesses, rates and error of both stages, fixed charge, charges of a row.
+constexpr double step_bytes = 2 * 100 + 100;
+
+/// Bytes a second of a[i] = b[i] + s c[i] on arrays beyond the caches, 24 bytes an entry.
+double triad_rate(int threads) {
+  constexpr std::size_t length = 8'000'000;
+  std::vector<double> a(length, 0.0), b(length, 1.0), c(length, 2.0);
+  const auto parts = static_cast<std::size_t>(threads);
+  double best = 0;
+  for (int repeat = 0; repeat < 7; ++repeat) {
+    const double start = base::wall_time();
+    base::run_tasks(parts, threads, [&](std::size_t part) {
+      const std::size_t end = (part + 1) * length / parts;
+      for (std::size_t i = part * length / parts; i < end; ++i) {
+        a[i] = b[i] + 0.5 * c[i];
+      }
+    });
+    best = std::max(best, 24.0 * length / (base::wall_time() - start));
+  }
+  return best;
+}
+
+void line(const std::string& name, const std::string& value) {
+  fmt::print("  {:<44} {}\n", name, value);
+}
+
+void measure(const Case& input, const strain::StrainHistory& history, int threads, double rate) {
+  const electrochemistry::MidWidthMirror mirror(
+      electrochemistry::make_transport_grid(input, history), history);
+  const double unknowns =
+      static_cast<double>(electrochemistry::problem_size(input, history).unknowns) /
+      mirror.copies();
+  electrochemistry::IonOptions options;
+  options.threads = threads;
+  base::Timers timers;
+  const double start = base::wall_time(), processor = base::processor_time();
+  const auto ions = electrochemistry::solve_ion_transport(input, history, options, timers);
+  const double seconds = base::wall_time() - start;
+  const double processors = base::processor_time() - processor;
+  const auto steps = static_cast<double>(ions.steps);
+  const auto newton = static_cast<double>(ions.newton_iterations);
+  const auto krylov = static_cast<double>(ions.krylov_iterations);
+  fmt::print("{} threads\n", threads);
+  line("unknowns that are solved for", fmt::format("{:.0f}", unknowns));
+  line("steps, and taken again", fmt::format("{:.0f}, {}", steps, ions.rejected_steps));
+  line("Newton iterations a step", fmt::format("{:.2f}", newton / steps));
+  line("Krylov iterations a step", fmt::format("{:.2f}", krylov / steps));
+  line("wall time, of processors", fmt::format("{:.2f} s, {:.2f} s", seconds, processors));
+  line("per unknown and step", fmt::format("{:.0f} ns", 1e9 * seconds / (unknowns * steps)));
+  const double bytes =
+      0.5 * unknowns * (newton_bytes * newton + krylov_bytes * krylov + step_bytes * steps);
+  line("floor", fmt::format("{:.2f} s: {:.1f} GB at {:.1f} GB/s; {:.1f} times that", bytes / rate,
+                            bytes * 1e-9, rate * 1e-9, seconds * rate / bytes));
+  const double before = base::wall_time();
+  study::estimate_ion_errors(input, history, ions, threads, timers);
+  line("error estimate", fmt::format("{:.2f} s", base::wall_time() - before));
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> given(argv + 1, argv + argc),
+      presets = given.empty() ? std::vector<std::string>{"coarse", "standard"} : given;
+  const int threads = static_cast<int>(std::thread::hardware_concurrency());
+  for (const std::string& preset : presets) {
+    const Case input =
+        read_case(std::string(IONSKIN_CASES) + "/paper.toml", {"numerics.preset=" + preset});
+    mechanics::ContactOptions options;
+    options.threads = threads;
+    base::Timers timers;
+    const auto history =
+        strain::build_strain_history(input, mechanics::solve_contact(input, options, timers));
+    fmt::print("\n{} preset, {} cycles, ", preset, input.motion.cycles);
+    measure(input, history, 1, triad_rate(1));
+    if (threads > 1) {
+      measure(input, history, threads, triad_rate(threads));
+    }
+  }
+}
