@@ -82,8 +82,8 @@ int completion(const CompletionOptions& options) {
     first.insert(first.end(), option.names.begin(), option.names.end());
   }
   if (options.shell == "zsh") {
-    fmt::print(
-        "autoload -U +X compinit && compinit\nautoload -U +X bashcompinit && bashcompinit\n");
+    fmt::print("autoload -U +X compinit && compinit\nautoload -U +X bashcompinit && bashcompinit\n"
+               "(( $+functions[compopt] )) || compopt() {{ :; }}\n");
   }
   // The shell takes '=' for a word of its own; the key before it is all that is completed.
   fmt::print(

@@ -88,7 +88,7 @@ std::vector<Row> uniform_shear_rows(const Options& options) {
       at_most("E1", "uniform shear: largest difference charge [C/m2]", unit * difference, 1e-10)};
 }
 
-std::vector<Row> sliding_rows(CouplingLaw law, const std::string& name, const Options& options) {
+std::vector<Row> sliding_rows(const std::string& law, const Options& options) {
   Case input = model_case();
   input.numerics.preset = Preset::coarse;
   input.coupling.law = law;
@@ -97,14 +97,14 @@ std::vector<Row> sliding_rows(CouplingLaw law, const std::string& name, const Op
   const std::vector<double> charge = strain_charge(input, history, solution);
   const double lowest = *std::ranges::min_element(solution.min_concentration) /
                         input.electrochemistry.fixed_charge_concentration;
-  const bool releases = law == CouplingLaw::pair_generation;
+  const bool releases = law == "pair-generation";
   const std::vector<double> released = releases ? charge : std::vector(charge.size(), 0.0);
   return {
-      at_most("E1", name + ": Gauss identity, two sliding cycles in 3D",
-              gauss_error(solution, charge, law != CouplingLaw::fixed_charge), 1e-10),
-      at_most("E2", name + ": Ramo identity", ramo_error(solution), 1e-10),
-      at_most("E6", name + ": drift of the amount of ions", ion_drift(solution, released), 1e-12),
-      at_least("E6", name + ": smallest concentration over c0", lowest, 1e-6)};
+      at_most("E1", law + ": Gauss identity, two sliding cycles in 3D",
+              gauss_error(solution, charge, law != "fixed-charge"), 1e-10),
+      at_most("E2", law + ": Ramo identity", ramo_error(solution), 1e-10),
+      at_most("E6", law + ": drift of the amount of ions", ion_drift(solution, released), 1e-12),
+      at_least("E6", law + ": smallest concentration over c0", lowest, 1e-6)};
 }
 
 /// Rounding must not pile up: 100 cycles on a mesh as coarse as it can be.
@@ -135,11 +135,8 @@ Row zero_coupling_row(const Options& options) {
 
 std::vector<Row> identity_rows(const Options& options) {
   std::vector<Row> rows = uniform_shear_rows(options);
-  for (const auto& [law, name] : {std::pair{CouplingLaw::fixed_charge, "fixed-charge"},
-                                  std::pair{CouplingLaw::volume_neutral, "volume-neutral"},
-                                  std::pair{CouplingLaw::column_neutral, "column-neutral"},
-                                  std::pair{CouplingLaw::pair_generation, "pair-generation"}}) {
-    const std::vector<Row> more = sliding_rows(law, name, options);
+  for (const char* law : {"fixed-charge", "volume-neutral", "column-neutral", "pair-generation"}) {
+    const std::vector<Row> more = sliding_rows(law, options);
     rows.insert(rows.end(), more.begin(), more.end());
   }
   const std::vector<Row> cycles = hundred_cycles_rows(options);

@@ -103,11 +103,9 @@ struct Motion {
   double cycle_duration() const; ///< [s]
 };
 
-enum class FrictionLaw { coulomb };
-
 struct Contact {
-  FrictionLaw law = FrictionLaw::coulomb;
-  double friction = 0; ///< coefficient [1]
+  std::string law = "coulomb"; ///< a name from the table in mechanics/friction_law.cpp
+  double friction = 0;         ///< coefficient [1]
 };
 
 struct Electrochemistry {
@@ -118,12 +116,11 @@ struct Electrochemistry {
   int valence = 1;                       ///< of the mobile cation
 };
 
-enum class CouplingLaw { fixed_charge, volume_neutral, column_neutral, pair_generation };
 enum class ShearMeasure { off_diagonal, deviatoric, signed_xz };
 
 struct Coupling {
-  CouplingLaw law = CouplingLaw::fixed_charge;
-  double coefficient = 0; ///< k [1]
+  std::string law = "fixed-charge"; ///< a name from the table in electrochemistry/coupling_law.cpp
+  double coefficient = 0;           ///< k [1]
   ShearMeasure measure = ShearMeasure::off_diagonal;
 };
 

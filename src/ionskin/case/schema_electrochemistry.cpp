@@ -57,11 +57,7 @@ void add_coupling(SchemaRows& rows) {
                "mean of gamma over "
                "the core or over the thickness subtracted.",
        .source = "fixed-charge is the paper's law",
-       .set = into<Coupling, CouplingLaw>(&Case::coupling, &Coupling::law,
-                                          {{"fixed-charge", CouplingLaw::fixed_charge},
-                                           {"volume-neutral", CouplingLaw::volume_neutral},
-                                           {"column-neutral", CouplingLaw::column_neutral},
-                                           {"pair-generation", CouplingLaw::pair_generation}})});
+       .set = into(&Case::coupling, &Coupling::law)});
   rows.push_back({.key = "coupling.coefficient",
                   .type = ValueType::number,
                   .need = Need::always,

@@ -178,8 +178,7 @@ void add_contact(SchemaRows& rows) {
                   .choices = {{"coulomb"}},
                   .help = "Friction law.",
                   .source = "the paper's law",
-                  .set = into<Contact, FrictionLaw>(&Case::contact, &Contact::law,
-                                                    {{"coulomb", FrictionLaw::coulomb}})});
+                  .set = into(&Case::contact, &Contact::law)});
   rows.push_back(
       {.key = "contact.friction",
        .type = ValueType::number,

@@ -2,12 +2,8 @@
 #include "ionskin/electrochemistry/space_charge.hpp"
 
 #include "ionskin/base/error.hpp"
-#include "ionskin/electrochemistry/column_neutral.hpp"
 #include "ionskin/electrochemistry/derived_scales.hpp"
-#include "ionskin/electrochemistry/fixed_charge.hpp"
-#include "ionskin/electrochemistry/pair_generation.hpp"
 #include "ionskin/electrochemistry/transport_grid.hpp"
-#include "ionskin/electrochemistry/volume_neutral.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,21 +11,6 @@
 
 namespace ionskin::electrochemistry {
 namespace {
-
-void apply_law(const Coupling& coupling, const ScaledGrid& grid, std::span<const double> shear,
-               std::span<double> ratio) {
-  switch (coupling.law) {
-  case CouplingLaw::fixed_charge:
-    return apply_fixed_charge(coupling.coefficient, shear, ratio);
-  case CouplingLaw::volume_neutral:
-    return apply_volume_neutral(coupling.coefficient, grid, shear, ratio);
-  case CouplingLaw::column_neutral:
-    return apply_column_neutral(coupling.coefficient, grid, shear, ratio);
-  case CouplingLaw::pair_generation:
-    return apply_pair_generation(coupling.coefficient, shear, ratio);
-  }
-  throw InternalError("unknown coupling law");
-}
 
 double column_centre(const std::vector<double>& edges, std::size_t column) {
   return 0.5 * (edges[column] + edges[column + 1]);
@@ -39,14 +20,14 @@ double column_centre(const std::vector<double>& edges, std::size_t column) {
 
 FixedCharge::FixedCharge(const Case& input, const strain::StrainHistory& history,
                          const TransportGrid& grid, const ScaledGrid& scaled)
-    : coupling_(input.coupling),
+    : coupling_(input.coupling), law_(coupling_law(input.coupling.law)),
       reference_concentration_(input.electrochemistry.fixed_charge_concentration), grid_(grid),
       scaled_(scaled), projection_(history, grid.x_edges, grid.y_edges, grid.z_nodes),
       shear_(scaled.nodes(), 0.0), ratio_(scaled.nodes(), 1.0) {}
 
 void FixedCharge::evaluate(double time) {
   projection_.evaluate(time, shear_);
-  apply_law(coupling_, scaled_, shear_, ratio_);
+  law_.apply(coupling_.coefficient, scaled_, shear_, ratio_);
   check_sign(time);
 }
 
@@ -66,8 +47,8 @@ void FixedCharge::check_sign(double time) const {
                   "shear is {:.4g}",
                   *lowest * reference_concentration_, time, x * 1e3, y * 1e3, z * 1e6,
                   shear_[node]),
-      fmt::format("make coupling.coefficient smaller in magnitude (now {:.4g}; the law gives "
-                  "c0 (1 + k gamma) and cannot reach below zero), or the shear",
+      fmt::format("make coupling.coefficient smaller in magnitude (now {:.4g}), or the shear: "
+                  "fixed charge cannot reach below zero",
                   coupling_.coefficient));
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ionskin/case/case.hpp"
+#include "ionskin/electrochemistry/coupling_law.hpp"
 #include "ionskin/electrochemistry/scaled_grid.hpp"
 #include "ionskin/strain/strain_history.hpp"
 #include "ionskin/strain/strain_projection.hpp"
@@ -24,12 +25,13 @@ public:
   std::span<const double> shear() const { return shear_; } ///< per control volume [1]
   std::span<const double> ratio() const { return ratio_; } ///< cf / c0 [1]
   /// Whether the law adds a mobile ion for every fixed charge it adds.
-  bool releases_ions() const { return coupling_.law == CouplingLaw::pair_generation; }
+  bool releases_ions() const { return law_.releases_ions; }
 
 private:
   void check_sign(double time) const;
 
   Coupling coupling_;
+  const CouplingLaw& law_;
   double reference_concentration_;
   TransportGrid grid_;
   const ScaledGrid& scaled_;

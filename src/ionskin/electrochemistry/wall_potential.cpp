@@ -24,7 +24,7 @@ double depletion_potential(const DerivedScales& scales, double excess) {
 }
 
 std::optional<std::string> no_sane_solution(const Case& input, double mean_shear) {
-  if (input.coupling.law != CouplingLaw::fixed_charge) {
+  if (input.coupling.law != "fixed-charge") {
     return std::nullopt;
   }
   const DerivedScales scales = derive_scales(input.electrochemistry, input.skin.core_thickness());

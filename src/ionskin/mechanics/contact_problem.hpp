@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ionskin/linear_algebra/sparse_matrix.hpp"
-#include "ionskin/mechanics/coulomb_friction.hpp"
+#include "ionskin/mechanics/friction_law.hpp"
 
 #include <array>
 #include <vector>
@@ -22,7 +22,7 @@ struct ContactProblem {
   /// Mean height of the slider's underside over each cell above its lowest point [m]; 0 for a flat
   /// slider.
   std::vector<double> gap;
-  CoulombFriction friction;
+  Friction friction;
 
   int cells() const { return static_cast<int>(area.size()); }
   /// Compliance of one component against its own force; in a direction in which the skin is held

@@ -75,7 +75,10 @@ Reach reach_of(const Case& input, const mesh::Footprint& footprint, double frict
     }
     solved.push_back(centre);
     const CondensedPosition condensed(model, centre);
-    const ContactProblem problem{condensed.compliance(), model.cells.area, model.gap, {friction}};
+    const ContactProblem problem{condensed.compliance(),
+                                 model.cells.area,
+                                 model.gap,
+                                 {friction, &friction_law(input.contact.law)}};
     for (const SliderLoad& load : heaviest_loads(input, model.mesh.half_model())) {
       extend(reach, model.cells, solve_contact_step(problem, {load, {0, 0}, 0, none}, none).force);
       for (const MotionLeg& leg : legs) {

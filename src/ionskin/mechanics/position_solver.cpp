@@ -12,12 +12,11 @@ namespace ionskin::mechanics {
 
 PositionSolver::PositionSolver(const SkinModel& model, const ContactPlan& plan,
                                const PathSteps& steps, const std::vector<double>& surface_before,
-                               const CondensedPosition& condensed, double friction)
+                               const CondensedPosition& condensed, const Friction& friction)
     : model_(model), plan_(plan), steps_(steps), surface_before_(surface_before),
       meshed_share_(model.mesh.half_model() ? 0.5 : 1.0), problem_{condensed.compliance(),
-                                                                   model.cells.area,
-                                                                   model.gap,
-                                                                   {friction}},
+                                                                   model.cells.area, model.gap,
+                                                                   friction},
       states_(model) {}
 
 void PositionSolver::Scale::include(const SurfaceState& state) {

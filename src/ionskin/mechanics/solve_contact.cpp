@@ -56,7 +56,7 @@ std::vector<ContactSolution> solve_on_footprint(const Case& input, const mesh::F
   const auto solve = [&](std::size_t t, std::size_t f, const CondensedPosition& condensed) {
     base::check_interrupt();
     PositionSolver solver(model, plan, options.steps, options.surface_before, condensed,
-                          frictions[f]);
+                          {frictions[f], &friction_law(input.contact.law)});
     {
       const base::Timers::Scope contact(timers, "mechanics: contact");
       solver.solve(tasks[t], pieces[f]);
@@ -138,8 +138,10 @@ std::vector<ContactState> solve_steady_sliding(const Case& input,
     base::check_interrupt();
     const CanonicalPosition position{track.centre(arc_lengths[i]), {false, false}};
     const CondensedPosition condensed(model, position.centre, {options.cache});
-    const ContactProblem problem{
-        condensed.compliance(), model.cells.area, model.gap, {input.contact.friction}};
+    const ContactProblem problem{condensed.compliance(),
+                                 model.cells.area,
+                                 model.gap,
+                                 {input.contact.friction, &friction_law(input.contact.law)}};
     const SurfaceState steady = steady_sliding(problem, load, track.direction, 0);
     PositionStates states(model);
     states.add(result[i], steady, problem, position, largest_normal_force(steady.force),

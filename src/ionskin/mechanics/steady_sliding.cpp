@@ -5,23 +5,53 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
 #include <vector>
 
 namespace ionskin::mechanics {
 namespace {
 
 constexpr int most_active_sets = 50;
+/// Of the largest normal force: up to here a straight line stands for the friction law.
+constexpr double law_tolerance = 1e-12;
 
-/// Normal displacement of a cell per unit normal force of another that also drags along the slide.
-double dragging_compliance(const ContactProblem& problem, const std::array<double, 2>& drag,
-                           int cell, int loaded) {
+/// The friction limit of a cell as a straight line in its normal force.
+struct LimitLine {
+  double slope = 0, offset = 0; ///< [1], [N]
+  double at(double normal_force) const { return offset + slope * normal_force; }
+};
+
+LimitLine tangent(const ContactProblem& problem, int cell, double normal_force) {
+  const double slope = problem.friction_limit_slope(cell, normal_force, 0, 0);
+  return {slope, problem.friction_limit(cell, normal_force, 0, 0) - slope * normal_force};
+}
+
+/// Tangents at the mean pressure that a load roughly makes; exact for laws in proportion to it.
+std::vector<LimitLine> first_tangents(const ContactProblem& problem, const SliderLoad& load) {
+  const double area = std::accumulate(problem.area.begin(), problem.area.end(), 0.0);
+  std::vector<LimitLine> lines;
+  for (int cell = 0; cell < problem.cells(); ++cell) {
+    const double force = load.kind == LoadKind::force
+                             ? load.value * problem.area[cell] / area
+                             : load.value / problem.own_compliance(cell, 0);
+    lines.push_back(tangent(problem, cell, std::max(force, std::numeric_limits<double>::min())));
+  }
+  return lines;
+}
+
+/// Normal displacement of a cell per unit tangential force of another along the slide.
+double drag_compliance(const ContactProblem& problem, const std::array<double, 2>& direction,
+                       int cell, int loaded) {
   const auto& c = problem.compliance;
-  return c(3 * cell, 3 * loaded) + drag[0] * c(3 * cell, 3 * loaded + 1) +
-         drag[1] * c(3 * cell, 3 * loaded + 2);
+  return direction[0] * c(3 * cell, 3 * loaded + 1) + direction[1] * c(3 * cell, 3 * loaded + 2);
 }
 
 /// Normal forces of the touching cells and, under a given force, the indentation behind them.
-Eigen::VectorXd normal_forces(const ContactProblem& problem, const std::array<double, 2>& drag,
+Eigen::VectorXd normal_forces(const ContactProblem& problem, const std::array<double, 2>& direction,
+                              const std::vector<LimitLine>& limits,
                               const std::vector<int>& touching, const SliderLoad& load) {
   const auto count = static_cast<Eigen::Index>(touching.size());
   const bool force_given = load.kind == LoadKind::force;
@@ -29,10 +59,15 @@ Eigen::VectorXd normal_forces(const ContactProblem& problem, const std::array<do
   Eigen::MatrixXd matrix(size, size);
   Eigen::VectorXd right(size);
   for (Eigen::Index j = 0; j < count; ++j) {
-    for (Eigen::Index i = 0; i < count; ++i) {
-      matrix(i, j) = dragging_compliance(problem, drag, touching[i], touching[j]);
-    }
     right[j] = (force_given ? 0.0 : load.value) - problem.gap[touching[j]];
+  }
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const LimitLine& limit = limits[touching[j]];
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const double drag = drag_compliance(problem, direction, touching[i], touching[j]);
+      matrix(i, j) = problem.compliance(3 * touching[i], 3 * touching[j]) + limit.slope * drag;
+      right[i] -= limit.offset * drag;
+    }
   }
   if (force_given) {
     // Scaled so that pivots compare displacements with displacements.
@@ -49,8 +84,7 @@ Eigen::VectorXd normal_forces(const ContactProblem& problem, const std::array<do
 
 SurfaceState steady_sliding(const ContactProblem& problem, const SliderLoad& load,
                             const std::array<double, 2>& direction, double travel) {
-  const double mu = problem.friction.coefficient;
-  const std::array<double, 2> drag{mu * direction[0], mu * direction[1]};
+  std::vector<LimitLine> limits = first_tangents(problem, load);
   std::vector<bool> touches(problem.area.size(), true);
   for (int iteration = 1; iteration <= most_active_sets; ++iteration) {
     std::vector<int> touching;
@@ -59,19 +93,27 @@ SurfaceState steady_sliding(const ContactProblem& problem, const SliderLoad& loa
         touching.push_back(cell);
       }
     }
-    const Eigen::VectorXd normal = normal_forces(problem, drag, touching, load);
+    const Eigen::VectorXd normal = normal_forces(problem, direction, limits, touching, load);
     SurfaceState state;
     state.indentation = load.kind == LoadKind::force ? normal[normal.size() - 1] : load.value;
     state.iterations = iteration;
     state.force.assign(3 * problem.area.size(), 0.0);
+    const double largest =
+        normal.head(static_cast<Eigen::Index>(touching.size())).cwiseAbs().maxCoeff();
     bool changed = false;
     for (std::size_t i = 0; i < touching.size(); ++i) {
       const std::size_t at = 3 * static_cast<std::size_t>(touching[i]);
       const double force = normal[static_cast<Eigen::Index>(i)];
+      const double limit = limits[touching[i]].at(force);
       state.force[at] = force;
-      state.force[at + 1] = drag[0] * force;
-      state.force[at + 2] = drag[1] * force;
-      changed = changed || force < 0;
+      state.force[at + 1] = limit * direction[0];
+      state.force[at + 2] = limit * direction[1];
+      const bool bent = force > 0 && std::abs(problem.friction_limit(touching[i], force, 0, 0) -
+                                              limit) > law_tolerance * largest;
+      if (bent) {
+        limits[touching[i]] = tangent(problem, touching[i], force);
+      }
+      changed = changed || bent || force < 0;
       touches[touching[i]] = force >= 0;
     }
     state.surface = problem.surface_displacement(state.force);

@@ -7,7 +7,8 @@ namespace ionskin::mechanics {
 
 /// The limit of long sliding under a constant load: every touching cell slips along `direction`,
 /// so its tangential force is the friction limit in that direction, and only normal contact is left
-/// to solve (active set; under a given force the indentation is one more unknown).
+/// to solve (active set, with Newton's method where the limit is not in proportion to the pressure;
+/// under a given force the indentation is one more unknown).
 /// @param travel since the state before, which becomes the slip [m]
 /// Throws SolverError when the active set cycles.
 SurfaceState steady_sliding(const ContactProblem& problem, const SliderLoad& load,

@@ -3,6 +3,7 @@
 
 #include "ionskin/base/constants.hpp"
 #include "ionskin/base/task_pool.hpp"
+#include "ionskin/electrochemistry/coupling_law.hpp"
 #include "ionskin/electrochemistry/derived_scales.hpp"
 #include "ionskin/readout/amplifier.hpp"
 #include "ionskin/readout/circuit.hpp"
@@ -93,9 +94,14 @@ void add_tail_metric(const Case& input, const MechanicsRecord& mechanics, Signal
        readout::tail_rms(signals.sampled.column("current_difference").values, tail), "A"});
 }
 
-/// Gauss' law against the integral of the shear as the strain folder takes it.
-readout::Metric charge_identity(const Case& input, const MechanicsRecord& mechanics,
-                                const IonSolution& ions, int threads) {
+/// Gauss' law against the integral of the shear as the strain folder takes it: what that is under
+/// another law that makes net charge is not known here, and such a run has no figure of it.
+std::optional<readout::Metric> charge_identity(const Case& input, const MechanicsRecord& mechanics,
+                                               const IonSolution& ions, int threads) {
+  const bool makes_net_charge = electrochemistry::coupling_law(input.coupling.law).makes_net_charge;
+  if (makes_net_charge && input.coupling.law != "fixed-charge") {
+    return std::nullopt;
+  }
   const double factor = constants::faraday * input.electrochemistry.fixed_charge_concentration *
                         input.coupling.coefficient;
   std::vector<double> expected(ions.time.size()), magnitude(ions.time.size());
@@ -104,12 +110,12 @@ readout::Metric charge_identity(const Case& input, const MechanicsRecord& mechan
     magnitude[row] = factor * strain::shear_magnitude_integral(mechanics.history, ions.time[row]);
   });
   const double scale = readout::peak_magnitude(magnitude);
-  if (input.coupling.law != CouplingLaw::fixed_charge) {
+  if (!makes_net_charge) {
     expected.assign(expected.size(), 0.0);
   }
-  return {"charge_identity_error",
-          readout::charge_identity_error(ions.charge_top, ions.charge_bottom, expected, scale),
-          "1"};
+  return readout::Metric{
+      "charge_identity_error",
+      readout::charge_identity_error(ions.charge_top, ions.charge_bottom, expected, scale), "1"};
 }
 
 void add_ion_metrics(const Case& input, const IonSolution& ions,
@@ -193,7 +199,9 @@ Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonS
       readout::signal_metrics(signals.resolved, signals.sampled, named_instants(input, mechanics));
   add_tail_metric(input, mechanics, signals);
   add_slide_metrics(input, mechanics, signals.metrics);
-  signals.metrics.push_back(charge_identity(input, mechanics, ions, threads));
+  if (const auto identity = charge_identity(input, mechanics, ions, threads)) {
+    signals.metrics.push_back(*identity);
+  }
   add_ion_metrics(input, ions, signals.resolved, signals.metrics);
   add_taxels(ions, signals);
   add_circuit(input, ions, signals);

@@ -105,8 +105,8 @@ std::string mechanics_hash(const Case& input) {
   text +=
       fmt::format(" force {} strokes {} {}", motion.preload_force, motion.strokes, motion.dwell);
   text += waypoints_text(motion);
-  text += fmt::format(" contact {} {} measure {}", static_cast<int>(input.contact.law),
-                      input.contact.friction, static_cast<int>(input.coupling.measure));
+  text += fmt::format(" contact {} {} measure {}", input.contact.law, input.contact.friction,
+                      static_cast<int>(input.coupling.measure));
   text += fmt::format(" numerics {} {} {}", static_cast<int>(input.numerics.preset),
                       input.numerics.mesh_refinement, input.numerics.time_refinement);
   // Field instants within the slide are samples of the strain history.

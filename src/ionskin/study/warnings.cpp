@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/warnings.hpp"
 
+#include "ionskin/electrochemistry/coupling_law.hpp"
 #include "ionskin/electrochemistry/derived_scales.hpp"
 #include "ionskin/readout/metrics.hpp"
 
@@ -23,13 +24,13 @@ void warn_about_common_current(const Case& input, const readout::SignalTable& si
   const double common = readout::rms_of_step_means(time, signals.column("current_common").values);
   const double difference =
       readout::rms_of_step_means(time, signals.column("current_difference").values);
-  if (input.coupling.law == CouplingLaw::fixed_charge && common > difference) {
+  if (electrochemistry::coupling_law(input.coupling.law).makes_net_charge && common > difference) {
     warnings.push_back(fmt::format(
         "The common part of the electrode currents dominates: its rms is {:.3g} times that of the "
-        "difference. The law \"fixed-charge\" creates net charge in the core; an ammeter between "
+        "difference. The law \"{}\" creates net charge in the core; an ammeter between "
         "the two "
         "electrodes of an otherwise isolated cell measures current_difference only.",
-        common / difference));
+        common / difference, input.coupling.law));
   }
 }
 

@@ -33,7 +33,7 @@ TEST(ReadCase, FillsTheStructsInSiUnits) {
   EXPECT_EQ(input.contact.friction, 0.3);
   EXPECT_DOUBLE_EQ(input.electrochemistry.temperature, 293.15);
   EXPECT_EQ(input.electrochemistry.valence, 1);
-  EXPECT_EQ(input.coupling.law, CouplingLaw::fixed_charge);
+  EXPECT_EQ(input.coupling.law, "fixed-charge");
   EXPECT_EQ(input.strain.kind, StrainSourceKind::contact);
   EXPECT_DOUBLE_EQ(input.readout.sample_interval, 0.01);
   EXPECT_EQ(input.numerics.preset, Preset::standard);
@@ -105,7 +105,7 @@ TEST(ReadCase, AppliesEditsAndKeepsTheRest) {
                               "skin.layers[1].thickness=0.1 mm", "numerics.preset=fine"});
   EXPECT_EQ(input.contact.friction, 0.05);
   EXPECT_DOUBLE_EQ(input.motion.stroke, 0.003);
-  EXPECT_EQ(input.coupling.law, CouplingLaw::column_neutral);
+  EXPECT_EQ(input.coupling.law, "column-neutral");
   EXPECT_EQ(input.output.fields, std::vector<double>{0.5});
   EXPECT_DOUBLE_EQ(input.skin.core_thickness(), 1e-4);
   EXPECT_EQ(input.numerics.preset, Preset::fine);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/schema.hpp"
 #include "ionskin/electrochemistry/column_neutral.hpp"
+#include "ionskin/electrochemistry/coupling_law.hpp"
 #include "ionskin/electrochemistry/fixed_charge.hpp"
 #include "ionskin/electrochemistry/pair_generation.hpp"
 #include "ionskin/electrochemistry/volume_neutral.hpp"
@@ -35,6 +37,15 @@ protected:
   ScaledGrid grid = test::small_grid();
   std::vector<double> shear, ratio;
 };
+
+TEST_F(CouplingLaws, EveryNameOfTheSchemaHasOneAndItsFlagIsTrue) {
+  for (const Choice& choice : find_row("coupling.law")->choices) {
+    const CouplingLaw& law = coupling_law(choice.name);
+    law.apply(0.1, grid, shear, ratio);
+    const bool charged = std::abs(mean_excess(0, grid.columns())) > 1e-9;
+    EXPECT_EQ(law.makes_net_charge || law.releases_ions, charged) << choice.name;
+  }
+}
 
 TEST_F(CouplingLaws, FixedChargeIsLocal) {
   apply_fixed_charge(0.1, shear, ratio);

@@ -32,7 +32,7 @@ TEST(WallPotential, ThinLayersHaveNoSaneSolutionUnderFixedChargeOnly) {
   EXPECT_TRUE(no_sane_solution(input, 8e-3));
   EXPECT_FALSE(no_sane_solution(input, 8e-6));
   EXPECT_FALSE(no_sane_solution(input, -8e-3));
-  input.coupling.law = CouplingLaw::column_neutral;
+  input.coupling.law = "column-neutral";
   EXPECT_FALSE(no_sane_solution(input, 8e-3));
 }
 

@@ -136,6 +136,27 @@ TEST(SteadySliding, is_the_limit_of_a_long_slide) {
   }
 }
 
+TEST(SteadySliding, finds_limits_that_are_not_in_proportion_to_the_pressure) {
+  constexpr double strength = 3e7; // [Pa]; Coulomb's limit is several times that here
+  const FrictionLaw saturating{
+      "saturating",
+      [](double mu, const FrictionArguments& at) {
+        return strength * std::tanh(mu * std::max(0.0, at.normal_traction) / strength);
+      },
+      [](double mu, const FrictionArguments& at) {
+        return mu / std::pow(std::cosh(mu * at.normal_traction / strength), 2);
+      }};
+  ContactProblem problem = line_of_cells(15, 0.4);
+  problem.friction.law = &saturating;
+  for (const SliderLoad& load :
+       {SliderLoad{LoadKind::indentation, 1e-6}, SliderLoad{LoadKind::force, 30.0}}) {
+    const SurfaceState steady = steady_sliding(problem, load, {0.6, 0.8}, 1e-3);
+    EXPECT_LT(worst_violation(problem, steady), 1e-10);
+    const double share = std::hypot(steady.force[1], steady.force[2]) / (0.4 * steady.force[0]);
+    EXPECT_LT(share, 0.95);
+  }
+}
+
 /// Cells under a round slider whose lowest point is over the middle of the line.
 ContactProblem round_slider(int cells, double friction) {
   ContactProblem problem = line_of_cells(cells, friction);

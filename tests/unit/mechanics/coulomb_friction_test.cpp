@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/schema.hpp"
 #include "ionskin/mechanics/coulomb_friction.hpp"
 
 #include <gtest/gtest.h>
@@ -21,6 +22,12 @@ TEST(CoulombFriction, slope_agrees_with_finite_differences) {
     const double difference =
         (law.limit({traction + 1, 0, 0}) - law.limit({traction - 1, 0, 0})) / 2;
     EXPECT_NEAR(law.limit_slope({traction, 0, 0}), difference, 1e-9);
+  }
+}
+
+TEST(FrictionLaws, EveryNameOfTheSchemaHasOne) {
+  for (const Choice& choice : find_row("contact.law")->choices) {
+    EXPECT_EQ(friction_law(choice.name).name, choice.name);
   }
 }
 

@@ -41,7 +41,7 @@ TEST_F(WarningsTest, SaysThatTheCouplingIsUncalibrated) {
 
 TEST_F(WarningsTest, SaysThatTheCommonPartDominates) {
   EXPECT_TRUE(any_holds(collect_warnings(input, mechanics, ions, signals), "50 times"));
-  input.coupling.law = CouplingLaw::column_neutral;
+  input.coupling.law = "column-neutral";
   EXPECT_FALSE(any_holds(collect_warnings(input, mechanics, ions, signals), "common part"));
 }
 

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/electrochemistry/coupling_law.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/electrochemistry/column_neutral.hpp"
+#include "ionskin/electrochemistry/fixed_charge.hpp"
+#include "ionskin/electrochemistry/pair_generation.hpp"
+#include "ionskin/electrochemistry/volume_neutral.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace ionskin::electrochemistry {
+namespace {
+
+/// A law that looks at one place at a time and needs no grid.
+template <void (*law)(double, std::span<const double>, std::span<double>)>
+void local(double coefficient, const ScaledGrid&, std::span<const double> shear,
+           std::span<double> ratio) {
+  law(coefficient, shear, ratio);
+}
+
+constexpr std::array laws{
+    CouplingLaw{
+        .name = "fixed-charge", .apply = local<apply_fixed_charge>, .makes_net_charge = true},
+    CouplingLaw{.name = "volume-neutral", .apply = apply_volume_neutral},
+    CouplingLaw{.name = "column-neutral", .apply = apply_column_neutral},
+    CouplingLaw{
+        .name = "pair-generation", .apply = local<apply_pair_generation>, .releases_ions = true},
+};
+
+} // namespace
+
+const CouplingLaw& coupling_law(const std::string& name) {
+  const auto found = std::find_if(laws.begin(), laws.end(),
+                                  [&](const CouplingLaw& law) { return law.name == name; });
+  if (found == laws.end()) {
+    throw InternalError("no coupling law is named " + name);
+  }
+  return *found;
+}
+
+} // namespace ionskin::electrochemistry

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/electrochemistry/scaled_grid.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace ionskin::electrochemistry {
+
+/// One row of the table of coupling laws: the name that a case gives in `coupling.law`, and what
+/// the law does.
+struct CouplingLaw {
+  std::string_view name;
+  /// Fixed charge from shear: `ratio` receives cf / c0 per control volume.
+  void (*apply)(double coefficient, const ScaledGrid& grid, std::span<const double> shear,
+                std::span<double> ratio);
+  bool makes_net_charge = false; ///< the core's charge changes with the shear
+  bool releases_ions = false;    ///< a mobile ion comes with every fixed charge
+};
+
+/// The law of a name that the schema has checked.
+const CouplingLaw& coupling_law(const std::string& name);
+
+} // namespace ionskin::electrochemistry
