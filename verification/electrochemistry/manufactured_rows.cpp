@@ -63,7 +63,7 @@ Case manufactured_case(double mesh_refinement) {
                       ions.fixed_charge_concentration /
                       (constants::gas_constant * ions.temperature);
   ions.diffusivity = debye_length * debye_length / relaxation_time;
-  input.coupling.law = CouplingLaw::pair_generation;
+  input.coupling.law = "pair-generation";
   input.coupling.coefficient = 1.0;
   input.numerics.preset = Preset::fine;
   input.numerics.mesh_refinement = mesh_refinement;
