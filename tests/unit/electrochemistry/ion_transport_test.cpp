@@ -130,6 +130,30 @@ TEST(IonTransport, UniformShearChargesBothElectrodesAlikeAtOnce) {
   }
 }
 
+TEST(IonTransport, RelaxationFollowsTheChargeWhereTheShearRests) {
+  const auto history = linear_step_history(-0.01, 0.01, {0.0, 1.0});
+  Case loaded = coarse_case();
+  loaded.readout.circuit = ReadoutCircuit::load;
+  loaded.readout.load_resistance = 20.0;
+  for (const Case& input : {coarse_case(), loaded}) {
+    const auto solution = solve(input, history);
+    const auto difference = [&](std::size_t i) {
+      return 0.5 * (solution.charge_top[i] - solution.charge_bottom[i]);
+    };
+    const double largest = std::abs(solution.relaxation_charge.back());
+    for (std::size_t i = 1; i < solution.time.size(); ++i) {
+      const double gained = solution.relaxation_charge[i] - solution.relaxation_charge[i - 1];
+      EXPECT_NEAR(gained, difference(i) - difference(i - 1), 1e-9 * largest);
+      if (solution.time[i - 1] > 0.1) {
+        const double rate =
+            0.5 * (solution.relaxation_current[i - 1] + solution.relaxation_current[i]);
+        EXPECT_NEAR(gained / (solution.time[i] - solution.time[i - 1]), rate,
+                    0.01 * std::abs(rate));
+      }
+    }
+  }
+}
+
 TEST(IonTransport, ColumnChargesAddUpToTheLastRow) {
   const auto solution = solve(coarse_case(), onset_history());
   double sum = 0.0;
