@@ -118,6 +118,9 @@ void add_ion_errors(const Case& input, const strain::StrainHistory& history,
   try {
     outputs.error_estimate.merge(
         estimate_ion_errors(input, history, *outputs.ions, options.threads, timers));
+    for (std::string& warning : error_warnings(input, outputs.error_estimate)) {
+      outputs.warnings.push_back(std::move(warning));
+    }
   } catch (const SolverError& error) {
     outputs.warnings.push_back(
         std::string("The error of the currents is not estimated: on a mesh of twice the size ") +

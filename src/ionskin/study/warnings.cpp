@@ -16,6 +16,7 @@ namespace {
 // Above these the reader must be told.
 constexpr double linear_limit = 0.3;    // k gamma h / (2 lambda)
 constexpr double depletion_limit = 0.1; // min c / c0
+constexpr double error_limit = 0.05;    // estimated, of the current between the spikes
 constexpr double pressure_limit = 1e6;  // [Pa]; a fingertip presses with some 10 kPa
 
 void warn_about_common_current(const Case& input, const readout::SignalTable& signals,
@@ -108,6 +109,20 @@ std::vector<std::string> collect_warnings(const Case& input, const MechanicsReco
                                    least));
   }
   return warnings;
+}
+
+std::vector<std::string> error_warnings(const Case& input,
+                                        const std::map<std::string, double>& error_estimate) {
+  const auto tail = error_estimate.find("tail_current_difference");
+  const ReadoutCircuit circuit = input.readout.circuit;
+  if (circuit == ReadoutCircuit::open || circuit == ReadoutCircuit::load ||
+      tail == error_estimate.end() || tail->second <= error_limit) {
+    return {};
+  }
+  return {fmt::format(
+      "The error of the difference current between the contact spikes is estimated at {:.0f} %. "
+      "Choose a finer numerics.preset, or raise numerics.mesh_refinement.",
+      100 * tail->second)};
 }
 
 } // namespace ionskin::study

@@ -6,6 +6,7 @@
 #include "ionskin/readout/signals.hpp"
 #include "ionskin/study/mechanics_record.hpp"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,11 @@ std::vector<std::string> collect_warnings(const Case& input, const MechanicsReco
 
 /// The part of them that Study 1 alone allows.
 std::vector<std::string> mechanics_warnings(const Case& input, const MechanicsRecord& mechanics);
+
+/// A sentence where the current between the contact spikes is uncertain; nothing behind an open
+/// circuit or a load, where little current flows.
+/// @param error_estimate relative, by metric
+std::vector<std::string> error_warnings(const Case& input,
+                                        const std::map<std::string, double>& error_estimate);
 
 } // namespace ionskin::study

@@ -57,6 +57,14 @@ TEST_F(WarningsTest, SaysThatCationsAreDepleted) {
   EXPECT_TRUE(any_holds(collect_warnings(input, mechanics, ions, signals), "depleted"));
 }
 
+TEST_F(WarningsTest, SaysThatTheCurrentIsUncertain) {
+  EXPECT_TRUE(any_holds(error_warnings(input, {{"tail_current_difference", 0.12}}), "12 %"));
+  EXPECT_TRUE(error_warnings(input, {{"tail_current_difference", 0.01}}).empty());
+  EXPECT_TRUE(error_warnings(input, {}).empty());
+  input.readout.circuit = ReadoutCircuit::open;
+  EXPECT_TRUE(error_warnings(input, {{"tail_current_difference", 0.12}}).empty());
+}
+
 TEST_F(WarningsTest, SaysHowHardTheSliderPresses) {
   mechanics.normal_force = {0, 68};
   EXPECT_TRUE(any_holds(mechanics_warnings(input, mechanics), "15.1 MPa"));
