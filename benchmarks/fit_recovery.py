@@ -32,6 +32,7 @@ def true_data():
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--seeds", type=int, default=100)
+    parser.add_argument("--first", type=int, default=0, help="first seed")
     parser.add_argument("--noise", type=float, default=0.02)
     parser.add_argument("--of", choices=("rms", "peak"), default="rms")
     parser.add_argument("--threads", type=int, default=0)
@@ -45,7 +46,7 @@ def main():
     model = ionskin.FitModel(case, KEYS, threads=arguments.threads)
 
     start, inside, errors, solves = time.process_time(), [], [], 0
-    for seed in range(arguments.seeds):
+    for seed in range(arguments.first, arguments.first + arguments.seeds):
         noise = numpy.random.default_rng(seed).normal(0, arguments.noise * size, len(current))
         fit = model.fit(instants, current + noise)
         found = [fit.parameters[key] for key in KEYS]

@@ -27,6 +27,7 @@ def figure(fit: Fit):
     axes[1].set_ylabel(f"residual [{prefix}{fit.unit}]")
     axes[1].set_xlabel("time [s]")
     axes[1].set_xlim(fit.time[0], fit.time[-1])
+    drawing.subplots_adjust(right=0.965)
     return drawing
 
 

@@ -68,7 +68,7 @@ class Readme(DocumentedTest):
                 continue
             for whole, part in SMALLER:
                 command = command.replace(whole, part)
-            if command.startswith(("build/ionskin run", "build/ionskin sweep")):
+            if command.startswith(("build/ionskin run", "build/ionskin sweep", "build/ionskin fit")):
                 command = f"{command} {COARSE}"
             with self.subTest(command):
                 printed, code = self.shell(command)
