@@ -98,10 +98,15 @@ def capped(values, areas, share=0.95):
     return float(values.ravel()[order][numpy.searchsorted(below, share * below[-1])]) or 1.0
 
 
+def touchdown_state(file):
+    """Name of the state at the end of the first touchdown, which takes one step or several; None without any."""
+    return max((name for name in file["contact"] if name.startswith("touchdown")), default=None)
+
+
 def middle_state(file):
     """Name of the state of steady sliding nearest the middle of the slide, or of touchdown."""
     steady = sorted(name for name in file["contact"] if name.startswith("steady_"))
-    return steady[len(steady) // 2] if steady else "touchdown"
+    return steady[len(steady) // 2] if steady else touchdown_state(file)
 
 
 def contact_maps(study):
@@ -110,12 +115,13 @@ def contact_maps(study):
     if fields_of(results) is None:
         return NO_FIELDS
     with fields_of(results) as file:
-        if "contact" not in file:
+        if "contact" not in file or touchdown_state(file) is None:
             return NO_CONTACT
         figure = style.canvas(height=4.9, left=0.085, right=0.93, top=0.95, bottom=0.095, hspace=0.62, wspace=0.30)
         panels = figure.subplots(3, 2)
         x = file["contact/grid/x"][...] * 1e3
-        for column, (state, words) in enumerate((("touchdown", "end of touchdown"), (middle_state(file), "mid-slide"))):
+        for column, (state, words) in enumerate(((touchdown_state(file), "end of touchdown"),
+                                                    (middle_state(file), "mid-slide"))):
             group = file["contact"][state]
             y, pressure = mirrored(file, group["pressure"][...])
             shear = numpy.hypot(group["shear_x"][...], group["shear_y"][...])

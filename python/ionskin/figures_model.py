@@ -26,12 +26,14 @@ def geometry(results):
         return {"length": si(skin["length"]), "width": si(skin["width"]), "size": si(size),
                 "start": si(slider["start"]), "gap": si(motion["gap"]), "stroke": si(motion["stroke"]),
                 "direction": motion.get("direction", [1, 0]), "shape": slider.get("shape", "flat"),
+                "radius": si(slider["radius"]) if "radius" in slider else None,
                 "layers": [(layer["name"], layer["role"], layer["material"], si(layer["thickness"]))
                            for layer in skin["layers"]]}
     except (KeyError, ValueError):
         return None
 
 
+CAP_DEPTH = 0.7  # drawn part of a sphere [mm]
 NO_CONTACT = "the run has no slider, or one that this figure cannot draw"
 
 
@@ -42,6 +44,27 @@ def box(axes, low, high, colour, alpha):
     faces = [(0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4), (1, 3, 7, 5)]
     axes.add_collection3d(Poly3DCollection([corners[list(face)] for face in faces], facecolor=colour, alpha=alpha,
                                            edgecolor=style.INK, linewidth=0.4, clip_on=False))
+
+
+def cap(axes, centre, lowest, radius, colour):
+    """The lowest part of a sphere; lengths in mm."""
+    depth = min(CAP_DEPTH, radius)
+    rims = numpy.linspace(0, numpy.sqrt(2 * radius * depth - depth**2), 9)
+    turns = numpy.linspace(0, 2 * numpy.pi, 49)
+    heights = lowest + radius - numpy.sqrt(radius**2 - rims**2)
+    rings = [numpy.stack([centre[0] + rim * numpy.cos(turns), centre[1] + rim * numpy.sin(turns),
+                          numpy.full_like(turns, height)], axis=1) for rim, height in zip(rims, heights)]
+    faces = [numpy.array([low[i], low[i + 1], high[i + 1], high[i]])
+             for low, high in zip(rings, rings[1:]) for i in range(len(turns) - 1)]
+    axes.add_collection3d(Poly3DCollection(faces, facecolor=colour, edgecolor="none", clip_on=False))
+    axes.add_collection3d(Poly3DCollection([rings[-1]], facecolor=colour, edgecolor=style.INK, linewidth=0.4, clip_on=False))
+
+
+def slider_words(shape, size):
+    """Shape and measures of the slider."""
+    if shape["radius"] is not None:
+        return f"slider ({shape['shape']}): radius {shape['radius'] * 1e3:.4g} mm"
+    return f"slider ({shape['shape']}): {size[0]:.4g} mm × {size[1]:.4g} mm"
 
 
 def model(study):
@@ -61,13 +84,18 @@ def model(study):
         height = top
     start, size, gap = (numpy.array(shape[name]) * 1e3 for name in ("start", "size", "gap"))
     low, high = start - size / 2, start + size / 2
-    box(axes, (*low, height + gap), (*high, height + gap + 1.0), SLIDER_COLOUR, 0.95)
+    body = CAP_DEPTH if shape["shape"] == "sphere" else 1.0
+    if shape["shape"] == "sphere":
+        cap(axes, start, height + gap, shape["radius"] * 1e3, SLIDER_COLOUR)
+        low = high = start
+    else:
+        box(axes, (*low, height + gap), (*high, height + gap + body), SLIDER_COLOUR, 0.95)
     handles.append(Rectangle((0, 0), 1, 1, facecolor=SLIDER_COLOUR, edgecolor=style.INK, lw=0.4,
-                             label=f"slider ({shape['shape']}): {size[0]:.4g} mm × {size[1]:.4g} mm"))
+                             label=slider_words(shape, size)))
     stroke = numpy.array(shape["direction"]) / numpy.linalg.norm(shape["direction"]) * shape["stroke"] * 1e3
-    axes.quiver(*start, height + gap + 1.0, *stroke, 0, color=style.INK, linewidth=1.0, arrow_length_ratio=0.06,
+    axes.quiver(*start, height + gap + body, *stroke, 0, color=style.INK, linewidth=1.0, arrow_length_ratio=0.06,
                 clip_on=False)
-    axes.text(*(start + stroke), height + gap + 1.25, f"stroke {shape['stroke'] * 1e3:.4g} mm", fontsize=7.5)
+    axes.text(*(start + stroke), height + gap + body + 0.25, f"stroke {shape['stroke'] * 1e3:.4g} mm", fontsize=7.5)
     axes.plot([high[0]] * 2, [low[1]] * 2, [height, height + gap], color=style.INK, lw=0.8, clip_on=False)
     axes.text(high[0] + 0.2, low[1], height + gap / 2, f"gap {gap:.4g} mm", fontsize=7.5, va="center",
               bbox=style.BEHIND_TEXT)
@@ -92,6 +120,7 @@ def layers(study):
         for layer in study.typical.results.case.get("skin", {}).get("layers", [])]
     if not rows:
         return "the case names no layers"
+    law = study.typical.results.case.get("contact", {}).get("law", "coulomb").capitalize()
     figure = style.canvas(height=2.2, left=0.02, right=0.98, top=0.98, bottom=0.02)
     axes = figure.add_subplot()
     axes.set_axis_off()
@@ -112,7 +141,7 @@ def layers(study):
         height += part
     axes.plot([0, 6], [0, 0], color=style.INK, lw=2.5)
     axes.text(3, -0.12, "held: u = 0", ha="center", va="top", fontsize=7.5)
-    axes.text(3, height + 0.1, "contact with the slider: Coulomb friction", ha="center", va="bottom", fontsize=7.5)
+    axes.text(3, height + 0.1, f"contact with the slider: {law} friction", ha="center", va="bottom", fontsize=7.5)
     total = sum(thickness for *_, thickness in rows)
     axes.text(-0.1, height + 0.1, f"{total * 1e6:.4g} µm in all", ha="right", va="bottom", fontsize=7.5)
     axes.set(xlim=(-1.5, 10.6), ylim=(-0.5, height + 0.5))

@@ -73,6 +73,15 @@ class Readme(DocumentedTest):
             with self.subTest(command):
                 printed, code = self.shell(command)
                 self.assertEqual(code, 0, "\n".join(printed))
+        self.python_page()
+
+    def python_page(self):
+        """The example of the page on Python, on the run and the sweep that the commands left."""
+        example = re.search(r"```python\n(.*?)```", (DOCS / "python.md").read_text(), re.DOTALL)[1]
+        process = subprocess.run(["/usr/bin/python3", "-c", example], cwd=self.folder, capture_output=True, text=True,
+                                 check=False)
+        self.assertEqual(process.returncode, 0, process.stderr)
+        self.assertIn("slide", process.stdout)
 
 
 class Words(DocumentedTest):

@@ -12,7 +12,7 @@ import numpy
 
 from browser import browser_page, chromium
 from ionskin import Results, Study
-from ionskin import claims, compare, gallery, regimes
+from ionskin import claims, compare, figures_fields, gallery, regimes
 from ionskin.report import make_gallery, make_report
 from report_test import write_run
 
@@ -77,6 +77,16 @@ class Figures(SweepTest):
         write_run(self.folder)
         with self.assertRaisesRegex(ValueError, "fig01_model"):
             make_gallery(self.folder, ["fig99"])
+
+
+class ContactStates(unittest.TestCase):
+    def test_a_touchdown_takes_one_step_or_several(self):
+        for last, names in (("touchdown", ["onset_01", "touchdown"]), ("touchdown_10", ["touchdown_09", "touchdown_10"])):
+            file = {"contact": dict.fromkeys(names)}
+            self.assertEqual(figures_fields.touchdown_state(file), last)
+            self.assertEqual(figures_fields.middle_state(file), last)
+        self.assertEqual(figures_fields.middle_state({"contact": {"touchdown": 0, "steady_0": 0, "steady_1": 0, "steady_2": 0}}),
+                         "steady_1")
 
 
 class Regimes(unittest.TestCase):
