@@ -3,6 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/nearest_name.hpp"
+#include "ionskin/readout/charge_relaxation.hpp"
 #include "ionskin/readout/sampling.hpp"
 #include "ionskin/units/unit_system.hpp"
 
@@ -194,22 +195,33 @@ double first_begin(const FitData& data, double start) {
   return std::max(start, data.time[0] - interval);
 }
 
-std::vector<double> quantity(const std::string& column, const electrochemistry::IonSolution& ions) {
+/// Parts of the charges of the two electrodes that a column is made of.
+struct Weights {
+  double top = 0, bottom = 0;
+};
+
+Weights weights(const std::string& column) {
+  if (column == "current_difference") {
+    return {0.5, -0.5};
+  }
+  if (column == "current_common") {
+    return {0.5, 0.5};
+  }
+  return column.ends_with("_bottom") ? Weights{0, 1} : Weights{1, 0};
+}
+
+/// The charge behind a column, or the voltage, at an instant.
+double value_at(const std::string& column, const electrochemistry::IonSolution& ions,
+                double instant) {
   if (column == "voltage") {
-    return ions.voltage;
+    return readout::value_at(ions.time, ions.voltage, instant);
   }
-  const double half = column == "current_difference" || column == "current_common" ? 0.5 : 1.0;
-  const bool bottom = column.ends_with("_bottom");
-  const double top_weight = bottom ? 0.0 : half;
-  const double bottom_weight = bottom                           ? 1.0
-                               : column == "current_difference" ? -half
-                               : column == "current_common"     ? half
-                                                                : 0.0;
-  std::vector<double> charge(ions.time.size());
-  for (std::size_t row = 0; row < charge.size(); ++row) {
-    charge[row] = top_weight * ions.charge_top[row] + bottom_weight * ions.charge_bottom[row];
-  }
-  return charge;
+  const auto [top, bottom] = weights(column);
+  const double relaxed = readout::departure_from_line(
+      ions.time, {ions.relaxation_charge, ions.relaxation_current}, instant);
+  return top * readout::value_at(ions.time, ions.charge_top, instant) +
+         bottom * readout::value_at(ions.time, ions.charge_bottom, instant) +
+         (top - bottom) * relaxed;
 }
 
 } // namespace
@@ -239,8 +251,7 @@ void restrict_to_run(FitData& data, double start, double end) {
 }
 
 std::vector<double> predict(const FitData& data, const electrochemistry::IonSolution& ions) {
-  const std::vector<double> values = quantity(data.column, ions);
-  const auto at = [&](double instant) { return readout::value_at(ions.time, values, instant); };
+  const auto at = [&](double instant) { return value_at(data.column, ions, instant); };
   std::vector<double> result(data.time.size());
   if (!is_current(data)) {
     std::ranges::transform(data.time, result.begin(), at);
