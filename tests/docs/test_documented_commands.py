@@ -76,8 +76,9 @@ class Readme(DocumentedTest):
         self.python_page()
 
     def python_page(self):
-        """The example of the page on Python, on the run and the sweep that the commands left."""
-        example = re.search(r"```python\n(.*?)```", (DOCS / "python.md").read_text(), re.DOTALL)[1]
+        """The example of reading on the page on Python, on the run and the sweep that the commands left."""
+        reading = (DOCS / "python.md").read_text().partition("## Read")[2]
+        example = re.search(r"```python\n(.*?)```", reading, re.DOTALL)[1]
         process = subprocess.run(["/usr/bin/python3", "-c", example], cwd=self.folder, capture_output=True, text=True,
                                  check=False)
         self.assertEqual(process.returncode, 0, process.stderr)
