@@ -32,7 +32,7 @@ check: setup
 	@$(MAKE) --no-print-directory build sanitize
 	@ctest --preset release
 
-# The unit tests once more under the address and undefined-behaviour sanitizers.
+# The unit tests, under the address and undefined-behaviour sanitizers.
 sanitize: setup
 	@cmake --preset sanitize
 	@cmake --build --preset sanitize --target unit_tests --parallel $(JOBS)

@@ -12,10 +12,10 @@ function(ionskin_folder name)
   endif()
 endfunction()
 
-# ionskin_unit_test(FOLDER SOURCES ... DEPENDS ...): one test program per source folder.
+# ionskin_unit_test(FOLDER SOURCES ... DEPENDS ...): one test program per source folder, built by the target unit_tests.
 function(ionskin_unit_test folder)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
-  add_executable(unit_${folder} ${ARG_SOURCES})
+  add_executable(unit_${folder} EXCLUDE_FROM_ALL ${ARG_SOURCES})
   target_link_libraries(unit_${folder} PRIVATE ionskin_flags ${ARG_DEPENDS} GTest::gtest_main)
   # What is tested is optimised; the tests themselves compile in half the time without.
   target_compile_options(unit_${folder} PRIVATE -O0)
