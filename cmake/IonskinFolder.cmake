@@ -9,6 +9,9 @@ function(ionskin_folder name)
   target_link_libraries(ionskin_${name} PUBLIC ionskin_flags ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
   if(ARG_VECTOR)
     target_link_libraries(ionskin_${name} PRIVATE ionskin_vector_flags)
+  elseif(CMAKE_BUILD_TYPE STREQUAL "Release")
+    # No loop here costs a user time; the compiler's does.
+    target_compile_options(ionskin_${name} PRIVATE -O1)
   endif()
 endfunction()
 

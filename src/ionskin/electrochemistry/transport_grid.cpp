@@ -72,7 +72,7 @@ GridResolution grid_resolution(Preset preset) {
   case Preset::coarse:
     return {0.10, 1.20, 1.40, 1.7};
   case Preset::standard:
-    return {0.06, 1.10, 1.40, 1.0 / 0.9};
+    return {0.06, 1.08, 1.40, 1.0 / 0.9};
   case Preset::fine:
     return {0.04, 1.06, 1.18, 0.75};
   }
