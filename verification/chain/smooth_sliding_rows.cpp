@@ -16,9 +16,7 @@ namespace ionskin::verification {
 namespace {
 
 constexpr int fresh_positions = 20;
-/// The norm in the shear measure makes the trend no polynomial; ripple of a period of elements
-/// stays.
-constexpr int trend_degree = 12;
+constexpr int trend_degree = 8;
 
 /// Arc lengths spread over the stroke, none of them a node of the interpolation.
 std::vector<double> fresh_arc_lengths(const Case& input) {
