@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/run_folder.hpp"
 
+#include "ionskin/case/read_text_file.hpp"
 #include "ionskin/results/atomic_file.hpp"
 #include "ionskin/results/output_folder.hpp"
 
@@ -18,6 +19,10 @@ std::string waypoints_text(const Motion& motion) {
                         waypoint.force ? fmt::format("force {}", *waypoint.force) : "");
   }
   return text;
+}
+
+std::string heights_text(const HeightMap& map) {
+  return fmt::format(" heights {} {} {}", map.x, map.y, map.height);
 }
 
 results::ExistingFolder existing_folder(const RunOptions& options) {
@@ -82,8 +87,17 @@ void RunFolder::write_manifest() const {
 }
 
 std::string input_hash(const Case& input) {
-  const bool from_file = !input.motion.file.empty();
-  return results::content_hash(input.text + (from_file ? waypoints_text(input.motion) : ""));
+  std::string text = input.text;
+  if (!input.motion.file.empty()) {
+    text += waypoints_text(input.motion);
+  }
+  if (!input.slider.profile.empty()) {
+    text += heights_text(input.slider.profile_heights);
+  }
+  if (input.strain.kind == StrainSourceKind::file) {
+    text += results::content_hash(read_text_file(input.strain.file, "strain"));
+  }
+  return results::content_hash(text);
 }
 
 std::string mechanics_hash(const Case& input) {
@@ -97,8 +111,7 @@ std::string mechanics_hash(const Case& input) {
   const Slider& slider = input.slider;
   text += fmt::format(" slider {} {} {} {} {}", static_cast<int>(slider.shape), slider.size,
                       slider.start, slider.edge_radius, slider.radius);
-  text += fmt::format(" heights {} {} {}", slider.profile_heights.x, slider.profile_heights.y,
-                      slider.profile_heights.height);
+  text += heights_text(slider.profile_heights);
   text += fmt::format(" motion {} {} {} {} {} {} {} {} {} {}", static_cast<int>(motion.kind),
                       motion.gap, motion.preload, motion.stroke, motion.direction, motion.touchdown,
                       motion.slide, motion.lift, motion.return_, motion.cycles);

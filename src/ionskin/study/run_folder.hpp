@@ -58,7 +58,8 @@ private:
   results::Manifest earlier_;
 };
 
-/// Hash of a case: of its text, and of the waypoints that it takes from a file.
+/// Hash of a case: of its text, and of the waypoints, heights and strain that it takes from files.
+/// Throws UserError when the strain file cannot be read.
 std::string input_hash(const Case& input);
 
 /// Hash of everything that decides Study 1.

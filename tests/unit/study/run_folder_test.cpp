@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 namespace ionskin::study {
 namespace {
 
@@ -51,6 +53,25 @@ TEST(RunFolder, RefusesATakenFolderUnlessTold) {
   EXPECT_THROW(RunFolder(with_text("a"), options), UserError);
   options.overwrite = true;
   EXPECT_NO_THROW(RunFolder(with_text("b"), options));
+}
+
+TEST(RunFolder, InputHashKnowsWhatStandsInTheFilesOfACase) {
+  const results::ScratchFolder scratch;
+  Case input = with_text("profile = 'bumps.csv'");
+  input.slider.profile = "bumps.csv";
+  input.slider.profile_heights = {{0, 1}, {0, 1}, {0, 0, 0, 1e-6}};
+  Case other = input;
+  EXPECT_EQ(input_hash(input), input_hash(other));
+  other.slider.profile_heights.height[3] = 2e-6;
+  EXPECT_NE(input_hash(input), input_hash(other));
+
+  input.strain.kind = StrainSourceKind::file;
+  input.strain.file = (scratch.path() / "strain.h5").string();
+  std::ofstream(input.strain.file) << "one history";
+  const std::string first = input_hash(input);
+  EXPECT_EQ(input_hash(input), first);
+  std::ofstream(input.strain.file) << "another one";
+  EXPECT_NE(input_hash(input), first);
 }
 
 TEST(RunFolder, MechanicsHashKnowsWhatDecidesStudyOne) {
