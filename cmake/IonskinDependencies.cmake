@@ -34,6 +34,8 @@ ionskin_find_library(dep_cholmod cholmod.h cholmod HEADER_PATHS /usr/include/sui
 pkg_check_modules(hdf5 REQUIRED IMPORTED_TARGET hdf5-openmpi)
 add_library(dep_hdf5 INTERFACE IMPORTED)
 target_link_libraries(dep_hdf5 INTERFACE PkgConfig::hdf5)
+# CHOLMOD's own threads are held back through it.
+find_package(OpenMP REQUIRED COMPONENTS CXX)
 pkg_check_modules(openblas REQUIRED IMPORTED_TARGET openblas)
 add_library(dep_openblas INTERFACE IMPORTED)
 target_link_libraries(dep_openblas INTERFACE PkgConfig::openblas)

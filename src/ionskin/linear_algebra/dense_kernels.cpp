@@ -3,6 +3,7 @@
 
 #include <cblas.h>
 #include <f77blas.h>
+#include <omp.h>
 
 namespace ionskin::linear_algebra {
 namespace {
@@ -16,6 +17,8 @@ double* input(const double* values) {
 
 void use_one_thread_per_kernel() {
   openblas_set_num_threads(1);
+  // CHOLMOD would take four OpenMP threads for every loop of a factorisation.
+  omp_set_max_active_levels(0);
 }
 
 void product(bool transpose_a, int m, int n, int k, double alpha, const double* a, int lead_a,

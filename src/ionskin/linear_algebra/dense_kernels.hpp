@@ -7,7 +7,8 @@ namespace ionskin::linear_algebra {
 // through the Fortran interface: programs that link GSL may find its unoptimised CBLAS under the
 // names of OpenBLAS's.
 
-/// One thread per kernel from now on: positions, not kernels, run at the same time.
+/// One thread per kernel of BLAS and CHOLMOD that the calling thread starts from now on: positions,
+/// not kernels, run at the same time.
 void use_one_thread_per_kernel();
 
 /// C := alpha A B + beta C, or alpha A^T B + beta C; C has shape [m, n], the sum runs over k.

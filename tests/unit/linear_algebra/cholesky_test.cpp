@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <iterator>
 #include <numeric>
 #include <thread>
 #include <vector>
@@ -142,6 +144,19 @@ TEST_F(CholeskyOnGrid, indefinite_matrix_is_a_solver_error) {
   const SymbolicCholesky symbolic(graph, trailing_ordering(graph, trailing),
                                   static_cast<int>(trailing.size()));
   EXPECT_THROW(Cholesky(symbolic, values_on(graph, -9)), SolverError);
+}
+
+std::ptrdiff_t threads_of_this_process() {
+  const std::filesystem::directory_iterator tasks("/proc/self/task");
+  return std::distance(begin(tasks), end(tasks));
+}
+
+TEST(Cholesky, a_factorisation_starts_no_threads_of_its_own) {
+  const SymmetricPattern graph = grid_graph(16);
+  const SymbolicCholesky symbolic(graph, trailing_ordering(graph, {}), 0);
+  const auto before = threads_of_this_process();
+  const Cholesky factor(symbolic, values_on(graph, 0));
+  EXPECT_EQ(threads_of_this_process(), before);
 }
 
 } // namespace
