@@ -9,6 +9,7 @@
 #include "ionskin/case/read_case.hpp"
 #include "ionskin/linear_algebra/dense_kernels.hpp"
 #include "ionskin/mechanics/elastic_system.hpp"
+#include "ionskin/mechanics/find_footprint.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
 #include "ionskin/mechanics/unit_response.hpp"
 #include "ionskin/study/mechanics_record.hpp"
@@ -69,8 +70,10 @@ void line(const std::string& name, const std::string& value) {
 void measure_position(const Case& input, double rate) {
   std::unique_ptr<mechanics::SkinModel> model;
   line("numbering and contact cells",
-       fmt::format("{:.2f} s",
-                   seconds_of([&] { model = std::make_unique<mechanics::SkinModel>(input); })));
+       fmt::format("{:.2f} s", seconds_of([&] {
+                     model = std::make_unique<mechanics::SkinModel>(
+                         input, mechanics::find_footprint(input, input.contact.friction));
+                   })));
   line("symbolic analysis, once for all positions",
        fmt::format("{:.2f} s", seconds_of([&] { model->analysis(); })));
   const auto& symbolic = model->analysis().symbolic;
