@@ -30,9 +30,10 @@ check: setup
 	@scripts/check_format.sh
 	@/usr/bin/python3 scripts/check_includes.py
 	@$(MAKE) --no-print-directory build sanitize
+	@cmake --build --preset release --target benchmarks --parallel $(JOBS)
 	@ctest --preset release
 
-# The unit tests, under the address and undefined-behaviour sanitizers.
+# The unit tests, compiled several sources at a time, under the address and undefined-behaviour sanitizers.
 sanitize: setup
 	@cmake --preset sanitize
 	@cmake --build --preset sanitize --target unit_tests --parallel $(JOBS)

@@ -56,6 +56,7 @@ void add_run(CLI::App& app, Command& command) {
   verb->add_option("--only", options->only,
                    "Run one study: electrochemistry takes up finished mechanics")
       ->check(CLI::IsMember({"mechanics", "electrochemistry"}));
+  add_report_option(*verb, options->no_report);
   add_cache_option(*verb, options->use_cache);
   add_log_options(*verb, options->log);
   verb->callback([options, &command] { command = *options; });

@@ -25,6 +25,11 @@ void add_cache_option(CLI::App& verb, bool& use_cache) {
       "(IONSKIN_CACHE, by default ~/.cache/ionskin; see docs/cache.md)");
 }
 
+void add_report_option(CLI::App& verb, bool& no_report) {
+  verb.add_flag("--no-report", no_report,
+                "Leave out figures and report (ionskin report DIR makes them later)");
+}
+
 void add_log_options(CLI::App& verb, LogFormat& log) {
   verb.add_option_function<std::string>(
           "--log",

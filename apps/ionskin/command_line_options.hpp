@@ -14,6 +14,7 @@ namespace ionskin::apps {
 void add_set_option(CLI::App& verb, std::vector<std::string>& edits);
 void add_threads_option(CLI::App& verb, int& threads);
 void add_cache_option(CLI::App& verb, bool& use_cache);
+void add_report_option(CLI::App& verb, bool& no_report);
 void add_log_options(CLI::App& verb, LogFormat& log);
 void add_output_options(CLI::App& verb, std::string& output, bool& overwrite, bool& resume);
 

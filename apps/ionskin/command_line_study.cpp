@@ -43,8 +43,7 @@ void add_sweep(CLI::App& app, Command& command) {
   add_threads_option(*verb, options->threads);
   verb->add_option("--only", options->only, "Run the mechanics alone")
       ->check(CLI::IsMember({"mechanics"}));
-  verb->add_flag("--no-report", options->no_report,
-                 "Leave out figures and report (ionskin report DIR makes them later)");
+  add_report_option(*verb, options->no_report);
   add_cache_option(*verb, options->use_cache);
   add_log_options(*verb, options->log);
   set_when_parsed(*verb, options, command);

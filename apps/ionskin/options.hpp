@@ -23,6 +23,7 @@ struct RunOptions {
   int threads = 0; ///< 0: all processors
   bool overwrite = false;
   bool resume = false;
+  bool no_report = false;
   bool use_cache = true;
   std::string only; ///< "mechanics", "electrochemistry" or empty for both
   LogFormat log = LogFormat::automatic;

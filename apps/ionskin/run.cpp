@@ -66,6 +66,7 @@ int run(const RunOptions& options, const std::string& command) {
     settings.overwrite = options.overwrite;
     settings.resume = options.resume;
     settings.studies = studies(options.only);
+    settings.report = !options.no_report;
     settings.use_cache = options.use_cache;
     settings.command = command;
     settings.progress = [&display](std::string_view activity, double fraction) {

@@ -38,6 +38,10 @@ class ProgramTest(unittest.TestCase):
         self.assertEqual(process.returncode, expect, f"{arguments}\n{process.stdout}\n{process.stderr}")
         return process
 
+    def run_case(self, *arguments, expect=0):
+        """`ionskin run` without the report, whose drawing takes longer than a quick case."""
+        return self.run_program("run", *arguments, "--no-report", expect=expect)
+
     def interrupt_program(self, *arguments, when, how=signal.SIGINT, expect=130):
         """Starts the program, sends a signal once `when()` holds, and asserts the exit code."""
         with subprocess.Popen(

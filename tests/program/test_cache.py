@@ -11,7 +11,7 @@ import numpy
 
 from program import PROGRAM, QUICK, ProgramTest, signals, summary
 
-ARGUMENTS = ("--only", "mechanics", "--quiet", "--set", "numerics.mesh_refinement=0.5")
+ARGUMENTS = ("--only", "mechanics", "--quiet", "--no-report", "--set", "numerics.mesh_refinement=0.5")
 FORCES = ("normal_force", "tangential_force")
 SHEARS = ("mean_shear", "rms_shear", "shear_first_moment")
 
@@ -23,9 +23,6 @@ class Cache(ProgramTest):
     def setUp(self):
         super().setUp()
         os.environ["IONSKIN_CACHE_LIMIT"] = "1 GB"
-        # No reports: drawing them would take longer than everything else here.
-        os.environ["IONSKIN_PYTHON_PATH"] = str(self.folder)
-        self.addCleanup(os.environ.pop, "IONSKIN_PYTHON_PATH")
         self.mechanics("plain", "--no-cache")
         self.assertEqual(self.entries(), [])
 

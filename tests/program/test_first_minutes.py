@@ -85,7 +85,7 @@ class FirstMinutes(ProgramTest):
         self.assertIn("@software", self.run_program("cite").stdout)
 
     def test_json_progress(self):
-        process = self.run_program("run", QUICK, "-o", "out", "--log", "json")
+        process = self.run_case(QUICK, "-o", "out", "--log", "json")
         lines = [json.loads(line) for line in process.stderr.splitlines() if line.startswith("{")]
         self.assertGreater(len(lines), 5)
         self.assertEqual(lines[-1]["fraction"], 1)
@@ -94,23 +94,23 @@ class FirstMinutes(ProgramTest):
 class Physics(ProgramTest):
     def test_no_coupling_no_current(self):
         """C1: zero coupling gives exactly zero current; zero friction does not."""
-        self.run_program("run", QUICK, "-o", "none", "--set", "coupling.coefficient=0")
+        self.run_case(QUICK, "-o", "none", "--set", "coupling.coefficient=0")
         result = signals(self.folder / "none")
         self.assertEqual(abs(result["current_top"]).max(), 0)
         self.assertEqual(abs(result["current_bottom"]).max(), 0)
-        self.run_program("run", QUICK, "-o", "smooth", "--set", "contact.friction=0")
+        self.run_case(QUICK, "-o", "smooth", "--set", "contact.friction=0")
         self.assertGreater(abs(signals(self.folder / "smooth")["current_difference"]).max(), 0)
 
     def test_press_and_hold(self):
         """A zero stroke holds the touchdown state."""
-        self.run_program("run", QUICK, "-o", "out", "--set", "motion.stroke=0 mm")
+        self.run_case(QUICK, "-o", "out", "--set", "motion.stroke=0 mm")
         result = signals(self.folder / "out")
         held = result["normal_force"][result["phase"] == "slide"]
         self.assertLess(abs(held - held[-1]).max(), 1e-9 * held[-1])
 
     def test_stroke_too_short_to_slide(self):
         """A stroke within onset runs, and the friction force stays below its limit while the slider holds."""
-        self.run_program("run", QUICK, "-o", "out", "--set", "motion.stroke=2 um")
+        self.run_case(QUICK, "-o", "out", "--set", "motion.stroke=2 um")
         result = signals(self.folder / "out")
         sliding = result["phase"] == "slide"
         friction = result["tangential_force"][sliding] / result["normal_force"][sliding]
@@ -119,7 +119,7 @@ class Physics(ProgramTest):
 
     def test_threads_do_not_change_the_result(self):
         for threads in (1, 2):
-            self.run_program("run", QUICK, "-o", f"out{threads}", "--threads", threads)
+            self.run_case(QUICK, "-o", f"out{threads}", "--threads", threads)
         one, two = signals(self.folder / "out1"), signals(self.folder / "out2")
         for name in ("current_top", "current_bottom", "normal_force"):
             self.assertLess(abs(one[name] - two[name]).max(), 1e-9 * abs(one[name]).max(), name)

@@ -13,7 +13,7 @@ SMALL = ("--set", "numerics.mesh_refinement=0.5", "--set", "numerics.time_refine
 class Fit(ProgramTest):
     def test_recovers_a_mechanical_key(self):
         os.environ["IONSKIN_CACHE_LIMIT"] = "1 GB"  # the preload leaves the factorised positions as they are
-        self.run_program("run", QUICK, "-o", "truth", *SMALL)
+        self.run_case(QUICK, "-o", "truth", *SMALL)
         process = self.run_program(
             "fit", QUICK, "--data", "truth/sampled.csv", "--column", "current_difference", "-o", "fitted", *SMALL,
             "--free", "motion.preload", "--set", "motion.preload=0.9 um")

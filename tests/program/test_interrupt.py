@@ -21,19 +21,19 @@ class Interrupt(ProgramTest):
         return manifest.get("stages", {}).get(stage, {}).get("state") == "finished"
 
     def assert_resumes_to_the_same(self):
-        self.run_program("run", QUICK, "-o", "out", "--resume")
-        self.run_program("run", QUICK, "-o", "whole")
+        self.run_case(QUICK, "-o", "out", "--resume")
+        self.run_case(QUICK, "-o", "whole")
         resumed, whole = signals(self.folder / "out"), signals(self.folder / "whole")
         for name in ("time", "charge_top", "current_top", "mean_shear", "normal_force"):
             numpy.testing.assert_array_equal(resumed[name], whole[name], name)
 
     def test_during_mechanics(self):
-        self.interrupt_program("run", QUICK, "-o", "out", when=(self.folder / "out" / "case.toml").exists)
+        self.interrupt_program("run", QUICK, "--no-report", "-o", "out", when=(self.folder / "out" / "case.toml").exists)
         self.assertFalse((self.folder / "out" / "signals.csv").exists())
         self.assert_resumes_to_the_same()
 
     def test_during_electrochemistry(self):
-        self.interrupt_program("run", QUICK, "-o", "out", how=signal.SIGTERM,
+        self.interrupt_program("run", QUICK, "--no-report", "-o", "out", how=signal.SIGTERM,
                                when=lambda: self.stage_finished("strain"))
         with h5py.File(self.folder / "out" / "results.h5") as file:
             self.assertTrue(numpy.isfinite(file["strain/gamma"][...]).all())
@@ -41,19 +41,19 @@ class Interrupt(ProgramTest):
         self.assert_resumes_to_the_same()
 
     def test_one_study_after_the_other(self):
-        self.run_program("run", QUICK, "-o", "apart", "--only", "electrochemistry", expect=2)
-        self.run_program("run", QUICK, "-o", "out", "--only", "mechanics")
+        self.run_case(QUICK, "-o", "apart", "--only", "electrochemistry", expect=2)
+        self.run_case(QUICK, "-o", "out", "--only", "mechanics")
         mechanics = signals(self.folder / "out")
         self.assertTrue(numpy.isnan(mechanics["current_top"]).all())
         self.assertGreater(mechanics["normal_force"].max(), 60)
-        self.run_program("run", QUICK, "-o", "out", "--only", "electrochemistry")
-        self.run_program("run", QUICK, "-o", "whole")
+        self.run_case(QUICK, "-o", "out", "--only", "electrochemistry")
+        self.run_case(QUICK, "-o", "whole")
         numpy.testing.assert_array_equal(signals(self.folder / "out")["current_top"],
                                          signals(self.folder / "whole")["current_top"])
 
     def test_solver_that_gives_up_keeps_the_mechanics(self):
         """A fixed charge below zero that only Study 1 reveals: exit 3, the strain is kept."""
-        process = self.run_program("run", QUICK, "-o", "out", "--set", "coupling.coefficient=-40", expect=3)
+        process = self.run_case(QUICK, "-o", "out", "--set", "coupling.coefficient=-40", expect=3)
         for words in ("fixed charge", "remedy"):
             self.assertIn(words, process.stderr)
         with h5py.File(self.folder / "out" / "results.h5") as file:
@@ -62,8 +62,8 @@ class Interrupt(ProgramTest):
         self.assertFalse((self.folder / "out" / "signals.csv").exists())
 
     def test_resume_refuses_another_case(self):
-        self.interrupt_program("run", QUICK, "-o", "out", when=lambda: self.stage_finished("strain"))
-        process = self.run_program("run", QUICK, "-o", "out", "--resume", "--set", "contact.friction=0.1",
+        self.interrupt_program("run", QUICK, "--no-report", "-o", "out", when=lambda: self.stage_finished("strain"))
+        process = self.run_case(QUICK, "-o", "out", "--resume", "--set", "contact.friction=0.1",
                                    expect=2)
         self.assertIn("--overwrite", process.stderr)
 

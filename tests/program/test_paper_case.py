@@ -24,7 +24,7 @@ class PaperCase(ProgramTest):
     def test_reference_values(self):
         for friction, (touch_force, touch_shear, slide_force, slide_shear) in REFERENCE.items():
             with self.subTest(friction=friction):
-                self.run_program("run", PAPER, "-o", f"out{friction}", "--set", f"contact.friction={friction}")
+                self.run_case(PAPER, "-o", f"out{friction}", "--set", f"contact.friction={friction}")
                 out = self.folder / f"out{friction}"
                 self.assert_within(metric(out, "normal_force_touchdown"), *touch_force)
                 self.assert_within(metric(out, "mean_shear_touchdown"), touch_shear, touch_shear)

@@ -23,7 +23,7 @@ class Readouts(ProgramTest):
 
     def read_out(self, name, *edits):
         options = [option for edit in edits for option in ("--set", edit)]
-        self.run_program("run", QUICK, "-o", name, "--set", "strain.source=file", "--set",
+        self.run_case(QUICK, "-o", name, "--set", "strain.source=file", "--set",
                          f'strain.file="{self.strain}"', *options)
         out = self.folder / name
         self.assertLess(metric(out, "charge_identity_error"), 1e-9)

@@ -33,7 +33,7 @@ BOUNDS = {
 
 class QuickCase(ProgramTest):
     def test_figures(self):
-        self.run_program("run", QUICK, "-o", "out")
+        self.run_case(QUICK, "-o", "out")
         out = self.folder / "out"
         for name, (expected, tolerance) in FIGURES.items():
             with self.subTest(name):

@@ -17,7 +17,7 @@ RATIO = 136.244  # h / (2 lambda)
 class StrainFile(ProgramTest):
     def run_on(self, strain, *edits, out="out"):
         options = [option for edit in edits for option in ("--set", edit)]
-        self.run_program("run", QUICK, "-o", out, "--set", "strain.source=file", "--set",
+        self.run_case(QUICK, "-o", out, "--set", "strain.source=file", "--set",
                          f'strain.file="{strain}"', *options)
         return signals(self.folder / out)
 
@@ -25,7 +25,7 @@ class StrainFile(ProgramTest):
         subprocess.run(["/usr/bin/python3", ROOT / "cases" / "make_strain.py"], cwd=self.folder, check=True)
         script_case = ROOT / "cases" / "strain_file.toml"
         strain = next(self.folder.glob("*.h5"))
-        self.run_program("run", script_case, "-o", "out", "--set", f'strain.file="{strain}"')
+        self.run_case(script_case, "-o", "out", "--set", f'strain.file="{strain}"')
         result = signals(self.folder / "out")
         self.assertGreater(numpy.abs(result["current_difference"]).max(), 0)
         self.assertTrue(numpy.isnan(result["normal_force"]).all())
@@ -55,7 +55,7 @@ class StrainFile(ProgramTest):
         numpy.testing.assert_array_less(error, [1e-2, 5e-3, 5e-3, 5e-3, 5e-3])
 
     def test_own_history_gives_the_same_currents(self):
-        self.run_program("run", QUICK, "-o", "contact")
+        self.run_case(QUICK, "-o", "contact")
         contact = signals(self.folder / "contact")
         again = self.run_on(self.folder / "contact" / "results.h5")
         numpy.testing.assert_array_equal(again["time"], contact["time"])

@@ -24,7 +24,7 @@ class StrongCoupling(ProgramTest):
 
     def run_on(self, out, *edits, expect=0):
         options = [option for edit in edits for option in ("--set", edit)]
-        return self.run_program("run", QUICK, "-o", out, "--set", "strain.source=file", "--set",
+        return self.run_case(QUICK, "-o", out, "--set", "strain.source=file", "--set",
                                 f'strain.file="{self.strain}"', *options, expect=expect)
 
     def test_neutral_laws_at_full_strength(self):

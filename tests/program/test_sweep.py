@@ -46,7 +46,7 @@ class Sweep(ProgramTest):
         self.run_program(*SWEEP, "--resume")
         self.assert_same_tables(self.folder / "out", self.folder / "whole")
         self.assertEqual([row["status"] for row in rows(self.folder / "out")], ["finished"] * 2)
-        self.run_program("run", QUICK, "-o", "single", *SMALL, "--set", "contact.friction=0.4")
+        self.run_case(QUICK, "-o", "single", *SMALL, "--set", "contact.friction=0.4")
         swept = signals(self.folder / "out" / "points" / "0002_friction=0.4")
         single = signals(self.folder / "single")
         for name in ("normal_force", "mean_shear", "current_top"):
@@ -93,7 +93,7 @@ class Sweep(ProgramTest):
         good, bad = rows(self.folder / "out")
         self.assertEqual((good["status"], bad["status"]), ("finished", "failed"))
         self.assertIn("fixed charge", bad["reason"])
-        self.run_program("run", QUICK, "-o", "single", *SMALL)
+        self.run_case(QUICK, "-o", "single", *SMALL)
         self.assertAlmostEqual(float(good["rms_current_difference [A]"]),
                                metric(self.folder / "single", "rms_current_difference"), delta=1e-15)
         self.run_program(*sweep[:-1], "coupling.coefficient=-40", "-o", "none", expect=3)

@@ -16,11 +16,11 @@ namespace {
 constexpr int cells_per_element_edge = 1;
 
 std::vector<ElasticLaw> laws_of_rows(const Skin& skin, const mesh::SkinMesh& mesh) {
-  std::vector<ElasticLaw> laws;
+  std::vector<ElasticLaw> law_of_row;
   for (const std::size_t layer : mesh.layer_of_row()) {
-    laws.push_back(isotropic_elasticity(skin.layers[layer].material));
+    law_of_row.push_back(isotropic_elasticity(skin.layers[layer].material));
   }
-  return laws;
+  return law_of_row;
 }
 
 /// Factors that are held at the same time, within the memory meant for them.

@@ -35,6 +35,7 @@ std::vector<SolvedMechanics> solve_mechanics(const Case& input,
                                              const std::vector<double>& frictions,
                                              const mechanics::ContactOptions& options,
                                              base::Timers& timers) {
+  options.progress("mechanics", 0.0);
   std::string problem;
   Solutions companions;
   {

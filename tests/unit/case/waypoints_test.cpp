@@ -51,12 +51,12 @@ TEST(Waypoints, AreReadFromTheCase) {
   EXPECT_EQ(input.motion.cycle_duration(), 2);
 }
 
-struct Mistake {
+struct WrongPath {
   std::string from, to, message;
 };
 
 TEST(Waypoints, MistakesAreSaid) {
-  const Mistake mistakes[] = {
+  const WrongPath mistakes[] = {
       {"height = \"1 mm\"", "height = \"-1 um\"", "touches the skin from the start"},
       {"height = \"1 mm\"", "", "waypoint 1 has neither height nor force"},
       {"force = \"2 N\"", "force = \"2 N\"\nheight = \"0 mm\"", "both a height and a force"},
@@ -68,7 +68,7 @@ TEST(Waypoints, MistakesAreSaid) {
       {"kind = \"waypoints\"", "kind = \"waypoints\"\ncycles = 2", "does not end where it begins"},
       {"kind = \"waypoints\"", "kind = \"waypoints\"\nstroke = \"1 mm\"", "stroke has no effect"},
       {"height = \"1 mm\"", "heigth = \"1 mm\"", "did you mean motion.waypoints[0].height"}};
-  for (const Mistake& mistake : mistakes)
+  for (const WrongPath& mistake : mistakes)
     EXPECT_THAT(error_of(with_motion(replaced(path, mistake.from, mistake.to))),
                 HasSubstr(mistake.message));
   EXPECT_THAT(error_of(with_motion("[motion]\nkind = \"waypoints\"\n")),
