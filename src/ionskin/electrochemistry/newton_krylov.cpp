@@ -15,6 +15,8 @@ constexpr int krylov_limit = 80;
 constexpr double smallest_step_length = 1.0 / 256.0;
 /// Smallest share of a concentration that one step leaves.
 constexpr double depletion_limit = 0.1;
+/// Contraction of corrections by defects beyond which they give way to Newton's method.
+constexpr double slowest_contraction = 0.2;
 /// Krylov iterations in one correction beyond which the preconditioner is renewed.
 constexpr int patience = 12;
 
@@ -53,6 +55,7 @@ void NewtonKrylov::damp(std::span<double> change) {
 double NewtonKrylov::precondition_residual(const StageProblem& problem, const IonState& state) {
   equations_.residual(problem, state, residual_);
   preconditioner_.apply(problem.circuit, residual_, defect_);
+  ++counters_.newton_iterations;
   return vectors_.norm(defect_);
 }
 
@@ -67,10 +70,14 @@ double NewtonKrylov::allowed_error(const StageProblem& problem, const IonState& 
 
 bool NewtonKrylov::solve(const StageProblem& problem, IonState& state) {
   const double allowed = allowed_error(problem, state);
-  precondition_residual(problem, state);
+  if (!std::isfinite(precondition_residual(problem, state))) {
+    return false;
+  }
+  if (correct_by_defects(problem, state, allowed)) {
+    return true;
+  }
   bool renew = false;
   for (int iteration = 0; iteration < newton_limit; ++iteration) {
-    ++counters_.newton_iterations;
     if (renew) {
       prepare(state, problem.step);
       precondition_residual(problem, state);
@@ -80,10 +87,7 @@ bool NewtonKrylov::solve(const StageProblem& problem, IonState& state) {
       return false;
     }
     if (error <= allowed) {
-      // The defect itself is a nearly exact correction, already paid for.
-      step(state, 1.0, defect_, trial_);
-      std::swap(state.values, trial_.values);
-      exact_average_.correct(problem, state);
+      finish(problem, state);
       return true;
     }
     const int iterations =
@@ -96,6 +100,34 @@ bool NewtonKrylov::solve(const StageProblem& problem, IonState& state) {
     renew = !reduced || iterations > patience;
   }
   return false;
+}
+
+bool NewtonKrylov::correct_by_defects(const StageProblem& problem, IonState& state,
+                                      double allowed) {
+  double error = vectors_.largest_magnitude(defect_);
+  double contraction = 1.0; // not known yet
+  while (contraction * error > allowed) {
+    step(state, 1.0, defect_, trial_);
+    std::swap(defect_, correction_);
+    const bool finite = std::isfinite(precondition_residual(problem, trial_));
+    const double left = vectors_.largest_magnitude(defect_);
+    if (!finite || left > slowest_contraction * error) {
+      std::swap(defect_, correction_); // of the state as it was
+      return false;
+    }
+    std::swap(state.values, trial_.values);
+    contraction = left / error;
+    error = left;
+  }
+  finish(problem, state);
+  return true;
+}
+
+/// The defect is a nearly exact correction, already paid for.
+void NewtonKrylov::finish(const StageProblem& problem, IonState& state) {
+  step(state, 1.0, defect_, trial_);
+  std::swap(state.values, trial_.values);
+  exact_average_.correct(problem, state);
 }
 
 int NewtonKrylov::solve_linearised(const StageProblem& problem, const IonState& state,

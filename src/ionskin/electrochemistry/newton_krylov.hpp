@@ -16,11 +16,13 @@ struct SolverCounters {
   std::size_t newton_iterations = 0, krylov_iterations = 0, preconditioner_setups = 0;
 };
 
-/// Solves one implicit stage by Newton's method with GMRES for the corrections. Residuals are
-/// measured after preconditioning, that is as errors of the scaled unknowns. The step must reduce
-/// the residual (natural monotonicity test: Deuflhard 2011, doi 10.1007/978-3-642-23899-4), and
-/// where it would take away more than 90 % of a concentration, that concentration's own step is
-/// shortened: c stays positive on the way, and what is accepted satisfies the equations.
+/// Solves one implicit stage by simplified Newton's method, whose matrix is the preconditioner, as
+/// long as that contracts fast, and else by Newton's method with GMRES for the corrections.
+/// Residuals are measured after preconditioning, that is as errors of the scaled unknowns. A step
+/// must reduce the residual (natural monotonicity test: Deuflhard 2011,
+/// doi 10.1007/978-3-642-23899-4), and where it would take away more than 90 % of a concentration,
+/// that concentration's own step is shortened: c stays positive on the way, and what is accepted
+/// satisfies the equations.
 class NewtonKrylov {
 public:
   /// @param tolerance error allowed in the unknowns, against the largest departure from the state
@@ -50,6 +52,9 @@ private:
   double allowed_error(const StageProblem& problem, const IonState& state);
   void step(const IonState& state, double length, std::span<const double> correction,
             IonState& out);
+  /// Simplified Newton's method from the state's defect on; `state` solves the stage when true.
+  bool correct_by_defects(const StageProblem& problem, IonState& state, double allowed);
+  void finish(const StageProblem& problem, IonState& state);
   bool search(const StageProblem& problem, IonState& state);
   /// Sets the correction; returns the number of Krylov iterations.
   int solve_linearised(const StageProblem& problem, const IonState& state, double reduction);
