@@ -65,7 +65,7 @@ public:
         team_(useful_threads(options.threads, scaled_)),
         solver_(scaled_, newton_tolerance(control_.tolerance()), team_),
         integrator_(
-            scaled_, scales_, fixed_charge_, options.potentials, solver_,
+            scaled_, scales_, fixed_charge_, options.potentials, solver_, team_,
             circuit_conductance(input.readout, scales_, input.skin.length * input.skin.width)),
         rows_(input, scales_, grid_, mirror_, scaled_, fixed_charge_, control_.landings().time,
               options.snapshot_times) {}

@@ -25,25 +25,33 @@ constexpr double rounding = 2e-16;
 /// Share of a concentration that a guess must leave.
 constexpr double depletion_limit = 0.3;
 
+constexpr std::size_t nodes_per_block = 1024;
+
 } // namespace
 
 TimeIntegrator::TimeIntegrator(const ScaledGrid& grid, const DerivedScales& scales,
                                FixedCharge& fixed_charge, ElectrodePotentials potentials,
-                               NewtonKrylov& solver, std::optional<double> conductance)
+                               NewtonKrylov& solver, WorkerTeam& team,
+                               std::optional<double> conductance)
     : grid_(grid), scales_(scales), fixed_charge_(fixed_charge), potentials_(std::move(potentials)),
-      solver_(solver), conductance_(conductance), terminals_(grid), charge_norm_(grid),
+      solver_(solver), team_(team), conductance_(conductance), terminals_(grid), charge_norm_(grid),
       resting_amount_(ExactAverage::total(grid, std::vector<double>(grid.nodes(), 1.0))),
       settled_(grid.nodes()), start_(grid.nodes()), stage_rate_(grid.nodes()),
       end_rate_(grid.nodes()), stage_(grid.nodes()), end_(grid.nodes()) {}
 
-double TimeIntegrator::released(std::size_t node) const {
-  return fixed_charge_.releases_ions() ? fixed_charge_.ratio()[node] - 1.0 : 0.0;
+template <class Body> void TimeIntegrator::for_nodes(const Body& body) const {
+  const bool releases = fixed_charge_.releases_ions();
+  const auto& ratio = fixed_charge_.ratio();
+  team_.for_blocks(grid_.nodes(), nodes_per_block,
+                   [&](std::size_t begin, std::size_t end, std::size_t) {
+                     for (std::size_t i = begin; i < end; ++i) {
+                       body(i, releases ? ratio[i] - 1.0 : 0.0);
+                     }
+                   });
 }
 
 void TimeIntegrator::settle(const IonState& ions) {
-  for (std::size_t i = 0; i < settled_.size(); ++i) {
-    settled_[i] = ions.values[i] - released(i);
-  }
+  for_nodes([&](std::size_t i, double released) { settled_[i] = ions.values[i] - released; });
   settled_charge_ = terminals_.polarisation(ions.concentration(), fixed_charge_.ratio()) +
                     voltage(ions) / grid_.thickness;
 }
@@ -66,9 +74,7 @@ StageProblem TimeIntegrator::problem_at(double time) {
   fixed_charge_.evaluate(time);
   double ion_amount = resting_amount_;
   if (fixed_charge_.releases_ions()) {
-    for (std::size_t i = 0; i < start_.size(); ++i) {
-      start_[i] += released(i);
-    }
+    for_nodes([&](std::size_t i, double released) { start_[i] += released; });
     ion_amount = ExactAverage::total(grid_, fixed_charge_.ratio());
   }
   return {start_,
@@ -108,21 +114,17 @@ std::optional<double> TimeIntegrator::try_step(double begin, double end,
   length_ = (end - begin) / scales_.relaxation_time;
   implicit_ = diagonal * length_;
   solver_.prepare(state.ions, implicit_);
-  const std::size_t nodes = grid_.nodes();
-
-  for (std::size_t i = 0; i < nodes; ++i) {
-    start_[i] = settled_[i] + implicit_ * state.rate[i];
-  }
+  for_nodes([&](std::size_t i, double) { start_[i] = settled_[i] + implicit_ * state.rate[i]; });
   start_charge_ = settled_charge_ + implicit_ * charge_rate(state.ions);
   const StageProblem at_stage = problem_at(begin + stage_fraction * (end - begin));
   guess_stage(state);
   if (!solver_.solve(at_stage, stage_)) {
     return std::nullopt;
   }
-  for (std::size_t i = 0; i < nodes; ++i) {
+  for_nodes([&](std::size_t i, double) {
     stage_rate_[i] = (stage_.values[i] - start_[i]) / implicit_;
     start_[i] = settled_[i] + weight * length_ * (state.rate[i] + stage_rate_[i]);
-  }
+  });
   start_charge_ =
       settled_charge_ + weight * length_ * (charge_rate(state.ions) + charge_rate(stage_));
   const StageProblem at_end = problem_at(end);
@@ -130,9 +132,8 @@ std::optional<double> TimeIntegrator::try_step(double begin, double end,
   if (!solver_.solve(at_end, end_)) {
     return std::nullopt;
   }
-  for (std::size_t i = 0; i < nodes; ++i) {
-    end_rate_[i] = (end_.values[i] - start_[i]) / implicit_;
-  }
+  for_nodes(
+      [&](std::size_t i, double) { end_rate_[i] = (end_.values[i] - start_[i]) / implicit_; });
   return charge_error(state);
 }
 
@@ -140,12 +141,11 @@ std::optional<double> TimeIntegrator::try_step(double begin, double end,
 void TimeIntegrator::guess_stage(const TransportState& state) {
   const std::size_t nodes = grid_.nodes();
   const double ahead = stage_fraction * length_;
-  for (std::size_t i = 0; i < nodes; ++i) {
-    stage_.values[i] = settled_[i] + released(i) + ahead * state.rate[i];
-  }
-  for (std::size_t i = nodes; i < 2 * nodes; ++i) {
-    stage_.values[i] = state.ions.values[i] + ahead * state.rate[i];
-  }
+  for_nodes([&](std::size_t i, double released) {
+    const std::size_t p = nodes + i;
+    stage_.values[i] = settled_[i] + released + ahead * state.rate[i];
+    stage_.values[p] = state.ions.values[p] + ahead * state.rate[p];
+  });
   keep_positive(state.ions, stage_);
 }
 
@@ -154,32 +154,32 @@ void TimeIntegrator::guess_stage(const TransportState& state) {
 void TimeIntegrator::guess_end(const TransportState& state) {
   const std::size_t nodes = grid_.nodes();
   constexpr double ratio = 1.0 / stage_fraction;
-  for (std::size_t i = 0; i < nodes; ++i) {
+  for_nodes([&](std::size_t i, double released) {
+    const std::size_t p = nodes + i;
     const double slope = length_ * state.rate[i];
     const double change = implicit_ * (state.rate[i] + stage_rate_[i]); // until the stage
     end_.values[i] =
-        settled_[i] + released(i) + slope + ratio * ratio * (change - stage_fraction * slope);
-  }
-  for (std::size_t i = nodes; i < 2 * nodes; ++i) {
-    end_.values[i] = state.ions.values[i] + ratio * (stage_.values[i] - state.ions.values[i]);
-  }
+        settled_[i] + released + slope + ratio * ratio * (change - stage_fraction * slope);
+    end_.values[p] = state.ions.values[p] + ratio * (stage_.values[p] - state.ions.values[p]);
+  });
   keep_positive(stage_, end_);
 }
 
 void TimeIntegrator::keep_positive(const IonState& safe, IonState& guess) {
+  std::size_t depleted = 0;
   for (std::size_t i = 0; i < guess.nodes(); ++i) {
-    if (!(guess.values[i] > depletion_limit * safe.values[i])) {
-      guess.values = safe.values;
-      return;
-    }
+    depleted += guess.values[i] > depletion_limit * safe.values[i] ? 0 : 1;
+  }
+  if (depleted > 0) {
+    guess.values = safe.values;
   }
 }
 
 double TimeIntegrator::charge_error(const TransportState& state) {
-  for (std::size_t i = 0; i < start_.size(); ++i) {
+  for_nodes([&](std::size_t i, double) {
     start_[i] = length_ * (error_of_begin * state.rate[i] + error_of_stage * stage_rate_[i] +
                            error_of_end * end_rate_[i]);
-  }
+  });
   const double passed =
       length_ * (error_of_begin * charge_rate(state.ions) + error_of_stage * charge_rate(stage_) +
                  error_of_end * charge_rate(end_));
@@ -193,14 +193,15 @@ double TimeIntegrator::charge_error(const TransportState& state) {
 
 void TimeIntegrator::accept(TransportState& state) {
   const std::size_t nodes = grid_.nodes();
-  std::ranges::copy(end_rate_, state.rate.begin());
   // Slope of the parabola through begin, stage and end.
   constexpr double rest = 1.0 - stage_fraction;
-  for (std::size_t i = nodes; i < 2 * nodes; ++i) {
-    const double late = (end_.values[i] - stage_.values[i]) / (rest * length_);
-    const double early = (stage_.values[i] - state.ions.values[i]) / (stage_fraction * length_);
-    state.rate[i] = late + rest * (late - early);
-  }
+  for_nodes([&](std::size_t i, double) {
+    const std::size_t p = nodes + i;
+    const double late = (end_.values[p] - stage_.values[p]) / (rest * length_);
+    const double early = (stage_.values[p] - state.ions.values[p]) / (stage_fraction * length_);
+    state.rate[i] = end_rate_[i];
+    state.rate[p] = late + rest * (late - early);
+  });
   std::swap(state.ions.values, end_.values);
   settle(state.ions);
   note_charge(state);

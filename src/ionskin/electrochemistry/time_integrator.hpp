@@ -31,7 +31,7 @@ public:
   /// @param conductance of the circuit between the electrodes, see `circuit_conductance`; without
   ///   it the potentials are given
   TimeIntegrator(const ScaledGrid& grid, const DerivedScales& scales, FixedCharge& fixed_charge,
-                 ElectrodePotentials potentials, NewtonKrylov& solver,
+                 ElectrodePotentials potentials, NewtonKrylov& solver, WorkerTeam& team,
                  std::optional<double> conductance = std::nullopt);
 
   /// The response at the first instant: ions where they were, phi from Poisson's equation.
@@ -58,7 +58,8 @@ private:
   double charge_rate(const IonState& ions) const;
   /// Keeps the concentration that a step starts from, without the released ions.
   void settle(const IonState& ions);
-  double released(std::size_t node) const;
+  /// Calls `body(node, released)` for every node, with the ions released there so far.
+  template <class Body> void for_nodes(const Body& body) const;
   StageProblem problem_at(double time);
   void guess_stage(const TransportState& state);
   void guess_end(const TransportState& state);
@@ -71,6 +72,7 @@ private:
   FixedCharge& fixed_charge_;
   ElectrodePotentials potentials_;
   NewtonKrylov& solver_;
+  WorkerTeam& team_;
   std::optional<double> conductance_;
   TerminalVoltage terminals_;
   ChargeNorm charge_norm_;

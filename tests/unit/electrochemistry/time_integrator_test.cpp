@@ -16,7 +16,7 @@ namespace {
 class SingleColumn : public testing::Test {
 protected:
   TransportState run(const ElectrodePotentials& potentials, double duration, int steps) {
-    TimeIntegrator integrator(grid, scales, fixed_charge, potentials, solver);
+    TimeIntegrator integrator(grid, scales, fixed_charge, potentials, solver, team);
     TransportState state;
     integrator.initialise(0.0, state);
     for (int i = 0; i < steps; ++i) {
@@ -82,7 +82,7 @@ TEST_F(SingleColumn, ErrorEstimateIsOfThirdOrder) {
 TEST_F(SingleColumn, TellsWhereNewtonFindsNoSolution) {
   ElectrodePotentials nonsense;
   nonsense.top = [](double time) { return time > 0.5 ? std::nan("") : 0.0; };
-  TimeIntegrator integrator(grid, scales, fixed_charge, nonsense, solver);
+  TimeIntegrator integrator(grid, scales, fixed_charge, nonsense, solver, team);
   TransportState state;
   integrator.initialise(0.0, state);
   EXPECT_FALSE(integrator.try_step(0.0, 1.0, state));
