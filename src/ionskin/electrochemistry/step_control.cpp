@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/electrochemistry/step_control.hpp"
 
+#include "ionskin/base/error.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +11,7 @@ namespace {
 
 /// Share of the length at which the error would be just allowed.
 constexpr double safety = 0.85;
-constexpr double largest_growth = 4.0, smallest_shrinkage = 0.1;
+constexpr double smallest_shrinkage = 0.1;
 
 /// Factor on a step's length that brings its error of third order to what is allowed.
 double ideal_factor(double error) {
@@ -18,8 +20,19 @@ double ideal_factor(double error) {
 
 constexpr double longest_step = 0.2; // [s]
 
-/// Growth that steps keep up behind events, as it was measured on the baseline; for estimates.
-constexpr double usual_growth = 2.5;
+/// Growth of the steps behind an event, where the first currents are small beside the charge that
+/// the error is measured against: it, not the error, resolves them.
+double growth(Preset preset) {
+  switch (preset) {
+  case Preset::coarse:
+    return 3.0;
+  case Preset::standard:
+    return 2.0;
+  case Preset::fine:
+    return 1.4;
+  }
+  throw InternalError("unknown preset");
+}
 
 } // namespace
 
@@ -30,9 +43,9 @@ double preset_tolerance(Preset preset) {
   case Preset::standard:
     return 5e-5;
   case Preset::fine:
-    return 3e-6;
+    return 1.5e-6;
   }
-  return 3e-6;
+  throw InternalError("unknown preset");
 }
 
 StepRule step_rule(const Numerics& numerics, const DerivedScales& scales) {
@@ -41,7 +54,7 @@ StepRule step_rule(const Numerics& numerics, const DerivedScales& scales) {
       numerics.time_tolerance > 0.0 ? numerics.time_tolerance : preset_tolerance(numerics.preset);
   return {tolerance / (refinement * refinement * refinement),
           std::min(1e-5, scales.slow_time / 1000.0) / refinement, longest_step / refinement,
-          1e-9 * scales.relaxation_time};
+          1e-9 * scales.relaxation_time, std::pow(growth(numerics.preset), 1.0 / refinement)};
 }
 
 bool StepControl::has_landed(const std::vector<double>& ends) const {
@@ -69,7 +82,7 @@ double StepControl::after_success(double begin, double end, double wanted, doubl
     return rule_.first;
   }
   const double length = end - begin;
-  const double next = length * std::clamp(ideal_factor(error), smallest_shrinkage, largest_growth);
+  const double next = length * std::clamp(ideal_factor(error), smallest_shrinkage, rule_.growth);
   // A step cut short by a landing says little against a longer one.
   return next >= length ? std::max(next, std::min(wanted, rule_.longest)) : next;
 }
@@ -84,7 +97,7 @@ std::size_t estimate_steps(const StepLandings& landings, const StepRule& rule) {
     double rest = landings.time[i] - landings.time[i - 1];
     while (rest > 0.0) {
       rest -= step;
-      step = std::min(step * usual_growth, rule.longest);
+      step = std::min(step * rule.growth, rule.longest);
       steps += 1.0;
     }
     if (landings.is_event[i]) {

@@ -17,6 +17,7 @@ struct StepRule {
   double first = 0;     ///< first trial after an event [s]
   double longest = 0;   ///< [s]
   double shortest = 0;  ///< below it the solver gives up [s]
+  double growth = 0;    ///< of a step over the one before it, at most
 };
 
 /// The rule for a case: the tolerance is the user's or the preset's; after events a first step of

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t fewest_x = 24, most_x = 150, fewest_y = 8, most_y = 40;
 
 /// Thickness of the part at each wall that grows with `layer_growth` [Debye lengths].
-constexpr double layer_thickness = 2.5;
+constexpr double layer_thickness = 1.0;
 
 /// Terms of first, first q, first q^2, ... that are needed to reach a sum.
 std::size_t terms_to_reach(double sum, double first, double ratio) {
@@ -51,9 +51,16 @@ std::vector<double> half_spacings(double half, const GridResolution& resolution)
     spacings.push_back(spacing);
     reached += spacing;
   }
+  double growth = resolution.layer_growth;
+  const auto accelerate = [&] {
+    growth = std::min(1.0 + resolution.acceleration * (growth - 1.0), resolution.bulk_growth);
+  };
+  for (accelerate(); growth < resolution.bulk_growth && reached < 0.5 * half; accelerate()) {
+    spacings.push_back(growth * spacings.back());
+    reached += spacings.back();
+  }
   const double rest = half - reached, last = spacings.back();
-  append_fitted(spacings, last, rest,
-                terms_to_reach(rest, last * resolution.bulk_growth, resolution.bulk_growth));
+  append_fitted(spacings, last, rest, terms_to_reach(rest, last * growth, growth));
   return spacings;
 }
 
@@ -68,19 +75,25 @@ std::vector<double> uniform_edges(double length, std::size_t count) {
 } // namespace
 
 GridResolution grid_resolution(Preset preset) {
+  const auto preset_of = [](double refinement, double column_width) {
+    GridResolution resolution = refined({0.06, 1.04, 1.2, 1.6, column_width}, refinement);
+    resolution.column_width = column_width;
+    return resolution;
+  };
   switch (preset) {
   case Preset::coarse:
-    return {0.10, 1.20, 1.40, 1.7};
+    return preset_of(0.6, 1.7);
   case Preset::standard:
-    return {0.06, 1.08, 1.40, 1.0 / 0.9};
+    return preset_of(1.0, 1.0 / 0.9);
   case Preset::fine:
-    return {0.04, 1.06, 1.18, 0.75};
+    return preset_of(2.8, 0.75);
   }
   throw InternalError("unknown preset");
 }
 
 GridResolution refined(const GridResolution& resolution, double refinement) {
   return {resolution.wall_cell / refinement, 1.0 + (resolution.layer_growth - 1.0) / refinement,
+          std::pow(resolution.acceleration, 1.0 / refinement),
           1.0 + (resolution.bulk_growth - 1.0) / refinement, resolution.column_width / refinement};
 }
 

@@ -13,18 +13,21 @@ namespace ionskin::electrochemistry {
 /// How fine the transport grid is.
 struct GridResolution {
   double wall_cell = 0;    ///< first spacing at each wall [Debye lengths]
-  double layer_growth = 0; ///< ratio of neighbouring spacings in the double layers
-  double bulk_growth = 0;  ///< the same from there to the middle, at most
+  double layer_growth = 0; ///< ratio of neighbouring spacings within a Debye length of the walls
+  double acceleration = 0; ///< factor on the excess of that ratio over 1 from level to level behind
+  double bulk_growth = 0;  ///< where the ratio stops to grow
   double column_width = 0; ///< lateral columns [core thicknesses]
 };
 
+/// The presets grade the levels alike: each is the standard one refined.
 GridResolution grid_resolution(Preset preset);
 
-/// Every spacing divided by a factor, ratios of neighbours brought nearer to 1 accordingly.
+/// The same grading with every spacing divided by a factor.
 GridResolution refined(const GridResolution& resolution, double refinement);
 
-/// Nodes from 0 to `thickness` [m], symmetric: spacings geometric from both walls, slowly within
-/// the double layers and faster behind them; uniform where the core is but a few wall cells thick.
+/// Nodes from 0 to `thickness` [m], symmetric: spacings grow slowly within a Debye length of both
+/// walls, where currents change fastest after an event, and faster and faster behind; uniform where
+/// the core is but a few wall cells thick.
 std::vector<double> graded_nodes(double thickness, double debye_length,
                                  const GridResolution& resolution);
 

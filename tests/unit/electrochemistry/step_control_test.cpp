@@ -10,7 +10,7 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-const StepControl control{{{0.0, 1.0, 3.0}, {true, true, false}}, {1e-4, 1e-5, 0.5, 1e-12}};
+const StepControl control{{{0.0, 1.0, 3.0}, {true, true, false}}, {1e-4, 1e-5, 0.5, 1e-12, 4.0}};
 
 TEST(StepControl, LandsWithoutSlivers) {
   EXPECT_DOUBLE_EQ(control.step_end(0.2, 0.1), 0.3);
@@ -49,6 +49,7 @@ TEST(StepRule, RefinementDividesStepsOfThirdOrder) {
   EXPECT_DOUBLE_EQ(twice.tolerance, once.tolerance / 8.0);
   EXPECT_DOUBLE_EQ(twice.first, 0.5 * once.first);
   EXPECT_DOUBLE_EQ(twice.longest, 0.5 * once.longest);
+  EXPECT_DOUBLE_EQ(twice.growth, std::sqrt(once.growth));
   EXPECT_DOUBLE_EQ(step_rule({Preset::fine, 1.0, 1.0, 0.01}, scales).tolerance, 0.01);
 }
 
