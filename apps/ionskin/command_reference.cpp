@@ -2,10 +2,9 @@
 #include "command_reference.hpp"
 
 #include "command_line_options.hpp"
+#include "ionskin/base/text.hpp"
 
 #include <CLI/CLI.hpp>
-
-#include <sstream>
 
 namespace ionskin::apps {
 namespace {
@@ -16,12 +15,7 @@ std::vector<std::string> choices_of(const std::string& type) {
   if (open == std::string::npos) {
     return {};
   }
-  std::istringstream words(type.substr(open + 2, type.rfind('}') - open - 2));
-  std::vector<std::string> choices;
-  for (std::string word; std::getline(words, word, ',');) {
-    choices.push_back(word);
-  }
-  return choices;
+  return base::split(type.substr(open + 2, type.rfind('}') - open - 2), ',');
 }
 
 OptionReference reference_of(const CLI::Option& option) {

@@ -2,6 +2,7 @@
 #include "ionskin/case/height_map.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/text.hpp"
 #include "ionskin/case/read_text_file.hpp"
 #include "ionskin/units/quantity.hpp"
 
@@ -18,13 +19,9 @@ namespace ionskin {
 namespace {
 
 std::vector<std::string> fields_of(const std::string& line) {
-  std::vector<std::string> fields;
-  std::istringstream stream(line);
-  for (std::string field; std::getline(stream, field, ',');) {
-    const std::size_t first = field.find_first_not_of(" \t\r"),
-                      last = field.find_last_not_of(" \t\r");
-    fields.push_back(first == std::string::npos ? "" : field.substr(first, last - first + 1));
-  }
+  std::vector<std::string> fields = base::split(line, ',', " \t\r");
+  if (line.ends_with(',')) // begins no further field
+    fields.pop_back();
   return fields;
 }
 
@@ -39,7 +36,7 @@ public:
     for (std::string line; std::getline(stream, line);) {
       ++line_;
       const std::vector<std::string> fields = fields_of(line);
-      if (fields.empty() || (fields.size() == 1 && fields.front().empty()))
+      if (fields.size() == 1 && fields.front().empty())
         continue;
       if (unit.empty()) {
         unit = fields.front();

@@ -2,6 +2,7 @@
 #include "ionskin/case/set_edit.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/text.hpp"
 #include "ionskin/case/toml_text.hpp"
 
 #include <fmt/format.h>
@@ -27,12 +28,6 @@ using Path = std::vector<Step>;
   problems.add(message, {{place_in_edit(argument, value), ""}}, remedy);
   problems.throw_if_any("--set");
   throw InternalError("a refused edit was accepted");
-}
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? ""
-                                    : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 Path parse_path(const std::string& argument, const std::string& key) {
@@ -76,7 +71,7 @@ std::string array_text(const std::string& typed) {
   std::istringstream items(typed.substr(1, typed.size() - 2));
   std::string result;
   for (std::string item; std::getline(items, item, ',');)
-    result += (result.empty() ? "" : ", ") + toml_value_text(trimmed(item));
+    result += (result.empty() ? "" : ", ") + toml_value_text(base::trimmed(item));
   return "[" + result + "]";
 }
 
@@ -151,7 +146,7 @@ Slot slot_beside_dotted(const std::string& argument, const std::string& text,
   for (std::size_t i = 0; i < depth && prefix.find('.') != std::string::npos; ++i)
     prefix.erase(prefix.rfind('.'));
   const std::size_t line_begin = span.begin == 0 ? 0 : text.rfind('\n', span.begin - 1) + 1;
-  if (!trimmed(text.substr(line_begin, span.begin - line_begin)).empty())
+  if (!base::trimmed(text.substr(line_begin, span.begin - line_begin)).empty())
     refuse(argument, "this key cannot be added inside the inline table of the file", false,
            "write it in the file");
   const TextSpan value = value_span(text, *leaf);
@@ -207,8 +202,8 @@ void apply_set_edit(CaseText& text, const std::string& argument) {
   const std::size_t equals = argument.find('=');
   if (equals == std::string::npos)
     refuse(argument, "the edit has no value", false, "write --set key=value");
-  const std::string key = trimmed(argument.substr(0, equals));
-  const std::string typed = trimmed(argument.substr(equals + 1));
+  const std::string key = base::trimmed(argument.substr(0, equals));
+  const std::string typed = base::trimmed(argument.substr(equals + 1));
   if (typed.empty() || typed.find('\n') != std::string::npos)
     refuse(argument, typed.empty() ? "the edit has no value" : "the value has several lines", true,
            "write --set key=value; an empty text is \"\"");

@@ -3,6 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/nearest_name.hpp"
+#include "ionskin/base/text.hpp"
 #include "ionskin/case/read_text_file.hpp"
 #include "ionskin/units/quantity.hpp"
 
@@ -29,23 +30,6 @@ const std::map<std::string, Dimension>& known_columns() {
 
 constexpr const char* header_example = "time [s], x [mm], y [mm], height [mm]";
 
-std::string trimmed(const std::string& text) {
-  const auto begin = text.find_first_not_of(" \t\r\"");
-  return begin == std::string::npos
-             ? ""
-             : text.substr(begin, text.find_last_not_of(" \t\r\"") - begin + 1);
-}
-
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');)
-    cells.push_back(trimmed(cell));
-  if (!line.empty() && line.back() == ',')
-    cells.push_back("");
-  return cells;
-}
-
 /// Reads line by line; every mistake is told with its place.
 class WaypointReader {
 public:
@@ -56,7 +40,8 @@ public:
     std::vector<Waypoint> waypoints;
     for (std::string line; std::getline(stream, line);) {
       ++line_;
-      if (trimmed(line).empty() || trimmed(line).front() == '#')
+      const std::string text = base::trimmed(line, base::csv_blanks);
+      if (text.empty() || text.front() == '#')
         continue;
       if (columns_.empty())
         read_header(line);
@@ -78,12 +63,13 @@ private:
   }
 
   void read_header(const std::string& line) {
-    for (const std::string& cell : cells_of(line)) {
+    for (const std::string& cell : base::split(line, ',', base::csv_blanks)) {
       const auto open = cell.find('['), close = cell.find(']');
       if (open == std::string::npos || close == std::string::npos || close < open)
         refuse(fmt::format("the column \"{}\" has no unit", cell),
                fmt::format("write names with units, such as \"{}\"", header_example));
-      add_column({trimmed(cell.substr(0, open)), cell.substr(open + 1, close - open - 1)});
+      add_column({base::trimmed(cell.substr(0, open), base::csv_blanks),
+                  cell.substr(open + 1, close - open - 1)});
     }
     for (const char* name : {"time", "x", "y"})
       if (!index_.contains(name))
@@ -139,7 +125,7 @@ private:
   }
 
   Waypoint read_row(const std::string& line) const {
-    const std::vector<std::string> cells = cells_of(line);
+    const std::vector<std::string> cells = base::split(line, ',', base::csv_blanks);
     if (cells.size() != columns_.size())
       refuse(fmt::format("{} entries under {} columns", cells.size(), columns_.size()),
              "give every line one entry a column; an empty one is nothing between commas");

@@ -3,6 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/nearest_name.hpp"
+#include "ionskin/base/text.hpp"
 #include "ionskin/readout/charge_relaxation.hpp"
 #include "ionskin/readout/sampling.hpp"
 #include "ionskin/units/unit_system.hpp"
@@ -36,23 +37,6 @@ std::vector<std::string> known_names() {
   return names;
 }
 
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\"");
-  return first == std::string::npos
-             ? ""
-             : text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
-}
-
-std::vector<std::string> cells(const std::string& line) {
-  std::vector<std::string> result;
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
-    result.push_back(trimmed(line.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return result;
-}
-
 struct Title {
   std::string name, unit;
 };
@@ -62,8 +46,8 @@ Title title(const std::string& cell) {
   if (bracket == std::string::npos || cell.back() != ']') {
     return {cell, ""};
   }
-  return {trimmed(cell.substr(0, bracket)),
-          trimmed(cell.substr(bracket + 1, cell.size() - bracket - 2))};
+  return {base::trimmed(cell.substr(0, bracket), base::csv_blanks),
+          base::trimmed(cell.substr(bracket + 1, cell.size() - bracket - 2), base::csv_blanks)};
 }
 
 /// Reads one file, knowing where it stands in it.
@@ -81,7 +65,7 @@ public:
   FitData read(const std::string& column) {
     std::string line;
     next(line);
-    for (const std::string& cell : cells(line)) {
+    for (const std::string& cell : base::split(line, ',', base::csv_blanks)) {
       titles_.push_back(title(cell));
     }
     const std::size_t time = find("time"), value = find(choose(column));
@@ -89,7 +73,7 @@ public:
     require_unit(titles_[time], "s");
     require_unit(titles_[value], data.unit);
     while (next(line)) {
-      take_row(cells(line), time, value, data);
+      take_row(base::split(line, ',', base::csv_blanks), time, value, data);
     }
     return data;
   }

@@ -2,6 +2,7 @@
 #include "ionskin/study/sweep_axis.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/text.hpp"
 
 #include <fmt/format.h>
 
@@ -20,12 +21,6 @@ constexpr std::size_t most_values = 100000;
       argument, problem));
 }
 
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? ""
-                                    : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 /// Parts between separators that stand outside quotes and brackets.
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts{""};
@@ -41,7 +36,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
     }
   }
   for (std::string& part : parts) {
-    part = trimmed(part);
+    part = base::trimmed(part);
   }
   return parts;
 }
@@ -60,7 +55,7 @@ Number parse_number(const std::string& argument, std::string text) {
   if (end == text.c_str() || !std::isfinite(value)) {
     refuse(argument, fmt::format("\"{}\" is not a number", text));
   }
-  return {value, trimmed(end)};
+  return {value, base::trimmed(end)};
 }
 
 /// The numbers of a range and the one unit that they share.
@@ -108,8 +103,8 @@ SweepAxis parse_axis(const std::string& argument) {
   if (equals == std::string::npos || equals == 0) {
     refuse(argument, "the key or the sign = is missing");
   }
-  SweepAxis axis{trimmed(argument.substr(0, equals)), {}, {}};
-  const std::string typed = trimmed(argument.substr(equals + 1));
+  SweepAxis axis{base::trimmed(argument.substr(0, equals)), {}, {}};
+  const std::string typed = base::trimmed(argument.substr(equals + 1));
   const std::vector<std::string> parts = split(typed, ':');
   if (parts.size() > 3) {
     refuse(argument, "a range has two or three parts");

@@ -3,6 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/nearest_name.hpp"
+#include "ionskin/base/text.hpp"
 #include "ionskin/units/unit_system.hpp"
 
 #include <fmt/format.h>
@@ -13,13 +14,6 @@
 namespace ionskin::units {
 
 namespace {
-
-std::string trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos)
-    return {};
-  return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
-}
 
 std::string expectation(Dimension expected) {
   const DimensionInfo& info = dimension_info(expected);
@@ -34,7 +28,7 @@ struct NumberAndUnit {
 };
 
 NumberAndUnit split(std::string_view text, Dimension expected) {
-  const std::string clean = trimmed(text);
+  const std::string clean = base::trimmed(text);
   const char* begin = clean.data() + (clean.starts_with('+') ? 1 : 0);
   const char* const end = clean.data() + clean.size();
   NumberAndUnit result;
@@ -45,7 +39,7 @@ NumberAndUnit split(std::string_view text, Dimension expected) {
   if (status != std::errc() || !std::isfinite(result.number))
     throw UserError(fmt::format("\"{}\" does not begin with a number; {}, written \"1.5 {}\"", text,
                                 expectation(expected), dimension_info(expected).examples.front()));
-  result.unit = trimmed(std::string_view(rest, static_cast<std::size_t>(end - rest)));
+  result.unit = base::trimmed(std::string_view(rest, static_cast<std::size_t>(end - rest)));
   return result;
 }
 
