@@ -164,6 +164,12 @@ void Hdf5File::write(const std::string& dataset, const std::vector<int>& values)
                failure);
 }
 
+void Hdf5File::write_with_unit(const std::string& dataset, const std::vector<double>& values,
+                               const std::string& unit, const Shape& shape) {
+  write(dataset, values, shape);
+  set_attribute(dataset, "unit", unit);
+}
+
 std::vector<double> Hdf5File::read(const std::string& dataset) const {
   const Hdf5Handle owner(H5Dopen2(id_, dataset.c_str(), H5P_DEFAULT), H5Dclose,
                          missing_object(path_, dataset));

@@ -26,12 +26,6 @@ Hdf5File::Access prepare(const std::filesystem::path& path, const std::filesyste
   return Hdf5File::Access::modify;
 }
 
-void write_with_unit(Hdf5File& file, const std::string& dataset, const std::vector<double>& values,
-                     const std::string& unit, const Hdf5File::Shape& shape = {}) {
-  file.write(dataset, values, shape);
-  file.set_attribute(dataset, "unit", unit);
-}
-
 void write_field(Hdf5File& file, const std::string& dataset, const std::vector<double>& values,
                  const std::string& unit, const Hdf5File::Shape& shape) {
   file.create_frames(dataset, {1, shape[0], shape[1], shape[2]});
@@ -47,7 +41,7 @@ ResultsFile::ResultsFile(const std::filesystem::path& path, Start start)
 void ResultsFile::write_signals(const std::string& group, const readout::SignalTable& table) {
   file_.remove("/" + group);
   for (const readout::Signal& signal : table.columns) {
-    write_with_unit(file_, "/" + group + "/" + signal.name, signal.values, signal.unit);
+    file_.write_with_unit("/" + group + "/" + signal.name, signal.values, signal.unit);
   }
   if (!table.cycle.empty()) {
     file_.write("/" + group + "/cycle", table.cycle);
@@ -63,9 +57,9 @@ void ResultsFile::write_strain(const strain::StrainHistory& history) {
 void ResultsFile::write_ions(const electrochemistry::TransportGrid& grid,
                              const std::vector<electrochemistry::IonSnapshot>& snapshots) {
   file_.remove("/ions");
-  write_with_unit(file_, "/ions/grid/x", grid.x_edges, "m");
-  write_with_unit(file_, "/ions/grid/y", grid.y_edges, "m");
-  write_with_unit(file_, "/ions/grid/z", grid.z_nodes, "m");
+  file_.write_with_unit("/ions/grid/x", grid.x_edges, "m");
+  file_.write_with_unit("/ions/grid/y", grid.y_edges, "m");
+  file_.write_with_unit("/ions/grid/z", grid.z_nodes, "m");
   const Hdf5File::Shape shape{grid.z_nodes.size(), grid.y_edges.size() - 1,
                               grid.x_edges.size() - 1};
   for (const electrochemistry::IonSnapshot& snapshot : snapshots) {
@@ -79,15 +73,15 @@ void ResultsFile::write_ions(const electrochemistry::TransportGrid& grid,
 
 void ResultsFile::write_contact(const ContactMaps& contact) {
   file_.remove("/contact");
-  write_with_unit(file_, "/contact/grid/x", contact.cell_lines_x, "m");
-  write_with_unit(file_, "/contact/grid/y", contact.cell_lines_y, "m");
+  file_.write_with_unit("/contact/grid/x", contact.cell_lines_x, "m");
+  file_.write_with_unit("/contact/grid/y", contact.cell_lines_y, "m");
   const Hdf5File::Shape shape{contact.cell_lines_y.size() - 1, contact.cell_lines_x.size() - 1};
   for (const ContactMap& map : contact.maps) {
     const std::string group = "/contact/" + map.state;
-    write_with_unit(file_, group + "/pressure", map.pressure, "Pa", shape);
-    write_with_unit(file_, group + "/shear_x", map.shear_x, "Pa", shape);
-    write_with_unit(file_, group + "/shear_y", map.shear_y, "Pa", shape);
-    write_with_unit(file_, group + "/slip", map.slip, "m", shape);
+    file_.write_with_unit(group + "/pressure", map.pressure, "Pa", shape);
+    file_.write_with_unit(group + "/shear_x", map.shear_x, "Pa", shape);
+    file_.write_with_unit(group + "/shear_y", map.shear_y, "Pa", shape);
+    file_.write_with_unit(group + "/slip", map.slip, "m", shape);
     file_.set_attribute(group, "parameter", map.parameter);
   }
 }

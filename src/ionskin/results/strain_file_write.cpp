@@ -9,12 +9,6 @@
 namespace ionskin::results {
 namespace {
 
-void write_with_unit(Hdf5File& file, const std::string& dataset, const std::vector<double>& values,
-                     const std::string& unit) {
-  file.write(dataset, values);
-  file.set_attribute(dataset, "unit", unit);
-}
-
 void write_fields(Hdf5File& file, const std::string& dataset,
                   const strain::StrainHistory& history) {
   const strain::StrainGrid& grid = history.grid;
@@ -36,19 +30,19 @@ void write_fields(Hdf5File& file, const std::string& dataset,
 
 void write_strain(Hdf5File& file, const std::string& group, const strain::StrainHistory& history) {
   const std::string root = group == "/" ? "" : group;
-  write_with_unit(file, root + "/grid/x", history.grid.x_edges, "m");
-  write_with_unit(file, root + "/grid/y", history.grid.y_edges, "m");
-  write_with_unit(file, root + "/grid/z", history.grid.z_nodes, "m");
-  write_with_unit(file, root + "/time", history.time, "s");
+  file.write_with_unit(root + "/grid/x", history.grid.x_edges, "m");
+  file.write_with_unit(root + "/grid/y", history.grid.y_edges, "m");
+  file.write_with_unit(root + "/grid/z", history.grid.z_nodes, "m");
+  file.write_with_unit(root + "/time", history.time, "s");
   if (!history.event_time.empty()) {
-    write_with_unit(file, root + "/event_time", history.event_time, "s");
+    file.write_with_unit(root + "/event_time", history.event_time, "s");
   }
   const bool rides = history.frame == strain::Frame::slider;
   if (rides) {
-    write_with_unit(file, root + "/slider_x", history.slider_x, "m");
+    file.write_with_unit(root + "/slider_x", history.slider_x, "m");
   }
   if (rides && !history.slider_y.empty()) {
-    write_with_unit(file, root + "/slider_y", history.slider_y, "m");
+    file.write_with_unit(root + "/slider_y", history.slider_y, "m");
   }
   write_fields(file, root + "/gamma", history);
   file.set_attribute(group, "format", std::string("ionskin-strain"));

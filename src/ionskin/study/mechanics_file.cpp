@@ -49,18 +49,13 @@ void write_mechanics(const std::filesystem::path& path, const std::string& hash,
   results.write_strain(record.history);
   results.write_contact(record.maps);
   results::Hdf5File& file = results.file();
-  const auto write = [&file](const char* name, const std::vector<double>& values,
-                             const char* unit) {
-    file.write(name, values);
-    file.set_attribute(name, "unit", unit);
-  };
-  write("/path/time", record.history.time, "s");
-  write("/path/slider_z", record.slider_z, "m");
-  write("/path/normal_force", record.normal_force, "N");
-  write("/path/tangential_force", record.tangential_force, "N");
-  write("/path/onset_begin", onset_column(record, 0), "s");
-  write("/path/onset_end", onset_column(record, 1), "s");
-  write("/path/electrode_stress", record.electrode_stress, "Pa");
+  file.write_with_unit("/path/time", record.history.time, "s");
+  file.write_with_unit("/path/slider_z", record.slider_z, "m");
+  file.write_with_unit("/path/normal_force", record.normal_force, "N");
+  file.write_with_unit("/path/tangential_force", record.tangential_force, "N");
+  file.write_with_unit("/path/onset_begin", onset_column(record, 0), "s");
+  file.write_with_unit("/path/onset_end", onset_column(record, 1), "s");
+  file.write_with_unit("/path/electrode_stress", record.electrode_stress, "Pa");
   file.write_texts("/path/warnings", record.warnings);
   write_metrics(file, "/path/metrics", record.metrics);
   write_metrics(file, "/path/companion_metrics", record.companion_metrics);

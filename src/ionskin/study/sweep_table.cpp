@@ -97,8 +97,7 @@ void write_swept(results::Hdf5File& file, const std::vector<SweepPoint>& points)
     for (const SweepPoint& point : points) {
       numbers.push_back(std::strtod(point.values[k].si.c_str(), nullptr));
     }
-    file.write(dataset, numbers);
-    file.set_attribute(dataset, "unit", first.unit);
+    file.write_with_unit(dataset, numbers, first.unit);
   }
 }
 
@@ -142,9 +141,7 @@ void write_sweep_signals(const std::filesystem::path& folder, const std::vector<
     for (const PointState& state : states) {
       values.push_back(metric_value(state, metric.name));
     }
-    const std::string dataset = "/metrics/" + metric.name;
-    file.write(dataset, values);
-    file.set_attribute(dataset, "unit", metric.unit);
+    file.write_with_unit("/metrics/" + metric.name, values, metric.unit);
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (states[i].status != PointStatus::finished) {
