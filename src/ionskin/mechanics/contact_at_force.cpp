@@ -19,8 +19,6 @@ constexpr double near_force = 0.2;
 constexpr int most_guesses = 30;
 constexpr double guess_tolerance = 1e-4;
 constexpr int guess_sweeps = 3000;
-constexpr double newton_tolerance = 1e-10;
-constexpr int newton_iterations = 15;
 constexpr double force_tolerance = 1e-11;
 constexpr int most_searches = 100;
 
@@ -121,8 +119,7 @@ SurfaceState solve_contact_at_force(const ContactProblem& problem, const SliderS
   const ForceGuess guess = guess_at_force(problem, step, start);
   CellVector force = guess.force;
   double indentation = guess.indentation;
-  const auto newton =
-      contact_newton(problem, step, force, indentation, newton_tolerance, newton_iterations);
+  const auto newton = contact_newton(problem, step, force, indentation);
   if (newton.converged && free_of_tension(force)) {
     return surface_state(problem, step, std::move(force), indentation,
                          guess.sweeps + newton.iterations);

@@ -18,7 +18,7 @@ struct NewtonResult {
 /// @param indentation likewise, under a given force; the given one otherwise [m]
 /// @param tolerance on the projection residual over the largest normal force
 NewtonResult contact_newton(const ContactProblem& problem, const SliderStep& step,
-                            CellVector& force, double& indentation, double tolerance,
-                            int most_iterations);
+                            CellVector& force, double& indentation, double tolerance = 1e-10,
+                            int most_iterations = 15);
 
 } // namespace ionskin::mechanics

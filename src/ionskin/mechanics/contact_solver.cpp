@@ -14,8 +14,6 @@
 namespace ionskin::mechanics {
 namespace {
 
-constexpr double newton_tolerance = 1e-10;
-constexpr int newton_iterations = 15;
 constexpr double rough_tolerance = 1e-4;
 constexpr int rough_sweeps = 3000;
 constexpr double fallback_tolerance = 1e-10;
@@ -28,8 +26,7 @@ SurfaceState solve_at_indentation(const ContactProblem& problem, const SliderSte
   const auto sweeps =
       projected_gauss_seidel(problem, step, indentation, rough, rough_tolerance, rough_sweeps);
   CellVector force = rough;
-  const auto newton =
-      contact_newton(problem, step, force, indentation, newton_tolerance, newton_iterations);
+  const auto newton = contact_newton(problem, step, force, indentation);
   int iterations = sweeps.sweeps + newton.iterations;
   if (newton.converged && free_of_tension(force)) {
     return surface_state(problem, step, std::move(force), indentation, iterations);
