@@ -32,24 +32,24 @@ void add_init(CLI::App& app, Command& command) {
   verb->add_option("--from", options->from, "Case to start from")
       ->check(CLI::IsMember({"paper", "quick"}))
       ->capture_default_str();
-  verb->callback([options, &command] { command = *options; });
+  set_when_parsed(*verb, options, command);
 }
 
 void add_check(CLI::App& app, Command& command) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* verb = app.add_subcommand("check", "Check a case without running it");
-  verb->add_option("case", options->case_path, "Case file")->required()->type_name("CASE.toml");
+  add_case_option(*verb, options->case_path);
   add_set_option(*verb, options->set_edits);
   verb->add_flag("--explain", options->explain,
                  "Show SI values, derived scales, unknowns, memory and expected time");
-  verb->callback([options, &command] { command = *options; });
+  set_when_parsed(*verb, options, command);
 }
 
 void add_run(CLI::App& app, Command& command) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* verb =
       app.add_subcommand("run", "Run a case: contact mechanics, ion transport, results");
-  verb->add_option("case", options->case_path, "Case file")->required()->type_name("CASE.toml");
+  add_case_option(*verb, options->case_path);
   add_output_options(*verb, options->output, options->overwrite, options->resume);
   add_set_option(*verb, options->set_edits);
   add_threads_option(*verb, options->threads);
@@ -59,7 +59,7 @@ void add_run(CLI::App& app, Command& command) {
   add_report_option(*verb, options->no_report);
   add_cache_option(*verb, options->use_cache);
   add_log_options(*verb, options->log);
-  verb->callback([options, &command] { command = *options; });
+  set_when_parsed(*verb, options, command);
 }
 
 void add_verify(CLI::App& app, Command& command) {
@@ -69,14 +69,14 @@ void add_verify(CLI::App& app, Command& command) {
       ->check(CLI::IsMember({"mechanics", "electrochemistry", "chain"}));
   verb->add_option("--csv", options->csv, "Write the table to this file too")->type_name("FILE");
   add_threads_option(*verb, options->threads);
-  verb->callback([options, &command] { command = *options; });
+  set_when_parsed(*verb, options, command);
 }
 
 void add_impedance(CLI::App& app, Command& command) {
   auto options = std::make_shared<ImpedanceOptions>();
   CLI::App* verb = app.add_subcommand(
       "impedance", "Small-signal spectrum of the cell at rest: CSV, Nyquist and Bode figures");
-  verb->add_option("case", options->case_path, "Case file")->required()->type_name("CASE.toml");
+  add_case_option(*verb, options->case_path);
   verb->add_option("--from", options->from, "Lowest frequency, such as 0.01Hz")
       ->required()
       ->type_name("FREQUENCY");
@@ -86,12 +86,10 @@ void add_impedance(CLI::App& app, Command& command) {
   verb->add_option("--points", options->points, "Frequencies per decade")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  verb->add_option("-o,--output", options->output, "Folder for the results")
-      ->required()
-      ->type_name("DIR");
+  add_output_option(*verb, options->output);
   add_set_option(*verb, options->set_edits);
-  verb->add_flag("--overwrite", options->overwrite, "Replace the results in an existing folder");
-  verb->callback([options, &command] { command = *options; });
+  add_overwrite_option(*verb, options->overwrite);
+  set_when_parsed(*verb, options, command);
 }
 
 } // namespace

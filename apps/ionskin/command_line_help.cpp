@@ -11,14 +11,14 @@ void add_help_verbs(CLI::App& app, Command& command) {
   auto key_options = std::make_shared<KeysOptions>();
   CLI::App* key_verb = app.add_subcommand("keys", "List every key that a case can have");
   key_verb->add_flag("--json", key_options->json, "With type, unit, range and source, as JSON");
-  key_verb->callback([key_options, &command] { command = *key_options; });
+  set_when_parsed(*key_verb, key_options, command);
   auto completion_options = std::make_shared<CompletionOptions>();
   CLI::App* completion_verb = app.add_subcommand(
       "completion", "Print the shell's completion script: source <(ionskin completion bash)");
   completion_verb->add_option("shell", completion_options->shell, "Shell to complete in")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh"}));
-  completion_verb->callback([completion_options, &command] { command = *completion_options; });
+  set_when_parsed(*completion_verb, completion_options, command);
   app.add_subcommand("man", "Print the manual page: ionskin man | man -l -")->callback([&command] {
     command = ManualOptions{};
   });

@@ -3,6 +3,10 @@
 
 namespace ionskin::apps {
 
+void add_case_option(CLI::App& verb, std::string& case_path) {
+  verb.add_option("case", case_path, "Case file")->required()->type_name("CASE.toml");
+}
+
 void add_set_option(CLI::App& verb, std::vector<std::string>& edits) {
   verb.add_option(
           "--set", edits,
@@ -42,10 +46,17 @@ void add_log_options(CLI::App& verb, LogFormat& log) {
       "--quiet", [&log] { log = LogFormat::quiet; }, "No progress");
 }
 
-void add_output_options(CLI::App& verb, std::string& output, bool& overwrite, bool& resume) {
+void add_output_option(CLI::App& verb, std::string& output) {
   verb.add_option("-o,--output", output, "Folder for the results")->required()->type_name("DIR");
-  CLI::Option* replace =
-      verb.add_flag("--overwrite", overwrite, "Replace the results in an existing folder");
+}
+
+CLI::Option* add_overwrite_option(CLI::App& verb, bool& overwrite) {
+  return verb.add_flag("--overwrite", overwrite, "Replace the results in an existing folder");
+}
+
+void add_output_options(CLI::App& verb, std::string& output, bool& overwrite, bool& resume) {
+  add_output_option(verb, output);
+  CLI::Option* replace = add_overwrite_option(verb, overwrite);
   verb.add_flag("--resume", resume, "Finish an interrupted run in its folder")->excludes(replace);
 }
 

@@ -5,18 +5,29 @@
 
 #include <CLI/CLI.hpp>
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace ionskin::apps {
 
 // Options that several verbs share.
+void add_case_option(CLI::App& verb, std::string& case_path);
 void add_set_option(CLI::App& verb, std::vector<std::string>& edits);
 void add_threads_option(CLI::App& verb, int& threads);
 void add_cache_option(CLI::App& verb, bool& use_cache);
 void add_report_option(CLI::App& verb, bool& no_report);
 void add_log_options(CLI::App& verb, LogFormat& log);
+void add_output_option(CLI::App& verb, std::string& output);
+CLI::Option* add_overwrite_option(CLI::App& verb, bool& overwrite);
+/// --output, and how to treat a folder that has results: --overwrite or --resume.
 void add_output_options(CLI::App& verb, std::string& output, bool& overwrite, bool& resume);
+
+/// Parsing the verb makes its options the command.
+template <class Options>
+void set_when_parsed(CLI::App& verb, const std::shared_ptr<Options>& options, Command& command) {
+  verb.callback([options, &command] { command = *options; });
+}
 
 /// sweep, fit, report and compare.
 void add_study_verbs(CLI::App& app, Command& command);

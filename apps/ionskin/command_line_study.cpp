@@ -6,11 +6,6 @@
 namespace ionskin::apps {
 namespace {
 
-template <class Options>
-void set_when_parsed(CLI::App& verb, const Options& options, Command& command) {
-  verb.callback([options, &command] { command = *options; });
-}
-
 void add_design_options(CLI::App& verb, SweepOptions& options) {
   verb.add_option("--over", options.over,
                   "Key to vary and its values: contact.friction=0.05:0.05:0.5 (first:step:last), "
@@ -36,7 +31,7 @@ void add_design_options(CLI::App& verb, SweepOptions& options) {
 void add_sweep(CLI::App& app, Command& command) {
   auto options = std::make_shared<SweepOptions>();
   CLI::App* verb = app.add_subcommand("sweep", "Run a case at many values of its keys");
-  verb->add_option("case", options->case_path, "Case file")->required()->type_name("CASE.toml");
+  add_case_option(*verb, options->case_path);
   add_design_options(*verb, *options);
   add_output_options(*verb, options->output, options->overwrite, options->resume);
   add_set_option(*verb, options->set_edits);
@@ -70,12 +65,10 @@ void add_fit(CLI::App& app, Command& command) {
       ->expected(1)
       ->take_all();
   verb->add_option("--column", options->column, "Signal of the data, where it holds several");
-  verb->add_option("-o,--output", options->output, "Folder for the results")
-      ->required()
-      ->type_name("DIR");
+  add_output_option(*verb, options->output);
   add_set_option(*verb, options->set_edits);
   add_threads_option(*verb, options->threads);
-  verb->add_flag("--overwrite", options->overwrite, "Replace the results in an existing folder");
+  add_overwrite_option(*verb, options->overwrite);
   add_cache_option(*verb, options->use_cache);
   add_log_options(*verb, options->log);
   set_when_parsed(*verb, options, command);

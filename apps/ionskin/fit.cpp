@@ -5,8 +5,7 @@
 #include "ionskin/base/interrupt.hpp"
 #include "ionskin/case/read_text_file.hpp"
 #include "ionskin/study/fit.hpp"
-#include "progress_display.hpp"
-#include "threads.hpp"
+#include "study_settings.hpp"
 
 #include <fmt/core.h>
 
@@ -40,15 +39,7 @@ int fit(const FitOptions& options, const std::string& command) {
   study::FitResult result;
   {
     ProgressDisplay display(options.log);
-    study::FitOptions settings;
-    settings.folder = options.output;
-    settings.threads = thread_count(options.threads);
-    settings.overwrite = options.overwrite;
-    settings.use_cache = options.use_cache;
-    settings.command = command;
-    settings.progress = [&display](std::string_view activity, double fraction) {
-      display.update(activity, fraction);
-    };
+    const auto settings = study_settings<study::FitOptions>(options, command, display);
     result = study::run_fit(request, settings);
   }
   if (options.log != LogFormat::quiet) {

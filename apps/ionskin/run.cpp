@@ -5,8 +5,7 @@
 #include "ionskin/base/interrupt.hpp"
 #include "ionskin/case/read_case.hpp"
 #include "ionskin/study/run_case.hpp"
-#include "progress_display.hpp"
-#include "threads.hpp"
+#include "study_settings.hpp"
 
 #include <fmt/core.h>
 
@@ -60,18 +59,10 @@ int run(const RunOptions& options, const std::string& command) {
   study::RunOutcome outcome;
   {
     ProgressDisplay display(options.log);
-    study::RunOptions settings;
-    settings.folder = options.output;
-    settings.threads = thread_count(options.threads);
-    settings.overwrite = options.overwrite;
+    auto settings = study_settings<study::RunOptions>(options, command, display);
     settings.resume = options.resume;
     settings.studies = studies(options.only);
     settings.report = !options.no_report;
-    settings.use_cache = options.use_cache;
-    settings.command = command;
-    settings.progress = [&display](std::string_view activity, double fraction) {
-      display.update(activity, fraction);
-    };
     outcome = study::run_case(input, settings);
   }
   if (options.log != LogFormat::quiet) {

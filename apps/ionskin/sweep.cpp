@@ -4,8 +4,7 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/interrupt.hpp"
 #include "ionskin/study/sweep.hpp"
-#include "progress_display.hpp"
-#include "threads.hpp"
+#include "study_settings.hpp"
 
 #include <fmt/core.h>
 
@@ -58,19 +57,11 @@ int sweep(const SweepOptions& options, const std::string& command) {
   study::SweepOutcome outcome;
   {
     ProgressDisplay display(options.log);
-    study::SweepOptions settings;
-    settings.folder = options.output;
-    settings.threads = thread_count(options.threads);
-    settings.overwrite = options.overwrite;
+    auto settings = study_settings<study::SweepOptions>(options, command, display);
     settings.resume = options.resume;
     settings.report = !options.no_report;
-    settings.use_cache = options.use_cache;
     settings.studies =
         options.only == "mechanics" ? study::Studies::mechanics : study::Studies::both;
-    settings.command = command;
-    settings.progress = [&display](std::string_view activity, double fraction) {
-      display.update(activity, fraction);
-    };
     outcome = study::run_sweep(plan, settings);
   }
   print_problems(outcome);
