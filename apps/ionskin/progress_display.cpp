@@ -46,6 +46,10 @@ void ProgressDisplay::update(std::string_view activity, double fraction) {
   }
 }
 
+base::ProgressCallback ProgressDisplay::callback() {
+  return [this](std::string_view activity, double fraction) { update(activity, fraction); };
+}
+
 void ProgressDisplay::show_bar(double fraction) {
   const double now = base::wall_time();
   if (fraction < 1 && now - last_time_ < bar_interval) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/base/progress.hpp"
 #include "options.hpp"
 
 #include <mutex>
@@ -20,6 +21,8 @@ public:
 
   /// @param fraction finished part of the activity in [0, 1]
   void update(std::string_view activity, double fraction);
+  /// Updates this display, which must outlive it.
+  base::ProgressCallback callback();
 
 private:
   void show_bar(double fraction);

@@ -5,7 +5,6 @@
 #include "threads.hpp"
 
 #include <string>
-#include <string_view>
 
 namespace ionskin::apps {
 
@@ -20,9 +19,7 @@ Settings study_settings(const Options& options, const std::string& command,
   settings.overwrite = options.overwrite;
   settings.use_cache = options.use_cache;
   settings.command = command;
-  settings.progress = [&display](std::string_view activity, double fraction) {
-    display.update(activity, fraction);
-  };
+  settings.progress = display.callback();
   return settings;
 }
 

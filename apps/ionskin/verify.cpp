@@ -61,9 +61,7 @@ int verify(const VerifyOptions& options) {
   ProgressDisplay display(LogFormat::automatic);
   verification::Options settings;
   settings.threads = thread_count(options.threads);
-  settings.progress = [&display](std::string_view activity, double fraction) {
-    display.update(activity, fraction);
-  };
+  settings.progress = display.callback();
   std::vector<verification::Row> rows;
   for (const auto& [name, part] : parts) {
     if (options.part.empty() || options.part == name) {
