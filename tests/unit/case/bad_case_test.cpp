@@ -185,16 +185,12 @@ TEST(BadCase, TaxelsThatTouchAreFine) {
 }
 
 TEST(BadCase, TaxelsOffTheSkinOrWithoutExtentOrName) {
-  const std::string bad =
-      error_of(with_taxels(taxel("a", "\"0 mm\", \"1 mm\"", "\"2 mm\", \"1 mm\"") +
-                           taxel("a", "\"3 mm\", \"0 mm\"", "\"16 mm\", \"2 mm\"") +
-                           taxel("rest", "\"2 mm\", \"0 mm\"", "\"3 mm\", \"2 mm\"") +
-                           "[[readout.taxels]]\nname = \"d\"\n"));
+  const std::string three = taxel("a", "\"0 mm\", \"1 mm\"", "\"2 mm\", \"1 mm\"") +
+                            taxel("a", "\"3 mm\", \"0 mm\"", "\"16 mm\", \"2 mm\"") +
+                            taxel("rest", "\"2 mm\", \"0 mm\"", "\"3 mm\", \"2 mm\"");
+  const std::string bad = error_of(with_taxels(three + "[[readout.taxels]]\nname = \"d\"\n"));
   EXPECT_THAT(bad, HasSubstr("missing key readout.taxels[3].lower"));
-  const std::string message =
-      error_of(with_taxels(taxel("a", "\"0 mm\", \"1 mm\"", "\"2 mm\", \"1 mm\"") +
-                           taxel("a", "\"3 mm\", \"0 mm\"", "\"16 mm\", \"2 mm\"") +
-                           taxel("rest", "\"2 mm\", \"0 mm\"", "\"3 mm\", \"2 mm\"")));
+  const std::string message = error_of(with_taxels(three));
   EXPECT_THAT(message, HasSubstr("4 problems in"));
   EXPECT_THAT(message, HasSubstr("has no extent along y: it reaches from 1 mm to 1 mm"));
   EXPECT_THAT(message, HasSubstr("leaves the top face: it reaches to 16 mm along x"));
