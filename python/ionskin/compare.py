@@ -2,10 +2,10 @@
 """Tells in what two runs differ: parameters, metrics, signals. /usr/bin/python3 -m ionskin.compare A B"""
 
 import argparse
-import sys
 
 import numpy
 
+from .errors import exit_on
 from .results import Results
 
 
@@ -85,13 +85,9 @@ def main():
     parser.add_argument("second", help="output folder of a run")
     parser.add_argument("--tolerance", type=float, default=1e-9, help="relative difference that counts as none")
     arguments = parser.parse_args()
-    try:
+    with exit_on(OSError):
         print("\n".join(report(Results(arguments.first), Results(arguments.second), arguments.tolerance)))
-    except OSError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 2
-    return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

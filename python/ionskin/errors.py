@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What goes wrong, with the messages of the program. An interrupt is Python's own KeyboardInterrupt."""
 
+import contextlib
+import sys
+
 
 class CaseError(ValueError):
     """The case, a file or a setting is wrong; nothing was computed. The message says what, where, and the remedy."""
@@ -24,3 +27,13 @@ def _restored_solver_error(message: str, remedy: str) -> SolverError:
     error = SolverError(message)
     error.remedy = remedy
     return error
+
+
+@contextlib.contextmanager
+def exit_on(*kinds):
+    """Ends a program at an error of these kinds as ionskin ends at the user's mistake: with its message and code 2."""
+    try:
+        yield
+    except kinds as error:
+        print(f"error: {error}", file=sys.stderr)
+        sys.exit(2)

@@ -4,23 +4,16 @@
 from typing import Callable, NamedTuple
 
 from . import style
-from .panels import (STEP, first_cycle_names, name_phases, peak_of, rows_within, sampled_label, scaled, shade_phases,
-                     signed_log_axis, slide_start, time_axis)
+from .panels import (STEP, first_cycle_names, motion_panels, name_phases, peak_of, rows_within, sampled_label, scaled,
+                     shade_phases, signed_log_axis, slide_start, time_axis)
 
 def motion(results):
     """Prescribed position of the slider and its phases."""
-    signals = results.signals
-    if not signals.has("slider_x", "slider_z"):
+    if not results.signals.has("slider_x", "slider_z"):
         return None
-    figure, axes = style.stacked(2, heights=[0.7, 0.7])
-    axes[0].plot(signals["time"], signals["slider_x"] * 1e3, color=style.BLUE)
-    axes[0].set_ylabel("position x [mm]")
+    figure, axes = motion_panels(results, 0.7, (style.BLUE, style.BLUE))
     style.title(axes[0], "Centre of the slider along the skin")
-    axes[1].plot(signals["time"], signals["slider_z"] * 1e3, color=style.BLUE)
-    axes[1].axhline(0, color=style.QUIET, lw=0.6)
-    axes[1].set_ylabel("height z [mm]")
     style.title(axes[1], "Underside of the slider above the undeformed skin")
-    time_axis(results, axes)
     first_cycle_names(results, axes[0])
     return figure
 

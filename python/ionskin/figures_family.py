@@ -177,7 +177,10 @@ def mark_regimes(study, panel, name, divisor):
 
 
 def current_panel(study, panel, prefix, name_of, title):
-    """Peaks or rms of the currents against the swept key on a logarithmic axis."""
+    """Peaks or rms of the currents against the swept key on a logarithmic axis; nothing without currents."""
+    if not numpy.isfinite(study.metric(name_of.format("top"))).any():
+        panel.set_visible(False)
+        return
     for name, colour, marker in CURRENTS:
         metric = name_of.format(name)
         if numpy.isfinite(study.metric(metric)).any():
@@ -194,41 +197,30 @@ def current_panel(study, panel, prefix, name_of, title):
     panel.legend(fontsize=6.3, loc="upper left", bbox_to_anchor=(1.0, 1.02), handlelength=2.6)
 
 
-def two_panels():
-    """A panel for the shear and one for the currents, with room for a legend on the right."""
+def shear_panel(study, metric, label, title):
+    """A metric of the shear against the swept key; the figure and its second panel, with room for a legend on the right."""
     figure = style.canvas(height=2.75, left=0.085, right=0.80, top=0.91, bottom=0.16, wspace=0.34)
-    return figure, figure.subplots(1, 2)
+    panel, free = figure.subplots(1, 2)
+    divisor = scaled(panel, label, "1", peak_of(study.metric(metric)))
+    plot_metric(study, panel, metric, divisor, color=style.BLUE, marker="o", markersize=3.5)
+    panel.set_ylim(bottom=0)
+    panel.set_xlabel(study.axis_label())
+    mark_regimes(study, panel, metric, divisor)
+    style.title(panel, title)
+    return figure, free
 
 
 def peaks(study):
     """Figure 7: peak shear and peak currents against the swept key."""
-    figure, axes = two_panels()
-    divisor = scaled(axes[0], "peak mean shear γ", "1", peak_of(study.metric("peak_mean_shear")))
-    plot_metric(study, axes[0], "peak_mean_shear", divisor, color=style.BLUE, marker="o", markersize=3.5)
-    axes[0].set_ylim(bottom=0)
-    axes[0].set_xlabel(study.axis_label())
-    mark_regimes(study, axes[0], "peak_mean_shear", divisor)
-    style.title(axes[0], "Peak shear")
-    if numpy.isfinite(study.metric("peak_current_top")).any():
-        current_panel(study, axes[1], (", resolved", ", sampled"), "peak_current_{}", "Peak current")
-    else:
-        axes[1].set_visible(False)
+    figure, panel = shear_panel(study, "peak_mean_shear", "peak mean shear γ", "Peak shear")
+    current_panel(study, panel, (", resolved", ", sampled"), "peak_current_{}", "Peak current")
     return figure
 
 
 def means(study):
     """Figure 8: mean shear and rms currents against the swept key."""
-    figure, axes = two_panels()
-    divisor = scaled(axes[0], "time mean of γ", "1", peak_of(study.metric("time_mean_shear")))
-    plot_metric(study, axes[0], "time_mean_shear", divisor, color=style.BLUE, marker="o", markersize=3.5)
-    axes[0].set_ylim(bottom=0)
-    axes[0].set_xlabel(study.axis_label())
-    mark_regimes(study, axes[0], "time_mean_shear", divisor)
-    style.title(axes[0], "Time mean of the mean shear")
-    if numpy.isfinite(study.metric("rms_current_top")).any():
-        current_panel(study, axes[1], ("", ""), "rms_current_{}", "Rms current, resolved")
-    else:
-        axes[1].set_visible(False)
+    figure, panel = shear_panel(study, "time_mean_shear", "time mean of γ", "Time mean of the mean shear")
+    current_panel(study, panel, ("", ""), "rms_current_{}", "Rms current, resolved")
     return figure
 
 

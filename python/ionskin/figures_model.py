@@ -6,7 +6,7 @@ from matplotlib.patches import FancyArrowPatch, Rectangle
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from . import style
-from .panels import name_phases, time_axis
+from .panels import motion_panels, name_phases
 from .quantity import si
 
 ROLE_COLOURS = {"electrode": "#a9b1bd", "core": "#7fc4b0"}
@@ -180,16 +180,9 @@ def stages(study):
 def motion(study):
     """Figure 4: prescribed position and height of the slider over time."""
     results = study.typical.results
-    signals = results.signals
-    if not signals.has("slider_x", "slider_z"):
+    if not results.signals.has("slider_x", "slider_z"):
         return NO_CONTACT
-    figure, axes = style.stacked(2, heights=[0.75, 0.75])
-    axes[0].plot(signals["time"], signals["slider_x"] * 1e3, color=style.BLUE)
-    axes[0].set_ylabel("position x [mm]")
-    axes[1].plot(signals["time"], signals["slider_z"] * 1e3, color=style.ORANGE)
-    axes[1].axhline(0, color=style.QUIET, lw=0.6)
-    axes[1].set_ylabel("height z [mm]")
+    figure, axes = motion_panels(results, 0.75, (style.BLUE, style.ORANGE))
     style.title(axes[1], "Underside above the undeformed skin")
-    time_axis(results, axes)
     name_phases(results, axes[0], 0.0, 1)
     return figure

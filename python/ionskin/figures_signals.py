@@ -8,6 +8,7 @@ from .panels import STEP, name_phases, peak_of, sampled_label, scaled, shade_pha
 
 NO_CURRENT = "the run has no currents"
 NO_MOTION = "the run has no prescribed motion"
+COLOURS = {"top": style.BLUE, "bottom": style.ORANGE, "difference": style.GREEN}
 
 
 def has_currents(results):
@@ -51,6 +52,15 @@ def rate(study):
     return figure
 
 
+def plot_sampled(panel, sampled, label, names, width):
+    """Sampled currents, the bottom one dashed: it may cover the top one."""
+    unit = scaled(panel, label, "A", peak_of(sampled["current_top"]))
+    for name in names:
+        panel.plot(sampled["time"], sampled[f"current_{name}"] / unit, color=COLOURS[name], lw=width, label=name,
+                   ls=(0, (3, 1.5)) if name == "bottom" else "-", **STEP)
+    style.legend(panel)
+
+
 def current_motion(study):
     """Figure 12: current with the motion."""
     results = study.typical.results
@@ -64,11 +74,7 @@ def current_motion(study):
     axes[0].set_ylabel("x [mm]")
     axes[1].plot(signals["time"], signals["slider_z"] * 1e3, color=style.INK, lw=1.0)
     axes[1].set_ylabel("z [mm]")
-    unit = scaled(axes[2], "sampled current", "A", peak_of(sampled["current_top"]))
-    for name, colour in (("top", style.BLUE), ("bottom", style.ORANGE), ("difference", style.GREEN)):
-        axes[2].plot(sampled["time"], sampled[f"current_{name}"] / unit, color=colour, lw=0.9, label=name,
-                     ls=(0, (3, 1.5)) if name == "bottom" else "-", **STEP)
-    style.legend(axes[2])
+    plot_sampled(axes[2], sampled, "sampled current", ("top", "bottom", "difference"), 0.9)
     style.title(axes[0], title_of(study, "Centre of the slider"))
     style.title(axes[1], "Underside above the skin")
     style.title(axes[2], "Electrode currents")
@@ -97,11 +103,7 @@ def cycle(study):
     style.legend(axes[0])
     divisor = scaled(axes[1], "mean shear γ", "1", peak_of(signals["mean_shear"]))
     axes[1].plot(signals["time"], signals["mean_shear"] / divisor, color=style.BLUE)
-    unit = scaled(axes[2], "current", "A", peak_of(sampled["current_top"]))
-    for name, colour in (("top", style.BLUE), ("bottom", style.ORANGE)):
-        axes[2].plot(sampled["time"], sampled[f"current_{name}"] / unit, color=colour, lw=1.0, label=name,
-                     ls=(0, (3, 1.5)) if name == "bottom" else "-", **STEP)
-    style.legend(axes[2])
+    plot_sampled(axes[2], sampled, "current", ("top", "bottom"), 1.0)
     unit = scaled(axes[3], "current", "A", peak_of(sampled["current_difference"]))
     axes[3].plot(sampled["time"], sampled["current_difference"] / unit, color=style.GREEN, lw=1.0, **STEP)
     time_axis(results, axes)

@@ -3,12 +3,12 @@
 
 import argparse
 import pathlib
-import sys
 
 import numpy
 from matplotlib.ticker import EngFormatter, MultipleLocator
 
 from . import style
+from .errors import exit_on
 from .results import read_table
 
 PNG_DPI = 180
@@ -76,13 +76,9 @@ def main():
     parser = argparse.ArgumentParser(prog="ionskin.impedance", description=__doc__)
     parser.add_argument("folder", type=pathlib.Path, help="output folder of `ionskin impedance`")
     arguments = parser.parse_args()
-    try:
+    with exit_on(OSError):
         draw(arguments.folder)
-    except OSError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 2
-    return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -36,6 +36,18 @@ def time_axis(results, axes):
         shade_phases(results, panel)
 
 
+def motion_panels(results, row, colours):
+    """Position and height of the slider over time, one panel each; `row` is the height of a panel."""
+    signals = results.signals
+    figure, axes = style.stacked(2, heights=[row, row])
+    for panel, colour, column, label in zip(axes, colours, ("slider_x", "slider_z"), ("position x [mm]", "height z [mm]")):
+        panel.plot(signals["time"], signals[column] * 1e3, color=colour)
+        panel.set_ylabel(label)
+    axes[1].axhline(0, color=style.QUIET, lw=0.6)
+    time_axis(results, axes)
+    return figure, axes
+
+
 def scaled(panel, name, unit, peak):
     """Labels a linear axis with a prefixed unit and returns the divisor of its values."""
     divisor, prefix = style.si_scale(peak)

@@ -4,12 +4,12 @@
 
 import argparse
 import pathlib
-import sys
 
 import numpy
 from matplotlib.figure import Figure
 
 from . import figures, style
+from .errors import exit_on
 from .results import Results, Table, read_table
 
 PNG_DPI = 180
@@ -96,13 +96,9 @@ def main():
     parser.add_argument("folders", type=pathlib.Path, nargs="+", help="output folders of runs")
     parser.add_argument("-o", "--output", type=pathlib.Path, required=True, help="figure to write")
     arguments = parser.parse_args()
-    try:
+    with exit_on(OSError):
         draw(arguments.folders).savefig(arguments.output, dpi=PNG_DPI)
-    except OSError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 2
-    return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

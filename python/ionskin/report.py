@@ -5,9 +5,9 @@ import argparse
 import io
 import pathlib
 import re
-import sys
 
 from . import claims, figures, gallery, markup, report_text, style, sweep_page
+from .errors import exit_on
 from .results import Results
 from .sweep_results import Study
 
@@ -141,15 +141,11 @@ def main():
     parser.add_argument("--all", action="store_true", help="the numbered figures too, and what was left out")
     parser.add_argument("--figure", action="append", default=[], metavar="NAME", help="this numbered figure only")
     arguments = parser.parse_args()
-    try:
+    with exit_on(OSError, ValueError):
         if arguments.all:
             tell(arguments.folder, arguments.figure)
         if not arguments.figure:
             make_report(arguments.folder)
-    except (OSError, ValueError) as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 2
-    return 0
 
 
 def tell(folder, only):
@@ -164,4 +160,4 @@ def tell(folder, only):
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()
