@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The cache of factorised slider positions saves time and never changes a result."""
+"""The cache of factorised slider positions and of mechanics saves time and never changes a result."""
 
+import json
 import os
 import resource
 import signal
 import subprocess
 import unittest
 
+import h5py
 import numpy
 
 from program import PROGRAM, QUICK, ProgramTest, signals, summary
@@ -18,16 +20,21 @@ SHEARS = ("mean_shear", "rms_shear", "shear_first_moment")
 
 class Cache(ProgramTest):
     def mechanics(self, out, *arguments):
-        self.run_program("run", QUICK, "-o", out, *ARGUMENTS, *arguments)
+        """Study 1 with a return of its own, which no earlier run had, so that only slider positions come again."""
+        self.returns += 1
+        self.run_program("run", QUICK, "-o", out, *ARGUMENTS, "--set", f"motion.return={1000 + self.returns} ms", *arguments)
 
     def setUp(self):
         super().setUp()
         os.environ["IONSKIN_CACHE_LIMIT"] = "1 GB"
+        self.returns = 0
         self.mechanics("plain", "--no-cache")
         self.assertEqual(self.entries(), [])
 
-    def entries(self):
-        return sorted((self.folder / "cache").glob("*.ionskin-cache"))
+    def entries(self, mechanics=False):
+        """Entries of slider positions, or those of the whole mechanics, which are HDF5 files."""
+        entries = sorted((self.folder / "cache").glob("*.ionskin-cache"))
+        return [path for path in entries if (b"\x89HDF" in path.read_bytes()[:200]) == mechanics]
 
     def notes(self, out):
         return [text for text in summary(self.folder / out)["warnings"] if "cache" in text]
@@ -63,6 +70,23 @@ class Cache(ProgramTest):
         self.assert_agrees("repaired")
         self.assertEqual(self.notes("repaired"), [])
 
+    def test_study_2_alone_changed_takes_up_the_mechanics(self):
+        self.run_case(QUICK, "-o", "first")
+        self.run_case(QUICK, "-o", "second", "--set", "coupling.coefficient=2e-4")
+        manifest = json.loads((self.folder / "second" / "manifest.json").read_text())
+        self.assertNotIn("mechanics", manifest["stages"])
+        first, second = signals(self.folder / "first"), signals(self.folder / "second")
+        for name in (*FORCES, *SHEARS):
+            self.assertEqual(numpy.interp(first["time"], second["time"], second[name]).max(), first[name].max(), name)
+        with h5py.File(self.folder / "second" / "results.h5") as file:
+            self.assertIn("contact/touchdown/pressure", file)
+        [entry] = self.entries(mechanics=True)
+        os.truncate(entry, entry.stat().st_size // 2)
+        self.run_case(QUICK, "-o", "third")
+        self.assertEqual(len(self.notes("third")), 1)
+        numpy.testing.assert_allclose(signals(self.folder / "third")["current_top"], first["current_top"],
+                                      atol=1e-7 * abs(first["current_top"]).max())
+
     def test_killed_run_and_two_runs_at_once(self):
         self.interrupt_program("run", QUICK, "-o", "killed", *ARGUMENTS, when=self.entries,
                                how=signal.SIGKILL, expect=-signal.SIGKILL)
@@ -85,7 +109,8 @@ class Cache(ProgramTest):
         self.assertEqual(len(self.notes("full")), 1)
         self.assertIn("Nothing was kept in the cache", self.notes("full")[0])
         # The whole entries found no room, but for those of the coarser companion; nothing half-written stays behind.
-        now = {path: path.stat().st_size for path in (self.folder / "cache").iterdir()}
+        now = {path: path.stat().st_size for path in (self.folder / "cache").iterdir()
+               if path not in self.entries(mechanics=True)}
         self.assertEqual(set(now), set(sizes))
         self.assertLessEqual(max(size for path, size in now.items() if size != sizes[path]), limit)
         self.assertTrue(any(size == sizes[path] for path, size in now.items()))

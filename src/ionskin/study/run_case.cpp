@@ -10,6 +10,7 @@
 #include "ionskin/results/strain_file.hpp"
 #include "ionskin/study/checkpoint_file.hpp"
 #include "ionskin/study/ion_error_estimate.hpp"
+#include "ionskin/study/mechanics_cache.hpp"
 #include "ionskin/study/mechanics_error_estimate.hpp"
 #include "ionskin/study/mechanics_file.hpp"
 #include "ionskin/study/mechanics_record.hpp"
@@ -51,7 +52,8 @@ std::optional<MechanicsRecord> strain_from_file(const Case& input, const RunOpti
   return record;
 }
 
-/// Case -> SkinMesh -> ContactSolution -> StrainHistory, or what an earlier run of it left.
+/// Case -> SkinMesh -> ContactSolution -> StrainHistory, or what an earlier run left of it in its
+/// folder or in the cache.
 MechanicsRecord study_1(const Case& input, const RunOptions& options, base::DiskCache* cache,
                         RunFolder& folder, base::Timers& timers) {
   const auto results_path = folder.file(results::file_names::results);
@@ -67,6 +69,13 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, base::Disk
                     "--only electrochemistry takes up: run without --only, or with "
                     "--only mechanics, first");
   }
+  if (cache != nullptr) {
+    const double begin = base::wall_time();
+    if (auto record = recall_mechanics(*cache, hash, input.skin, results_path)) {
+      folder.add_finished("strain", base::wall_time() - begin);
+      return *record;
+    }
+  }
   const auto solved = folder.stage("mechanics", [&] {
     mechanics::ContactOptions contact_options;
     contact_options.threads = options.threads;
@@ -78,12 +87,16 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, base::Disk
   return folder.stage("strain", [&] {
     options.progress("strain history", 0.0);
     MechanicsRecord record = record_mechanics(input, solved, options.threads);
+    const std::size_t own_warnings = record.warnings.size();
     if (cache != nullptr) {
       for (std::string& note : cache->take_notes()) {
         record.warnings.push_back(std::move(note));
       }
     }
     write_mechanics(results_path, hash, record);
+    if (cache != nullptr && record.warnings.size() == own_warnings) {
+      keep_mechanics(*cache, hash, results_path);
+    }
     options.progress("strain history", 1.0);
     return record;
   });
