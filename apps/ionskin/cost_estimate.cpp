@@ -21,9 +21,10 @@ constexpr double seconds_power = 1.55;
 constexpr double bytes_per_thread = 0.94e9; // one factorisation at a time in each thread
 constexpr double bytes_power = 1.25;
 constexpr double bytes_at_rest = 0.15e9; // the program and its libraries
-// Processor time per unknown and time step: 2.2e-7 at the coarse preset, 3.0e-7 at the standard
-// one.
-constexpr double seconds_per_ion_step = 2.6e-7;
+// Processor time per unknown of the whole core and time step, with the error estimate.
+constexpr double seconds_per_ion_step = 7e-8;
+constexpr double companion_share = 0.1;   // of the mechanics, on twice the mesh sizes
+constexpr double seconds_of_output = 4.0; // files, figures and report
 
 } // namespace
 
@@ -38,9 +39,11 @@ CostEstimate estimate_cost(const Case& input, int threads) {
   const double scale = static_cast<double>(cost.mechanics_unknowns) / reference_unknowns;
   const int at_once = std::min(threads, static_cast<int>(cost.positions));
   const double rounds = std::ceil(static_cast<double>(cost.positions) / at_once);
-  cost.seconds = rounds * seconds_per_position * std::pow(scale, seconds_power) +
-                 seconds_per_ion_step * static_cast<double>(ions.unknowns) *
-                     static_cast<double>(ions.steps) / threads;
+  cost.seconds =
+      (1 + companion_share) * rounds * seconds_per_position * std::pow(scale, seconds_power) +
+      seconds_per_ion_step * static_cast<double>(ions.unknowns) * static_cast<double>(ions.steps) /
+          threads +
+      seconds_of_output;
   cost.memory = std::max(bytes_at_rest + at_once * bytes_per_thread * std::pow(scale, bytes_power),
                          bytes_at_rest + ions.memory);
   return cost;

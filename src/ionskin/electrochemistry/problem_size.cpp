@@ -5,6 +5,7 @@
 #include "ionskin/electrochemistry/derived_scales.hpp"
 #include "ionskin/electrochemistry/step_control.hpp"
 #include "ionskin/electrochemistry/transport_grid.hpp"
+#include "ionskin/strain/samples_per_slide.hpp"
 
 #include <algorithm>
 
@@ -14,10 +15,13 @@ namespace {
 /// Vectors of all unknowns that the solver keeps: states, residuals and a usual Krylov basis.
 constexpr double vectors_per_unknown = 30.0;
 
+/// Samples of a history: states of an onset of sliding and of a lift-off, and per slide.
+constexpr int onset_samples = 30, lift_off_samples = 20;
+constexpr double onset_share = 1e-3; // of a slide
+
 /// Instants of one cycle after which the steps restart: contact, start of each slide, full slip,
 /// end of each slide, loss of contact, end of each leg.
 std::vector<double> cycle_events(const std::vector<MotionLeg>& legs) {
-  constexpr double onset_share = 1e-3; // of a slide
   std::vector<double> events;
   for (const MotionLeg& leg : legs) {
     const ContactPart part = contact_part(leg);
@@ -34,7 +38,30 @@ std::vector<double> cycle_events(const std::vector<MotionLeg>& legs) {
   return events;
 }
 
-/// A history that has the grid's extents and the motion's events, but no shear.
+void add_uniform(double begin, double duration, int count, std::vector<double>& times) {
+  for (int i = 1; i <= count; ++i) {
+    times.push_back(begin + duration * i / count);
+  }
+}
+
+/// Instants of one cycle at which the contact timeline will probably have samples.
+std::vector<double> cycle_samples(const std::vector<MotionLeg>& legs, const Numerics& numerics) {
+  const auto slide_samples = static_cast<int>(strain::samples_per_slide(numerics));
+  std::vector<double> samples;
+  for (const MotionLeg& leg : legs) {
+    const ContactPart part = contact_part(leg);
+    if (leg.slides()) {
+      add_uniform(leg.begin, onset_share * leg.duration, onset_samples, samples);
+      add_uniform(leg.begin, leg.duration, slide_samples, samples);
+    }
+    if (leg.leaves()) {
+      add_uniform(leg.begin + part.begin, part.duration, lift_off_samples, samples);
+    }
+  }
+  return samples;
+}
+
+/// A history that has the grid's extents, the motion's events and probable samples, but no shear.
 strain::StrainHistory outline(const Case& input) {
   strain::StrainHistory history;
   const Skin& skin = input.skin;
@@ -48,13 +75,17 @@ strain::StrainHistory outline(const Case& input) {
   history.time = {0.0};
   const std::vector<MotionLeg> legs = motion_legs(input.motion, input.slider);
   for (int cycle = 0; cycle < input.motion.cycles; ++cycle) {
+    const double start = cycle * legs.back().end();
     for (const double event : cycle_events(legs)) {
-      history.time.push_back(cycle * legs.back().end() + event);
+      history.event_time.push_back(start + event);
+    }
+    for (const double sample : cycle_samples(legs, input.numerics)) {
+      history.time.push_back(start + sample);
     }
   }
+  history.time.insert(history.time.end(), history.event_time.begin(), history.event_time.end());
   std::sort(history.time.begin(), history.time.end());
   history.time.erase(std::unique(history.time.begin(), history.time.end()), history.time.end());
-  history.event_time = history.time;
   return history;
 }
 

@@ -2,6 +2,7 @@
 #include "ionskin/strain/contact_timeline.hpp"
 
 #include "ionskin/mechanics/slider_track.hpp"
+#include "ionskin/strain/samples_per_slide.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,22 +14,11 @@ namespace {
 using mechanics::LegSolution;
 using mechanics::PathState;
 
-/// Samples of steady sliding over a leg with the usual number of nodes.
-double slide_samples(const Numerics& numerics) {
-  double samples = 40;
-  if (numerics.preset == Preset::coarse) {
-    samples = 20;
-  } else if (numerics.preset == Preset::fine) {
-    samples = 80;
-  }
-  return samples * numerics.time_refinement;
-}
-
 /// Regular distance of samples in steady sliding; shorter legs, with fewer nodes, need fewer [s].
 double regular_step(const Numerics& numerics, const MotionLeg& motion, const LegSolution& leg) {
   const auto usual = static_cast<double>(mechanics::interpolation_node_count(numerics.preset));
   const double share = std::min(1.0, (static_cast<double>(leg.steady.size()) - 1) / (usual - 1));
-  return motion.duration / std::ceil(slide_samples(numerics) * share);
+  return motion.duration / std::ceil(samples_per_slide(numerics) * share);
 }
 
 /// Weights of polynomial interpolation through the nodes at an instant.

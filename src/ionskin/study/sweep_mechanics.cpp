@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/sweep_mechanics.hpp"
 
+#include "ionskin/base/error.hpp"
 #include "ionskin/base/task_pool.hpp"
+#include "ionskin/case/slider_motion.hpp"
+#include "ionskin/mechanics/find_footprint.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 #include "ionskin/results/atomic_file.hpp"
 #include "ionskin/results/output_folder.hpp"
@@ -17,8 +20,9 @@
 namespace ionskin::study {
 namespace {
 
-constexpr double solution_memory = 1.2e9;  // bytes for the contact solutions held at once
-constexpr double states_per_solution = 75; // touchdown, onset, steady sliding, lift-off
+constexpr double solution_memory = 1.2e9; // bytes for the contact solutions held at once
+// States of a touchdown, an onset with the steady sliding behind it, and a lift-off.
+constexpr double touchdown_states = 20, slide_states = 38, lift_off_states = 20;
 
 /// Points with one and the same Study 1.
 struct SharedMechanics {
@@ -64,14 +68,24 @@ std::vector<FrictionGroup> group_points(const std::vector<SweepPoint>& points,
   return result;
 }
 
+double states_per_solution(const Case& input) {
+  double states = 0;
+  for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
+    states += (leg.lands() ? touchdown_states : 0) + (leg.slides() ? slide_states : 0) +
+              (leg.leaves() ? lift_off_states : 0);
+  }
+  return states;
+}
+
 /// Friction coefficients whose solutions fit into memory together.
-std::size_t batch_size(const Case& input) {
-  const mesh::SkinMesh mesh(input);
+/// @param friction largest of them
+std::size_t batch_size(const Case& input, double friction) {
+  const mesh::SkinMesh mesh(input, mechanics::find_footprint(input, friction));
   const auto elements = mesh.elements();
   const auto core = mesh.core_z();
   const double gauss_points =
       8.0 * static_cast<double>(elements[0] * elements[1] * (core[1] - core[0]));
-  const double bytes = states_per_solution * 6 * sizeof(double) * gauss_points;
+  const double bytes = states_per_solution(input) * 6 * sizeof(double) * gauss_points;
   return std::max<std::size_t>(1, static_cast<std::size_t>(solution_memory / bytes));
 }
 
@@ -224,7 +238,15 @@ SweepFailures solve_shared_mechanics(const std::vector<SweepPoint>& points,
   }
   SharedMechanicsSolver solver(points, options, timers, units);
   for (const FrictionGroup& group : groups) {
-    const std::size_t batch = batch_size(points[group.front().points.front()].input);
+    const auto most = std::ranges::max_element(group, {}, &SharedMechanics::friction);
+    std::size_t batch = 1;
+    try {
+      if (group.size() > 1) {
+        batch = batch_size(points[group.front().points.front()].input, most->friction);
+      }
+    } catch (const SolverError&) {
+      // Each point says by itself why its contact cannot be solved.
+    }
     for (std::size_t begin = 0; begin < group.size(); begin += batch) {
       solver.solve(group, begin, std::min(group.size(), begin + batch));
     }
