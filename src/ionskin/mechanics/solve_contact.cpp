@@ -104,7 +104,9 @@ std::vector<ContactSolution> solve_on_footprint(const Case& input, const mesh::F
 std::vector<ContactSolution> solve_contact(const Case& input, const std::vector<double>& frictions,
                                            const ContactOptions& options, base::Timers& timers) {
   mesh::Footprint footprint;
-  {
+  if (options.footprint) {
+    footprint = *options.footprint;
+  } else {
     const base::Timers::Scope scope(timers, "mechanics: footprint");
     footprint = find_footprint(input, *std::max_element(frictions.begin(), frictions.end()));
   }

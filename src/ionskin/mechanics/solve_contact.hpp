@@ -7,7 +7,9 @@
 #include "ionskin/case/case.hpp"
 #include "ionskin/mechanics/contact_path.hpp"
 #include "ionskin/mechanics/contact_solution.hpp"
+#include "ionskin/mesh/footprint.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace ionskin::mechanics {
@@ -19,6 +21,8 @@ struct ContactOptions {
   PathSteps steps;
   /// Interpolation nodes along the track; 0 takes the preset's.
   std::size_t nodes = 0;
+  /// As `find_footprint` found it for these loads and at least this friction; empty to find it.
+  std::optional<mesh::Footprint> footprint;
   /// Meshes the whole skin where half of it would do, to compare.
   bool full_model = false;
   /// Surface displacement that an earlier cycle left under the slider's start [m], as in

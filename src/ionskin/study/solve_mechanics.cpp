@@ -2,9 +2,11 @@
 #include "ionskin/study/solve_mechanics.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/mechanics/find_footprint.hpp"
 #include "ionskin/study/mechanics_error_estimate.hpp"
 #include "ionskin/study/read_out.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -36,13 +38,18 @@ std::vector<SolvedMechanics> solve_mechanics(const Case& input,
                                              const mechanics::ContactOptions& options,
                                              base::Timers& timers) {
   options.progress("mechanics", 0.0);
+  mechanics::ContactOptions both = options;
+  if (!both.footprint) {
+    const base::Timers::Scope scope(timers, "mechanics: footprint");
+    both.footprint = mechanics::find_footprint(input, std::ranges::max(frictions));
+  }
   std::string problem;
   Solutions companions;
   {
     const base::Timers::Scope scope(timers, "mechanics: companion");
-    companions = solve_companion(input, frictions, options, problem);
+    companions = solve_companion(input, frictions, both, problem);
   }
-  Solutions solutions = mechanics::solve_contact(input, frictions, options, timers);
+  Solutions solutions = mechanics::solve_contact(input, frictions, both, timers);
   std::vector<SolvedMechanics> solved;
   for (std::size_t i = 0; i < frictions.size(); ++i) {
     solved.push_back({std::move(solutions[i]), std::nullopt});

@@ -77,10 +77,20 @@ double states_per_solution(const Case& input) {
   return states;
 }
 
+/// The footprint that a whole group needs; empty where no contact is found, which each point then
+/// says by itself.
+std::optional<mesh::Footprint> footprint_of(const FrictionGroup& group, const Case& input) {
+  try {
+    const auto most = std::ranges::max_element(group, {}, &SharedMechanics::friction);
+    return mechanics::find_footprint(input, most->friction);
+  } catch (const SolverError&) {
+    return std::nullopt;
+  }
+}
+
 /// Friction coefficients whose solutions fit into memory together.
-/// @param friction largest of them
-std::size_t batch_size(const Case& input, double friction) {
-  const mesh::SkinMesh mesh(input, mechanics::find_footprint(input, friction));
+std::size_t batch_size(const Case& input, const mesh::Footprint& footprint) {
+  const mesh::SkinMesh mesh(input, footprint);
   const auto elements = mesh.elements();
   const auto core = mesh.core_z();
   const double gauss_points =
@@ -137,15 +147,17 @@ public:
         cache_(open_user_cache(options)) {}
 
   /// Solves entries [begin, end) of a group together.
-  void solve(const FrictionGroup& group, std::size_t begin, std::size_t end) {
+  /// @param footprint of all of them, or empty to find it
+  void solve(const FrictionGroup& group, std::size_t begin, std::size_t end,
+             const std::optional<mesh::Footprint>& footprint) {
     try {
-      solve_together(group, begin, end);
+      solve_together(group, begin, end, footprint);
       finished_ += end - begin;
     } catch (const SolverError& error) {
       if (end - begin > 1) {
         const std::size_t middle = begin + (end - begin) / 2;
-        solve(group, begin, middle);
-        solve(group, middle, end);
+        solve(group, begin, middle, footprint);
+        solve(group, middle, end, footprint);
         return;
       }
       for (const std::size_t i : group[begin].points) {
@@ -158,13 +170,15 @@ public:
   SweepFailures failures;
 
 private:
-  void solve_together(const FrictionGroup& group, std::size_t begin, std::size_t end) {
+  void solve_together(const FrictionGroup& group, std::size_t begin, std::size_t end,
+                      const std::optional<mesh::Footprint>& footprint) {
     const double start = base::wall_time();
     const double before = static_cast<double>(finished_) / static_cast<double>(units_);
     const double share = static_cast<double>(end - begin) / static_cast<double>(units_);
     mechanics::ContactOptions contact_options;
     contact_options.threads = options_.threads;
     contact_options.cache = cache_.get();
+    contact_options.footprint = footprint;
     contact_options.progress = [&](std::string_view, double fraction) {
       options_.progress("mechanics of all points", before + share * fraction);
     };
@@ -238,17 +252,11 @@ SweepFailures solve_shared_mechanics(const std::vector<SweepPoint>& points,
   }
   SharedMechanicsSolver solver(points, options, timers, units);
   for (const FrictionGroup& group : groups) {
-    const auto most = std::ranges::max_element(group, {}, &SharedMechanics::friction);
-    std::size_t batch = 1;
-    try {
-      if (group.size() > 1) {
-        batch = batch_size(points[group.front().points.front()].input, most->friction);
-      }
-    } catch (const SolverError&) {
-      // Each point says by itself why its contact cannot be solved.
-    }
+    const Case& input = points[group.front().points.front()].input;
+    const auto footprint = footprint_of(group, input);
+    const std::size_t batch = footprint ? batch_size(input, *footprint) : 1;
     for (std::size_t begin = 0; begin < group.size(); begin += batch) {
-      solver.solve(group, begin, std::min(group.size(), begin + batch));
+      solver.solve(group, begin, std::min(group.size(), begin + batch), footprint);
     }
   }
   return std::move(solver.failures);
