@@ -10,7 +10,7 @@
 namespace ionskin::verification {
 
 PressedSkin::PressedSkin(const Case& input)
-    : model_(input, mechanics::find_footprint(input, input.contact.friction)),
+    : model_(input, mechanics::find_footprint(input, input.contact.friction, 2)),
       condensed_(model_, input.slider.start), problem_{condensed_.compliance(),
                                                        model_.cells.area,
                                                        model_.gap,

@@ -3,10 +3,12 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/interrupt.hpp"
+#include "ionskin/base/task_pool.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/mechanics/condensed_position.hpp"
 #include "ionskin/mechanics/slider_track.hpp"
 #include "ionskin/mechanics/steady_sliding.hpp"
+#include "ionskin/mesh/mesh_resolution.hpp"
 
 #include <fmt/format.h>
 
@@ -59,38 +61,49 @@ std::vector<SliderLoad> heaviest_loads(const Case& input, bool half_model) {
   return loads;
 }
 
-/// Touchdown without history and steady sliding, to and fro, at two corners of the track.
-Reach reach_of(const Case& input, const mesh::Footprint& footprint, double friction) {
-  const SkinModel model(input, footprint);
-  const MotionBox box = motion_box(input.motion, input.slider);
-  const std::vector<MotionLeg> legs = motion_legs(input.motion, input.slider);
+/// Touchdown without history and steady sliding, to and fro, at one position.
+Reach reach_at(const Case& input, const SkinModel& model, const std::array<double, 2>& centre,
+               double friction) {
+  base::check_interrupt();
+  const CondensedPosition condensed(model, centre);
+  const ContactProblem problem{condensed.compliance(),
+                               model.cells.area,
+                               model.gap,
+                               {friction, &friction_law(input.contact.law)}};
   const CellVector none(3 * model.cells.count(), 0.0);
   Reach reach;
-  std::vector<std::array<double, 2>> solved;
-  for (const auto& corner : {box.low, box.high}) {
-    base::check_interrupt();
-    const std::array<double, 2> centre = canonical_position(input.skin, corner).centre;
-    if (std::find(solved.begin(), solved.end(), centre) != solved.end()) {
-      continue;
-    }
-    solved.push_back(centre);
-    const CondensedPosition condensed(model, centre);
-    const ContactProblem problem{condensed.compliance(),
-                                 model.cells.area,
-                                 model.gap,
-                                 {friction, &friction_law(input.contact.law)}};
-    for (const SliderLoad& load : heaviest_loads(input, model.mesh.half_model())) {
-      extend(reach, model.cells, solve_contact_step(problem, {load, {0, 0}, 0, none}, none).force);
-      for (const MotionLeg& leg : legs) {
-        const std::array<double, 2> way = leg.direction();
-        for (const double sign : {1.0, -1.0}) {
-          if (leg.slides()) {
-            extend(reach, model.cells,
-                   steady_sliding(problem, load, {sign * way[0], sign * way[1]}, 0).force);
-          }
+  for (const SliderLoad& load : heaviest_loads(input, model.mesh.half_model())) {
+    extend(reach, model.cells, solve_contact_step(problem, {load, {0, 0}, 0, none}, none).force);
+    for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
+      const std::array<double, 2> way = leg.direction();
+      for (const double sign : {1.0, -1.0}) {
+        if (leg.slides()) {
+          extend(reach, model.cells,
+                 steady_sliding(problem, load, {sign * way[0], sign * way[1]}, 0).force);
         }
       }
     }
+  }
+  return reach;
+}
+
+/// Over two corners of the track.
+Reach reach_of(const Case& input, const mesh::Footprint& footprint, double friction, int threads) {
+  const SkinModel model(input, footprint);
+  const MotionBox box = motion_box(input.motion, input.slider);
+  std::vector<std::array<double, 2>> centres{canonical_position(input.skin, box.low).centre,
+                                             canonical_position(input.skin, box.high).centre};
+  if (centres[0] == centres[1]) {
+    centres.pop_back();
+  }
+  std::vector<Reach> reaches(centres.size());
+  base::run_tasks(centres.size(), threads, [&](std::size_t i) {
+    reaches[i] = reach_at(input, model, centres[i], friction);
+  });
+  Reach reach = reaches.front();
+  for (std::size_t d = 0; d < 2; ++d) {
+    reach.extent[d] = std::max(reach.extent[d], reaches.back().extent[d]);
+    reach.border[d] = reach.border[d] || reaches.back().border[d];
   }
   return reach;
 }
@@ -131,7 +144,7 @@ std::array<bool, 2> border_touched(const ContactState& state, std::size_t column
 
 } // namespace
 
-mesh::Footprint find_footprint(const Case& input, double friction) {
+mesh::Footprint find_footprint(const Case& input, double friction, int threads) {
   mesh::Footprint footprint = mesh::largest_footprint(input);
   if (input.slider.sharp()) {
     return footprint;
@@ -141,7 +154,7 @@ mesh::Footprint find_footprint(const Case& input, double friction) {
   coarse.numerics.preset = Preset::coarse;
   coarse.numerics.mesh_refinement = std::min(0.75, input.numerics.mesh_refinement);
   for (int pass = 0; pass < most_passes; ++pass) {
-    const Reach reach = reach_of(coarse, footprint, friction);
+    const Reach reach = reach_of(coarse, footprint, friction, threads);
     bool settled = true;
     std::array<double, 2> rim{};
     for (std::size_t d = 0; d < 2; ++d) {
@@ -149,7 +162,8 @@ mesh::Footprint find_footprint(const Case& input, double friction) {
         continue;
       }
       const double flat = footprint.half_size[d] - footprint.rim[d];
-      rim[d] = std::max(reach.extent[d] - flat, footprint.rim[d] / 20);
+      const double element = mesh::mesh_resolution(coarse, footprint).edge_size[d];
+      rim[d] = std::max(reach.extent[d] - flat, flat > 0 ? element : footprint.rim[d] / 20);
       const bool at_limit = footprint.rim[d] >= limit.rim[d] * (1 - 1e-9);
       if (reach.border[d] && !at_limit) {
         settled = false;

@@ -16,7 +16,7 @@ namespace ionskin::mechanics {
 /// contact reaches its border, and keeps a margin. Rims are rounded up to a geometric grid, so that
 /// cases that differ little share one mesh.
 /// Throws UserError when the contact reaches the edge of the skin.
-mesh::Footprint find_footprint(const Case& input, double friction);
+mesh::Footprint find_footprint(const Case& input, double friction, int threads);
 
 /// A larger footprint when the contact of any state reaches the border of this one, which it should
 /// not; empty when it nowhere does, or the slider ends there.

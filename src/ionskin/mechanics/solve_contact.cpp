@@ -108,7 +108,8 @@ std::vector<ContactSolution> solve_contact(const Case& input, const std::vector<
     footprint = *options.footprint;
   } else {
     const base::Timers::Scope scope(timers, "mechanics: footprint");
-    footprint = find_footprint(input, *std::max_element(frictions.begin(), frictions.end()));
+    footprint = find_footprint(input, *std::max_element(frictions.begin(), frictions.end()),
+                               options.threads);
   }
   for (;;) {
     auto solutions = solve_on_footprint(input, footprint, frictions, options, timers);
@@ -131,7 +132,7 @@ std::vector<ContactState> solve_steady_sliding(const Case& input,
                                                const ContactOptions& options,
                                                base::Timers& timers) {
   const base::Timers::Scope scope(timers, "mechanics: steady sliding");
-  const SkinModel model(input, find_footprint(input, input.contact.friction));
+  const SkinModel model(input, find_footprint(input, input.contact.friction, options.threads));
   const SliderTrack track(input);
   const MotionLeg leg = first_slide(motion_legs(input.motion, input.slider));
   const SliderLoad load = load_of(leg.to_level, model.mesh.half_model() ? 0.5 : 1.0);

@@ -37,17 +37,20 @@ std::size_t scaled_count(double count, double refinement) {
 MeshResolution mesh_resolution(const Case& input, const Footprint& footprint) {
   const PresetResolution preset = preset_resolution(input.numerics.preset);
   const double refinement = input.numerics.mesh_refinement;
-  const double size =
-      std::min({input.skin.thickness(), footprint.half_size[0] / 2, footprint.half_size[1] / 2});
+  const auto length = [&](std::size_t d) {
+    return std::min(input.skin.thickness(), footprint.half_size[d] / 2);
+  };
+  const double at_sharp_edge = preset.edge * std::min(length(0), length(1)) / refinement;
+  const double rim_elements = static_cast<double>(scaled_count(preset.rim_elements, refinement));
   MeshResolution result;
   for (std::size_t d = 0; d < 2; ++d) {
-    result.edge_size[d] =
-        footprint.sharp(d)
-            ? preset.edge * size / refinement
-            : footprint.rim[d] / static_cast<double>(scaled_count(preset.rim_elements, refinement));
+    const double in_rim = footprint.rim[d] / rim_elements;
+    result.edge_size[d] = footprint.sharp(d)   ? at_sharp_edge
+                          : footprint.round(d) ? in_rim
+                                               : std::max(in_rim, at_sharp_edge);
+    result.footprint_largest[d] = preset.footprint_largest * length(d) / refinement;
   }
   result.footprint_growth = std::pow(preset.footprint_growth, 1 / refinement);
-  result.footprint_largest = preset.footprint_largest * size / refinement;
   result.outer_growth = std::pow(preset.outer_growth, 1 / refinement);
   result.outer_minimum = scaled_count(preset.outer_minimum, refinement);
   result.core_elements = scaled_count(preset.core_elements, refinement);

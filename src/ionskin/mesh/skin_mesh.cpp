@@ -31,7 +31,7 @@ std::vector<double> lines_inwards(const Footprint& footprint, const MeshResoluti
                                   std::size_t direction) {
   const double half_size = footprint.half_size[direction], rim = footprint.rim[direction];
   const double size = resolution.edge_size[direction];
-  const double largest = std::max(size, resolution.footprint_largest);
+  const double largest = std::max(size, resolution.footprint_largest[direction]);
   if (footprint.sharp(direction)) {
     return graded_line(half_size, size, resolution.footprint_growth, largest);
   }

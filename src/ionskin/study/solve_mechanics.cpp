@@ -41,7 +41,7 @@ std::vector<SolvedMechanics> solve_mechanics(const Case& input,
   mechanics::ContactOptions both = options;
   if (!both.footprint) {
     const base::Timers::Scope scope(timers, "mechanics: footprint");
-    both.footprint = mechanics::find_footprint(input, std::ranges::max(frictions));
+    both.footprint = mechanics::find_footprint(input, std::ranges::max(frictions), options.threads);
   }
   std::string problem;
   Solutions companions;

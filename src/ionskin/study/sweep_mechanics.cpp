@@ -79,10 +79,11 @@ double states_per_solution(const Case& input) {
 
 /// The footprint that a whole group needs; empty where no contact is found, which each point then
 /// says by itself.
-std::optional<mesh::Footprint> footprint_of(const FrictionGroup& group, const Case& input) {
+std::optional<mesh::Footprint> footprint_of(const FrictionGroup& group, const Case& input,
+                                            int threads) {
   try {
     const auto most = std::ranges::max_element(group, {}, &SharedMechanics::friction);
-    return mechanics::find_footprint(input, most->friction);
+    return mechanics::find_footprint(input, most->friction, threads);
   } catch (const SolverError&) {
     return std::nullopt;
   }
@@ -253,7 +254,7 @@ SweepFailures solve_shared_mechanics(const std::vector<SweepPoint>& points,
   SharedMechanicsSolver solver(points, options, timers, units);
   for (const FrictionGroup& group : groups) {
     const Case& input = points[group.front().points.front()].input;
-    const auto footprint = footprint_of(group, input);
+    const auto footprint = footprint_of(group, input, options.threads);
     const std::size_t batch = footprint ? batch_size(input, *footprint) : 1;
     for (std::size_t begin = 0; begin < group.size(); begin += batch) {
       solver.solve(group, begin, std::min(group.size(), begin + batch), footprint);

@@ -19,13 +19,13 @@ Case small_finger() {
 }
 
 TEST(FindFootprint, of_a_sharp_slider_is_its_plan) {
-  const mesh::Footprint footprint = find_footprint(small_case(), 0.3);
+  const mesh::Footprint footprint = find_footprint(small_case(), 0.3, 1);
   EXPECT_EQ(footprint.half_size, (std::array<double, 2>{0.5e-3, 0.4e-3}));
   EXPECT_TRUE(footprint.sharp(0) && footprint.sharp(1));
 }
 
 TEST(FindFootprint, of_a_sphere_holds_its_contact_closely) {
-  const mesh::Footprint footprint = find_footprint(small_finger(), 0.3);
+  const mesh::Footprint footprint = find_footprint(small_finger(), 0.3, 1);
   EXPECT_TRUE(footprint.round(0) && footprint.round(1));
   const mesh::Footprint largest = mesh::largest_footprint(small_finger());
   for (std::size_t d = 0; d < 2; ++d) {
@@ -34,10 +34,31 @@ TEST(FindFootprint, of_a_sphere_holds_its_contact_closely) {
   }
 }
 
+TEST(FindFootprint, of_a_barely_pressed_rounded_slider_ends_close_to_its_flat_part) {
+  Case input = small_case();
+  input.slider.edge_radius = 0.2e-3;
+  input.motion.preload = 0;
+  input.motion.preload_force = 0.1;
+  const mesh::Footprint footprint = find_footprint(input, 0.3, 1);
+  for (std::size_t d = 0; d < 2; ++d) {
+    EXPECT_NEAR(footprint.half_size[d] - footprint.rim[d], input.slider.flat_half_size()[d], 1e-15);
+    EXPECT_GT(footprint.rim[d], 0);
+    EXPECT_LT(footprint.rim[d], 0.06e-3);
+  }
+}
+
+TEST(FindFootprint, does_not_depend_on_the_number_of_threads) {
+  Case input = small_finger();
+  input.motion.stroke = 1e-3;
+  const mesh::Footprint one = find_footprint(input, 0.3, 1), two = find_footprint(input, 0.3, 2);
+  EXPECT_EQ(one.half_size, two.half_size);
+  EXPECT_EQ(one.rim, two.rim);
+}
+
 TEST(FindFootprint, refuses_a_contact_over_the_edge_of_the_skin) {
   Case input = small_finger();
   input.slider.start[0] = 20e-6;
-  EXPECT_THROW(find_footprint(input, 0.3), UserError);
+  EXPECT_THROW(find_footprint(input, 0.3, 1), UserError);
 }
 
 } // namespace

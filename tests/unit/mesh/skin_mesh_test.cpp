@@ -137,12 +137,30 @@ TEST(SkinMesh, a_round_contact_has_a_uniform_footprint) {
 
 TEST(SkinMesh, a_rounded_edge_has_a_rim_of_equal_elements_before_larger_ones) {
   Case input = example();
-  input.slider.edge_radius = 0.1e-3;
-  const SkinMesh mesh(input, {{1.42e-3, 0.67e-3}, {0.02e-3, 0.02e-3}});
+  input.slider.edge_radius = 0.5e-3;
+  const SkinMesh mesh(input, {{1.24e-3, 0.49e-3}, {0.24e-3, 0.24e-3}});
   const std::vector<double>& x = mesh.footprint_lines_x();
-  EXPECT_NEAR(x[2] - x[1], x[1] - x[0], 1e-15);
-  EXPECT_LT(x[1] - x[0], 5e-6);
+  for (std::size_t i = 1; i <= 8; ++i) {
+    EXPECT_NEAR(x[i] - x[i - 1], 0.03e-3, 1e-15);
+  }
   EXPECT_GT(x[x.size() / 2] - x[x.size() / 2 - 1], 5 * (x[1] - x[0]));
+}
+
+TEST(SkinMesh, a_narrow_rim_is_no_finer_than_a_sharp_edge) {
+  Case input = example();
+  const std::size_t sharp = SkinMesh(input).elements()[0];
+  input.slider.edge_radius = 0.1e-3;
+  const SkinMesh mesh(input, {{1.403e-3, 0.653e-3}, {0.003e-3, 0.003e-3}});
+  EXPECT_LE(mesh.elements()[0], sharp + 2);
+}
+
+TEST(SkinMesh, a_line_contact_is_as_coarse_along_it_as_its_length_allows) {
+  Case input = example();
+  input.slider.shape = SliderShape::cylinder;
+  input.slider.radius = 8e-3;
+  const SkinMesh narrow(input, {{0.02e-3, 0.75e-3}, {0.02e-3, 0}});
+  const SkinMesh wide(input, {{0.2e-3, 0.75e-3}, {0.2e-3, 0}});
+  EXPECT_LE(narrow.elements()[1], wide.elements()[1] + 10);
 }
 
 TEST(SkinMesh, a_deep_block_is_graded_downwards_and_a_thin_skin_is_not) {
