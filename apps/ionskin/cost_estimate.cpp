@@ -31,7 +31,8 @@ constexpr double seconds_of_output = 4.0; // files, figures and report
 CostEstimate estimate_cost(const Case& input, int threads) {
   CostEstimate cost;
   cost.mechanics_unknowns = mesh::SkinMesh(input).unknowns();
-  cost.positions = mechanics::plan_contact(input).positions.size();
+  cost.positions =
+      mechanics::plan_contact(input, mechanics::expected_node_counts(input)).positions.size();
   const auto ions = electrochemistry::estimate_problem_size(input);
   cost.ion_unknowns = ions.unknowns;
   cost.ion_steps = ions.steps;

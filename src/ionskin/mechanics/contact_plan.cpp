@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ionskin::mechanics {
 namespace {
@@ -41,7 +42,16 @@ std::size_t ContactPlan::first_alike(std::size_t leg) const {
   return first;
 }
 
-ContactPlan plan_contact(const Case& input, std::size_t node_count) {
+NodeCounts expected_node_counts(const Case& input) {
+  NodeCounts counts;
+  for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
+    const ContactPart part = contact_part(leg);
+    counts.push_back(leg.slides() ? expected_node_count(input, part.from, part.to) : 0);
+  }
+  return counts;
+}
+
+ContactPlan plan_contact(const Case& input, const NodeCounts& node_counts) {
   ContactPlan plan;
   plan.legs = motion_legs(input.motion, input.slider);
   plan.nodes.resize(plan.legs.size());
@@ -59,8 +69,7 @@ ContactPlan plan_contact(const Case& input, std::size_t node_count) {
     }
     const Point way{part.to[0] - part.from[0], part.to[1] - part.from[1]};
     const double length = std::hypot(way[0], way[1]);
-    plan.nodes[leg] = interpolation_nodes(
-        length, node_count > 0 ? node_count : interpolation_node_count(input, part.from, part.to));
+    plan.nodes[leg] = interpolation_nodes(length, node_counts[leg]);
     if (plan.first_alike(leg) != leg) {
       continue;
     }
@@ -72,6 +81,23 @@ ContactPlan plan_contact(const Case& input, std::size_t node_count) {
     }
   }
   return plan;
+}
+
+std::vector<PositionTask> added_positions(const ContactPlan& plan, const ContactPlan& before) {
+  std::vector<PositionTask> added;
+  for (const PositionTask& task : plan.positions) {
+    PositionTask rest{task.centre, {}, {}};
+    for (const PositionTask::Node& node : task.nodes) {
+      const std::vector<double>& solved = before.nodes[node.leg];
+      if (!std::binary_search(solved.begin(), solved.end(), plan.nodes[node.leg][node.index])) {
+        rest.nodes.push_back(node);
+      }
+    }
+    if (!rest.nodes.empty()) {
+      added.push_back(std::move(rest));
+    }
+  }
+  return added;
 }
 
 } // namespace ionskin::mechanics

@@ -41,7 +41,15 @@ struct ContactPlan {
   std::size_t first_alike(std::size_t leg) const;
 };
 
-/// @param node_count per leg; 0 takes the preset's
-ContactPlan plan_contact(const Case& input, std::size_t node_count = 0);
+/// Interpolation nodes of each leg; only those of legs that slide count.
+using NodeCounts = std::vector<std::size_t>;
+
+/// As many as the legs are expected to need.
+NodeCounts expected_node_counts(const Case& input);
+
+ContactPlan plan_contact(const Case& input, const NodeCounts& node_counts);
+
+/// What a plan has beyond another one with fewer nodes.
+std::vector<PositionTask> added_positions(const ContactPlan& plan, const ContactPlan& before);
 
 } // namespace ionskin::mechanics

@@ -30,8 +30,8 @@ struct ContactState {
   std::vector<double> tangential_traction_x; ///< [Pa]
   std::vector<double> tangential_traction_y; ///< [Pa]
   std::vector<double> surface; ///< mean displacement of each cell: normal downwards, x, y [m]
-  /// Length of the slip since the state before on the path [m]; in steady sliding the travel since
-  /// the node before.
+  /// Length of the slip since the state before on the path [m]; in steady sliding the way of the
+  /// leg.
   std::vector<double> slip;
   CoreStrain strain;
   /// Largest von Mises stress of each electrode layer as a membrane, averaged through its thickness
@@ -93,6 +93,9 @@ struct ContactSolution {
   std::vector<std::string> warnings;
   double worst_equilibrium_residual = 0;
   double worst_complementarity_residual = 0;
+  /// Largest estimate over the legs of the error between the nodes of steady sliding, of the strain
+  /// in the core over its largest norm (see interpolation_error.hpp).
+  double worst_interpolation_error = 0;
   int contact_solves = 0;
 };
 

@@ -69,9 +69,8 @@ void PositionSolver::solve_node(const PositionTask::Node& node, SolvedPieces& pi
   if (load.value <= 0) {
     return; // the slider just lands or leaves here
   }
-  const double travel = node.index == 0 ? 0 : ways[node.index] - ways[node.index - 1];
   const SurfaceState steady =
-      steady_sliding(problem_, load, node.position.reflected(leg.direction()), travel);
+      steady_sliding(problem_, load, node.position.reflected(leg.direction()), ways.back());
   Scale scale;
   scale.include(steady);
   point.state = keep(steady, node.position, scale);

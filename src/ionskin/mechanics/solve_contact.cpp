@@ -5,12 +5,15 @@
 #include "ionskin/base/task_pool.hpp"
 #include "ionskin/mechanics/contact_plan.hpp"
 #include "ionskin/mechanics/find_footprint.hpp"
-#include "ionskin/mechanics/position_solver.hpp"
+#include "ionskin/mechanics/interpolation_error.hpp"
+#include "ionskin/mechanics/position_states.hpp"
+#include "ionskin/mechanics/shared_positions.hpp"
 #include "ionskin/mechanics/steady_sliding.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
-#include <mutex>
 #include <utility>
 
 namespace ionskin::mechanics {
@@ -20,25 +23,51 @@ mesh::MeshedPart whole(const ContactOptions& options) {
   return options.full_model ? mesh::MeshedPart::whole : mesh::MeshedPart::half_if_symmetric;
 }
 
-/// From so many friction coefficients on, the response to every unit force is worth its making in
-/// the same run.
-constexpr std::size_t many_frictions = 3;
-
-/// Reports progress from several threads, one at a time.
-class SharedProgress {
-public:
-  SharedProgress(const base::ProgressCallback& callback, std::size_t units)
-      : callback_(callback), units_(units) {}
-  void finish_unit() {
-    const std::lock_guard lock(mutex_);
-    callback_("mechanics", static_cast<double>(++finished_) / static_cast<double>(units_));
+/// Few nodes to begin with: their solutions tell how many are needed.
+NodeCounts first_node_counts(NodeCounts expected, std::size_t given) {
+  constexpr std::size_t first_count = 4;
+  for (std::size_t& count : expected) {
+    count = given > 0 ? given : std::min(count, first_count);
   }
+  return expected;
+}
 
-private:
-  const base::ProgressCallback& callback_;
-  std::size_t units_, finished_ = 0;
-  std::mutex mutex_;
-};
+/// Nodes that each leg needs; keeps the error of those that it has.
+NodeCounts needed_node_counts(const FrictionSolve& solve, double tolerance,
+                              ContactSolution& solution) {
+  const ContactPlan& plan = solve.plan;
+  NodeCounts counts = solve.node_counts;
+  for (std::size_t leg = 0; leg < plan.legs.size(); ++leg) {
+    const std::size_t first = plan.first_alike(leg);
+    const std::vector<PathState>& steady = solution.legs[leg].steady;
+    if (!steady.empty() && counts[first] == solve.node_counts[first]) {
+      const InterpolationError error = interpolation_error(chebyshev_norms(steady));
+      solution.worst_interpolation_error =
+          std::max(solution.worst_interpolation_error, error.estimate);
+      counts[first] = wanted_node_count(steady.size(), error, tolerance);
+    }
+  }
+  for (std::size_t leg = 0; leg < plan.legs.size(); ++leg) {
+    counts[leg] = counts[plan.first_alike(leg)];
+  }
+  return counts;
+}
+
+ContactSolution assembled(const SkinModel& model, const FrictionSolve& solve) {
+  ContactSolution solution{
+      .mesh = model.mesh, .cell_lines_x = model.cells.lines_x, .cell_lines_y = model.cells.lines_y};
+  assemble(solve.plan, solve.pieces, solve.friction, solution);
+  return solution;
+}
+
+void warn_of_interpolation(double tolerance, ContactSolution& solution) {
+  if (solution.worst_interpolation_error > tolerance) {
+    solution.warnings.push_back(fmt::format(
+        "between the {} positions that are solved along a slide, the most there are, steady "
+        "sliding is interpolated to {:.1e} of the strain only, not to {:.1e}",
+        most_interpolation_nodes, solution.worst_interpolation_error, tolerance));
+  }
+}
 
 std::vector<ContactSolution> solve_on_footprint(const Case& input, const mesh::Footprint& footprint,
                                                 const std::vector<double>& frictions,
@@ -49,52 +78,41 @@ std::vector<ContactSolution> solve_on_footprint(const Case& input, const mesh::F
   analysis.reset();
   base::check_interrupt();
 
-  const ContactPlan plan = plan_contact(input, options.nodes);
-  const std::vector<PositionTask>& tasks = plan.positions;
-  std::vector<SolvedPieces> pieces(frictions.size(), SolvedPieces(plan));
-  SharedProgress progress(options.progress, tasks.size() * (1 + frictions.size()));
-  const auto solve = [&](std::size_t t, std::size_t f, const CondensedPosition& condensed) {
-    base::check_interrupt();
-    PositionSolver solver(model, plan, options.steps, options.surface_before, condensed,
-                          {frictions[f], &friction_law(input.contact.law)});
-    {
-      const base::Timers::Scope contact(timers, "mechanics: contact");
-      solver.solve(tasks[t], pieces[f]);
-    }
-    const base::Timers::Scope strain(timers, "mechanics: strain");
-    solver.complete(condensed);
-    progress.finish_unit();
-  };
-  // Positions that hold no factor are light: they are kept, and each of their friction coefficients
-  // is a task of its own, since most states belong to the first position.
-  std::vector<std::unique_ptr<const CondensedPosition>> light(tasks.size());
-  base::run_tasks(tasks.size(), options.threads, [&](std::size_t t) {
-    base::check_interrupt();
-    auto factorisation = std::make_unique<base::Timers::Scope>(timers, "mechanics: factorisation");
-    const PositionStore store{options.cache, frictions.size() >= many_frictions};
-    auto condensed = std::make_unique<const CondensedPosition>(model, tasks[t].centre, store);
-    factorisation.reset();
-    progress.finish_unit();
-    if (!condensed->holds_factor()) {
-      light[t] = std::move(condensed);
-      return;
-    }
-    for (std::size_t f = 0; f < frictions.size(); ++f) {
-      solve(t, f, *condensed);
-    }
-  });
-  base::run_tasks(tasks.size() * frictions.size(), options.threads, [&](std::size_t i) {
-    const std::size_t t = i / frictions.size();
-    if (light[t]) {
-      solve(t, i % frictions.size(), *light[t]);
-    }
-  });
+  const NodeCounts expected = expected_node_counts(input);
+  const NodeCounts node_counts = first_node_counts(expected, options.nodes);
+  const ContactPlan first_plan = plan_contact(input, node_counts);
+  std::vector<FrictionSolve> solves;
+  for (const double friction : frictions) {
+    solves.push_back(
+        {friction, node_counts, first_plan, first_plan.positions, SolvedPieces(first_plan)});
+  }
+  SharedProgress progress(options.progress,
+                          plan_contact(input, expected).positions.size() * (1 + frictions.size()));
+  const SharedSetting setting{model, options, timers, progress, &friction_law(input.contact.law)};
+  const double tolerance = interpolation_tolerance(input.numerics.preset);
   std::vector<ContactSolution> solutions;
-  for (std::size_t f = 0; f < frictions.size(); ++f) {
-    solutions.push_back({.mesh = model.mesh,
-                         .cell_lines_x = model.cells.lines_x,
-                         .cell_lines_y = model.cells.lines_y});
-    assemble(plan, pieces[f], frictions[f], solutions.back());
+  for (bool settled = false; !settled;) {
+    solve_open_positions(setting, solves);
+    settled = true;
+    solutions.clear();
+    for (FrictionSolve& solve : solves) {
+      ContactSolution& solution = solutions.emplace_back(assembled(model, solve));
+      solve.open.clear();
+      const NodeCounts needed = needed_node_counts(solve, tolerance, solution);
+      if (options.nodes == 0 && needed != solve.node_counts) {
+        settled = false;
+        ContactPlan plan = plan_contact(input, needed);
+        solve.open = added_positions(plan, solve.plan);
+        solve.pieces.extend(solve.plan, plan);
+        solve.plan = std::move(plan);
+        solve.node_counts = needed;
+      }
+    }
+  }
+  for (ContactSolution& solution : solutions) {
+    if (options.nodes == 0) {
+      warn_of_interpolation(tolerance, solution);
+    }
   }
   return solutions;
 }

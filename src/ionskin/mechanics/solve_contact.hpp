@@ -19,7 +19,7 @@ struct ContactOptions {
   base::ProgressCallback progress = base::no_progress; ///< called from one thread at a time
   base::DiskCache* cache = nullptr;                    ///< of condensed positions; none when null
   PathSteps steps;
-  /// Interpolation nodes along the track; 0 takes the preset's.
+  /// Interpolation nodes along every slide; 0 for as many as keep the preset's tolerance.
   std::size_t nodes = 0;
   /// As `find_footprint` found it for these loads and at least this friction; empty to find it.
   std::optional<mesh::Footprint> footprint;

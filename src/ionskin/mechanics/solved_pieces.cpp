@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace ionskin::mechanics {
 namespace {
@@ -76,6 +77,19 @@ SolvedPieces::SolvedPieces(const ContactPlan& plan)
     : chains(plan.legs.size()), steady(plan.legs.size()) {
   for (std::size_t leg = 0; leg < plan.legs.size(); ++leg) {
     steady[leg].resize(plan.nodes[leg].size());
+  }
+}
+
+void SolvedPieces::extend(const ContactPlan& solved, const ContactPlan& plan) {
+  for (std::size_t leg = 0; leg < plan.legs.size(); ++leg) {
+    std::vector<PathState> states(plan.nodes[leg].size());
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      const auto place = std::ranges::find(solved.nodes[leg], plan.nodes[leg][i]);
+      if (place != solved.nodes[leg].end()) {
+        states[i] = steady[leg][static_cast<std::size_t>(place - solved.nodes[leg].begin())];
+      }
+    }
+    steady[leg] = std::move(states);
   }
 }
 

@@ -25,6 +25,8 @@ struct SolvedChain {
 /// entries of its own.
 struct SolvedPieces {
   explicit SolvedPieces(const ContactPlan& plan);
+  /// Makes room for the nodes that a plan has beyond the one that was solved.
+  void extend(const ContactPlan& solved, const ContactPlan& plan);
   std::vector<SolvedChain> chains;            ///< by the leg with which they begin
   std::vector<std::vector<PathState>> steady; ///< by leg
 };

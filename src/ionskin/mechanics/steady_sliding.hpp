@@ -9,7 +9,7 @@ namespace ionskin::mechanics {
 /// so its tangential force is the friction limit in that direction, and only normal contact is left
 /// to solve (active set, with Newton's method where the limit is not in proportion to the pressure;
 /// under a given force the indentation is one more unknown).
-/// @param travel since the state before, which becomes the slip [m]
+/// @param travel of the slider, which becomes the slip [m]
 /// Throws SolverError when the active set cycles.
 SurfaceState steady_sliding(const ContactProblem& problem, const SliderLoad& load,
                             const std::array<double, 2>& direction, double travel);

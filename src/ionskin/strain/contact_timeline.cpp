@@ -14,24 +14,23 @@ namespace {
 using mechanics::LegSolution;
 using mechanics::PathState;
 
-/// Regular distance of samples in steady sliding; shorter legs, with fewer nodes, need fewer [s].
-double regular_step(const Numerics& numerics, const MotionLeg& motion, const LegSolution& leg) {
-  const auto usual = static_cast<double>(mechanics::interpolation_node_count(numerics.preset));
-  const double share = std::min(1.0, (static_cast<double>(leg.steady.size()) - 1) / (usual - 1));
-  return motion.duration / std::ceil(samples_per_slide(numerics) * share);
+/// Regular distance of samples in steady sliding; short slides, which fewer nodes describe, need
+/// fewer [s].
+double regular_step(const Case& input, const MotionLeg& motion) {
+  const auto intervals = [&](const std::array<double, 2>& from, const std::array<double, 2>& to) {
+    return static_cast<double>(mechanics::expected_node_count(input, from, to) - 1);
+  };
+  const ContactPart part = contact_part(motion);
+  const double share = intervals(part.from, part.to) / intervals({0, 0}, {input.skin.length, 0});
+  return motion.duration / std::ceil(samples_per_slide(input.numerics) * share);
 }
 
-/// Weights of polynomial interpolation through the nodes at an instant.
-std::vector<double> lagrange_weights(const std::vector<PathState>& nodes, double time) {
-  std::vector<double> weights(nodes.size(), 1.0);
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    for (std::size_t j = 0; j < nodes.size(); ++j) {
-      if (i != j) {
-        weights[i] *= (time - nodes[j].time) / (nodes[i].time - nodes[j].time);
-      }
-    }
+std::vector<double> times_of(const std::vector<PathState>& nodes) {
+  std::vector<double> times;
+  for (const PathState& node : nodes) {
+    times.push_back(node.time);
   }
-  return weights;
+  return times;
 }
 
 double contact_begin(const LegSolution& leg) {
@@ -117,7 +116,7 @@ std::array<double, 2> StateCombination::tangential_force() const {
 }
 
 ContactTimeline::ContactTimeline(const Case& input, const mechanics::ContactSolution& contact)
-    : contact_(contact), numerics_(input.numerics), legs_(motion_legs(input.motion, input.slider)),
+    : contact_(contact), input_(input), legs_(motion_legs(input.motion, input.slider)),
       duration_(legs_.back().end()) {
   add_sample(0, 0.0);
   for (std::size_t i = 0; i < legs_.size(); ++i) {
@@ -148,7 +147,7 @@ void ContactTimeline::add_leg_samples(std::size_t index) {
   if (!leg.steady.empty()) {
     add_sample(index, contact_begin(leg));
     double time = leg.joined;
-    const double end = contact_end(leg), regular = regular_step(numerics_, legs_[index], leg);
+    const double end = contact_end(leg), regular = regular_step(input_, legs_[index]);
     if (!leg.path.empty()) {
       add_sample(index, time);
       // Spacing grows from the last onset interval to the regular one.
@@ -229,7 +228,7 @@ StateCombination ContactTimeline::combination(std::size_t index, double since_be
   if (!detached && leg.steady.empty()) {
     add_path(leg, since_begin, result);
   } else if (!detached) {
-    const auto weights = lagrange_weights(leg.steady, since_begin);
+    const auto weights = mechanics::interpolation_weights(times_of(leg.steady), since_begin);
     for (std::size_t i = 0; i < weights.size(); ++i) {
       result.add(leg.steady[i].state, weights[i]);
     }

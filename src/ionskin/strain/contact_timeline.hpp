@@ -68,7 +68,7 @@ private:
   double joined_at(std::size_t leg) const;
 
   const mechanics::ContactSolution& contact_;
-  Numerics numerics_;
+  const Case& input_;
   std::vector<MotionLeg> legs_;
   double duration_ = 0;
   std::vector<Sample> samples_;

@@ -64,6 +64,7 @@ void write_mechanics(const std::filesystem::path& path, const std::string& hash,
   file.set_attribute("/path", "worst_equilibrium_residual", record.worst_equilibrium_residual);
   file.set_attribute("/path", "worst_complementarity_residual",
                      record.worst_complementarity_residual);
+  file.set_attribute("/path", "worst_interpolation_error", record.worst_interpolation_error);
   file.set_attribute("/path", "contact_solves", record.contact_solves);
   results.commit();
 }
@@ -96,6 +97,7 @@ std::optional<MechanicsRecord> read_mechanics(const std::filesystem::path& path,
     record.join_time = number("join_time");
     record.worst_equilibrium_residual = number("worst_equilibrium_residual");
     record.worst_complementarity_residual = number("worst_complementarity_residual");
+    record.worst_interpolation_error = number("worst_interpolation_error");
     record.contact_solves = static_cast<int>(number("contact_solves"));
   }
   record.history = results::read_strain_file(path, skin);

@@ -156,6 +156,7 @@ MechanicsRecord make_mechanics_record(const Case& input,
   record.maps = {contact.cell_lines_x, contact.cell_lines_y, make_maps(legs, contact)};
   record.worst_equilibrium_residual = contact.worst_equilibrium_residual;
   record.worst_complementarity_residual = contact.worst_complementarity_residual;
+  record.worst_interpolation_error = contact.worst_interpolation_error;
   record.contact_solves = contact.contact_solves;
   record.electrode_stress = largest_electrode_stress(contact);
   record.warnings = contact.warnings;

@@ -4,6 +4,7 @@
 #include "ionskin/mechanics/condensed_position.hpp"
 #include "ionskin/mechanics/contact_plan.hpp"
 #include "ionskin/mechanics/core_strain.hpp"
+#include "ionskin/mechanics/interpolation_error.hpp"
 #include "ionskin/mechanics/slider_track.hpp"
 #include "small_case.hpp"
 
@@ -45,7 +46,8 @@ TEST(SolveContact, path_goes_from_touchdown_through_steady_sliding_to_nothing) {
   const ContactSolution& solution = solved_small_case();
   EXPECT_GT(touchdown(solution).normal_force, 1.0);
   EXPECT_EQ(slide(solution).path.size(), 31u);
-  EXPECT_EQ(slide(solution).steady.size(), interpolation_node_count(Preset::coarse));
+  EXPECT_EQ(slide(solution).steady.size(), 8u);
+  EXPECT_LT(solution.worst_interpolation_error, interpolation_tolerance(Preset::coarse));
   for (const PathState& point : slide(solution).steady) {
     EXPECT_NEAR(total_friction(*point.state), 0.3 * point.state->normal_force,
                 1e-8 * point.state->normal_force);
@@ -207,7 +209,52 @@ TEST(SolveContact, a_stroke_back_starts_from_sliding_forth) {
   EXPECT_NEAR(steady.normal_force, forth.steady.front().state->normal_force,
               1e-8 * steady.normal_force);
   EXPECT_EQ(solution.legs[5].steady.front().state, forth.steady.front().state);
-  EXPECT_EQ(plan_contact(input, 3).positions.size(), 2u);
+  EXPECT_EQ(plan_contact(input, NodeCounts(solution.legs.size(), 3)).positions.size(), 2u);
+}
+
+TEST(SolveContact, a_friction_coefficient_is_solved_the_same_beside_others) {
+  const Case input = small_case();
+  base::Timers timers;
+  ContactOptions options;
+  options.threads = 2;
+  const std::vector<ContactSolution> together =
+      solve_contact(input, std::vector<double>{0.0, 0.3, 0.6}, options, timers);
+  const auto &alone = slide(solved_small_case()).steady, &beside = slide(together[1]).steady;
+  ASSERT_EQ(beside.size(), alone.size());
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    EXPECT_EQ(beside[i].time, alone[i].time);
+    EXPECT_NEAR(beside[i].state->normal_force, alone[i].state->normal_force,
+                1e-12 * alone[i].state->normal_force);
+  }
+}
+
+TEST(SolveContact, steady_sliding_between_the_nodes_is_as_close_as_estimated) {
+  const Case input = small_case();
+  const std::vector<PathState>& nodes = slide(solved_small_case()).steady;
+  std::vector<double> times;
+  for (const PathState& node : nodes) {
+    times.push_back(node.time);
+  }
+  base::Timers timers;
+  ContactOptions options;
+  options.threads = 2;
+  for (const double fraction : {0.02, 0.13, 0.71}) {
+    const ContactState direct =
+        solve_steady_sliding(input, {fraction * input.motion.stroke}, options, timers).front();
+    const auto weights = interpolation_weights(times, fraction * input.motion.slide);
+    double difference = 0, size = 0;
+    for (std::size_t c = 0; c < 6; ++c) {
+      for (std::size_t i = 0; i < direct.strain.component[c].size(); ++i) {
+        double value = -direct.strain.component[c][i];
+        size += value * value;
+        for (std::size_t node = 0; node < nodes.size(); ++node) {
+          value += weights[node] * nodes[node].state->strain.component[c][i];
+        }
+        difference += value * value;
+      }
+    }
+    EXPECT_LT(std::sqrt(difference / size), solved_small_case().worst_interpolation_error);
+  }
 }
 
 TEST(SolveContact, a_force_is_held_with_the_indentation_free) {
