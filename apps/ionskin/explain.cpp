@@ -6,6 +6,7 @@
 
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/electrochemistry/derived_scales.hpp"
+#include "ionskin/electrochemistry/steric_excess.hpp"
 #include "ionskin/electrochemistry/wall_potential.hpp"
 #include "ionskin/mesh/footprint.hpp"
 
@@ -77,6 +78,9 @@ std::string scales_of_ions(const Case& input) {
   add("charging time", fmt::format("{:.4g} s", scales.slow_time),
       "lambda h / (2 D), of both double layers through the core");
   add("conductivity", fmt::format("{:.4g} S/m", scales.conductivity), "");
+  if (const auto excess = electrochemistry::steric_excess(input.electrochemistry))
+    add("thermodynamic factor", fmt::format("{:.4g}", 1 / excess->room(1.0)),
+        "of ions of finite size at rest: multiplies D, and lambda by its root");
   add("charge scale", fmt::format("{:.4g} C/m2", scales.charge_density), "F c0 lambda");
   return text;
 }

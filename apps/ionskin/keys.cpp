@@ -38,12 +38,12 @@ std::string type_name(ValueType type) {
   return "";
 }
 
-std::string need_name(Need need) {
-  switch (need) {
+std::string need_name(const SchemaRow& row) {
+  switch (row.need) {
   case Need::optional:
     return "optional";
   case Need::always:
-    return "required";
+    return row.applies ? "required where it applies" : "required";
   case Need::with_contact:
     return "required with strain.source = \"contact\"";
   case Need::with_strain_file:
@@ -85,7 +85,7 @@ nlohmann::json json_of(const SchemaRow& row) {
           {"si_unit", has_dimension(row) ? dimension_info(row.dimension).si_unit : ""},
           {"range", range_of(row)},
           {"range_reason", row.range_reason},
-          {"need", need_name(row.need)},
+          {"need", need_name(row)},
           {"default", row.default_value},
           {"choices", choices},
           {"help", row.help},
@@ -93,7 +93,7 @@ nlohmann::json json_of(const SchemaRow& row) {
 }
 
 std::string line_of(const SchemaRow& row, std::size_t width) {
-  const std::string value = row.default_value.empty() ? need_name(row.need) : row.default_value;
+  const std::string value = row.default_value.empty() ? need_name(row) : row.default_value;
   return fmt::format("{:<{}}  {}  [{}]\n", row.key, width, row.help, value);
 }
 

@@ -15,6 +15,7 @@ TITLES = {
     "M9": "Symmetry", "M10": "Reciprocating motion", "M11": "Force control", "E1": "Gauss identity",
     "E2": "Ramo identity", "E3": "Linear step of shear", "E4": "Impedance", "E5": "Nonlinear double layer",
     "E6": "Conservation of ions", "E7": "Manufactured solution", "E8": "Averages across the skin",
+    "E9": "Ions of finite size",
     "C1": "No coupling, no current", "C2": "Converged peaks", "C3": "Smooth sliding", "C4": "Charge of the spikes",
     "C5": "Estimated errors",
 }

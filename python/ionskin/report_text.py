@@ -25,8 +25,9 @@ LIMITS = [
     "rate, which is of the order of the strain, and the drift of the footprint during the onset of sliding.",
     "The slider is rigid and its edges are sharp: stress and shear at the edges grow as the mesh is refined. Mean, rms "
     "and percentiles converge; a pointwise maximum does not, and the peak pressure is no result.",
-    "Dilute transport of one mobile cation against a fixed charge, with constant diffusivity and permittivity. Both "
-    "electrodes block; there is no flow of water and no reaction, and the ions do not act back on the mechanics.",
+    "Transport of one mobile cation against a fixed charge, as a dilute or a lattice solution, with constant diffusivity "
+    "and permittivity. Both electrodes block; there is no flow of water and no reaction, and the ions do not act back on "
+    "the mechanics.",
     "The difference current during the onset of sliding is a small remainder of large terms; its instantaneous peak "
     "there is 5 to 30 % uncertain.",
 ]

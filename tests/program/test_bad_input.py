@@ -29,6 +29,13 @@ EDITS = [
     ("zero duration", ["motion.slide=0 s"], ["motion.slide", "0"]),
     ("unknown material", ["skin.layers[1].material=nafoin"], ["nafoin", "nafion"]),
     ("unknown law", ["coupling.law=column-neutrall"], ["column-neutral"]),
+    ("unknown ion model", ["electrochemistry.ion_model=sterik"], ["ion_model", "sterik", "steric"]),
+    ("steric ions of no size", ["electrochemistry.ion_model=steric"],
+     ["missing key electrochemistry.largest_concentration", "mol/m3"]),
+    ("size of dilute ions", ["electrochemistry.largest_concentration=5000 mol/m3"],
+     ["largest_concentration", "dilute", 'ion_model = "steric"']),
+    ("ions that do not fit", ["electrochemistry.ion_model=steric", "electrochemistry.largest_concentration=900 mol/m3"],
+     ["do not fit", "900 mol/m3", "must exceed 1200 mol/m3"]),
     ("negative friction", ["contact.friction=-0.1"], ["contact.friction", "-0.1"]),
     ("no strain file", ["strain.source=file"], ["strain.file"]),
     ("missing strain file", ["strain.source=file", "strain.file=nothing.h5"], ["nothing.h5"]),
@@ -92,10 +99,11 @@ class BadStrainFile(ProgramTest):
         write_strain_file(self.folder / "strain.h5", **file)
         self.refuse(words)
 
-    def refuse(self, words):
+    def refuse(self, words, *edits):
         strain = self.folder / "strain.h5"
+        options = [option for edit in edits for option in ("--set", edit)]
         process = self.run_program("run", PAPER, "-o", "out", "--set", "strain.source=file", "--set",
-                                   f'strain.file="{strain}"', expect=2)
+                                   f'strain.file="{strain}"', *options, expect=2)
         for word in words:
             self.assertIn(word, process.stderr)
         self.assertFalse((self.folder / "out" / "signals.csv").exists())
@@ -110,6 +118,11 @@ class BadStrainFile(ProgramTest):
 
     def test_negative_fixed_charge(self):
         self.assert_refused(["fixed charge", "-1"], gamma=numpy.full((2, 2, 1, 1), -20.0), time=[0, 1])
+
+    def test_released_ions_without_room(self):
+        write_strain_file(self.folder / "strain.h5", gamma=numpy.full((2, 2, 1, 1), 5.0), time=[0, 1])
+        self.refuse(["pair-generation", "room", "largest_concentration"], "coupling.law=pair-generation",
+                    "electrochemistry.ion_model=steric", "electrochemistry.largest_concentration=1500 mol/m3")
 
     def test_only_mechanics_of_a_strain_file(self):
         write_strain_file(self.folder / "strain.h5", gamma=numpy.zeros((2, 2, 1, 1)), time=[0, 1])

@@ -24,4 +24,7 @@ std::vector<Row> error_estimate_rows(const Options& options);
 /// E8: in the linear limit the laterally averaged response is the response of the averaged shear.
 std::vector<Row> lateral_average_rows(const Options& options);
 
+/// E9: ions of finite size: double layers, spectrum, linear and dilute limits, conservation.
+std::vector<Row> steric_rows(const Options& options);
+
 } // namespace ionskin::verification

@@ -108,12 +108,20 @@ struct Contact {
   double friction = 0;         ///< coefficient [1]
 };
 
+/// Ions without size, or ions that take room from one another.
+enum class IonModel { dilute, steric };
+
 struct Electrochemistry {
   double temperature = 0;                ///< [K]
   double diffusivity = 0;                ///< of the mobile cation [m2/s]
   double permittivity = 0;               ///< effective, absolute [F/m]
   double fixed_charge_concentration = 0; ///< c0 [mol/m3]
   int valence = 1;                       ///< of the mobile cation
+  IonModel ion_model = IonModel::dilute;
+  double largest_concentration = 0; ///< of the mobile cation, of ion model `steric` [mol/m3]
+
+  /// Of the mobile cation at rest, c0 / v [mol/m3].
+  double resting_concentration() const { return fixed_charge_concentration / valence; }
 };
 
 enum class ShearMeasure { off_diagonal, deviatoric, signed_xz };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/check_case.hpp"
 
+#include "ionskin/case/check_electrochemistry.hpp"
 #include "ionskin/case/check_motion.hpp"
 #include "ionskin/case/check_readout.hpp"
 #include "ionskin/case/check_slider.hpp"
@@ -112,6 +113,7 @@ void check_case(const CaseDocument& document) {
   Problems problems;
   check_layer_names(document, problems);
   check_core(document, problems);
+  check_electrochemistry(document, problems);
   check_readout(document, problems);
   if (document.input.strain.kind == StrainSourceKind::contact) {
     check_slider(document, problems);

@@ -80,7 +80,8 @@ private:
     const bool contact = walk_.draft.input.strain.kind == StrainSourceKind::contact;
     if (row.need == Need::when_it_applies)
       return contact && applies(row);
-    return row.need == Need::always || (row.need == Need::with_contact && contact) ||
+    return (row.need == Need::always && applies(row)) ||
+           (row.need == Need::with_contact && contact) ||
            (row.need == Need::with_strain_file && !contact);
   }
 

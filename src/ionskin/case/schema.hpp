@@ -25,8 +25,8 @@ enum class ValueType {
 };
 
 /// When a key must be given.
-/// `when_it_applies`: with contact, where `SchemaRow::applies` says so. `one_of_several`: the
-/// checks of the case see to it that one of the keys with the same purpose is there.
+/// `always`: where `SchemaRow::applies`. `when_it_applies`: so with contact only. `one_of_several`:
+/// the checks of the case see to it that one of the keys with the same purpose is there.
 enum class Need {
   optional,
   always,
@@ -86,7 +86,7 @@ struct SchemaRow {
   Range range{};
   std::string range_reason{}; ///< why the range ends where it does, when that is not plain
   Need need = Need::optional;
-  /// Whether the key has a meaning in a case; empty for always. Of Need::when_it_applies.
+  /// Whether the key has a meaning in a case; empty for always.
   std::function<bool(const Case&)> applies{};
   std::string default_value{};   ///< TOML; used when an optional key is missing
   std::vector<Choice> choices{}; ///< of type `choice`

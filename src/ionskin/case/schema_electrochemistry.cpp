@@ -7,6 +7,14 @@ namespace ionskin {
 
 using units::Dimension;
 
+namespace {
+
+bool is_steric(const Case& input) {
+  return input.electrochemistry.ion_model == IonModel::steric;
+}
+
+} // namespace
+
 void add_electrochemistry(SchemaRows& rows) {
   rows.push_back({.key = "electrochemistry.temperature",
                   .type = ValueType::quantity,
@@ -45,6 +53,26 @@ void add_electrochemistry(SchemaRows& rows) {
                   .help = "Charge number of the mobile cation.",
                   .source = "alkali cations and protons have 1",
                   .set = into(&Case::electrochemistry, &Electrochemistry::valence)});
+  rows.push_back(
+      {.key = "electrochemistry.ion_model",
+       .type = ValueType::choice,
+       .default_value = "\"dilute\"",
+       .choices = {{"dilute"}, {"steric"}},
+       .help = "Whether the cations are points, or take room from one another and so stay below "
+               "electrochemistry.largest_concentration.",
+       .source = "dilute is the paper's model",
+       .set = into<Electrochemistry, IonModel>(
+           &Case::electrochemistry, &Electrochemistry::ion_model,
+           {{"dilute", IonModel::dilute}, {"steric", IonModel::steric}})});
+  rows.push_back({.key = "electrochemistry.largest_concentration",
+                  .type = ValueType::quantity,
+                  .dimension = Dimension::concentration,
+                  .range = positive,
+                  .need = Need::always,
+                  .applies = is_steric,
+                  .help = "Concentration of the cations when packed as densely as they can be, "
+                          "1/(N_A a^3) for a spacing a; of ion_model \"steric\" only.",
+                  .set = into(&Case::electrochemistry, &Electrochemistry::largest_concentration)});
 }
 
 void add_coupling(SchemaRows& rows) {

@@ -5,8 +5,9 @@
 
 namespace ionskin::electrochemistry {
 
-ClosedPreconditioner::ClosedPreconditioner(const ScaledGrid& grid, WorkerTeam& team)
-    : grid_(grid), open_(grid, team), voltage_(grid) {}
+ClosedPreconditioner::ClosedPreconditioner(const ScaledGrid& grid, WorkerTeam& team,
+                                           std::optional<StericExcess> excess)
+    : grid_(grid), open_(grid, team, excess), voltage_(grid) {}
 
 void ClosedPreconditioner::factorise(const IonState& state, double step) {
   open_.factorise(state, step);

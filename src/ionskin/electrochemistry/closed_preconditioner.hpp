@@ -16,7 +16,9 @@ namespace ionskin::electrochemistry {
 /// doi 10.1214/aoms/1177729893).
 class ClosedPreconditioner {
 public:
-  ClosedPreconditioner(const ScaledGrid& grid, WorkerTeam& team);
+  /// @param excess nothing for dilute ions
+  ClosedPreconditioner(const ScaledGrid& grid, WorkerTeam& team,
+                       std::optional<StericExcess> excess = std::nullopt);
 
   void factorise(const IonState& state, double step);
 

@@ -18,9 +18,9 @@ double level_sum(std::span<const double> field, std::size_t level, std::size_t c
 
 } // namespace
 
-ExactAverage::ExactAverage(const ScaledGrid& grid)
-    : grid_(grid), voltage_(grid), mean_(grid.levels), charge_(grid.levels), diagonal_(grid.levels),
-      potential_(grid.levels) {}
+ExactAverage::ExactAverage(const ScaledGrid& grid, std::optional<StericExcess> excess)
+    : grid_(grid), excess_(excess), voltage_(grid), mean_(grid.levels), charge_(grid.levels),
+      diagonal_(grid.levels), potential_(grid.levels) {}
 
 double ExactAverage::total(const ScaledGrid& grid, std::span<const double> field) {
   double total = 0.0;
@@ -30,11 +30,28 @@ double ExactAverage::total(const ScaledGrid& grid, std::span<const double> field
   return total;
 }
 
-void ExactAverage::correct(const StageProblem& problem, IonState& state) {
-  const double factor = problem.ion_amount / total(grid_, state.concentration());
-  for (double& value : state.concentration()) {
-    value *= factor;
+void ExactAverage::restore_amount(double ion_amount, std::span<double> concentration) const {
+  const double amount = total(grid_, concentration);
+  if (!excess_) {
+    const double factor = ion_amount / amount;
+    for (double& value : concentration) {
+      value *= factor;
+    }
+    return;
   }
+  double weight = 0.0;
+  for (std::size_t i = 0; i < concentration.size(); ++i) {
+    weight +=
+        grid_.height[i / grid_.columns()] * concentration[i] * excess_->room(concentration[i]);
+  }
+  const double share = (ion_amount - amount) / weight;
+  for (double& value : concentration) {
+    value += share * value * excess_->room(value);
+  }
+}
+
+void ExactAverage::correct(const StageProblem& problem, IonState& state) {
+  restore_amount(problem.ion_amount, state.concentration());
   const double potential_top = top_potential(problem, voltage_, state.concentration());
   const std::size_t columns = grid_.columns(), top = grid_.levels - 1;
   const auto count = static_cast<double>(columns);

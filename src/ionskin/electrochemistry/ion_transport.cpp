@@ -63,7 +63,8 @@ public:
         charge_floor_(least_charge * std::abs(input.coupling.coefficient) *
                       largest_magnitude(history)),
         team_(useful_threads(options.threads, scaled_)),
-        solver_(scaled_, newton_tolerance(control_.tolerance()), team_),
+        solver_(scaled_, newton_tolerance(control_.tolerance()), team_,
+                steric_excess(input.electrochemistry)),
         integrator_(
             scaled_, scales_, fixed_charge_, options.potentials, solver_, team_,
             circuit_conductance(input.readout, scales_, input.skin.length * input.skin.width)),
@@ -158,8 +159,9 @@ private:
         fmt::format("the ion transport found no solution between t = {:.9g} s and {:.9g} s; before "
                     "that the smallest concentration was {:.3g} of its initial value",
                     begin, end, std::ranges::min(run_.state.ions.concentration())),
-        "raise numerics.mesh_refinement, or make coupling.coefficient or the electrode potentials "
-        "smaller");
+        std::string("raise numerics.mesh_refinement, or make coupling.coefficient or the electrode "
+                    "potentials smaller") +
+            (solver_.excess() ? ", or electrochemistry.largest_concentration larger" : ""));
   }
 
   void append_row(double time) {

@@ -11,6 +11,17 @@ struct Face {
   double field = 0;
 };
 
+/// Ions into column a from b, driven by p.
+inline double ions_into(const double* c, const double* p, std::size_t a, std::size_t b) {
+  return (c[b] - c[a]) + 0.5 * (c[a] + c[b]) * (p[b] - p[a]);
+}
+
+inline double change_of_ions_into(const double* c, const double* p, const double* dc,
+                                  const double* dp, std::size_t a, std::size_t b) {
+  return (dc[b] - dc[a]) +
+         0.5 * ((dc[a] + dc[b]) * (p[b] - p[a]) + (c[a] + c[b]) * (dp[b] - dp[a]));
+}
+
 } // namespace
 
 LateralFlux::LateralFlux(const ScaledGrid& grid)
@@ -63,8 +74,20 @@ void LateralFlux::inflow(std::span<const double> concentration, std::span<const 
   const double* p = potential.data();
   sum_faces(
       [c, p](std::size_t a, std::size_t b) {
-        const double u = p[b] - p[a];
-        return Face{(c[b] - c[a]) + 0.5 * (c[a] + c[b]) * u, u};
+        return Face{ions_into(c, p, a, b), p[b] - p[a]};
+      },
+      ions, field);
+}
+
+void LateralFlux::inflow(std::span<const double> concentration, std::span<const double> drive,
+                         std::span<const double> potential, std::span<double> ions,
+                         std::span<double> field) {
+  const double* c = concentration.data();
+  const double* p = drive.data();
+  const double* phi = potential.data();
+  sum_faces(
+      [c, p, phi](std::size_t a, std::size_t b) {
+        return Face{ions_into(c, p, a, b), phi[b] - phi[a]};
       },
       ions, field);
 }
@@ -80,9 +103,25 @@ void LateralFlux::inflow_change(std::span<const double> concentration,
   const double* dp = d_potential.data();
   sum_faces(
       [c, p, dc, dp](std::size_t a, std::size_t b) {
-        const double du = dp[b] - dp[a];
-        return Face{(dc[b] - dc[a]) + 0.5 * ((dc[a] + dc[b]) * (p[b] - p[a]) + (c[a] + c[b]) * du),
-                    du};
+        return Face{change_of_ions_into(c, p, dc, dp, a, b), dp[b] - dp[a]};
+      },
+      ions, field);
+}
+
+void LateralFlux::inflow_change(std::span<const double> concentration,
+                                std::span<const double> drive,
+                                std::span<const double> d_concentration,
+                                std::span<const double> d_drive,
+                                std::span<const double> d_potential, std::span<double> ions,
+                                std::span<double> field) {
+  const double* c = concentration.data();
+  const double* p = drive.data();
+  const double* dc = d_concentration.data();
+  const double* dp = d_drive.data();
+  const double* dphi = d_potential.data();
+  sum_faces(
+      [c, p, dc, dp, dphi](std::size_t a, std::size_t b) {
+        return Face{change_of_ions_into(c, p, dc, dp, a, b), dphi[b] - dphi[a]};
       },
       ions, field);
 }

@@ -13,7 +13,7 @@ constexpr double rounding = 1e-14;
 constexpr int newton_limit = 40;
 constexpr int krylov_limit = 80;
 constexpr double smallest_step_length = 1.0 / 256.0;
-/// Smallest share of a concentration that one step leaves.
+/// Smallest share of a concentration, or of the room beside it, that one step leaves.
 constexpr double depletion_limit = 0.1;
 /// Contraction of corrections by defects beyond which they give way to Newton's method.
 constexpr double slowest_contraction = 0.2;
@@ -22,11 +22,12 @@ constexpr int patience = 12;
 
 } // namespace
 
-NewtonKrylov::NewtonKrylov(const ScaledGrid& grid, double tolerance, WorkerTeam& team)
-    : grid_(grid), tolerance_(tolerance), vectors_(team), equations_(grid, team),
-      preconditioner_(grid, team), gmres_(2 * grid.nodes(), team), exact_average_(grid),
-      trial_(grid.nodes()), residual_(2 * grid.nodes()), defect_(residual_.size()),
-      correction_(residual_.size()) {}
+NewtonKrylov::NewtonKrylov(const ScaledGrid& grid, double tolerance, WorkerTeam& team,
+                           std::optional<StericExcess> excess)
+    : grid_(grid), tolerance_(tolerance), excess_(excess), vectors_(team),
+      equations_(grid, team, excess), preconditioner_(grid, team, excess),
+      gmres_(2 * grid.nodes(), team), exact_average_(grid, excess), trial_(grid.nodes()),
+      residual_(2 * grid.nodes()), defect_(residual_.size()), correction_(residual_.size()) {}
 
 void NewtonKrylov::prepare(const IonState& state, double step) {
   preconditioner_.factorise(state, step);
@@ -143,7 +144,8 @@ int NewtonKrylov::solve_linearised(const StageProblem& problem, const IonState& 
   return result.iterations;
 }
 
-/// out = state - length correction, except that no concentration falls below a tenth of itself.
+/// out = state - length correction, except that no concentration, and no room beside it, falls
+/// below a tenth of itself.
 void NewtonKrylov::step(const IonState& state, double length, std::span<const double> correction,
                         IonState& out) {
   vectors_.combine(state.values, -length, correction, out.values);
@@ -151,6 +153,9 @@ void NewtonKrylov::step(const IonState& state, double length, std::span<const do
   const auto after = out.concentration();
   for (std::size_t i = 0; i < before.size(); ++i) {
     after[i] = std::max(after[i], depletion_limit * before[i]);
+  }
+  if (excess_) {
+    excess_->keep_room(before, after, depletion_limit);
   }
 }
 

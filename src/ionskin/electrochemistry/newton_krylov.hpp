@@ -21,18 +21,22 @@ struct SolverCounters {
 /// Residuals are measured after preconditioning, that is as errors of the scaled unknowns. A step
 /// must reduce the residual (natural monotonicity test: Deuflhard 2011,
 /// doi 10.1007/978-3-642-23899-4), and where it would take away more than 90 % of a concentration,
-/// that concentration's own step is shortened: c stays positive on the way, and what is accepted
-/// satisfies the equations.
+/// that concentration's own step is shortened; so it is, with a steric excess, where it would take
+/// more than 90 % of the room that is left. c stays within its bounds on the way, and what is
+/// accepted satisfies the equations.
 class NewtonKrylov {
 public:
   /// @param tolerance error allowed in the unknowns, against the largest departure from the state
   ///   at rest
-  NewtonKrylov(const ScaledGrid& grid, double tolerance, WorkerTeam& team);
+  /// @param excess nothing for dilute ions
+  NewtonKrylov(const ScaledGrid& grid, double tolerance, WorkerTeam& team,
+               std::optional<StericExcess> excess = std::nullopt);
 
   /// Renews the preconditioner for stages with this implicit step near this state.
   void prepare(const IonState& state, double step);
 
-  /// Replaces the guess in `state`, whose concentrations must be positive, by the solution.
+  /// Replaces the guess in `state`, whose concentrations must be within their bounds, by the
+  /// solution.
   /// @returns false when Newton's method gives up; `state` is then of no use
   bool solve(const StageProblem& problem, IonState& state);
 
@@ -43,6 +47,9 @@ public:
   /// Damps what is faster than the step in a change of the concentrations, as one implicit Euler
   /// step of the prepared length does [nodes].
   void damp(std::span<double> change);
+
+  /// Nothing for dilute ions.
+  const std::optional<StericExcess>& excess() const { return excess_; }
 
   const SolverCounters& counters() const { return counters_; }
   void restore_counters(const SolverCounters& counters) { counters_ = counters; }
@@ -61,6 +68,7 @@ private:
 
   const ScaledGrid& grid_;
   double tolerance_;
+  std::optional<StericExcess> excess_;
   VectorOperations vectors_;
   TransportEquations equations_;
   ClosedPreconditioner preconditioner_;

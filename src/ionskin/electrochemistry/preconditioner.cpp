@@ -26,11 +26,18 @@ FluxDerivatives flux_derivatives(double c_lower, double c_upper, double u, doubl
           (b.derivative * c_lower - (b.derivative + 1.0) * c_upper) / spacing};
 }
 
+/// With the part of the difference that the concentrations make by the excess.
+FluxDerivatives with_excess(const FluxDerivatives& flux, double slope_lower, double slope_upper) {
+  return {flux.by_lower - flux.by_difference * slope_lower,
+          flux.by_upper - flux.by_difference * slope_upper, flux.by_difference};
+}
+
 } // namespace
 
-FastDiagonalisation::FastDiagonalisation(const ScaledGrid& grid, WorkerTeam& team)
-    : grid_(grid), team_(team), transform_(grid), mean_concentration_(grid.levels),
-      mean_potential_(grid.levels), lower_(grid.levels), upper_(grid.levels),
+FastDiagonalisation::FastDiagonalisation(const ScaledGrid& grid, WorkerTeam& team,
+                                         std::optional<StericExcess> excess)
+    : grid_(grid), team_(team), excess_(excess), transform_(grid), mean_concentration_(grid.levels),
+      mean_drive_(grid.levels), slope_(grid.levels, 0.0), lower_(grid.levels), upper_(grid.levels),
       inverse_00_(grid.nodes()), inverse_01_(grid.nodes()), inverse_10_(grid.nodes()),
       inverse_11_(grid.nodes()), balance_(grid.nodes()), poisson_(grid.nodes()),
       scratch_(grid.nodes()) {}
@@ -46,7 +53,11 @@ void FastDiagonalisation::average(const IonState& state) {
   };
   for (std::size_t k = 0; k < grid_.levels; ++k) {
     mean_concentration_[k] = mean(state.concentration(), k);
-    mean_potential_[k] = mean(state.potential(), k);
+    mean_drive_[k] = mean(state.potential(), k);
+    if (excess_) {
+      mean_drive_[k] += excess_->excess(mean_concentration_[k]);
+      slope_[k] = excess_->slope(mean_concentration_[k]);
+    }
   }
 }
 
@@ -69,7 +80,10 @@ void FastDiagonalisation::factorise_modes(double step, std::size_t begin, std::s
     FluxDerivatives above;
     if (k < top) {
       above = flux_derivatives(mean_concentration_[k], mean_concentration_[k + 1],
-                               mean_potential_[k + 1] - mean_potential_[k], grid_.spacing[k]);
+                               mean_drive_[k + 1] - mean_drive_[k], grid_.spacing[k]);
+      if (excess_) {
+        above = with_excess(above, slope_[k], slope_[k + 1]);
+      }
     }
     const bool wall = k == 0 || k == top;
     const double height = grid_.height[k], concentration = mean_concentration_[k];
@@ -79,6 +93,8 @@ void FastDiagonalisation::factorise_modes(double step, std::size_t begin, std::s
     const ChargeWeights charge = wall ? ChargeWeights{} : charge_weights(grid_, k);
     const double l10 = -charge.below, l11 = wall ? 0.0 : -down;
     const double flux_diagonal = above.by_lower + below.by_upper;
+    // Lateral diffusion is enhanced by the thermodynamic factor 1 + c dmu/dc.
+    const double diffusion = 1.0 + concentration * slope_[k];
     const double flux_potential = -above.by_difference - below.by_difference;
     const double* lambda = transform_.eigenvalues().data() + begin;
     const std::size_t offset = k * columns + begin;
@@ -87,7 +103,8 @@ void FastDiagonalisation::factorise_modes(double step, std::size_t begin, std::s
       const double x00 = l00 * w00[i] + l01 * w10[i], x01 = l00 * w01[i] + l01 * w11[i];
       const double x10 = l10 * w00[i] + l11 * w10[i], x11 = l10 * w01[i] + l11 * w11[i];
       const double lateral = height * lambda[i];
-      const double d00 = height + step * (flux_diagonal + lateral) - x00 * u00 - x01 * u10;
+      const double d00 =
+          height + step * (flux_diagonal + lateral * diffusion) - x00 * u00 - x01 * u10;
       const double d01 = step * (flux_potential + lateral * concentration) - x00 * u01 - x01 * u11;
       const double d10 = -charge.here - x10 * u00 - x11 * u10;
       const double d11 = (wall ? 1.0 : up + down + lateral) - x10 * u01 - x11 * u11;

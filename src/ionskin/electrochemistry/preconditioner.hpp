@@ -4,8 +4,10 @@
 #include "ionskin/electrochemistry/cosine_transform.hpp"
 #include "ionskin/electrochemistry/ion_state.hpp"
 #include "ionskin/electrochemistry/scaled_grid.hpp"
+#include "ionskin/electrochemistry/steric_excess.hpp"
 #include "ionskin/electrochemistry/worker_team.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,7 +20,9 @@ namespace ionskin::electrochemistry {
 /// precision.
 class FastDiagonalisation {
 public:
-  FastDiagonalisation(const ScaledGrid& grid, WorkerTeam& team);
+  /// @param excess nothing for dilute ions
+  FastDiagonalisation(const ScaledGrid& grid, WorkerTeam& team,
+                      std::optional<StericExcess> excess = std::nullopt);
 
   /// Factorises for the lateral average of a state and the implicit part of a step.
   void factorise(const IonState& state, double step);
@@ -41,9 +45,12 @@ private:
 
   const ScaledGrid& grid_;
   WorkerTeam& team_;
+  std::optional<StericExcess> excess_;
   CosineTransform transform_;
-  std::vector<double> mean_concentration_, mean_potential_; ///< per level
-  std::vector<OffDiagonal> lower_, upper_;                  ///< per level
+  std::vector<double> mean_concentration_, mean_drive_; ///< per level; of the fluxes
+  /// Slope of the excess by the concentration per level; 0 for dilute ions.
+  std::vector<double> slope_;
+  std::vector<OffDiagonal> lower_, upper_; ///< per level
   /// Inverse of the eliminated diagonal block, row-major entries, each [level][mode].
   std::vector<float> inverse_00_, inverse_01_, inverse_10_, inverse_11_;
   std::vector<float> balance_, poisson_; ///< right-hand side and solution, [level][mode]

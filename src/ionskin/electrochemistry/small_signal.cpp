@@ -65,7 +65,8 @@ Complex top_charge(const ScaledGrid& grid, const std::vector<ComplexPair>& solut
 SmallSignalCell::SmallSignalCell(const Case& input)
     : scales_(derive_scales(input.electrochemistry, input.skin.core_thickness())),
       grid_(column_grid(input, scales_.debye_length)),
-      scaled_(scale_grid(grid_, scales_.debye_length)), lower_(scaled_.levels),
+      scaled_(scale_grid(grid_, scales_.debye_length)),
+      excess_(steric_excess(input.electrochemistry)), lower_(scaled_.levels),
       diagonal_(scaled_.levels), upper_(scaled_.levels) {
   probe_jacobian();
 }
@@ -74,7 +75,7 @@ SmallSignalCell::SmallSignalCell(const Case& input)
 void SmallSignalCell::probe_jacobian() {
   const std::size_t levels = scaled_.levels;
   WorkerTeam team(1);
-  TransportEquations equations(scaled_, team);
+  TransportEquations equations(scaled_, team, excess_);
   IonState rest(levels);
   std::ranges::fill(rest.concentration(), 1.0);
   const std::vector<double> start(levels, 1.0), fixed_charge(levels, 1.0);

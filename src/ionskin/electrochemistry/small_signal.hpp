@@ -5,9 +5,11 @@
 #include "ionskin/electrochemistry/derived_scales.hpp"
 #include "ionskin/electrochemistry/ion_solution.hpp"
 #include "ionskin/electrochemistry/scaled_grid.hpp"
+#include "ionskin/electrochemistry/steric_excess.hpp"
 
 #include <array>
 #include <complex>
+#include <optional>
 #include <vector>
 
 namespace ionskin::electrochemistry {
@@ -38,6 +40,7 @@ private:
   DerivedScales scales_;
   TransportGrid grid_;
   ScaledGrid scaled_;
+  std::optional<StericExcess> excess_;
   std::vector<Block> lower_, diagonal_, upper_; ///< of a stage of unit step, per level
 };
 

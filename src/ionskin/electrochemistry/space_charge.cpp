@@ -21,14 +21,16 @@ double column_centre(const std::vector<double>& edges, std::size_t column) {
 FixedCharge::FixedCharge(const Case& input, const strain::StrainHistory& history,
                          const TransportGrid& grid, const ScaledGrid& scaled)
     : coupling_(input.coupling), law_(coupling_law(input.coupling.law)),
-      reference_concentration_(input.electrochemistry.fixed_charge_concentration), grid_(grid),
-      scaled_(scaled), projection_(history, grid.x_edges, grid.y_edges, grid.z_nodes),
-      shear_(scaled.nodes(), 0.0), ratio_(scaled.nodes(), 1.0) {}
+      reference_concentration_(input.electrochemistry.fixed_charge_concentration),
+      excess_(steric_excess(input.electrochemistry)), grid_(grid), scaled_(scaled),
+      projection_(history, grid.x_edges, grid.y_edges, grid.z_nodes), shear_(scaled.nodes(), 0.0),
+      ratio_(scaled.nodes(), 1.0) {}
 
 void FixedCharge::evaluate(double time) {
   projection_.evaluate(time, shear_);
   law_.apply(coupling_.coefficient, scaled_, shear_, ratio_);
   check_sign(time);
+  check_room(time);
 }
 
 void FixedCharge::check_sign(double time) const {
@@ -36,20 +38,40 @@ void FixedCharge::check_sign(double time) const {
   if (*lowest >= 0.0) {
     return;
   }
-  const auto node = static_cast<std::size_t>(lowest - ratio_.begin());
+  throw SolverError(
+      fmt::format("the fixed charge concentration becomes negative: {}",
+                  describe(static_cast<std::size_t>(lowest - ratio_.begin()), time)),
+      fmt::format("make coupling.coefficient smaller in magnitude (now {:.4g}), or the shear: "
+                  "fixed charge cannot reach below zero",
+                  coupling_.coefficient));
+}
+
+void FixedCharge::check_room(double time) const {
+  if (!excess_ || !releases_ions()) {
+    return;
+  }
+  const auto highest = std::max_element(ratio_.begin(), ratio_.end());
+  if (excess_->room(*highest) > 0.0) {
+    return;
+  }
+  throw SolverError(
+      fmt::format("the law \"{}\" releases more cations than there is room for, with a fixed "
+                  "charge of {}",
+                  law_.name, describe(static_cast<std::size_t>(highest - ratio_.begin()), time)),
+      fmt::format("make coupling.coefficient smaller in magnitude (now {:.4g}), or "
+                  "electrochemistry.largest_concentration larger",
+                  coupling_.coefficient));
+}
+
+std::string FixedCharge::describe(std::size_t node, double time) const {
   const std::size_t column = node % scaled_.columns();
   const double x = column_centre(grid_.x_edges, column % scaled_.columns_x);
   const double y = column_centre(grid_.y_edges, column / scaled_.columns_x);
   const double z = grid_.z_nodes[node / scaled_.columns()];
-  throw SolverError(
-      fmt::format("the fixed charge concentration becomes negative: {:.4g} mol/m3 at t = {:.6g} s, "
-                  "x = {:.4g} mm, y = {:.4g} mm, {:.4g} um above the bottom of the core, where the "
-                  "shear is {:.4g}",
-                  *lowest * reference_concentration_, time, x * 1e3, y * 1e3, z * 1e6,
-                  shear_[node]),
-      fmt::format("make coupling.coefficient smaller in magnitude (now {:.4g}), or the shear: "
-                  "fixed charge cannot reach below zero",
-                  coupling_.coefficient));
+  return fmt::format("{:.4g} mol/m3 at t = {:.6g} s, x = {:.4g} mm, y = {:.4g} mm, {:.4g} um above "
+                     "the bottom of the core, where the shear is {:.4g}",
+                     ratio_[node] * reference_concentration_, time, x * 1e3, y * 1e3, z * 1e6,
+                     shear_[node]);
 }
 
 void check_fixed_charge(const Case& input, const strain::StrainHistory& history) {

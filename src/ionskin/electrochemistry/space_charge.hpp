@@ -4,10 +4,14 @@
 #include "ionskin/case/case.hpp"
 #include "ionskin/electrochemistry/coupling_law.hpp"
 #include "ionskin/electrochemistry/scaled_grid.hpp"
+#include "ionskin/electrochemistry/steric_excess.hpp"
 #include "ionskin/strain/strain_history.hpp"
 #include "ionskin/strain/strain_projection.hpp"
 
+#include <cstddef>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace ionskin::electrochemistry {
@@ -19,7 +23,8 @@ public:
   FixedCharge(const Case& input, const strain::StrainHistory& history, const TransportGrid& grid,
               const ScaledGrid& scaled);
 
-  /// Moves to an instant [s]. Throws SolverError when cf becomes negative there.
+  /// Moves to an instant [s]. Throws SolverError when cf becomes negative there, or when the law
+  /// releases more ions than the steric ion model has room for.
   void evaluate(double time);
 
   std::span<const double> shear() const { return shear_; } ///< per control volume [1]
@@ -29,10 +34,14 @@ public:
 
 private:
   void check_sign(double time) const;
+  void check_room(double time) const;
+  /// "6000 mol/m3 at t = 0.5 s, x = ..., where the shear is 0.1": a node's fixed charge.
+  std::string describe(std::size_t node, double time) const;
 
   Coupling coupling_;
   const CouplingLaw& law_;
   double reference_concentration_;
+  std::optional<StericExcess> excess_;
   TransportGrid grid_;
   const ScaledGrid& scaled_;
   strain::StrainProjection projection_;

@@ -22,7 +22,7 @@ constexpr double error_of_begin = (4.0 * weight - 1.0) / 3.0, error_of_stage = -
 /// Rounding of a concentration, in the charge of a core of many Debye lengths.
 constexpr double rounding = 2e-16;
 
-/// Share of a concentration that a guess must leave.
+/// Share of a concentration, and of the room beside it, that a guess must leave.
 constexpr double depletion_limit = 0.3;
 
 constexpr std::size_t nodes_per_block = 1024;
@@ -146,7 +146,7 @@ void TimeIntegrator::guess_stage(const TransportState& state) {
     stage_.values[i] = settled_[i] + released + ahead * state.rate[i];
     stage_.values[p] = state.ions.values[p] + ahead * state.rate[p];
   });
-  keep_positive(state.ions, stage_);
+  keep_in_bounds(state.ions, stage_);
 }
 
 /// Concentrations on the parabola through begin and stage with the rate at the begin; potentials,
@@ -162,15 +162,17 @@ void TimeIntegrator::guess_end(const TransportState& state) {
         settled_[i] + released + slope + ratio * ratio * (change - stage_fraction * slope);
     end_.values[p] = state.ions.values[p] + ratio * (stage_.values[p] - state.ions.values[p]);
   });
-  keep_positive(stage_, end_);
+  keep_in_bounds(stage_, end_);
 }
 
-void TimeIntegrator::keep_positive(const IonState& safe, IonState& guess) {
+void TimeIntegrator::keep_in_bounds(const IonState& safe, IonState& guess) const {
   std::size_t depleted = 0;
   for (std::size_t i = 0; i < guess.nodes(); ++i) {
     depleted += guess.values[i] > depletion_limit * safe.values[i] ? 0 : 1;
   }
-  if (depleted > 0) {
+  const auto& excess = solver_.excess();
+  if (depleted > 0 || (excess && !excess->leaves_room(safe.concentration(), guess.concentration(),
+                                                      depletion_limit))) {
     guess.values = safe.values;
   }
 }

@@ -63,8 +63,8 @@ private:
   StageProblem problem_at(double time);
   void guess_stage(const TransportState& state);
   void guess_end(const TransportState& state);
-  /// Takes `safe` instead of a guess that would deplete a concentration.
-  static void keep_positive(const IonState& safe, IonState& guess);
+  /// Takes `safe` instead of a guess that would deplete a concentration or the room beside it.
+  void keep_in_bounds(const IonState& safe, IonState& guess) const;
   double charge_error(const TransportState& state);
 
   const ScaledGrid& grid_;

@@ -4,10 +4,17 @@
 #include <algorithm>
 
 namespace ionskin::electrochemistry {
+namespace {
+
+/// Nodes whose drive one thread sums in a row.
+constexpr std::size_t drive_granularity = 1024;
+
+} // namespace
 
 TransportEquations::Workspace::Workspace(const ScaledGrid& grid)
     : thickness_flux(grid.columns()), lateral_flux(grid), flux_below(grid.columns()),
-      flux_above(grid.columns()), lateral_ions(grid.columns()), lateral_field(grid.columns()) {}
+      flux_above(grid.columns()), lateral_ions(grid.columns()), lateral_field(grid.columns()),
+      drive_change(grid.columns()) {}
 
 double top_potential(const StageProblem& problem, const TerminalVoltage& voltage,
                      std::span<const double> concentration) {
@@ -17,32 +24,51 @@ double top_potential(const StageProblem& problem, const TerminalVoltage& voltage
              : problem.potential_top;
 }
 
-TransportEquations::TransportEquations(const ScaledGrid& grid, WorkerTeam& team)
-    : grid_(grid), team_(team), voltage_(grid), by_lower_(grid.nodes() - grid.columns()),
+TransportEquations::TransportEquations(const ScaledGrid& grid, WorkerTeam& team,
+                                       std::optional<StericExcess> excess)
+    : grid_(grid), team_(team), excess_(excess), voltage_(grid), drive_(excess ? grid.nodes() : 0),
+      kept_drive_(drive_.size()), by_lower_(grid.nodes() - grid.columns()),
       by_upper_(by_lower_.size()), by_difference_(by_lower_.size()) {
   for (std::size_t i = 0; i < team.size(); ++i) {
     workspaces_.emplace_back(grid);
   }
 }
 
+std::span<const double> TransportEquations::driving(const IonState& state,
+                                                    std::vector<double>& drive) {
+  if (!excess_) {
+    return state.potential();
+  }
+  team_.for_blocks(grid_.nodes(), drive_granularity,
+                   [&](std::size_t begin, std::size_t end, std::size_t) {
+                     const std::size_t count = end - begin;
+                     excess_->drive(state.concentration().subspan(begin, count),
+                                    state.potential().subspan(begin, count),
+                                    std::span(drive).subspan(begin, count));
+                   });
+  return drive;
+}
+
 void TransportEquations::residual(const StageProblem& problem, const IonState& state,
                                   std::span<double> out) {
   const double top = top_potential(problem, voltage_, state.concentration());
+  const std::span<const double> drive = driving(state, drive_);
   team_.for_blocks(grid_.levels, 1, [&](std::size_t begin, std::size_t end, std::size_t worker) {
-    residual_levels(problem, top, state, begin, end, workspaces_[worker], out);
+    residual_levels(problem, top, state, drive, begin, end, workspaces_[worker], out);
   });
 }
 
 void TransportEquations::residual_levels(const StageProblem& problem, double potential_top,
-                                         const IonState& state, std::size_t begin, std::size_t end,
-                                         Workspace& work, std::span<double> out) const {
+                                         const IonState& state, std::span<const double> drive,
+                                         std::size_t begin, std::size_t end, Workspace& work,
+                                         std::span<double> out) const {
   const std::size_t columns = grid_.columns(), nodes = grid_.nodes(), top = grid_.levels - 1;
   const auto level = [columns](std::span<const double> field, std::size_t k) {
     return field.subspan(k * columns, columns);
   };
   const auto c = state.concentration(), phi = state.potential();
   const auto flux = [&](std::size_t k, std::span<double> result) {
-    work.thickness_flux.evaluate(level(c, k), level(c, k + 1), level(phi, k), level(phi, k + 1),
+    work.thickness_flux.evaluate(level(c, k), level(c, k + 1), level(drive, k), level(drive, k + 1),
                                  grid_.spacing[k], result);
   };
   if (begin == 0) {
@@ -56,7 +82,12 @@ void TransportEquations::residual_levels(const StageProblem& problem, double pot
     } else {
       flux(k, work.flux_above);
     }
-    work.lateral_flux.inflow(level(c, k), level(phi, k), work.lateral_ions, work.lateral_field);
+    if (excess_) {
+      work.lateral_flux.inflow(level(c, k), level(drive, k), level(phi, k), work.lateral_ions,
+                               work.lateral_field);
+    } else {
+      work.lateral_flux.inflow(level(c, k), level(phi, k), work.lateral_ions, work.lateral_field);
+    }
     const double height = grid_.height[k], step = problem.step;
     const double* c_k = c.data() + k * columns;
     const double* start = problem.start.data() + k * columns;
@@ -102,19 +133,35 @@ void TransportEquations::linearise(const StageProblem& problem, const IonState& 
   step_ = problem.step;
   circuit_ = problem.circuit;
   const std::size_t columns = grid_.columns();
-  const auto c = state.concentration(), phi = state.potential();
+  state_drive_ = driving(state, kept_drive_);
+  const auto c = state.concentration(), drive = state_drive_;
   team_.for_blocks(grid_.levels - 1, 1,
                    [&](std::size_t begin, std::size_t end, std::size_t worker) {
                      for (std::size_t k = begin; k < end; ++k) {
                        const std::size_t lower = k * columns, upper = lower + columns;
                        workspaces_[worker].thickness_flux.derivatives(
                            c.subspan(lower, columns), c.subspan(upper, columns),
-                           phi.subspan(lower, columns), phi.subspan(upper, columns),
+                           drive.subspan(lower, columns), drive.subspan(upper, columns),
                            grid_.spacing[k], std::span(by_lower_).subspan(lower, columns),
                            std::span(by_upper_).subspan(lower, columns),
                            std::span(by_difference_).subspan(lower, columns));
+                       if (excess_) {
+                         add_excess(k, c);
+                       }
                      }
                    });
+}
+
+void TransportEquations::add_excess(std::size_t interface, std::span<const double> concentration) {
+  const std::size_t columns = grid_.columns(), offset = interface * columns;
+  const double* c = concentration.data() + offset;
+  double* lower = by_lower_.data() + offset;
+  double* upper = by_upper_.data() + offset;
+  const double* difference = by_difference_.data() + offset;
+  for (std::size_t i = 0; i < columns; ++i) {
+    lower[i] -= difference[i] * excess_->slope(c[i]);
+    upper[i] -= difference[i] * excess_->slope(c[columns + i]);
+  }
 }
 
 void TransportEquations::apply_jacobian(std::span<const double> direction, std::span<double> out) {
@@ -160,9 +207,15 @@ void TransportEquations::jacobian_levels(std::span<const double> direction, doub
     } else {
       flux_change(k, direction, work.flux_above);
     }
-    work.lateral_flux.inflow_change(level(state_->concentration(), k),
-                                    level(state_->potential(), k), level(d_concentration, k),
-                                    level(d_potential, k), work.lateral_ions, work.lateral_field);
+    const auto c = level(state_->concentration(), k), drive = level(state_drive_, k);
+    const auto d_c = level(d_concentration, k), d_phi = level(d_potential, k);
+    if (excess_) {
+      excess_->drive_change(c, d_c, d_phi, work.drive_change);
+      work.lateral_flux.inflow_change(c, drive, d_c, work.drive_change, d_phi, work.lateral_ions,
+                                      work.lateral_field);
+    } else {
+      work.lateral_flux.inflow_change(c, drive, d_c, d_phi, work.lateral_ions, work.lateral_field);
+    }
     const double height = grid_.height[k], step = step_;
     const double* dc = direction.data() + k * columns;
     const double* above = work.flux_above.data();

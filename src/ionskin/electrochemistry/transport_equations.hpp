@@ -5,6 +5,7 @@
 #include "ionskin/electrochemistry/ion_state.hpp"
 #include "ionskin/electrochemistry/lateral_flux.hpp"
 #include "ionskin/electrochemistry/scaled_grid.hpp"
+#include "ionskin/electrochemistry/steric_excess.hpp"
 #include "ionskin/electrochemistry/terminal_voltage.hpp"
 #include "ionskin/electrochemistry/worker_team.hpp"
 
@@ -32,10 +33,13 @@ double top_potential(const StageProblem& problem, const TerminalVoltage& voltage
                      std::span<const double> concentration);
 
 /// The Poisson-Nernst-Planck equations on finite volumes: the residual of a stage and its exact
-/// derivative, applied without forming a matrix.
+/// derivative, applied without forming a matrix. The fluxes are driven by the potential, or by the
+/// sum of it and the steric excess.
 class TransportEquations {
 public:
-  TransportEquations(const ScaledGrid& grid, WorkerTeam& team);
+  /// @param excess nothing for dilute ions
+  TransportEquations(const ScaledGrid& grid, WorkerTeam& team,
+                     std::optional<StericExcess> excess = std::nullopt);
 
   /// Residual of ion balance, then of Poisson's equation, per control volume [2 nodes]. On the
   /// walls the second one is phi minus the electrode's potential.
@@ -54,12 +58,19 @@ private:
     ThicknessFlux thickness_flux;
     LateralFlux lateral_flux;
     std::vector<double> flux_below, flux_above, lateral_ions, lateral_field;
+    std::vector<double> drive_change; ///< of one level; used with an excess only
   };
 
+  /// What drives the fluxes of a state: its potential, or the sum with the excess in `drive`.
+  std::span<const double> driving(const IonState& state, std::vector<double>& drive);
+  /// Adds what the excess makes of the concentrations to the derivatives of the flux between the
+  /// levels `interface` and `interface` + 1.
+  void add_excess(std::size_t interface, std::span<const double> concentration);
   /// @param potential_top of the electrode
+  /// @param drive of the fluxes
   void residual_levels(const StageProblem& problem, double potential_top, const IonState& state,
-                       std::size_t begin, std::size_t end, Workspace& work,
-                       std::span<double> out) const;
+                       std::span<const double> drive, std::size_t begin, std::size_t end,
+                       Workspace& work, std::span<double> out) const;
   /// @param potential_change of the top electrode
   void jacobian_levels(std::span<const double> direction, double potential_change,
                        std::size_t begin, std::size_t end, Workspace& work,
@@ -69,11 +80,14 @@ private:
 
   const ScaledGrid& grid_;
   WorkerTeam& team_;
+  std::optional<StericExcess> excess_;
   TerminalVoltage voltage_;
   std::vector<Workspace> workspaces_;
   const IonState* state_ = nullptr;
   double step_ = 0;
   std::optional<CircuitStage> circuit_;
+  std::span<const double> state_drive_;    ///< of the fluxes of `state_`
+  std::vector<double> drive_, kept_drive_; ///< of a residual and of `state_`, with an excess only
   std::vector<double> by_lower_, by_upper_, by_difference_; ///< flux derivatives per interface
 };
 

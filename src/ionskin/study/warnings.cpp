@@ -104,8 +104,8 @@ std::vector<std::string> collect_warnings(const Case& input, const MechanicsReco
       *std::min_element(ions.min_concentration.begin(), ions.min_concentration.end()) / initial;
   if (least < depletion_limit) {
     warnings.push_back(fmt::format("Cations are depleted down to {:.3g} of their initial "
-                                   "concentration at an electrode; dilute "
-                                   "transport is at its limit there.",
+                                   "concentration at an electrode; "
+                                   "the transport model is at its limit there.",
                                    least));
   }
   return warnings;

@@ -24,6 +24,24 @@ TEST(SpaceCharge, NegativeFixedChargeTellsTimePlaceValueAndRemedy) {
   }
 }
 
+TEST(SpaceCharge, ReleasedIonsMustFit) {
+  Case input = verification::model_case();
+  input.coupling.law = "pair-generation";
+  input.electrochemistry.ion_model = IonModel::steric;
+  input.electrochemistry.largest_concentration = 2000.0;
+  const auto history = verification::linear_step_history(0.0, 7.0, {0.0, 1.0});
+  try {
+    check_fixed_charge(input, history);
+    FAIL() << "no error";
+  } catch (const SolverError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("fixed charge of 2040 mol/m3 at t = 0 s"), std::string::npos) << message;
+    EXPECT_NE(error.remedy().find("largest_concentration"), std::string::npos);
+  }
+  input.coupling.law = "fixed-charge";
+  EXPECT_NO_THROW(check_fixed_charge(input, history));
+}
+
 TEST(SpaceCharge, HarmlessShearPasses) {
   EXPECT_NO_THROW(check_fixed_charge(verification::model_case(),
                                      verification::linear_step_history(-1.0, 1.0, {0.0, 1.0})));

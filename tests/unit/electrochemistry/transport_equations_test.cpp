@@ -19,7 +19,8 @@ protected:
       : start(grid.nodes(), 1.0), fixed(grid.nodes(), 1.1),
         residual(2 * grid.nodes()), problem{start, 0.8, fixed, 0.3, -0.2} {}
 
-  void expect_exact_jacobian();
+  void expect_exact_jacobian(std::optional<StericExcess> excess = std::nullopt);
+  void expect_exact_inverse(std::optional<StericExcess> excess);
 
   ScaledGrid grid = test::small_grid();
   std::vector<double> start, fixed, residual;
@@ -32,6 +33,11 @@ TEST_F(Equations, RestIsASolution) {
   IonState rest(grid.nodes());
   std::ranges::fill(rest.concentration(), 1.0);
   equations.residual({start, 5.0, start, 0.0, 0.0}, rest, residual);
+  for (const double value : residual) {
+    EXPECT_EQ(value, 0.0);
+  }
+  TransportEquations(grid, team, StericExcess{0.5})
+      .residual({start, 5.0, start, 0.0, 0.0}, rest, residual);
   for (const double value : residual) {
     EXPECT_EQ(value, 0.0);
   }
@@ -58,8 +64,12 @@ TEST_F(Equations, JacobianOfAClosedCircuitAgreesWithDifferences) {
   expect_exact_jacobian();
 }
 
-void Equations::expect_exact_jacobian() {
-  TransportEquations equations(grid, team);
+TEST_F(Equations, JacobianOfStericIonsAgreesWithDifferences) {
+  expect_exact_jacobian(StericExcess{0.5});
+}
+
+void Equations::expect_exact_jacobian(std::optional<StericExcess> excess) {
+  TransportEquations equations(grid, team, excess);
   const IonState state = test::wavy_state(grid);
   IonState direction(grid.nodes());
   for (std::size_t i = 0; i < direction.values.size(); ++i) {
@@ -82,6 +92,14 @@ void Equations::expect_exact_jacobian() {
 }
 
 TEST_F(Equations, PreconditionerInvertsTheJacobianOfALaterallyUniformState) {
+  expect_exact_inverse(std::nullopt);
+}
+
+TEST_F(Equations, PreconditionerInvertsThatOfStericIonsToo) {
+  expect_exact_inverse(StericExcess{0.5});
+}
+
+void Equations::expect_exact_inverse(std::optional<StericExcess> excess) {
   const IonState wavy = test::wavy_state(grid);
   IonState state(grid.nodes());
   for (std::size_t i = 0; i < grid.nodes(); ++i) {
@@ -89,8 +107,8 @@ TEST_F(Equations, PreconditionerInvertsTheJacobianOfALaterallyUniformState) {
     state.concentration()[i] = wavy.concentration()[first];
     state.potential()[i] = wavy.potential()[first];
   }
-  TransportEquations equations(grid, team);
-  FastDiagonalisation preconditioner(grid, team);
+  TransportEquations equations(grid, team, excess);
+  FastDiagonalisation preconditioner(grid, team, excess);
   equations.linearise(problem, state);
   preconditioner.factorise(state, problem.step);
   const IonState direction = test::wavy_state(grid);
