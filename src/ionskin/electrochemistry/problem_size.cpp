@@ -8,6 +8,8 @@
 #include "ionskin/strain/samples_per_slide.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace ionskin::electrochemistry {
 namespace {
@@ -19,21 +21,22 @@ constexpr double vectors_per_unknown = 30.0;
 constexpr int onset_samples = 30, lift_off_samples = 20;
 constexpr double onset_share = 1e-3; // of a slide
 
-/// Instants of one cycle after which the steps restart: contact, start of each slide, full slip,
-/// end of each slide, loss of contact, end of each leg.
+/// Samples behind an onset are this much farther apart each, until they are regular.
+constexpr double sample_growth = 1.5;
+
+/// Instants of one cycle after which the steps restart: contact, loss of contact, and the begin of
+/// every other leg in contact.
 std::vector<double> cycle_events(const std::vector<MotionLeg>& legs) {
   std::vector<double> events;
   for (const MotionLeg& leg : legs) {
-    const ContactPart part = contact_part(leg);
-    if (leg.lands()) {
-      events.push_back(leg.begin + part.begin);
-    } else if (leg.slides()) {
-      events.push_back(leg.begin + onset_share * leg.duration);
+    if (!leg.touches()) {
+      continue;
     }
+    const ContactPart part = contact_part(leg);
+    events.push_back(leg.begin + (leg.lands() ? part.begin : 0.0));
     if (leg.leaves()) {
       events.push_back(leg.begin + part.begin + part.duration);
     }
-    events.push_back(leg.end());
   }
   return events;
 }
@@ -53,10 +56,18 @@ std::vector<double> cycle_samples(const std::vector<MotionLeg>& legs, const Nume
     if (leg.slides()) {
       add_uniform(leg.begin, onset_share * leg.duration, onset_samples, samples);
       add_uniform(leg.begin, leg.duration, slide_samples, samples);
+      const double regular = leg.duration / slide_samples;
+      double time = leg.begin + onset_share * leg.duration;
+      for (double step = onset_share * leg.duration / onset_samples; step < regular;
+           step *= sample_growth) {
+        time += step;
+        samples.push_back(time);
+      }
     }
     if (leg.leaves()) {
       add_uniform(leg.begin + part.begin, part.duration, lift_off_samples, samples);
     }
+    samples.push_back(leg.end());
   }
   return samples;
 }
@@ -89,6 +100,43 @@ strain::StrainHistory outline(const Case& input) {
   return history;
 }
 
+/// Time in which an edge of the slider crosses a column on a leg [s].
+double crossing_time(const MotionLeg& leg, const Skin& skin, const ProblemSize& size) {
+  const std::array<double, 2> width{skin.length / static_cast<double>(size.columns_x),
+                                    skin.width / static_cast<double>(size.columns_y)};
+  const double speed = leg.length() / leg.duration;
+  double least = leg.duration;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double along = std::abs(leg.direction()[axis]) * speed;
+    if (along * least > width[axis]) {
+      least = width[axis] / along;
+    }
+  }
+  return least;
+}
+
+/// The longest step that the tolerance is likely to allow between neighbouring landings [s].
+std::vector<double> longest_steps(const Case& input, const StepLandings& landings,
+                                  const StepRule& rule, const DerivedScales& scales,
+                                  const ProblemSize& size) {
+  std::vector<double> longest(landings.time.size() - 1, relaxation_step(rule, scales));
+  if (input.strain.kind == StrainSourceKind::file) {
+    return longest;
+  }
+  const std::vector<MotionLeg> legs = motion_legs(input.motion, input.slider);
+  for (std::size_t i = 0; i < longest.size(); ++i) {
+    const double middle = 0.5 * (landings.time[i] + landings.time[i + 1]);
+    const double since_begin = std::fmod(middle, legs.back().end());
+    const auto leg = std::find_if(legs.begin(), legs.end(), [since_begin](const MotionLeg& other) {
+      return since_begin < other.end();
+    });
+    if (leg != legs.end() && leg->slides()) {
+      longest[i] = std::min(longest[i], crossing_step(rule, crossing_time(*leg, input.skin, size)));
+    }
+  }
+  return longest;
+}
+
 } // namespace
 
 ProblemSize problem_size(const Case& input, const strain::StrainHistory& history) {
@@ -99,8 +147,9 @@ ProblemSize problem_size(const Case& input, const strain::StrainHistory& history
   size.columns_y = grid.y_edges.size() - 1;
   size.levels = grid.z_nodes.size();
   size.unknowns = 2 * size.columns_x * size.columns_y * size.levels;
-  size.steps = estimate_steps(make_step_landings(history, input.output.fields),
-                              step_rule(input.numerics, scales));
+  const StepLandings landings = make_step_landings(history, input.output.fields);
+  const StepRule rule = step_rule(input.numerics, scales);
+  size.steps = estimate_steps(landings, rule, longest_steps(input, landings, rule, scales, size));
   size.memory = vectors_per_unknown * sizeof(double) * static_cast<double>(size.unknowns);
   return size;
 }

@@ -20,6 +20,9 @@ double ideal_factor(double error) {
 
 constexpr double longest_step = 0.2; // [s]
 
+// Of the estimates of steps, see relaxation_step and crossing_step.
+constexpr double error_constant = 0.0404, kink_constant = 4e-4;
+
 /// Growth of the steps behind an event, where the first currents are small beside the charge that
 /// the error is measured against: it, not the error, resolves them.
 double growth(Preset preset) {
@@ -91,20 +94,32 @@ double StepControl::after_rejection(double begin, double end, double error) cons
   return (end - begin) * std::clamp(ideal_factor(error), smallest_shrinkage, 0.7);
 }
 
-std::size_t estimate_steps(const StepLandings& landings, const StepRule& rule) {
-  double steps = 0.0, step = rule.first;
+double relaxation_step(const StepRule& rule, const DerivedScales& scales) {
+  return safety * scales.slow_time * std::cbrt(rule.tolerance / error_constant);
+}
+
+double crossing_step(const StepRule& rule, double crossing_time) {
+  return safety * crossing_time * std::sqrt(rule.tolerance / kink_constant);
+}
+
+std::size_t estimate_steps(const StepLandings& landings, const StepRule& rule,
+                           const std::vector<double>& longest) {
+  std::size_t steps = 0;
+  double step = rule.first;
   for (std::size_t i = 1; i < landings.time.size(); ++i) {
+    const double most = std::min(rule.longest, longest[i - 1]);
     double rest = landings.time[i] - landings.time[i - 1];
+    step = std::min(step, most);
     while (rest > 0.0) {
       rest -= step;
-      step = std::min(step * rule.growth, rule.longest);
-      steps += 1.0;
+      step = std::min(step * rule.growth, most);
+      ++steps;
     }
     if (landings.is_event[i]) {
       step = rule.first;
     }
   }
-  return static_cast<std::size_t>(steps);
+  return steps;
 }
 
 } // namespace ionskin::electrochemistry

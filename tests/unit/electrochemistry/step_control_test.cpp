@@ -53,5 +53,18 @@ TEST(StepRule, RefinementDividesStepsOfThirdOrder) {
   EXPECT_DOUBLE_EQ(step_rule({Preset::fine, 1.0, 1.0, 0.01}, scales).tolerance, 0.01);
 }
 
+TEST(EstimatedSteps, FollowTheToleranceAndTheLandings) {
+  const DerivedScales scales = derive_scales(verification::model_case().electrochemistry, 180e-6);
+  const StepRule rule = step_rule({Preset::standard, 1.0, 1.0}, scales);
+  // On the tail of the baseline the steps are 0.08 s long at first.
+  EXPECT_NEAR(relaxation_step(rule, scales), 0.08, 0.005);
+  // While the slider passes columns of 0.2 mm at 3 mm/s they are 0.018 s long.
+  EXPECT_NEAR(crossing_step(rule, 0.2 / 3.0), 0.018, 0.003);
+  const StepLandings landings{{0.0, 1.0, 3.0}, {true, true, false}};
+  const StepRule doubling{1e-4, 0.1, 0.5, 1e-12, 2.0};
+  // 0.1, 0.2, 0.4 and 0.5; again 0.1 and 0.2, then seven of 0.25.
+  EXPECT_EQ(estimate_steps(landings, doubling, {1.0, 0.25}), 4U + 9U);
+}
+
 } // namespace
 } // namespace ionskin::electrochemistry
