@@ -102,7 +102,7 @@ void add_order_rows(double filling, const Options& options, std::vector<Row>& ro
   }
 }
 
-void add_double_layer_rows(const Options& options, std::vector<Row>& rows) {
+void add_steric_layer_rows(const Options& options, std::vector<Row>& rows) {
   constexpr double crowded = 0.5;
   rows.push_back(compare("E9", "layer of 20 thermal voltages: closed form against quadrature",
                          closed_layer_charge(-20.0, crowded), layer_charge(-20.0, crowded), 1e-9));
@@ -159,7 +159,7 @@ double impedance_error() {
   return worst;
 }
 
-void add_limit_rows(const Options& options, std::vector<Row>& rows) {
+void add_steric_limit_rows(const Options& options, std::vector<Row>& rows) {
   rows.push_back(at_most("E9", "relative error of Z, 0.01 Hz to 1 kHz, fine, c_max = 2 c0",
                          impedance_error(), 1e-3));
   Case linear = steric_case(0.5, Preset::coarse);
@@ -174,7 +174,7 @@ void add_limit_rows(const Options& options, std::vector<Row>& rows) {
                          largest_deviation(roomy, dilute, history, options), 1e-6));
 }
 
-void add_sliding_rows(const Options& options, std::vector<Row>& rows) {
+void add_crowded_sliding_rows(const Options& options, std::vector<Row>& rows) {
   for (const char* law : {"fixed-charge", "pair-generation"}) {
     Case input = steric_case(0.7, Preset::coarse);
     input.coupling.law = law;
@@ -200,9 +200,9 @@ void add_sliding_rows(const Options& options, std::vector<Row>& rows) {
 
 std::vector<Row> steric_rows(const Options& options) {
   std::vector<Row> rows;
-  add_double_layer_rows(options, rows);
-  add_limit_rows(options, rows);
-  add_sliding_rows(options, rows);
+  add_steric_layer_rows(options, rows);
+  add_steric_limit_rows(options, rows);
+  add_crowded_sliding_rows(options, rows);
   return rows;
 }
 
