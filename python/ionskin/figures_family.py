@@ -6,7 +6,7 @@ from matplotlib.colors import SymLogNorm
 from matplotlib.ticker import EngFormatter
 
 from . import regimes, style
-from .panels import peak_of, sampled_label, scaled, shade_phases
+from .panels import peak_of, sampled_label, scaled, scaled_label, shade_phases
 
 NO_CURRENT = "the runs have no currents"
 NEEDS_SEVERAL = "it needs several runs of a sweep"
@@ -21,7 +21,7 @@ def family_grid(study, rows_height, columns):
     columns = min(columns, count)
     rows = -(-count // columns)
     height = rows_height * rows + 0.75
-    figure = style.canvas(height=height, left=0.085, right=0.985, top=1 - 0.30 / height, bottom=0.42 / height,
+    figure = style.canvas(height=height, left=0.085, right=0.98, top=1 - 0.30 / height, bottom=0.42 / height,
                           hspace=0.42, wspace=0.12)
     panels = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
     for panel in panels.ravel()[count:]:
@@ -39,15 +39,16 @@ def shear(study):
     if not study.typical.results.signals.has("mean_shear"):
         return "the runs have no shear"
     figure, panels = family_grid(study, 0.82, 2)
-    unit = max(peak_of(member.results.signals["mean_shear"]) for member in study.members)
+    peak = max(peak_of(member.results.signals["mean_shear"]) for member in study.members)
+    divisor, label = scaled_label("mean shear γ", "1", peak)
     for panel, member in zip(panels.ravel(), study.members):
         signals = member.results.signals
-        panel.plot(signals["time"], signals["mean_shear"] * 1e3, color=style.BLUE, lw=1.0)
+        panel.plot(signals["time"], signals["mean_shear"] / divisor, color=style.BLUE, lw=1.0)
         shade_phases(member.results, panel)
         panel.set_title(study.label(member), loc="left", fontsize=7.5, pad=2)
         panel.set_xlim(signals["time"][0], signals["time"][-1])
-    panels[0, 0].set_ylim(0, 1.08e3 * unit)
-    figure.supylabel("mean shear γ of the core [10⁻³]", fontsize=8, x=0.005)
+    panels[0, 0].set_ylim(0, 1.08 * peak / divisor or 1)
+    figure.supylabel(label, fontsize=8, x=0.005)
     return figure
 
 
@@ -57,15 +58,18 @@ def currents(study):
         return NO_CURRENT
     count = len(study.members)
     height = 0.72 * count + 0.85
-    figure = style.canvas(height=height, left=0.105, right=0.985, top=1 - 0.52 / height, bottom=0.40 / height,
+    figure = style.canvas(height=height, left=0.105, right=0.98, top=1 - 0.52 / height, bottom=0.40 / height,
                           hspace=0.42, wspace=0.22)
     panels = figure.subplots(count, 2, sharex=True, sharey="col", squeeze=False)
+    columns = [peak_of(*(member.results.sampled[column] for member in study.members))
+               for column in ("current_top", "current_difference")]
+    (electrodes, label), (difference, difference_label) = (scaled_label("current", "A", peak) for peak in columns)
     for row, member in zip(panels, study.members):
         time = member.results.sampled["time"]
         for name, colour in (("top", style.BLUE), ("bottom", style.ORANGE)):
-            row[0].plot(time, member.results.sampled[f"current_{name}"] * 1e3, color=colour, lw=0.8, label=name,
+            row[0].plot(time, member.results.sampled[f"current_{name}"] / electrodes, color=colour, lw=0.8, label=name,
                         drawstyle="steps-pre", ls="-" if name == "top" else (0, (4, 1.5)))
-        row[1].plot(time, member.results.sampled["current_difference"] * 1e3, color=style.GREEN, lw=0.9,
+        row[1].plot(time, member.results.sampled["current_difference"] / difference, color=style.GREEN, lw=0.9,
                     drawstyle="steps-pre", label="difference (top − bottom)/2")
         row[0].set_ylabel(study.label(member), fontsize=7.5)
         for panel, signal in zip(row, ("current_top", "current_difference")):
@@ -75,9 +79,9 @@ def currents(study):
             panel.text(1.0, 1.0, f"resolved peak {significant(peak)}", transform=panel.transAxes, ha="right",
                        va="bottom", fontsize=6, color=style.QUIET)
     for panel in panels[0]:
-        panel.legend(loc="lower right", bbox_to_anchor=(1.0, 1.12), ncol=2, borderaxespad=0.0, fontsize=7)
-    panels[0, 0].set_title("electrodes [mA]", loc="left", fontsize=8, pad=11)
-    panels[0, 1].set_title("[mA]", loc="left", fontsize=8, pad=11)
+        panel.legend(loc="lower right", bbox_to_anchor=(1.0, 1.2), ncol=2, borderaxespad=0.0, fontsize=7)
+    for panel, words in zip(panels[0], (label, difference_label)):
+        panel.set_title(words, loc="left", fontsize=8, pad=11)
     for panel in panels[-1]:
         panel.set_xlabel(f"time [s]; {sampled_label(study.typical.results)}")
     return figure
@@ -203,7 +207,7 @@ def shear_panel(study, metric, label, title):
     panel, free = figure.subplots(1, 2)
     divisor = scaled(panel, label, "1", peak_of(study.metric(metric)))
     plot_metric(study, panel, metric, divisor, color=style.BLUE, marker="o", markersize=3.5)
-    panel.set_ylim(bottom=0)
+    panel.set_ylim(0, 1.08 * peak_of(study.metric(metric)) / divisor or 1)
     panel.set_xlabel(study.axis_label())
     mark_regimes(study, panel, metric, divisor)
     style.title(panel, title)

@@ -171,7 +171,7 @@ def ions(study):
         grid = file["ions/grid"]
         z = grid["z"][...] * 1e6
         column = loaded_column(file, instants)
-        figure = style.canvas(height=3.9, left=0.09, right=0.985, top=0.90, bottom=0.115, hspace=0.22, wspace=0.10)
+        figure = style.canvas(height=3.9, left=0.09, right=0.975, top=0.90, bottom=0.115, hspace=0.22, wspace=0.10)
         panels = figure.subplots(2, 3, sharex="col", sharey="row", gridspec_kw={"width_ratios": [1, 1.4, 1]})
         initial = file["ions"][instants[0]]["concentration"][0].mean()
         potentials = [file["ions"][name]["potential"][0][:, column[0], column[1]] for name in instants]

@@ -2,15 +2,17 @@
 """Figures 1 to 4: what is simulated. Each function takes a Study and returns a Figure, or the reason for none."""
 
 import numpy
-from matplotlib.patches import FancyArrowPatch, Rectangle
+from matplotlib.patches import FancyArrowPatch, Polygon, Rectangle
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from . import style
 from .panels import motion_panels, name_phases
 from .quantity import si
+from .underside import Underside
 
 ROLE_COLOURS = {"electrode": "#a9b1bd", "core": "#7fc4b0"}
 SLIDER_COLOUR = "#e3a27c"
+SLIDER_SHADES = {"top": "#ecbda1", "cut": SLIDER_COLOUR, "side": "#cf8a62"}
 MAGNIFIED = 5  # the skin's thickness in the view of the model
 STAGES = [("touchdown", (0, -1)), ("slide", (1, 0)), ("lift", (0, 1)), ("return", (-1, 0))]
 
@@ -22,18 +24,15 @@ def geometry(results):
         return None
     try:
         skin, slider, motion = case["skin"], case["slider"], case["motion"]
-        size = slider.get("size") or [slider["radius"], slider["radius"]]
-        return {"length": si(skin["length"]), "width": si(skin["width"]), "size": si(size),
+        return {"length": si(skin["length"]), "width": si(skin["width"]), "slider": Underside(slider),
                 "start": si(slider["start"]), "gap": si(motion["gap"]), "stroke": si(motion["stroke"]),
-                "direction": motion.get("direction", [1, 0]), "shape": slider.get("shape", "flat"),
-                "radius": si(slider["radius"]) if "radius" in slider else None,
+                "direction": motion.get("direction", [1, 0]),
                 "layers": [(layer["name"], layer["role"], layer["material"], si(layer["thickness"]))
                            for layer in skin["layers"]]}
     except (KeyError, ValueError):
         return None
 
 
-CAP_DEPTH = 0.7  # drawn part of a sphere [mm]
 NO_CONTACT = "the run has no slider, or one that this figure cannot draw"
 
 
@@ -46,25 +45,41 @@ def box(axes, low, high, colour, alpha):
                                            edgecolor=style.INK, linewidth=0.4, clip_on=False))
 
 
-def cap(axes, centre, lowest, radius, colour):
-    """The lowest part of a sphere; lengths in mm."""
-    depth = min(CAP_DEPTH, radius)
-    rims = numpy.linspace(0, numpy.sqrt(2 * radius * depth - depth**2), 9)
-    turns = numpy.linspace(0, 2 * numpy.pi, 49)
-    heights = lowest + radius - numpy.sqrt(radius**2 - rims**2)
-    rings = [numpy.stack([centre[0] + rim * numpy.cos(turns), centre[1] + rim * numpy.sin(turns),
-                          numpy.full_like(turns, height)], axis=1) for rim, height in zip(rims, heights)]
-    faces = [numpy.array([low[i], low[i + 1], high[i + 1], high[i]])
-             for low, high in zip(rings, rings[1:]) for i in range(len(turns) - 1)]
-    axes.add_collection3d(Poly3DCollection(faces, facecolor=colour, edgecolor="none", clip_on=False))
-    axes.add_collection3d(Poly3DCollection([rings[-1]], facecolor=colour, edgecolor=style.INK, linewidth=0.4, clip_on=False))
+def half_body(axes, slider, centre, lowest):
+    """The half of a slider behind its middle, whose cut shows the underside; centre and height in mm."""
+    y = slider.half_size[1] * numpy.linspace(0, 1, 25)
+    x, heights = slider.lines(y, 61)
+    points = numpy.stack([1e3 * x + centre[0], numpy.broadcast_to(1e3 * y[:, None] + centre[1], x.shape),
+                          1e3 * heights + lowest], axis=-1)
+    top = lowest + 1e3 * slider.depth
+
+    def raised(line):
+        return numpy.column_stack([line[:, :2], numpy.full(len(line), top)])
+
+    def add(faces, part, width):
+        colour = SLIDER_SHADES[part]
+        axes.add_collection3d(Poly3DCollection(faces, facecolor=colour, edgecolor=style.INK if width else colour,
+                                               linewidth=width or 0.2, clip_on=False))
+
+    add([numpy.array([near[i], near[i + 1], far[i + 1], far[i]])
+         for near, far in zip(points, points[1:]) for i in range(points.shape[1] - 1)], "side", 0)
+    add([numpy.concatenate([points[:, -1], raised(points[:, -1])[::-1]])], "side", 0.4)
+    add([raised(numpy.concatenate([points[:, 0], points[::-1, -1]]))], "top", 0.4)
+    add([numpy.concatenate([points[0], raised(points[0, [-1, 0]])])], "cut", 0.4)
 
 
-def slider_words(shape, size):
+def slider_words(slider):
     """Shape and measures of the slider."""
-    if shape["radius"] is not None:
-        return f"slider ({shape['shape']}): radius {shape['radius'] * 1e3:.4g} mm"
-    return f"slider ({shape['shape']}): {size[0]:.4g} mm × {size[1]:.4g} mm"
+    plan = " × ".join(f"{1e3 * side:.4g} mm" for side in slider.size)
+    if slider.shape == "sphere":
+        return f"slider (sphere): radius {slider.radius * 1e3:.4g} mm"
+    if slider.shape == "cylinder":
+        return f"slider (cylinder): radius {slider.radius * 1e3:.4g} mm, length {slider.size[1] * 1e3:.4g} mm"
+    if slider.edge_radius > 0:
+        return f"slider (flat): {plan}, edges {slider.edge_radius * 1e3:.4g} mm"
+    if slider.shape == "profile" and slider.map is None:
+        return f"slider (profile): {plan}, heights not at hand"
+    return f"slider ({slider.shape}): {plan}"
 
 
 def model(study):
@@ -82,33 +97,37 @@ def model(study):
         handles.append(Rectangle((0, 0), 1, 1, facecolor=ROLE_COLOURS[role], edgecolor=style.INK, lw=0.4,
                                  label=f"{name}: {material}, {thickness * 1e6:.4g} µm"))
         height = top
-    start, size, gap = (numpy.array(shape[name]) * 1e3 for name in ("start", "size", "gap"))
-    low, high = start - size / 2, start + size / 2
-    body = CAP_DEPTH if shape["shape"] == "sphere" else 1.0
-    if shape["shape"] == "sphere":
-        cap(axes, start, height + gap, shape["radius"] * 1e3, SLIDER_COLOUR)
-        low = high = start
+    slider = shape["slider"]
+    start, gap, body = numpy.array(shape["start"]) * 1e3, shape["gap"] * 1e3, slider.depth * 1e3
+    notes = [f"Thickness of the skin drawn {MAGNIFIED} times", "the slider's height is not part of the model"]
+    if slider.sharp:
+        half = slider.half_size * 1e3
+        box(axes, (*(start - half), height + gap), (*(start + half), height + gap + body), SLIDER_COLOUR, 0.95)
+        lowest = start + half * (1, -1)
     else:
-        box(axes, (*low, height + gap), (*high, height + gap + body), SLIDER_COLOUR, 0.95)
+        half_body(axes, slider, start, height + gap)
+        across, rise = (values[0] for values in slider.lines(0.0))
+        middle = numpy.lexsort((numpy.abs(across), rise))[0]  # of the lowest places that nearest to the centre
+        lowest = start + (1e3 * across[middle], 0.0)
+        notes.insert(1, "the slider is cut along its middle")
     handles.append(Rectangle((0, 0), 1, 1, facecolor=SLIDER_COLOUR, edgecolor=style.INK, lw=0.4,
-                             label=slider_words(shape, size)))
+                             label=slider_words(slider)))
     stroke = numpy.array(shape["direction"]) / numpy.linalg.norm(shape["direction"]) * shape["stroke"] * 1e3
     axes.quiver(*start, height + gap + body, *stroke, 0, color=style.INK, linewidth=1.0, arrow_length_ratio=0.06,
                 clip_on=False)
     axes.text(*(start + stroke), height + gap + body + 0.25, f"stroke {shape['stroke'] * 1e3:.4g} mm", fontsize=7.5)
-    axes.plot([high[0]] * 2, [low[1]] * 2, [height, height + gap], color=style.INK, lw=0.8, clip_on=False)
-    axes.text(high[0] + 0.2, low[1], height + gap / 2, f"gap {gap:.4g} mm", fontsize=7.5, va="center",
+    axes.plot([lowest[0]] * 2, [lowest[1]] * 2, [height, height + gap], color=style.INK, lw=0.8, clip_on=False)
+    axes.text(lowest[0] + 0.2, lowest[1], height + gap / 2, f"gap {gap:.4g} mm", fontsize=7.5, va="center",
               bbox=style.BEHIND_TEXT)
     axes.text(length / 2, 0, -0.35, f"length {length:.4g} mm (x)", fontsize=7.5, ha="center", va="top")
     axes.text(length + 0.35, width / 2, 0, f"width {width:.4g} mm (y)", fontsize=7.5)
-    tall = height + gap + 1.5
+    tall = height + gap + body + 0.5
     axes.set(xlim=(0, length), ylim=(0, width), zlim=(0, tall))
     axes.set_box_aspect((length, width, tall), zoom=1.7)
     axes.view_init(elev=22, azim=-66)
     axes.set_axis_off()
     figure.legend(handles=handles[::-1], loc="upper right", bbox_to_anchor=(0.99, 0.99))
-    figure.text(0.01, 0.98, f"Thickness of the skin drawn {MAGNIFIED} times; the slider's height is not part of the "
-                            "model.", fontsize=7, color=style.QUIET, va="top", wrap=False)
+    figure.text(0.01, 0.98, ";\n".join(notes) + ".", fontsize=7, color=style.QUIET, va="top", linespacing=1.4)
     return figure
 
 
@@ -155,10 +174,14 @@ def stages(study):
         return NO_CONTACT
     figure = style.canvas(height=1.5, left=0.01, right=0.99, top=0.86, bottom=0.04, wspace=0.06)
     panels = figure.subplots(1, 4)
-    length, size = shape["length"], shape["size"][0]
+    length, slider = shape["length"], shape["slider"]
     start = shape["start"][0]
     end = start + shape["stroke"] * shape["direction"][0] / numpy.linalg.norm(shape["direction"])
-    lifted = 0.30
+    lifted, body = 0.30, 0.26
+    across, rise = (values[0] for values in slider.lines(0.0))
+    # Down the left side, along the underside, up the right one.
+    outline = numpy.column_stack([numpy.concatenate([across[:1], across, across[-1:]]) / length,
+                                  numpy.concatenate([[1], rise / slider.depth, [1]]) * body])
     places = [((start, lifted), (start, 0.0)), ((start, 0.0), (end, 0.0)), ((end, 0.0), (end, lifted)),
               ((end, lifted), (start, lifted))]
     for number, (panel, (name, _), (first, last)) in enumerate(zip(panels, STAGES, places), 1):
@@ -168,8 +191,8 @@ def stages(study):
             panel.add_patch(Rectangle((0, strip), 1, 0.03, facecolor=ROLE_COLOURS["electrode"], edgecolor=style.INK,
                                       lw=0.4))
         for (x, z), alpha in ((first, 0.35), (last, 1.0)):
-            panel.add_patch(Rectangle(((x - size / 2) / length, z), size / length, 0.26, facecolor=SLIDER_COLOUR,
-                                      edgecolor=style.INK, lw=0.5, alpha=alpha))
+            panel.add_patch(Polygon(outline + (x / length, z), facecolor=SLIDER_COLOUR, edgecolor=style.INK, lw=0.5,
+                                    alpha=alpha))
         panel.add_patch(FancyArrowPatch((first[0] / length, first[1] + 0.13), (last[0] / length, last[1] + 0.13),
                                         arrowstyle="-|>", mutation_scale=9, color=style.INK, lw=1.1))
         panel.set(xlim=(-0.02, 1.02), ylim=(-0.2, 0.62))

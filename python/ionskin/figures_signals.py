@@ -123,7 +123,7 @@ def phases(study):
         return NO_MOTION
     sampled = results.sampled
     start, end = first_cycle(results)
-    figure = style.canvas(height=4.9, left=0.085, right=0.975, top=0.93, bottom=0.125, hspace=0.62, wspace=0.36)
+    figure = style.canvas(height=4.9, left=0.085, right=0.975, top=0.93, bottom=0.125, hspace=0.62, wspace=0.42)
     grid = figure.add_gridspec(3, 3)
     for row, (name, colour, words) in enumerate((("top", style.BLUE, "Top electrode"),
                                                  ("difference", style.GREEN, "Difference (top − bottom)/2"))):

@@ -48,14 +48,19 @@ def motion_panels(results, row, colours):
     return figure, axes
 
 
+def scaled_label(name, unit, peak):
+    """Divisor of the values of an axis, and its label with the prefixed unit."""
+    divisor, prefix = style.si_scale(peak)
+    if unit != "1":
+        return divisor, f"{name} [{prefix}{unit}]"
+    power = f"{round(numpy.log10(divisor)):d}".translate(SUPERSCRIPTS)
+    return divisor, f"{name} [10{power}]" if divisor != 1 else name
+
+
 def scaled(panel, name, unit, peak):
     """Labels a linear axis with a prefixed unit and returns the divisor of its values."""
-    divisor, prefix = style.si_scale(peak)
-    if unit == "1":
-        power = f"{round(numpy.log10(divisor)):d}".translate(SUPERSCRIPTS)
-        panel.set_ylabel(f"{name} [10{power}]" if divisor != 1 else name)
-    else:
-        panel.set_ylabel(f"{name} [{prefix}{unit}]")
+    divisor, label = scaled_label(name, unit, peak)
+    panel.set_ylabel(label)
     return divisor
 
 

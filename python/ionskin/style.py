@@ -73,7 +73,7 @@ def stacked(rows, *, share_x=True, heights=None, left=0.105):
     figure = Figure(figsize=(WIDTH, height))
     FigureCanvasAgg(figure)
     axes = figure.subplots(rows, 1, sharex=share_x, squeeze=False, gridspec_kw={"height_ratios": heights})[:, 0]
-    figure.subplots_adjust(left=left, right=0.985, top=1 - 0.22 / height, bottom=0.42 / height,
+    figure.subplots_adjust(left=left, right=0.98, top=1 - 0.22 / height, bottom=0.42 / height,
                            hspace=0.22 if share_x else 0.42)
     return figure, list(axes)
 
