@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs and sweeps from Python: results, progress, interrupts, errors."""
 
-import importlib.util
 import os
 import signal
 import threading
@@ -25,6 +24,7 @@ class Run(PackageTest):
         self.assertTrue(all(0 <= fraction <= 1 for _, fraction in seen))
         opened = ionskin.open_results(self.folder / "out")
         numpy.testing.assert_array_equal(opened.signals["charge_top"], result.signals["charge_top"])
+        self.assertEqual(opened.to_xarray()["current_top"].attrs["units"], "A")
         with self.assertRaises(ionskin.CaseError) as raised:
             ionskin.run(small_case(), self.folder / "out")
         self.assertIn("already holds files", str(raised.exception))
@@ -32,18 +32,6 @@ class Run(PackageTest):
         electro["coupling.coefficient"] = 0.2
         twice = ionskin.run(electro, self.folder / "out", only="electrochemistry")
         self.assertGreater(twice.metrics["rms_current_top"].value, 1.5 * result.metrics["rms_current_top"].value)
-
-    @unittest.skipIf(importlib.util.find_spec("xarray"), "xarray is installed")
-    def test_labelled_arrays_say_what_is_missing(self):
-        table = ionskin.Table({"time": numpy.zeros(1)}, {"time": "s"})
-        with self.assertRaises(ImportError) as raised:
-            table.to_xarray()
-        self.assertIn("python3-xarray", str(raised.exception))
-
-    @unittest.skipUnless(importlib.util.find_spec("xarray"), "xarray is not installed")
-    def test_labelled_arrays(self):
-        table = ionskin.Table({"time": numpy.arange(2.0), "charge_top": numpy.ones(2)}, {"time": "s", "charge_top": "C"})
-        self.assertEqual(table.to_xarray()["charge_top"].attrs["units"], "C")
 
     def test_temporary_results_live_as_long_as_they_are_held(self):
         result = ionskin.run(small_case(), only="mechanics")
