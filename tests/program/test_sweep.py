@@ -98,6 +98,22 @@ class Sweep(ProgramTest):
                                metric(self.folder / "single", "rms_current_difference"), delta=1e-15)
         self.run_program(*sweep[:-1], "coupling.coefficient=-40", "-o", "none", expect=3)
 
+    def test_a_contact_off_the_skin_leaves_the_other_points(self):
+        """Whether the contact of a cylinder stays on the skin shows once it is solved: too late to end the sweep."""
+        near_edge = ("--set", "slider.shape=cylinder", "--set", "slider.radius=3 mm", "--set", 'slider.size=["6 mm", "1.5 mm"]',
+                     "--set", 'slider.start=["0.2 mm", "1 mm"]', "--set", "motion.stroke=1 mm")
+        sweep = ("sweep", QUICK, "--no-report", *SMALL, *near_edge, "--only", "mechanics", "--over", "contact.friction=0.1,0.3")
+        process = self.run_program(*sweep, "--over", "motion.preload=2 um,20 um", "-o", "out")
+        self.assertIn("2 of 4 points failed", process.stderr)
+        by_preload = {(row["motion.preload [m]"], row["contact.friction [1]"]): row for row in rows(self.folder / "out")}
+        for (preload, _), row in by_preload.items():
+            good = float(preload) < 1e-5
+            self.assertEqual(row["status"], "finished" if good else "failed")
+            self.assertEqual(row["reason"], "" if good else "the contact reaches the edge of the skin along x: move "
+                             "slider.start, shorten motion.stroke or lower motion.preload")
+        process = self.run_program(*sweep, "--over", "motion.preload=20 um", "-o", "none", expect=3)
+        self.assertEqual([row["status"] for row in rows(self.folder / "none")], ["failed"] * 2)
+
     def test_bad_sweeps_do_no_work(self):
         for over, words in (("contact.friction=0.1,5", "point 2"), ("contact.fricton=0.1,0.2", "contact.friction"),
                             ("motion.stroke=1 mm:1 um:2 mm", "units"), ("contact.friction=0.1:0.2", "--samples")):

@@ -77,18 +77,6 @@ double states_per_solution(const Case& input) {
   return states;
 }
 
-/// The footprint that a whole group needs; empty where no contact is found, which each point then
-/// says by itself.
-std::optional<mesh::Footprint> footprint_of(const FrictionGroup& group, const Case& input,
-                                            int threads) {
-  try {
-    const auto most = std::ranges::max_element(group, {}, &SharedMechanics::friction);
-    return mechanics::find_footprint(input, most->friction, threads);
-  } catch (const SolverError&) {
-    return std::nullopt;
-  }
-}
-
 /// Friction coefficients whose solutions fit into memory together.
 std::size_t batch_size(const Case& input, const mesh::Footprint& footprint) {
   const mesh::SkinMesh mesh(input, footprint);
@@ -98,6 +86,39 @@ std::size_t batch_size(const Case& input, const mesh::Footprint& footprint) {
       8.0 * static_cast<double>(elements[0] * elements[1] * (core[1] - core[0]));
   const double bytes = states_per_solution(input) * 6 * sizeof(double) * gauss_points;
   return std::max<std::size_t>(1, static_cast<std::size_t>(solution_memory / bytes));
+}
+
+/// How the entries of a group are solved.
+struct GroupPlan {
+  std::size_t batch = 1;                    ///< entries at once
+  std::optional<mesh::Footprint> footprint; ///< of all of them; empty: each finds its own
+};
+
+/// Of all points that differ from a case in the friction coefficient only, finished ones too, so
+/// that a resumed sweep meshes as an uninterrupted one.
+double largest_friction(const std::vector<SweepPoint>& points, const Case& input) {
+  const std::string hash = hash_without_friction(input);
+  double largest = input.contact.friction;
+  for (const SweepPoint& point : points) {
+    if (hash_without_friction(point.input) == hash) {
+      largest = std::max(largest, point.input.contact.friction);
+    }
+  }
+  return largest;
+}
+
+/// Where the largest friction finds no contact, or none on the skin, each entry is tried alone and
+/// says so by itself.
+GroupPlan plan_group(const std::vector<SweepPoint>& points, const Case& input, int threads) {
+  try {
+    const mesh::Footprint footprint =
+        mechanics::find_footprint(input, largest_friction(points, input), threads);
+    return {batch_size(input, footprint), footprint};
+  } catch (const SolverError&) {
+    return {};
+  } catch (const UserError&) {
+    return {};
+  }
 }
 
 /// Study 1 of one point that a finished point shares, read from that point's folder.
@@ -151,29 +172,38 @@ public:
   /// @param footprint of all of them, or empty to find it
   void solve(const FrictionGroup& group, std::size_t begin, std::size_t end,
              const std::optional<mesh::Footprint>& footprint) {
+    const double start = base::wall_time();
+    std::vector<SolvedMechanics> solutions;
+    std::string reason;
     try {
-      solve_together(group, begin, end, footprint);
-      finished_ += end - begin;
+      solutions = solve_together(group, begin, end, footprint);
     } catch (const SolverError& error) {
-      if (end - begin > 1) {
-        const std::size_t middle = begin + (end - begin) / 2;
-        solve(group, begin, middle, footprint);
-        solve(group, middle, end, footprint);
-        return;
-      }
-      for (const std::size_t i : group[begin].points) {
-        failures[i] = std::string(error.what()) + "; remedy: " + error.remedy();
-      }
-      finished_ += 1;
+      reason = std::string(error.what()) + "; remedy: " + error.remedy();
+    } catch (const UserError& error) { // shows once the contact is known, such as one off the skin
+      reason = error.what();
     }
+    if (reason.empty()) {
+      const double seconds = (base::wall_time() - start) / static_cast<double>(end - begin);
+      leave(group, begin, std::move(solutions), seconds);
+    } else if (end - begin > 1) {
+      const std::size_t middle = begin + (end - begin) / 2;
+      solve(group, begin, middle, footprint);
+      solve(group, middle, end, footprint);
+      return;
+    } else {
+      for (const std::size_t i : group[begin].points) {
+        failures[i] = reason;
+      }
+    }
+    finished_ += end - begin;
   }
 
   SweepFailures failures;
 
 private:
-  void solve_together(const FrictionGroup& group, std::size_t begin, std::size_t end,
-                      const std::optional<mesh::Footprint>& footprint) {
-    const double start = base::wall_time();
+  std::vector<SolvedMechanics> solve_together(const FrictionGroup& group, std::size_t begin,
+                                              std::size_t end,
+                                              const std::optional<mesh::Footprint>& footprint) {
     const double before = static_cast<double>(finished_) / static_cast<double>(units_);
     const double share = static_cast<double>(end - begin) / static_cast<double>(units_);
     mechanics::ContactOptions contact_options;
@@ -196,7 +226,11 @@ private:
         warnings.insert(warnings.end(), notes.begin(), notes.end());
       }
     }
-    const double seconds = (base::wall_time() - start) / static_cast<double>(end - begin);
+    return solutions;
+  }
+
+  void leave(const FrictionGroup& group, std::size_t begin, std::vector<SolvedMechanics> solutions,
+             double seconds) {
     base::run_tasks(solutions.size(), options_.threads, [&](std::size_t i) {
       const auto solved = std::make_unique<SolvedMechanics>(std::move(solutions[i]));
       leave_in_folders(points_, group[begin + i], *solved, seconds, options_);
@@ -254,10 +288,9 @@ SweepFailures solve_shared_mechanics(const std::vector<SweepPoint>& points,
   SharedMechanicsSolver solver(points, options, timers, units);
   for (const FrictionGroup& group : groups) {
     const Case& input = points[group.front().points.front()].input;
-    const auto footprint = footprint_of(group, input, options.threads);
-    const std::size_t batch = footprint ? batch_size(input, *footprint) : 1;
-    for (std::size_t begin = 0; begin < group.size(); begin += batch) {
-      solver.solve(group, begin, std::min(group.size(), begin + batch), footprint);
+    const GroupPlan plan = plan_group(points, input, options.threads);
+    for (std::size_t begin = 0; begin < group.size(); begin += plan.batch) {
+      solver.solve(group, begin, std::min(group.size(), begin + plan.batch), plan.footprint);
     }
   }
   return std::move(solver.failures);

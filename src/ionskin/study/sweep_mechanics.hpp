@@ -16,8 +16,8 @@ using SweepFailures = std::map<std::size_t, std::string>;
 
 /// Solves Study 1 of the given points and leaves it in their folders, where `run_case` takes it up.
 /// Points that differ in the friction coefficient only share all factorisations; points whose Study
-/// 1 is the same share it. When the solver gives up on several together, each of them is tried
-/// alone.
+/// 1 is the same share it. When the solver gives up on several together, or their contact does not
+/// stay on the skin, each of them is tried alone.
 /// @param unfinished indices of the points to solve; those whose folders hold it already are left
 /// @param options of one point's run; `folder` is that of all points
 SweepFailures solve_shared_mechanics(const std::vector<SweepPoint>& points,
