@@ -5,6 +5,7 @@
 #include "ionskin/study/mechanics_file.hpp"
 
 #include <dlfcn.h>
+#include <link.h>
 
 #include <fstream>
 #include <iterator>
@@ -18,30 +19,46 @@ std::string content_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The program or module that holds this code, so that no build takes up what another computed.
-std::string own_code() {
+/// The program or module that holds this code.
+std::filesystem::path own_file() {
   Dl_info info{};
-  dladdr(reinterpret_cast<const void*>(&keep_mechanics), &info);
-  return info.dli_fname != nullptr ? content_of(info.dli_fname) : "";
+  link_map* object = nullptr;
+  dladdr1(reinterpret_cast<const void*>(&keep_mechanics), &info, reinterpret_cast<void**>(&object),
+          RTLD_DL_LINKMAP);
+  // The program itself has no name there, and its first argument may name another file.
+  const bool module = object != nullptr && object->l_name != nullptr && *object->l_name != '\0';
+  return module ? object->l_name : "/proc/self/exe";
 }
 
-base::Digest key_of(const std::string& hash) {
-  static const base::Digest code = base::DigestBuilder().add(own_code()).finish();
-  return base::DigestBuilder().add("mechanics").add(code.hex()).add(hash).finish();
+base::Digest key_of(const std::string& hash, const base::Digest& build) {
+  return base::DigestBuilder().add("mechanics").add(build.hex()).add(hash).finish();
 }
 
 } // namespace
 
+std::optional<base::Digest> build_digest(const std::filesystem::path& program) {
+  const std::string code = content_of(program);
+  return code.empty() ? std::nullopt : std::optional(base::DigestBuilder().add(code).finish());
+}
+
+const std::optional<base::Digest>& own_build() {
+  static const std::optional<base::Digest> build = build_digest(own_file());
+  return build;
+}
+
 void keep_mechanics(base::DiskCache& cache, const std::string& hash,
-                    const std::filesystem::path& file) {
+                    const std::filesystem::path& file, const std::optional<base::Digest>& build) {
+  if (!build) {
+    return;
+  }
   const std::string content = content_of(file);
-  cache.write(key_of(hash), {std::as_bytes(std::span(content))});
+  cache.write(key_of(hash, *build), {std::as_bytes(std::span(content))});
 }
 
 std::optional<MechanicsRecord> recall_mechanics(base::DiskCache& cache, const std::string& hash,
-                                                const Skin& skin,
-                                                const std::filesystem::path& file) {
-  const auto content = cache.read(key_of(hash));
+                                                const Skin& skin, const std::filesystem::path& file,
+                                                const std::optional<base::Digest>& build) {
+  const auto content = build ? cache.read(key_of(hash, *build)) : std::nullopt;
   if (!content) {
     return std::nullopt;
   }

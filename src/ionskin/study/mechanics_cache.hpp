@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/base/digest.hpp"
 #include "ionskin/base/disk_cache.hpp"
 #include "ionskin/study/mechanics_record.hpp"
 
@@ -11,16 +12,24 @@
 namespace ionskin::study {
 
 // Study 1 of an earlier run in the user's cache: a run that changes nothing but Study 2 takes it
-// up. Only the very same build of the program finds it.
+// up. Only the very same build of the program finds it, so that none takes up what another
+// computed; a build that is not known neither keeps nor finds anything.
+
+/// Stands for a program by the content of its file; nothing when it cannot be read.
+std::optional<base::Digest> build_digest(const std::filesystem::path& program);
+/// Of the running program or module.
+const std::optional<base::Digest>& own_build();
 
 /// Keeps a file that `write_mechanics` wrote.
 /// @param hash see `mechanics_hash`
 void keep_mechanics(base::DiskCache& cache, const std::string& hash,
-                    const std::filesystem::path& file);
+                    const std::filesystem::path& file,
+                    const std::optional<base::Digest>& build = own_build());
 
 /// Puts what was kept at `file` and reads it; nothing when nothing was kept.
-std::optional<MechanicsRecord> recall_mechanics(base::DiskCache& cache, const std::string& hash,
-                                                const Skin& skin,
-                                                const std::filesystem::path& file);
+std::optional<MechanicsRecord>
+recall_mechanics(base::DiskCache& cache, const std::string& hash, const Skin& skin,
+                 const std::filesystem::path& file,
+                 const std::optional<base::Digest>& build = own_build());
 
 } // namespace ionskin::study
