@@ -65,10 +65,9 @@ void add_fit(CLI::App& app, Command& command) {
       ->expected(1)
       ->take_all();
   verb->add_option("--column", options->column, "Signal of the data, where it holds several");
-  add_output_option(*verb, options->output);
+  add_output_options(*verb, options->output, options->overwrite, options->resume);
   add_set_option(*verb, options->set_edits);
   add_threads_option(*verb, options->threads);
-  add_overwrite_option(*verb, options->overwrite);
   add_cache_option(*verb, options->use_cache);
   add_log_options(*verb, options->log);
   set_when_parsed(*verb, options, command);

@@ -39,7 +39,8 @@ int fit(const FitOptions& options, const std::string& command) {
   study::FitResult result;
   {
     ProgressDisplay display(options.log);
-    const auto settings = study_settings<study::FitOptions>(options, command, display);
+    auto settings = study_settings<study::FitOptions>(options, command, display);
+    settings.resume = options.resume;
     result = study::run_fit(request, settings);
   }
   if (options.log != LogFormat::quiet) {

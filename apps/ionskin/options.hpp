@@ -53,6 +53,7 @@ struct FitOptions {
   std::vector<std::string> set_edits;
   int threads = 0;
   bool overwrite = false;
+  bool resume = false;
   bool use_cache = true;
   LogFormat log = LogFormat::automatic;
 };

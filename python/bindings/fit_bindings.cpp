@@ -53,6 +53,7 @@ void fit_folder(const py::handle& python_case, const std::string& data, const st
   options.folder = settings["output"].cast<std::string>();
   options.threads = apps::thread_count(settings["threads"].cast<int>());
   options.overwrite = settings["overwrite"].cast<bool>();
+  options.resume = settings["resume"].cast<bool>();
   options.use_cache = settings["cache"].cast<bool>();
   options.report = settings["report"].cast<bool>();
   options.command = settings["command"].cast<std::string>();

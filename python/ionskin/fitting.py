@@ -49,17 +49,18 @@ class FitModel:
 
 
 def fit(case: Case, data: str | os.PathLike, free: Sequence[str], output: str | os.PathLike, *, column: str = "",
-        threads: int = 0, progress: Progress | None = None, overwrite: bool = False, report: bool = False,
-        cache: bool = True) -> Fit:
+        threads: int = 0, progress: Progress | None = None, overwrite: bool = False, resume: bool = False,
+        report: bool = False, cache: bool = True) -> Fit:
     """Fits keys of a case to a measurement in a file, and writes the results as `ionskin fit` does.
 
     data    CSV with units in its header, such as our own signals.csv: time [s],current_difference [uA]
     free    the keys, see FitModel
     output  folder: fitted.toml, fit.json, fit.csv, and with `report` the figure
     column  which signal of the data, where they hold several
+    resume  go on with an interrupted fit of the same case, data and keys in its folder
 
     Raises CaseError before any work, SolverError and KeyboardInterrupt.
     """
-    settings = solve_settings(os.fspath(output), threads, overwrite, False, "", report, cache, "fit")
+    settings = solve_settings(os.fspath(output), threads, overwrite, resume, "", report, cache, "fit")
     solver.load().fit_folder(case, os.fspath(data), column, list(free), settings, progress)
     return Fit.from_folder(output)

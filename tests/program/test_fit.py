@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`ionskin fit`: a key of the mechanics, and mistakes that end before any work."""
+"""`ionskin fit`: a key of the mechanics, interrupt and resume, and mistakes that end before any work."""
 
 import json
 import os
+import signal
+import subprocess
 import unittest
 
-from program import QUICK, ProgramTest
+from program import QUICK, ROOT, ProgramTest
 
 SMALL = ("--set", "numerics.mesh_refinement=0.5", "--set", "numerics.time_refinement=0.3")
 
@@ -23,6 +25,45 @@ class Fit(ProgramTest):
         self.assertEqual(fit["parameters"]["motion.preload"]["unit"], "m")
         self.assertGreaterEqual(fit["mechanics_solves"], 3)
         self.run_program("check", "fitted/fitted.toml")
+
+    def fit_of(self, folder, *more, data="data.csv"):
+        """Arguments of a fit of two keys to a signal in proportion to that of a strain file's run."""
+        return ("fit", self.case, *self.edits, "--data", data, "--column", "current_difference", "-o", folder, "--free",
+                "coupling.coefficient,electrochemistry.diffusivity", *more)
+
+    def test_an_interrupted_fit_goes_on(self):
+        """Interrupted once and killed once, a fit ends with what an untouched one finds."""
+        subprocess.run(["/usr/bin/python3", ROOT / "cases" / "make_strain.py", self.folder / "strain.h5"], check=True)
+        self.case = ROOT / "cases" / "strain_file.toml"
+        self.edits = ("--set", f'strain.file="{self.folder / "strain.h5"}"', "--set", "numerics.preset=coarse",
+                      "--threads", "1")
+        self.run_case(self.case, *self.edits, "--set", "coupling.coefficient=0.15", "--set",
+                      "electrochemistry.diffusivity=1e-10 m2/s", "-o", "truth")
+        (self.folder / "truth" / "sampled.csv").rename(self.folder / "data.csv")
+        self.run_program(*self.fit_of("whole"))
+
+        def solved(count):
+            return lambda: len(list((self.folder / "out" / "evaluations").glob("*.h5"))) >= count
+
+        errors = self.interrupt_program(*self.fit_of("out"), when=solved(2))
+        self.assertIn("--resume", errors)
+        self.interrupt_program(*self.fit_of("out", "--resume"), when=solved(6), how=signal.SIGKILL, expect=-signal.SIGKILL)
+        shorter = self.write("shorter.csv", "".join((self.folder / "data.csv").read_text().splitlines(True)[:-1]))
+        for other in (self.fit_of("out", "--resume", data=shorter),
+                      self.fit_of("out", "--resume", "--set", "coupling.coefficient=0.2")):
+            self.assertIn("another fit", self.run_program(*other, expect=2).stderr)
+        self.run_program(*self.fit_of("out", "--resume"))
+
+        whole, resumed = (json.loads((self.folder / name / "fit.json").read_text()) for name in ("whole", "out"))
+        self.assertGreaterEqual(resumed["evaluations_taken_up"], 6)
+        self.assertEqual(resumed["evaluations_taken_up"] + resumed["ion_transport_solves"], whole["ion_transport_solves"])
+        for entries in (whole, resumed):
+            for last_start in ("evaluations_taken_up", "ion_transport_solves", "mechanics_solves", "seconds"):
+                del entries[last_start]
+        self.assertEqual(whole, resumed)
+        for name in ("fit.csv", "fitted.toml"):
+            self.assertEqual((self.folder / "whole" / name).read_text(), (self.folder / "out" / name).read_text())
+        self.assertFalse((self.folder / "out" / "evaluations").exists())
 
     def test_mistakes_end_before_any_work(self):
         good = self.write("good.csv", "time [s],current_difference [A]\n1,0\n2,0\n3,0\n")

@@ -38,6 +38,7 @@ void remove_results(const fs::path& folder) {
     fs::remove(folder / (std::string(name) + ".tmp"));
   }
   remove_by_extension(folder / file_names::fields, {".vtu", ".pvd"});
+  remove_by_extension(folder / file_names::evaluations, {".h5", ".tmp"});
   remove_by_extension(folder / file_names::figures, {".png", ".svg", ".pdf"});
 }
 

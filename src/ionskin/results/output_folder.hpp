@@ -31,6 +31,7 @@ inline constexpr const char* impedance = "impedance.csv"; ///< of a spectrum
 inline constexpr const char* fit = "fit.json";            ///< of a fit to measured data
 inline constexpr const char* fit_table = "fit.csv";       ///< likewise
 inline constexpr const char* fitted_case = "fitted.toml"; ///< likewise
+inline constexpr const char* evaluations = "evaluations"; ///< folder of an unfinished fit
 inline constexpr const char* results = "results.h5";
 inline constexpr const char* checkpoint = "checkpoint.h5"; ///< of an unfinished run
 inline constexpr const char* report = "report.html";

@@ -56,6 +56,7 @@ struct FitOptions {
   std::filesystem::path folder;
   int threads = 1;
   bool overwrite = false;
+  bool resume = false; ///< take up the evaluations of an interrupted fit in the folder
   bool use_cache = true;
   bool report = true; ///< draw the figure
   std::string command;
@@ -63,7 +64,8 @@ struct FitOptions {
 };
 
 /// Fits and writes manifest.json, case.toml (the start), fitted.toml, fit.json, fit.csv and the
-/// figure. All that is wrong with the input is found before any work (UserError).
+/// figure. All that is wrong with the input is found before any work (UserError), and so is a
+/// folder to resume that holds another fit.
 FitResult run_fit(const FitRequest& request, const FitOptions& options);
 
 } // namespace ionskin::study

@@ -7,8 +7,10 @@
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/study/fit.hpp"
 #include "ionskin/study/report.hpp"
+#include "ionskin/study/run_folder.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -58,6 +60,37 @@ void write_fit(const FitModel& model, const FitData& data, const FitResult& resu
   results::write_text_file(folder / names::fit, fit_json_text(result, model, data, seconds));
 }
 
+/// Hash of everything that decides the evaluations of a fit.
+std::string fit_hash(const FitModel& model, const FitData& data) {
+  std::string text = input_hash(model.start_case());
+  for (const FitParameter& parameter : model.parameters()) {
+    text += " free " + parameter.key;
+  }
+  text += fmt::format(" data {} {} {}", data.column, data.time, data.values);
+  return results::content_hash(text);
+}
+
+void require_same_fit(const std::filesystem::path& folder, const std::string& hash) {
+  const auto path = folder / names::manifest;
+  if (std::filesystem::exists(path) && results::read_manifest(path).input_hash != hash) {
+    throw UserError(
+        fmt::format("{} holds another fit than the one to resume: the case, a --set edit, the data "
+                    "or the free keys differ\n  = give the same ones, choose another folder, or "
+                    "replace its results with --overwrite",
+                    folder.string()));
+  }
+}
+
+void make_ready(const FitOptions& options, const std::string& hash) {
+  using results::ExistingFolder;
+  const auto otherwise = options.resume ? ExistingFolder::resume : ExistingFolder::refuse;
+  results::prepare_output_folder(options.folder,
+                                 options.overwrite ? ExistingFolder::overwrite : otherwise);
+  if (options.resume) {
+    require_same_fit(options.folder, hash);
+  }
+}
+
 } // namespace
 
 std::string fit_json_text(const FitResult& result, const FitModel& model, const FitData& data,
@@ -79,6 +112,7 @@ std::string fit_json_text(const FitResult& result, const FitModel& model, const 
   json["residual_lag_correlation"] = number(statistics.lag_correlation);
   json["converged"] = result.converged;
   json["iterations"] = result.iterations;
+  json["evaluations_taken_up"] = model.evaluations_taken_up();
   json["ion_transport_solves"] = model.ion_solves();
   json["mechanics_solves"] = model.mechanics_solves();
   json["warnings"] = result.warnings;
@@ -92,13 +126,13 @@ FitResult run_fit(const FitRequest& request, const FitOptions& options) {
                  {options.threads, options.use_cache, options.progress});
   FitData data = read_fit_data(request.data_path, request.column);
   prepare(data, model);
-  results::prepare_output_folder(options.folder, options.overwrite
-                                                     ? results::ExistingFolder::overwrite
-                                                     : results::ExistingFolder::refuse);
-  auto manifest = results::new_manifest(options.command, options.threads,
-                                        results::content_hash(model.start_case().text));
+  const std::string hash = fit_hash(model, data);
+  make_ready(options, hash);
+  auto manifest = results::new_manifest(options.command, options.threads, hash);
   results::write_text_file(options.folder / names::case_text, model.start_case().text);
   results::write_manifest(options.folder / names::manifest, manifest);
+  FitLog log(options.folder / names::evaluations);
+  model.keep_answers_in(log);
   FitResult result = fit(model, data, options.progress);
   write_fit(model, data, result, base::wall_time() - start, options.folder);
   if (options.report) {
@@ -108,6 +142,7 @@ FitResult run_fit(const FitRequest& request, const FitOptions& options) {
   }
   manifest.state = "finished";
   results::write_manifest(options.folder / names::manifest, manifest);
+  log.remove();
   return result;
 }
 

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ionskin::study {
 namespace {
@@ -152,36 +153,63 @@ FitModel::Ions FitModel::solve(const std::vector<double>& values, int threads) {
       electrochemistry::solve_ion_transport(input, mechanics->history, ion_options, timers));
 }
 
+std::optional<FitAnswer> FitModel::known_answer(const FitData& data,
+                                                const std::vector<double>& point) const {
+  if (log_ != nullptr) {
+    return log_->find(point);
+  }
+  if (const auto failed = failures_.find(point); failed != failures_.end()) {
+    return FitAnswer{std::nullopt, failed->second};
+  }
+  const auto solved = solutions_.find(point);
+  return solved == solutions_.end() ? std::nullopt
+                                    : std::optional(FitAnswer{predict(data, *solved->second), ""});
+}
+
+FitAnswer FitModel::new_answer(const FitData& data, const std::vector<double>& point, int threads) {
+  FitAnswer answer;
+  Ions ions;
+  try {
+    ions = solve(point, threads);
+    answer.values = predict(data, *ions);
+  } catch (const SolverError& error) {
+    answer.failure = fmt::format("{}; {}", error.what(), error.remedy());
+  } catch (const UserError& error) { // the start was checked: these values do not fit together
+    answer.failure = error.what();
+  }
+  if (log_ != nullptr) { // holds what the data need; other data have another log
+    log_->add(point, answer);
+    return answer;
+  }
+  const std::lock_guard lock(answers_mutex_);
+  if (ions) {
+    solutions_[point] = ions;
+  } else {
+    failures_[point] = answer.failure;
+  }
+  return answer;
+}
+
 std::vector<std::optional<std::vector<double>>>
 FitModel::answers(const FitData& data, const std::vector<std::vector<double>>& points) {
   std::vector<std::vector<double>> missing;
   for (const auto& point : points) {
-    if (solutions_.count(point) == 0 && std::ranges::find(missing, point) == missing.end()) {
+    if (!known_answer(data, point) && std::ranges::find(missing, point) == missing.end()) {
       missing.push_back(point);
     }
   }
-  std::vector<Ions> solved(missing.size());
-  std::mutex failure_mutex;
-  const int each = std::max(1, options_.threads / std::max(1, static_cast<int>(missing.size())));
-  base::run_tasks(missing.size(), options_.threads, [&](std::size_t i) {
-    try {
-      solved[i] = solve(missing[i], each);
-    } catch (const SolverError& error) {
-      const std::lock_guard lock(failure_mutex);
-      last_failure_ = fmt::format("{}; {}", error.what(), error.remedy());
-    } catch (const UserError& error) { // the start was checked: these values do not fit together
-      const std::lock_guard lock(failure_mutex);
-      last_failure_ = error.what();
-    }
-  });
-  for (std::size_t i = 0; i < missing.size(); ++i) {
-    solutions_[missing[i]] = solved[i];
-  }
+  // Of all points: whichever are known already, a solution is worked the same way.
+  const int each = std::max(1, options_.threads / std::max(1, static_cast<int>(points.size())));
+  base::run_tasks(missing.size(), options_.threads,
+                  [&](std::size_t i) { new_answer(data, missing[i], each); });
   ion_solves_ += missing.size();
   std::vector<std::optional<std::vector<double>>> result;
   for (const auto& point : points) {
-    const Ions& ions = solutions_[point];
-    result.push_back(ions ? std::optional(predict(data, *ions)) : std::nullopt);
+    FitAnswer answer = known_answer(data, point).value();
+    if (!answer.values) {
+      last_failure_ = answer.failure;
+    }
+    result.push_back(std::move(answer.values));
   }
   return result;
 }

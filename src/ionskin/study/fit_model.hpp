@@ -5,6 +5,7 @@
 #include "ionskin/base/progress.hpp"
 #include "ionskin/case/case.hpp"
 #include "ionskin/study/fit_data.hpp"
+#include "ionskin/study/fit_log.hpp"
 #include "ionskin/study/mechanics_record.hpp"
 
 #include <map>
@@ -48,6 +49,10 @@ public:
   /// First and last instant of the run [s].
   std::pair<double, double> span();
 
+  /// Every answer from now on goes into the log, and what stands there is not solved again.
+  /// @param log of one and the same data; must outlive the model's answers
+  void keep_answers_in(FitLog& log) { log_ = &log; }
+
   /// What the data would be, for each point; empty where there is no solution.
   /// @param points one value per parameter each, in SI units
   /// Throws Interrupted.
@@ -55,6 +60,7 @@ public:
   answers(const FitData& data, const std::vector<std::vector<double>>& points);
 
   std::size_t ion_solves() const { return ion_solves_; }
+  std::size_t evaluations_taken_up() const { return log_ != nullptr ? log_->taken_up() : 0; }
   std::size_t mechanics_solves() const { return mechanics_solves_; }
   /// Why there was none at last; empty when there always was.
   const std::string& last_failure() const { return last_failure_; }
@@ -65,6 +71,9 @@ private:
 
   Mechanics mechanics_of(const Case& input);
   Ions solve(const std::vector<double>& values, int threads);
+  std::optional<FitAnswer> known_answer(const FitData& data,
+                                        const std::vector<double>& point) const;
+  FitAnswer new_answer(const FitData& data, const std::vector<double>& point, int threads);
 
   std::string path_, text_;
   std::vector<std::string> set_edits_;
@@ -73,8 +82,11 @@ private:
   std::vector<FitParameter> parameters_;
   std::unique_ptr<base::DiskCache> cache_;
   std::mutex mechanics_mutex_;
-  std::map<std::string, Mechanics> mechanics_;    ///< by `mechanics_hash`
-  std::map<std::vector<double>, Ions> solutions_; ///< by the parameters; null for a failure
+  std::map<std::string, Mechanics> mechanics_;          ///< by `mechanics_hash`
+  std::map<std::vector<double>, Ions> solutions_;       ///< by the parameters
+  std::map<std::vector<double>, std::string> failures_; ///< likewise
+  std::mutex answers_mutex_;
+  FitLog* log_ = nullptr;
   std::size_t ion_solves_ = 0, mechanics_solves_ = 0;
   std::string last_failure_;
 };

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ionskin::study {
+
+/// What the model said at one point: one value per row of the data [SI], or why it said nothing.
+struct FitAnswer {
+  std::optional<std::vector<double>> values;
+  std::string failure; ///< empty when there are values
+};
+
+/// The finished evaluations of a fit in a folder, a file each, written when it ends. A fit is
+/// deterministic: one that finds its evaluations again goes the same way without solving them. Safe
+/// to use from several threads.
+class FitLog {
+public:
+  /// Takes up what is in the folder, which is made if it is missing.
+  explicit FitLog(std::filesystem::path folder);
+
+  /// @param point values of the free keys [SI]
+  std::optional<FitAnswer> find(const std::vector<double>& point) const;
+  void add(const std::vector<double>& point, const FitAnswer& answer);
+  /// How many evaluations an earlier fit left.
+  std::size_t taken_up() const { return taken_up_; }
+  /// Removes the files and the folder: the fit is finished.
+  void remove();
+
+private:
+  void take_up(const std::filesystem::path& path);
+
+  std::filesystem::path folder_;
+  mutable std::mutex mutex_;
+  std::map<std::vector<double>, FitAnswer> answers_;
+  std::size_t taken_up_ = 0;
+};
+
+} // namespace ionskin::study
