@@ -10,15 +10,22 @@
 
 namespace ionskin::apps {
 
-int check(const CheckOptions& options) {
+bool check(const CheckOptions& options) {
   const CaseDocument document = read_case_document(options.case_path, options.set_edits);
+  if (document.input.strain.kind == StrainSourceKind::file) {
+    return false;
+  }
   // The mesh has a say too: it refuses sliders that leave no room for an element at the skin's
   // edge.
-  if (document.input.strain.kind == StrainSourceKind::contact)
-    mesh::SkinMesh{document.input};
+  mesh::SkinMesh{document.input};
+  print_valid(options, document, warning_of_ions(document.input));
+  return true;
+}
+
+void print_valid(const CheckOptions& options, const CaseDocument& document,
+                 const std::string& warning) {
   const std::string explanation = options.explain ? explain(document) : std::string();
-  fmt::print("{} is valid.\n{}{}", options.case_path, warning_of_ions(document.input), explanation);
-  return 0;
+  fmt::print("{} is valid.\n{}{}", options.case_path, warning, explanation);
 }
 
 } // namespace ionskin::apps

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/case/case_document.hpp"
+
 #include <string>
 #include <vector>
 
@@ -13,6 +15,12 @@ struct CheckOptions {
 };
 
 /// Reads and checks a case and says that it is valid; explains it when asked. Throws UserError.
-int check(const CheckOptions& options);
+/// False, with nothing said, when its strain comes from a file, which the solver reads.
+bool check(const CheckOptions& options);
+
+/// What `check` prints of a case without mistakes.
+/// @param warning a sentence or nothing
+void print_valid(const CheckOptions& options, const CaseDocument& document,
+                 const std::string& warning);
 
 } // namespace ionskin::apps

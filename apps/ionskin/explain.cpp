@@ -167,8 +167,6 @@ std::string costs(const Case& input) {
 } // namespace
 
 std::string warning_of_ions(const Case& input) {
-  if (input.strain.kind != StrainSourceKind::contact)
-    return "";
   const double share =
       input.slider.size[0] * input.slider.size[1] / (input.skin.length * input.skin.width);
   const auto reason =

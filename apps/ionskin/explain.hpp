@@ -12,7 +12,8 @@ namespace ionskin::apps {
 /// when the mesh cannot be built.
 std::string explain(const CaseDocument& document);
 
-/// A warning where the ions have no sane solution, by an estimate of the shear; else empty.
+/// A warning where the ions have no sane solution, by an estimate of the shear under the slider;
+/// else empty.
 std::string warning_of_ions(const Case& input);
 
 } // namespace ionskin::apps

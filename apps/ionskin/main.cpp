@@ -60,7 +60,9 @@ int main(int argc, char** argv) {
       return init(*init_options);
     }
     if (const auto* check_options = std::get_if<CheckOptions>(&*command)) {
-      return check(*check_options);
+      if (check(*check_options)) {
+        return 0;
+      }
     }
     return become_solver(argv);
   });

@@ -2,6 +2,7 @@
 
 // The verbs that compute; started by `ionskin` with the same arguments.
 
+#include "check_strain.hpp"
 #include "command_line.hpp"
 #include "fit.hpp"
 #include "guard.hpp"
@@ -23,6 +24,9 @@ int main(int argc, char** argv) {
     std::string command_text = "ionskin";
     for (int i = 1; i < argc; ++i) {
       command_text.append(" ").append(argv[i]);
+    }
+    if (const auto* check_options = std::get_if<CheckOptions>(&*command)) {
+      return check_with_strain_file(*check_options);
     }
     if (const auto* run_options = std::get_if<RunOptions>(&*command)) {
       return run(*run_options, command_text);

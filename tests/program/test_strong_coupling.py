@@ -27,6 +27,23 @@ class StrongCoupling(ProgramTest):
         return self.run_case(QUICK, "-o", out, "--set", "strain.source=file", "--set",
                                 f'strain.file="{self.strain}"', *options, expect=expect)
 
+    def check_on(self, *edits, expect=0):
+        options = [option for edit in edits for option in ("--set", edit)]
+        return self.run_program("check", QUICK, "--set", "strain.source=file", "--set", f'strain.file="{self.strain}"',
+                                *options, expect=expect)
+
+    def test_check_says_of_a_strain_file_what_run_says(self):
+        for edits in (("coupling.coefficient=-40",), ("skin.width=3 mm", "slider.start=[\"4.5 mm\", \"1.5 mm\"]")):
+            with self.subTest(edits[0]):
+                checked = self.check_on(*edits, expect=2)
+                ran = self.run_on("out", *edits, expect=2)
+                self.assertIn(str(self.strain), checked.stderr)
+                self.assertEqual(checked.stderr, ran.stderr)
+        self.strain.write_text("no HDF5")
+        self.assertIn(str(self.strain), self.check_on(expect=2).stderr)
+        self.strain.unlink()
+        self.assertIn(str(self.strain), self.check_on(expect=2).stderr)
+
     def test_neutral_laws_at_full_strength(self):
         for law in ("column-neutral", "volume-neutral"):
             with self.subTest(law):
@@ -43,10 +60,16 @@ class StrongCoupling(ProgramTest):
 
     def test_no_sane_solution(self):
         check = self.run_program("check", QUICK, "--set", THIN)
+        check_of_file = self.check_on(THIN)
         process = self.run_on("out", THIN, expect=3)
-        for text in (check.stdout, process.stderr):
+        for text in (check.stdout, check_of_file.stdout, process.stderr):
             self.assertRegex(text, r"no sane solution.*needs at least [0-9.e+]+ V")
             self.assertIn("column-neutral", text)
+        # The file's shear is known, that of a slider is estimated.
+        reason = process.stderr.partition("the law")[2].partition(" thick)")[0]
+        self.assertIn(reason, check_of_file.stdout)
+        self.assertIn("is valid", check_of_file.stdout)
+        self.assertNotIn("warning", self.check_on("coupling.law=column-neutral", THIN).stdout)
 
 
 if __name__ == "__main__":

@@ -7,8 +7,8 @@
 #include "ionskin/electrochemistry/space_charge.hpp"
 #include "ionskin/electrochemistry/wall_potential.hpp"
 #include "ionskin/results/output_folder.hpp"
-#include "ionskin/results/strain_file.hpp"
 #include "ionskin/study/checkpoint_file.hpp"
+#include "ionskin/study/given_strain.hpp"
 #include "ionskin/study/ion_error_estimate.hpp"
 #include "ionskin/study/mechanics_cache.hpp"
 #include "ionskin/study/mechanics_error_estimate.hpp"
@@ -31,7 +31,6 @@ using electrochemistry::IonSolution;
 
 constexpr const char* checkpoint_name = "checkpoint.h5";
 
-/// A history from a file is part of the user's input: all its mistakes are found before any work.
 std::optional<MechanicsRecord> strain_from_file(const Case& input, const RunOptions& options) {
   if (input.strain.kind != StrainSourceKind::file) {
     return std::nullopt;
@@ -42,13 +41,7 @@ std::optional<MechanicsRecord> strain_from_file(const Case& input, const RunOpti
         "  = leave out --only, or set strain.source = \"contact\"");
   }
   MechanicsRecord record;
-  record.history = results::read_strain_file(input.strain.file, input.skin);
-  try {
-    electrochemistry::check_fixed_charge(input, record.history);
-  } catch (const SolverError& error) {
-    throw UserError(std::string(error.what()) + "\n  in the strain file " + input.strain.file +
-                    "\n  = " + error.remedy());
-  }
+  record.history = read_given_strain(input);
   return record;
 }
 
