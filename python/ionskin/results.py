@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy
 
 from . import labelled
+from .unfinished import mechanics, reason
 
 TEXT_COLUMNS = ("phase",)
 
@@ -94,27 +95,43 @@ class Results:
     metrics           dict of name to Metric
     summary, manifest dict, as in the files; empty when the file is missing
     case              dict of the case file, quantities as texts
+    complete          False for a run that has not ended: it gives place, height and forces of the slider and the
+                      metrics of the contact alone
 
-    Raises FileNotFoundError when the folder holds no signals.csv.
+    Raises FileNotFoundError, with what the run is at, when the folder holds no signals.csv.
     """
 
-    def __init__(self, folder, keep=None):
-        """keep: whatever must live as long as the folder is needed, such as the owner of a temporary one."""
+    def __init__(self, folder, keep=None, *, unfinished=False):
+        """
+        keep        whatever must live as long as the folder is needed, such as the owner of a temporary one
+        unfinished  take a run that has not ended too, once its mechanics is finished
+        """
         self._keep = keep
         self.folder = pathlib.Path(folder)
-        if not (self.folder / "signals.csv").exists():
-            raise FileNotFoundError(f"{self.folder} holds no signals.csv: name the folder of a finished run")
-        self.signals = read_table(self.folder / "signals.csv")
-        self.sampled = read_table(self.folder / "sampled.csv")
+        self.manifest = read_json(self.folder / "manifest.json")
+        self.complete = all((self.folder / f"{name}.csv").exists() for name in ("signals", "sampled"))
+        if self.complete:
+            self.signals = read_table(self.folder / "signals.csv")
+            self.sampled = read_table(self.folder / "sampled.csv")
+        else:
+            self._take_mechanics(unfinished)
         self.taxels, self.circuit = (read_table(path) if path.exists() else None
                                      for path in (self.folder / "taxels.csv", self.folder / "circuit.csv"))
         self.summary = read_json(self.folder / "summary.json")
-        self.manifest = read_json(self.folder / "manifest.json")
-        self.metrics = {
-            name: Metric(entry["value"], entry["unit"]) for name, entry in self.summary.get("metrics", {}).items()
-        }
+        if self.complete:
+            self.metrics = {
+                name: Metric(entry["value"], entry["unit"]) for name, entry in self.summary.get("metrics", {}).items()
+            }
         case = self.folder / "case.toml"
         self.case = tomllib.loads(case.read_text(encoding="utf-8")) if case.exists() else {}
+
+    def _take_mechanics(self, wanted):
+        found = mechanics(self.folder / "results.h5") if wanted else None
+        if found is None:
+            raise FileNotFoundError(reason(self.folder, self.manifest))
+        columns, units, metrics = found
+        self.signals, self.sampled = Table(columns, units), Table({"time": numpy.empty(0)}, {"time": "s"})
+        self.metrics = {name: Metric(value, unit) for name, value, unit in metrics}
 
     @property
     def warnings(self) -> list[str]:
@@ -135,7 +152,9 @@ class Results:
         return h5py.File(self.folder / "results.h5")
 
     def phases(self):
-        """The phases in order, as PhaseSpan; empty in runs from a strain file."""
+        """The phases in order, as PhaseSpan; empty in runs from a strain file and in those that have not ended."""
+        if "phase" not in self.signals:
+            return []
         time, cycle, phase = (self.signals[name] for name in ("time", "cycle", "phase"))
         spans = []
         for row in range(len(time)):

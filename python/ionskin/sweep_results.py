@@ -160,6 +160,9 @@ class Study:
 
 
 def open_results(folder):
-    """Results of a run's folder, or Sweep of a sweep's. Raises FileNotFoundError when it holds neither."""
+    """Results of a run's folder, or Sweep of a sweep's. Of a run in its ion transport the mechanics can be read already.
+
+    Raises FileNotFoundError when the folder holds nothing to read yet.
+    """
     folder = pathlib.Path(folder)
-    return Sweep(folder) if (folder / "sweep.csv").exists() else Results(folder)
+    return Sweep(folder) if (folder / "sweep.csv").exists() else Results(folder, unfinished=True)

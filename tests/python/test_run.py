@@ -33,6 +33,32 @@ class Run(PackageTest):
         twice = ionskin.run(electro, self.folder / "out", only="electrochemistry")
         self.assertGreater(twice.metrics["rms_current_top"].value, 1.5 * result.metrics["rms_current_top"].value)
 
+    def test_the_mechanics_of_a_run_that_goes_on_can_be_read(self):
+        folder = self.folder / "out"
+        refused, partial = [], []
+
+        def look(activity, fraction):
+            if activity == "mechanics" and not refused:
+                with self.assertRaises(FileNotFoundError) as raised:
+                    ionskin.open_results(folder)
+                refused.append(str(raised.exception))
+            if activity == "ion transport" and fraction > 0 and not partial:
+                partial.append(ionskin.open_results(folder))
+                with self.assertRaisesRegex(FileNotFoundError, "not ended in its stage electrochemistry"):
+                    ionskin.Results(folder)
+
+        result = ionskin.run(small_case(), folder, progress=look)
+        self.assertIn("not ended in its stage mechanics", refused[0])
+        begun = partial[0]
+        self.assertEqual((begun.complete, result.complete), (False, True))
+        self.assertEqual(begun.signals.units["normal_force"], "N")
+        self.assertFalse(begun.sampled.has("current_top"))
+        self.assertEqual(begun.phases(), [])
+        for name in ("slider_x", "slider_z", "normal_force", "tangential_force"):
+            numpy.testing.assert_allclose(begun.signals[name], result.signals.at(name, begun.signals["time"]),
+                                          rtol=1e-9, atol=1e-15)
+        self.assertEqual(begun.metrics["contact_area_slide"], result.metrics["contact_area_slide"])
+
     def test_temporary_results_live_as_long_as_they_are_held(self):
         result = ionskin.run(small_case(), only="mechanics")
         with result.open_fields() as file:

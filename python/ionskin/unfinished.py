@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What can be read of a run that has not ended: its mechanics, which stands in results.h5 once Study 1 is finished."""
+
+import contextlib
+
+# Columns by their places in results.h5.
+PLACES = {"time": "path/time", "slider_x": "strain/slider_x", "slider_z": "path/slider_z",
+          "normal_force": "path/normal_force", "tangential_force": "path/tangential_force"}
+
+
+def mechanics(path):
+    """Columns and units by name, and metrics as (name, value, unit); None where the file does not hold Study 1."""
+    import h5py  # costs a quarter of a second that readers of finished runs need not pay
+
+    with contextlib.suppress(OSError, KeyError), h5py.File(path) as file:
+        columns = {name: file[place][:] for name, place in PLACES.items()}
+        units = {name: str(file[place].attrs["unit"]) for name, place in PLACES.items()}
+        names, texts = (file[f"path/metrics/{part}"].asstr()[:] for part in ("name", "unit"))
+        return columns, units, list(zip(names, file["path/metrics/value"][:].tolist(), texts))
+    return None
+
+
+def reason(folder, manifest):
+    """Why a folder without signals.csv cannot be read, as its manifest tells."""
+    state = manifest.get("state")
+    if state is None:
+        return f"{folder} holds no signals.csv: name the folder of a finished run"
+    stages = [name for name, stage in manifest.get("stages", {}).items() if stage.get("state") == state]
+    where = f" in its stage {stages[-1]}" if stages else ""
+    if state == "running":
+        return f"{folder} holds a run that has not ended{where}: read it when it has; if it was killed, --resume ends it"
+    return f"{folder} holds a run that did not end ({state}{where}): --resume ends it"
