@@ -79,6 +79,24 @@ class Fit(PackageTest):
         with self.assertRaises(ionskin.CaseError):
             ionskin.fit(self.off(), data, [K], self.folder / "fitted")
 
+    def test_a_stopped_fit_goes_on(self):
+        data = self.folder / "measured.csv"
+        data.write_text("\n".join(["time [s],current_difference [A]", *(f"{t},{i}" for t, i in zip(self.time, self.noisy(0)))]))
+
+        def stop(activity, fraction):
+            if activity == "least squares" and fraction > 0:
+                raise ZeroDivisionError("enough")
+
+        arguments = (self.off(), data, [K, D], self.folder / "fitted")
+        with self.assertRaises(ZeroDivisionError):
+            ionskin.fit(*arguments, progress=stop)
+        with self.assertRaises(ionskin.CaseError):
+            ionskin.fit(*arguments)
+        resumed = ionskin.fit(*arguments, resume=True)
+        whole = ionskin.fit(*arguments[:3], self.folder / "whole")
+        self.assertGreaterEqual(resumed.summary["evaluations_taken_up"], 5)
+        self.assertEqual(resumed.parameters, whole.parameters)
+
     def test_a_negative_key_keeps_its_sign(self):
         case = self.case.copy()
         case[K] = -0.05
