@@ -166,7 +166,7 @@ std::optional<FitAnswer> FitModel::known_answer(const FitData& data,
                                     : std::optional(FitAnswer{predict(data, *solved->second), ""});
 }
 
-FitAnswer FitModel::new_answer(const FitData& data, const std::vector<double>& point, int threads) {
+void FitModel::find_answer(const FitData& data, const std::vector<double>& point, int threads) {
   FitAnswer answer;
   Ions ions;
   try {
@@ -179,7 +179,7 @@ FitAnswer FitModel::new_answer(const FitData& data, const std::vector<double>& p
   }
   if (log_ != nullptr) { // holds what the data need; other data have another log
     log_->add(point, answer);
-    return answer;
+    return;
   }
   const std::lock_guard lock(answers_mutex_);
   if (ions) {
@@ -187,7 +187,6 @@ FitAnswer FitModel::new_answer(const FitData& data, const std::vector<double>& p
   } else {
     failures_[point] = answer.failure;
   }
-  return answer;
 }
 
 std::vector<std::optional<std::vector<double>>>
@@ -201,7 +200,7 @@ FitModel::answers(const FitData& data, const std::vector<std::vector<double>>& p
   // Of all points: whichever are known already, a solution is worked the same way.
   const int each = std::max(1, options_.threads / std::max(1, static_cast<int>(points.size())));
   base::run_tasks(missing.size(), options_.threads,
-                  [&](std::size_t i) { new_answer(data, missing[i], each); });
+                  [&](std::size_t i) { find_answer(data, missing[i], each); });
   ion_solves_ += missing.size();
   std::vector<std::optional<std::vector<double>>> result;
   for (const auto& point : points) {

@@ -73,7 +73,7 @@ private:
   Ions solve(const std::vector<double>& values, int threads);
   std::optional<FitAnswer> known_answer(const FitData& data,
                                         const std::vector<double>& point) const;
-  FitAnswer new_answer(const FitData& data, const std::vector<double>& point, int threads);
+  void find_answer(const FitData& data, const std::vector<double>& point, int threads);
 
   std::string path_, text_;
   std::vector<std::string> set_edits_;
