@@ -52,7 +52,7 @@ def stick_slip(study):
         return "no run has an onset of sliding"
     slipping = [own[numpy.argmax(stuck <= 0)] if (stuck <= 0).any() else own[-1] for _, own, stuck in histories]
     end = 1.25 * max(slipping)
-    figure = style.canvas(height=2.6, left=0.09, right=0.985, top=0.90, bottom=0.17, wspace=0.28)
+    figure = style.canvas(height=2.6, left=0.09, right=0.965, top=0.90, bottom=0.17, wspace=0.28)
     axes = figure.subplots(1, 2)
     edges = numpy.linspace(0, end, 601)
     centres = (edges[1:] + edges[:-1]) / 2
@@ -77,8 +77,8 @@ def stick_slip(study):
     axes[1].grid(False)
     axes[1].plot(numpy.array(slipping) * 1e3, [member.value for member, *_ in histories], color="white", marker="o",
                  markersize=2.5, lw=0.8)
-    style.title(axes[1], "Stuck part; line: full slip")
-    figure.colorbar(image, ax=axes[1], pad=0.02)
+    style.title(axes[1], "Sticking; line: full slip")
+    figure.colorbar(image, ax=axes[1], pad=0.02).set_label("stuck part of the contact area")
     return figure
 
 
