@@ -7,16 +7,26 @@
 #include <dlfcn.h>
 #include <link.h>
 
+#include <cstdint>
 #include <fstream>
-#include <iterator>
 #include <span>
+#include <system_error>
+#include <utility>
 
 namespace ionskin::study {
 namespace {
 
-std::string content_of(const std::filesystem::path& path) {
+/// Nothing when the file cannot be read.
+std::optional<std::string> content_of(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error) {
+    return std::nullopt;
+  }
+  std::string content(size, '\0');
   std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
+  stream.read(content.data(), static_cast<std::streamsize>(size));
+  return stream ? std::optional(std::move(content)) : std::nullopt;
 }
 
 /// The program or module that holds this code.
@@ -37,8 +47,8 @@ base::Digest key_of(const std::string& hash, const base::Digest& build) {
 } // namespace
 
 std::optional<base::Digest> build_digest(const std::filesystem::path& program) {
-  const std::string code = content_of(program);
-  return code.empty() ? std::nullopt : std::optional(base::DigestBuilder().add(code).finish());
+  const auto code = content_of(program);
+  return code ? std::optional(base::DigestBuilder().add(*code).finish()) : std::nullopt;
 }
 
 const std::optional<base::Digest>& own_build() {
@@ -48,11 +58,10 @@ const std::optional<base::Digest>& own_build() {
 
 void keep_mechanics(base::DiskCache& cache, const std::string& hash,
                     const std::filesystem::path& file, const std::optional<base::Digest>& build) {
-  if (!build) {
-    return;
+  const auto content = build ? content_of(file) : std::nullopt;
+  if (content) {
+    cache.write(key_of(hash, *build), {std::as_bytes(std::span(*content))});
   }
-  const std::string content = content_of(file);
-  cache.write(key_of(hash, *build), {std::as_bytes(std::span(content))});
 }
 
 std::optional<MechanicsRecord> recall_mechanics(base::DiskCache& cache, const std::string& hash,
