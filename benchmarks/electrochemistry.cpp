@@ -31,7 +31,7 @@ using namespace ionskin;
 /// and three derivatives. Search and error: direction, new state, norms.
 constexpr double preconditioner_bytes =
     24 + 2 * 32 + 24; // to modes, down and up with factors, back
-constexpr double newton_bytes = 48 + preconditioner_bytes + 40 + 48 + 32;
+constexpr double residual_bytes = 48 + preconditioner_bytes + 40 + 48 + 32;
 /// Jacobian: direction, state, derivatives, result. Orthogonalisation against two vectors.
 constexpr double krylov_bytes = 72 + preconditioner_bytes + 144;
 /// Guesses, rates and error of both stages, fixed charge, charges of a row.
@@ -75,18 +75,18 @@ void measure(const Case& input, const strain::StrainHistory& history, int thread
   const double seconds = base::wall_time() - start;
   const double processors = base::processor_time() - processor, each = processors / threads;
   const auto steps = static_cast<double>(ions.steps);
-  const auto newton = static_cast<double>(ions.newton_iterations);
+  const auto residuals = static_cast<double>(ions.residual_evaluations);
   const auto krylov = static_cast<double>(ions.krylov_iterations);
   fmt::print("{} threads\n", threads);
   line("unknowns that are solved for", fmt::format("{:.0f}", unknowns));
   line("steps, and taken again", fmt::format("{:.0f}, {}", steps, ions.rejected_steps));
-  line("Newton iterations a step", fmt::format("{:.2f}", newton / steps));
+  line("residual evaluations a step", fmt::format("{:.2f}", residuals / steps));
   line("Krylov iterations a step", fmt::format("{:.2f}", krylov / steps));
   line("wall time, of processors", fmt::format("{:.2f} s, {:.2f} s", seconds, processors));
   line("per unknown and step, by processor time",
        fmt::format("{:.0f} ns", 1e9 * each / (unknowns * steps)));
   const double bytes =
-      0.5 * unknowns * (newton_bytes * newton + krylov_bytes * krylov + step_bytes * steps);
+      0.5 * unknowns * (residual_bytes * residuals + krylov_bytes * krylov + step_bytes * steps);
   line("floor",
        fmt::format("{:.2f} s: {:.1f} GB at {:.1f} GB/s; processor time is {:.1f} times that",
                    bytes / rate, bytes * 1e-9, rate * 1e-9, each * rate / bytes));

@@ -51,7 +51,7 @@ struct IonSolution {
   std::vector<double> column_charge_top;
   std::vector<IonSnapshot> snapshots;
   // counters
-  std::size_t steps = 0, rejected_steps = 0, newton_iterations = 0, krylov_iterations = 0,
+  std::size_t steps = 0, rejected_steps = 0, residual_evaluations = 0, krylov_iterations = 0,
               preconditioner_setups = 0;
 };
 

@@ -115,7 +115,7 @@ private:
           "the saved state of the ion transport belongs to another case: its grid or its "
           "time steps differ; remove it to start afresh");
     }
-    solver_.restore_counters({run_.solution.newton_iterations, run_.solution.krylov_iterations,
+    solver_.restore_counters({run_.solution.residual_evaluations, run_.solution.krylov_iterations,
                               run_.solution.preconditioner_setups});
     integrator_.take_up(time(), run_.state);
   }
@@ -170,7 +170,7 @@ private:
 
   void copy_counters() {
     run_.solution.steps = run_.step;
-    run_.solution.newton_iterations = solver_.counters().newton_iterations;
+    run_.solution.residual_evaluations = solver_.counters().residual_evaluations;
     run_.solution.krylov_iterations = solver_.counters().krylov_iterations;
     run_.solution.preconditioner_setups = solver_.counters().preconditioner_setups;
   }

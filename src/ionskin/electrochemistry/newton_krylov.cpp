@@ -56,7 +56,7 @@ void NewtonKrylov::damp(std::span<double> change) {
 double NewtonKrylov::precondition_residual(const StageProblem& problem, const IonState& state) {
   equations_.residual(problem, state, residual_);
   preconditioner_.apply(problem.circuit, residual_, defect_);
-  ++counters_.newton_iterations;
+  ++counters_.residual_evaluations;
   return vectors_.norm(defect_);
 }
 

@@ -13,7 +13,7 @@
 namespace ionskin::electrochemistry {
 
 struct SolverCounters {
-  std::size_t newton_iterations = 0, krylov_iterations = 0, preconditioner_setups = 0;
+  std::size_t residual_evaluations = 0, krylov_iterations = 0, preconditioner_setups = 0;
 };
 
 /// Solves one implicit stage by simplified Newton's method, whose matrix is the preconditioner, as

@@ -38,7 +38,7 @@ struct Counter {
 };
 constexpr std::array counters{
     Counter{"steps", &IonSolution::steps}, Counter{"rejected_steps", &IonSolution::rejected_steps},
-    Counter{"newton_iterations", &IonSolution::newton_iterations},
+    Counter{"residual_evaluations", &IonSolution::residual_evaluations},
     Counter{"krylov_iterations", &IonSolution::krylov_iterations},
     Counter{"preconditioner_setups", &IonSolution::preconditioner_setups}};
 

@@ -55,7 +55,8 @@ void set_counters(const MechanicsRecord& mechanics, const RunOutputs& outputs, R
   if (outputs.ions) {
     folder.set_counter("time_steps", static_cast<double>(outputs.ions->steps));
     folder.set_counter("rejected_steps", static_cast<double>(outputs.ions->rejected_steps));
-    folder.set_counter("newton_iterations", static_cast<double>(outputs.ions->newton_iterations));
+    folder.set_counter("residual_evaluations",
+                       static_cast<double>(outputs.ions->residual_evaluations));
     folder.set_counter("krylov_iterations", static_cast<double>(outputs.ions->krylov_iterations));
     folder.set_counter("preconditioner_setups",
                        static_cast<double>(outputs.ions->preconditioner_setups));

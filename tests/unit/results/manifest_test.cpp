@@ -14,7 +14,7 @@ Manifest example() {
   Manifest manifest = new_manifest("ionskin run case.toml -o out", 2, content_hash("case"));
   manifest.stages["mechanics"] = {"finished", 7.5, 2.5e9};
   manifest.stages["electrochemistry"] = {"interrupted", 0.25, 2.5e9};
-  manifest.counters["newton_iterations"] = 1234;
+  manifest.counters["residual_evaluations"] = 1234;
   manifest.state = "interrupted";
   return manifest;
 }
@@ -32,7 +32,7 @@ TEST(Manifest, ReadsBackWhatWasWritten) {
   EXPECT_EQ(read.stages.at("mechanics").state, "finished");
   EXPECT_EQ(read.stages.at("mechanics").wall_time, 7.5);
   EXPECT_EQ(read.stages.at("mechanics").peak_memory, 2.5e9);
-  EXPECT_EQ(read.counters.at("newton_iterations"), 1234);
+  EXPECT_EQ(read.counters.at("residual_evaluations"), 1234);
 }
 
 TEST(Manifest, SaysWhatMadeTheResult) {
