@@ -72,7 +72,7 @@ void measure_position(const Case& input, double rate) {
   line("numbering and contact cells",
        fmt::format("{:.2f} s", seconds_of([&] {
                      model = std::make_unique<mechanics::SkinModel>(
-                         input, mechanics::find_footprint(input, input.contact.friction));
+                         input, mechanics::find_footprint(input, input.contact.friction, 1));
                    })));
   line("symbolic analysis, once for all positions",
        fmt::format("{:.2f} s", seconds_of([&] { model->analysis(); })));
