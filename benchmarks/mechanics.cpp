@@ -46,7 +46,7 @@ template <class Work> double seconds_of(const Work& work) {
 /// Operations a second of a matrix product in double precision on one core.
 double product_rate() {
   constexpr int size = 1200;
-  linear_algebra::use_one_thread_per_kernel();
+  const linear_algebra::KernelThreads one(1);
   linear_algebra::DenseMatrix a(size, size), b(size, size);
   std::fill(a.values.begin(), a.values.end(), 1.5);
   std::fill(b.values.begin(), b.values.end(), 0.5);

@@ -74,6 +74,11 @@ std::vector<std::string> DiskCache::take_notes() {
   return std::exchange(notes_, {});
 }
 
+bool DiskCache::contains(const Digest& key) const {
+  std::error_code unreadable;
+  return fs::exists(file(key), unreadable);
+}
+
 std::optional<std::vector<std::byte>> DiskCache::read(const Digest& key) {
   const fs::path path = file(key);
   CacheFileContent found = read_cache_file(path, key);

@@ -26,6 +26,9 @@ public:
   /// @param most_bytes bound of all entries together
   DiskCache(std::filesystem::path folder, std::uintmax_t most_bytes);
 
+  /// Whether there is an entry, whole or not.
+  bool contains(const Digest& key) const;
+
   /// The content of an entry, or nothing. An unreadable or damaged entry is removed with a note.
   std::optional<std::vector<std::byte>> read(const Digest& key);
 

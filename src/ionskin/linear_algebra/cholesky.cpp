@@ -71,9 +71,9 @@ DenseMatrix trailing_block(const cholmod_factor& factor, int count) {
 
 } // namespace
 
-Cholesky::Cholesky(const SymbolicCholesky& symbolic, const std::vector<double>& values)
-    : symbolic_(symbolic), numbers_(std::make_unique<Numbers>()) {
-  use_one_thread_per_kernel();
+Cholesky::Cholesky(const SymbolicCholesky& symbolic, const std::vector<double>& values, int threads)
+    : symbolic_(symbolic), threads_(threads), numbers_(std::make_unique<Numbers>()) {
+  const KernelThreads kernel_threads(threads_);
   CholmodWorkspace& workspace = numbers_->workspace;
   numbers_->factor = cholmod_copy_factor(symbolic.symbols_->factor, *workspace);
   workspace.check("copying the symbolic factor");
@@ -91,6 +91,7 @@ Cholesky::Cholesky(const SymbolicCholesky& symbolic, const std::vector<double>& 
 Cholesky::~Cholesky() = default;
 
 DenseMatrix Cholesky::solve(DenseMatrix right_hand_sides) const {
+  const KernelThreads kernel_threads(threads_);
   CholmodWorkspace& workspace = numbers_->workspace;
   cholmod_dense b = view(right_hand_sides);
   cholmod_dense* x = cholmod_solve(CHOLMOD_A, numbers_->factor, &b, *workspace);
@@ -102,12 +103,14 @@ DenseMatrix Cholesky::solve(DenseMatrix right_hand_sides) const {
 }
 
 DenseMatrix Cholesky::trailing_forward(DenseMatrix loads) const {
+  const KernelThreads kernel_threads(threads_);
   solve_left(loads.rows, loads.columns, trailing_block_.values.data(), trailing_block_.rows,
              loads.values.data(), loads.rows);
   return loads;
 }
 
 DenseMatrix Cholesky::backward_from_trailing(const DenseMatrix& forward) const {
+  const KernelThreads kernel_threads(threads_);
   CholmodWorkspace& workspace = numbers_->workspace;
   const int size = symbolic_.pattern().size;
   DenseMatrix permuted(size, forward.columns);

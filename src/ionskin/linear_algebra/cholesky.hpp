@@ -38,8 +38,9 @@ private:
 class Cholesky {
 public:
   /// @param values entries of the lower triangle in the order of the symbolic pattern
+  /// @param threads of its dense kernels
   /// Throws SolverError when the matrix is not positive definite.
-  Cholesky(const SymbolicCholesky& symbolic, const std::vector<double>& values);
+  Cholesky(const SymbolicCholesky& symbolic, const std::vector<double>& values, int threads = 1);
   ~Cholesky();
 
   /// Solves A X = B; shapes [size, any].
@@ -58,6 +59,7 @@ public:
 private:
   struct Numbers;
   const SymbolicCholesky& symbolic_;
+  int threads_;
   std::unique_ptr<Numbers> numbers_;
   DenseMatrix trailing_block_; ///< L22, lower triangle
 };

@@ -15,10 +15,14 @@ double* input(const double* values) {
 
 } // namespace
 
-void use_one_thread_per_kernel() {
-  openblas_set_num_threads(1);
+KernelThreads::KernelThreads(int count) {
+  openblas_set_num_threads(count);
   // CHOLMOD would take four OpenMP threads for every loop of a factorisation.
   omp_set_max_active_levels(0);
+}
+
+KernelThreads::~KernelThreads() {
+  openblas_set_num_threads(1);
 }
 
 void product(bool transpose_a, int m, int n, int k, double alpha, const double* a, int lead_a,

@@ -7,9 +7,16 @@ namespace ionskin::linear_algebra {
 // through the Fortran interface: programs that link GSL may find its unoptimised CBLAS under the
 // names of OpenBLAS's.
 
-/// One thread per kernel of BLAS and CHOLMOD that the calling thread starts from now on: positions,
-/// not kernels, run at the same time.
-void use_one_thread_per_kernel();
+/// So many threads for each kernel of BLAS within a scope, and one again after it: as a rule
+/// positions, not kernels, run at the same time. CHOLMOD starts no threads of its own either way.
+/// The number holds for all threads of the process, which only costs time where they overlap.
+class KernelThreads {
+public:
+  explicit KernelThreads(int count);
+  ~KernelThreads();
+  KernelThreads(const KernelThreads&) = delete;
+  KernelThreads& operator=(const KernelThreads&) = delete;
+};
 
 /// C := alpha A B + beta C, or alpha A^T B + beta C; C has shape [m, n], the sum runs over k.
 void product(bool transpose_a, int m, int n, int k, double alpha, const double* a, int lead_a,

@@ -42,7 +42,7 @@ double FixedPointMatrix::operator()(int i, int j) const {
 }
 
 DenseMatrix multiply(const FixedPointMatrix& a, const DenseMatrix& b) {
-  use_one_thread_per_kernel();
+  const KernelThreads one(1);
   DenseMatrix result(a.rows, b.columns), scaled = b, block(std::min(block_rows, a.rows), a.columns);
   for (int k = 0; k < b.columns; ++k) {
     for (int j = 0; j < a.columns; ++j) {

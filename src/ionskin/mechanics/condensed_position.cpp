@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/condensed_position.hpp"
 
+#include "ionskin/linear_algebra/dense_kernels.hpp"
 #include "ionskin/mechanics/elastic_system.hpp"
 
 #include <algorithm>
@@ -48,16 +49,21 @@ double equilibrium_residual(const ElasticSpace& space, const std::array<double, 
 /// The factor of one position, and its place among the factors that fit into the memory.
 class CondensedPosition::Factorised {
 public:
-  Factorised(const SkinModel& model, const mesh::MeshLines& lines)
-      : place_(model.analysis().free_factors), base_reaction_{} {
+  /// @param threads to use where it is alone
+  Factorised(const SkinModel& model, const mesh::MeshLines& lines, int threads)
+      : place_(model.analysis().free_factors),
+        threads_(model.analysis().factors_at_once == 1 ? threads : 1), base_reaction_{} {
     ElasticSystem system = assemble(model.space, lines, model.law_of_row);
-    factor_ =
-        std::make_unique<linear_algebra::Cholesky>(model.analysis().symbolic, system.stiffness);
+    factor_ = std::make_unique<linear_algebra::Cholesky>(model.analysis().symbolic,
+                                                         system.stiffness, threads_);
     base_reaction_ = std::move(system.base_reaction);
     forward_ = factor_->trailing_forward(model.cells.unit_load);
   }
 
-  DenseMatrix compliance() const { return linear_algebra::gram(forward_); }
+  DenseMatrix compliance() const {
+    const linear_algebra::KernelThreads kernel_threads(threads_);
+    return linear_algebra::gram(forward_);
+  }
 
   /// Displacement of all unknowns under unit forces from `first` on; shape [unknowns, count].
   DenseMatrix unit_displacement(int first, int count) const {
@@ -94,6 +100,7 @@ private:
   };
 
   Place place_;
+  int threads_;
   std::array<std::vector<double>, 3> base_reaction_;
   std::unique_ptr<linear_algebra::Cholesky> factor_;
   DenseMatrix forward_; ///< L22^-1 B of the unit loads, [footprint unknowns, 3 cells]
@@ -117,7 +124,7 @@ CondensedPosition::CondensedPosition(const SkinModel& model, const std::array<do
     }
     came_before = stored.has_value();
   }
-  factorised_ = std::make_unique<Factorised>(model, lines_);
+  factorised_ = std::make_unique<Factorised>(model, lines_, store.threads);
   compliance_ = factorised_->compliance();
   if (!caches) {
     return;

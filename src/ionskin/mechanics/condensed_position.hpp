@@ -16,13 +16,15 @@
 
 namespace ionskin::mechanics {
 
-/// Where condensed positions are looked up and kept.
+/// How condensed positions are made, looked up and kept.
 struct PositionStore {
   base::DiskCache* cache = nullptr; ///< none when null
   /// The response to every unit force takes as long as the factorisation and saves it ever after.
   /// It is made at once when true, as many states ask for it, and otherwise when a position comes
   /// for the second time.
   bool many_states = false;
+  /// Taken by a factor that the memory holds only one of at a time.
+  int threads = 1;
 };
 
 /// The skin under one slider position: the compliance of the contact cells, and the strain and base

@@ -41,7 +41,8 @@ SkinModel::SkinModel(const Case& input, const mesh::Footprint& footprint, mesh::
       gap(mean_gap(input.slider, cells.lines_x, cells.lines_y, {false, false})) {}
 
 SkinAnalysis::SkinAnalysis(linear_algebra::SymbolicCholesky symbolic_factor)
-    : symbolic(std::move(symbolic_factor)), free_factors(factors_within_memory(symbolic)) {}
+    : symbolic(std::move(symbolic_factor)), factors_at_once(factors_within_memory(symbolic)),
+      free_factors(factors_at_once) {}
 
 const SkinAnalysis& SkinModel::analysis() const {
   std::call_once(analysed_, [this] {

@@ -18,6 +18,7 @@ namespace ionskin::mechanics {
 /// The symbolic factorisation with the footprint last, and how many factors the memory holds.
 struct SkinAnalysis {
   linear_algebra::SymbolicCholesky symbolic;
+  std::ptrdiff_t factors_at_once;
   mutable std::counting_semaphore<> free_factors;
 
   explicit SkinAnalysis(linear_algebra::SymbolicCholesky symbolic_factor);

@@ -64,6 +64,11 @@ void keep_mechanics(base::DiskCache& cache, const std::string& hash,
   }
 }
 
+bool keeps_mechanics(const base::DiskCache& cache, const std::string& hash,
+                     const std::optional<base::Digest>& build) {
+  return build && cache.contains(key_of(hash, *build));
+}
+
 std::optional<MechanicsRecord> recall_mechanics(base::DiskCache& cache, const std::string& hash,
                                                 const Skin& skin, const std::filesystem::path& file,
                                                 const std::optional<base::Digest>& build) {

@@ -26,6 +26,10 @@ void keep_mechanics(base::DiskCache& cache, const std::string& hash,
                     const std::filesystem::path& file,
                     const std::optional<base::Digest>& build = own_build());
 
+/// Whether something was kept.
+bool keeps_mechanics(const base::DiskCache& cache, const std::string& hash,
+                     const std::optional<base::Digest>& build = own_build());
+
 /// Puts what was kept at `file` and reads it; nothing when nothing was kept.
 std::optional<MechanicsRecord>
 recall_mechanics(base::DiskCache& cache, const std::string& hash, const Skin& skin,

@@ -8,6 +8,7 @@
 #include "ionskin/mesh/skin_mesh.hpp"
 #include "ionskin/results/atomic_file.hpp"
 #include "ionskin/results/output_folder.hpp"
+#include "ionskin/study/mechanics_cache.hpp"
 #include "ionskin/study/mechanics_file.hpp"
 #include "ionskin/study/run_folder.hpp"
 #include "ionskin/study/solve_mechanics.hpp"
@@ -138,9 +139,15 @@ bool take_over(const std::vector<SweepPoint>& points, const RunOptions& options,
   });
 }
 
-/// Leaves a solution in the folders of all points that share it.
+/// Only a sharp slider has one and the same mesh in a run and beside larger frictions of a sweep.
+bool uses_cache_of_runs(const Case& input, const base::DiskCache* cache) {
+  return cache != nullptr && input.slider.sharp();
+}
+
+/// Leaves a solution in the folders of all points that share it, and in the cache.
 void leave_in_folders(const std::vector<SweepPoint>& points, const SharedMechanics& shared,
-                      const SolvedMechanics& solved, double seconds, const RunOptions& options) {
+                      const SolvedMechanics& solved, double seconds, const RunOptions& options,
+                      base::DiskCache* cache) {
   const Case& input = points[shared.points.front()].input;
   std::optional<std::filesystem::path> first;
   for (const std::size_t i : shared.points) {
@@ -154,6 +161,9 @@ void leave_in_folders(const std::vector<SweepPoint>& points, const SharedMechani
         pending.commit();
       } else {
         write_mechanics(path, mechanics_hash(input), record_mechanics(input, solved, 1));
+        if (uses_cache_of_runs(input, cache)) {
+          keep_mechanics(*cache, mechanics_hash(input), path);
+        }
         first = path;
       }
       return true;
@@ -221,6 +231,7 @@ private:
                                      contact_options, timers_);
     if (cache_) {
       const std::vector<std::string> notes = cache_->take_notes();
+      noted_ = noted_ || !notes.empty();
       for (auto& solution : solutions) {
         std::vector<std::string>& warnings = solution.contact.warnings;
         warnings.insert(warnings.end(), notes.begin(), notes.end());
@@ -231,9 +242,11 @@ private:
 
   void leave(const FrictionGroup& group, std::size_t begin, std::vector<SolvedMechanics> solutions,
              double seconds) {
+    // A warning of the cache, which the results would keep, is no property of the case.
+    base::DiskCache* cache = noted_ ? nullptr : cache_.get();
     base::run_tasks(solutions.size(), options_.threads, [&](std::size_t i) {
       const auto solved = std::make_unique<SolvedMechanics>(std::move(solutions[i]));
-      leave_in_folders(points_, group[begin + i], *solved, seconds, options_);
+      leave_in_folders(points_, group[begin + i], *solved, seconds, options_, cache);
     });
   }
 
@@ -242,6 +255,7 @@ private:
   base::Timers& timers_;
   std::size_t units_, finished_ = 0;
   std::unique_ptr<base::DiskCache> cache_;
+  bool noted_ = false; ///< whether the cache had something to say
 };
 
 bool has_mechanics(const SweepPoint& point, const RunOptions& options) {
@@ -273,10 +287,15 @@ SweepFailures solve_shared_mechanics(const std::vector<SweepPoint>& points,
       lacking.push_back(i);
     }
   }
+  const std::unique_ptr<base::DiskCache> cache = open_user_cache(options);
   std::vector<std::size_t> to_solve;
   for (const std::size_t i : lacking) {
-    const auto donor = donors.find(mechanics_hash(points[i].input));
-    if (donor == donors.end() || !take_over(points, options, donor->second, i)) {
+    const std::string hash = mechanics_hash(points[i].input);
+    const auto donor = donors.find(hash);
+    const bool taken_over = donor != donors.end() && take_over(points, options, donor->second, i);
+    const bool kept =
+        uses_cache_of_runs(points[i].input, cache.get()) && keeps_mechanics(*cache, hash);
+    if (!taken_over && !kept) { // run_case finds what is kept
       to_solve.push_back(i);
     }
   }

@@ -19,12 +19,12 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-constexpr StericExcess excess{0.4};
+constexpr StericExcess crowding{0.4};
 
 TEST(StericExcess, IsTheLogarithmOfTheRoomAndItsSlope) {
-  EXPECT_DOUBLE_EQ(excess.excess(1.0), -std::log(0.6));
-  EXPECT_NEAR(excess.slope(2.0), (excess.excess(2.0 + 1e-6) - excess.excess(2.0 - 1e-6)) / 2e-6,
-              1e-8);
+  EXPECT_DOUBLE_EQ(crowding.excess(1.0), -std::log(0.6));
+  EXPECT_NEAR(crowding.slope(2.0),
+              (crowding.excess(2.0 + 1e-6) - crowding.excess(2.0 - 1e-6)) / 2e-6, 1e-8);
   // Of little filling it is c/c_max.
   EXPECT_NEAR(StericExcess{1e-12}.excess(3.0), 3e-12, 1e-23);
 }
@@ -43,7 +43,7 @@ TEST(StericExcess, DriveChangesAsItsDerivativeSays) {
   const std::array<double, 3> c{0.2, 1.0, 2.4}, phi{0.1, -2.0, 3.0}, dc{0.3, -1.0, 0.05},
       dphi{1.0, 0.5, -2.0};
   std::array<double, 3> change{}, plus{}, minus{};
-  excess.drive_change(c, dc, dphi, change);
+  crowding.drive_change(c, dc, dphi, change);
   const double step = 1e-6;
   for (const double sign : {1.0, -1.0}) {
     std::array<double, 3> c2{}, phi2{};
@@ -51,7 +51,7 @@ TEST(StericExcess, DriveChangesAsItsDerivativeSays) {
       c2[i] = c[i] + sign * step * dc[i];
       phi2[i] = phi[i] + sign * step * dphi[i];
     }
-    excess.drive(c2, phi2, sign > 0 ? plus : minus);
+    crowding.drive(c2, phi2, sign > 0 ? plus : minus);
   }
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(change[i], (plus[i] - minus[i]) / (2.0 * step), 1e-8);
@@ -61,13 +61,13 @@ TEST(StericExcess, DriveChangesAsItsDerivativeSays) {
 TEST(StericExcess, ChangesLeaveAShareOfTheRoom) {
   const std::vector<double> before{0.5, 2.4, 1.0};
   std::vector<double> after{0.6, 9.0, 2.45};
-  EXPECT_FALSE(excess.leaves_room(before, after, 0.1));
-  excess.keep_room(before, after, 0.1);
+  EXPECT_FALSE(crowding.leaves_room(before, after, 0.1));
+  crowding.keep_room(before, after, 0.1);
   EXPECT_EQ(after[0], 0.6);
-  EXPECT_NEAR(excess.room(after[1]), 0.1 * excess.room(2.4), 1e-15);
-  EXPECT_NEAR(excess.room(after[2]), 0.1 * excess.room(1.0), 1e-15);
-  EXPECT_TRUE(excess.leaves_room(before, after, 0.0999));
-  EXPECT_FALSE(excess.leaves_room(before, std::vector{0.5, std::nan(""), 1.0}, 0.1));
+  EXPECT_NEAR(crowding.room(after[1]), 0.1 * crowding.room(2.4), 1e-15);
+  EXPECT_NEAR(crowding.room(after[2]), 0.1 * crowding.room(1.0), 1e-15);
+  EXPECT_TRUE(crowding.leaves_room(before, after, 0.0999));
+  EXPECT_FALSE(crowding.leaves_room(before, std::vector{0.5, std::nan(""), 1.0}, 0.1));
 }
 
 TEST(StericExcess, FluxVanishesInEquilibrium) {
@@ -76,9 +76,9 @@ TEST(StericExcess, FluxVanishesInEquilibrium) {
   std::array<double, 2> c{}, drive{}, flux{};
   for (std::size_t i = 0; i < 2; ++i) {
     const double ratio = 1.7 * std::exp(-phi[i]);
-    c[i] = ratio / (1.0 + excess.filling * ratio);
+    c[i] = ratio / (1.0 + crowding.filling * ratio);
   }
-  excess.drive(c, phi, drive);
+  crowding.drive(c, phi, drive);
   ThicknessFlux(1).evaluate(std::span(c).first(1), std::span(c).last(1), std::span(drive).first(1),
                             std::span(drive).last(1), 0.3, std::span(flux).first(1));
   EXPECT_NEAR(flux[0], 0.0, 1e-14);
@@ -91,7 +91,7 @@ TEST(StericExcess, LateralIonsFollowTheDriveAndTheFieldThePotential) {
   const auto c = state.concentration().first(columns), phi = state.potential().first(columns);
   std::vector<double> drive(columns), ions(columns), field(columns), driven(columns),
       unused(columns);
-  excess.drive(c, phi, drive);
+  crowding.drive(c, phi, drive);
   LateralFlux lateral(grid);
   lateral.inflow(c, drive, phi, driven, field);
   lateral.inflow(c, drive, ions, unused);
@@ -105,10 +105,10 @@ TEST(StericExcess, ExactAverageRestoresIonsWithinTheirBounds) {
   IonState state = test::wavy_state(grid);
   const std::vector<double> start(grid.nodes(), 1.0);
   const double amount = ExactAverage::total(grid, start);
-  state.concentration()[7] = (1.0 - 1e-9) / excess.filling;
-  ExactAverage(grid, excess).correct({start, 1.0, start, 0.0, 0.0, amount}, state);
+  state.concentration()[7] = (1.0 - 1e-9) / crowding.filling;
+  ExactAverage(grid, crowding).correct({start, 1.0, start, 0.0, 0.0, amount}, state);
   EXPECT_NEAR(ExactAverage::total(grid, state.concentration()), amount, 1e-13 * amount);
-  EXPECT_GT(excess.room(state.concentration()[7]), 0.0);
+  EXPECT_GT(crowding.room(state.concentration()[7]), 0.0);
 }
 
 TEST(StericExcess, StrongFieldsFillTheLayerWithoutOverflow) {
@@ -122,16 +122,16 @@ TEST(StericExcess, StrongFieldsFillTheLayerWithoutOverflow) {
   const double amount = ExactAverage::total(grid, start);
   const StageProblem problem{start, 20.0, fixed, -4.0, 4.0, amount};
   WorkerTeam team{1};
-  NewtonKrylov newton(grid, 1e-7, team, excess);
+  NewtonKrylov newton(grid, 1e-7, team, crowding);
   newton.prepare(state, problem.step);
   ASSERT_TRUE(newton.solve(problem, state));
   std::vector<double> residual(2 * grid.nodes());
-  TransportEquations(grid, team, excess).residual(problem, state, residual);
+  TransportEquations(grid, team, crowding).residual(problem, state, residual);
   EXPECT_LT(std::abs(*std::ranges::max_element(residual)), 1e-5);
   EXPECT_LT(std::abs(*std::ranges::min_element(residual)), 1e-5);
   EXPECT_GT(std::ranges::min(state.concentration()), 0.0);
-  EXPECT_LT(std::ranges::max(state.concentration()), 1.0 / excess.filling);
-  EXPECT_GT(std::ranges::max(state.concentration()), 0.9 / excess.filling);
+  EXPECT_LT(std::ranges::max(state.concentration()), 1.0 / crowding.filling);
+  EXPECT_GT(std::ranges::max(state.concentration()), 0.9 / crowding.filling);
   EXPECT_NEAR(ExactAverage::total(grid, state.concentration()), amount, 1e-13 * amount);
   EXPECT_LT(newton.counters().krylov_iterations, 200U);
 }

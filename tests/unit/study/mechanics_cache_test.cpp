@@ -33,7 +33,9 @@ protected:
 TEST_F(MechanicsCache, GivesBackWhatWasKept) {
   EXPECT_FALSE(recall_mechanics(cache, "hash", input.skin, copy()));
   EXPECT_FALSE(std::filesystem::exists(copy()));
+  EXPECT_FALSE(keeps_mechanics(cache, "hash"));
   keep_mechanics(cache, "hash", written());
+  EXPECT_TRUE(keeps_mechanics(cache, "hash"));
   const auto recalled = recall_mechanics(cache, "hash", input.skin, copy());
   ASSERT_TRUE(recalled);
   EXPECT_EQ(recalled->normal_force, record.normal_force);
