@@ -47,6 +47,7 @@ class Fit(ProgramTest):
 
         errors = self.interrupt_program(*self.fit_of("out"), when=solved(2))
         self.assertIn("--resume", errors)
+        self.assertEqual(json.loads((self.folder / "out" / "manifest.json").read_text())["state"], "interrupted")
         self.interrupt_program(*self.fit_of("out", "--resume"), when=solved(6), how=signal.SIGKILL, expect=-signal.SIGKILL)
         shorter = self.write("shorter.csv", "".join((self.folder / "data.csv").read_text().splitlines(True)[:-1]))
         for other in (self.fit_of("out", "--resume", data=shorter),

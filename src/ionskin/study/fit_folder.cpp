@@ -130,18 +130,30 @@ FitResult run_fit(const FitRequest& request, const FitOptions& options) {
   make_ready(options, hash);
   auto manifest = results::new_manifest(options.command, options.threads, hash);
   results::write_text_file(options.folder / names::case_text, model.start_case().text);
+  const auto note_state = [&](const char* state) {
+    manifest.state = state;
+    results::write_manifest(options.folder / names::manifest, manifest);
+  };
   results::write_manifest(options.folder / names::manifest, manifest);
   FitLog log(options.folder / names::evaluations);
   model.keep_answers_in(log);
-  FitResult result = fit(model, data, options.progress);
+  FitResult result;
+  try {
+    result = fit(model, data, options.progress);
+  } catch (const Interrupted&) {
+    note_state("interrupted");
+    throw;
+  } catch (...) {
+    note_state("failed");
+    throw;
+  }
   write_fit(model, data, result, base::wall_time() - start, options.folder);
   if (options.report) {
     if (const auto problem = draw_fit(options.folder)) {
       result.warnings.push_back(*problem);
     }
   }
-  manifest.state = "finished";
-  results::write_manifest(options.folder / names::manifest, manifest);
+  note_state("finished");
   log.remove();
   return result;
 }
