@@ -128,8 +128,10 @@ private:
     copy_counters();
     const auto [from, to] = control_.span();
     options_.progress("ion transport", (end - from) / (to - from));
-    if (run_.step % options_.checkpoint_interval == 0) {
+    if (run_.step % options_.checkpoint_interval == 0 &&
+        base::wall_time() - saved_at_ >= options_.checkpoint_seconds) {
       save();
+      saved_at_ = base::wall_time();
     }
   }
 
@@ -194,6 +196,7 @@ private:
   TimeIntegrator integrator_;
   SolutionRows rows_;
   IonCheckpoint run_;
+  double saved_at_ = base::wall_time(); ///< of the last checkpoint, at first of the begin
 };
 
 } // namespace

@@ -29,10 +29,12 @@ struct IonOptions {
   ElectrodePotentials potentials;
   /// Instants at which snapshots are kept [s]; steps land on them.
   std::vector<double> snapshot_times;
-  /// Receives the run's state every `checkpoint_interval` steps, and before an interruption or a
-  /// SolverError leaves the solver.
+  /// Receives the run's state every `checkpoint_interval` steps, though not sooner than
+  /// `checkpoint_seconds` of wall time after the last, and before an interruption or a SolverError
+  /// leaves the solver.
   std::function<void(const IonCheckpoint&)> checkpoint;
   std::size_t checkpoint_interval = 50;
+  double checkpoint_seconds = 5;
   /// Continues from here. UserError when it belongs to another grid or other time steps.
   std::optional<IonCheckpoint> resume;
 };

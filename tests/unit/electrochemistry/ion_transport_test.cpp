@@ -76,6 +76,7 @@ TEST(IonTransport, InterruptedAndResumedEqualsUninterrupted) {
   IonCheckpoint kept;
   IonOptions first = options;
   first.checkpoint_interval = 20;
+  first.checkpoint_seconds = 0;
   first.checkpoint = [&kept](const IonCheckpoint& checkpoint) {
     kept = checkpoint;
     throw Stop();
@@ -89,11 +90,20 @@ TEST(IonTransport, InterruptedAndResumedEqualsUninterrupted) {
   expect_equal(whole, solve(coarse_case(), history, second));
 }
 
+TEST(IonTransport, QuickRunsWriteNoCheckpoints) {
+  IonOptions options;
+  options.checkpoint_interval = 1;
+  options.checkpoint_seconds = 3600;
+  options.checkpoint = [](const IonCheckpoint&) { ADD_FAILURE(); };
+  solve(coarse_case(), linear_step_history(-0.01, 0.01, {0.0, 1.0}), options);
+}
+
 TEST(IonTransport, CheckpointOfAnotherCaseIsRefused) {
   const auto history = linear_step_history(-0.01, 0.01, {0.0, 1.0});
   IonOptions options;
   IonCheckpoint kept;
   options.checkpoint_interval = 5;
+  options.checkpoint_seconds = 0;
   options.checkpoint = [&kept](const IonCheckpoint& checkpoint) { kept = checkpoint; };
   solve(coarse_case(), history, options);
   IonOptions resumed;

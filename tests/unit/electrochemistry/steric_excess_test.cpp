@@ -146,6 +146,7 @@ TEST(StericExcess, ARunResumesBitForBit) {
   std::vector<IonCheckpoint> saved;
   IonOptions options;
   options.checkpoint_interval = 5;
+  options.checkpoint_seconds = 0;
   options.checkpoint = [&saved](const IonCheckpoint& state) { saved.push_back(state); };
   base::Timers timers;
   const IonSolution whole = solve_ion_transport(input, history, options, timers);
