@@ -68,17 +68,6 @@ void LateralFlux::sum_faces(const FaceFlux& face, std::span<double> ions, std::s
   }
 }
 
-void LateralFlux::inflow(std::span<const double> concentration, std::span<const double> potential,
-                         std::span<double> ions, std::span<double> field) {
-  const double* c = concentration.data();
-  const double* p = potential.data();
-  sum_faces(
-      [c, p](std::size_t a, std::size_t b) {
-        return Face{ions_into(c, p, a, b), p[b] - p[a]};
-      },
-      ions, field);
-}
-
 void LateralFlux::inflow(std::span<const double> concentration, std::span<const double> drive,
                          std::span<const double> potential, std::span<double> ions,
                          std::span<double> field) {
@@ -88,22 +77,6 @@ void LateralFlux::inflow(std::span<const double> concentration, std::span<const 
   sum_faces(
       [c, p, phi](std::size_t a, std::size_t b) {
         return Face{ions_into(c, p, a, b), phi[b] - phi[a]};
-      },
-      ions, field);
-}
-
-void LateralFlux::inflow_change(std::span<const double> concentration,
-                                std::span<const double> potential,
-                                std::span<const double> d_concentration,
-                                std::span<const double> d_potential, std::span<double> ions,
-                                std::span<double> field) {
-  const double* c = concentration.data();
-  const double* p = potential.data();
-  const double* dc = d_concentration.data();
-  const double* dp = d_potential.data();
-  sum_faces(
-      [c, p, dc, dp](std::size_t a, std::size_t b) {
-        return Face{change_of_ions_into(c, p, dc, dp, a, b), dp[b] - dp[a]};
       },
       ions, field);
 }

@@ -10,27 +10,20 @@ namespace ionskin::electrochemistry {
 
 /// Central fluxes between neighbouring columns of one level, whose spacing is hundreds of Debye
 /// lengths, with no flux through the sides of the core:
-///   inflow of ions = sum over neighbours of g (c_n - c + (c_n + c)/2 (phi_n - phi)),
-///   inflow of the field = sum over neighbours of g (phi_n - phi),   g = 1 / width^2.
-/// Ions may be driven by another potential than that of the field: the sum of phi and an excess.
+///   inflow of ions = sum over neighbours of g (c_n - c + (c_n + c)/2 (psi_n - psi)),
+///   inflow of the field = sum over neighbours of g (phi_n - phi),   g = 1 / width^2,
+/// where psi, which drives the ions, is phi or the sum of phi and an excess.
 /// Each face flux is computed once and used by both columns, so that nothing is lost between them.
 class LateralFlux {
 public:
   explicit LateralFlux(const ScaledGrid& grid);
 
   /// One value per column in all spans.
-  void inflow(std::span<const double> concentration, std::span<const double> potential,
-              std::span<double> ions, std::span<double> field);
-
-  /// The same with ions driven by `drive`.
+  /// @param drive of the ions: the potential, or the sum of it and an excess
   void inflow(std::span<const double> concentration, std::span<const double> drive,
               std::span<const double> potential, std::span<double> ions, std::span<double> field);
 
-  /// Change of `inflow` with a change (d_concentration, d_potential) of its arguments.
-  void inflow_change(std::span<const double> concentration, std::span<const double> potential,
-                     std::span<const double> d_concentration, std::span<const double> d_potential,
-                     std::span<double> ions, std::span<double> field);
-  /// The same with ions driven by `drive`, which changes by `d_drive`.
+  /// Change of `inflow` with a change (d_concentration, d_drive, d_potential) of its arguments.
   void inflow_change(std::span<const double> concentration, std::span<const double> drive,
                      std::span<const double> d_concentration, std::span<const double> d_drive,
                      std::span<const double> d_potential, std::span<double> ions,

@@ -82,12 +82,8 @@ void TransportEquations::residual_levels(const StageProblem& problem, double pot
     } else {
       flux(k, work.flux_above);
     }
-    if (excess_) {
-      work.lateral_flux.inflow(level(c, k), level(drive, k), level(phi, k), work.lateral_ions,
-                               work.lateral_field);
-    } else {
-      work.lateral_flux.inflow(level(c, k), level(phi, k), work.lateral_ions, work.lateral_field);
-    }
+    work.lateral_flux.inflow(level(c, k), level(drive, k), level(phi, k), work.lateral_ions,
+                             work.lateral_field);
     const double height = grid_.height[k], step = problem.step;
     const double* c_k = c.data() + k * columns;
     const double* start = problem.start.data() + k * columns;
@@ -209,13 +205,13 @@ void TransportEquations::jacobian_levels(std::span<const double> direction, doub
     }
     const auto c = level(state_->concentration(), k), drive = level(state_drive_, k);
     const auto d_c = level(d_concentration, k), d_phi = level(d_potential, k);
+    std::span<const double> d_drive = d_phi;
     if (excess_) {
       excess_->drive_change(c, d_c, d_phi, work.drive_change);
-      work.lateral_flux.inflow_change(c, drive, d_c, work.drive_change, d_phi, work.lateral_ions,
-                                      work.lateral_field);
-    } else {
-      work.lateral_flux.inflow_change(c, drive, d_c, d_phi, work.lateral_ions, work.lateral_field);
+      d_drive = work.drive_change;
     }
+    work.lateral_flux.inflow_change(c, drive, d_c, d_drive, d_phi, work.lateral_ions,
+                                    work.lateral_field);
     const double height = grid_.height[k], step = step_;
     const double* dc = direction.data() + k * columns;
     const double* above = work.flux_above.data();

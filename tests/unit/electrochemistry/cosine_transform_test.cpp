@@ -46,8 +46,8 @@ TEST(CosineTransform, DiagonalisesTheLateralLaplacian) {
   const std::vector<double> none(columns, 0.0);
   std::vector<double> laplacian(grid.nodes(), 0.0), field(columns);
   LateralFlux lateral(grid);
-  lateral.inflow(state.concentration().first(columns), none, std::span(laplacian).first(columns),
-                 field);
+  lateral.inflow(state.concentration().first(columns), none, none,
+                 std::span(laplacian).first(columns), field);
   std::vector<float> modes(grid.nodes()), modes_of_laplacian(grid.nodes()), scratch(grid.nodes());
   transform.forward(state.concentration(), modes, scratch, 0, 1);
   transform.forward(laplacian, modes_of_laplacian, scratch, 0, 1);

@@ -94,9 +94,9 @@ TEST(StericExcess, LateralIonsFollowTheDriveAndTheFieldThePotential) {
   crowding.drive(c, phi, drive);
   LateralFlux lateral(grid);
   lateral.inflow(c, drive, phi, driven, field);
-  lateral.inflow(c, drive, ions, unused);
+  lateral.inflow(c, drive, drive, ions, unused);
   EXPECT_EQ(driven, ions);
-  lateral.inflow(c, phi, ions, unused);
+  lateral.inflow(c, phi, phi, ions, unused);
   EXPECT_EQ(field, unused);
 }
 
