@@ -107,7 +107,7 @@ private:
 };
 
 CondensedPosition::CondensedPosition(const SkinModel& model, const std::array<double, 2>& centre,
-                                     const PositionStore& store)
+                                     const PositionStore& store, int threads)
     : model_(model), lines_(model.mesh.lines(centre)), lattice_(model.space, model.mesh.core_z()),
       membrane_(model.space, lines_, model.law_of_row, model.mesh.layer_of_row(),
                 model.mesh.core_z()) {
@@ -124,7 +124,7 @@ CondensedPosition::CondensedPosition(const SkinModel& model, const std::array<do
     }
     came_before = stored.has_value();
   }
-  factorised_ = std::make_unique<Factorised>(model, lines_, store.threads);
+  factorised_ = std::make_unique<Factorised>(model, lines_, threads);
   compliance_ = factorised_->compliance();
   if (!caches) {
     return;

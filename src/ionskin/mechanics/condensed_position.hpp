@@ -16,15 +16,13 @@
 
 namespace ionskin::mechanics {
 
-/// How condensed positions are made, looked up and kept.
+/// Where condensed positions are looked up and kept.
 struct PositionStore {
   base::DiskCache* cache = nullptr; ///< none when null
   /// The response to every unit force takes as long as the factorisation and saves it ever after.
   /// It is made at once when true, as many states ask for it, and otherwise when a position comes
   /// for the second time.
   bool many_states = false;
-  /// Taken by a factor that the memory holds only one of at a time.
-  int threads = 1;
 };
 
 /// The skin under one slider position: the compliance of the contact cells, and the strain and base
@@ -34,8 +32,9 @@ class CondensedPosition {
 public:
   /// @param model outlives the position
   /// @param centre of the slider [m]
+  /// @param threads that a factor takes which the memory holds only one of at a time
   CondensedPosition(const SkinModel& model, const std::array<double, 2>& centre,
-                    const PositionStore& store = {});
+                    const PositionStore& store = {}, int threads = 1);
   ~CondensedPosition();
 
   /// Compliance of the contact components [m/N].

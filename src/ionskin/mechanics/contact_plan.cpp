@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/contact_plan.hpp"
 
+#include "ionskin/mechanics/interpolation_nodes.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -40,6 +42,14 @@ std::size_t ContactPlan::first_alike(std::size_t leg) const {
     ++first;
   }
   return first;
+}
+
+NodeCounts ContactPlan::node_counts() const {
+  NodeCounts counts;
+  for (const std::vector<double>& ways : nodes) {
+    counts.push_back(ways.size());
+  }
+  return counts;
 }
 
 NodeCounts expected_node_counts(const Case& input) {

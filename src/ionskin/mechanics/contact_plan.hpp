@@ -30,6 +30,9 @@ struct PositionTask {
   std::vector<Chain> chains; ///< ascending legs
 };
 
+/// Interpolation nodes of each leg; only those of legs that slide count.
+using NodeCounts = std::vector<std::size_t>;
+
 /// The legs of a cycle with the positions at which the contact is solved.
 struct ContactPlan {
   std::vector<MotionLeg> legs;
@@ -39,10 +42,8 @@ struct ContactPlan {
 
   /// The first leg that does the same; the leg itself when none does.
   std::size_t first_alike(std::size_t leg) const;
+  NodeCounts node_counts() const;
 };
-
-/// Interpolation nodes of each leg; only those of legs that slide count.
-using NodeCounts = std::vector<std::size_t>;
 
 /// As many as the legs are expected to need.
 NodeCounts expected_node_counts(const Case& input);

@@ -15,6 +15,7 @@ namespace ionskin::mechanics {
 /// track at the coarse preset: it shrinks until the contact fills most of it, grows where the
 /// contact reaches its border, and keeps a margin. Rims are rounded up to a geometric grid, so that
 /// cases that differ little share one mesh.
+/// @param threads for the ends of the track
 /// Throws UserError when the contact reaches the edge of the skin.
 mesh::Footprint find_footprint(const Case& input, double friction, int threads);
 

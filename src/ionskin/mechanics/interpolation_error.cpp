@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/interpolation_error.hpp"
 
-#include "ionskin/mechanics/slider_track.hpp"
+#include "ionskin/mechanics/interpolation_nodes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,17 +26,13 @@ double inner_product(const SharedState& a, const SharedState& b) {
 /// Values at the Chebyshev points of the second kind of the polynomial through given nodes; shape
 /// [points, nodes].
 std::vector<std::vector<double>> chebyshev_values(const std::vector<PathState>& steady) {
-  std::vector<double> times;
-  for (const PathState& point : steady) {
-    times.push_back(point.time);
-  }
-  const double begin = times.front(), duration = times.back() - begin;
+  const double begin = steady.front().time, duration = steady.back().time - begin;
   std::vector<std::vector<double>> values;
-  for (std::size_t i = 0; i < times.size(); ++i) {
+  for (std::size_t i = 0; i < steady.size(); ++i) {
     const double angle =
-        std::numbers::pi * static_cast<double>(i) / static_cast<double>(times.size() - 1);
+        std::numbers::pi * static_cast<double>(i) / static_cast<double>(steady.size() - 1);
     values.push_back(
-        interpolation_weights(times, begin + duration * std::pow(std::cos(angle / 2), 2)));
+        interpolation_weights(steady, begin + duration * std::pow(std::cos(angle / 2), 2)));
   }
   return values;
 }

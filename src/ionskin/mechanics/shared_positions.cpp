@@ -73,10 +73,9 @@ void solve_open_positions(const SharedSetting& setting, std::vector<FrictionSolv
     base::check_interrupt();
     auto factorisation =
         std::make_unique<base::Timers::Scope>(setting.timers, "mechanics: factorisation");
-    const PositionStore store{setting.options.cache, solves.size() >= many_frictions,
-                              setting.options.threads};
-    auto condensed =
-        std::make_unique<const CondensedPosition>(setting.model, positions[p].centre, store);
+    const PositionStore store{setting.options.cache, solves.size() >= many_frictions};
+    auto condensed = std::make_unique<const CondensedPosition>(setting.model, positions[p].centre,
+                                                               store, setting.options.threads);
     factorisation.reset();
     setting.progress.finish_unit();
     if (!condensed->holds_factor()) {

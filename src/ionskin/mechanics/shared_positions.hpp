@@ -41,7 +41,6 @@ private:
 /// depend on what is solved beside it.
 struct FrictionSolve {
   double friction = 0;
-  NodeCounts node_counts;
   ContactPlan plan;
   std::vector<PositionTask> open; ///< of the plan, not solved yet
   SolvedPieces pieces;

@@ -6,6 +6,7 @@
 #include "ionskin/mechanics/contact_plan.hpp"
 #include "ionskin/mechanics/find_footprint.hpp"
 #include "ionskin/mechanics/interpolation_error.hpp"
+#include "ionskin/mechanics/interpolation_nodes.hpp"
 #include "ionskin/mechanics/position_states.hpp"
 #include "ionskin/mechanics/shared_positions.hpp"
 #include "ionskin/mechanics/steady_sliding.hpp"
@@ -36,11 +37,12 @@ NodeCounts first_node_counts(NodeCounts expected, std::size_t given) {
 NodeCounts needed_node_counts(const FrictionSolve& solve, double tolerance,
                               ContactSolution& solution) {
   const ContactPlan& plan = solve.plan;
-  NodeCounts counts = solve.node_counts;
+  const NodeCounts present = plan.node_counts();
+  NodeCounts counts = present;
   for (std::size_t leg = 0; leg < plan.legs.size(); ++leg) {
     const std::size_t first = plan.first_alike(leg);
     const std::vector<PathState>& steady = solution.legs[leg].steady;
-    if (!steady.empty() && counts[first] == solve.node_counts[first]) {
+    if (!steady.empty() && counts[first] == present[first]) {
       const InterpolationError error = interpolation_error(chebyshev_norms(steady));
       solution.worst_interpolation_error =
           std::max(solution.worst_interpolation_error, error.estimate);
@@ -79,12 +81,10 @@ std::vector<ContactSolution> solve_on_footprint(const Case& input, const mesh::F
   base::check_interrupt();
 
   const NodeCounts expected = expected_node_counts(input);
-  const NodeCounts node_counts = first_node_counts(expected, options.nodes);
-  const ContactPlan first_plan = plan_contact(input, node_counts);
+  const ContactPlan first_plan = plan_contact(input, first_node_counts(expected, options.nodes));
   std::vector<FrictionSolve> solves;
   for (const double friction : frictions) {
-    solves.push_back(
-        {friction, node_counts, first_plan, first_plan.positions, SolvedPieces(first_plan)});
+    solves.push_back({friction, first_plan, first_plan.positions, SolvedPieces(first_plan)});
   }
   SharedProgress progress(options.progress,
                           plan_contact(input, expected).positions.size() * (1 + frictions.size()));
@@ -99,13 +99,12 @@ std::vector<ContactSolution> solve_on_footprint(const Case& input, const mesh::F
       ContactSolution& solution = solutions.emplace_back(assembled(model, solve));
       solve.open.clear();
       const NodeCounts needed = needed_node_counts(solve, tolerance, solution);
-      if (options.nodes == 0 && needed != solve.node_counts) {
+      if (options.nodes == 0 && needed != solve.plan.node_counts()) {
         settled = false;
         ContactPlan plan = plan_contact(input, needed);
         solve.open = added_positions(plan, solve.plan);
         solve.pieces.extend(solve.plan, plan);
         solve.plan = std::move(plan);
-        solve.node_counts = needed;
       }
     }
   }

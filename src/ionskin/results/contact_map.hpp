@@ -12,7 +12,8 @@ struct ContactMap {
   std::string state;
   double parameter = 0; ///< instant of the first cycle at which it is passed [s]
   std::vector<double> pressure, shear_x, shear_y; ///< [Pa]
-  std::vector<double> slip;                       ///< length of the slip increment [m]
+  /// Since the state before; in steady sliding the way of the whole leg [m].
+  std::vector<double> slip;
 };
 
 /// The contact states of a run.

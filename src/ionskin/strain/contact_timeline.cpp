@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/strain/contact_timeline.hpp"
 
-#include "ionskin/mechanics/slider_track.hpp"
+#include "ionskin/mechanics/interpolation_nodes.hpp"
 #include "ionskin/strain/samples_per_slide.hpp"
 
 #include <algorithm>
@@ -23,14 +23,6 @@ double regular_step(const Case& input, const MotionLeg& motion) {
   const ContactPart part = contact_part(motion);
   const double share = intervals(part.from, part.to) / intervals({0, 0}, {input.skin.length, 0});
   return motion.duration / std::ceil(samples_per_slide(input.numerics) * share);
-}
-
-std::vector<double> times_of(const std::vector<PathState>& nodes) {
-  std::vector<double> times;
-  for (const PathState& node : nodes) {
-    times.push_back(node.time);
-  }
-  return times;
 }
 
 double contact_begin(const LegSolution& leg) {
@@ -116,11 +108,11 @@ std::array<double, 2> StateCombination::tangential_force() const {
 }
 
 ContactTimeline::ContactTimeline(const Case& input, const mechanics::ContactSolution& contact)
-    : contact_(contact), input_(input), legs_(motion_legs(input.motion, input.slider)),
+    : contact_(contact), legs_(motion_legs(input.motion, input.slider)),
       duration_(legs_.back().end()) {
   add_sample(0, 0.0);
   for (std::size_t i = 0; i < legs_.size(); ++i) {
-    add_leg_samples(i);
+    add_leg_samples(input, i);
     const LegSolution& leg = contact_.legs[i];
     if (!leg.in_contact()) {
       continue;
@@ -138,7 +130,7 @@ void ContactTimeline::add_sample(std::size_t leg, double since_begin) {
   samples_.push_back({leg, since_begin});
 }
 
-void ContactTimeline::add_leg_samples(std::size_t index) {
+void ContactTimeline::add_leg_samples(const Case& input, std::size_t index) {
   const LegSolution& leg = contact_.legs[index];
   const double duration = legs_[index].duration;
   for (const PathState& point : leg.path) {
@@ -147,7 +139,7 @@ void ContactTimeline::add_leg_samples(std::size_t index) {
   if (!leg.steady.empty()) {
     add_sample(index, contact_begin(leg));
     double time = leg.joined;
-    const double end = contact_end(leg), regular = regular_step(input_, legs_[index]);
+    const double end = contact_end(leg), regular = regular_step(input, legs_[index]);
     if (!leg.path.empty()) {
       add_sample(index, time);
       // Spacing grows from the last onset interval to the regular one.
@@ -228,7 +220,7 @@ StateCombination ContactTimeline::combination(std::size_t index, double since_be
   if (!detached && leg.steady.empty()) {
     add_path(leg, since_begin, result);
   } else if (!detached) {
-    const auto weights = mechanics::interpolation_weights(times_of(leg.steady), since_begin);
+    const auto weights = mechanics::interpolation_weights(leg.steady, since_begin);
     for (std::size_t i = 0; i < weights.size(); ++i) {
       result.add(leg.steady[i].state, weights[i]);
     }

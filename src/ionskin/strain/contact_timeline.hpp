@@ -56,7 +56,7 @@ private:
     std::size_t leg = 0;
     double since_begin = 0; ///< [s]
   };
-  void add_leg_samples(std::size_t leg);
+  void add_leg_samples(const Case& input, std::size_t leg);
   void add_sample(std::size_t leg, double since_begin);
   /// The middle of the slide and the instants of field output become samples: figures are read
   /// there.
@@ -68,7 +68,6 @@ private:
   double joined_at(std::size_t leg) const;
 
   const mechanics::ContactSolution& contact_;
-  const Case& input_;
   std::vector<MotionLeg> legs_;
   double duration_ = 0;
   std::vector<Sample> samples_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/interpolation_error.hpp"
 
-#include "ionskin/mechanics/slider_track.hpp"
+#include "ionskin/mechanics/interpolation_nodes.hpp"
 
 #include <gtest/gtest.h>
 

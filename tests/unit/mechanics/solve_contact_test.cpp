@@ -5,6 +5,7 @@
 #include "ionskin/mechanics/contact_plan.hpp"
 #include "ionskin/mechanics/core_strain.hpp"
 #include "ionskin/mechanics/interpolation_error.hpp"
+#include "ionskin/mechanics/interpolation_nodes.hpp"
 #include "ionskin/mechanics/slider_track.hpp"
 #include "small_case.hpp"
 
@@ -231,17 +232,13 @@ TEST(SolveContact, a_friction_coefficient_is_solved_the_same_beside_others) {
 TEST(SolveContact, steady_sliding_between_the_nodes_is_as_close_as_estimated) {
   const Case input = small_case();
   const std::vector<PathState>& nodes = slide(solved_small_case()).steady;
-  std::vector<double> times;
-  for (const PathState& node : nodes) {
-    times.push_back(node.time);
-  }
   base::Timers timers;
   ContactOptions options;
   options.threads = 2;
   for (const double fraction : {0.02, 0.13, 0.71}) {
     const ContactState direct =
         solve_steady_sliding(input, {fraction * input.motion.stroke}, options, timers).front();
-    const auto weights = interpolation_weights(times, fraction * input.motion.slide);
+    const auto weights = interpolation_weights(nodes, fraction * input.motion.slide);
     double difference = 0, size = 0;
     for (std::size_t c = 0; c < 6; ++c) {
       for (std::size_t i = 0; i < direct.strain.component[c].size(); ++i) {
