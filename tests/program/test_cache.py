@@ -47,6 +47,22 @@ class Cache(ProgramTest):
                 worst = numpy.max(numpy.abs(found[name] - expected[name]))
                 self.assertLessEqual(worst, tolerance * numpy.max(numpy.abs(expected[scale])), name)
 
+    def test_points_of_a_sweep_take_their_mechanics_from_the_cache(self):
+        def sweep(out, *arguments):
+            self.run_program("sweep", QUICK, "-o", out, *ARGUMENTS, "--over", "contact.friction=0.1,0.3", *arguments)
+            points = sorted((self.folder / out / "points").iterdir())
+            solved = ["mechanics" in json.loads((point / "manifest.json").read_text())["stages"] for point in points]
+            return (self.folder / out / "sweep.csv").read_text(), solved
+
+        table, solved = sweep("sweep")
+        self.assertEqual(solved, [True, True])
+        self.assertEqual(len(self.entries(mechanics=True)), 2)
+        self.assertEqual(sweep("again"), (table, [False, False]))
+        self.assertEqual(sweep("uncached", "--no-cache")[1], [True, True])
+        # A run finds what the sweep kept.
+        self.run_program("run", QUICK, "-o", "run", *ARGUMENTS, "--set", "contact.friction=0.1")
+        self.assertNotIn("mechanics", json.loads((self.folder / "run" / "manifest.json").read_text())["stages"])
+
     def test_cached_run_repeats_the_plain_one_and_damage_is_repaired(self):
         self.mechanics("first")
         small = self.entries()[0].stat().st_size

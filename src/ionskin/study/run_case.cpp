@@ -29,8 +29,6 @@ namespace {
 
 using electrochemistry::IonSolution;
 
-constexpr const char* checkpoint_name = "checkpoint.h5";
-
 std::optional<MechanicsRecord> strain_from_file(const Case& input, const RunOptions& options) {
   if (input.strain.kind != StrainSourceKind::file) {
     return std::nullopt;
@@ -98,7 +96,7 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, base::Disk
 /// StrainHistory -> IonSolution, from the beginning or from a checkpoint.
 IonSolution study_2(const Case& input, const RunOptions& options, RunFolder& folder,
                     const strain::StrainHistory& history, base::Timers& timers) {
-  const auto checkpoint_path = folder.file(checkpoint_name);
+  const auto checkpoint_path = folder.file(results::file_names::checkpoint);
   const std::string hash = folder.manifest().input_hash;
   electrochemistry::IonOptions ion_options;
   ion_options.threads = options.threads;
@@ -163,7 +161,7 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
       estimate_mechanics_errors(outputs.signals.metrics, mechanics.companion_metrics));
   outputs.stage_seconds = timers.seconds();
   RunOutcome outcome = write_outputs(input, options, mechanics, outputs, start, folder);
-  std::filesystem::remove(folder.file(checkpoint_name));
+  std::filesystem::remove(folder.file(results::file_names::checkpoint));
   return outcome;
 }
 

@@ -173,10 +173,10 @@ void leave_in_folders(const std::vector<SweepPoint>& points, const SharedMechani
 
 class SharedMechanicsSolver {
 public:
+  /// @param cache of the user; none when null
   SharedMechanicsSolver(const std::vector<SweepPoint>& points, const RunOptions& options,
-                        base::Timers& timers, std::size_t units)
-      : points_(points), options_(options), timers_(timers), units_(units),
-        cache_(open_user_cache(options)) {}
+                        base::Timers& timers, std::size_t units, base::DiskCache* cache)
+      : points_(points), options_(options), timers_(timers), units_(units), cache_(cache) {}
 
   /// Solves entries [begin, end) of a group together.
   /// @param footprint of all of them, or empty to find it
@@ -218,7 +218,7 @@ private:
     const double share = static_cast<double>(end - begin) / static_cast<double>(units_);
     mechanics::ContactOptions contact_options;
     contact_options.threads = options_.threads;
-    contact_options.cache = cache_.get();
+    contact_options.cache = cache_;
     contact_options.footprint = footprint;
     contact_options.progress = [&](std::string_view, double fraction) {
       options_.progress("mechanics of all points", before + share * fraction);
@@ -229,7 +229,7 @@ private:
     }
     auto solutions = solve_mechanics(points_[group[begin].points.front()].input, frictions,
                                      contact_options, timers_);
-    if (cache_) {
+    if (cache_ != nullptr) {
       const std::vector<std::string> notes = cache_->take_notes();
       noted_ = noted_ || !notes.empty();
       for (auto& solution : solutions) {
@@ -243,7 +243,7 @@ private:
   void leave(const FrictionGroup& group, std::size_t begin, std::vector<SolvedMechanics> solutions,
              double seconds) {
     // A warning of the cache, which the results would keep, is no property of the case.
-    base::DiskCache* cache = noted_ ? nullptr : cache_.get();
+    base::DiskCache* cache = noted_ ? nullptr : cache_;
     base::run_tasks(solutions.size(), options_.threads, [&](std::size_t i) {
       const auto solved = std::make_unique<SolvedMechanics>(std::move(solutions[i]));
       leave_in_folders(points_, group[begin + i], *solved, seconds, options_, cache);
@@ -254,7 +254,7 @@ private:
   const RunOptions& options_;
   base::Timers& timers_;
   std::size_t units_, finished_ = 0;
-  std::unique_ptr<base::DiskCache> cache_;
+  base::DiskCache* cache_;
   bool noted_ = false; ///< whether the cache had something to say
 };
 
@@ -304,7 +304,7 @@ SweepFailures solve_shared_mechanics(const std::vector<SweepPoint>& points,
   for (const FrictionGroup& group : groups) {
     units += group.size();
   }
-  SharedMechanicsSolver solver(points, options, timers, units);
+  SharedMechanicsSolver solver(points, options, timers, units, cache.get());
   for (const FrictionGroup& group : groups) {
     const Case& input = points[group.front().points.front()].input;
     const GroupPlan plan = plan_group(points, input, options.threads);
