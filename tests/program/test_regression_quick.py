@@ -7,21 +7,21 @@ from program import QUICK, ProgramTest, metric
 
 # name: (value, relative tolerance)
 FIGURES = {
-    "normal_force_touchdown": (67.75626, 1e-5),
-    "normal_force_slide": (64.50422, 1e-5),
-    "tangential_force_slide": (19.351265, 1e-5),
-    "mean_shear_touchdown": (2.568900e-3, 1e-5),
-    "mean_shear_slide": (8.410745e-3, 1e-5),
-    "p99_shear_slide": (3.410143e-2, 1e-4),
-    "shear_first_moment_slide": (-7.726144e-5, 1e-4),
-    "element_max_shear_slide": (4.777770e-2, 1e-4),
-    "peak_sampled_current_top": (2.570911e-2, 1e-4),
-    "peak_sampled_current_bottom": (2.665801e-2, 1e-4),
-    "peak_sampled_current_difference": (4.744483e-4, 1e-3),
-    "rms_current_top": (6.473523e-3, 1e-3),
-    "rms_current_difference": (1.456779e-4, 1e-3),
-    "nonlinearity": (0.468765, 1e-4),
-    "min_concentration_ratio": (0.648754, 1e-4),
+    "normal_force_touchdown": (68.08928, 1e-5),
+    "normal_force_slide": (64.80575, 1e-5),
+    "tangential_force_slide": (19.441724, 1e-5),
+    "mean_shear_touchdown": (2.502431e-3, 1e-5),
+    "mean_shear_slide": (8.442056e-3, 1e-5),
+    "p99_shear_slide": (3.090112e-2, 1e-4),
+    "shear_first_moment_slide": (-7.775099e-5, 1e-4),
+    "element_max_shear_slide": (4.113290e-2, 1e-4),
+    "peak_sampled_current_top": (2.580204e-2, 1e-4),
+    "peak_sampled_current_bottom": (2.675978e-2, 1e-4),
+    "peak_sampled_current_difference": (4.788709e-4, 1e-3),
+    "rms_current_top": (6.493901e-3, 1e-3),
+    "rms_current_difference": (1.460239e-4, 1e-3),
+    "nonlinearity": (0.426903, 1e-4),
+    "min_concentration_ratio": (0.648283, 1e-4),
 }
 # name: upper bound
 BOUNDS = {

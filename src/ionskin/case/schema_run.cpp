@@ -50,7 +50,7 @@ void add_run_control(SchemaRows& rows) {
                   .range = {0, 0.1, true, true},
                   .default_value = "0",
                   .help = "Error of the charge that one time step may add, against the largest "
-                          "charge so far; 0 takes the preset's, 3e-4, 5e-5 or 3e-6.",
+                          "charge so far; 0 takes the preset's, 3e-4, 5e-5 or 1.5e-6.",
                   .source = "measured: docs/electrochemistry.md",
                   .set = into(&Case::numerics, &Numerics::time_tolerance)});
   rows.push_back({.key = "output.fields",

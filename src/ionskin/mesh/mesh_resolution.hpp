@@ -19,7 +19,7 @@ struct MeshResolution {
   std::array<double, 2> footprint_largest{}; ///< along x and y [m]
   double outer_growth = 0;                   ///< largest admitted away from the footprint [1]
   std::size_t outer_minimum = 0;             ///< before and behind the footprint along the slide
-  std::size_t core_elements = 0;             ///< through the thickness of the core
+  std::size_t core_elements = 0;             ///< through the thickness of the core; even
   double core_growth = 0;                    ///< from both interfaces to the middle [1]
   std::size_t electrode_elements = 0;        ///< through each electrode layer
   double depth_growth = 0; ///< from the top downwards in skins that are thick for the footprint [1]
