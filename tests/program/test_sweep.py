@@ -2,6 +2,7 @@
 """Sweeps: sharing, killing and resuming, points that fail, bad input."""
 
 import csv
+import resource
 import signal
 import subprocess
 import time
@@ -97,6 +98,17 @@ class Sweep(ProgramTest):
         self.assertAlmostEqual(float(good["rms_current_difference [A]"]),
                                metric(self.folder / "single", "rms_current_difference"), delta=1e-15)
         self.run_program(*sweep[:-1], "coupling.coefficient=-40", "-o", "none", expect=3)
+
+    def test_a_mesh_too_large_for_the_memory_leaves_the_other_points(self):
+        bound = 1024**3  # the small mesh comes first: OpenBLAS waits for ever where its first buffer finds no room
+        process = subprocess.run(
+            [PROGRAM, "sweep", QUICK, "-o", "out", "--no-report", "--only", "mechanics", "--threads", "1", "--over",
+             "numerics.mesh_refinement=0.5,2.5"], capture_output=True, text=True, cwd=self.folder, check=False,
+            timeout=300, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (bound, bound)))
+        self.assertEqual(process.returncode, 0, process.stderr)
+        small, large = rows(self.folder / "out")
+        self.assertEqual((large["status"], small["status"]), ("failed", "finished"))
+        self.assertIn("out of memory", large["reason"])
 
     def test_a_contact_off_the_skin_leaves_the_other_points(self):
         """Whether the contact of a cylinder stays on the skin shows once it is solved: too late to end the sweep."""

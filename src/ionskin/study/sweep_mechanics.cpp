@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <new>
 #include <optional>
 
 namespace ionskin::study {
@@ -119,6 +120,8 @@ GroupPlan plan_group(const std::vector<SweepPoint>& points, const Case& input, i
     return {};
   } catch (const UserError&) {
     return {};
+  } catch (const std::bad_alloc&) {
+    return {};
   }
 }
 
@@ -191,6 +194,8 @@ public:
       reason = std::string(error.what()) + "; remedy: " + error.remedy();
     } catch (const UserError& error) { // shows once the contact is known, such as one off the skin
       reason = error.what();
+    } catch (const std::bad_alloc&) {
+      reason = "out of memory; remedy: use fewer --threads or a coarser numerics.preset";
     }
     if (reason.empty()) {
       const double seconds = (base::wall_time() - start) / static_cast<double>(end - begin);
