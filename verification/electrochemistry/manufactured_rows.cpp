@@ -12,6 +12,7 @@
 #include <memory>
 #include <numbers>
 #include <span>
+#include <string>
 
 namespace ionskin::verification {
 namespace {
@@ -24,12 +25,16 @@ constexpr double length = 300e-6, width = 200e-6, thickness = 180e-6;
 constexpr double duration = 2.0 * relaxation_time;
 
 /// An exact solution of the nonlinear equations under `pair-generation`, in Debye lengths and
-/// relaxation times: phi = f(t) g(x, y, z) and c = exp(-phi) + (f'/f) (exp(-phi) - 1) make the flux
-/// f' grad g, whose divergence is the rate of the charge, so that cf = c + laplacian(phi) gives all
-/// else. g and its slope vanish on the electrodes, its normal slope on the sides; f(0) = 0 starts
-/// it from the program's initial state.
+/// relaxation times: phi = f(t) g(x, y, z) and a concentration c(phi) with
+///   dc/dphi = -(c + f'/f) (1 - filling c),   c(0) = 1,
+/// make the flux f' grad g, whose divergence is the rate of the charge, so that
+/// cf = c + laplacian(phi) gives all else. g and its slope vanish on the electrodes, its normal
+/// slope on the sides; f(0) = 0 starts it from the program's initial state.
 class ExactSolution {
 public:
+  /// @param filling share of the sites that the ions at rest take; 0 for dilute ions
+  explicit ExactSolution(double filling) : filling_(filling) {}
+
   struct Values {
     double potential, concentration, fixed_charge;
   };
@@ -45,16 +50,31 @@ public:
     const double laplacian = amplitude * debye_length * debye_length *
                              ((mean + wave) * curvature - (kx * kx + ky * ky) * wave * profile);
     const double phi = f * g;
-    const double released = f > 0.0 ? rate / f * std::expm1(-phi) : -rate * g;
-    const double c = std::exp(-phi) + released;
+    const double c = f > 0.0 ? concentration(phi, rate / f) : initial_concentration(rate * g);
     return {phi, c, c + f * laplacian};
   }
 
 private:
   static constexpr double amplitude = 0.7, mean = 0.4;
+
+  /// @param growth f'/f
+  double concentration(double phi, double growth) const {
+    // (c + growth) / (1 - filling c), which is exponential in phi, less its value at c = 0
+    const double full = 1.0 - filling_, power = -(1.0 + filling_ * growth) * phi;
+    const double above =
+        (std::exp(power) + growth * (std::expm1(power) + filling_)) / full; // no cancellation
+    return above / (1.0 + filling_ * (above + growth));
+  }
+  /// Its limit for f = 0 with f'/f phi = `rise`.
+  double initial_concentration(double rise) const {
+    return filling_ > 0.0 ? (1.0 - (1.0 - filling_) * std::exp(filling_ * rise)) / filling_
+                          : 1.0 - rise;
+  }
+
+  double filling_;
 };
 
-Case manufactured_case(double mesh_refinement) {
+Case manufactured_case(double mesh_refinement, double filling) {
   Case input = model_case();
   input.skin.length = length;
   input.skin.width = width;
@@ -63,6 +83,10 @@ Case manufactured_case(double mesh_refinement) {
                       ions.fixed_charge_concentration /
                       (constants::gas_constant * ions.temperature);
   ions.diffusivity = debye_length * debye_length / relaxation_time;
+  if (filling > 0.0) {
+    ions.ion_model = IonModel::steric;
+    ions.largest_concentration = ions.fixed_charge_concentration / (filling * ions.valence);
+  }
   input.coupling.law = "pair-generation";
   input.coupling.coefficient = 1.0;
   input.numerics.preset = Preset::fine;
@@ -82,7 +106,8 @@ template <class Body> void for_nodes(const TransportGrid& grid, const Body& body
 }
 
 /// The fixed charge of the exact solution as a history of shear on the transport grid itself.
-strain::StrainHistory manufactured_history(const Case& input, int samples) {
+strain::StrainHistory manufactured_history(const Case& input, const ExactSolution& exact,
+                                           int samples) {
   strain::StrainHistory history;
   history.measure = "manufactured";
   history.length = length;
@@ -90,7 +115,6 @@ strain::StrainHistory manufactured_history(const Case& input, int samples) {
   history.grid = {{0.0, 0.5 * length, length}, {0.0, 0.5 * width, width}, {0.0, thickness}};
   const TransportGrid grid = electrochemistry::make_transport_grid(input, history);
   history.grid = {grid.x_edges, grid.y_edges, grid.z_nodes};
-  const ExactSolution exact;
   for (int sample = 0; sample <= samples; ++sample) {
     const double time = duration * sample / samples;
     auto field = std::make_shared<strain::StrainField>();
@@ -109,17 +133,22 @@ struct FinalState {
   std::vector<double> potential, concentration; ///< scaled
 };
 
-FinalState run(double mesh_refinement, double time_refinement, int samples, double tolerance,
-               const Options& options) {
-  Case input = manufactured_case(mesh_refinement);
-  input.numerics.time_refinement = time_refinement;
-  input.numerics.time_tolerance = tolerance;
+struct Steps {
+  double refinement, tolerance;
+  int samples; ///< of the history
+};
+
+FinalState run(double filling, double mesh_refinement, const Steps& steps, const Options& options) {
+  Case input = manufactured_case(mesh_refinement, filling);
+  input.numerics.time_refinement = steps.refinement;
+  input.numerics.time_tolerance = steps.tolerance;
   electrochemistry::IonOptions ion_options;
   ion_options.threads = options.threads;
   ion_options.snapshot_times = {duration};
   base::Timers timers;
   const auto solution = electrochemistry::solve_ion_transport(
-      input, manufactured_history(input, samples), ion_options, timers);
+      input, manufactured_history(input, ExactSolution(filling), steps.samples), ion_options,
+      timers);
   const auto scales = electrochemistry::derive_scales(input.electrochemistry, thickness);
   FinalState state{solution.grid, solution.snapshots.front().potential,
                    solution.snapshots.front().concentration};
@@ -149,9 +178,8 @@ struct Error {
   double potential, concentration;
 };
 
-Error error_of(const FinalState& state) {
+Error error_of(const FinalState& state, const ExactSolution& exact) {
   std::vector<double> potential, concentration;
-  const ExactSolution exact;
   for_nodes(state.grid, [&](double x, double y, double z) {
     const auto values = exact.at(duration, x, y, z);
     potential.push_back(values.potential);
@@ -165,31 +193,44 @@ double observed_order(double coarse, double fine) {
   return std::log2(coarse / fine);
 }
 
-void add_space_rows(const Options& options, std::vector<Row>& rows) {
-  constexpr int samples = 48; // that linear interpolation between them does not count
-  constexpr double tolerance = 3e-6;
-  const Error coarse = error_of(run(1.0, 1.0, samples, tolerance, options));
-  const Error fine = error_of(run(2.0, 1.0, samples, tolerance, options));
-  rows.push_back(at_most("E7", "3D manufactured: error of phi / V_T, rms", fine.potential, 5e-4));
-  rows.push_back(at_most("E7", "3D manufactured: error of c / c0, rms", fine.concentration, 2e-4));
-  rows.push_back(at_least("E7", "3D manufactured: observed order of phi in space",
+/// One set of rows.
+struct Problem {
+  std::string set, name;
+  double filling; ///< 0 for dilute ions
+};
+
+void add_space_rows(const Problem& problem, const Options& options, std::vector<Row>& rows) {
+  // So many samples that linear interpolation between them does not count.
+  constexpr Steps steps{1.0, 3e-6, 48};
+  const auto error_at = [&](double refinement) {
+    return error_of(run(problem.filling, refinement, steps, options),
+                    ExactSolution(problem.filling));
+  };
+  const Error coarse = error_at(1.0), fine = error_at(2.0);
+  const auto& [set, name, _] = problem;
+  rows.push_back(at_most(set, name + ": error of phi / V_T, rms", fine.potential, 5e-4));
+  rows.push_back(at_most(set, name + ": error of c / c0, rms", fine.concentration, 2e-4));
+  rows.push_back(at_least(set, name + ": observed order of phi in space",
                           observed_order(coarse.potential, fine.potential), 1.95));
-  rows.push_back(at_least("E7", "3D manufactured: observed order of c in space",
+  rows.push_back(at_least(set, name + ": observed order of c in space",
                           observed_order(coarse.concentration, fine.concentration), 1.95));
 }
 
 /// Differences between runs on one mesh: its own error and the interpolation drop out.
-void add_time_rows(const Options& options, std::vector<Row>& rows) {
-  const auto at = [&](double refinement) { return run(0.5, refinement, 4, 1e-3, options); };
+void add_time_rows(const Problem& problem, const Options& options, std::vector<Row>& rows) {
+  const auto at = [&](double refinement) {
+    return run(problem.filling, 0.5, {refinement, 1e-3, 4}, options);
+  };
   const FinalState first = at(4.0), second = at(8.0), third = at(16.0);
   const auto change = [&](const FinalState& a, const FinalState& b) {
     return Error{rms(first.grid, a.potential, b.potential),
                  rms(first.grid, a.concentration, b.concentration)};
   };
   const Error coarse = change(first, second), fine = change(second, third);
-  rows.push_back(at_least("E7", "3D manufactured: observed order of phi in time",
+  const auto& [set, name, _] = problem;
+  rows.push_back(at_least(set, name + ": observed order of phi in time",
                           observed_order(coarse.potential, fine.potential), 1.95));
-  rows.push_back(at_least("E7", "3D manufactured: observed order of c in time",
+  rows.push_back(at_least(set, name + ": observed order of c in time",
                           observed_order(coarse.concentration, fine.concentration), 1.95));
 }
 
@@ -197,8 +238,11 @@ void add_time_rows(const Options& options, std::vector<Row>& rows) {
 
 std::vector<Row> manufactured_rows(const Options& options) {
   std::vector<Row> rows;
-  add_space_rows(options, rows);
-  add_time_rows(options, rows);
+  for (const Problem& problem : {Problem{"E7", "3D manufactured", 0.0},
+                                 Problem{"E9", "3D manufactured, finite ions", 0.4}}) {
+    add_space_rows(problem, options, rows);
+    add_time_rows(problem, options, rows);
+  }
   return rows;
 }
 
