@@ -166,7 +166,7 @@ TEST(SkinMesh, a_line_contact_is_as_coarse_along_it_as_its_length_allows) {
 TEST(SkinMesh, a_deep_block_is_graded_downwards_and_a_thin_skin_is_not) {
   Case input = example();
   const std::vector<double> thin = SkinMesh(input).lines({4.5e-3, 1e-3}).z;
-  EXPECT_EQ(thin.size(), 7u);
+  EXPECT_EQ(thin.size(), 6u);
   input.skin.layers[1].thickness = 5e-3;
   const SkinMesh deep(input);
   const std::vector<double> z = deep.lines({4.5e-3, 1e-3}).z;
@@ -175,6 +175,21 @@ TEST(SkinMesh, a_deep_block_is_graded_downwards_and_a_thin_skin_is_not) {
   // Within the core sizes fall upwards.
   for (std::size_t row = deep.core_z()[0] + 1; row < deep.core_z()[1]; ++row) {
     EXPECT_LT(z[row + 1] - z[row], z[row] - z[row - 1]);
+  }
+}
+
+TEST(SkinMesh, a_line_lies_at_half_the_height_of_the_core) {
+  Case input = example();
+  for (const Preset preset : {Preset::coarse, Preset::standard, Preset::fine}) {
+    for (const double refinement : {0.25, 0.5, 0.6, 1.0, 1.3, 1.7, 2.0}) {
+      input.numerics.preset = preset;
+      input.numerics.mesh_refinement = refinement;
+      const SkinMesh mesh(input);
+      const std::vector<double> z = mesh.lines({4.5e-3, 1e-3}).z;
+      const auto [first, last] = mesh.core_z();
+      ASSERT_EQ((last - first) % 2, 0u);
+      EXPECT_NEAR(z[(first + last) / 2], 0.5 * (z[first] + z[last]), 1e-15);
+    }
   }
 }
 
