@@ -190,26 +190,21 @@ mesh::Footprint find_footprint(const Case& input, double friction, int threads) 
 
 std::optional<mesh::Footprint> widened_footprint(const Case& input,
                                                  const mesh::Footprint& footprint,
-                                                 const std::vector<ContactSolution>& solutions) {
+                                                 const ContactSolution& solution) {
   const mesh::Footprint limit = mesh::footprint_limit(input);
   mesh::Footprint wider = footprint;
-  const auto widen_for = [&](const ContactSolution& solution, const SharedState& state) {
-    if (!state) {
-      return;
-    }
-    const auto touched =
-        border_touched(*state, solution.cell_lines_x.size() - 1, solution.mesh.half_model());
-    for (std::size_t d = 0; d < 2; ++d) {
-      if (touched[d] && !footprint.sharp(d)) {
-        set_rim(wider, d, growth * footprint.rim[d], limit);
-      }
-    }
-  };
-  for (const ContactSolution& solution : solutions) {
-    for (const LegSolution& leg : solution.legs) {
-      for (const auto* states : {&leg.path, &leg.steady}) {
-        for (const PathState& point : *states) {
-          widen_for(solution, point.state);
+  for (const LegSolution& leg : solution.legs) {
+    for (const auto* states : {&leg.path, &leg.steady}) {
+      for (const PathState& point : *states) {
+        if (!point.state) {
+          continue;
+        }
+        const auto touched = border_touched(*point.state, solution.cell_lines_x.size() - 1,
+                                            solution.mesh.half_model());
+        for (std::size_t d = 0; d < 2; ++d) {
+          if (touched[d] && !footprint.sharp(d)) {
+            set_rim(wider, d, growth * footprint.rim[d], limit);
+          }
         }
       }
     }

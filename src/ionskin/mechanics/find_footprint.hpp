@@ -23,6 +23,6 @@ mesh::Footprint find_footprint(const Case& input, double friction, int threads);
 /// not; empty when it nowhere does, or the slider ends there.
 std::optional<mesh::Footprint> widened_footprint(const Case& input,
                                                  const mesh::Footprint& footprint,
-                                                 const std::vector<ContactSolution>& solutions);
+                                                 const ContactSolution& solution);
 
 } // namespace ionskin::mechanics

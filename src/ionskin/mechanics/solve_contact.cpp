@@ -128,14 +128,17 @@ std::vector<ContactSolution> solve_contact(const Case& input, const std::vector<
     footprint = find_footprint(input, *std::max_element(frictions.begin(), frictions.end()),
                                options.threads);
   }
-  for (;;) {
-    auto solutions = solve_on_footprint(input, footprint, frictions, options, timers);
-    const auto wider = widened_footprint(input, footprint, solutions);
-    if (!wider) {
-      return solutions;
+  auto solutions = solve_on_footprint(input, footprint, frictions, options, timers);
+  for (std::size_t i = 0; i < frictions.size(); ++i) {
+    // Each by itself, so that no solution depends on its neighbours.
+    mesh::Footprint own = footprint;
+    while (const auto wider = widened_footprint(input, own, solutions[i])) {
+      own = *wider;
+      solutions[i] =
+          std::move(solve_on_footprint(input, own, {frictions[i]}, options, timers).front());
     }
-    footprint = *wider;
   }
+  return solutions;
 }
 
 ContactSolution solve_contact(const Case& input, const ContactOptions& options,

@@ -34,8 +34,9 @@ struct ContactOptions {
 ContactSolution solve_contact(const Case& input, const ContactOptions& options,
                               base::Timers& timers);
 
-/// The same for several friction coefficients, which share all factorisations. One solution each,
-/// in order; `input.contact.friction` is not used.
+/// The same for several friction coefficients, which share all factorisations on one footprint; a
+/// contact that reaches its border is solved on a wider one by itself. One solution each, in order;
+/// `input.contact.friction` is not used.
 std::vector<ContactSolution> solve_contact(const Case& input, const std::vector<double>& frictions,
                                            const ContactOptions& options, base::Timers& timers);
 

@@ -307,5 +307,24 @@ TEST(SolveContact, plane_strain_with_symmetric_sides) {
   EXPECT_LT(solution.worst_complementarity_residual, 1e-8);
 }
 
+TEST(SolveContact, a_contact_at_the_border_widens_its_own_mesh_only) {
+  Case input = small_case();
+  input.slider.shape = SliderShape::sphere;
+  input.slider.radius = 8e-3;
+  input.motion.preload = 0;
+  input.motion.preload_force = 0.2;
+  ContactOptions options;
+  options.threads = 2;
+  // The contact reaches its border under the larger friction, which drags it along, only.
+  constexpr double tight = 1.15e-4;
+  options.footprint = mesh::Footprint{{tight, tight}, {tight, tight}};
+  base::Timers timers;
+  const auto both = solve_contact(input, {0.02, 0.6}, options, timers);
+  EXPECT_DOUBLE_EQ(both[0].cell_lines_x.back(), tight);
+  EXPECT_GT(both[1].cell_lines_x.back(), 1.2 * tight);
+  const auto alone = solve_contact(input, {0.02}, options, timers);
+  EXPECT_EQ(touchdown(both[0]).normal_traction, touchdown(alone[0]).normal_traction);
+}
+
 } // namespace
 } // namespace ionskin::mechanics
