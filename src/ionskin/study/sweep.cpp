@@ -7,6 +7,7 @@
 #include "ionskin/results/atomic_file.hpp"
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/results/summary_json.hpp"
+#include "ionskin/study/point_failure.hpp"
 #include "ionskin/study/report.hpp"
 #include "ionskin/study/run_folder.hpp"
 #include "ionskin/study/sweep_mechanics.hpp"
@@ -140,16 +141,9 @@ void run_point(const SweepPlan& plan, std::size_t i, RunOptions options, SweepRe
       record.progress(i, 0.95 * fraction);
     }
   };
-  try {
-    record.finish(i, run_case(plan.points[i].input, options).metrics);
-  } catch (const Interrupted&) {
-    throw;
-  } catch (const SolverError& error) {
-    record.fail(i, std::string(error.what()) + "; remedy: " + error.remedy());
-  } catch (const std::bad_alloc&) {
-    record.fail(i, "out of memory; remedy: use fewer --threads");
-  } catch (const std::exception& error) {
-    record.fail(i, error.what());
+  if (const auto reason =
+          failure_of([&] { record.finish(i, run_case(plan.points[i].input, options).metrics); })) {
+    record.fail(i, *reason);
   }
 }
 

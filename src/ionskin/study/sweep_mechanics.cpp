@@ -10,13 +10,13 @@
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/study/mechanics_cache.hpp"
 #include "ionskin/study/mechanics_file.hpp"
+#include "ionskin/study/point_failure.hpp"
 #include "ionskin/study/run_folder.hpp"
 #include "ionskin/study/solve_mechanics.hpp"
 #include "ionskin/study/user_cache.hpp"
 
 #include <algorithm>
 #include <memory>
-#include <new>
 #include <optional>
 
 namespace ionskin::study {
@@ -112,17 +112,13 @@ double largest_friction(const std::vector<SweepPoint>& points, const Case& input
 /// Where the largest friction finds no contact, or none on the skin, each entry is tried alone and
 /// says so by itself.
 GroupPlan plan_group(const std::vector<SweepPoint>& points, const Case& input, int threads) {
-  try {
+  GroupPlan plan;
+  failure_of([&] {
     const mesh::Footprint footprint =
         mechanics::find_footprint(input, largest_friction(points, input), threads);
-    return {batch_size(input, footprint), footprint};
-  } catch (const SolverError&) {
-    return {};
-  } catch (const UserError&) {
-    return {};
-  } catch (const std::bad_alloc&) {
-    return {};
-  }
+    plan = {batch_size(input, footprint), footprint};
+  });
+  return plan;
 }
 
 /// Study 1 of one point that a finished point shares, read from that point's folder.
@@ -187,17 +183,9 @@ public:
              const std::optional<mesh::Footprint>& footprint) {
     const double start = base::wall_time();
     std::vector<SolvedMechanics> solutions;
-    std::string reason;
-    try {
-      solutions = solve_together(group, begin, end, footprint);
-    } catch (const SolverError& error) {
-      reason = std::string(error.what()) + "; remedy: " + error.remedy();
-    } catch (const UserError& error) { // shows once the contact is known, such as one off the skin
-      reason = error.what();
-    } catch (const std::bad_alloc&) {
-      reason = "out of memory; remedy: use fewer --threads or a coarser numerics.preset";
-    }
-    if (reason.empty()) {
+    const auto reason =
+        failure_of([&] { solutions = solve_together(group, begin, end, footprint); });
+    if (!reason) {
       const double seconds = (base::wall_time() - start) / static_cast<double>(end - begin);
       leave(group, begin, std::move(solutions), seconds);
     } else if (end - begin > 1) {
@@ -207,7 +195,7 @@ public:
       return;
     } else {
       for (const std::size_t i : group[begin].points) {
-        failures[i] = reason;
+        failures[i] = *reason;
       }
     }
     finished_ += end - begin;
