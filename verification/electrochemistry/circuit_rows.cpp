@@ -15,7 +15,7 @@ namespace {
 using Complex = LinearCell::Complex;
 using electrochemistry::IonSolution;
 
-constexpr std::array instants{1e-3, 0.01, 0.1, 1.0, 4.0};
+constexpr std::array compared_instants{1e-3, 0.01, 0.1, 1.0, 4.0};
 
 Case circuit_case(ReadoutCircuit circuit, double load_resistance = 1.0) {
   Case input = model_case();
@@ -27,7 +27,7 @@ Case circuit_case(ReadoutCircuit circuit, double load_resistance = 1.0) {
 
 IonSolution run_step(const Case& input, const Options& options) {
   std::vector<double> times{0.0};
-  times.insert(times.end(), instants.begin(), instants.end());
+  times.insert(times.end(), compared_instants.begin(), compared_instants.end());
   return run_model(input, linear_step_history(-step_amplitude, step_amplitude, times), options);
 }
 
@@ -45,7 +45,7 @@ void add_load_rows(const LinearCell& cell, const Options& options, std::vector<R
   const IonSolution solution =
       run_step(circuit_case(ReadoutCircuit::load, load / electrode_area), options);
   const double scale = largest_charge(solution) / electrode_area;
-  for (const double time : instants) {
+  for (const double time : compared_instants) {
     const double expected = inverse_laplace([&](Complex s) { return cell.charge(s, load); }, time);
     rows.push_back(compare("E4", fmt::format("charge behind R = h/sigma at t = {} s [C/m2]", time),
                            charge_difference(solution, row_at(solution, time)) / electrode_area,
@@ -69,11 +69,12 @@ void add_open_rows(const LinearCell& cell, const Options& options, std::vector<R
                          1e-12));
 }
 
-/// Largest difference of a quantity at the instants of two runs, over its largest magnitude there.
+/// Largest difference of a quantity at the compared instants of two runs, over its largest
+/// magnitude there.
 template <class Quantity>
 double largest_difference(const IonSolution& a, const IonSolution& b, const Quantity& quantity) {
   double difference = 0.0, scale = 0.0;
-  for (const double time : instants) {
+  for (const double time : compared_instants) {
     const double at_a = quantity(a, row_at(a, time)), at_b = quantity(b, row_at(b, time));
     difference = std::max(difference, std::abs(at_a - at_b));
     scale = std::max(scale, std::abs(at_b));

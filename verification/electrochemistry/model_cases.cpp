@@ -10,7 +10,7 @@
 namespace ionskin::verification {
 namespace {
 
-constexpr double length = 15e-3, width = 2e-3, thickness = 180e-6;
+constexpr double skin_length = 15e-3, skin_width = 2e-3, core_thickness = 180e-6;
 constexpr double contact_begin = 0.5 / 1.001, slide_begin = 0.5, full_slip = 0.5 + 0.05 / 3.0;
 constexpr double slide_end = 2.5, contact_end = 3.0 - contact_begin, period = 4.0;
 constexpr double edge_width = 75e-6; // over which the shear falls off beside the footprint
@@ -39,7 +39,7 @@ std::shared_ptr<strain::StrainField> contact_shear(const strain::StrainGrid& gri
                                                    double amplitude) {
   auto field = std::make_shared<strain::StrainField>();
   for (const double z : grid.z_nodes) {
-    const double zeta = z / thickness;
+    const double zeta = z / core_thickness;
     for (std::size_t j = 0; j < grid.columns_y(); ++j) {
       const double y = 0.5 * (grid.y_edges[j] + grid.y_edges[j + 1]);
       for (std::size_t i = 0; i < grid.columns_x(); ++i) {
@@ -60,11 +60,11 @@ std::shared_ptr<strain::StrainField> contact_shear(const strain::StrainGrid& gri
 Case model_case() {
   Case input;
   input.title = "baseline";
-  input.skin.length = length;
-  input.skin.width = width;
+  input.skin.length = skin_length;
+  input.skin.width = skin_width;
   const Material platinum{"platinum", 168e9, 0.38}, nafion{"nafion", 249e6, 0.49};
   input.skin.layers = {{"bottom", LayerRole::electrode, platinum, 10e-6},
-                       {"core", LayerRole::core, nafion, thickness},
+                       {"core", LayerRole::core, nafion, core_thickness},
                        {"top", LayerRole::electrode, platinum, 10e-6}};
   input.slider.size = {3e-3, 1.5e-3};
   input.slider.start = {4.5e-3, 1e-3};
@@ -85,10 +85,10 @@ Case model_case() {
 
 strain::StrainHistory linear_step_history(double bottom, double top, std::vector<double> time) {
   strain::StrainHistory history;
-  history.grid = {{0.0, length}, {0.0, width}, {0.0, thickness}};
+  history.grid = {{0.0, skin_length}, {0.0, skin_width}, {0.0, core_thickness}};
   history.measure = "prescribed";
-  history.length = length;
-  history.width = width;
+  history.length = skin_length;
+  history.width = skin_width;
   history.time = std::move(time);
   const auto field = std::make_shared<const strain::StrainField>(strain::StrainField{bottom, top});
   history.gamma.assign(history.time.size(), field);
@@ -100,11 +100,11 @@ strain::StrainHistory sliding_contact_history(int cycles) {
   strain::StrainHistory history;
   history.frame = strain::Frame::slider;
   history.measure = "prescribed";
-  history.length = length;
-  history.width = width;
+  history.length = skin_length;
+  history.width = skin_width;
   // The grid covers the core at both ends of the track: 10.5 mm on either side of the slider.
-  history.grid = {edges(-10.5e-3, 10.5e-3, 210), edges(-0.5 * width, 0.5 * width, 20),
-                  edges(0.0, thickness, 12)};
+  history.grid = {edges(-10.5e-3, 10.5e-3, 210), edges(-0.5 * skin_width, 0.5 * skin_width, 20),
+                  edges(0.0, core_thickness, 12)};
   const std::shared_ptr<const strain::StrainField> none = contact_shear(history.grid, 0.0);
   const std::shared_ptr<const strain::StrainField> touching = contact_shear(history.grid, 1.0);
   const std::shared_ptr<const strain::StrainField> sliding = contact_shear(history.grid, 1.5);
