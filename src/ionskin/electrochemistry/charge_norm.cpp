@@ -7,12 +7,6 @@
 #include <cmath>
 
 namespace ionskin::electrochemistry {
-namespace {
-
-/// Shares of the errors of columns in the error of a step.
-constexpr double difference_share = 0.01, sum_share = 0.002;
-
-} // namespace
 
 ChargeNorm::ChargeNorm(const ScaledGrid& grid)
     : grid_(grid), top_(grid.columns()), bottom_(grid.columns()) {
@@ -22,7 +16,7 @@ ChargeNorm::ChargeNorm(const ScaledGrid& grid)
   }
 }
 
-double ChargeNorm::of_change(std::span<const double> change) {
+double ChargeNorm::of_change(std::span<const double> change, double column_share) {
   const std::size_t columns = grid_.columns();
   std::ranges::fill(top_, 0.0);
   std::ranges::fill(bottom_, 0.0);
@@ -43,8 +37,8 @@ double ChargeNorm::of_change(std::span<const double> change) {
     differences += difference * difference;
     sums += sum * sum;
   }
-  return std::max({std::abs(mean) / count, difference_share * std::sqrt(differences / count),
-                   sum_share * std::sqrt(sums / count)});
+  return std::max({std::abs(mean) / count, column_share * std::sqrt(differences / count),
+                   0.2 * column_share * std::sqrt(sums / count)});
 }
 
 double ChargeNorm::of_state(const IonState& state, std::span<const double> fixed_charge) const {

@@ -18,11 +18,12 @@ public:
 
   /// Charge that a change of concentration moves at constant potentials of the electrodes (theorem
   /// of Ramo, see `ramo_charge_top`): the mean over the columns of half the difference between the
-  /// electrodes, or small shares of the root mean squares over the columns of that and of half the
+  /// electrodes, or shares of the root mean squares over the columns of that and of half the
   /// sum, whichever is largest. Where the slider passes, columns have errors that cancel in the
   /// mean as long as the response is linear.
   /// @param change one value per node
-  double of_change(std::span<const double> change);
+  /// @param column_share of the differences; the sums, which are larger, count a fifth of it
+  double of_change(std::span<const double> change, double column_share);
 
   /// Size of the charge of a state: the mean over the columns of half the difference between the
   /// electrodes, as it is or at equal potentials (an open circuit keeps it at nothing), or a tenth

@@ -58,7 +58,7 @@ public:
         scales_(derive_scales(input.electrochemistry, history.core_thickness())),
         mirror_(grid_, history), scaled_(scale_grid(mirror_.solved_grid(), scales_.debye_length)),
         control_(make_step_landings(history, options.snapshot_times),
-                 step_rule(input.numerics, scales_)),
+                 step_rule(input.numerics, input.readout, scales_)),
         fixed_charge_(input, history, mirror_.solved_grid(), scaled_),
         charge_floor_(least_charge * std::abs(input.coupling.coefficient) *
                       largest_magnitude(history)),
@@ -140,7 +140,8 @@ private:
     TransportState& state = run_.state;
     while (true) {
       const double end = control_.step_end(begin, state.next_step);
-      const std::optional<double> error = integrator_.try_step(begin, end, state);
+      const std::optional<double> error =
+          integrator_.try_step(begin, end, state, control_.column_share(begin));
       const double share = error.value_or(0.0) / control_.tolerance();
       if (error && share <= 1.0) {
         integrator_.accept(state);

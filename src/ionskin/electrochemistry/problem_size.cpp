@@ -148,7 +148,7 @@ ProblemSize problem_size(const Case& input, const strain::StrainHistory& history
   size.levels = grid.z_nodes.size();
   size.unknowns = 2 * size.columns_x * size.columns_y * size.levels;
   const StepLandings landings = make_step_landings(history, input.output.fields);
-  const StepRule rule = step_rule(input.numerics, scales);
+  const StepRule rule = step_rule(input.numerics, input.readout, scales);
   size.steps = estimate_steps(landings, rule, longest_steps(input, landings, rule, scales, size));
   size.memory = vectors_per_unknown * sizeof(double) * static_cast<double>(size.unknowns);
   return size;

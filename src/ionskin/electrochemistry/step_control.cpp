@@ -21,7 +21,10 @@ double ideal_factor(double error) {
 constexpr double longest_step = 0.2; // [s]
 
 // Of the estimates of steps, see relaxation_step and crossing_step.
-constexpr double error_constant = 0.0404, kink_constant = 4e-4;
+constexpr double error_constant = 0.0404, kink_constant = 0.055;
+
+// Shares of the errors of single columns where they are to be resolved, and elsewhere.
+constexpr double resolved_share = 0.01, overall_share = 0.001;
 
 /// Growth of the steps behind an event, where the first currents are small beside the charge that
 /// the error is measured against: it, not the error, resolves them.
@@ -51,13 +54,16 @@ double preset_tolerance(Preset preset) {
   throw InternalError("unknown preset");
 }
 
-StepRule step_rule(const Numerics& numerics, const DerivedScales& scales) {
+StepRule step_rule(const Numerics& numerics, const Readout& readout, const DerivedScales& scales) {
   const double refinement = numerics.time_refinement;
   const double tolerance =
       numerics.time_tolerance > 0.0 ? numerics.time_tolerance : preset_tolerance(numerics.preset);
   return {tolerance / (refinement * refinement * refinement),
-          std::min(1e-5, scales.slow_time / 1000.0) / refinement, longest_step / refinement,
-          1e-9 * scales.relaxation_time, std::pow(growth(numerics.preset), 1.0 / refinement)};
+          std::min(1e-5, scales.slow_time / 1000.0) / refinement,
+          longest_step / refinement,
+          1e-9 * scales.relaxation_time,
+          std::pow(growth(numerics.preset), 1.0 / refinement),
+          readout.taxels.empty() ? overall_share : resolved_share};
 }
 
 bool StepControl::has_landed(const std::vector<double>& ends) const {
@@ -72,7 +78,7 @@ bool StepControl::has_landed(const std::vector<double>& ends) const {
 double StepControl::step_end(double time, double wanted) const {
   const double landing = landings_.time[landings_.behind(time)], rest = landing - time;
   const double length = std::min(wanted, rule_.longest);
-  if (length >= 0.999 * rest) {
+  if (length >= 0.9 * rest) {
     return landing;
   }
   // Two equal steps rather than a long one and a sliver.
@@ -94,12 +100,16 @@ double StepControl::after_rejection(double begin, double end, double error) cons
   return (end - begin) * std::clamp(ideal_factor(error), smallest_shrinkage, 0.7);
 }
 
+double StepControl::column_share(double begin) const {
+  return landings_.is_field[landings_.behind(begin)] ? resolved_share : rule_.column_share;
+}
+
 double relaxation_step(const StepRule& rule, const DerivedScales& scales) {
   return safety * scales.slow_time * std::cbrt(rule.tolerance / error_constant);
 }
 
 double crossing_step(const StepRule& rule, double crossing_time) {
-  return safety * crossing_time * std::sqrt(rule.tolerance / kink_constant);
+  return safety * crossing_time * std::sqrt(rule.tolerance / (kink_constant * rule.column_share));
 }
 
 std::size_t estimate_steps(const StepLandings& landings, const StepRule& rule,

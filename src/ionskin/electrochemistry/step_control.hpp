@@ -13,18 +13,20 @@ namespace ionskin::electrochemistry {
 
 /// What the length of time steps is held to.
 struct StepRule {
-  double tolerance = 0; ///< error of the charge that one step may add, over the charge so far
-  double first = 0;     ///< first trial after an event [s]
-  double longest = 0;   ///< [s]
-  double shortest = 0;  ///< below it the solver gives up [s]
-  double growth = 0;    ///< of a step over the one before it, at most
+  double tolerance = 0;    ///< error of the charge that one step may add, over the charge so far
+  double first = 0;        ///< first trial after an event [s]
+  double longest = 0;      ///< [s]
+  double shortest = 0;     ///< below it the solver gives up [s]
+  double growth = 0;       ///< of a step over the one before it, at most
+  double column_share = 0; ///< of the errors of single columns, see `ChargeNorm::of_change`
 };
 
 /// The rule for a case: the tolerance is the user's or the preset's; after events a first step of
 /// 1e-5 s is tried, a shorter one where the core charges faster than Nafion, and steps reach up to
 /// a fifth of a second. `time_refinement` divides steps, so it divides the tolerance
-/// by its third power, that of the error of a step.
-StepRule step_rule(const Numerics& numerics, const DerivedScales& scales);
+/// by its third power, that of the error of a step. Taxels ask for the charges of single columns;
+/// whole electrodes do with a tenth of their share in the error.
+StepRule step_rule(const Numerics& numerics, const Readout& readout, const DerivedScales& scales);
 
 /// Time tolerance of a preset.
 double preset_tolerance(Preset preset);
@@ -60,6 +62,9 @@ public:
   double after_failure(double begin, double end) const { return 0.25 * (end - begin); }
 
   double tolerance() const { return rule_.tolerance; }
+  /// Share of the errors of single columns in the error of a step from `begin`: larger on the way
+  /// to a landing where the fields are kept.
+  double column_share(double begin) const;
   bool too_short(double wanted) const { return wanted < rule_.shortest; }
 
 private:
@@ -74,8 +79,8 @@ double relaxation_step(const StepRule& rule, const DerivedScales& scales);
 
 /// The same while the slider's edges cross the columns of the grid [s]. At either end of a crossing
 /// the fixed charge of a column has a kink, whose error is of second order in the step over the
-/// time of a crossing t: h = 0.85 t sqrt(tolerance/4e-4). The constant is measured on the baseline,
-/// at tolerances from 1.5e-6 to 3e-4 and columns of 0.2 to 0.5 mm, within a third.
+/// time of a crossing t: h = 0.85 t sqrt(tolerance/(0.055 share)) with the share of columns. The
+/// constant is measured on the baseline, at tolerances from 1.5e-6 to 3e-4, within a third.
 /// @param crossing_time column width over speed [s]
 double crossing_step(const StepRule& rule, double crossing_time);
 

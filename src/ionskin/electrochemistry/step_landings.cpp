@@ -25,17 +25,20 @@ std::size_t StepLandings::behind(double instant) const {
 }
 
 StepLandings make_step_landings(const strain::StrainHistory& history,
-                                const std::vector<double>& wanted) {
+                                const std::vector<double>& field_times) {
   const double resolution = same_instant(history);
   StepLandings landings;
   landings.time = history.time;
-  for (const double instant : wanted) {
+  std::vector<double> fields;
+  for (const double instant : field_times) {
     const double inside = std::clamp(instant, history.time.front(), history.time.back());
-    // A wanted instant next to a sample is that sample.
+    fields.push_back(inside);
+    // An instant next to a sample is that sample.
     if (!is_among(history.time, inside, resolution)) {
       landings.time.push_back(inside);
     }
   }
+  std::sort(fields.begin(), fields.end());
   std::sort(landings.time.begin(), landings.time.end());
   const auto same = [resolution](double a, double b) { return b - a <= resolution; };
   landings.time.erase(std::unique(landings.time.begin(), landings.time.end(), same),
@@ -44,6 +47,7 @@ StepLandings make_step_landings(const strain::StrainHistory& history,
   std::sort(events.begin(), events.end());
   for (const double instant : landings.time) {
     landings.is_event.push_back(is_among(events, instant, resolution));
+    landings.is_field.push_back(is_among(fields, instant, resolution));
   }
   return landings;
 }

@@ -110,7 +110,7 @@ void TimeIntegrator::take_up(double time, const TransportState& state) {
 }
 
 std::optional<double> TimeIntegrator::try_step(double begin, double end,
-                                               const TransportState& state) {
+                                               const TransportState& state, double column_share) {
   length_ = (end - begin) / scales_.relaxation_time;
   implicit_ = diagonal * length_;
   solver_.prepare(state.ions, implicit_);
@@ -134,7 +134,7 @@ std::optional<double> TimeIntegrator::try_step(double begin, double end,
   }
   for_nodes(
       [&](std::size_t i, double) { end_rate_[i] = (end_.values[i] - start_[i]) / implicit_; });
-  return charge_error(state);
+  return charge_error(state, column_share);
 }
 
 /// From the begin along its rate.
@@ -177,7 +177,7 @@ void TimeIntegrator::keep_in_bounds(const IonState& safe, IonState& guess) const
   }
 }
 
-double TimeIntegrator::charge_error(const TransportState& state) {
+double TimeIntegrator::charge_error(const TransportState& state, double column_share) {
   for_nodes([&](std::size_t i, double) {
     start_[i] = length_ * (error_of_begin * state.rate[i] + error_of_stage * stage_rate_[i] +
                            error_of_end * end_rate_[i]);
@@ -186,8 +186,8 @@ double TimeIntegrator::charge_error(const TransportState& state) {
       length_ * (error_of_begin * charge_rate(state.ions) + error_of_stage * charge_rate(stage_) +
                  error_of_end * charge_rate(end_));
   solver_.damp(start_);
-  const double error = std::max(0.0, std::max(charge_norm_.of_change(start_), std::abs(passed)) -
-                                         rounding * grid_.thickness);
+  const double moved = std::max(charge_norm_.of_change(start_, column_share), std::abs(passed));
+  const double error = std::max(0.0, moved - rounding * grid_.thickness);
   const double scale =
       std::max(state.charge_scale, charge_norm_.of_state(end_, fixed_charge_.ratio()));
   return error == 0.0 ? 0.0 : error / scale;

@@ -42,9 +42,11 @@ public:
 
   /// Tries the step from `begin`, where the state stands, to `end` [s], and leaves the fixed charge
   /// at `end`.
+  /// @param column_share of the errors of single columns, see `ChargeNorm::of_change`
   /// @returns the estimated error of the charge, over the largest charge so far; nothing where
   ///   Newton's method found no solution
-  std::optional<double> try_step(double begin, double end, const TransportState& state);
+  std::optional<double> try_step(double begin, double end, const TransportState& state,
+                                 double column_share);
   /// Makes the end of the step tried last the new state.
   void accept(TransportState& state);
 
@@ -65,7 +67,7 @@ private:
   void guess_end(const TransportState& state);
   /// Takes `safe` instead of a guess that would deplete a concentration or the room beside it.
   void keep_in_bounds(const IonState& safe, IonState& guess) const;
-  double charge_error(const TransportState& state);
+  double charge_error(const TransportState& state, double column_share);
 
   const ScaledGrid& grid_;
   DerivedScales scales_;

@@ -27,7 +27,7 @@ TEST(ProblemSize, EstimateFromTheMotionIsNearTheRealOne) {
   const ProblemSize estimate = estimate_problem_size(input);
   const ProblemSize exact = problem_size(input, verification::sliding_contact_history(3));
   EXPECT_EQ(estimate.unknowns, exact.unknowns);
-  constexpr double steps_of_the_paper_case = 684, steps_of_its_coarse_preset = 405;
+  constexpr double steps_of_the_paper_case = 443, steps_of_its_coarse_preset = 349;
   EXPECT_NEAR(static_cast<double>(estimate.steps), steps_of_the_paper_case,
               0.2 * steps_of_the_paper_case);
   Case coarse = input;

@@ -19,16 +19,20 @@ TEST(StepLandings, AreSamplesAndWantedInstantsInOrder) {
   EXPECT_EQ(landings.time.size(), history.time.size() + 2);
   for (std::size_t i = 0; i < landings.time.size(); ++i) {
     EXPECT_EQ(landings.is_event[i], landings.time[i] == 0.5) << landings.time[i];
+    EXPECT_EQ(landings.is_field[i], landings.time[i] == 7.0 || landings.time[i] == 1.2345)
+        << landings.time[i];
   }
 }
 
 TEST(StepLandings, WantedInstantsNextToASampleOrOutsideAddNone) {
   const auto history = verification::linear_step_history(0.0, 1.0, {0.0, 1.0});
-  EXPECT_EQ(make_step_landings(history, {5.0, 1.0 + 1e-14}).time, history.time);
+  const auto landings = make_step_landings(history, {5.0, 1.0 + 1e-14});
+  EXPECT_EQ(landings.time, history.time);
+  EXPECT_EQ(landings.is_field, (std::vector{false, true}));
 }
 
 TEST(StepLandings, FindsTheNextOne) {
-  const StepLandings landings{{0.0, 1.0, 2.0}, {true, false, false}};
+  const StepLandings landings{{0.0, 1.0, 2.0}, {true, false, false}, {false, false, false}};
   EXPECT_EQ(landings.behind(0.0), 1U);
   EXPECT_EQ(landings.behind(0.5), 1U);
   EXPECT_EQ(landings.behind(1.0), 2U);

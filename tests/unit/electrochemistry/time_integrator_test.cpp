@@ -21,7 +21,7 @@ protected:
     integrator.initialise(0.0, state);
     for (int i = 0; i < steps; ++i) {
       const auto error =
-          integrator.try_step(duration * i / steps, duration * (i + 1) / steps, state);
+          integrator.try_step(duration * i / steps, duration * (i + 1) / steps, state, 0.01);
       if (!error) {
         ADD_FAILURE() << "no solution";
         break;
@@ -85,9 +85,9 @@ TEST_F(SingleColumn, TellsWhereNewtonFindsNoSolution) {
   TimeIntegrator integrator(grid, scales, fixed_charge, nonsense, solver, team);
   TransportState state;
   integrator.initialise(0.0, state);
-  EXPECT_FALSE(integrator.try_step(0.0, 1.0, state));
+  EXPECT_FALSE(integrator.try_step(0.0, 1.0, state, 0.01));
   // The state is untouched, so a shorter step can be tried from it.
-  EXPECT_TRUE(integrator.try_step(0.0, 0.4, state));
+  EXPECT_TRUE(integrator.try_step(0.0, 0.4, state, 0.01));
 }
 
 } // namespace
