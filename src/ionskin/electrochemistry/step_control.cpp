@@ -18,7 +18,9 @@ double ideal_factor(double error) {
   return safety / std::cbrt(std::max(error, 1e-12));
 }
 
-constexpr double longest_step = 0.2; // [s]
+/// Resolves what is left late in a decay, when it is small beside the charge that the error is
+/// measured against.
+constexpr double longest_step = 0.15; // [s]
 
 // Of the estimates of steps, see relaxation_step and crossing_step.
 constexpr double error_constant = 0.0404, kink_constant = 0.055;
@@ -76,11 +78,14 @@ bool StepControl::has_landed(const std::vector<double>& ends) const {
 }
 
 double StepControl::step_end(double time, double wanted) const {
-  const double landing = landings_.time[landings_.behind(time)], rest = landing - time;
-  const double length = std::min(wanted, rule_.longest);
-  if (length >= 0.9 * rest) {
+  const std::size_t next = landings_.behind(time);
+  const double landing = landings_.time[next], rest = landing - time;
+  // From landing to landing one step whose error is likely to be just allowed beats two short ones.
+  const double stretch = landings_.time[next - 1] == time ? 0.9 : 0.999;
+  if (std::min(wanted / stretch, rule_.longest) >= rest) {
     return landing;
   }
+  const double length = std::min(wanted, rule_.longest);
   // Two equal steps rather than a long one and a sliver.
   return time + (2.0 * length > rest ? 0.5 * rest : length);
 }

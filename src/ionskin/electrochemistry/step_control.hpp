@@ -23,7 +23,7 @@ struct StepRule {
 
 /// The rule for a case: the tolerance is the user's or the preset's; after events a first step of
 /// 1e-5 s is tried, a shorter one where the core charges faster than Nafion, and steps reach up to
-/// a fifth of a second. `time_refinement` divides steps, so it divides the tolerance
+/// 0.15 s. `time_refinement` divides steps, so it divides the tolerance
 /// by its third power, that of the error of a step. Taxels ask for the charges of single columns;
 /// whole electrodes do with a tenth of their share in the error.
 StepRule step_rule(const Numerics& numerics, const Readout& readout, const DerivedScales& scales);

@@ -2,7 +2,6 @@
 #include "ionskin/study/ion_error_estimate.hpp"
 
 #include "ionskin/electrochemistry/ion_transport.hpp"
-#include "ionskin/electrochemistry/step_control.hpp"
 #include "ionskin/readout/metrics.hpp"
 #include "ionskin/readout/sampling.hpp"
 #include "ionskin/readout/signal_table.hpp"
@@ -24,12 +23,8 @@ constexpr double rounding = 1e-9;
 
 Case companion_of(const Case& input) {
   Case companion = input;
-  Numerics& numerics = companion.numerics;
-  numerics.mesh_refinement *= 0.5;
-  const double tolerance = numerics.time_tolerance > 0.0
-                               ? numerics.time_tolerance
-                               : electrochemistry::preset_tolerance(numerics.preset);
-  numerics.time_tolerance = 8.0 * tolerance;
+  companion.numerics.mesh_refinement *= 0.5;
+  companion.numerics.time_refinement *= 0.5;
   return companion;
 }
 

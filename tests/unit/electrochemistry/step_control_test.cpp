@@ -22,6 +22,14 @@ TEST(StepControl, LandsWithoutSlivers) {
   EXPECT_FALSE(control.finished(2.9));
 }
 
+TEST(StepControl, StretchesAStepFromLandingToLanding) {
+  const StepControl regular{{{0.0, 1.0, 2.0}, {false, false, false}, {false, false, false}},
+                            {1e-4, 1e-5, 1.0, 1e-12, 4.0, 1e-3}};
+  EXPECT_EQ(regular.step_end(1.0, 0.95), 2.0);
+  EXPECT_DOUBLE_EQ(regular.step_end(1.0, 0.85), 1.5);
+  EXPECT_DOUBLE_EQ(regular.step_end(1.05, 0.9), 1.525);
+}
+
 TEST(StepControl, ErrorOfThirdOrderSetsTheLength) {
   EXPECT_NEAR(control.after_success(0.1, 0.2, 0.1, 0.1), 0.1 * 0.85 * std::cbrt(10.0), 1e-12);
   EXPECT_NEAR(control.after_success(0.1, 0.2, 0.1, 0.9), 0.1 * 0.85 / std::cbrt(0.9), 1e-12);
