@@ -40,15 +40,18 @@ class Sweep(ProgramTest):
 
     def test_kill_and_resume(self):
         """Killed without warning at several instants, the sweep ends with the table of an untouched one, which
-        equals single runs."""
+        equals a run of its point's case, which has the ParaView files, too."""
         self.run_program(*SWEEP[:2], "-o", "whole", *SWEEP[4:])
         for share in (0.35, 0.8):
             self.kill_after_points(share)
         self.run_program(*SWEEP, "--resume")
         self.assert_same_tables(self.folder / "out", self.folder / "whole")
         self.assertEqual([row["status"] for row in rows(self.folder / "out")], ["finished"] * 2)
-        self.run_case(QUICK, "-o", "single", *SMALL, "--set", "contact.friction=0.4")
-        swept = signals(self.folder / "out" / "points" / "0002_friction=0.4")
+        point = self.folder / "out" / "points" / "0002_friction=0.4"
+        self.run_case(point / "case.toml", "-o", "single")
+        self.assertFalse((point / "fields").exists())
+        self.assertTrue((self.folder / "single" / "fields" / "fields.pvd").exists())
+        swept = signals(point)
         single = signals(self.folder / "single")
         for name in ("normal_force", "mean_shear", "current_top"):
             numpy.testing.assert_allclose(swept[name], single[name], rtol=0,

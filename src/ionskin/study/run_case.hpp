@@ -22,6 +22,7 @@ struct RunOptions {
   /// `electrochemistry` alone takes up the finished mechanics in the folder.
   Studies studies = Studies::both;
   bool report = true;    ///< draw the figures and the page
+  bool paraview = true;  ///< write the kept fields for ParaView, beside those in results.h5
   bool use_cache = true; ///< look up and keep condensed slider positions in the user's cache
   std::string command;   ///< for the manifest
   base::ProgressCallback progress = base::no_progress;

@@ -54,6 +54,7 @@ RunOptions point_options(const SweepOptions& options) {
   result.resume = true;
   result.studies = options.studies;
   result.report = false;
+  result.paraview = false;
   result.progress = options.progress;
   return result;
 }

@@ -97,7 +97,7 @@ RunOutcome write_outputs(const Case& input, const RunOptions& options,
     results::write_csv(folder.file(names::sampled), outputs.signals.sampled);
     write_optional(folder.file(names::taxels), outputs.signals.taxels);
     write_optional(folder.file(names::circuit), outputs.signals.circuit);
-    if (outputs.ions && !outputs.ions->snapshots.empty()) {
+    if (options.paraview && outputs.ions && !outputs.ions->snapshots.empty()) {
       results::write_fields(folder.file(names::fields), outputs.ions->grid,
                             input.skin.core_bottom(), outputs.ions->snapshots);
     }
