@@ -133,8 +133,8 @@ TransportGrid make_transport_grid(const Case& input, const strain::StrainHistory
   const bool uniform_y = history.grid.columns_y() == 1 && history.slider_y.empty();
   const std::size_t columns_x =
       uniform_x ? 1 : column_count(history.length, width, bound(fewest_x), bound(most_x));
-  const std::size_t columns_y =
-      uniform_y ? 1 : column_count(history.width, width, bound(fewest_y), bound(most_y));
+  const std::size_t across = column_count(history.width, width, bound(fewest_y), bound(most_y));
+  const std::size_t columns_y = uniform_y ? 1 : across + across % 2;
   const double debye_length = derive_scales(input.electrochemistry, thickness).debye_length;
   return {uniform_edges(history.length, columns_x), uniform_edges(history.width, columns_y),
           graded_nodes(thickness, debye_length, resolution)};

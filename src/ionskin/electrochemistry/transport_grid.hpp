@@ -36,7 +36,8 @@ std::vector<double> graded_nodes(double thickness, double debye_length,
 std::size_t column_count(double length, double width, std::size_t fewest, std::size_t most);
 
 /// The grid of a case. A direction in which the history has a single cell at rest needs, and gets,
-/// a single column.
+/// a single column. Across the width their number is even otherwise, so that half of them do where
+/// the shear is its own mirror image.
 TransportGrid make_transport_grid(const Case& input, const strain::StrainHistory& history);
 
 } // namespace ionskin::electrochemistry

@@ -49,6 +49,15 @@ TEST(TransportGrid, BaselineHas75By10Columns) {
   EXPECT_EQ(grid.y_edges.size(), 11U);
 }
 
+TEST(TransportGrid, HalfTheWidthIsWholeColumns) {
+  Case input = verification::model_case();
+  for (const double refinement : {0.5, 0.7, 1.0, 1.3, 1.5, 2.0}) {
+    input.numerics.mesh_refinement = refinement;
+    const auto grid = make_transport_grid(input, verification::sliding_contact_history(1));
+    EXPECT_EQ((grid.y_edges.size() - 1) % 2, 0U) << refinement;
+  }
+}
+
 TEST(TransportGrid, UniformHistoryGetsOneColumn) {
   Case input = verification::model_case();
   input.numerics.mesh_refinement = 2.0;
