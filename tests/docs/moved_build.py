@@ -32,15 +32,40 @@ def replace_in(file, old, new):
         os.utime(file, ns=(times.st_atime_ns, times.st_mtime_ns))
 
 
+def moved_dependencies(data, old, new):
+    """Ninja's record of the headers that each object was made of (version 4), with a path replaced.
+
+    Records are a length and content: a path, padded to words, with the complement of its number, or, with the
+    highest bit of the length set, numbers of paths.
+    """
+    heading = b"# ninjadeps\n" + struct.pack("<i", 4)
+    if not data.startswith(heading):
+        return data
+    records, at = [heading], len(heading)
+    while at < len(data):
+        (size,) = struct.unpack_from("<I", data, at)
+        content = data[at + 4:at + 4 + (size & 0x7FFFFFFF)]
+        at += 4 + len(content)
+        if not size & 0x80000000:
+            path, number = content[:-4].rstrip(b"\0").replace(old, new), content[-4:]
+            content = path + bytes(-len(path) % 4) + number
+            size = len(content)
+        records += [struct.pack("<I", size), content]
+    return b"".join(records)
+
+
 def move_build(folder, old, new):
     """Makes the copy `folder` of a build of the tree `old` a build of the tree `new`.
 
-    Paths are replaced in the files of CMake and Ninja. Ninja remembers the hash of each command; those that only
-    changed their path get the new one. Where Ninja has another format everything is built again.
+    Paths are replaced in the files of CMake and Ninja and in the sources that include others to be compiled
+    together. Ninja remembers the hash of each command; those that only changed their path get the new one. Where
+    Ninja has another format everything is built again.
     """
     for file in folder.rglob("*"):
-        if file.suffix in (".ninja", ".cmake", ".txt") and file.is_file() and not file.is_symlink():
+        if file.suffix in (".ninja", ".cmake", ".txt", ".cxx") and file.is_file() and not file.is_symlink():
             replace_in(file, str(old), str(new))
+    dependencies = folder / ".ninja_deps"
+    dependencies.write_bytes(moved_dependencies(dependencies.read_bytes(), bytes(old), bytes(new)))
     commands = json.loads(subprocess.run(["ninja", "-C", folder, "-t", "compdb"], capture_output=True, text=True,
                                          check=True).stdout)
     hashes = {entry["output"]: command_hash(entry["command"]) for entry in commands}
