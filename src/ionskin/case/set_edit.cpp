@@ -91,27 +91,50 @@ const toml::value& element(const std::string& argument, const toml::value& array
   return array.as_array()[*step.index];
 }
 
-Descent descend(const std::string& argument, const toml::value& root, const Path& path) {
-  Descent descent{&root, 0};
-  for (const Step& step : path) {
-    if (!descent.value->is_table())
-      refuse(argument, fmt::format("{} is a value, not a table", path[descent.steps - 1].name),
-             false, "");
-    const auto& table = descent.value->as_table();
-    const auto found = table.find(step.name);
-    if (found == table.end())
-      return descent;
-    descent.value = step.index ? &element(argument, found->second, step) : &found->second;
-    ++descent.steps;
-  }
-  return descent;
-}
-
 std::string dotted(Path::const_iterator begin, Path::const_iterator end) {
   std::string key;
   for (auto step = begin; step != end; ++step)
     key += (key.empty() ? "" : ".") + step->name;
   return key;
+}
+
+/// As the user writes it.
+std::string with_indices(Path::const_iterator begin, Path::const_iterator end) {
+  std::string key;
+  for (auto step = begin; step != end; ++step)
+    key += (key.empty() ? "" : ".") + step->name +
+           (step->index ? fmt::format("[{}]", *step->index) : "");
+  return key;
+}
+
+/// `step` asks a list or a single value for what only tables have.
+[[noreturn]] void refuse_step(const std::string& argument, const toml::value& value,
+                              const Path& path, Path::const_iterator step) {
+  const std::string key = with_indices(path.begin(), step), &name = (step - 1)->name;
+  if (!value.is_array())
+    refuse(argument, fmt::format("{} is a value, not a table", name), false,
+           fmt::format("set it by {}=VALUE", key));
+  const bool counts = step->name.find_first_not_of("0123456789") == std::string::npos;
+  const auto entry = counts ? step + 1 : step;
+  refuse(argument, fmt::format("{} is a list, not a table", name), false,
+         fmt::format("its entries, {} in all, are counted from 0: {}[{}]{}{}",
+                     value.as_array().size(), key, counts ? step->name : "0",
+                     entry == path.end() ? "" : ".", with_indices(entry, path.end())));
+}
+
+Descent descend(const std::string& argument, const toml::value& root, const Path& path) {
+  Descent descent{&root, 0};
+  for (auto step = path.begin(); step != path.end(); ++step) {
+    if (!descent.value->is_table())
+      refuse_step(argument, *descent.value, path, step);
+    const auto& table = descent.value->as_table();
+    const auto found = table.find(step->name);
+    if (found == table.end())
+      return descent;
+    descent.value = step->index ? &element(argument, found->second, *step) : &found->second;
+    ++descent.steps;
+  }
+  return descent;
 }
 
 std::size_t line_end(const std::string& text, std::size_t position) {

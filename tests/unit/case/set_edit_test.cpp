@@ -110,7 +110,11 @@ INSTANTIATE_TEST_SUITE_P(Table, BadSetEdit,
                                          BadEdit{"t=3", "t is a table", "--set t.KEY=VALUE"},
                                          BadEdit{"a.b[2]=3", "b has no entry 2", "2 entries"},
                                          BadEdit{"a.c[0]=3", "no array a.c", "in the file"},
-                                         BadEdit{"a.b.c=3", "b is a value, not a table", ""}));
+                                         BadEdit{"t.0.x=3", "t is a list, not a table",
+                                                 "1 in all, are counted from 0: t[0].x"},
+                                         BadEdit{"t.x=3", "t is a list, not a table", "t[0].x"},
+                                         BadEdit{"t[0].x.e=3", "x is a value, not a table",
+                                                 "set it by t[0].x=VALUE"}));
 
 } // namespace
 } // namespace ionskin
