@@ -91,26 +91,23 @@ const toml::value& element(const std::string& argument, const toml::value& array
   return array.as_array()[*step.index];
 }
 
-std::string dotted(Path::const_iterator begin, Path::const_iterator end) {
-  std::string key;
-  for (auto step = begin; step != end; ++step)
-    key += (key.empty() ? "" : ".") + step->name;
-  return key;
-}
+enum class Indices { left_out, written };
 
-/// As the user writes it.
-std::string with_indices(Path::const_iterator begin, Path::const_iterator end) {
+std::string dotted(Path::const_iterator begin, Path::const_iterator end,
+                   Indices indices = Indices::left_out) {
   std::string key;
-  for (auto step = begin; step != end; ++step)
-    key += (key.empty() ? "" : ".") + step->name +
-           (step->index ? fmt::format("[{}]", *step->index) : "");
+  for (auto step = begin; step != end; ++step) {
+    key += (key.empty() ? "" : ".") + step->name;
+    if (step->index && indices == Indices::written)
+      key += fmt::format("[{}]", *step->index);
+  }
   return key;
 }
 
 /// `step` asks a list or a single value for what only tables have.
 [[noreturn]] void refuse_step(const std::string& argument, const toml::value& value,
                               const Path& path, Path::const_iterator step) {
-  const std::string key = with_indices(path.begin(), step), &name = (step - 1)->name;
+  const std::string key = dotted(path.begin(), step, Indices::written), &name = (step - 1)->name;
   if (!value.is_array())
     refuse(argument, fmt::format("{} is a value, not a table", name), false,
            fmt::format("set it by {}=VALUE", key));
@@ -119,7 +116,7 @@ std::string with_indices(Path::const_iterator begin, Path::const_iterator end) {
   refuse(argument, fmt::format("{} is a list, not a table", name), false,
          fmt::format("its entries, {} in all, are counted from 0: {}[{}]{}{}",
                      value.as_array().size(), key, counts ? step->name : "0",
-                     entry == path.end() ? "" : ".", with_indices(entry, path.end())));
+                     entry == path.end() ? "" : ".", dotted(entry, path.end(), Indices::written)));
 }
 
 Descent descend(const std::string& argument, const toml::value& root, const Path& path) {

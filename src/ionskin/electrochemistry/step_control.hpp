@@ -80,7 +80,8 @@ double relaxation_step(const StepRule& rule, const DerivedScales& scales);
 /// The same while the slider's edges cross the columns of the grid [s]. At either end of a crossing
 /// the fixed charge of a column has a kink, whose error is of second order in the step over the
 /// time of a crossing t: h = 0.85 t sqrt(tolerance/(0.055 share)) with the share of columns. The
-/// constant is measured on the baseline, at tolerances from 1.5e-6 to 3e-4, within a third.
+/// constant is measured on the baseline, at tolerances from 1.5e-6 to 1e-4 and shares of 0.001 and
+/// 0.01, within a third.
 /// @param crossing_time column width over speed [s]
 double crossing_step(const StepRule& rule, double crossing_time);
 

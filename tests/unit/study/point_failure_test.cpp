@@ -10,7 +10,7 @@
 namespace ionskin::study {
 namespace {
 
-TEST(PointFailure, every_failure_has_its_reason_and_an_interruption_passes) {
+TEST(PointFailure, EveryFailureHasItsReasonAndAnInterruptionPasses) {
   EXPECT_EQ(failure_of([] {}), std::nullopt);
   EXPECT_EQ(failure_of([] { throw SolverError("no contact", "press harder"); }),
             "no contact; remedy: press harder");
