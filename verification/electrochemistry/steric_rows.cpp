@@ -169,12 +169,12 @@ void add_steric_limit_rows(const Options& options, std::vector<Row>& rows) {
       at_most("E9", "sliding in 3D at k = 0.0001: deviation from the equivalent dilute ions",
               largest_deviation(linear, equivalent_dilute_case(linear), history, options), 1e-2));
   Case roomy = steric_case(1e-9, Preset::coarse);
-  // Either run may leave its own share of the steps' tolerance.
-  roomy.numerics.time_tolerance = 1e-6;
+  // Steps that only landings, growth and the longest step set are the same in both runs.
+  roomy.numerics.time_tolerance = 1.0;
   Case dilute = roomy;
   dilute.electrochemistry.ion_model = IonModel::dilute;
   rows.push_back(at_most("E9", "sliding in 3D, c_max = 1e9 c0: deviation from dilute ions",
-                         largest_deviation(roomy, dilute, history, options), 2e-5));
+                         largest_deviation(roomy, dilute, history, options), 1e-6));
 }
 
 void add_crowded_sliding_rows(const Options& options, std::vector<Row>& rows) {
