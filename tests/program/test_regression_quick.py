@@ -7,21 +7,21 @@ from program import QUICK, ProgramTest, metric
 
 # name: (value, relative tolerance)
 FIGURES = {
-    "normal_force_touchdown": (68.08928, 1e-5),
-    "normal_force_slide": (64.80575, 1e-5),
-    "tangential_force_slide": (19.441724, 1e-5),
-    "mean_shear_touchdown": (2.502431e-3, 1e-5),
-    "mean_shear_slide": (8.442056e-3, 1e-5),
-    "p99_shear_slide": (3.090112e-2, 1e-4),
-    "shear_first_moment_slide": (-7.775099e-5, 1e-4),
-    "element_max_shear_slide": (4.113290e-2, 1e-4),
-    "peak_sampled_current_top": (2.580204e-2, 1e-4),
-    "peak_sampled_current_bottom": (2.675978e-2, 1e-4),
-    "peak_sampled_current_difference": (4.788709e-4, 1e-3),
-    "rms_current_top": (6.493901e-3, 1e-3),
-    "rms_current_difference": (1.460239e-4, 1e-3),
-    "nonlinearity": (0.426903, 1e-4),
-    "min_concentration_ratio": (0.648976, 1e-4),
+    "normal_force_touchdown": (68.53972, 1e-5),
+    "normal_force_slide": (65.22877, 1e-5),
+    "tangential_force_slide": (19.56863, 1e-5),
+    "mean_shear_touchdown": (2.512270e-3, 1e-5),
+    "mean_shear_slide": (8.493516e-3, 1e-5),
+    "p99_shear_slide": (3.123005e-2, 1e-4),
+    "shear_first_moment_slide": (-7.816877e-5, 1e-4),
+    "element_max_shear_slide": (4.127691e-2, 1e-4),
+    "peak_sampled_current_top": (2.595814e-2, 1e-4),
+    "peak_sampled_current_bottom": (2.692008e-2, 1e-4),
+    "peak_sampled_current_difference": (4.809688e-4, 1e-3),
+    "rms_current_top": (6.530977e-3, 1e-3),
+    "rms_current_difference": (1.470868e-4, 1e-3),
+    "nonlinearity": (0.4279897, 1e-4),
+    "min_concentration_ratio": (0.6480927, 1e-4),
 }
 # name: upper bound
 BOUNDS = {

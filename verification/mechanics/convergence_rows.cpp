@@ -73,7 +73,7 @@ std::vector<Row> convergence_rows(const Options& options) {
     at[i] = plane_strain_averages(refinement[i]);
     options.progress("mechanics: mesh convergence", static_cast<double>(i + 1) / at.size());
   }
-  // The traction is singular at sharp edges: first order is what constant cells can reach there.
+  // The strain is singular at sharp edges: first order is what polynomial elements reach there.
   const std::array<Averages, 3> finest{at[1], at[2], at[3]};
   std::vector<Row> rows{at_least("M6", "plane strain: observed order of the normal force",
                                  observed_order(finest, &Averages::normal_force), 0.9),

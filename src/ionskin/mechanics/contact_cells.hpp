@@ -11,16 +11,17 @@
 
 namespace ionskin::mechanics {
 
-/// Cells of the slider's footprint, each with one constant traction. Numbered x fastest. Every cell
-/// has three contact components: normal (pressing down), along x, along y; component c of cell i is
-/// 3 i + c.
+/// Cells of the slider's footprint, the element faces, each with one traction of given profile.
+/// Numbered x fastest. Every cell has three contact components: normal (pressing down), along x,
+/// along y; component c of cell i is 3 i + c.
 struct ContactCells {
   std::vector<double> lines_x, lines_y; ///< cell edges from the slider's centre [m]
   std::vector<double> area;             ///< [m2]
   /// Top-face nodes of the footprint, x fastest.
   std::vector<int> nodes;
   /// Nodal loads of unit forces: shape [free unknowns of the nodes, 3 cells]. Its transpose takes
-  /// nodal displacements to cell means, normal displacement counted downwards.
+  /// nodal displacements to cell means, weighted with the traction's profile; normal displacement
+  /// is counted downwards.
   linear_algebra::DenseMatrix unit_load;
 
   std::size_t columns() const { return lines_x.size() - 1; }
@@ -28,10 +29,6 @@ struct ContactCells {
   std::size_t count() const { return area.size(); }
 };
 
-/// @param per_element cells along each edge of an element face
-ContactCells contact_cells(const mesh::SkinMesh& mesh, const ElasticSpace& space, int per_element);
-
-/// Means of the three quadratic shape functions of the unit interval over [from, to].
-std::array<double, 3> mean_shape_values(double from, double to);
+ContactCells contact_cells(const mesh::SkinMesh& mesh, const ElasticSpace& space);
 
 } // namespace ionskin::mechanics

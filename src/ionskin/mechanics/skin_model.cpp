@@ -9,12 +9,6 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// More cells under sharp edges resolve better at the same factorisation, but the dense contact
-/// problem grows with their fourth power, and smaller elements at the edges are cheaper; under
-/// round sliders the pressure of neighbouring cells of one element would oscillate by several
-/// percent.
-constexpr int cells_per_element_edge = 1;
-
 std::vector<ElasticLaw> laws_of_rows(const Skin& skin, const mesh::SkinMesh& mesh) {
   std::vector<ElasticLaw> law_of_row;
   for (const std::size_t layer : mesh.layer_of_row()) {
@@ -36,8 +30,7 @@ std::ptrdiff_t factors_within_memory(const linear_algebra::SymbolicCholesky& sym
 SkinModel::SkinModel(const Case& input, const mesh::Footprint& footprint, mesh::MeshedPart part)
     : mesh(input, footprint, part),
       space(mesh.lines(input.slider.start), skin_boundary(input.skin, mesh.half_model())),
-      law_of_row(laws_of_rows(input.skin, mesh)),
-      cells(contact_cells(mesh, space, cells_per_element_edge)),
+      law_of_row(laws_of_rows(input.skin, mesh)), cells(contact_cells(mesh, space)),
       gap(mean_gap(input.slider, cells.lines_x, cells.lines_y, {false, false})) {}
 
 SkinAnalysis::SkinAnalysis(linear_algebra::SymbolicCholesky symbolic_factor)
