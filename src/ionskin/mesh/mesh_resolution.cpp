@@ -24,7 +24,7 @@ PresetResolution preset_resolution(Preset preset) {
   case Preset::coarse:
     return {0.12, 2.0, 2.0, 2.0, 9, 1, 1.8, 8, 2.0};
   case Preset::standard:
-    return {0.05, 2.0, 1.5, 1.6, 16, 2, 2.0, 12, 1.7};
+    return {0.05, 2.0, 1.5, 1.6, 14, 2, 2.0, 12, 1.7};
   case Preset::fine:
     break;
   }
