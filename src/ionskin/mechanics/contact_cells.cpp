@@ -3,6 +3,8 @@
 
 #include "ionskin/mechanics/traction_profile.hpp"
 
+#include <array>
+
 namespace ionskin::mechanics {
 namespace {
 

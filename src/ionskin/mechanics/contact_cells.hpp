@@ -5,15 +5,15 @@
 #include "ionskin/mechanics/elastic_space.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
 namespace ionskin::mechanics {
 
 /// Cells of the slider's footprint, the element faces, each with one traction of given profile.
-/// Numbered x fastest. Every cell has three contact components: normal (pressing down), along x,
-/// along y; component c of cell i is 3 i + c.
+/// Those of smaller cells would oscillate: a traction that alternates within every face hardly
+/// moves quadratic elements. Numbered x fastest. Every cell has three contact components: normal
+/// (pressing down), along x, along y; component c of cell i is 3 i + c.
 struct ContactCells {
   std::vector<double> lines_x, lines_y; ///< cell edges from the slider's centre [m]
   std::vector<double> area;             ///< [m2]
