@@ -8,31 +8,21 @@
 
 namespace ionskin::electrochemistry {
 
-ChargeNorm::ChargeNorm(const ScaledGrid& grid)
-    : grid_(grid), top_(grid.columns()), bottom_(grid.columns()) {
+ChargeNorm::ChargeNorm(const ScaledGrid& grid) : grid_(grid) {
+  auto& [to_top, to_bottom] = weights_;
   for (std::size_t k = 0; k < grid.levels; ++k) {
-    top_weight_.push_back(ramo_weight(grid, k));
-    bottom_weight_.push_back(grid.height[k] - top_weight_.back());
+    to_top.push_back(ramo_weight(grid, k));
+    to_bottom.push_back(grid.height[k] - to_top.back());
   }
 }
 
-double ChargeNorm::of_change(std::span<const double> change, double column_share) {
-  const std::size_t columns = grid_.columns();
-  std::ranges::fill(top_, 0.0);
-  std::ranges::fill(bottom_, 0.0);
-  for (std::size_t k = 0; k < grid_.levels; ++k) {
-    const double* level = change.data() + k * columns;
-    const double to_top = top_weight_[k], to_bottom = bottom_weight_[k];
-#pragma omp simd
-    for (std::size_t i = 0; i < columns; ++i) {
-      top_[i] += to_top * level[i];
-      bottom_[i] += to_bottom * level[i];
-    }
-  }
-  const auto count = static_cast<double>(columns);
+double ChargeNorm::of_change(const std::array<std::vector<double>, 2>& charges,
+                             double column_share) {
+  const auto& [top, bottom] = charges;
+  const auto count = static_cast<double>(top.size());
   double mean = 0.0, differences = 0.0, sums = 0.0;
-  for (std::size_t i = 0; i < columns; ++i) {
-    const double difference = 0.5 * (top_[i] - bottom_[i]), sum = 0.5 * (top_[i] + bottom_[i]);
+  for (std::size_t i = 0; i < top.size(); ++i) {
+    const double difference = 0.5 * (top[i] - bottom[i]), sum = 0.5 * (top[i] + bottom[i]);
     mean += difference;
     differences += difference * difference;
     sums += sum * sum;

@@ -4,6 +4,7 @@
 #include "ionskin/electrochemistry/ion_state.hpp"
 #include "ionskin/electrochemistry/scaled_grid.hpp"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -16,14 +17,17 @@ class ChargeNorm {
 public:
   explicit ChargeNorm(const ScaledGrid& grid);
 
-  /// Charge that a change of concentration moves at constant potentials of the electrodes (theorem
-  /// of Ramo, see `ramo_charge_top`): the mean over the columns of half the difference between the
-  /// electrodes, or shares of the root mean squares over the columns of that and of half the
-  /// sum, whichever is largest. Where the slider passes, columns have errors that cancel in the
-  /// mean as long as the response is linear.
-  /// @param change one value per node
+  /// Weights per level with which a change of concentration moves charge to the top and to the
+  /// bottom at constant potentials of the electrodes (theorem of Ramo, see `ramo_charge_top`).
+  const std::array<std::vector<double>, 2>& weights() const { return weights_; }
+
+  /// Size of the charge that a change moves: the mean over the columns of half the difference
+  /// between the electrodes, or shares of the root mean squares over the columns of that and of
+  /// half the sum, whichever is largest. Where the slider passes, columns have errors that cancel
+  /// in the mean as long as the response is linear.
+  /// @param charges of every column, moved to the top and to the bottom
   /// @param column_share of the differences; the sums, which are larger, count a fifth of it
-  double of_change(std::span<const double> change, double column_share);
+  static double of_change(const std::array<std::vector<double>, 2>& charges, double column_share);
 
   /// Size of the charge of a state: the mean over the columns of half the difference between the
   /// electrodes, as it is or at equal potentials (an open circuit keeps it at nothing), or a tenth
@@ -33,8 +37,7 @@ public:
 
 private:
   const ScaledGrid& grid_;
-  std::vector<double> top_weight_, bottom_weight_; ///< per level
-  std::vector<double> top_, bottom_;               ///< per column
+  std::array<std::vector<double>, 2> weights_;
 };
 
 } // namespace ionskin::electrochemistry

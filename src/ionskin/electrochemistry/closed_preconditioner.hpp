@@ -4,6 +4,7 @@
 #include "ionskin/electrochemistry/preconditioner.hpp"
 #include "ionskin/electrochemistry/terminal_voltage.hpp"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -25,6 +26,13 @@ public:
   /// out = (approximate Jacobian)^-1 residual; both [2 nodes].
   void apply(const std::optional<CircuitStage>& circuit, std::span<const double> residual,
              std::span<double> out);
+
+  /// Of an open circuit, see FastDiagonalisation.
+  std::array<std::vector<double>, 2>
+  damped_sums(std::span<const double> concentration,
+              const std::array<std::vector<double>, 2>& weights) {
+    return open_.damped_sums(concentration, weights);
+  }
 
 private:
   void answer_to_unit_voltage();

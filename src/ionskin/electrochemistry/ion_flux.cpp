@@ -2,6 +2,7 @@
 #include "ionskin/electrochemistry/ion_flux.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -11,18 +12,31 @@ namespace ionskin::electrochemistry {
 namespace {
 
 /// Below this |x| the Taylor series (remainder under 1e-17) replaces the formula, which cancels
-/// there.
-constexpr double series_limit = 0.1;
+/// there. Most of a core stays below, where the series also is the faster one.
+constexpr double series_limit = 0.5;
+
+/// Coefficients of x^2, x^4, ... of B: Bernoulli numbers over factorials.
+constexpr std::array<double, 7> even_coefficients{1.0 / 12.0,         -1.0 / 720.0,
+                                                  1.0 / 30240.0,      -1.0 / 1209600.0,
+                                                  1.0 / 47900160.0,   -691.0 / 1307674368000.0,
+                                                  1.0 / 74724249600.0};
 
 inline double value_series(double x) {
   const double x2 = x * x;
-  return 1.0 - 0.5 * x +
-         x2 * (1.0 / 12.0 - x2 * (1.0 / 720.0 - x2 * (1.0 / 30240.0 - x2 / 1209600.0)));
+  double even = 0.0;
+  for (std::size_t i = even_coefficients.size(); i-- > 0;) {
+    even = even * x2 + even_coefficients[i];
+  }
+  return (1.0 - 0.5 * x) + x2 * even;
 }
 
 inline double derivative_series(double x) {
   const double x2 = x * x;
-  return -0.5 + x * (1.0 / 6.0 - x2 * (1.0 / 180.0 - x2 * (1.0 / 5040.0 - x2 / 151200.0)));
+  double odd = 0.0;
+  for (std::size_t i = even_coefficients.size(); i-- > 0;) {
+    odd = odd * x2 + static_cast<double>(2 * (i + 1)) * even_coefficients[i];
+  }
+  return -0.5 + x * odd;
 }
 
 /// B from x and exp(x).
@@ -69,14 +83,34 @@ Bernoulli bernoulli(double x) {
   return {value, derivative_of(x, value)};
 }
 
-void ThicknessFlux::exponentials(std::span<const double> potential_lower,
-                                 std::span<const double> potential_upper) {
-  double* result = exponential_.data();
-  const std::size_t columns = exponential_.size();
+/// Calls `body(column, u, B(u))` for all columns.
+template <class Body>
+void ThicknessFlux::for_columns(std::span<const double> potential_lower,
+                                std::span<const double> potential_upper, const Body& body) {
+  double* difference = difference_.data();
+  const std::size_t columns = difference_.size();
+  double largest = 0.0;
+#pragma omp simd reduction(max : largest)
+  for (std::size_t i = 0; i < columns; ++i) {
+    difference[i] = potential_upper[i] - potential_lower[i];
+    largest = std::max(largest, std::abs(difference[i]));
+  }
+  if (largest < series_limit) {
+#pragma omp simd
+    for (std::size_t i = 0; i < columns; ++i) {
+      body(i, difference[i], value_series(difference[i]));
+    }
+    return;
+  }
+  double* power = exponential_.data();
 #pragma omp simd
   for (std::size_t i = 0; i < columns; ++i) {
-    const double u = potential_upper[i] - potential_lower[i];
-    result[i] = exponential(std::min(std::max(u, -largest_difference), largest_difference));
+    power[i] =
+        exponential(std::min(std::max(difference[i], -largest_difference), largest_difference));
+  }
+#pragma omp simd
+  for (std::size_t i = 0; i < columns; ++i) {
+    body(i, difference[i], value_of(difference[i], power[i]));
   }
 }
 
@@ -85,15 +119,10 @@ void ThicknessFlux::evaluate(std::span<const double> concentration_lower,
                              std::span<const double> potential_lower,
                              std::span<const double> potential_upper, double spacing,
                              std::span<double> flux) {
-  exponentials(potential_lower, potential_upper);
   const double inverse_spacing = 1.0 / spacing;
-  const std::size_t columns = exponential_.size();
-#pragma omp simd
-  for (std::size_t i = 0; i < columns; ++i) {
-    const double u = potential_upper[i] - potential_lower[i];
-    const double b = value_of(u, exponential_[i]);
+  for_columns(potential_lower, potential_upper, [&](std::size_t i, double u, double b) {
     flux[i] = inverse_spacing * (b * concentration_lower[i] - (b + u) * concentration_upper[i]);
-  }
+  });
 }
 
 void ThicknessFlux::derivatives(std::span<const double> concentration_lower,
@@ -102,19 +131,14 @@ void ThicknessFlux::derivatives(std::span<const double> concentration_lower,
                                 std::span<const double> potential_upper, double spacing,
                                 std::span<double> by_lower, std::span<double> by_upper,
                                 std::span<double> by_difference) {
-  exponentials(potential_lower, potential_upper);
   const double inverse_spacing = 1.0 / spacing;
-  const std::size_t columns = exponential_.size();
-#pragma omp simd
-  for (std::size_t i = 0; i < columns; ++i) {
-    const double u = potential_upper[i] - potential_lower[i];
-    const double b = value_of(u, exponential_[i]);
+  for_columns(potential_lower, potential_upper, [&](std::size_t i, double u, double b) {
     const double slope = derivative_of(u, b);
     by_lower[i] = inverse_spacing * b;
     by_upper[i] = inverse_spacing * (b + u);
     by_difference[i] =
         inverse_spacing * (slope * concentration_lower[i] - (slope + 1.0) * concentration_upper[i]);
-  }
+  });
 }
 
 } // namespace ionskin::electrochemistry

@@ -22,7 +22,7 @@ Bernoulli bernoulli(double x);
 /// at once.
 class ThicknessFlux {
 public:
-  explicit ThicknessFlux(std::size_t columns) : exponential_(columns) {}
+  explicit ThicknessFlux(std::size_t columns) : difference_(columns), exponential_(columns) {}
 
   /// @param spacing d between the levels; all spans hold one value per column
   void evaluate(std::span<const double> concentration_lower,
@@ -38,10 +38,11 @@ public:
                    std::span<double> by_difference);
 
 private:
-  void exponentials(std::span<const double> potential_lower,
-                    std::span<const double> potential_upper);
+  template <class Body>
+  void for_columns(std::span<const double> potential_lower, std::span<const double> potential_upper,
+                   const Body& body);
 
-  std::vector<double> exponential_; ///< exp(u) of the level at hand
+  std::vector<double> difference_, exponential_; ///< u and, where needed, exp(u) of a level
 };
 
 } // namespace ionskin::electrochemistry

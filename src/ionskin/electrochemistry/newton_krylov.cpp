@@ -44,15 +44,6 @@ void NewtonKrylov::rate(const StageProblem& problem, const IonState& state, std:
   }
 }
 
-void NewtonKrylov::damp(std::span<double> change) {
-  std::ranges::fill(residual_, 0.0);
-  for (std::size_t i = 0; i < change.size(); ++i) {
-    residual_[i] = grid_.height[i / grid_.columns()] * change[i];
-  }
-  preconditioner_.apply(std::nullopt, residual_, defect_);
-  std::copy_n(defect_.begin(), change.size(), change.begin());
-}
-
 double NewtonKrylov::precondition_residual(const StageProblem& problem, const IonState& state) {
   equations_.residual(problem, state, residual_);
   preconditioner_.apply(problem.circuit, residual_, defect_);
@@ -63,8 +54,10 @@ double NewtonKrylov::precondition_residual(const StageProblem& problem, const Io
 double NewtonKrylov::allowed_error(const StageProblem& problem, const IonState& state) {
   double scale = std::max({std::abs(problem.potential_bottom), std::abs(problem.potential_top),
                            vectors_.largest_magnitude(state.potential())});
-  for (const double value : problem.fixed_charge) {
-    scale = std::max(scale, std::abs(value - 1.0));
+  const double* fixed_charge = problem.fixed_charge.data();
+#pragma omp simd reduction(max : scale)
+  for (std::size_t i = 0; i < problem.fixed_charge.size(); ++i) {
+    scale = std::max(scale, std::abs(fixed_charge[i] - 1.0));
   }
   return tolerance_ * std::min(scale, 1.0) + rounding;
 }

@@ -7,6 +7,7 @@
 #include "ionskin/electrochemistry/transport_equations.hpp"
 #include "ionskin/electrochemistry/vector_operations.hpp"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -44,9 +45,13 @@ public:
   /// [nodes].
   void rate(const StageProblem& problem, const IonState& state, std::span<double> out);
 
-  /// Damps what is faster than the step in a change of the concentrations, as one implicit Euler
-  /// step of the prepared length does [nodes].
-  void damp(std::span<double> change);
+  /// Damps what is faster than the step in a change of the concentrations [nodes], as one implicit
+  /// Euler step of the prepared length does.
+  /// @returns sums of the damped change over the levels, with weights [levels] each: two per column
+  std::array<std::vector<double>, 2>
+  damped_sums(std::span<const double> change, const std::array<std::vector<double>, 2>& weights) {
+    return preconditioner_.damped_sums(change, weights);
+  }
 
   /// Nothing for dilute ions.
   const std::optional<StericExcess>& excess() const { return excess_; }

@@ -40,7 +40,7 @@ FastDiagonalisation::FastDiagonalisation(const ScaledGrid& grid, WorkerTeam& tea
       mean_drive_(grid.levels), slope_(grid.levels, 0.0), lower_(grid.levels), upper_(grid.levels),
       inverse_00_(grid.nodes()), inverse_01_(grid.nodes()), inverse_10_(grid.nodes()),
       inverse_11_(grid.nodes()), balance_(grid.nodes()), poisson_(grid.nodes()),
-      scratch_(grid.nodes()) {}
+      sums_(2 * grid.columns()), scratch_(grid.nodes()) {}
 
 void FastDiagonalisation::average(const IonState& state) {
   const std::size_t columns = grid_.columns();
@@ -155,6 +155,52 @@ void FastDiagonalisation::apply(std::span<const double> residual, std::span<doub
     transform_.backward(balance_, out.first(nodes), scratch_, begin, end);
     transform_.backward(poisson_, out.last(nodes), scratch_, begin, end);
   });
+}
+
+// The sums and the transform commute: only two levels go back.
+std::array<std::vector<double>, 2>
+FastDiagonalisation::damped_sums(std::span<const double> concentration,
+                                 const std::array<std::vector<double>, 2>& weights) {
+  const std::size_t columns = grid_.columns();
+  for_tiles([&](std::size_t begin, std::size_t end) {
+    transform_.forward(concentration, balance_, scratch_, begin, end);
+    for (std::size_t k = begin; k < end; ++k) {
+      const auto height = static_cast<float>(grid_.height[k]);
+      float* level = balance_.data() + k * columns;
+      for (std::size_t i = 0; i < columns; ++i) {
+        level[i] *= height;
+      }
+    }
+    std::fill(poisson_.begin() + static_cast<std::ptrdiff_t>(begin * columns),
+              poisson_.begin() + static_cast<std::ptrdiff_t>(end * columns), 0.0F);
+  });
+  team_.for_blocks(columns, mode_granularity, [&](std::size_t begin, std::size_t end, std::size_t) {
+    solve_modes(begin, end);
+    for (std::size_t w = 0; w < 2; ++w) {
+      sum_levels(weights[w], w, begin, end);
+    }
+  });
+  std::array<std::vector<double>, 2> sums;
+  for (std::size_t w = 0; w < 2; ++w) {
+    sums[w].resize(columns);
+    transform_.backward(std::span(sums_).subspan(w * columns, columns), sums[w], scratch_, 0, 1);
+  }
+  return sums;
+}
+
+void FastDiagonalisation::sum_levels(std::span<const double> weights, std::size_t row,
+                                     std::size_t begin, std::size_t end) {
+  const std::size_t columns = grid_.columns();
+  float* sum = sums_.data() + row * columns;
+  std::fill(sum + begin, sum + end, 0.0F);
+  for (std::size_t k = 0; k < grid_.levels; ++k) {
+    const auto weight = static_cast<float>(weights[k]);
+    const float* level = balance_.data() + k * columns;
+#pragma omp simd
+    for (std::size_t i = begin; i < end; ++i) {
+      sum[i] += weight * level[i];
+    }
+  }
 }
 
 void FastDiagonalisation::solve_modes(std::size_t begin, std::size_t end) {

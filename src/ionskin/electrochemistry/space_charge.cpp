@@ -34,10 +34,16 @@ void FixedCharge::evaluate(double time) {
 }
 
 void FixedCharge::check_sign(double time) const {
-  const auto lowest = std::min_element(ratio_.begin(), ratio_.end());
-  if (*lowest >= 0.0) {
+  const double* ratio = ratio_.data();
+  double smallest = 0.0;
+#pragma omp simd reduction(min : smallest)
+  for (std::size_t i = 0; i < ratio_.size(); ++i) {
+    smallest = std::min(smallest, ratio[i]);
+  }
+  if (smallest == 0.0) {
     return;
   }
+  const auto lowest = std::ranges::find(ratio_, smallest);
   throw SolverError(
       fmt::format("the fixed charge concentration becomes negative: {}",
                   describe(static_cast<std::size_t>(lowest - ratio_.begin()), time)),

@@ -185,8 +185,8 @@ double TimeIntegrator::charge_error(const TransportState& state, double column_s
   const double passed =
       length_ * (error_of_begin * charge_rate(state.ions) + error_of_stage * charge_rate(stage_) +
                  error_of_end * charge_rate(end_));
-  solver_.damp(start_);
-  const double moved = std::max(charge_norm_.of_change(start_, column_share), std::abs(passed));
+  const auto charges = solver_.damped_sums(start_, charge_norm_.weights());
+  const double moved = std::max(charge_norm_.of_change(charges, column_share), std::abs(passed));
   const double error = std::max(0.0, moved - rounding * grid_.thickness);
   const double scale =
       std::max(state.charge_scale, charge_norm_.of_state(end_, fixed_charge_.ratio()));

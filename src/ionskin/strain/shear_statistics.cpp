@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
+#include <span>
 
 namespace ionskin::strain {
 namespace {
@@ -30,33 +30,39 @@ struct Instant {
   }
 };
 
-/// Value below which the given fraction of the volume lies. Reorders the entries (value, volume).
-double percentile(std::vector<std::pair<double, double>>& entries, double total, double fraction) {
-  double above_wanted = (1 - fraction) * total;
-  auto begin = entries.begin();
-  auto end = entries.end();
+struct Sample {
+  double magnitude = 0;
+  double volume = 0; ///< [m3]
+};
+
+/// Narrows the samples to the uppermost that fill the given volume, and returns the smallest
+/// magnitude of them.
+double narrow_to_top(std::span<Sample>& samples, double volume) {
+  std::size_t begin = 0, end = samples.size();
   while (end - begin > 1) {
-    const auto middle = begin + (end - begin) / 2;
-    std::nth_element(begin, middle, end);
+    const std::size_t middle = begin + (end - begin) / 2;
+    const auto open = samples.subspan(begin, end - begin);
+    std::ranges::nth_element(open, open.begin() + static_cast<std::ptrdiff_t>(middle - begin), {},
+                             &Sample::magnitude);
     double above = 0;
-    for (auto i = middle; i != end; ++i) {
-      above += i->second;
+    for (const Sample& sample : samples.subspan(middle, end - middle)) {
+      above += sample.volume;
     }
-    if (above >= above_wanted) {
+    if (above >= volume) {
       begin = middle;
     } else {
-      above_wanted -= above;
+      volume -= above;
       end = middle;
     }
   }
-  return begin == entries.end() ? 0.0 : begin->first;
+  samples = samples.subspan(begin);
+  return samples.empty() ? 0.0 : samples.front().magnitude;
 }
 
 /// Integral over the core of what `mean_of(low, high)` gives as the mean over an interval between
 /// two levels [m3].
 template <class MeanOf>
-double integral(const StrainHistory& history, double time, const MeanOf& mean_of) {
-  const Instant instant(history, time);
+double integral(const StrainHistory& history, const Instant& instant, const MeanOf& mean_of) {
   const auto& z = history.grid.z_nodes;
   const std::size_t columns = instant.area.size();
   double integral = 0;
@@ -71,6 +77,15 @@ double integral(const StrainHistory& history, double time, const MeanOf& mean_of
   return integral;
 }
 
+double mean_shear(double low, double high) {
+  return 0.5 * (low + high);
+}
+
+double mean_magnitude(double low, double high) {
+  const double sum = std::abs(low) + std::abs(high);
+  return low * high >= 0 ? 0.5 * sum : 0.5 * (low * low + high * high) / sum;
+}
+
 } // namespace
 
 ShearStatistics shear_statistics(const StrainHistory& history, double time) {
@@ -80,8 +95,8 @@ ShearStatistics shear_statistics(const StrainHistory& history, double time) {
   const std::size_t columns = instant.area.size();
   ShearStatistics result;
   double volume = 0;
-  std::vector<std::pair<double, double>> entries;
-  entries.reserve(columns * (z.size() - 1));
+  std::vector<Sample> samples;
+  samples.reserve(columns * (z.size() - 1));
   for (std::size_t k = 0; k + 1 < z.size(); ++k) {
     const double dz = z[k + 1] - z[k];
     for (std::size_t c = 0; c < columns; ++c) {
@@ -98,26 +113,25 @@ ShearStatistics shear_statistics(const StrainHistory& history, double time) {
       result.rms += cell * (low * low + low * high + high * high) / 3;
       result.first_moment += cell * (mean * centre + (high - low) * dz / (12 * height));
       result.element_max = std::max(result.element_max, std::abs(mean));
-      entries.emplace_back(std::abs(mean), cell);
+      samples.push_back({std::abs(mean), cell});
     }
   }
   result.mean /= volume;
   result.first_moment /= volume;
   result.rms = std::sqrt(result.rms / volume);
-  result.p95 = percentile(entries, volume, 0.95);
-  result.p99 = percentile(entries, volume, 0.99);
+  std::span<Sample> top(samples);
+  result.p95 = narrow_to_top(top, 0.05 * volume);
+  result.p99 = narrow_to_top(top, 0.01 * volume);
   return result;
 }
 
 double shear_integral(const StrainHistory& history, double time) {
-  return integral(history, time, [](double low, double high) { return 0.5 * (low + high); });
+  return integral(history, Instant(history, time), mean_shear);
 }
 
-double shear_magnitude_integral(const StrainHistory& history, double time) {
-  return integral(history, time, [](double low, double high) {
-    const double sum = std::abs(low) + std::abs(high);
-    return low * high >= 0 ? 0.5 * sum : 0.5 * (low * low + high * high) / sum;
-  });
+ShearIntegrals shear_integrals(const StrainHistory& history, double time) {
+  const Instant instant(history, time);
+  return {integral(history, instant, mean_shear), integral(history, instant, mean_magnitude)};
 }
 
 } // namespace ionskin::strain

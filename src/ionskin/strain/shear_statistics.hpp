@@ -22,7 +22,12 @@ ShearStatistics shear_statistics(const StrainHistory& history, double time);
 /// Integral of gamma over the core [m3], exact for the piecewise-linear form.
 double shear_integral(const StrainHistory& history, double time);
 
-/// The same of |gamma| [m3].
-double shear_magnitude_integral(const StrainHistory& history, double time);
+/// Integrals over the core [m3], exact for the piecewise-linear form.
+struct ShearIntegrals {
+  double value = 0;     ///< of gamma
+  double magnitude = 0; ///< of |gamma|
+};
+
+ShearIntegrals shear_integrals(const StrainHistory& history, double time);
 
 } // namespace ionskin::strain

@@ -28,7 +28,7 @@ private:
   const StrainHistory& history_;
   std::vector<double> x_edges_, y_edges_;
   LineOperator along_z_;
-  mutable StrainField source_, after_x_, after_y_; ///< scratch, so that no step allocates
+  mutable StrainField source_, after_y_, after_x_; ///< scratch, so that no step allocates
 };
 
 } // namespace ionskin::strain

@@ -107,8 +107,9 @@ std::optional<readout::Metric> charge_identity(const Case& input, const Mechanic
                         input.coupling.coefficient;
   std::vector<double> expected(ions.time.size()), magnitude(ions.time.size());
   base::run_tasks(expected.size(), threads, [&](std::size_t row) {
-    expected[row] = factor * strain::shear_integral(mechanics.history, ions.time[row]);
-    magnitude[row] = factor * strain::shear_magnitude_integral(mechanics.history, ions.time[row]);
+    const strain::ShearIntegrals shear = strain::shear_integrals(mechanics.history, ions.time[row]);
+    expected[row] = factor * shear.value;
+    magnitude[row] = factor * shear.magnitude;
   });
   const double scale = readout::peak_magnitude(magnitude);
   if (!makes_net_charge) {

@@ -54,11 +54,12 @@ TEST(ShearStatistics, SizesOfASignedShearAreOfItsMagnitude) {
 
 TEST(ShearStatistics, IntegratesTheMagnitudeThroughAChangeOfSign) {
   StrainHistory history = two_columns();
-  EXPECT_DOUBLE_EQ(shear_magnitude_integral(history, 10), shear_integral(history, 10));
+  EXPECT_DOUBLE_EQ(shear_integrals(history, 10).magnitude, shear_integral(history, 10));
   // Column 1 from -1 over 1 to 1: two triangles of 1/4 and a square; column 2 is -3 throughout.
   history.gamma[1] = std::make_shared<StrainField>(StrainField{-1, -3, 1, -3, 1, -3});
-  EXPECT_NEAR(shear_magnitude_integral(history, 10), 1.5 + 3 * 2 * 3, 1e-14);
+  EXPECT_NEAR(shear_integrals(history, 10).magnitude, 1.5 + 3 * 2 * 3, 1e-14);
   EXPECT_NEAR(shear_integral(history, 10), 1.0 - 3 * 2 * 3, 1e-14);
+  EXPECT_DOUBLE_EQ(shear_integrals(history, 10).value, shear_integral(history, 10));
 }
 
 TEST(ShearStatistics, IsLinearInTimeBetweenSamples) {
