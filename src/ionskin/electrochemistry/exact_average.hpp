@@ -16,7 +16,8 @@ namespace ionskin::electrochemistry {
 class ExactAverage {
 public:
   /// @param excess nothing for dilute ions
-  explicit ExactAverage(const ScaledGrid& grid, std::optional<StericExcess> excess = std::nullopt);
+  ExactAverage(const ScaledGrid& grid, WorkerTeam& team,
+               std::optional<StericExcess> excess = std::nullopt);
 
   void correct(const StageProblem& problem, IonState& state);
 
@@ -24,12 +25,15 @@ public:
   static double total(const ScaledGrid& grid, std::span<const double> field);
 
 private:
-  void restore_amount(double ion_amount, std::span<double> concentration) const;
+  template <class Body> void for_levels(const Body& body) const;
+  void restore_amount(double ion_amount, std::span<double> concentration);
 
   const ScaledGrid& grid_;
+  WorkerTeam& team_;
   std::optional<StericExcess> excess_;
   TerminalVoltage voltage_;
-  std::vector<double> mean_, charge_, diagonal_, potential_; ///< per level
+  std::vector<double> sum_, mean_, fixed_mean_;       ///< per level
+  std::vector<double> charge_, diagonal_, potential_; ///< per level
 };
 
 } // namespace ionskin::electrochemistry

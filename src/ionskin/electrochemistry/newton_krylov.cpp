@@ -20,13 +20,15 @@ constexpr double slowest_contraction = 0.2;
 /// Krylov iterations in one correction beyond which the preconditioner is renewed.
 constexpr int patience = 12;
 
+constexpr std::size_t nodes_per_block = 1024;
+
 } // namespace
 
 NewtonKrylov::NewtonKrylov(const ScaledGrid& grid, double tolerance, WorkerTeam& team,
                            std::optional<StericExcess> excess)
-    : grid_(grid), tolerance_(tolerance), excess_(excess), vectors_(team),
+    : grid_(grid), tolerance_(tolerance), excess_(excess), team_(team), vectors_(team),
       equations_(grid, team, excess), preconditioner_(grid, team, excess),
-      gmres_(2 * grid.nodes(), team), exact_average_(grid, excess), trial_(grid.nodes()),
+      gmres_(2 * grid.nodes(), team), exact_average_(grid, team, excess), trial_(grid.nodes()),
       residual_(2 * grid.nodes()), defect_(residual_.size()), correction_(residual_.size()) {}
 
 void NewtonKrylov::prepare(const IonState& state, double step) {
@@ -141,14 +143,22 @@ int NewtonKrylov::solve_linearised(const StageProblem& problem, const IonState& 
 /// below a tenth of itself.
 void NewtonKrylov::step(const IonState& state, double length, std::span<const double> correction,
                         IonState& out) {
-  vectors_.combine(state.values, -length, correction, out.values);
-  const auto before = state.concentration();
-  const auto after = out.concentration();
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    after[i] = std::max(after[i], depletion_limit * before[i]);
-  }
+  const std::size_t nodes = state.nodes();
+  const double* from = state.values.data();
+  const double* change = correction.data();
+  double* to = out.values.data();
+  team_.for_blocks(nodes, nodes_per_block, [&](std::size_t begin, std::size_t end, std::size_t) {
+#pragma omp simd
+    for (std::size_t i = begin; i < end; ++i) {
+      to[i] = std::max(from[i] - length * change[i], depletion_limit * from[i]);
+    }
+#pragma omp simd
+    for (std::size_t i = nodes + begin; i < nodes + end; ++i) {
+      to[i] = from[i] - length * change[i];
+    }
+  });
   if (excess_) {
-    excess_->keep_room(before, after, depletion_limit);
+    excess_->keep_room(state.concentration(), out.concentration(), depletion_limit);
   }
 }
 

@@ -74,6 +74,7 @@ private:
   const ScaledGrid& grid_;
   double tolerance_;
   std::optional<StericExcess> excess_;
+  WorkerTeam& team_;
   VectorOperations vectors_;
   TransportEquations equations_;
   ClosedPreconditioner preconditioner_;

@@ -45,20 +45,24 @@ FastDiagonalisation::FastDiagonalisation(const ScaledGrid& grid, WorkerTeam& tea
 void FastDiagonalisation::average(const IonState& state) {
   const std::size_t columns = grid_.columns();
   const auto mean = [columns](std::span<const double> field, std::size_t k) {
+    const double* values = field.data() + k * columns;
     double sum = 0.0;
-    for (const double value : field.subspan(k * columns, columns)) {
-      sum += value;
+#pragma omp simd reduction(+ : sum)
+    for (std::size_t i = 0; i < columns; ++i) {
+      sum += values[i];
     }
     return sum / static_cast<double>(columns);
   };
-  for (std::size_t k = 0; k < grid_.levels; ++k) {
-    mean_concentration_[k] = mean(state.concentration(), k);
-    mean_drive_[k] = mean(state.potential(), k);
-    if (excess_) {
-      mean_drive_[k] += excess_->excess(mean_concentration_[k]);
-      slope_[k] = excess_->slope(mean_concentration_[k]);
+  team_.for_blocks(grid_.levels, 1, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t k = begin; k < end; ++k) {
+      mean_concentration_[k] = mean(state.concentration(), k);
+      mean_drive_[k] = mean(state.potential(), k);
+      if (excess_) {
+        mean_drive_[k] += excess_->excess(mean_concentration_[k]);
+        slope_[k] = excess_->slope(mean_concentration_[k]);
+      }
     }
-  }
+  });
 }
 
 void FastDiagonalisation::factorise(const IonState& state, double step) {

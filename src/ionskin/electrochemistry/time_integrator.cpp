@@ -4,6 +4,7 @@
 #include "ionskin/base/error.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -166,13 +167,20 @@ void TimeIntegrator::guess_end(const TransportState& state) {
 }
 
 void TimeIntegrator::keep_in_bounds(const IonState& safe, IonState& guess) const {
-  std::size_t depleted = 0;
-  for (std::size_t i = 0; i < guess.nodes(); ++i) {
-    depleted += guess.values[i] > depletion_limit * safe.values[i] ? 0 : 1;
-  }
+  std::atomic<bool> depleted = false;
+  team_.for_blocks(guess.nodes(), nodes_per_block,
+                   [&](std::size_t begin, std::size_t end, std::size_t) {
+                     std::size_t count = 0;
+                     for (std::size_t i = begin; i < end; ++i) {
+                       count += guess.values[i] > depletion_limit * safe.values[i] ? 0 : 1;
+                     }
+                     if (count > 0) {
+                       depleted = true;
+                     }
+                   });
   const auto& excess = solver_.excess();
-  if (depleted > 0 || (excess && !excess->leaves_room(safe.concentration(), guess.concentration(),
-                                                      depletion_limit))) {
+  if (depleted || (excess && !excess->leaves_room(safe.concentration(), guess.concentration(),
+                                                  depletion_limit))) {
     guess.values = safe.values;
   }
 }
