@@ -11,7 +11,7 @@ namespace ionskin::linear_algebra {
 namespace {
 
 /// Rows expanded to double precision at a time: a block stays in the cache of one core.
-constexpr int block_rows = 256;
+constexpr int block_rows = 128;
 
 std::size_t place(int rows, int i, int j) {
   return static_cast<std::size_t>(rows) * static_cast<std::size_t>(j) + static_cast<std::size_t>(i);

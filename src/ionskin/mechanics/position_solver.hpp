@@ -6,6 +6,7 @@
 #include "ionskin/mechanics/solved_pieces.hpp"
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace ionskin::mechanics {
@@ -21,8 +22,8 @@ public:
 
   /// Contact of everything that a position is planned for, without strains.
   void solve(const PositionTask& task, SolvedPieces& pieces);
-  /// The strains of all states solved so far.
-  void complete(const CondensedPosition& condensed) { states_.complete(condensed); }
+  /// The states solved so far, which wait for their strains.
+  PositionStates take_states() { return std::move(states_); }
 
 private:
   /// Scales of the diagnostics.

@@ -6,6 +6,7 @@
 #include "ionskin/mechanics/covered_area.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace ionskin::mechanics {
@@ -61,17 +62,17 @@ CellVector reflected(const ContactCells& cells, const CellVector& vector,
 void PositionStates::add(ContactState& destination, SurfaceState state,
                          const ContactProblem& problem, const CanonicalPosition& position,
                          double reference_force, double reference_indentation) {
-  const CellVector force = reflected(model_.cells, state.force, position.reflect);
-  store_tractions(model_.cells, force, destination);
-  destination.surface = reflected(model_.cells, state.surface, position.reflect);
-  store_sums(force, model_.mesh.half_model(), destination);
-  for (std::size_t cell = 0; cell < model_.cells.count(); ++cell) {
-    destination.slip.push_back(state.slip[reflected_cell(model_.cells, cell, position.reflect)]);
+  const CellVector force = reflected(model_->cells, state.force, position.reflect);
+  store_tractions(model_->cells, force, destination);
+  destination.surface = reflected(model_->cells, state.surface, position.reflect);
+  store_sums(force, model_->mesh.half_model(), destination);
+  for (std::size_t cell = 0; cell < model_->cells.count(); ++cell) {
+    destination.slip.push_back(state.slip[reflected_cell(model_->cells, cell, position.reflect)]);
   }
   destination.indentation = state.indentation;
-  const double parts = model_.mesh.half_model() ? 2 : 1;
-  destination.contact_area = parts * contact_area(model_.cells, state.force);
-  destination.stick_area = parts * covered_area(model_.cells, stick_reserve(problem, state.force));
+  const double parts = model_->mesh.half_model() ? 2 : 1;
+  destination.contact_area = parts * contact_area(model_->cells, state.force);
+  destination.stick_area = parts * covered_area(model_->cells, stick_reserve(problem, state.force));
   destination.complementarity_residual =
       contact_violations(problem, state, reference_force, reference_indentation).largest();
   destination.stick_fraction = stick_fraction(problem, state.force);
@@ -79,21 +80,26 @@ void PositionStates::add(ContactState& destination, SurfaceState state,
   pending_.push_back({&destination, std::move(state.force), position.reflect});
 }
 
-void PositionStates::complete(const CondensedPosition& position) {
+void PositionStates::append(PositionStates other) {
+  std::ranges::move(other.pending_, std::back_inserter(pending_));
+}
+
+void PositionStates::complete(const CondensedPosition& position, std::size_t begin,
+                              std::size_t end) const {
   std::vector<CellVector> forces;
-  for (Pending& pending : pending_) {
-    forces.push_back(std::move(pending.force));
+  for (std::size_t i = begin; i < end; ++i) {
+    forces.push_back(pending_[i].force);
   }
   std::vector<CondensedPosition::Response> responses = position.respond(forces);
-  for (std::size_t i = 0; i < pending_.size(); ++i) {
+  for (std::size_t i = begin; i < end; ++i) {
     ContactState& state = *pending_[i].destination;
+    CondensedPosition::Response response = std::move(responses[i - begin]);
     const bool reflect = pending_[i].reflect[0] || pending_[i].reflect[1];
-    state.strain = reflect ? mirrored(responses[i].strain, pending_[i].reflect)
-                           : std::move(responses[i].strain);
-    state.electrode_stress = std::move(responses[i].electrode_stress);
-    state.equilibrium_residual = responses[i].equilibrium_residual;
+    state.strain =
+        reflect ? mirrored(response.strain, pending_[i].reflect) : std::move(response.strain);
+    state.electrode_stress = std::move(response.electrode_stress);
+    state.equilibrium_residual = response.equilibrium_residual;
   }
-  pending_.clear();
 }
 
 } // namespace ionskin::mechanics

@@ -14,15 +14,21 @@ namespace ionskin::mechanics {
 /// skin, tractions, strains and diagnostics, all reflected back from the canonical position.
 class PositionStates {
 public:
-  explicit PositionStates(const SkinModel& model) : model_(model) {}
+  explicit PositionStates(const SkinModel& model) : model_(&model) {}
 
   /// @param destination outlives `complete`
   /// @param reference_force, reference_indentation scales of the diagnostics [N], [m]
   void add(ContactState& destination, SurfaceState state, const ContactProblem& problem,
            const CanonicalPosition& position, double reference_force, double reference_indentation);
 
-  /// Recovers the strains of all added states in blocks.
-  void complete(const CondensedPosition& position);
+  /// Takes over what another collection of the same position waits for.
+  void append(PositionStates other);
+
+  std::size_t count() const { return pending_.size(); }
+  /// Recovers the strains of the added states [begin, end) together. Several threads may complete
+  /// parts that do not overlap.
+  void complete(const CondensedPosition& position, std::size_t begin, std::size_t end) const;
+  void complete(const CondensedPosition& position) const { complete(position, 0, count()); }
 
 private:
   struct Pending {
@@ -30,7 +36,7 @@ private:
     CellVector force;
     std::array<bool, 2> reflect{};
   };
-  const SkinModel& model_;
+  const SkinModel* model_;
   std::vector<Pending> pending_;
 };
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <mutex>
 #include <utility>
 
 namespace ionskin::mechanics {
@@ -16,6 +17,9 @@ namespace {
 /// From so many friction coefficients on, the response to every unit force is worth its making in
 /// the same run.
 constexpr std::size_t many_frictions = 3;
+
+/// Enough for an efficient product, and little beside what the strains take for good.
+constexpr std::size_t states_per_block = 48;
 
 /// A position and what is to be solved there.
 struct SharedPosition {
@@ -41,26 +45,48 @@ std::vector<SharedPosition> open_positions(const std::vector<FrictionSolve>& sol
   return positions;
 }
 
-void solve_at(const SharedSetting& setting, const CondensedPosition& condensed,
-              const SharedPosition::Work& work, FrictionSolve& solve) {
+/// @returns the states, which lack their strains
+PositionStates contact_at(const SharedSetting& setting, const CondensedPosition& condensed,
+                          const SharedPosition::Work& work, FrictionSolve& solve) {
   base::check_interrupt();
+  const base::Timers::Scope contact(setting.timers, "mechanics: contact");
   PositionSolver solver(setting.model, solve.plan, setting.options.steps,
                         setting.options.surface_before, condensed, {solve.friction, setting.law});
-  {
-    const base::Timers::Scope contact(setting.timers, "mechanics: contact");
-    solver.solve(*work.task, solve.pieces);
-  }
-  const base::Timers::Scope strain(setting.timers, "mechanics: strain");
-  solver.complete(condensed);
+  solver.solve(*work.task, solve.pieces);
   setting.progress.finish_unit();
+  return solver.take_states();
+}
+
+/// A position that holds no factor, and so is kept until all of it is solved.
+struct LightPosition {
+  std::unique_ptr<const CondensedPosition> condensed;
+  PositionStates states;
+};
+
+/// States whose strains one thread recovers together. The last block of a position takes it along.
+struct StrainBlock {
+  std::shared_ptr<const LightPosition> position;
+  std::size_t begin = 0, end = 0;
+};
+
+std::vector<StrainBlock> strain_blocks(std::vector<std::shared_ptr<LightPosition>> positions) {
+  std::vector<StrainBlock> blocks;
+  for (const auto& position : positions) {
+    const std::size_t count = position->states.count();
+    for (std::size_t begin = 0; begin < count; begin += states_per_block) {
+      blocks.push_back({position, begin, std::min(count, begin + states_per_block)});
+    }
+  }
+  return blocks;
 }
 
 } // namespace
 
-// Positions that hold no factor are light: they are kept, and each of their friction coefficients
-// is a task of its own, since most states belong to the first position.
+// The contact of each friction coefficient at a light position is a task of its own, since most
+// states belong to the first position. Strains are recovered for all coefficients together.
 void solve_open_positions(const SharedSetting& setting, std::vector<FrictionSolve>& solves) {
   const std::vector<SharedPosition> positions = open_positions(solves);
+  const int threads = setting.options.threads;
   std::vector<std::pair<std::size_t, const SharedPosition::Work*>> works;
   for (std::size_t p = 0; p < positions.size(); ++p) {
     for (const SharedPosition::Work& work : positions[p].works) {
@@ -68,29 +94,49 @@ void solve_open_positions(const SharedSetting& setting, std::vector<FrictionSolv
     }
   }
   setting.progress.add_units(positions.size() + works.size());
-  std::vector<std::unique_ptr<const CondensedPosition>> light(positions.size());
-  base::run_tasks(positions.size(), setting.options.threads, [&](std::size_t p) {
+  std::vector<std::shared_ptr<LightPosition>> light;
+  for (std::size_t p = 0; p < positions.size(); ++p) {
+    light.push_back(
+        std::make_shared<LightPosition>(LightPosition{nullptr, PositionStates(setting.model)}));
+  }
+  base::run_tasks(positions.size(), threads, [&](std::size_t p) {
     base::check_interrupt();
     auto factorisation =
         std::make_unique<base::Timers::Scope>(setting.timers, "mechanics: factorisation");
     const PositionStore store{setting.options.cache, solves.size() >= many_frictions};
     auto condensed = std::make_unique<const CondensedPosition>(setting.model, positions[p].centre,
-                                                               store, setting.options.threads);
+                                                               store, threads);
     factorisation.reset();
     setting.progress.finish_unit();
     if (!condensed->holds_factor()) {
-      light[p] = std::move(condensed);
+      light[p]->condensed = std::move(condensed);
       return;
     }
+    PositionStates states(setting.model);
     for (const SharedPosition::Work& work : positions[p].works) {
-      solve_at(setting, *condensed, work, solves[work.solve]);
+      states.append(contact_at(setting, *condensed, work, solves[work.solve]));
+    }
+    const base::Timers::Scope strain(setting.timers, "mechanics: strain");
+    states.complete(*condensed);
+  });
+
+  std::mutex mutex;
+  base::run_tasks(works.size(), threads, [&](std::size_t i) {
+    const auto [p, work] = works[i];
+    if (light[p]->condensed) {
+      PositionStates states = contact_at(setting, *light[p]->condensed, *work, solves[work->solve]);
+      const std::lock_guard lock(mutex);
+      light[p]->states.append(std::move(states));
     }
   });
-  base::run_tasks(works.size(), setting.options.threads, [&](std::size_t i) {
-    const auto [p, work] = works[i];
-    if (light[p]) {
-      solve_at(setting, *light[p], *work, solves[work->solve]);
-    }
+  std::vector<StrainBlock> blocks = strain_blocks(std::move(light));
+  setting.progress.add_units(blocks.size());
+  base::run_tasks(blocks.size(), threads, [&](std::size_t i) {
+    base::check_interrupt();
+    const base::Timers::Scope strain(setting.timers, "mechanics: strain");
+    const StrainBlock block = std::move(blocks[i]);
+    block.position->states.complete(*block.position->condensed, block.begin, block.end);
+    setting.progress.finish_unit();
   });
 }
 
