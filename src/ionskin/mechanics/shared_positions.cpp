@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <mutex>
 #include <utility>
 
 namespace ionskin::mechanics {
@@ -80,25 +79,66 @@ std::vector<StrainBlock> strain_blocks(std::vector<std::shared_ptr<LightPosition
   return blocks;
 }
 
+void recover_strains(const SharedSetting& setting, std::vector<StrainBlock> blocks) {
+  setting.progress.add_units(blocks.size());
+  base::run_tasks(blocks.size(), setting.options.threads, [&](std::size_t i) {
+    base::check_interrupt();
+    const base::Timers::Scope strain(setting.timers, "mechanics: strain");
+    const StrainBlock block = std::move(blocks[i]);
+    block.position->states.complete(*block.position->condensed, block.begin, block.end);
+    setting.progress.finish_unit();
+  });
+}
+
+/// Contact of all friction coefficients at a position that is gone with its factor.
+void solve_at_once(const SharedSetting& setting, const CondensedPosition& condensed,
+                   const std::vector<SharedPosition::Work>& works,
+                   std::vector<FrictionSolve>& solves) {
+  PositionStates states(setting.model);
+  for (const SharedPosition::Work& work : works) {
+    states.append(contact_at(setting, condensed, work, solves[work.solve]));
+  }
+  const base::Timers::Scope strain(setting.timers, "mechanics: strain");
+  states.complete(condensed);
+}
+
+/// Each friction coefficient is a task of its own, since most states belong to the first position.
+/// @param light one per position, empty for what is solved already
+void solve_light_positions(const SharedSetting& setting,
+                           const std::vector<SharedPosition>& positions,
+                           std::vector<std::unique_ptr<const CondensedPosition>> light,
+                           std::vector<FrictionSolve>& solves) {
+  std::vector<std::shared_ptr<LightPosition>> kept;
+  std::vector<std::pair<LightPosition*, const SharedPosition::Work*>> works;
+  for (std::size_t p = 0; p < positions.size(); ++p) {
+    if (light[p]) {
+      kept.push_back(std::make_shared<LightPosition>(
+          LightPosition{std::move(light[p]), PositionStates(setting.model)}));
+      for (const SharedPosition::Work& work : positions[p].works) {
+        works.emplace_back(kept.back().get(), &work);
+      }
+    }
+  }
+  std::vector<PositionStates> states(works.size(), PositionStates(setting.model));
+  base::run_tasks(works.size(), setting.options.threads, [&](std::size_t i) {
+    const auto [position, work] = works[i];
+    states[i] = contact_at(setting, *position->condensed, *work, solves[work->solve]);
+  });
+  for (std::size_t i = 0; i < works.size(); ++i) {
+    works[i].first->states.append(std::move(states[i]));
+  }
+  recover_strains(setting, strain_blocks(std::move(kept)));
+}
+
 } // namespace
 
-// The contact of each friction coefficient at a light position is a task of its own, since most
-// states belong to the first position. Strains are recovered for all coefficients together.
 void solve_open_positions(const SharedSetting& setting, std::vector<FrictionSolve>& solves) {
   const std::vector<SharedPosition> positions = open_positions(solves);
   const int threads = setting.options.threads;
-  std::vector<std::pair<std::size_t, const SharedPosition::Work*>> works;
-  for (std::size_t p = 0; p < positions.size(); ++p) {
-    for (const SharedPosition::Work& work : positions[p].works) {
-      works.emplace_back(p, &work);
-    }
+  for (const SharedPosition& position : positions) {
+    setting.progress.add_units(1 + position.works.size());
   }
-  setting.progress.add_units(positions.size() + works.size());
-  std::vector<std::shared_ptr<LightPosition>> light;
-  for (std::size_t p = 0; p < positions.size(); ++p) {
-    light.push_back(
-        std::make_shared<LightPosition>(LightPosition{nullptr, PositionStates(setting.model)}));
-  }
+  std::vector<std::unique_ptr<const CondensedPosition>> light(positions.size());
   base::run_tasks(positions.size(), threads, [&](std::size_t p) {
     base::check_interrupt();
     auto factorisation =
@@ -108,36 +148,13 @@ void solve_open_positions(const SharedSetting& setting, std::vector<FrictionSolv
                                                                store, threads);
     factorisation.reset();
     setting.progress.finish_unit();
-    if (!condensed->holds_factor()) {
-      light[p]->condensed = std::move(condensed);
-      return;
-    }
-    PositionStates states(setting.model);
-    for (const SharedPosition::Work& work : positions[p].works) {
-      states.append(contact_at(setting, *condensed, work, solves[work.solve]));
-    }
-    const base::Timers::Scope strain(setting.timers, "mechanics: strain");
-    states.complete(*condensed);
-  });
-
-  std::mutex mutex;
-  base::run_tasks(works.size(), threads, [&](std::size_t i) {
-    const auto [p, work] = works[i];
-    if (light[p]->condensed) {
-      PositionStates states = contact_at(setting, *light[p]->condensed, *work, solves[work->solve]);
-      const std::lock_guard lock(mutex);
-      light[p]->states.append(std::move(states));
+    if (condensed->holds_factor()) {
+      solve_at_once(setting, *condensed, positions[p].works, solves);
+    } else {
+      light[p] = std::move(condensed);
     }
   });
-  std::vector<StrainBlock> blocks = strain_blocks(std::move(light));
-  setting.progress.add_units(blocks.size());
-  base::run_tasks(blocks.size(), threads, [&](std::size_t i) {
-    base::check_interrupt();
-    const base::Timers::Scope strain(setting.timers, "mechanics: strain");
-    const StrainBlock block = std::move(blocks[i]);
-    block.position->states.complete(*block.position->condensed, block.begin, block.end);
-    setting.progress.finish_unit();
-  });
+  solve_light_positions(setting, positions, std::move(light), solves);
 }
 
 } // namespace ionskin::mechanics
