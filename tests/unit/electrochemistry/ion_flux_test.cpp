@@ -10,8 +10,8 @@ namespace ionskin::electrochemistry {
 namespace {
 
 TEST(Bernoulli, ValueAndDerivativeAgreeWithTheFormulaAndItsSymmetry) {
-  for (const double x :
-       {-700.0, -40.0, -3.0, -0.2, -0.0999, -1e-3, 0.0, 1e-9, 0.05, 0.1001, 2.0, 30.0, 600.0}) {
+  for (const double x : {-700.0, -40.0, -3.0, -0.5001, -0.4999, -0.1, -1e-3, 0.0, 1e-9, 0.05,
+                         0.4999, 0.5001, 2.0, 30.0, 600.0}) {
     const Bernoulli b = bernoulli(x);
     const double expected = x == 0.0 ? 1.0 : x / std::expm1(x);
     EXPECT_NEAR(b.value, expected, 2e-15 * std::max(1.0, std::abs(x))) << x;
@@ -50,6 +50,19 @@ TEST(ThicknessFlux, IsDiffusionWithoutField) {
   const Row result = flux(c_lower, c_upper, phi_lower, phi_lower);
   for (std::size_t i = 0; i < result.size(); ++i) {
     EXPECT_NEAR(result[i], (c_lower[i] - c_upper[i]) / spacing, 1e-14);
+  }
+}
+
+TEST(ThicknessFlux, OfWeakFieldsIsTheSameBesideStrongOnes) {
+  Row weak{}, with_strong{};
+  for (std::size_t i = 0; i < weak.size(); ++i) {
+    weak[i] = with_strong[i] = phi_lower[i] + 0.1 * (static_cast<double>(i) - 1.5);
+  }
+  with_strong[3] += 2.0;
+  const Row alone = flux(c_lower, c_upper, phi_lower, weak);
+  const Row beside = flux(c_lower, c_upper, phi_lower, with_strong);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(alone[i], beside[i], 1e-15);
   }
 }
 
