@@ -16,20 +16,36 @@ double level_sum(std::span<const double> field, std::size_t level, std::size_t c
   return sum;
 }
 
+// One copy each of the following, so that an amount is rounded alike wherever it is taken: a core
+// at rest does not move at all.
+[[gnu::noinline]] double amount_on_level(std::span<const double> field, std::size_t level,
+                                         std::size_t columns) {
+  return level_sum(field, level, columns, 0.0);
+}
+
+[[gnu::noinline]] double amount_of_levels(const ScaledGrid& grid,
+                                          const std::vector<double>& amounts) {
+  double total = 0.0;
+  for (std::size_t k = 0; k < grid.levels; ++k) {
+    total += grid.height[k] * amounts[k];
+  }
+  return total;
+}
+
 } // namespace
 
 ExactAverage::ExactAverage(const ScaledGrid& grid, WorkerTeam& team,
                            std::optional<StericExcess> excess)
-    : grid_(grid), team_(team), excess_(excess), voltage_(grid), sum_(grid.levels),
+    : grid_(grid), team_(team), excess_(excess), voltage_(grid), amount_(grid.levels),
       mean_(grid.levels), fixed_mean_(grid.levels), charge_(grid.levels), diagonal_(grid.levels),
       potential_(grid.levels) {}
 
 double ExactAverage::total(const ScaledGrid& grid, std::span<const double> field) {
-  double total = 0.0;
+  std::vector<double> amounts(grid.levels);
   for (std::size_t k = 0; k < grid.levels; ++k) {
-    total += grid.height[k] * level_sum(field, k, grid.columns(), 0.0);
+    amounts[k] = amount_on_level(field, k, grid.columns());
   }
-  return total;
+  return amount_of_levels(grid, amounts);
 }
 
 template <class Body> void ExactAverage::for_levels(const Body& body) const {
@@ -42,11 +58,8 @@ template <class Body> void ExactAverage::for_levels(const Body& body) const {
 
 void ExactAverage::restore_amount(double ion_amount, std::span<double> concentration) {
   const std::size_t columns = grid_.columns();
-  for_levels([&](std::size_t k) { sum_[k] = level_sum(concentration, k, columns, 0.0); });
-  double amount = 0.0;
-  for (std::size_t k = 0; k < grid_.levels; ++k) {
-    amount += grid_.height[k] * sum_[k];
-  }
+  for_levels([&](std::size_t k) { amount_[k] = amount_on_level(concentration, k, columns); });
+  const double amount = amount_of_levels(grid_, amount_);
   if (!excess_) {
     const double factor = ion_amount / amount;
     for_levels([&](std::size_t k) {

@@ -32,7 +32,7 @@ private:
   WorkerTeam& team_;
   std::optional<StericExcess> excess_;
   TerminalVoltage voltage_;
-  std::vector<double> sum_, mean_, fixed_mean_;       ///< per level
+  std::vector<double> amount_, mean_, fixed_mean_;    ///< per level
   std::vector<double> charge_, diagonal_, potential_; ///< per level
 };
 
