@@ -16,62 +16,33 @@ double level_sum(std::span<const double> field, std::size_t level, std::size_t c
   return sum;
 }
 
-// One copy each of the following, so that an amount is rounded alike wherever it is taken: a core
-// at rest does not move at all.
-[[gnu::noinline]] double amount_on_level(std::span<const double> field, std::size_t level,
-                                         std::size_t columns) {
-  return level_sum(field, level, columns, 0.0);
-}
+} // namespace
 
-[[gnu::noinline]] double amount_of_levels(const ScaledGrid& grid,
-                                          const std::vector<double>& amounts) {
+ExactAverage::ExactAverage(const ScaledGrid& grid, std::optional<StericExcess> excess)
+    : grid_(grid), excess_(excess), voltage_(grid), mean_(grid.levels), charge_(grid.levels),
+      diagonal_(grid.levels), potential_(grid.levels) {}
+
+double ExactAverage::total(const ScaledGrid& grid, std::span<const double> field) {
   double total = 0.0;
   for (std::size_t k = 0; k < grid.levels; ++k) {
-    total += grid.height[k] * amounts[k];
+    total += grid.height[k] * level_sum(field, k, grid.columns(), 0.0);
   }
   return total;
 }
 
-} // namespace
-
-ExactAverage::ExactAverage(const ScaledGrid& grid, WorkerTeam& team,
-                           std::optional<StericExcess> excess)
-    : grid_(grid), team_(team), excess_(excess), voltage_(grid), amount_(grid.levels),
-      mean_(grid.levels), fixed_mean_(grid.levels), charge_(grid.levels), diagonal_(grid.levels),
-      potential_(grid.levels) {}
-
-double ExactAverage::total(const ScaledGrid& grid, std::span<const double> field) {
-  std::vector<double> amounts(grid.levels);
-  for (std::size_t k = 0; k < grid.levels; ++k) {
-    amounts[k] = amount_on_level(field, k, grid.columns());
-  }
-  return amount_of_levels(grid, amounts);
-}
-
-template <class Body> void ExactAverage::for_levels(const Body& body) const {
-  team_.for_blocks(grid_.levels, 1, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t k = begin; k < end; ++k) {
-      body(k);
-    }
-  });
-}
-
-void ExactAverage::restore_amount(double ion_amount, std::span<double> concentration) {
-  const std::size_t columns = grid_.columns();
-  for_levels([&](std::size_t k) { amount_[k] = amount_on_level(concentration, k, columns); });
-  const double amount = amount_of_levels(grid_, amount_);
+void ExactAverage::restore_amount(double ion_amount, std::span<double> concentration) const {
+  const double amount = total(grid_, concentration);
   if (!excess_) {
     const double factor = ion_amount / amount;
-    for_levels([&](std::size_t k) {
-      for (double& value : concentration.subspan(k * columns, columns)) {
-        value *= factor;
-      }
-    });
+    for (double& value : concentration) {
+      value *= factor;
+    }
     return;
   }
   double weight = 0.0;
   for (std::size_t i = 0; i < concentration.size(); ++i) {
-    weight += grid_.height[i / columns] * concentration[i] * excess_->room(concentration[i]);
+    weight +=
+        grid_.height[i / grid_.columns()] * concentration[i] * excess_->room(concentration[i]);
   }
   const double share = (ion_amount - amount) / weight;
   for (double& value : concentration) {
@@ -84,11 +55,9 @@ void ExactAverage::correct(const StageProblem& problem, IonState& state) {
   const double potential_top = top_potential(problem, voltage_, state.concentration());
   const std::size_t columns = grid_.columns(), top = grid_.levels - 1;
   const auto count = static_cast<double>(columns);
-  const auto phi = state.potential();
-  for_levels([&](std::size_t k) {
+  for (std::size_t k = 0; k <= top; ++k) {
     mean_[k] = level_sum(state.concentration(), k, columns, 1.0) / count;
-    fixed_mean_[k] = level_sum(problem.fixed_charge, k, columns, 1.0) / count;
-  });
+  }
   // Elimination from the bottom wall up, then substitution from the top wall down.
   potential_[0] = problem.potential_bottom;
   diagonal_[0] = 1.0;
@@ -97,7 +66,8 @@ void ExactAverage::correct(const StageProblem& problem, IonState& state) {
     const double previous_upper = k == 1 ? 0.0 : -down;
     const ChargeWeights weight = charge_weights(grid_, k);
     charge_[k] = weight.below * mean_[k - 1] + weight.here * mean_[k] +
-                 weight.above * mean_[k + 1] - grid_.height[k] * fixed_mean_[k];
+                 weight.above * mean_[k + 1] -
+                 grid_.height[k] * level_sum(problem.fixed_charge, k, columns, 1.0) / count;
     const double factor_below = -down / diagonal_[k - 1];
     diagonal_[k] = up + down - factor_below * previous_upper;
     potential_[k] = charge_[k] - factor_below * potential_[k - 1];
@@ -106,19 +76,17 @@ void ExactAverage::correct(const StageProblem& problem, IonState& state) {
   for (std::size_t k = top; k-- > 1;) {
     potential_[k] = (potential_[k] + potential_[k + 1] / grid_.spacing[k]) / diagonal_[k];
   }
+  const auto phi = state.potential();
   for (std::size_t i = 0; i < columns; ++i) {
     phi[i] = problem.potential_bottom;
     phi[top * columns + i] = potential_top;
   }
-  for_levels([&](std::size_t k) {
-    if (k == 0 || k == top) {
-      return;
-    }
+  for (std::size_t k = 1; k < top; ++k) {
     const double shift = potential_[k] - level_sum(phi, k, columns, 0.0) / count;
     for (double& value : phi.subspan(k * columns, columns)) {
       value += shift;
     }
-  });
+  }
 }
 
 } // namespace ionskin::electrochemistry

@@ -16,8 +16,7 @@ namespace ionskin::electrochemistry {
 class ExactAverage {
 public:
   /// @param excess nothing for dilute ions
-  ExactAverage(const ScaledGrid& grid, WorkerTeam& team,
-               std::optional<StericExcess> excess = std::nullopt);
+  explicit ExactAverage(const ScaledGrid& grid, std::optional<StericExcess> excess = std::nullopt);
 
   void correct(const StageProblem& problem, IonState& state);
 
@@ -25,15 +24,12 @@ public:
   static double total(const ScaledGrid& grid, std::span<const double> field);
 
 private:
-  template <class Body> void for_levels(const Body& body) const;
-  void restore_amount(double ion_amount, std::span<double> concentration);
+  void restore_amount(double ion_amount, std::span<double> concentration) const;
 
   const ScaledGrid& grid_;
-  WorkerTeam& team_;
   std::optional<StericExcess> excess_;
   TerminalVoltage voltage_;
-  std::vector<double> amount_, mean_, fixed_mean_;    ///< per level
-  std::vector<double> charge_, diagonal_, potential_; ///< per level
+  std::vector<double> mean_, charge_, diagonal_, potential_; ///< per level
 };
 
 } // namespace ionskin::electrochemistry

@@ -28,7 +28,7 @@ NewtonKrylov::NewtonKrylov(const ScaledGrid& grid, double tolerance, WorkerTeam&
                            std::optional<StericExcess> excess)
     : grid_(grid), tolerance_(tolerance), excess_(excess), team_(team), vectors_(team),
       equations_(grid, team, excess), preconditioner_(grid, team, excess),
-      gmres_(2 * grid.nodes(), team), exact_average_(grid, team, excess), trial_(grid.nodes()),
+      gmres_(2 * grid.nodes(), team), exact_average_(grid, excess), trial_(grid.nodes()),
       residual_(2 * grid.nodes()), defect_(residual_.size()), correction_(residual_.size()) {}
 
 void NewtonKrylov::prepare(const IonState& state, double step) {

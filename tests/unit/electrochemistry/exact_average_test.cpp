@@ -17,8 +17,7 @@ TEST(ExactAverage, RestoresTheAmountOfIonsAndGauss) {
   const IonState before = state;
   const std::vector<double> start(grid.nodes(), 1.0), fixed(grid.nodes(), 1.2);
   const double amount = ExactAverage::total(grid, start);
-  WorkerTeam team(1);
-  ExactAverage average(grid, team);
+  ExactAverage average(grid);
   average.correct({start, 1.0, fixed, -0.5, 2.0, amount}, state);
   EXPECT_NEAR(ExactAverage::total(grid, state.concentration()), amount, 1e-13 * amount);
   WallCharges charges;

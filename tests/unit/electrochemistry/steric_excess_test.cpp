@@ -106,8 +106,7 @@ TEST(StericExcess, ExactAverageRestoresIonsWithinTheirBounds) {
   const std::vector<double> start(grid.nodes(), 1.0);
   const double amount = ExactAverage::total(grid, start);
   state.concentration()[7] = (1.0 - 1e-9) / crowding.filling;
-  WorkerTeam team(1);
-  ExactAverage(grid, team, crowding).correct({start, 1.0, start, 0.0, 0.0, amount}, state);
+  ExactAverage(grid, crowding).correct({start, 1.0, start, 0.0, 0.0, amount}, state);
   EXPECT_NEAR(ExactAverage::total(grid, state.concentration()), amount, 1e-13 * amount);
   EXPECT_GT(crowding.room(state.concentration()[7]), 0.0);
 }
