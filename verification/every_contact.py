@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Solve the contact of every slider shape and motion at twelve friction coefficients; print the worst residuals.
 
-    verification/every_contact.py build/ionskin coarse [SHAPE ...]
+    verification/every_contact.py build/ionskin coarse [SHAPE or MOTION ...]
 
 Exits 0 only if every contact solve converged and no state violates tension, penetration, friction cone or slip
 by more than 1e-8, or equilibrium by more than 1e-9.
@@ -83,11 +83,16 @@ def solve(program, preset, shape, motion):
         return len(summaries), 12 - len(summaries), solves, worst
 
 
-def main(program, preset, *shapes):
+def main(program, preset, *names):
+    unknown = set(names) - set(SHAPES) - set(MOTIONS)
+    if unknown:
+        print(f"no shape or motion {', '.join(sorted(unknown))}; there are {', '.join([*SHAPES, *MOTIONS])}", file=sys.stderr)
+        return 2
+    shapes, motions = ([name for name in known if name in names] or known for known in (SHAPES, MOTIONS))
     print(f"{'preset':9}{'slider':10}{'motion':18}{'points':>7}{'failed':>7}{'solves':>8}{'complementarity':>17}{'equilibrium':>13}")
     passed = True
-    for shape in shapes or SHAPES:
-        for motion in MOTIONS:
+    for shape in shapes:
+        for motion in motions:
             points, failed, solves, worst = solve(program, preset, shape, motion)
             passed &= failed == 0 and worst["complementarity_residual"] <= COMPLEMENTARITY \
                 and worst["equilibrium_residual"] <= EQUILIBRIUM

@@ -52,6 +52,8 @@ std::string need_name(const SchemaRow& row) {
     return "required where it applies";
   case Need::one_of_several:
     return "one of several keys for this is required";
+  case Need::where_known:
+    return "optional, no default";
   }
   return "";
 }

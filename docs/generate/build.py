@@ -13,6 +13,7 @@ import sys
 
 from case_reference import case_reference, command_line
 from gallery import gallery
+from materials import materials
 from verification import verification
 
 DOCS = pathlib.Path(__file__).resolve().parent.parent
@@ -50,6 +51,7 @@ def main():
         make_material(program, material)
     copy_sources(source)
     pages = {"case_reference": case_reference(program), "command_line": command_line(program),
+             "materials": materials(DOCS.parent / "materials"),
              "verification_results": verification(material / "verification.csv", source),
              "gallery": gallery(material / "sweep" / "figures", source)}
     for name, text in pages.items():

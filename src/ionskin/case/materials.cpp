@@ -9,8 +9,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <set>
+#include <utility>
 
 namespace ionskin {
 
@@ -18,8 +20,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Of a material, and of the ions in a core made of it.
+constexpr std::array<const char*, 3> ion_properties{"diffusivity", "fixed_charge_concentration",
+                                                    "valence"};
+
 fs::path materials_folder() {
   return data_folder() / "materials";
+}
+
+std::string key_of(const std::string& material, const std::string& property) {
+  return fmt::format("materials.{}.{}", material, property);
 }
 
 // Values of a preset that the case does not give itself.
@@ -28,19 +38,30 @@ void complete_from_preset(const std::string& name, TomlWalk& walk, Problems& pro
   const CaseText text(file.string(), read_text_file(file.string(), "material preset"));
   TomlWalk preset(text, problems);
   preset.visit(parse_toml(text.text(), text.file()));
-  Material& material = walk.draft.materials[name];
-  material.name = name;
-  const Material& installed = preset.draft.materials[name];
+  walk.draft.materials[name]; // known from now on, whatever the preset leaves out
   for (ValueRecord record : preset.records) {
-    if (!record.key.starts_with("materials." + name + ".") || walk.seen[record.key])
+    if (!record.key.starts_with(key_of(name, "")) || walk.seen[record.key])
       continue;
     walk.seen[record.key] = true;
     record.origin = ValueOrigin::preset;
+    find_row(key_pattern(record.key))->set(walk.draft, {0, name}, record.value);
     walk.records.push_back(record);
-    if (record.key.ends_with(".youngs_modulus"))
-      material.youngs_modulus = installed.youngs_modulus;
-    if (record.key.ends_with(".poissons_ratio"))
-      material.poissons_ratio = installed.poissons_ratio;
+  }
+}
+
+// What the case does not say of its ions and the material of the core does.
+void take_ions(const std::string& material, TomlWalk& walk) {
+  for (const char* property : ion_properties) {
+    const std::string key = std::string("electrochemistry.") + property;
+    const auto known =
+        std::ranges::find(walk.records, key_of(material, property), &ValueRecord::key);
+    if (walk.seen[key] || known == walk.records.end())
+      continue;
+    walk.seen[key] = true;
+    ValueRecord record = *known;
+    record.key = key;
+    find_row(key)->set(walk.draft, {}, record.value);
+    walk.records.push_back(std::move(record));
   }
 }
 
@@ -72,14 +93,19 @@ std::vector<Pointer> place_of_layer_material(const TomlWalk& walk, std::size_t l
   return {};
 }
 
-void report_missing(const std::string& name, TomlWalk& walk, Problems& problems) {
+void report_missing(const std::string& name, std::size_t layer, TomlWalk& walk,
+                    Problems& problems) {
   for (const char* property : {"youngs_modulus", "poissons_ratio"}) {
-    const std::string key = fmt::format("materials.{}.{}", name, property);
+    const std::string key = key_of(name, property);
     if (walk.seen[key])
       continue;
-    problems.add("missing key " + key, {{walk.tables["materials." + name], ""}},
-                 std::string("add it: ") +
-                     (property[0] == 'y' ? "\"1 GPa\", say" : "a number below 0.5"));
+    const auto table = walk.tables.find("materials." + name);
+    const bool in_case = table != walk.tables.end();
+    problems.add(
+        "missing key " + key,
+        in_case ? std::vector<Pointer>{{table->second, ""}} : place_of_layer_material(walk, layer),
+        fmt::format("{}: {}", in_case ? "add it" : "the preset leaves it out; add it to the case",
+                    property[0] == 'y' ? "\"1 GPa\", say" : "a number below 0.5"));
   }
 }
 
@@ -95,26 +121,33 @@ std::vector<std::string> installed_materials() {
   return names;
 }
 
-void resolve_materials(TomlWalk& walk, Problems& problems) {
+void complete_materials(TomlWalk& walk, Problems& problems) {
   const std::vector<std::string> presets = installed_materials();
+  std::set<std::string> done;
+  for (const Layer& layer : walk.draft.input.skin.layers) {
+    const std::string& name = layer.material.name;
+    if (std::ranges::find(presets, name) != presets.end() && done.insert(name).second)
+      complete_from_preset(name, walk, problems);
+    if (layer.role == LayerRole::core)
+      take_ions(name, walk);
+  }
+}
+
+void resolve_materials(TomlWalk& walk, Problems& problems) {
   std::vector<Layer>& layers = walk.draft.input.skin.layers;
   std::set<std::string> done;
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const std::string name = layers[i].material.name;
     if (name.empty())
       continue; // reported as a missing or bad key
-    const bool defined = walk.draft.materials.contains(name);
-    const bool preset = std::find(presets.begin(), presets.end(), name) != presets.end();
-    if (!defined && !preset) {
-      report_unknown(name, place_of_layer_material(walk, i), walk, presets, problems);
+    if (!walk.draft.materials.contains(name)) {
+      report_unknown(name, place_of_layer_material(walk, i), walk, installed_materials(), problems);
       continue;
     }
-    if (done.insert(name).second) {
-      if (preset)
-        complete_from_preset(name, walk, problems);
-      report_missing(name, walk, problems);
-    }
+    if (done.insert(name).second)
+      report_missing(name, i, walk, problems);
     layers[i].material = walk.draft.materials[name];
+    layers[i].material.name = name;
   }
 }
 

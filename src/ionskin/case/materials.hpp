@@ -12,8 +12,11 @@ namespace ionskin {
 /// folder.
 std::vector<std::string> installed_materials();
 
-/// Gives every layer its material: each value from the case, else from the installed preset of that
-/// name. Unknown materials and missing values are collected; records of preset values are appended.
+/// Completes the materials of the layers from the installed presets of their names, and the ions
+/// from the material of the core: whatever the case does not give itself. Records are appended.
+void complete_materials(TomlWalk& walk, Problems& problems);
+
+/// Gives every layer its material. Unknown materials and missing values are collected.
 void resolve_materials(TomlWalk& walk, Problems& problems);
 
 } // namespace ionskin

@@ -77,6 +77,7 @@ CaseDocument read_case_text(const std::string& original, const std::string& path
   Problems problems;
   TomlWalk walk(text, problems);
   walk.visit(parse_toml(text.text(), text.file()));
+  complete_materials(walk, problems);
   complete(walk, path, problems);
   if (walk.draft.input.strain.kind == StrainSourceKind::contact)
     resolve_materials(walk, problems);

@@ -27,13 +27,15 @@ enum class ValueType {
 /// When a key must be given.
 /// `always`: where `SchemaRow::applies`. `when_it_applies`: so with contact only. `one_of_several`:
 /// the checks of the case see to it that one of the keys with the same purpose is there.
+/// `where_known`: never, and nothing stands in for it.
 enum class Need {
   optional,
   always,
   with_contact,
   with_strain_file,
   when_it_applies,
-  one_of_several
+  one_of_several,
+  where_known
 };
 
 /// Allowed interval of a number, in SI units; each end belongs to it or not.

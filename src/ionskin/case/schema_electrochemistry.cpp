@@ -29,7 +29,9 @@ void add_electrochemistry(SchemaRows& rows) {
                   .dimension = Dimension::diffusivity,
                   .range = positive,
                   .need = Need::always,
-                  .help = "Diffusivity of the mobile cation in the core.",
+                  .help =
+                      "Diffusivity of the mobile cation in the core; where it is not given, the "
+                      "one that the material of the core has.",
                   .set = into(&Case::electrochemistry, &Electrochemistry::diffusivity)});
   rows.push_back({.key = "electrochemistry.permittivity",
                   .type = ValueType::quantity,
@@ -44,13 +46,16 @@ void add_electrochemistry(SchemaRows& rows) {
        .dimension = Dimension::concentration,
        .range = positive,
        .need = Need::always,
-       .help = "Concentration of the fixed anions in the unstrained core.",
+       .help = "Concentration of the fixed anions in the unstrained core; where it is not given, "
+               "the one that the material of the core has.",
        .set = into(&Case::electrochemistry, &Electrochemistry::fixed_charge_concentration)});
   rows.push_back({.key = "electrochemistry.valence",
                   .type = ValueType::integer,
                   .range = {1, 4, true, true},
                   .default_value = "1",
-                  .help = "Charge number of the mobile cation.",
+                  .help =
+                      "Charge number of the mobile cation; where it is not given, the one that the "
+                      "material of the core has.",
                   .source = "alkali cations and protons have 1",
                   .set = into(&Case::electrochemistry, &Electrochemistry::valence)});
   rows.push_back(

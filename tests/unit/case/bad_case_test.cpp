@@ -168,7 +168,13 @@ INSTANTIATE_TEST_SUITE_P(
                 "material = \"jelly\"\nthickness = \"180 um\"\n[materials.jelly]\nyoungs_modulus = "
                 "\"1 MPa\"",
                 "missing key materials.jelly.poissons_ratio", "18:1", "^^^^^^^^^^^^^^^^^",
-                "below 0.5"}),
+                "below 0.5"},
+        Mistake{"PresetWithoutYoungsModulus", "\"nafion\"", "\"nafion_sodium\"",
+                "missing key materials.nafion_sodium.youngs_modulus", "16:12", "^^^^^^^^^^^^^^^",
+                "the preset leaves it out; add it to the case: \"1 GPa\", say"},
+        Mistake{"MaterialWithoutIons", "diffusivity = \"7e-11 m2/s\"\n", "",
+                "missing key electrochemistry.diffusivity in", "41:1", "41 | [electrochemistry]",
+                "add it: a diffusivity such as"}),
     [](const auto& instance) { return instance.param.name; });
 
 std::string with_taxels(const std::string& taxels) {

@@ -35,8 +35,8 @@ TEST(CaseFiles, QuickIsTheSameSkinAtThePresetCoarse) {
 
 TEST(CaseFiles, PresetsAreInstalled) {
   EXPECT_EQ(installed_materials(),
-            (std::vector<std::string>{"gold", "nafion", "nafion_wet", "nafion_wet_100c",
-                                      "palladium", "platinum", "silver"}));
+            (std::vector<std::string>{"gold", "nafion", "nafion_sodium", "nafion_wet",
+                                      "nafion_wet_100c", "palladium", "platinum", "silver"}));
 }
 
 } // namespace

@@ -132,6 +132,50 @@ TEST(ReadCase, ValuesRememberWhereTheyCameFrom) {
   EXPECT_EQ(document.find("contact.colour"), nullptr);
 }
 
+/// A case that says nothing of its ions but their permittivity.
+std::string without_ions(const std::string& core, const std::string& tables = "") {
+  std::string text = valid_case("\"nafion\"", "\"" + core + "\"");
+  for (const std::string line :
+       {"diffusivity = \"7e-11 m2/s\"\n", "fixed_charge_concentration = \"1200 mol/m3\"\n"})
+    text.erase(text.find(line), line.size());
+  return text + tables;
+}
+
+TEST(ReadCase, MaterialOfTheCoreHasItsIons) {
+  const TemporaryCase file(without_ions("nafion_wet"));
+  const CaseDocument document = read_case_document(file.path());
+  const Electrochemistry& ions = document.input.electrochemistry;
+  EXPECT_EQ(ions.valence, 1);
+  EXPECT_EQ(document.find("electrochemistry.diffusivity")->origin, ValueOrigin::preset);
+  EXPECT_EQ(document.find("electrochemistry.valence")->origin, ValueOrigin::preset);
+  // What the preset rests on: 8.2 S/m at 25 degC, by the relation of Nernst and Einstein.
+  const double faraday = 96485.33, thermal_energy = 8.314463 * 298.15;
+  const double conductivity =
+      faraday * faraday * ions.diffusivity * ions.fixed_charge_concentration / thermal_energy;
+  EXPECT_NEAR(conductivity, 8.2, 0.1);
+}
+
+TEST(ReadCase, IonsOfTheCaseComeFirst) {
+  const TemporaryCase file(valid_case("\"nafion\"", "\"nafion_wet\""));
+  const CaseDocument document = read_case_document(file.path(), {"electrochemistry.valence=2"});
+  EXPECT_DOUBLE_EQ(document.input.electrochemistry.diffusivity, 7e-11);
+  EXPECT_DOUBLE_EQ(document.input.electrochemistry.fixed_charge_concentration, 1200);
+  EXPECT_EQ(document.input.electrochemistry.valence, 2);
+  EXPECT_EQ(document.find("electrochemistry.diffusivity")->origin, ValueOrigin::file);
+}
+
+TEST(ReadCase, MaterialsOfTheCaseMayHaveIonsToo) {
+  const std::string gel = "[materials.gel]\nyoungs_modulus = \"1 MPa\"\npoissons_ratio = 0.4\n"
+                          "diffusivity = \"1e-9 m2/s\"\nfixed_charge_concentration = \"0.5 "
+                          "mol/L\"\nvalence = 2\n";
+  const TemporaryCase file(without_ions("gel", gel));
+  const CaseDocument document = read_case_document(file.path());
+  EXPECT_EQ(document.input.skin.layers[1].material.name, "gel");
+  EXPECT_DOUBLE_EQ(document.input.electrochemistry.diffusivity, 1e-9);
+  EXPECT_DOUBLE_EQ(document.input.electrochemistry.resting_concentration(), 250);
+  EXPECT_EQ(document.find("electrochemistry.valence")->origin, ValueOrigin::file);
+}
+
 TEST(ReadCase, MistakesInEditsPointAtTheEdit) {
   const TemporaryCase file(valid_case());
   const auto message = [&](const std::string& edit) -> std::string {
