@@ -50,6 +50,7 @@ format:
 bench: build
 	@cmake --build --preset release --target benchmarks --parallel $(JOBS)
 	$(BUILD)/benchmarks/electrochemistry
+	$(BUILD)/benchmarks/columns
 	$(BUILD)/benchmarks/mechanics
 	$(BUILD)/benchmarks/stages
 

@@ -2,7 +2,8 @@
 
 // What Study 2 of the paper's case costs: counters, cost per unknown and step, and the floor, the
 // bytes that its vectors and factors are, each moved once per use, at this machine's measured rate.
-// Arguments: the presets to measure (default: coarse standard).
+
+#include "presets.hpp"
 
 #include "ionskin/base/task_pool.hpp"
 #include "ionskin/base/timers.hpp"
@@ -98,8 +99,8 @@ void measure(const Case& input, const strain::StrainHistory& history, int thread
 } // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> given(argv + 1, argv + argc),
-      presets = given.empty() ? std::vector<std::string>{"coarse", "standard"} : given;
+  const std::vector<std::string> presets =
+      presets_of("What Study 2 of the paper's case costs.", argc, argv);
   const int threads = static_cast<int>(std::thread::hardware_concurrency());
   for (const std::string& preset : presets) {
     const Case input =

@@ -2,7 +2,8 @@
 
 // What Study 1 of the paper's case costs: machine-independent counters, seconds of one core beside
 // them, and the floor, its operations at this machine's measured rate of a matrix product.
-// Arguments: the presets to measure (default: coarse standard).
+
+#include "presets.hpp"
 
 #include "ionskin/base/task_pool.hpp"
 #include "ionskin/base/timers.hpp"
@@ -180,8 +181,8 @@ void measure(const std::string& preset, double rate, int threads) {
 } // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> given(argv + 1, argv + argc),
-      presets = given.empty() ? std::vector<std::string>{"coarse", "standard"} : given;
+  const std::vector<std::string> presets =
+      presets_of("What Study 1 of the paper's case costs.", argc, argv);
   const double rate = product_rate();
   fmt::print("matrix product on one core: {:.1f} GFlop/s\n", rate * 1e-9);
   for (const std::string& preset : presets) {

@@ -57,12 +57,11 @@ CosineTransform::CosineTransform(const ScaledGrid& grid)
 }
 
 /// Sums and differences of mirrored cells of rows along x.
-void CosineTransform::fold(std::span<const double> field, float* folded, std::size_t first_row,
-                           std::size_t last_row) const {
+void CosineTransform::fold(std::span<const double> field, float* folded) const {
   const std::size_t n = columns_x_, even = even_, odd = n - even;
-  for (std::size_t row = first_row; row < last_row; ++row) {
-    const double* from = field.data() + row * n;
-    float* to = folded + row * n;
+  for (std::size_t row = 0; row < field.size(); row += n) {
+    const double* from = field.data() + row;
+    float* to = folded + row;
 #pragma omp simd
     for (std::size_t i = 0; i < odd; ++i) {
       to[i] = static_cast<float>(from[i] + from[n - 1 - i]);
@@ -74,12 +73,11 @@ void CosineTransform::fold(std::span<const double> field, float* folded, std::si
   }
 }
 
-void CosineTransform::unfold(const float* folded, std::span<double> field, std::size_t first_row,
-                             std::size_t last_row) const {
+void CosineTransform::unfold(const float* folded, std::span<double> field) const {
   const std::size_t n = columns_x_, even = even_, odd = n - even;
-  for (std::size_t row = first_row; row < last_row; ++row) {
-    const float* from = folded + row * n;
-    double* to = field.data() + row * n;
+  for (std::size_t row = 0; row < field.size(); row += n) {
+    const float* from = folded + row;
+    double* to = field.data() + row;
 #pragma omp simd
     for (std::size_t i = 0; i < odd; ++i) {
       to[i] = from[i] + from[even + i];
@@ -92,40 +90,36 @@ void CosineTransform::unfold(const float* folded, std::span<double> field, std::
 }
 
 void CosineTransform::forward(std::span<const double> field, std::span<float> modes,
-                              std::span<float> scratch, std::size_t begin, std::size_t end) const {
-  const std::size_t columns = columns_x_ * columns_y_;
-  const auto n = static_cast<Eigen::Index>(columns_x_), even = static_cast<Eigen::Index>(even_);
-  const auto rows = static_cast<Eigen::Index>((end - begin) * columns_y_);
-  fold(field, modes.data(), begin * columns_y_, end * columns_y_);
-  const Eigen::Map<const RowMatrix> folded(modes.data() + begin * columns, rows, n);
-  Eigen::Map<RowMatrix> along_x(scratch.data() + begin * columns, rows, n);
+                              std::span<float> scratch) const {
+  const auto n = static_cast<Eigen::Index>(columns_x_), even = static_cast<Eigen::Index>(even_),
+             height = static_cast<Eigen::Index>(columns_y_);
+  const auto rows = static_cast<Eigen::Index>(field.size()) / n;
+  fold(field, modes.data());
+  const Eigen::Map<const RowMatrix> folded(modes.data(), rows, n);
+  Eigen::Map<RowMatrix> along_x(scratch.data(), rows, n);
   along_x.leftCols(even).noalias() = folded.leftCols(even) * square(even_x_, even);
   along_x.rightCols(n - even).noalias() = folded.rightCols(n - even) * square(odd_x_, n - even);
-  for (std::size_t k = begin; k < end; ++k) {
-    const auto height = static_cast<Eigen::Index>(columns_y_);
-    const Eigen::Map<const RowMatrix> level(scratch.data() + k * columns, height, n);
-    Eigen::Map<RowMatrix>(modes.data() + k * columns, height, n).noalias() =
-        square(modes_y_, height).transpose() * level;
+  for (Eigen::Index row = 0; row < rows; row += height) {
+    Eigen::Map<RowMatrix>(modes.data() + row * n, height, n).noalias() =
+        square(modes_y_, height).transpose() * along_x.middleRows(row, height);
   }
 }
 
 void CosineTransform::backward(std::span<float> modes, std::span<double> field,
-                               std::span<float> scratch, std::size_t begin, std::size_t end) const {
-  const std::size_t columns = columns_x_ * columns_y_;
-  const auto n = static_cast<Eigen::Index>(columns_x_), even = static_cast<Eigen::Index>(even_);
-  const auto rows = static_cast<Eigen::Index>((end - begin) * columns_y_);
-  for (std::size_t k = begin; k < end; ++k) {
-    const auto height = static_cast<Eigen::Index>(columns_y_);
-    const Eigen::Map<const RowMatrix> level(modes.data() + k * columns, height, n);
-    Eigen::Map<RowMatrix>(scratch.data() + k * columns, height, n).noalias() =
-        square(modes_y_, height) * level;
+                               std::span<float> scratch) const {
+  const auto n = static_cast<Eigen::Index>(columns_x_), even = static_cast<Eigen::Index>(even_),
+             height = static_cast<Eigen::Index>(columns_y_);
+  const auto rows = static_cast<Eigen::Index>(field.size()) / n;
+  Eigen::Map<RowMatrix> along_x(scratch.data(), rows, n);
+  for (Eigen::Index row = 0; row < rows; row += height) {
+    const Eigen::Map<const RowMatrix> level(modes.data() + row * n, height, n);
+    along_x.middleRows(row, height).noalias() = square(modes_y_, height) * level;
   }
-  const Eigen::Map<const RowMatrix> along_x(scratch.data() + begin * columns, rows, n);
-  Eigen::Map<RowMatrix> folded(modes.data() + begin * columns, rows, n);
+  Eigen::Map<RowMatrix> folded(modes.data(), rows, n);
   folded.leftCols(even).noalias() = along_x.leftCols(even) * square(even_x_, even).transpose();
   folded.rightCols(n - even).noalias() =
       along_x.rightCols(n - even) * square(odd_x_, n - even).transpose();
-  unfold(modes.data(), field, begin * columns_y_, end * columns_y_);
+  unfold(modes.data(), field);
 }
 
 } // namespace ionskin::electrochemistry

@@ -20,20 +20,16 @@ public:
   /// x before odd ones).
   const std::vector<double>& eigenvalues() const { return eigenvalues_; }
 
-  /// Levels [begin, end) of a field to their modes. All spans hold the whole grid; `scratch` is
-  /// changed on the same levels only.
-  void forward(std::span<const double> field, std::span<float> modes, std::span<float> scratch,
-               std::size_t begin, std::size_t end) const;
+  /// Some levels of a field to their modes. All spans hold as many whole levels.
+  void forward(std::span<const double> field, std::span<float> modes,
+               std::span<float> scratch) const;
 
   /// The inverse; changes `modes`.
-  void backward(std::span<float> modes, std::span<double> field, std::span<float> scratch,
-                std::size_t begin, std::size_t end) const;
+  void backward(std::span<float> modes, std::span<double> field, std::span<float> scratch) const;
 
 private:
-  void fold(std::span<const double> field, float* folded, std::size_t first_row,
-            std::size_t last_row) const;
-  void unfold(const float* folded, std::span<double> field, std::size_t first_row,
-              std::size_t last_row) const;
+  void fold(std::span<const double> field, float* folded) const;
+  void unfold(const float* folded, std::span<double> field) const;
 
   std::size_t columns_x_, columns_y_, even_; ///< number of even modes of x
   // Square matrices, row-major: entry (i, j) is the value of mode j in cell i.

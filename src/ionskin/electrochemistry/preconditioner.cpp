@@ -12,6 +12,10 @@ namespace {
 /// Modes that one thread works on in a row; a multiple of the vector length.
 constexpr std::size_t mode_granularity = 16;
 
+/// Modes whose systems are solved together, so that what the way down wrote is in the cache on the
+/// way up.
+constexpr std::size_t modes_at_once = 128;
+
 /// Levels that are transformed together.
 constexpr std::size_t tile_levels = 8;
 
@@ -40,7 +44,8 @@ FastDiagonalisation::FastDiagonalisation(const ScaledGrid& grid, WorkerTeam& tea
       mean_drive_(grid.levels), slope_(grid.levels, 0.0), lower_(grid.levels), upper_(grid.levels),
       inverse_00_(grid.nodes()), inverse_01_(grid.nodes()), inverse_10_(grid.nodes()),
       inverse_11_(grid.nodes()), balance_(grid.nodes()), poisson_(grid.nodes()),
-      sums_(2 * grid.columns()), scratch_(grid.nodes()) {}
+      sums_(2 * grid.columns()),
+      scratch_(team.size(), std::vector<float>(tile_levels * grid.columns())) {}
 
 void FastDiagonalisation::average(const IonState& state) {
   const std::size_t columns = grid_.columns();
@@ -136,28 +141,41 @@ void FastDiagonalisation::factorise_modes(double step, std::size_t begin, std::s
   }
 }
 
-/// Calls `body` on tiles of levels that are the same for any number of threads, because the
-/// rounding of a matrix product depends on its size.
+/// Calls `body(first node, number of nodes, scratch)` on tiles of levels that are the same for any
+/// number of threads, because the rounding of a matrix product depends on its size.
 template <class Body> void FastDiagonalisation::for_tiles(const Body& body) {
-  team_.for_blocks(grid_.levels, tile_levels, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t k = begin; k < end; k += tile_levels) {
-      body(k, std::min(k + tile_levels, end));
-    }
-  });
+  const std::size_t columns = grid_.columns();
+  team_.for_blocks(grid_.levels, tile_levels,
+                   [&](std::size_t begin, std::size_t end, std::size_t worker) {
+                     for (std::size_t k = begin; k < end; k += tile_levels) {
+                       const std::size_t levels = std::min(tile_levels, end - k);
+                       body(k * columns, levels * columns, std::span(scratch_[worker]));
+                     }
+                   });
+}
+
+/// Calls `body(begin, end)` on groups of modes.
+template <class Body> void FastDiagonalisation::for_modes(const Body& body) {
+  team_.for_blocks(grid_.columns(), mode_granularity,
+                   [&](std::size_t begin, std::size_t end, std::size_t) {
+                     for (std::size_t mode = begin; mode < end; mode += modes_at_once) {
+                       body(mode, std::min(mode + modes_at_once, end));
+                     }
+                   });
 }
 
 void FastDiagonalisation::apply(std::span<const double> residual, std::span<double> out) {
   const std::size_t nodes = grid_.nodes();
-  for_tiles([&](std::size_t begin, std::size_t end) {
-    transform_.forward(residual.first(nodes), balance_, scratch_, begin, end);
-    transform_.forward(residual.last(nodes), poisson_, scratch_, begin, end);
+  const std::span balance(balance_), poisson(poisson_);
+  for_tiles([&](std::size_t first, std::size_t count, std::span<float> scratch) {
+    transform_.forward(residual.subspan(first, count), balance.subspan(first, count), scratch);
+    transform_.forward(residual.subspan(nodes + first, count), poisson.subspan(first, count),
+                       scratch);
   });
-  team_.for_blocks(
-      grid_.columns(), mode_granularity,
-      [&](std::size_t begin, std::size_t end, std::size_t) { solve_modes(begin, end); });
-  for_tiles([&](std::size_t begin, std::size_t end) {
-    transform_.backward(balance_, out.first(nodes), scratch_, begin, end);
-    transform_.backward(poisson_, out.last(nodes), scratch_, begin, end);
+  for_modes([&](std::size_t begin, std::size_t end) { solve_modes(begin, end); });
+  for_tiles([&](std::size_t first, std::size_t count, std::span<float> scratch) {
+    transform_.backward(balance.subspan(first, count), out.subspan(first, count), scratch);
+    transform_.backward(poisson.subspan(first, count), out.subspan(nodes + first, count), scratch);
   });
 }
 
@@ -166,19 +184,19 @@ std::array<std::vector<double>, 2>
 FastDiagonalisation::damped_sums(std::span<const double> concentration,
                                  const std::array<std::vector<double>, 2>& weights) {
   const std::size_t columns = grid_.columns();
-  for_tiles([&](std::size_t begin, std::size_t end) {
-    transform_.forward(concentration, balance_, scratch_, begin, end);
-    for (std::size_t k = begin; k < end; ++k) {
-      const auto height = static_cast<float>(grid_.height[k]);
-      float* level = balance_.data() + k * columns;
-      for (std::size_t i = 0; i < columns; ++i) {
-        level[i] *= height;
+  for_tiles([&](std::size_t first, std::size_t count, std::span<float> scratch) {
+    const std::span balance = std::span(balance_).subspan(first, count),
+                    poisson = std::span(poisson_).subspan(first, count);
+    transform_.forward(concentration.subspan(first, count), balance, scratch);
+    for (std::size_t level = 0; level < count; level += columns) {
+      const auto height = static_cast<float>(grid_.height[(first + level) / columns]);
+      for (std::size_t i = level; i < level + columns; ++i) {
+        balance[i] *= height;
       }
     }
-    std::fill(poisson_.begin() + static_cast<std::ptrdiff_t>(begin * columns),
-              poisson_.begin() + static_cast<std::ptrdiff_t>(end * columns), 0.0F);
+    std::ranges::fill(poisson, 0.0F);
   });
-  team_.for_blocks(columns, mode_granularity, [&](std::size_t begin, std::size_t end, std::size_t) {
+  for_modes([&](std::size_t begin, std::size_t end) {
     solve_modes(begin, end);
     for (std::size_t w = 0; w < 2; ++w) {
       sum_levels(weights[w], w, begin, end);
@@ -187,7 +205,7 @@ FastDiagonalisation::damped_sums(std::span<const double> concentration,
   std::array<std::vector<double>, 2> sums;
   for (std::size_t w = 0; w < 2; ++w) {
     sums[w].resize(columns);
-    transform_.backward(std::span(sums_).subspan(w * columns, columns), sums[w], scratch_, 0, 1);
+    transform_.backward(std::span(sums_).subspan(w * columns, columns), sums[w], scratch_.front());
   }
   return sums;
 }

@@ -49,6 +49,7 @@ private:
   void average(const IonState& state);
   void factorise_modes(double step, std::size_t begin, std::size_t end, bool keep_off_diagonals);
   template <class Body> void for_tiles(const Body& body);
+  template <class Body> void for_modes(const Body& body);
   void solve_modes(std::size_t begin, std::size_t end);
   void sum_levels(std::span<const double> weights, std::size_t row, std::size_t begin,
                   std::size_t end);
@@ -63,9 +64,9 @@ private:
   std::vector<OffDiagonal> lower_, upper_; ///< per level
   /// Inverse of the eliminated diagonal block, row-major entries, each [level][mode].
   std::vector<float> inverse_00_, inverse_01_, inverse_10_, inverse_11_;
-  std::vector<float> balance_, poisson_; ///< right-hand side and solution, [level][mode]
-  std::vector<float> sums_;              ///< of `damped_sums`, two rows of modes
-  std::vector<float> scratch_;
+  std::vector<float> balance_, poisson_;    ///< right-hand side and solution, [level][mode]
+  std::vector<float> sums_;                 ///< of `damped_sums`, two rows of modes
+  std::vector<std::vector<float>> scratch_; ///< of a tile, per thread
 };
 
 } // namespace ionskin::electrochemistry

@@ -30,8 +30,8 @@ TEST(CosineTransform, IsInvertibleForEvenOddAndSingleColumns) {
     const CosineTransform transform(grid);
     std::vector<float> modes(grid.nodes()), scratch(grid.nodes());
     std::vector<double> back(grid.nodes());
-    transform.forward(state.concentration(), modes, scratch, 0, grid.levels);
-    transform.backward(modes, back, scratch, 0, grid.levels);
+    transform.forward(state.concentration(), modes, scratch);
+    transform.backward(modes, back, scratch);
     for (std::size_t i = 0; i < grid.nodes(); ++i) {
       EXPECT_NEAR(back[i], state.concentration()[i], 2e-6);
     }
@@ -44,13 +44,13 @@ TEST(CosineTransform, DiagonalisesTheLateralLaplacian) {
   const CosineTransform transform(grid);
   const std::size_t columns = grid.columns();
   const std::vector<double> none(columns, 0.0);
-  std::vector<double> laplacian(grid.nodes(), 0.0), field(columns);
+  const std::span<const double> level = state.concentration().first(columns);
+  std::vector<double> laplacian(columns), field(columns);
   LateralFlux lateral(grid);
-  lateral.inflow(state.concentration().first(columns), none, none,
-                 std::span(laplacian).first(columns), field);
-  std::vector<float> modes(grid.nodes()), modes_of_laplacian(grid.nodes()), scratch(grid.nodes());
-  transform.forward(state.concentration(), modes, scratch, 0, 1);
-  transform.forward(laplacian, modes_of_laplacian, scratch, 0, 1);
+  lateral.inflow(level, none, none, laplacian, field);
+  std::vector<float> modes(columns), modes_of_laplacian(columns), scratch(columns);
+  transform.forward(level, modes, scratch);
+  transform.forward(laplacian, modes_of_laplacian, scratch);
   for (std::size_t m = 0; m < columns; ++m) {
     EXPECT_NEAR(modes_of_laplacian[m], -transform.eigenvalues()[m] * modes[m], 1e-5);
   }
