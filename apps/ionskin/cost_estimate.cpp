@@ -3,6 +3,7 @@
 
 #include "ionskin/electrochemistry/problem_size.hpp"
 #include "ionskin/mechanics/contact_plan.hpp"
+#include "ionskin/mechanics/memory_estimate.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 
 #include <algorithm>
@@ -13,13 +14,11 @@ namespace ionskin::apps {
 namespace {
 
 // Measured on cases/paper.toml at 45e3, 54e3 and 114e3 unknowns (coarse, standard with
-// mesh_refinement 0.7, standard) on two cores with AVX2; the powers fit the three within 10 %.
+// mesh_refinement 0.7, standard) on two cores with AVX2; the power fits the three within 10 %.
 // Other work on the machine raised the times by up to a half.
 constexpr double reference_unknowns = 1e5;
 constexpr double seconds_per_position = 4.0; // processor time, factorisation and contact
 constexpr double seconds_power = 1.55;
-constexpr double bytes_per_thread = 0.94e9; // one factorisation at a time in each thread
-constexpr double bytes_power = 1.25;
 constexpr double bytes_at_rest = 0.15e9; // the program and its libraries
 // Processor time per unknown of the whole core and time step, with the error estimate.
 constexpr double seconds_per_ion_step = 7e-8;
@@ -45,8 +44,9 @@ CostEstimate estimate_cost(const Case& input, int threads) {
       seconds_per_ion_step * static_cast<double>(ions.unknowns) * static_cast<double>(ions.steps) /
           threads +
       seconds_of_output;
-  cost.memory = std::max(bytes_at_rest + at_once * bytes_per_thread * std::pow(scale, bytes_power),
-                         bytes_at_rest + ions.memory);
+  // One factorisation at a time in each thread.
+  const double factors = at_once * mechanics::factorisation_memory(cost.mechanics_unknowns);
+  cost.memory = bytes_at_rest + std::max(factors, ions.memory);
   return cost;
 }
 

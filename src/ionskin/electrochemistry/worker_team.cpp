@@ -14,10 +14,11 @@ constexpr int patience = 4000;
 /// More blocks than threads, so that a late thread leaves less to wait for.
 constexpr std::size_t blocks_per_thread = 2;
 
-/// Waits for the other threads that are no sign of a busy machine.
+/// A longer wait for the other threads, beside twice one's own work, says that one of them has no
+/// processor: the trial is over.
 constexpr std::chrono::microseconds stall_allowance{200};
-/// Bounds of the number of loops that the calling thread does alone after a stall.
-constexpr int shortest_penalty = 64, longest_penalty = 4096;
+/// Loops: some time steps, and what makes the trials cost little.
+constexpr int loops_per_trial = 256, loops_of_rest = 8192;
 
 constexpr std::uint64_t from_the_end = 1U << 16;
 
@@ -41,7 +42,7 @@ void relax() {
 
 } // namespace
 
-WorkerTeam::WorkerTeam(int threads) : ticket_(closed), penalty_(shortest_penalty) {
+WorkerTeam::WorkerTeam(int threads) : ticket_(closed) {
   for (int i = 1; i < threads; ++i) {
     workers_.emplace_back([this, i] { work(static_cast<std::size_t>(i)); });
   }
@@ -72,8 +73,7 @@ void WorkerTeam::run(const Loop& loop) {
   if (loop.count == 0) {
     return;
   }
-  if (loop.blocks == 1 || loops_alone_ > 0) {
-    loops_alone_ = std::max(loops_alone_ - 1, 0);
+  if (loop.blocks == 1 || next_loop_is_alone()) {
     loop.call(loop.body, 0, loop.count, 0);
     return;
   }
@@ -93,17 +93,37 @@ void WorkerTeam::run(const Loop& loop) {
     looks < patience ? relax() : std::this_thread::yield();
   }
   ticket_.store(opened | closed, std::memory_order_relaxed);
-  adapt(own_end - begin, Clock::now() - own_end);
+  if (Clock::now() - own_end > 2 * (own_end - begin) + stall_allowance) {
+    faster_alone_ = true;
+    begin_phase(Phase::rest);
+  }
 }
 
-/// After a wait that only a thread without a processor explains, goes on alone for a while.
-void WorkerTeam::adapt(Clock::duration worked, Clock::duration waited) {
-  if (waited > 2 * worked + stall_allowance) {
-    loops_alone_ = penalty_;
-    penalty_ = std::min(2 * penalty_, longest_penalty);
-  } else {
-    penalty_ = std::max(penalty_ - 1, shortest_penalty);
+void WorkerTeam::begin_phase(Phase phase) {
+  phase_ = phase;
+  loops_left_ = phase == Phase::rest ? loops_of_rest : loops_per_trial;
+  phase_begin_ = Clock::now();
+}
+
+bool WorkerTeam::next_loop_is_alone() {
+  if (loops_left_-- == 0) {
+    const auto spent = Clock::now() - phase_begin_;
+    switch (phase_) {
+    case Phase::rest:
+      begin_phase(Phase::trial_together);
+      break;
+    case Phase::trial_together:
+      time_together_ = spent;
+      begin_phase(Phase::trial_alone);
+      break;
+    case Phase::trial_alone:
+      faster_alone_ = spent < time_together_;
+      begin_phase(Phase::rest);
+      break;
+    }
+    --loops_left_;
   }
+  return phase_ == Phase::trial_alone || (phase_ == Phase::rest && faster_alone_);
 }
 
 void WorkerTeam::take_blocks(std::size_t worker) {

@@ -11,9 +11,10 @@
 namespace ionskin::electrochemistry {
 
 /// A few threads that share many short loops. base::run_tasks starts threads for each call, and
-/// OpenMP waits for every thread at the end of each loop; here blocks go to whoever is there, and
-/// after a stall the calling thread goes on alone for a while, so that a busy machine does not stop
-/// the loops.
+/// OpenMP waits for every thread at the end of each loop; here blocks go to whoever is there. On a
+/// busy machine, where threads wait for a processor, and with loops too short to share, the calling
+/// thread is faster alone: from time to time some loops are done either way, and the faster one
+/// goes on.
 class WorkerTeam {
 public:
   /// @param threads at least 1, the calling one included
@@ -54,7 +55,13 @@ private:
   void work(std::size_t worker);
 
   using Clock = std::chrono::steady_clock;
-  void adapt(Clock::duration worked, Clock::duration waited);
+  /// What the calling thread does for a number of loops. Trials are timed; the rest is as the
+  /// faster trial was.
+  enum class Phase { trial_together, trial_alone, rest };
+
+  /// Counts a loop. @returns whether the calling thread does it alone
+  bool next_loop_is_alone();
+  void begin_phase(Phase phase);
 
   /// Number of the loop in the upper half; in the lower one the blocks that the caller has taken
   /// from the start and the others from the end, so that data stay with the same thread; `closed`
@@ -63,8 +70,11 @@ private:
   std::atomic<const Loop*> loop_{nullptr};
   std::atomic<std::size_t> blocks_{0}, finished_{0};
   std::atomic<bool> stop_{false};
-  int loops_alone_ = 0; ///< that the calling thread still does without the others
-  int penalty_;         ///< loops alone after the next stall
+  Phase phase_ = Phase::rest;
+  int loops_left_ = 0; ///< of the phase
+  bool faster_alone_ = false;
+  Clock::time_point phase_begin_;
+  Clock::duration time_together_{};
   std::vector<std::thread> workers_;
 };
 

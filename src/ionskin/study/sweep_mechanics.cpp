@@ -5,6 +5,7 @@
 #include "ionskin/base/task_pool.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/mechanics/find_footprint.hpp"
+#include "ionskin/mechanics/memory_estimate.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 #include "ionskin/results/atomic_file.hpp"
 #include "ionskin/results/output_folder.hpp"
@@ -22,7 +23,9 @@
 namespace ionskin::study {
 namespace {
 
-constexpr double solution_memory = 1.2e9; // bytes for the contact solutions held at once
+/// For the contact solutions held at once, unless a factorisation takes more anyway: what does not
+/// fit is solved in a further batch, which factorises all positions again [bytes].
+constexpr double least_solution_memory = 1.2e9;
 // States of a touchdown, an onset with the steady sliding behind it, and a lift-off.
 constexpr double touchdown_states = 20, slide_states = 38, lift_off_states = 20;
 
@@ -87,7 +90,9 @@ std::size_t batch_size(const Case& input, const mesh::Footprint& footprint) {
   const double gauss_points =
       8.0 * static_cast<double>(elements[0] * elements[1] * (core[1] - core[0]));
   const double bytes = states_per_solution(input) * 6 * sizeof(double) * gauss_points;
-  return std::max<std::size_t>(1, static_cast<std::size_t>(solution_memory / bytes));
+  const double memory =
+      std::max(least_solution_memory, mechanics::factorisation_memory(mesh.unknowns()));
+  return std::max<std::size_t>(1, static_cast<std::size_t>(memory / bytes));
 }
 
 /// How the entries of a group are solved.

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <vector>
 
 namespace ionskin::electrochemistry {
@@ -36,6 +38,26 @@ TEST(WorkerTeam, LoopsFollowEachOtherWithoutMixing) {
     });
   }
   EXPECT_EQ(value, std::vector<std::size_t>(64, 20000));
+}
+
+void busy_for(std::chrono::microseconds time) {
+  const auto end = std::chrono::steady_clock::now() + time;
+  while (std::chrono::steady_clock::now() < end) {
+  }
+}
+
+// As where the other thread has to wait for a processor.
+TEST(WorkerTeam, GoesOnAloneWhereOthersMakeItSlower) {
+  WorkerTeam team(2);
+  constexpr int loops = 10000;
+  std::atomic<int> helped{0};
+  for (int loop = 0; loop < loops; ++loop) {
+    team.for_blocks(4, 1, [&](std::size_t begin, std::size_t end, std::size_t worker) {
+      helped += worker > 0 ? 1 : 0;
+      busy_for(static_cast<int>(end - begin) * std::chrono::microseconds(worker > 0 ? 60 : 5));
+    });
+  }
+  EXPECT_LT(helped, loops / 5);
 }
 
 } // namespace
