@@ -23,9 +23,9 @@
 namespace ionskin::study {
 namespace {
 
-/// For the contact solutions held at once, unless a factorisation takes more anyway: what does not
-/// fit is solved in a further batch, which factorises all positions again [bytes].
-constexpr double least_solution_memory = 1.2e9;
+// For the contact solutions held at once: so many bytes, or so much of what a factorisation takes
+// anyway. What does not fit is solved in a further batch, which factorises all positions again.
+constexpr double least_solution_memory = 1.2e9, share_of_factorisation = 0.5;
 // States of a touchdown, an onset with the steady sliding behind it, and a lift-off.
 constexpr double touchdown_states = 20, slide_states = 38, lift_off_states = 20;
 
@@ -91,7 +91,8 @@ std::size_t batch_size(const Case& input, const mesh::Footprint& footprint) {
       8.0 * static_cast<double>(elements[0] * elements[1] * (core[1] - core[0]));
   const double bytes = states_per_solution(input) * 6 * sizeof(double) * gauss_points;
   const double memory =
-      std::max(least_solution_memory, mechanics::factorisation_memory(mesh.unknowns()));
+      std::max(least_solution_memory,
+               share_of_factorisation * mechanics::factorisation_memory(mesh.unknowns()));
   return std::max<std::size_t>(1, static_cast<std::size_t>(memory / bytes));
 }
 
