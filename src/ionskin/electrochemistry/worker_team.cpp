@@ -15,7 +15,7 @@ constexpr int patience = 4000;
 constexpr std::size_t blocks_per_thread = 2;
 
 /// A longer wait for the other threads, beside twice one's own work, says that one of them has no
-/// processor: the trial is over.
+/// processor: time for new trials.
 constexpr std::chrono::microseconds stall_allowance{200};
 /// Loops: some time steps, and what makes the trials cost little.
 constexpr int loops_per_trial = 256, loops_of_rest = 8192;
@@ -93,7 +93,13 @@ void WorkerTeam::run(const Loop& loop) {
     looks < patience ? relax() : std::this_thread::yield();
   }
   ticket_.store(opened | closed, std::memory_order_relaxed);
-  if (Clock::now() - own_end > 2 * (own_end - begin) + stall_allowance) {
+  look_at_clock(own_end - begin, Clock::now() - own_end);
+}
+
+void WorkerTeam::look_at_clock(Clock::duration worked, Clock::duration waited) {
+  if (phase_ == Phase::rest && waited > 2 * worked + stall_allowance) {
+    begin_phase(Phase::trial_alone);
+  } else if (phase_ == Phase::trial_together && Clock::now() - phase_begin_ > time_alone_) {
     faster_alone_ = true;
     begin_phase(Phase::rest);
   }
@@ -106,23 +112,22 @@ void WorkerTeam::begin_phase(Phase phase) {
 }
 
 bool WorkerTeam::next_loop_is_alone() {
-  if (loops_left_-- == 0) {
-    const auto spent = Clock::now() - phase_begin_;
+  if (loops_left_ == 0) {
     switch (phase_) {
     case Phase::rest:
-      begin_phase(Phase::trial_together);
-      break;
-    case Phase::trial_together:
-      time_together_ = spent;
       begin_phase(Phase::trial_alone);
       break;
     case Phase::trial_alone:
-      faster_alone_ = spent < time_together_;
+      time_alone_ = Clock::now() - phase_begin_;
+      begin_phase(Phase::trial_together);
+      break;
+    case Phase::trial_together:
+      faster_alone_ = false;
       begin_phase(Phase::rest);
       break;
     }
-    --loops_left_;
   }
+  --loops_left_;
   return phase_ == Phase::trial_alone || (phase_ == Phase::rest && faster_alone_);
 }
 

@@ -57,11 +57,13 @@ private:
   using Clock = std::chrono::steady_clock;
   /// What the calling thread does for a number of loops. Trials are timed; the rest is as the
   /// faster trial was.
-  enum class Phase { trial_together, trial_alone, rest };
+  enum class Phase { trial_alone, trial_together, rest };
 
   /// Counts a loop. @returns whether the calling thread does it alone
   bool next_loop_is_alone();
   void begin_phase(Phase phase);
+  /// After a loop together: begins new trials after a stall, ends one that is lost.
+  void look_at_clock(Clock::duration worked, Clock::duration waited);
 
   /// Number of the loop in the upper half; in the lower one the blocks that the caller has taken
   /// from the start and the others from the end, so that data stay with the same thread; `closed`
@@ -74,7 +76,7 @@ private:
   int loops_left_ = 0; ///< of the phase
   bool faster_alone_ = false;
   Clock::time_point phase_begin_;
-  Clock::duration time_together_{};
+  Clock::duration time_alone_{}; ///< of the last trial
   std::vector<std::thread> workers_;
 };
 
