@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/condensed_position.hpp"
 
+#include "ionskin/base/free_memory.hpp"
 #include "ionskin/linear_algebra/dense_kernels.hpp"
 #include "ionskin/mechanics/elastic_system.hpp"
 
@@ -87,11 +88,15 @@ public:
   }
 
 private:
-  /// Waits until the memory holds one more factor.
+  /// Waits until the memory holds one more factor. The first member, it goes when the factor is
+  /// gone.
   class Place {
   public:
     explicit Place(std::counting_semaphore<>& places) : places_(places) { places_.acquire(); }
-    ~Place() { places_.release(); }
+    ~Place() {
+      base::return_free_memory();
+      places_.release();
+    }
     Place(const Place&) = delete;
     Place& operator=(const Place&) = delete;
 
