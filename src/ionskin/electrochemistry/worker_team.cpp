@@ -17,8 +17,11 @@ constexpr std::size_t blocks_per_thread = 2;
 /// A longer wait for the other threads, beside twice one's own work, says that one of them has no
 /// processor: time for new trials.
 constexpr std::chrono::microseconds stall_allowance{200};
-/// Loops: some time steps, and what makes the trials cost little.
-constexpr int loops_per_trial = 256, loops_of_rest = 8192;
+/// Loops: some time steps, and what makes the trials cost little and a wrong verdict not much.
+constexpr int loops_per_trial = 256, loops_of_rest = 2048;
+/// Time that the loops of a trial together may take, over that of as many alone: the two trials are
+/// not of the same loops, and where a thread has no processor, it is twice as much.
+constexpr int allowed_excess_percent = 40;
 
 constexpr std::uint64_t from_the_end = 1U << 16;
 
@@ -99,7 +102,7 @@ void WorkerTeam::run(const Loop& loop) {
 void WorkerTeam::look_at_clock(Clock::duration worked, Clock::duration waited) {
   if (phase_ == Phase::rest && waited > 2 * worked + stall_allowance) {
     begin_phase(Phase::trial_alone);
-  } else if (phase_ == Phase::trial_together && Clock::now() - phase_begin_ > time_alone_) {
+  } else if (phase_ == Phase::trial_together && Clock::now() - phase_begin_ > time_allowed_) {
     faster_alone_ = true;
     begin_phase(Phase::rest);
   }
@@ -118,7 +121,7 @@ bool WorkerTeam::next_loop_is_alone() {
       begin_phase(Phase::trial_alone);
       break;
     case Phase::trial_alone:
-      time_alone_ = Clock::now() - phase_begin_;
+      time_allowed_ = (Clock::now() - phase_begin_) * (100 + allowed_excess_percent) / 100;
       begin_phase(Phase::trial_together);
       break;
     case Phase::trial_together:

@@ -13,8 +13,8 @@ namespace ionskin::electrochemistry {
 /// A few threads that share many short loops. base::run_tasks starts threads for each call, and
 /// OpenMP waits for every thread at the end of each loop; here blocks go to whoever is there. On a
 /// busy machine, where threads wait for a processor, and with loops too short to share, the calling
-/// thread is faster alone: from time to time some loops are done either way, and the faster one
-/// goes on.
+/// thread is faster alone: from time to time some loops are done either way, and where sharing
+/// takes much longer, the calling thread goes on alone for a while.
 class WorkerTeam {
 public:
   /// @param threads at least 1, the calling one included
@@ -76,7 +76,7 @@ private:
   int loops_left_ = 0; ///< of the phase
   bool faster_alone_ = false;
   Clock::time_point phase_begin_;
-  Clock::duration time_alone_{}; ///< of the last trial
+  Clock::duration time_allowed_{}; ///< for the trial together, from the last one alone
   std::vector<std::thread> workers_;
 };
 
