@@ -55,8 +55,8 @@ private:
   void work(std::size_t worker);
 
   using Clock = std::chrono::steady_clock;
-  /// What the calling thread does for a number of loops. Trials are timed; the rest is as the
-  /// faster trial was.
+  /// What the calling thread does for a number of loops. Trials are timed; the rest is together
+  /// unless that took much longer.
   enum class Phase { trial_alone, trial_together, rest };
 
   /// Counts a loop. @returns whether the calling thread does it alone
