@@ -18,11 +18,6 @@ struct Material {
   std::string name;
   double youngs_modulus = 0; ///< [Pa]
   double poissons_ratio = 0; ///< [1]
-  // Of an ionomer, where they are known. A run takes them from `Electrochemistry`, which has them
-  // from here where the case gives nothing else.
-  double diffusivity = 0;                ///< of the mobile cation [m2/s]
-  double fixed_charge_concentration = 0; ///< [mol/m3]
-  int valence = 0;                       ///< of the mobile cation
 };
 
 enum class LayerRole { electrode, core };

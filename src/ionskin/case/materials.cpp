@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <set>
 #include <utility>
@@ -19,10 +18,6 @@ namespace ionskin {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Of a material, and of the ions in a core made of it.
-constexpr std::array<const char*, 3> ion_properties{"diffusivity", "fixed_charge_concentration",
-                                                    "valence"};
 
 fs::path materials_folder() {
   return data_folder() / "materials";
@@ -51,16 +46,17 @@ void complete_from_preset(const std::string& name, TomlWalk& walk, Problems& pro
 
 // What the case does not say of its ions and the material of the core does.
 void take_ions(const std::string& material, TomlWalk& walk) {
-  for (const char* property : ion_properties) {
-    const std::string key = std::string("electrochemistry.") + property;
-    const auto known =
-        std::ranges::find(walk.records, key_of(material, property), &ValueRecord::key);
-    if (walk.seen[key] || known == walk.records.end())
+  for (const SchemaRow& row : schema()) {
+    if (!row.of_material || walk.seen[row.key])
       continue;
-    walk.seen[key] = true;
+    const std::string source = key_of(material, row.key.substr(row.key.find('.') + 1));
+    walk.seen[row.key] = walk.seen[source];
+    const auto known = std::ranges::find(walk.records, source, &ValueRecord::key);
+    if (known == walk.records.end())
+      continue; // not given, or a bad value, which is reported
     ValueRecord record = *known;
-    record.key = key;
-    find_row(key)->set(walk.draft, {}, record.value);
+    record.key = row.key;
+    row.set(walk.draft, {}, record.value);
     walk.records.push_back(std::move(record));
   }
 }

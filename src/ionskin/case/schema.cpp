@@ -39,9 +39,9 @@ const std::vector<SchemaRow>& schema() {
                    .set = [](CaseDraft& draft, const KeyIndex&, const Value& value) {
                      draft.input.title = value.text;
                    }});
-    for (const auto add :
-         {add_skin, add_layers, add_materials, add_slider, add_motion, add_contact,
-          add_electrochemistry, add_coupling, add_strain, add_readout, add_run_control})
+    for (const auto add : {add_skin, add_layers, add_materials, add_ions_of_materials, add_slider,
+                           add_motion, add_contact, add_electrochemistry, add_coupling, add_strain,
+                           add_readout, add_run_control})
       add(all);
     return all;
   }();

@@ -92,8 +92,10 @@ struct SchemaRow {
   std::function<bool(const Case&)> applies{};
   std::string default_value{};   ///< TOML; used when an optional key is missing
   std::vector<Choice> choices{}; ///< of type `choice`
-  std::string help{};            ///< one sentence
-  std::string source{};          ///< where the default comes from
+  /// Comes from the key of the same name of the core's material where the case is silent.
+  bool of_material = false;
+  std::string help{};   ///< one sentence
+  std::string source{}; ///< where the default comes from
   std::function<void(CaseDraft&, const KeyIndex&, const Value&)> set{};
 };
 

@@ -3,6 +3,8 @@
 
 #include "ionskin/case/schema_setters.hpp"
 
+#include <utility>
+
 namespace ionskin {
 
 using units::Dimension;
@@ -29,6 +31,7 @@ void add_electrochemistry(SchemaRows& rows) {
                   .dimension = Dimension::diffusivity,
                   .range = positive,
                   .need = Need::always,
+                  .of_material = true,
                   .help =
                       "Diffusivity of the mobile cation in the core; where it is not given, the "
                       "one that the material of the core has.",
@@ -46,6 +49,7 @@ void add_electrochemistry(SchemaRows& rows) {
        .dimension = Dimension::concentration,
        .range = positive,
        .need = Need::always,
+       .of_material = true,
        .help = "Concentration of the fixed anions in the unstrained core; where it is not given, "
                "the one that the material of the core has.",
        .set = into(&Case::electrochemistry, &Electrochemistry::fixed_charge_concentration)});
@@ -53,6 +57,7 @@ void add_electrochemistry(SchemaRows& rows) {
                   .type = ValueType::integer,
                   .range = {1, 4, true, true},
                   .default_value = "1",
+                  .of_material = true,
                   .help =
                       "Charge number of the mobile cation; where it is not given, the one that the "
                       "material of the core has.",
@@ -78,6 +83,23 @@ void add_electrochemistry(SchemaRows& rows) {
                   .help = "Concentration of the cations when packed as densely as they can be, "
                           "1/(N_A a^3) for a spacing a; of ion_model \"steric\" only.",
                   .set = into(&Case::electrochemistry, &Electrochemistry::largest_concentration)});
+}
+
+void add_ions_of_materials(SchemaRows& rows) {
+  SchemaRows ions;
+  add_electrochemistry(ions);
+  for (SchemaRow& row : ions) {
+    if (!row.of_material)
+      continue;
+    const std::string own_key = row.key;
+    row.key.replace(0, row.key.find('.'), "materials.NAME");
+    row.need = Need::where_known;
+    row.of_material = false;
+    row.default_value = row.source = "";
+    row.help = "Of a core made of this material: " + own_key + " where the case does not give it.";
+    row.set = [](CaseDraft&, const KeyIndex&, const Value&) {}; // handed on by complete_materials
+    rows.push_back(std::move(row));
+  }
 }
 
 void add_coupling(SchemaRows& rows) {

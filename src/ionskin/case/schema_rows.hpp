@@ -24,6 +24,9 @@ inline bool goes_in_strokes(const Case& input) {
 void add_skin(SchemaRows& rows);
 void add_layers(SchemaRows& rows);
 void add_materials(SchemaRows& rows);
+/// What a material says of the ions in it: the rows of `add_electrochemistry` that may come from
+/// it.
+void add_ions_of_materials(SchemaRows& rows);
 void add_slider(SchemaRows& rows);
 void add_motion(SchemaRows& rows);
 void add_contact(SchemaRows& rows);

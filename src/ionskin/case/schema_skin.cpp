@@ -86,30 +86,6 @@ void add_materials(SchemaRows& rows) {
                   .need = Need::with_contact,
                   .help = "Poisson's ratio.",
                   .set = into_material(&Material::poissons_ratio)});
-  rows.push_back({.key = "materials.NAME.diffusivity",
-                  .type = ValueType::quantity,
-                  .dimension = Dimension::diffusivity,
-                  .range = positive,
-                  .need = Need::where_known,
-                  .help = "Diffusivity of the mobile cation in this material; used for a core "
-                          "without electrochemistry.diffusivity.",
-                  .set = into_material(&Material::diffusivity)});
-  rows.push_back(
-      {.key = "materials.NAME.fixed_charge_concentration",
-       .type = ValueType::quantity,
-       .dimension = Dimension::concentration,
-       .range = positive,
-       .need = Need::where_known,
-       .help = "Concentration of the fixed anions of this material, unstrained; used for a core "
-               "without electrochemistry.fixed_charge_concentration.",
-       .set = into_material(&Material::fixed_charge_concentration)});
-  rows.push_back({.key = "materials.NAME.valence",
-                  .type = ValueType::integer,
-                  .range = {1, 4, true, true},
-                  .need = Need::where_known,
-                  .help = "Charge number of the mobile cation of this material; used for a core "
-                          "without electrochemistry.valence.",
-                  .set = into_material(&Material::valence)});
 }
 
 } // namespace ionskin

@@ -176,6 +176,14 @@ TEST(ReadCase, MaterialsOfTheCaseMayHaveIonsToo) {
   EXPECT_EQ(document.find("electrochemistry.valence")->origin, ValueOrigin::file);
 }
 
+TEST(ReadCase, BadIonsOfAMaterialAreNotMissingToo) {
+  const std::string message =
+      error_of(without_ions("nafion_wet", "[materials.nafion_wet]\ndiffusivity = \"1 mm\"\n"));
+  EXPECT_THAT(message, testing::HasSubstr(
+                           "materials.nafion_wet.diffusivity: \"1 mm\" has the wrong dimension"));
+  EXPECT_THAT(message, testing::Not(testing::HasSubstr("missing key")));
+}
+
 TEST(ReadCase, MistakesInEditsPointAtTheEdit) {
   const TemporaryCase file(valid_case());
   const auto message = [&](const std::string& edit) -> std::string {
