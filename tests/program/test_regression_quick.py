@@ -7,21 +7,21 @@ from program import QUICK, ProgramTest, metric
 
 # name: (value, relative tolerance)
 FIGURES = {
-    "normal_force_touchdown": (68.53972, 1e-5),
-    "normal_force_slide": (65.22877, 1e-5),
-    "tangential_force_slide": (19.56863, 1e-5),
-    "mean_shear_touchdown": (2.512270e-3, 1e-5),
-    "mean_shear_slide": (8.493516e-3, 1e-5),
-    "p99_shear_slide": (3.123005e-2, 1e-4),
-    "shear_first_moment_slide": (-7.816877e-5, 1e-4),
-    "element_max_shear_slide": (4.127691e-2, 1e-4),
-    "peak_sampled_current_top": (2.595814e-2, 1e-4),
-    "peak_sampled_current_bottom": (2.692008e-2, 1e-4),
-    "peak_sampled_current_difference": (4.809688e-4, 1e-3),
-    "rms_current_top": (6.530977e-3, 1e-3),
-    "rms_current_difference": (1.470868e-4, 1e-3),
-    "nonlinearity": (0.4279897, 1e-4),
-    "min_concentration_ratio": (0.6480927, 1e-4),
+    "normal_force_touchdown": (68.54480, 1e-5),
+    "normal_force_slide": (65.23275, 1e-5),
+    "tangential_force_slide": (19.56982, 1e-5),
+    "mean_shear_touchdown": (2.512230e-3, 1e-5),
+    "mean_shear_slide": (8.493970e-3, 1e-5),
+    "p99_shear_slide": (3.108859e-2, 1e-4),
+    "shear_first_moment_slide": (-7.813262e-5, 1e-4),
+    "element_max_shear_slide": (4.127812e-2, 1e-4),
+    "peak_sampled_current_top": (2.595979e-2, 1e-4),
+    "peak_sampled_current_bottom": (2.692133e-2, 1e-4),
+    "peak_sampled_current_difference": (4.807680e-4, 1e-3),
+    "rms_current_top": (6.531353e-3, 1e-3),
+    "rms_current_difference": (1.469873e-4, 1e-3),
+    "nonlinearity": (0.4263908, 1e-4),
+    "min_concentration_ratio": (0.6480815, 1e-4),
 }
 # name: upper bound
 BOUNDS = {

@@ -43,7 +43,9 @@ void FixedCharge::check_sign(double time) const {
   if (smallest == 0.0) {
     return;
   }
-  const auto lowest = std::ranges::find(ratio_, smallest);
+  // The first of nodes that mirror each other: they differ by rounding.
+  const auto lowest =
+      std::ranges::find_if(ratio_, [&](double value) { return value <= smallest * (1 - 1e-9); });
   throw SolverError(
       fmt::format("the fixed charge concentration becomes negative: {}",
                   describe(static_cast<std::size_t>(lowest - ratio_.begin()), time)),

@@ -90,6 +90,15 @@ std::vector<double> geometric_line(double length, double first, std::size_t coun
   return accumulate(sizes, length);
 }
 
+std::vector<double> growing_line(double length, double growth, std::size_t count) {
+  std::vector<double> sizes;
+  double size = 1;
+  for (std::size_t i = 0; i < count; ++i, size *= growth) {
+    sizes.push_back(size);
+  }
+  return accumulate(sizes, length);
+}
+
 std::vector<double> two_sided_line(double length, double growth, std::size_t count) {
   std::vector<double> sizes(count);
   for (std::size_t i = 0; i < count; ++i) {

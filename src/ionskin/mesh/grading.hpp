@@ -17,6 +17,9 @@ std::vector<double> graded_line(double length, double first, double growth, doub
 /// first`.
 std::vector<double> geometric_line(double length, double first, std::size_t count);
 
+/// `count` elements that grow by `growth` from the start.
+std::vector<double> growing_line(double length, double growth, std::size_t count);
+
 /// `count` elements that grow by `growth` from both ends to the middle.
 std::vector<double> two_sided_line(double length, double growth, std::size_t count);
 

@@ -12,6 +12,7 @@ struct PresetResolution {
   double edge, footprint_growth, footprint_largest; // sizes over the characteristic length
   double outer_growth;
   double outer_minimum;
+  double face_elements;
   /// Half of the core's elements. An element astride the middle, where the shear of squeezing
   /// changes its sign, spoils the mean of its magnitude: by 15 % of the element's part.
   double half_core_elements;
@@ -22,13 +23,13 @@ struct PresetResolution {
 PresetResolution preset_resolution(Preset preset) {
   switch (preset) {
   case Preset::coarse:
-    return {0.12, 2.0, 2.0, 2.0, 9, 1, 1.8, 8, 2.0};
+    return {0.12, 2.0, 2.0, 2.0, 9, 1, 1, 1.8, 8, 2.0};
   case Preset::standard:
-    return {0.05, 2.0, 1.5, 1.6, 14, 2, 2.0, 12, 1.7};
+    return {0.05, 2.0, 1.5, 2.0, 15, 2, 2, 2.0, 12, 1.7};
   case Preset::fine:
     break;
   }
-  return {0.02, 1.7, 1.0, 1.5, 22, 3, 1.5, 18, 1.45};
+  return {0.005, 2.0, 1.0, 1.8, 22, 3, 3, 1.5, 18, 1.45};
 }
 
 std::size_t scaled_count(double count, double refinement) {
@@ -56,6 +57,7 @@ MeshResolution mesh_resolution(const Case& input, const Footprint& footprint) {
   result.footprint_growth = std::pow(preset.footprint_growth, 1 / refinement);
   result.outer_growth = std::pow(preset.outer_growth, 1 / refinement);
   result.outer_minimum = scaled_count(preset.outer_minimum, refinement);
+  result.face_elements = scaled_count(preset.face_elements, refinement);
   result.core_elements = 2 * scaled_count(preset.half_core_elements, refinement);
   result.core_growth = std::pow(preset.core_growth, 1 / refinement);
   result.electrode_elements = scaled_count(1, refinement);

@@ -19,6 +19,7 @@ struct MeshResolution {
   std::array<double, 2> footprint_largest{}; ///< along x and y [m]
   double outer_growth = 0;                   ///< largest admitted away from the footprint [1]
   std::size_t outer_minimum = 0;             ///< before and behind the footprint along the slide
+  std::size_t face_elements = 0;             ///< in the edge layer of a free face close by
   std::size_t core_elements = 0;             ///< through the thickness of the core; even
   double core_growth = 0;                    ///< from both interfaces to the middle [1]
   std::size_t electrode_elements = 0;        ///< through each electrode layer

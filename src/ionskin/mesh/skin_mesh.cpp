@@ -18,6 +18,11 @@ namespace {
 
 /// Outer elements thinner than this fraction of the edge element are refused.
 constexpr double smallest_margin = 0.05;
+/// A free face feels a slider that comes closer than this, in thicknesses of the skin.
+constexpr double face_reach = 5;
+/// Width of the edge layer at a free face, in thicknesses of the skin: along the bonded base, the
+/// layers' ends and the corners between them the strain varies within about half of one.
+constexpr double face_layer = 0.5;
 
 bool moves_on_symmetry_plane(const Case& input) {
   const MotionBox box = motion_box(input.motion, input.slider);
@@ -59,18 +64,25 @@ std::vector<double> footprint_lines(const Footprint& footprint, const MeshResolu
 
 } // namespace
 
+std::vector<double> SkinMesh::Axis::outer_lines(double length) const {
+  std::vector<double> result =
+      geometric_line(length - face.back(), outer_first, outer - (face.size() - 1));
+  append(result, reversed(face));
+  return result;
+}
+
 std::vector<double> SkinMesh::Axis::lines(double centre, double skin_size) const {
   const double middle = centred ? skin_size / 2 : centre;
   std::vector<double> result{0.0};
   const double before = std::max(0.0, middle + inner.front());
   if (outer > 0) {
-    result = reversed(geometric_line(before, outer_first, outer));
+    result = reversed(outer_lines(before));
   }
   for (std::size_t i = 1; i < inner.size(); ++i) {
     result.push_back(middle + inner[i]);
   }
   if (outer > 0 && !half) {
-    append(result, geometric_line(skin_size - middle - inner.back(), outer_first, outer));
+    append(result, outer_lines(skin_size - middle - inner.back()));
   }
   result.back() = extent;
   return result;
@@ -110,8 +122,17 @@ SkinMesh::Axis SkinMesh::make_axis(const Case& input, std::size_t direction) con
   const double whole = std::hypot(box.high[0] - box.low[0], box.high[1] - box.low[1]);
   const bool main_direction = whole > 0 ? way > 0.5 * whole : direction == 0;
   const std::size_t minimum = main_direction ? resolution.outer_minimum : 2;
-  axis.outer = std::max(minimum, geometric_count(longest, edge_size, resolution.outer_growth));
-  axis.outer_first = std::min(edge_size, shortest / static_cast<double>(axis.outer));
+  const bool symmetry = direction == 1 && skin_.sides == SideCondition::symmetry;
+  if (!symmetry && shortest < face_reach * skin_.thickness()) {
+    axis.face = growing_line(std::min(face_layer * skin_.thickness(), shortest / 2),
+                             resolution.outer_growth, resolution.face_elements);
+  }
+  const double graded = longest - axis.face.back();
+  const std::size_t count =
+      std::max(minimum, geometric_count(graded, edge_size, resolution.outer_growth));
+  axis.outer_first =
+      std::min(edge_size, (shortest - axis.face.back()) / static_cast<double>(count));
+  axis.outer = count + axis.face.size() - 1;
   return axis;
 }
 

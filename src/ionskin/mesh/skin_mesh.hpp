@@ -68,10 +68,14 @@ private:
     std::vector<double> inner; ///< footprint lines from the slider's centre [m]
     std::size_t outer = 0;     ///< elements before and, in full models, behind the footprint
     double outer_first = 0;    ///< size of the outer elements at the footprint [m]
+    /// Lines of the edge layer at a free face, from the face inwards [m]; 0 alone without one.
+    std::vector<double> face{0.0};
 
     std::size_t inner_elements() const { return inner.size() - 1; }
     std::size_t elements() const { return inner_elements() + (half ? 1 : 2) * outer; }
     std::vector<double> lines(double centre, double skin_size) const;
+    /// From the footprint to the face. @param length between them [m]
+    std::vector<double> outer_lines(double length) const;
   };
 
   Axis make_axis(const Case& input, std::size_t direction) const;

@@ -46,6 +46,15 @@ TEST(Grading, geometric_ratio_is_smooth_in_the_length) {
   EXPECT_NEAR(second_difference(2e-3) / second_difference(1e-3), 4.0, 0.05);
 }
 
+TEST(Grading, growing_line_grows_by_the_ratio) {
+  const auto line = growing_line(2.0, 1.5, 4);
+  expect_line(line, 2.0);
+  EXPECT_EQ(line.size(), 5u);
+  for (std::size_t i = 2; i < line.size(); ++i) {
+    EXPECT_NEAR((line[i] - line[i - 1]) / (line[i - 1] - line[i - 2]), 1.5, 1e-12);
+  }
+}
+
 TEST(Grading, two_sided_line_is_symmetric) {
   const auto line = two_sided_line(2.0, 1.5, 5);
   expect_line(line, 2.0);

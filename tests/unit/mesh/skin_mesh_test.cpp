@@ -95,6 +95,38 @@ TEST(SkinMesh, layers_are_data) {
   }
 }
 
+/// Element sizes between the side and the footprint, from the side inwards.
+std::vector<double> sizes_beside(const SkinMesh& mesh, std::size_t direction) {
+  const MeshLines lines = mesh.lines({4.5e-3, 1e-3});
+  const std::vector<double>& line = direction == 0 ? lines.x : lines.y;
+  const std::size_t count = direction == 0 ? mesh.footprint_x()[0] : mesh.footprint_y()[0];
+  std::vector<double> sizes;
+  for (std::size_t i = 0; i < count; ++i) {
+    sizes.push_back(line[i + 1] - line[i]);
+  }
+  return sizes;
+}
+
+TEST(SkinMesh, elements_shrink_towards_a_free_face_that_feels_the_slider) {
+  Case input = example();
+  input.numerics.preset = Preset::fine;
+  const auto side = sizes_beside(SkinMesh(input), 1), end = sizes_beside(SkinMesh(input), 0);
+  const auto largest = std::max_element(side.begin(), side.end());
+  EXPECT_LT(side.front(), 0.5 * *largest);
+  EXPECT_LT(side.back(), 0.5 * *largest);
+  EXPECT_TRUE(std::is_sorted(side.begin(), largest));
+  // The ends are 15 thicknesses away.
+  EXPECT_TRUE(std::is_sorted(end.rbegin(), end.rend()));
+}
+
+TEST(SkinMesh, elements_do_not_shrink_towards_a_plane_of_symmetry) {
+  Case input = example();
+  input.numerics.preset = Preset::fine;
+  input.skin.sides = SideCondition::symmetry;
+  const auto side = sizes_beside(SkinMesh(input), 1);
+  EXPECT_TRUE(std::is_sorted(side.rbegin(), side.rend()));
+}
+
 TEST(SkinMesh, plane_strain_needs_one_element_across) {
   Case input = example();
   input.skin.sides = SideCondition::symmetry;
