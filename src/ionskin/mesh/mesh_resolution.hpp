@@ -17,7 +17,7 @@ struct MeshResolution {
   std::array<double, 2> edge_size{};
   double footprint_growth = 0;               ///< from the edges or the rim inwards [1]
   std::array<double, 2> footprint_largest{}; ///< along x and y [m]
-  double outer_growth = 0;                   ///< largest admitted away from the footprint [1]
+  double outer_growth = 0;                   ///< largest admitted away from footprint and faces [1]
   std::size_t outer_minimum = 0;             ///< before and behind the footprint along the slide
   std::size_t face_elements = 0;             ///< in the edge layer of a free face close by
   std::size_t core_elements = 0;             ///< through the thickness of the core; even

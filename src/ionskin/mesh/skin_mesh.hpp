@@ -66,8 +66,9 @@ private:
     bool centred = false; ///< the footprint stays in the middle of the skin: symmetry or full cover
     bool half = false;    ///< only the lower half is meshed
     std::vector<double> inner; ///< footprint lines from the slider's centre [m]
-    std::size_t outer = 0;     ///< elements before and, in full models, behind the footprint
-    double outer_first = 0;    ///< size of the outer elements at the footprint [m]
+    /// Elements before and, in full models, behind the footprint, those of `face` included.
+    std::size_t outer = 0;
+    double outer_first = 0; ///< size of the outer elements at the footprint [m]
     /// Lines of the edge layer at a free face, from the face inwards [m]; 0 alone without one.
     std::vector<double> face{0.0};
 
