@@ -44,8 +44,7 @@ CostEstimate estimate_cost(const Case& input, int threads) {
       seconds_per_ion_step * static_cast<double>(ions.unknowns) * static_cast<double>(ions.steps) /
           threads +
       seconds_of_output;
-  // One factorisation at a time in each thread.
-  const double factors = at_once * mechanics::factorisation_memory(cost.mechanics_unknowns);
+  const double factors = mechanics::factorisations_memory(cost.mechanics_unknowns, at_once);
   cost.memory = bytes_at_rest + std::max(factors, ions.memory);
   return cost;
 }

@@ -16,6 +16,15 @@ double column_centre(const std::vector<double>& edges, std::size_t column) {
   return 0.5 * (edges[column] + edges[column + 1]);
 }
 
+/// The first node whose value is the extreme one but for rounding, by which nodes that mirror each
+/// other differ.
+std::size_t first_at(const std::vector<double>& values, double extreme) {
+  const auto first = std::ranges::find_if(values, [extreme](double value) {
+    return value == extreme || std::abs(value - extreme) <= 1e-9 * std::abs(extreme);
+  });
+  return static_cast<std::size_t>(first - values.begin());
+}
+
 } // namespace
 
 FixedCharge::FixedCharge(const Case& input, const strain::StrainHistory& history,
@@ -43,12 +52,9 @@ void FixedCharge::check_sign(double time) const {
   if (smallest == 0.0) {
     return;
   }
-  // The first of nodes that mirror each other: they differ by rounding.
-  const auto lowest =
-      std::ranges::find_if(ratio_, [&](double value) { return value <= smallest * (1 - 1e-9); });
   throw SolverError(
       fmt::format("the fixed charge concentration becomes negative: {}",
-                  describe(static_cast<std::size_t>(lowest - ratio_.begin()), time)),
+                  describe(first_at(ratio_, smallest), time)),
       fmt::format("make coupling.coefficient smaller in magnitude (now {:.4g}), or the shear: "
                   "fixed charge cannot reach below zero",
                   coupling_.coefficient));
@@ -58,14 +64,14 @@ void FixedCharge::check_room(double time) const {
   if (!excess_ || !releases_ions()) {
     return;
   }
-  const auto highest = std::max_element(ratio_.begin(), ratio_.end());
-  if (excess_->room(*highest) > 0.0) {
+  const double largest = std::ranges::max(ratio_);
+  if (excess_->room(largest) > 0.0) {
     return;
   }
   throw SolverError(
       fmt::format("the law \"{}\" releases more cations than there is room for, with a fixed "
                   "charge of {}",
-                  law_.name, describe(static_cast<std::size_t>(highest - ratio_.begin()), time)),
+                  law_.name, describe(first_at(ratio_, largest), time)),
       fmt::format("make coupling.coefficient smaller in magnitude (now {:.4g}), or "
                   "electrochemistry.largest_concentration larger",
                   coupling_.coefficient));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/core_strain.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ionskin::mechanics {
@@ -10,24 +11,25 @@ enum Component { xx, yy, zz, yz, xz, xy };
 
 } // namespace
 
-CoreStrain mirrored(const CoreStrain& strain, const std::array<bool, 2>& reflect) {
-  CoreStrain result = strain;
+CoreStrain mirrored(CoreStrain strain, const std::array<bool, 2>& reflect) {
   const auto [nx, ny, nz] = strain.points;
   const double x_sign = reflect[0] ? -1 : 1, y_sign = reflect[1] ? -1 : 1;
   for (int c = 0; c < 6; ++c) {
     const double sign = c == xy ? x_sign * y_sign : c == xz ? x_sign : c == yz ? y_sign : 1.0;
+    double* row = strain.component[c].data();
     for (std::size_t k = 0; k < nz; ++k) {
-      for (std::size_t j = 0; j < ny; ++j) {
-        for (std::size_t i = 0; i < nx; ++i) {
-          const std::size_t from_i = reflect[0] ? nx - 1 - i : i,
-                            from_j = reflect[1] ? ny - 1 - j : j;
-          result.component[c][i + nx * (j + ny * k)] =
-              sign * strain.component[c][from_i + nx * (from_j + ny * k)];
+      for (std::size_t j = 0; reflect[1] && j < ny / 2; ++j) {
+        std::swap_ranges(row + j * nx, row + (j + 1) * nx, row + (ny - 1 - j) * nx);
+      }
+      for (std::size_t j = 0; j < ny; ++j, row += nx) {
+        if (reflect[0]) {
+          std::reverse(row, row + nx);
         }
+        std::transform(row, row + nx, row, [sign](double value) { return sign * value; });
       }
     }
   }
-  return result;
+  return strain;
 }
 
 double off_diagonal_shear_integral(const CoreStrain& strain, const mesh::MeshLines& lines,

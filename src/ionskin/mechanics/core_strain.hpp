@@ -9,7 +9,7 @@
 namespace ionskin::mechanics {
 
 /// The field of the skin reflected along x and/or y: points reversed, shear signs flipped.
-CoreStrain mirrored(const CoreStrain& strain, const std::array<bool, 2>& reflect);
+CoreStrain mirrored(CoreStrain strain, const std::array<bool, 2>& reflect);
 
 /// Volume integral over the meshed core of 2 sqrt(exy^2 + eyz^2 + exz^2) by 2x2x2 Gauss points
 /// [m3].

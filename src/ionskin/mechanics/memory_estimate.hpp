@@ -9,4 +9,11 @@ namespace ionskin::mechanics {
 /// of the mesh [bytes].
 double factorisation_memory(std::size_t unknowns);
 
+/// Memory meant for factors that are held at the same time; one is held in any case [bytes].
+constexpr double memory_for_factors = 2.4e9;
+
+/// Memory that positions take together where `threads` would work on one each: fewer do where
+/// their factors would not fit [bytes].
+double factorisations_memory(std::size_t unknowns, int threads);
+
 } // namespace ionskin::mechanics

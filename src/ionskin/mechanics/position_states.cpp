@@ -95,8 +95,8 @@ void PositionStates::complete(const CondensedPosition& position, std::size_t beg
     ContactState& state = *pending_[i].destination;
     CondensedPosition::Response response = std::move(responses[i - begin]);
     const bool reflect = pending_[i].reflect[0] || pending_[i].reflect[1];
-    state.strain =
-        reflect ? mirrored(response.strain, pending_[i].reflect) : std::move(response.strain);
+    state.strain = reflect ? mirrored(std::move(response.strain), pending_[i].reflect)
+                           : std::move(response.strain);
     state.electrode_stress = std::move(response.electrode_stress);
     state.equilibrium_residual = response.equilibrium_residual;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/skin_model.hpp"
 
+#include "ionskin/mechanics/memory_estimate.hpp"
 #include "ionskin/mechanics/slider_shape.hpp"
 
 #include <algorithm>
@@ -19,10 +20,9 @@ std::vector<ElasticLaw> laws_of_rows(const Skin& skin, const mesh::SkinMesh& mes
 
 /// Factors that are held at the same time, within the memory meant for them.
 std::ptrdiff_t factors_within_memory(const linear_algebra::SymbolicCholesky& symbolic) {
-  constexpr double factor_memory = 2.4e9; // bytes
-  constexpr double with_zeros = 1.1;      // kept in the panels of the factor
+  constexpr double with_zeros = 1.1; // kept in the panels of the factor
   const double per_factor = 8 * with_zeros * symbolic.factor_entries();
-  return std::max(std::ptrdiff_t{1}, static_cast<std::ptrdiff_t>(factor_memory / per_factor));
+  return std::max(std::ptrdiff_t{1}, static_cast<std::ptrdiff_t>(memory_for_factors / per_factor));
 }
 
 } // namespace

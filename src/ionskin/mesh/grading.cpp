@@ -41,13 +41,14 @@ double geometric_sum_slope(double ratio, std::size_t count) {
 
 } // namespace
 
-std::vector<double> graded_line(double length, double first, double growth, double largest) {
+std::vector<double> graded_line(double length, double first, double growth, double largest,
+                                const EdgeZone& zone) {
   std::vector<double> sizes;
   double size = first, total = 0;
   while (total < length * (1 - 1e-9)) {
     sizes.push_back(size);
     total += size;
-    size = std::min(size * growth, std::max(first, largest));
+    size = std::min(size * growth, std::max(first, total < zone.width ? zone.largest : largest));
   }
   return accumulate(sizes, length);
 }

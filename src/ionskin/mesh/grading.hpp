@@ -8,9 +8,16 @@ namespace ionskin::mesh {
 
 // All lines start at 0, ascend strictly and end at `length` exactly.
 
-/// Sizes grow from `first` by `growth` up to `largest`; all are scaled down by one factor so that
-/// they fill `length`.
-std::vector<double> graded_line(double length, double first, double growth, double largest);
+/// Where a graded line starts, a bound on the sizes of its own; both before the line is scaled.
+struct EdgeZone {
+  double width = 0;
+  double largest = 0; ///< of elements that begin within `width`
+};
+
+/// Sizes grow from `first` by `growth` up to `largest`, or that of `zone` inside it; all are scaled
+/// down by one factor so that they fill `length`.
+std::vector<double> graded_line(double length, double first, double growth, double largest,
+                                const EdgeZone& zone = {});
 
 /// `count` elements in geometric progression whose first size is exactly `first`. The ratio is a
 /// smooth function of `length`; it is below 1 when `length < count * first`. Needs `length >

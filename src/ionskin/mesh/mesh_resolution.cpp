@@ -8,8 +8,14 @@
 namespace ionskin::mesh {
 namespace {
 
+/// Width of the zone inside a sharp edge over the characteristic length. The edge carries a line
+/// load, behind it the surface may lift off; contact begins again a third to a half of the length
+/// further in, and cells as wide as the gap would decide where.
+constexpr double edge_zone_width = 0.6;
+
 struct PresetResolution {
-  double edge, footprint_growth, footprint_largest; // sizes over the characteristic length
+  // Sizes over the characteristic length.
+  double edge, footprint_growth, footprint_largest, edge_zone_largest;
   double outer_growth;
   double outer_minimum;
   double face_elements;
@@ -23,13 +29,13 @@ struct PresetResolution {
 PresetResolution preset_resolution(Preset preset) {
   switch (preset) {
   case Preset::coarse:
-    return {0.12, 2.0, 2.0, 2.0, 9, 1, 1, 1.8, 8, 2.0};
+    return {0.12, 2.0, 2.0, 2.0, 2.0, 9, 1, 1, 1.8, 8, 2.0};
   case Preset::standard:
-    return {0.05, 2.0, 1.5, 2.0, 15, 2, 2, 2.0, 12, 1.7};
+    return {0.05, 2.0, 1.5, 1.5, 2.0, 15, 2, 2, 2.0, 12, 1.7};
   case Preset::fine:
     break;
   }
-  return {0.005, 2.0, 1.0, 1.8, 22, 3, 3, 1.5, 18, 1.45};
+  return {0.005, 2.0, 1.0, 0.125, 1.8, 26, 3, 3, 1.5, 18, 1.45};
 }
 
 std::size_t scaled_count(double count, double refinement) {
@@ -53,6 +59,8 @@ MeshResolution mesh_resolution(const Case& input, const Footprint& footprint) {
                           : footprint.round(d) ? in_rim
                                                : std::max(in_rim, at_sharp_edge);
     result.footprint_largest[d] = preset.footprint_largest * length(d) / refinement;
+    result.edge_zone[d] = {edge_zone_width * length(d),
+                           preset.edge_zone_largest * length(d) / refinement};
   }
   result.footprint_growth = std::pow(preset.footprint_growth, 1 / refinement);
   result.outer_growth = std::pow(preset.outer_growth, 1 / refinement);

@@ -3,6 +3,7 @@
 
 #include "ionskin/case/case.hpp"
 #include "ionskin/mesh/footprint.hpp"
+#include "ionskin/mesh/grading.hpp"
 
 #include <array>
 #include <cstddef>
@@ -17,6 +18,7 @@ struct MeshResolution {
   std::array<double, 2> edge_size{};
   double footprint_growth = 0;               ///< from the edges or the rim inwards [1]
   std::array<double, 2> footprint_largest{}; ///< along x and y [m]
+  std::array<EdgeZone, 2> edge_zone{};       ///< inside sharp edges, along x and y [m]
   double outer_growth = 0;                   ///< largest admitted away from footprint and faces [1]
   std::size_t outer_minimum = 0;             ///< before and behind the footprint along the slide
   std::size_t face_elements = 0;             ///< in the edge layer of a free face close by

@@ -38,7 +38,8 @@ std::vector<double> lines_inwards(const Footprint& footprint, const MeshResoluti
   const double size = resolution.edge_size[direction];
   const double largest = std::max(size, resolution.footprint_largest[direction]);
   if (footprint.sharp(direction)) {
-    return graded_line(half_size, size, resolution.footprint_growth, largest);
+    return graded_line(half_size, size, resolution.footprint_growth, largest,
+                       resolution.edge_zone[direction]);
   }
   std::vector<double> lines = graded_line(std::min(rim, half_size), size, 1, size);
   if (!footprint.round(direction)) {

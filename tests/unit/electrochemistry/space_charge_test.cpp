@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <string>
+
 namespace ionskin::electrochemistry {
 namespace {
 
@@ -22,6 +25,26 @@ TEST(SpaceCharge, NegativeFixedChargeTellsTimePlaceValueAndRemedy) {
     EXPECT_NE(message.find("x = 7.5 mm"), std::string::npos) << message;
     EXPECT_NE(error.remedy().find("coupling.coefficient"), std::string::npos);
   }
+}
+
+TEST(SpaceCharge, OfMirroredPlacesTheFirstIsNamed) {
+  const auto message = [](double near, double far) {
+    strain::StrainHistory history = verification::linear_step_history(0.0, 0.0, {0.0, 1.0});
+    history.grid.y_edges = {0.0, 0.5 * history.width, history.width};
+    const auto field =
+        std::make_shared<const strain::StrainField>(strain::StrainField{0.0, 0.0, near, far});
+    history.gamma.assign(history.time.size(), field);
+    try {
+      check_fixed_charge(verification::model_case(), history);
+    } catch (const SolverError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  const double lowest = -12.0, beside = lowest * (1 - 1e-13);
+  EXPECT_NE(message(lowest, beside).find("negative"), std::string::npos);
+  EXPECT_EQ(message(lowest, beside), message(beside, lowest));
+  EXPECT_NE(message(lowest, 0.9 * lowest), message(0.9 * lowest, lowest));
 }
 
 TEST(SpaceCharge, ReleasedIonsMustFit) {

@@ -26,6 +26,22 @@ TEST(Grading, graded_line_grows_up_to_the_largest_size) {
   }
 }
 
+TEST(Grading, graded_line_holds_the_bound_of_its_zone) {
+  const double width = 0.2, largest = 0.05;
+  const auto line = graded_line(1.0, 0.01, 2, 0.4, {width, largest});
+  expect_line(line, 1.0);
+  double largest_behind = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const double size = line[i] - line[i - 1];
+    if (line[i - 1] < 0.7 * width) {
+      EXPECT_LE(size, largest) << i;
+    }
+    largest_behind = std::max(largest_behind, size);
+  }
+  EXPECT_GT(largest_behind, 4 * largest);
+  EXPECT_EQ(graded_line(1.0, 0.01, 2, 0.4, {width, 0.4}), graded_line(1.0, 0.01, 2, 0.4));
+}
+
 TEST(Grading, geometric_line_keeps_its_first_size) {
   for (const double length : {0.11, 0.8, 9.0}) {
     const auto line = geometric_line(length, 0.02, 8);

@@ -119,6 +119,18 @@ TEST(SkinMesh, elements_shrink_towards_a_free_face_that_feels_the_slider) {
   EXPECT_TRUE(std::is_sorted(end.rbegin(), end.rend()));
 }
 
+TEST(SkinMesh, fine_elements_stay_small_where_contact_begins_again_inside_a_sharp_edge) {
+  Case input = example();
+  input.numerics.preset = Preset::fine;
+  const double thickness = input.skin.thickness();
+  const SkinMesh mesh(input);
+  for (const auto* line : {&mesh.footprint_lines_x(), &mesh.footprint_lines_y()}) {
+    for (std::size_t i = 0; (*line)[i] - line->front() < 0.45 * thickness; ++i) {
+      EXPECT_LE((*line)[i + 1] - (*line)[i], thickness / 8) << i;
+    }
+  }
+}
+
 TEST(SkinMesh, elements_do_not_shrink_towards_a_plane_of_symmetry) {
   Case input = example();
   input.numerics.preset = Preset::fine;
