@@ -39,6 +39,8 @@ public:
   std::vector<std::string> take_notes();
 
   const std::filesystem::path& folder() const { return folder_; }
+  /// Bound of all entries together.
+  std::uintmax_t most_bytes() const { return most_bytes_; }
 
 private:
   std::filesystem::path file(const Digest& key) const;

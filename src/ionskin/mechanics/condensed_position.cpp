@@ -134,7 +134,9 @@ CondensedPosition::CondensedPosition(const SkinModel& model, const std::array<do
   if (!caches) {
     return;
   }
-  if (store.many_states || came_before) {
+  if ((store.many_states || came_before) &&
+      has_room_for_responses(*store.cache, lattice_.rows(), membrane_.rows(),
+                             compliance_.columns)) {
     response_ = unit_response();
     factorised_.reset();
   }

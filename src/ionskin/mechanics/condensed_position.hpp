@@ -21,7 +21,7 @@ struct PositionStore {
   base::DiskCache* cache = nullptr; ///< none when null
   /// The response to every unit force takes as long as the factorisation and saves it ever after.
   /// It is made at once when true, as many states ask for it, and otherwise when a position comes
-  /// for the second time.
+  /// for the second time; never where the cache could not keep those of a slide.
   bool many_states = false;
 };
 

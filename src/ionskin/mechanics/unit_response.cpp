@@ -46,6 +46,14 @@ private:
 
 } // namespace
 
+bool has_room_for_responses(const base::DiskCache& cache, int core_rows, int membrane_rows,
+                            int components) {
+  constexpr double positions = 4;
+  const double rows = static_cast<double>(core_rows) + membrane_rows;
+  return positions * rows * components * sizeof(std::int32_t) <
+         static_cast<double>(cache.most_bytes());
+}
+
 base::Digest position_key(const SkinModel& model, const mesh::MeshLines& lines) {
   base::DigestBuilder builder;
   builder.add("condensed position").add(numerical_version);

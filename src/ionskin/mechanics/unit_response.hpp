@@ -18,6 +18,10 @@ struct UnitResponse {
   linear_algebra::DenseMatrix base_reaction; ///< x, y, z by component [1]
 };
 
+/// Whether a cache has room for the responses of a slide: at least four positions.
+bool has_room_for_responses(const base::DiskCache& cache, int core_rows, int membrane_rows,
+                            int components);
+
 /// What is kept of a condensed position.
 struct StoredPosition {
   linear_algebra::DenseMatrix compliance; ///< of the contact components [m/N]
