@@ -2,31 +2,21 @@
 #include "ionskin/mechanics/condensed_position.hpp"
 
 #include "ionskin/mechanics/find_footprint.hpp"
+#include "scratch_folder.hpp"
 #include "small_case.hpp"
 
 #include <gtest/gtest.h>
-
-#include <filesystem>
-#include <stdlib.h>
-#include <string>
 
 namespace ionskin::mechanics {
 namespace {
 
 class CondensedPositionTest : public testing::Test {
 protected:
-  CondensedPositionTest() {
-    std::string name =
-        (std::filesystem::temp_directory_path() / "ionskin-positions-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
-  ~CondensedPositionTest() override { std::filesystem::remove_all(folder_); }
-
   /// Whether a position holds a factor, for want of the response to every unit force.
   bool holds_factor(base::DiskCache& cache, bool many_states) const {
     return CondensedPosition(model_, input_.slider.start, {&cache, many_states}).holds_factor();
   }
-  std::filesystem::path folder_;
+  results::ScratchFolder folder_;
 
 private:
   Case input_ = small_case();
@@ -34,7 +24,7 @@ private:
 };
 
 TEST_F(CondensedPositionTest, makes_the_response_for_many_states_or_when_it_comes_again) {
-  base::DiskCache cache(folder_, 1'000'000'000);
+  base::DiskCache cache(folder_.path(), 1'000'000'000);
   EXPECT_TRUE(holds_factor(cache, false));
   EXPECT_FALSE(holds_factor(cache, false));
   base::DiskCache other(folder_ / "other", 1'000'000'000);
@@ -42,7 +32,7 @@ TEST_F(CondensedPositionTest, makes_the_response_for_many_states_or_when_it_come
 }
 
 TEST_F(CondensedPositionTest, makes_no_response_that_the_cache_has_no_room_for) {
-  base::DiskCache cache(folder_, 1'000'000);
+  base::DiskCache cache(folder_.path(), 1'000'000);
   EXPECT_TRUE(holds_factor(cache, true));
   EXPECT_TRUE(holds_factor(cache, false));
 }
