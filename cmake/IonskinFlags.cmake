@@ -10,12 +10,6 @@ target_compile_options(ionskin_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow
                        -Wno-missing-field-initializers -Werror)
 target_include_directories(ionskin_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
 target_link_options(ionskin_flags INTERFACE -Wl,--as-needed)
-# The default linker takes 20 s for each program that uses deal.II's 200 libraries.
-include(CheckLinkerFlag)
-check_linker_flag(CXX -fuse-ld=gold IONSKIN_HAS_GOLD)
-if(IONSKIN_HAS_GOLD)
-  target_link_options(ionskin_flags INTERFACE -fuse-ld=gold)
-endif()
 if(IONSKIN_SANITIZE)
   # GCC 12 takes instrumented library code for uninitialised reads.
   target_compile_options(ionskin_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer

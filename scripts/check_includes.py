@@ -15,12 +15,10 @@ LIBRARIES = {
     "toml": {"units", "case"},
     "udunits2": {"units"},
     "hdf5": {"results"},
-    "deal.II": {"mechanics", "results"},
     "cholmod": {"linear_algebra"},
     "CLI/": set(),
     "iostream": set(),
 }
-# deal.II in `results` writes VTU and is nothing else there.
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 
 

@@ -3,51 +3,16 @@
 
 #include "ionskin/linear_algebra/fill_ordering.hpp"
 
-#include <deal.II/base/index_set.h>
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_tools.h>
-#include <deal.II/grid/grid_generator.h>
-#include <deal.II/grid/tria.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-
 #include <algorithm>
 
 namespace ionskin::mechanics {
 namespace {
 
-std::vector<double> sizes(const std::vector<double>& line) {
-  std::vector<double> result;
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    result.push_back(line[i] - line[i - 1]);
-  }
-  return result;
-}
-
-void make_box(dealii::Triangulation<3>& triangulation, const mesh::MeshLines& lines) {
-  dealii::GridGenerator::subdivided_hyper_rectangle(
-      triangulation, {sizes(lines.x), sizes(lines.y), sizes(lines.z)},
-      dealii::Point<3>(lines.x.front(), lines.y.front(), lines.z.front()),
-      dealii::Point<3>(lines.x.back(), lines.y.back(), lines.z.back()), true);
-}
-
-/// Couplings between nodes that are not wholly held; held nodes stay as isolated entries.
-linear_algebra::SymmetricPattern lower_triangle(const dealii::DynamicSparsityPattern& pattern,
-                                                const std::vector<std::array<int, 3>>& unknown) {
-  const auto held = [&](int node) { return unknown[node] == std::array<int, 3>{-1, -1, -1}; };
-  const int size = static_cast<int>(pattern.n_rows());
-  linear_algebra::SymmetricPattern result{size, {0}, {}};
-  for (int j = 0; j < size; ++j) {
-    for (auto entry = pattern.begin(j); entry != pattern.end(j); ++entry) {
-      const int i = static_cast<int>(entry->column());
-      if (i == j || (i > j && !held(i) && !held(j))) {
-        result.row.push_back(i);
-      }
-    }
-    result.column_start.push_back(static_cast<int>(result.row.size()));
-  }
-  return result;
+/// First and last node of a lattice line that share an element with its node `i`: vertices, at even
+/// places, belong to two elements, mid-side nodes to one.
+std::array<std::size_t, 2> neighbours(std::size_t i, std::size_t last) {
+  const std::size_t reach = i % 2 == 0 ? 2 : 1;
+  return {i < reach ? 0 : i - reach, std::min(i + reach, last)};
 }
 
 } // namespace
@@ -66,57 +31,82 @@ std::vector<FixedFace> skin_boundary(const Skin& skin, bool half_model) {
 }
 
 ElasticSpace::ElasticSpace(const mesh::MeshLines& lines, const std::vector<FixedFace>& fixed)
-    : elements_{lines.x.size() - 1, lines.y.size() - 1, lines.z.size() - 1} {
-  dealii::Triangulation<3> triangulation;
-  make_box(triangulation, lines);
-  const dealii::FE_Q<3> shape(2);
-  dealii::DoFHandler<3> handler(triangulation);
-  handler.distribute_dofs(shape);
-
-  const std::vector<unsigned int> hierarchic =
-      dealii::FETools::lexicographic_to_hierarchic_numbering<3>(2);
-  std::vector<dealii::types::global_dof_index> cell_nodes(element_nodes);
-  for (const auto& cell : handler.active_cell_iterators()) {
-    cell->get_dof_indices(cell_nodes);
-    std::array<int, element_nodes>& nodes = nodes_of_element_.emplace_back();
-    for (int i = 0; i < element_nodes; ++i) {
-      nodes[i] = static_cast<int>(cell_nodes[hierarchic[i]]);
-    }
-  }
-
-  unknown_.assign(handler.n_dofs(), {0, 0, 0});
-  on_base_.assign(handler.n_dofs(), false);
+    : elements_{lines.x.size() - 1, lines.y.size() - 1, lines.z.size() - 1},
+      lattice_{2 * elements_[0] + 1, 2 * elements_[1] + 1, 2 * elements_[2] + 1} {
+  number_nodes();
   for (const FixedFace& face : fixed) {
-    const dealii::IndexSet nodes = dealii::DoFTools::extract_boundary_dofs(
-        handler, dealii::ComponentMask(), {static_cast<dealii::types::boundary_id>(face.face)});
-    for (const auto node : nodes) {
-      on_base_[node] = on_base_[node] || face.face == Face::base;
-      for (int c = 0; c < 3; ++c) {
-        unknown_[node][c] = face.component[c] ? -1 : unknown_[node][c];
-      }
-    }
-    for (int c = 0; c < 3; ++c) {
-      held_by_base_alone_[c] =
-          held_by_base_alone_[c] && (face.face == Face::base || !face.component[c]);
-    }
+    hold(face);
   }
-  dealii::DynamicSparsityPattern graph(handler.n_dofs());
-  dealii::DoFTools::make_sparsity_pattern(handler, graph);
-  node_graph_ = lower_triangle(graph, unknown_);
+  build_node_graph();
   number_unknowns();
   build_pattern();
   build_offsets();
 }
 
 int ElasticSpace::node_at(std::size_t i, std::size_t j, std::size_t k) const {
-  const std::array<std::size_t, 3> at{i, j, k};
-  std::array<std::size_t, 3> element{}, local{};
-  for (int d = 0; d < 3; ++d) {
-    element[d] = std::min(at[d] / 2, elements_[d] - 1);
-    local[d] = at[d] - 2 * element[d];
+  return static_cast<int>(i + lattice_[0] * (j + lattice_[1] * k));
+}
+
+void ElasticSpace::number_nodes() {
+  const auto [nx, ny, nz] = elements_;
+  nodes_of_element_.reserve(nx * ny * nz);
+  for (std::size_t e = 0; e < nx * ny * nz; ++e) {
+    const std::size_t i = e % nx, j = e / nx % ny, k = e / (nx * ny);
+    std::array<int, element_nodes>& nodes = nodes_of_element_.emplace_back();
+    for (std::size_t local = 0; local < nodes.size(); ++local) {
+      nodes[local] = node_at(2 * i + local % 3, 2 * j + local / 3 % 3, 2 * k + local / 9);
+    }
   }
-  const std::size_t e = element[0] + elements_[0] * (element[1] + elements_[1] * element[2]);
-  return nodes_of_element_[e][local[0] + 3 * (local[1] + 3 * local[2])];
+  unknown_.assign(lattice_[0] * lattice_[1] * lattice_[2], {0, 0, 0});
+  on_base_.assign(unknown_.size(), false);
+}
+
+void ElasticSpace::hold(const FixedFace& face) {
+  const std::size_t axis = static_cast<std::size_t>(face.face) / 2;
+  std::array<std::size_t, 3> first{0, 0, 0},
+      last{lattice_[0] - 1, lattice_[1] - 1, lattice_[2] - 1};
+  (static_cast<std::size_t>(face.face) % 2 == 0 ? last[axis] : first[axis]) =
+      static_cast<std::size_t>(face.face) % 2 == 0 ? 0 : lattice_[axis] - 1;
+  for (std::size_t k = first[2]; k <= last[2]; ++k) {
+    for (std::size_t j = first[1]; j <= last[1]; ++j) {
+      for (std::size_t i = first[0]; i <= last[0]; ++i) {
+        const int node = node_at(i, j, k);
+        on_base_[node] = on_base_[node] || face.face == Face::base;
+        for (int c = 0; c < 3; ++c) {
+          unknown_[node][c] = face.component[c] ? -1 : unknown_[node][c];
+        }
+      }
+    }
+  }
+  for (int c = 0; c < 3; ++c) {
+    held_by_base_alone_[c] =
+        held_by_base_alone_[c] && (face.face == Face::base || !face.component[c]);
+  }
+}
+
+void ElasticSpace::build_node_graph() {
+  const auto held = [&](int node) { return unknown_[node] == std::array<int, 3>{-1, -1, -1}; };
+  node_graph_ = {static_cast<int>(unknown_.size()), {0}, {}};
+  for (std::size_t k = 0; k < lattice_[2]; ++k) {
+    const auto [first_k, last_k] = neighbours(k, lattice_[2] - 1);
+    for (std::size_t j = 0; j < lattice_[1]; ++j) {
+      const auto [first_j, last_j] = neighbours(j, lattice_[1] - 1);
+      for (std::size_t i = 0; i < lattice_[0]; ++i) {
+        const auto [first_i, last_i] = neighbours(i, lattice_[0] - 1);
+        const int column = node_at(i, j, k);
+        for (std::size_t c = first_k; c <= last_k; ++c) {
+          for (std::size_t b = first_j; b <= last_j; ++b) {
+            for (int row = node_at(first_i, b, c); row <= node_at(last_i, b, c); ++row) {
+              if (row == column || (row > column && !held(row) && !held(column))) {
+                node_graph_.row.push_back(row);
+              }
+            }
+          }
+        }
+        node_graph_.column_start.push_back(static_cast<int>(node_graph_.row.size()));
+      }
+    }
+  }
 }
 
 void ElasticSpace::number_unknowns() {

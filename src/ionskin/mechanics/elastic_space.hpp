@@ -12,7 +12,7 @@
 
 namespace ionskin::mechanics {
 
-/// Boundary identifiers of the box, as deal.II's coloured hyper-rectangle numbers them.
+/// Faces of the box: twice the number of the axis that they are normal to, plus 1 at its end.
 enum class Face { x_min = 0, x_max = 1, y_min = 2, y_max = 3, base = 4, top = 5 };
 
 /// Displacement components held at zero on one face.
@@ -40,7 +40,7 @@ public:
   }
   std::size_t node_count() const { return unknown_.size(); }
   /// Node at a position of the lattice of vertices and mid-side points, 2 elements + 1 along each
-  /// axis.
+  /// axis; nodes are numbered x fastest.
   int node_at(std::size_t i, std::size_t j, std::size_t k) const;
   /// Unknown of each displacement component of a node; -1 where it is held.
   const std::array<int, 3>& unknown(int node) const { return unknown_[node]; }
@@ -64,11 +64,15 @@ public:
   std::vector<int> unknowns_of(const std::vector<int>& nodes) const;
 
 private:
+  void number_nodes();
+  void hold(const FixedFace& face);
+  /// Couplings between nodes that are not wholly held; held nodes stay as isolated entries.
+  void build_node_graph();
   void number_unknowns();
   void build_pattern();
   void build_offsets();
 
-  std::array<std::size_t, 3> elements_{};
+  std::array<std::size_t, 3> elements_, lattice_; ///< elements and nodes along x, y, z
   std::vector<std::array<int, element_nodes>> nodes_of_element_;
   std::vector<std::array<int, 3>> unknown_;
   std::vector<bool> on_base_;

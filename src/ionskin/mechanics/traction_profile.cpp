@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/traction_profile.hpp"
 
-#include <deal.II/base/quadrature_lib.h>
+#include <boost/math/quadrature/gauss.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -25,16 +25,17 @@ std::array<double, 3> TractionProfile::mean_shape_values(double from, double to)
     return std::asin(std::clamp(x / sharp_half_size_, -1.0, 1.0));
   };
   const double first = angle(from), last = angle(to);
-  static const dealii::QGauss<1> rule(8);
-  std::array<double, 3> mean{};
-  for (unsigned int q = 0; q < rule.size(); ++q) {
-    const double x = sharp_half_size_ * std::sin(first + (last - first) * rule.point(q)[0]);
-    const double t = (x - from) / (to - from);
-    mean[0] += rule.weight(q) * (1 - t) * (1 - 2 * t);
-    mean[1] += rule.weight(q) * 4 * t * (1 - t);
-    mean[2] += rule.weight(q) * t * (2 * t - 1);
-  }
-  return mean;
+  const auto mean_of = [&](const auto& shape_value) {
+    const auto at_angle = [&](double angle_within) {
+      const double x = sharp_half_size_ * std::sin(angle_within);
+      return shape_value((x - from) / (to - from));
+    };
+    return boost::math::quadrature::gauss<double, 10>::integrate(at_angle, first, last) /
+           (last - first);
+  };
+  return {mean_of([](double t) { return (1 - t) * (1 - 2 * t); }),
+          mean_of([](double t) { return 4 * t * (1 - t); }),
+          mean_of([](double t) { return t * (2 * t - 1); })};
 }
 
 } // namespace ionskin::mechanics

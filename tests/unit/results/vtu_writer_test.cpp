@@ -25,8 +25,8 @@ TEST(VtuWriter, WritesOneFilePerInstantAndTheCollection) {
   const ScratchFolder folder;
   write_fields(folder / "fields", grid(), 1e-5, {snapshot(0), snapshot(1.5)});
   const std::string vtu = read_all(folder / "fields/fields_0001.vtu");
-  // Two columns of two elements, eight vertices each.
-  EXPECT_NE(vtu.find("NumberOfPoints=\"32\" NumberOfCells=\"4\""), std::string::npos);
+  // Two columns of two elements, four points at each of three levels.
+  EXPECT_NE(vtu.find("NumberOfPoints=\"24\" NumberOfCells=\"4\""), std::string::npos);
   for (const char* name : {"concentration", "potential", "shear"}) {
     EXPECT_NE(vtu.find(std::string("Name=\"") + name + "\""), std::string::npos) << name;
   }
