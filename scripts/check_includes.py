@@ -7,7 +7,7 @@ import re
 import sys
 
 FOLDERS = [
-    "base", "units", "case", "mesh", "linear_algebra", "mechanics", "strain",
+    "base", "units", "case", "mesh", "linear_algebra", "mechanics", "strain", "poroelasticity",
     "electrochemistry", "readout", "results", "study",
 ]
 # header prefix -> the folders that may include it

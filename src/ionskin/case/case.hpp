@@ -132,6 +132,26 @@ struct Coupling {
   ShearMeasure measure = ShearMeasure::off_diagonal;
 };
 
+/// Whether water passes a wall of the core: no flux, or the potential P = 0 of a reservoir.
+enum class WaterWall { sealed, open };
+
+/// Whether swelling dilutes the cations in the volume of the mixture or in that of the pore water.
+enum class WaterDilution { mixture, pore_water };
+
+/// Water in the core, of coupling laws that move it. What is 0 was not given.
+struct Water {
+  double drag_number = 0;               ///< n_d: water molecules that a cation drags [1]
+  double drained_poissons_ratio = 0;    ///< at constant water potential [1]
+  double drained_modulus = 0;           ///< M, oedometric, at constant water potential [Pa]
+  double permeability = 0;              ///< at zero current [m2]
+  double viscosity = 0;                 ///< of the water in the pores [Pa s]
+  double mobility = 0;                  ///< K, permeability over viscosity [m2/(Pa s)]
+  double consolidation_coefficient = 0; ///< c_v [m2/s]
+  WaterDilution dilution = WaterDilution::mixture;
+  double volume_fraction = 0; ///< of water in the core [1]
+  WaterWall bottom_wall = WaterWall::sealed, top_wall = WaterWall::sealed;
+};
+
 enum class StrainSourceKind { contact, file };
 
 struct StrainSource {
@@ -185,6 +205,7 @@ struct Case {
   Contact contact;
   Electrochemistry electrochemistry;
   Coupling coupling;
+  Water water;
   StrainSource strain;
   Readout readout;
   Numerics numerics;

@@ -6,6 +6,7 @@
 #include "ionskin/case/check_readout.hpp"
 #include "ionskin/case/check_slider.hpp"
 #include "ionskin/case/check_track.hpp"
+#include "ionskin/case/check_water.hpp"
 
 #include <fmt/format.h>
 
@@ -114,6 +115,7 @@ void check_case(const CaseDocument& document) {
   check_layer_names(document, problems);
   check_core(document, problems);
   check_electrochemistry(document, problems);
+  check_water(document, problems);
   check_readout(document, problems);
   if (document.input.strain.kind == StrainSourceKind::contact) {
     check_slider(document, problems);

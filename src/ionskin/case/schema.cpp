@@ -40,8 +40,8 @@ const std::vector<SchemaRow>& schema() {
                      draft.input.title = value.text;
                    }});
     for (const auto add : {add_skin, add_layers, add_materials, add_ions_of_materials, add_slider,
-                           add_motion, add_contact, add_electrochemistry, add_coupling, add_strain,
-                           add_readout, add_run_control})
+                           add_motion, add_contact, add_electrochemistry, add_coupling, add_water,
+                           add_strain, add_readout, add_run_control})
       add(all);
     return all;
   }();

@@ -88,6 +88,7 @@ void add_electrochemistry(SchemaRows& rows) {
 void add_ions_of_materials(SchemaRows& rows) {
   SchemaRows ions;
   add_electrochemistry(ions);
+  add_water(ions);
   for (SchemaRow& row : ions) {
     if (!row.of_material)
       continue;
@@ -107,15 +108,22 @@ void add_coupling(SchemaRows& rows) {
       {.key = "coupling.law",
        .type = ValueType::choice,
        .default_value = "\"fixed-charge\"",
-       .choices = {{"fixed-charge"}, {"volume-neutral"}, {"column-neutral"}, {"pair-generation"}},
-       .help = "How shear changes the fixed charge: cf = c0 (1 + k gamma), or with the "
-               "mean of gamma over "
-               "the core or over the thickness subtracted.",
+       .choices = {{"fixed-charge"},
+                   {"volume-neutral"},
+                   {"column-neutral"},
+                   {"pair-generation"},
+                   {"poroelastic"}},
+       .help =
+           "How shear changes the fixed charge: cf = c0 (1 + k gamma), or with the "
+           "mean of gamma over "
+           "the core or over the thickness subtracted; or \"poroelastic\": pressure moves water, "
+           "which drags the cations, by the constants of [water].",
        .source = "fixed-charge is the paper's law",
        .set = into(&Case::coupling, &Coupling::law)});
   rows.push_back({.key = "coupling.coefficient",
                   .type = ValueType::number,
                   .need = Need::always,
+                  .applies = has_coupling_coefficient,
                   .help =
                       "Coefficient k of the coupling law, of either sign. No measurement is known: "
                       "every value is uncalibrated.",

@@ -21,6 +21,15 @@ inline bool goes_in_strokes(const Case& input) {
   return input.motion.kind != MotionKind::waypoints;
 }
 
+/// Whether the coupling law moves water.
+inline bool moves_water(const Case& input) {
+  return input.coupling.law == "poroelastic";
+}
+/// Whether the coupling law has the coefficient k and a measure of shear.
+inline bool has_coupling_coefficient(const Case& input) {
+  return !moves_water(input);
+}
+
 void add_skin(SchemaRows& rows);
 void add_layers(SchemaRows& rows);
 void add_materials(SchemaRows& rows);
@@ -32,6 +41,7 @@ void add_motion(SchemaRows& rows);
 void add_contact(SchemaRows& rows);
 void add_electrochemistry(SchemaRows& rows);
 void add_coupling(SchemaRows& rows);
+void add_water(SchemaRows& rows);
 void add_strain(SchemaRows& rows);
 void add_readout(SchemaRows& rows);
 void add_run_control(SchemaRows& rows);

@@ -24,6 +24,10 @@ const std::map<Dimension, DimensionInfo>& table() {
       {Dimension::current, {"an electric current", "A", {"mA", "uA", "nA", "A"}}},
       {Dimension::current_noise_density,
        {"a current noise density", "A/sqrt(Hz)", {"pA/sqrt(Hz)", "nA/sqrt(Hz)", "fA/sqrt(Hz)"}}},
+      {Dimension::area, {"an area", "m2", {"m2", "nm2", "um2"}}},
+      {Dimension::viscosity, {"a viscosity", "Pa s", {"mPa s", "Pa s"}}},
+      {Dimension::hydraulic_mobility,
+       {"a hydraulic mobility", "m2/(Pa s)", {"m2/(Pa s)", "um2/(Pa s)"}}},
   };
   return rows;
 }
@@ -43,11 +47,9 @@ std::vector<std::string> usual_units() {
 
 const std::vector<DimensionInfo>& other_dimensions() {
   static const std::vector<DimensionInfo> rows = {
-      {"an area", "m2", {}},           {"a volume", "m3", {}},
-      {"a speed", "m/s", {}},          {"a mass", "kg", {}},
-      {"an energy", "J", {}},          {"a power", "W", {}},
-      {"an electric charge", "C", {}}, {"a voltage", "V", {}},
-      {"a capacitance", "F", {}},      {"an amount of substance", "mol", {}}};
+      {"a volume", "m3", {}}, {"a speed", "m/s", {}},     {"a mass", "kg", {}},
+      {"an energy", "J", {}}, {"a power", "W", {}},       {"an electric charge", "C", {}},
+      {"a voltage", "V", {}}, {"a capacitance", "F", {}}, {"an amount of substance", "mol", {}}};
   return rows;
 }
 

@@ -20,7 +20,10 @@ enum class Dimension {
   resistance,
   frequency,
   current,
-  current_noise_density
+  current_noise_density,
+  area,
+  viscosity,
+  hydraulic_mobility
 };
 
 struct DimensionInfo {

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+
+namespace ionskin {
+
+// Relations of isotropic linear elasticity [Pa].
+
+inline double shear_modulus(const Material& material) {
+  return material.youngs_modulus / (2 * (1 + material.poissons_ratio));
+}
+inline double bulk_modulus(const Material& material) {
+  return material.youngs_modulus / (3 * (1 - 2 * material.poissons_ratio));
+}
+/// Of uniaxial strain, 2 G (1 - nu)/(1 - 2 nu).
+inline double oedometric_modulus(double shear, double poissons_ratio) {
+  return 2 * shear * (1 - poissons_ratio) / (1 - 2 * poissons_ratio);
+}
+
+/// Oedometric modulus M of the core at constant water potential, of a case whose law moves water.
+inline double drained_oedometric_modulus(const Case& input) {
+  const Material& core = input.skin.layers[input.skin.core_index()].material;
+  return input.water.drained_modulus > 0
+             ? input.water.drained_modulus
+             : oedometric_modulus(shear_modulus(core), input.water.drained_poissons_ratio);
+}
+/// M_B = K_u - K_d: the undrained pore pressure over the compression that makes it (B M_B = p_u;
+/// Biot's coefficient is 1, as polymer and water are incompressible).
+inline double storage_modulus(const Case& input) {
+  const Material& core = input.skin.layers[input.skin.core_index()].material;
+  return bulk_modulus(core) - (drained_oedometric_modulus(input) - 4.0 / 3.0 * shear_modulus(core));
+}
+/// c_v / K = M M_B/(M + M_B).
+inline double consolidation_modulus(const Case& input) {
+  const double drained = drained_oedometric_modulus(input), storage = storage_modulus(input);
+  return drained * storage / (drained + storage);
+}
+
+} // namespace ionskin

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace ionskin::poroelasticity {
+
+/// Eigenmodes of diffusion along a line of `size` values: the values are `from_modes` times the
+/// amplitudes, the amplitudes `to_modes` times the values, and amplitude m decays at
+/// diffusivity * `curvature[m]`.
+struct LineModes {
+  std::size_t size = 0;          ///< of values and of modes
+  std::vector<double> curvature; ///< [modes] [1/m2], ascending, the first is 0 between sealed ends
+  std::vector<double> to_modes, from_modes; ///< row-major [size][size]
+};
+
+/// Discrete cosine modes of `columns` cells of equal width between sealed ends, with the
+/// eigenvalues of the three-point difference.
+LineModes cosine_modes(std::size_t columns, double width);
+
+/// Modes of quadratic finite elements between two walls, their mass lumped by Simpson's rule, of
+/// order 4 (Cohen 2002, doi 10.1007/978-3-662-04823-8). At an open wall the value is 0: its row and
+/// its column are zero.
+/// @param nodes ends and middles of the elements, ascending [m]
+LineModes wall_modes(const std::vector<double>& nodes, const std::array<WaterWall, 2>& walls);
+
+/// Integral of each node's share, by Simpson's rule [m].
+std::vector<double> node_lengths(const std::vector<double>& nodes);
+
+/// Nodes of `elements` quadratic elements from 0 to `thickness` [m], symmetric, short at the walls
+/// (ends at Chebyshev points): water that a load drives starts to move from the walls.
+std::vector<double> wall_clustered_nodes(double thickness, std::size_t elements);
+
+} // namespace ionskin::poroelasticity

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/poroelasticity/line_modes.hpp"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace ionskin::poroelasticity {
+
+/// Where the water stands: amplitudes of the modes, [z][y][x] [Pa].
+struct PressureState {
+  std::vector<double> pressure;  ///< P, the water potential over the molar volume of water
+  std::vector<double> undrained; ///< p_u, what it would be if no water moved
+};
+
+/// Water potential P in the core under a load whose undrained pore pressure p_u is given:
+///   dP/dt = c_v (d2/dx2 + d2/dy2 + d2/dz2) P + dp_u/dt,
+/// sealed at the sides, sealed or open (P = 0) at each wall. Every mode of the core (cosines along
+/// x and y, eigenmodes of linear elements through the thickness) decays on its own, which is solved
+/// exactly for a p_u linear in time over a step: no limit on the step, and no water lost between
+/// sealed walls. Consolidation: Biot 1941, doi 10.1063/1.1712886.
+class PorePressure {
+public:
+  /// @param columns along x and y; widths of a column [m]
+  /// @param nodes through the thickness, from 0 [m]
+  /// @param walls bottom, top
+  PorePressure(const std::array<std::size_t, 2>& columns, const std::array<double, 2>& widths,
+               std::vector<double> nodes, const std::array<WaterWall, 2>& walls,
+               double consolidation_coefficient);
+
+  const std::vector<double>& nodes() const { return nodes_; }
+  std::size_t values() const { return x_.size * y_.size * z_.size; }
+
+  /// At the first instant: the undrained response.
+  /// @param undrained p_u at the nodes of every column [z][y][x] [Pa]
+  void start(std::span<const double> undrained, PressureState& state);
+
+  /// The state `duration` [s] after `begin`, with p_u linear in between.
+  /// @param undrained p_u at the end [z][y][x] [Pa]
+  void step(const PressureState& begin, double duration, std::span<const double> undrained,
+            PressureState& end);
+
+  /// P at the nodes of every column, [z][y][x] [Pa]; `out` is resized.
+  void pressure(const PressureState& state, std::vector<double>& out);
+
+private:
+  void to_modes(std::span<const double> field, std::vector<double>& modes);
+
+  LineModes x_, y_, z_;
+  std::vector<double> nodes_;
+  std::vector<double> rate_;           ///< decay of each mode [1/s]
+  std::vector<double> first_, second_; ///< scratch, so that no step allocates
+};
+
+} // namespace ionskin::poroelasticity
