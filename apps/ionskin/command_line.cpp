@@ -66,7 +66,7 @@ void add_verify(CLI::App& app, Command& command) {
   auto options = std::make_shared<VerifyOptions>();
   CLI::App* verb = app.add_subcommand("verify", "Run the verification set and print its table");
   verb->add_option("part", options->part, "Only this part")
-      ->check(CLI::IsMember({"mechanics", "electrochemistry", "chain"}));
+      ->check(CLI::IsMember({"mechanics", "electrochemistry", "poroelasticity", "chain"}));
   verb->add_option("--csv", options->csv, "Write the table to this file too")->type_name("FILE");
   add_threads_option(*verb, options->threads);
   set_when_parsed(*verb, options, command);

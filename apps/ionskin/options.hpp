@@ -73,7 +73,7 @@ struct CiteOptions {};
 struct ManualOptions {};
 
 struct VerifyOptions {
-  std::string part; ///< "mechanics", "electrochemistry", "chain" or empty for all
+  std::string part; ///< "mechanics", "electrochemistry", "poroelasticity", "chain" or empty
   std::string csv;  ///< file for the table; empty for none
   int threads = 0;
 };

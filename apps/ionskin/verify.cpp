@@ -21,9 +21,10 @@ namespace ionskin::apps {
 namespace {
 
 using Part = std::vector<verification::Row> (*)(const verification::Options&);
-constexpr std::array<std::pair<std::string_view, Part>, 3> parts{
+constexpr std::array<std::pair<std::string_view, Part>, 4> parts{
     {{"mechanics", verification::verify_mechanics},
      {"electrochemistry", verification::verify_electrochemistry},
+     {"poroelasticity", verification::verify_poroelasticity},
      {"chain", verification::verify_chain}}};
 
 void print_table(const std::vector<verification::Row>& rows) {

@@ -102,7 +102,9 @@ void add_transport_rows(const Chain& chain, std::vector<Row>& rows) {
   input.numerics.time_refinement = sampling_refinement;
   const strain::StrainHistory history = strain::build_strain_history(input, chain.contact);
   const auto grid = electrochemistry::make_transport_grid(input, history);
-  const strain::StrainProjection projection(history, grid.x_edges, grid.y_edges, grid.z_nodes);
+  const strain::StrainProjection projection(
+      history, history.channel(strain::channel_name::shear), grid.x_edges, grid.y_edges,
+      strain::hat_averages(history.grid.z_nodes, grid.z_nodes));
   const strain::ContactTimeline timeline(input, chain.contact);
   const double begin = input.motion.touchdown + 0.1 * input.motion.slide;
   const double end = input.motion.touchdown + input.motion.slide;

@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "chain/rows.hpp"
+#include "electrochemistry/model_run.hpp"
 #include "ionskin/base/constants.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
 #include "ionskin/strain/shear_statistics.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace ionskin::verification {
-namespace {
-
-std::size_t row_at(const electrochemistry::IonSolution& ions, double time) {
-  const auto row = std::lower_bound(ions.time.begin(), ions.time.end(), time - 1e-12);
-  return static_cast<std::size_t>(row - ions.time.begin());
-}
-
-} // namespace
 
 std::vector<Row> spike_rows(const Chain& chain, const Options& options) {
   const Case& input = chain.input;

@@ -21,7 +21,7 @@ using electrochemistry::IonSolution;
 strain::StrainHistory plane_history() {
   strain::StrainHistory history = sliding_contact_history(1);
   const std::size_t rows = history.grid.columns_y(), columns = history.grid.columns_x();
-  for (auto& sample : history.gamma) {
+  for (auto& sample : history.shear()) {
     strain::StrainField mean(columns * history.grid.z_nodes.size(), 0.0);
     for (std::size_t i = 0; i < sample->size(); ++i) {
       const std::size_t level = i / (rows * columns);

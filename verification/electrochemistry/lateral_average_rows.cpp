@@ -25,13 +25,13 @@ strain::StrainHistory laterally_averaged(const strain::StrainHistory& history) {
     for (std::size_t k = 0; k < history.grid.z_nodes.size(); ++k) {
       double sum = 0.0;
       for (std::size_t i = 0; i < cells; ++i) {
-        sum += (*history.gamma[sample])[k * cells + i];
+        sum += (*history.shear()[sample])[k * cells + i];
       }
       // The grid rides with the slider and is longer than the core; the shear is inside the core.
       const double grid_length = history.grid.x_edges.back() - history.grid.x_edges.front();
       means.push_back(sum / static_cast<double>(cells) * grid_length / history.length);
     }
-    average.gamma[sample] = std::make_shared<const strain::StrainField>(means);
+    average.shear()[sample] = std::make_shared<const strain::StrainField>(means);
   }
   return average;
 }

@@ -122,7 +122,7 @@ strain::StrainHistory manufactured_history(const Case& input, const ExactSolutio
       field->push_back(exact.at(time, x, y, z).fixed_charge - 1.0);
     });
     history.time.push_back(time);
-    history.gamma.push_back(field);
+    history.shear().push_back(field);
   }
   history.event_time = {0.0};
   return history;

@@ -91,7 +91,7 @@ strain::StrainHistory linear_step_history(double bottom, double top, std::vector
   history.width = skin_width;
   history.time = std::move(time);
   const auto field = std::make_shared<const strain::StrainField>(strain::StrainField{bottom, top});
-  history.gamma.assign(history.time.size(), field);
+  history.shear().assign(history.time.size(), field);
   history.event_time = {history.time.front()};
   return history;
 }
@@ -122,7 +122,7 @@ strain::StrainHistory sliding_contact_history(int cycles) {
   const auto add = [&history](double time, double x, const auto& field) {
     history.time.push_back(time);
     history.slider_x.push_back(x);
-    history.gamma.push_back(field);
+    history.shear().push_back(field);
   };
   add(0.0, start, none);
   for (int cycle = 0; cycle < cycles; ++cycle) {

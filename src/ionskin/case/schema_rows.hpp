@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/case/coupling.hpp"
 #include "ionskin/case/schema.hpp"
 
 #include <limits>
@@ -21,10 +22,6 @@ inline bool goes_in_strokes(const Case& input) {
   return input.motion.kind != MotionKind::waypoints;
 }
 
-/// Whether the coupling law moves water.
-inline bool moves_water(const Case& input) {
-  return input.coupling.law == "poroelastic";
-}
 /// Whether the coupling law has the coefficient k and a measure of shear.
 inline bool has_coupling_coefficient(const Case& input) {
   return !moves_water(input);

@@ -6,6 +6,7 @@
 #include "ionskin/electrochemistry/fixed_charge.hpp"
 #include "ionskin/electrochemistry/pair_generation.hpp"
 #include "ionskin/electrochemistry/volume_neutral.hpp"
+#include "ionskin/strain/strain_history.hpp"
 
 #include <algorithm>
 #include <array>
@@ -27,9 +28,18 @@ constexpr std::array laws{
     CouplingLaw{.name = "column-neutral", .apply = apply_column_neutral},
     CouplingLaw{
         .name = "pair-generation", .apply = local<apply_pair_generation>, .releases_ions = true},
+    CouplingLaw{.name = "poroelastic", .apply = nullptr, .moves_water = true},
 };
 
 } // namespace
+
+std::vector<std::vector<std::string>> CouplingLaw::channels_needed() const {
+  
+  if (moves_water) {
+    return {{strain::channel_name::dilation, strain::channel_name::undrained_pressure}};
+  }
+  return {{strain::channel_name::shear}};
+}
 
 const CouplingLaw& coupling_law(const std::string& name) {
   const auto found = std::find_if(laws.begin(), laws.end(),

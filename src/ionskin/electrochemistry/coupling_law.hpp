@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ionskin::electrochemistry {
 
@@ -13,11 +14,17 @@ namespace ionskin::electrochemistry {
 /// the law does.
 struct CouplingLaw {
   std::string_view name;
-  /// Fixed charge from shear: `ratio` receives cf / c0 per control volume.
+  /// Fixed charge from shear: `ratio` receives cf / c0 per control volume. Null where shear leaves
+  /// the fixed charge as it is.
   void (*apply)(double coefficient, const ScaledGrid& grid, std::span<const double> shear,
                 std::span<double> ratio);
   bool makes_net_charge = false; ///< the core's charge changes with the shear
   bool releases_ions = false;    ///< a mobile ion comes with every fixed charge
+  /// Moves water, which drives the cations beside the potential (poroelasticity/streaming_drive).
+  bool moves_water = false;
+
+  /// Channels of the history that the law is driven by: each inner list names alternatives.
+  std::vector<std::vector<std::string>> channels_needed() const;
 };
 
 /// The law of a name that the schema has checked.

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/poroelasticity/streaming_drive.hpp"
+
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,8 +29,9 @@ struct TransportState {
   /// Rate of change at the end of the last step [1/scaled time]: of concentration minus released
   /// ions, then of potential.
   std::vector<double> rate;
-  double next_step = 0;    ///< length to try next [s]
-  double charge_scale = 0; ///< largest charge so far; see ChargeNorm
+  double next_step = 0;                             ///< length to try next [s]
+  double charge_scale = 0;                          ///< largest charge so far; see ChargeNorm
+  std::optional<poroelasticity::WaterState> memory; ///< of laws that move water
 };
 
 } // namespace ionskin::electrochemistry

@@ -32,23 +32,9 @@ double newton_tolerance(double time_tolerance) {
   return std::clamp(0.3 * time_tolerance, 1e-9, 1e-4);
 }
 
-/// The least charge that the steps resolve, as a share of the fixed charge in one Debye length at
-/// the largest shear: without it a first contact would be resolved from nothing.
+/// The least charge that the steps resolve, as a share of what the largest coupling makes in one
+/// Debye length: without it a first contact would be resolved from nothing.
 constexpr double least_charge = 1e-3;
-
-double largest_magnitude(const strain::StrainHistory& history) {
-  double largest = 0.0;
-  const strain::StrainField* seen = nullptr;
-  for (const auto& field : history.gamma) {
-    if (field.get() != seen) {
-      seen = field.get();
-      for (const double gamma : *seen) {
-        largest = std::max(largest, std::abs(gamma));
-      }
-    }
-  }
-  return largest;
-}
 
 /// The parts of one run, wired together.
 class TransportRun {
@@ -60,8 +46,7 @@ public:
         control_(make_step_landings(history, options.snapshot_times),
                  step_rule(input.numerics, input.readout, scales_)),
         fixed_charge_(input, history, mirror_.solved_grid(), scaled_),
-        charge_floor_(least_charge * std::abs(input.coupling.coefficient) *
-                      largest_magnitude(history)),
+        charge_floor_(least_charge * fixed_charge_.largest_coupling()),
         team_(useful_threads(options.threads, scaled_)),
         solver_(scaled_, newton_tolerance(control_.tolerance()), team_,
                 steric_excess(input.electrochemistry)),

@@ -42,11 +42,13 @@ bool is_mirrored(const strain::StrainHistory& history) {
   if (!history.slider_y.empty() || !edges_are_mirrored(history)) {
     return false;
   }
-  const strain::StrainField* seen = nullptr;
-  return std::ranges::all_of(history.gamma, [&](const auto& field) {
-    const bool known = field.get() == seen;
-    seen = field.get();
-    return known || field_is_mirrored(history.grid, *field);
+  return std::ranges::all_of(history.channels, [&](const strain::HistoryChannel& channel) {
+    const strain::StrainField* seen = nullptr;
+    return std::ranges::all_of(channel.samples, [&](const auto& field) {
+      const bool known = field.get() == seen;
+      seen = field.get();
+      return known || field_is_mirrored(history.grid, *field);
+    });
   });
 }
 

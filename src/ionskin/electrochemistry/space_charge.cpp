@@ -32,11 +32,50 @@ FixedCharge::FixedCharge(const Case& input, const strain::StrainHistory& history
     : coupling_(input.coupling), law_(coupling_law(input.coupling.law)),
       reference_concentration_(input.electrochemistry.fixed_charge_concentration),
       excess_(steric_excess(input.electrochemistry)), grid_(grid), scaled_(scaled),
-      projection_(history, grid.x_edges, grid.y_edges, grid.z_nodes), shear_(scaled.nodes(), 0.0),
-      ratio_(scaled.nodes(), 1.0) {}
+      shear_(scaled.nodes(), 0.0), ratio_(scaled.nodes(), 1.0) {
+  if (const strain::HistoryChannel* shear = history.find(strain::channel_name::shear)) {
+    projection_.emplace(history, *shear, grid.x_edges, grid.y_edges,
+                        strain::hat_averages(history.grid.z_nodes, grid.z_nodes));
+    largest_coupling_ = std::abs(coupling_.coefficient) * largest_magnitude(*shear);
+  }
+  if (law_.moves_water) {
+    water_.emplace(input, history, grid.x_edges, grid.y_edges, grid.z_nodes);
+    largest_coupling_ = water_->largest();
+  }
+}
+
+void FixedCharge::start(double time) {
+  if (water_) {
+    water_->start(time);
+  }
+}
+
+void FixedCharge::accept() {
+  if (water_) {
+    water_->accept();
+  }
+}
+
+std::optional<poroelasticity::WaterState> FixedCharge::memory() const {
+  return water_ ? std::optional(water_->state()) : std::nullopt;
+}
+
+void FixedCharge::restore(const std::optional<poroelasticity::WaterState>& memory) {
+  if (water_) {
+    water_->restore(memory.value_or(poroelasticity::WaterState{}));
+  }
+}
 
 void FixedCharge::evaluate(double time) {
-  projection_.evaluate(time, shear_);
+  if (projection_) {
+    projection_->evaluate(time, shear_);
+  }
+  if (water_) {
+    drive_ = water_->evaluate(time);
+  }
+  if (law_.apply == nullptr) {
+    return;
+  }
   law_.apply(coupling_.coefficient, scaled_, shear_, ratio_);
   check_sign(time);
   check_room(time);
@@ -94,6 +133,7 @@ void check_fixed_charge(const Case& input, const strain::StrainHistory& history)
       derive_scales(input.electrochemistry, history.core_thickness()).debye_length;
   const ScaledGrid scaled = scale_grid(grid, debye_length);
   FixedCharge charge(input, history, grid, scaled);
+  charge.start(history.time.front());
   for (const double time : history.time) {
     charge.evaluate(time);
   }

@@ -5,6 +5,7 @@
 #include "ionskin/electrochemistry/coupling_law.hpp"
 #include "ionskin/electrochemistry/scaled_grid.hpp"
 #include "ionskin/electrochemistry/steric_excess.hpp"
+#include "ionskin/poroelasticity/streaming_drive.hpp"
 #include "ionskin/strain/strain_history.hpp"
 #include "ionskin/strain/strain_projection.hpp"
 
@@ -16,19 +17,30 @@
 
 namespace ionskin::electrochemistry {
 
-/// The fixed part of the space charge rho = F (v c - cf): shear from the history, fixed charge from
-/// it by the coupling law of the case.
+/// What the history does to the ions by the coupling law of the case: the fixed part of the space
+/// charge rho = F (v c - cf), or a drive of the cations beside the potential.
 class FixedCharge {
 public:
   FixedCharge(const Case& input, const strain::StrainHistory& history, const TransportGrid& grid,
               const ScaledGrid& scaled);
 
-  /// Moves to an instant [s]. Throws SolverError when cf becomes negative there, or when the law
-  /// releases more ions than the steric ion model has room for.
+  /// Goes to the first instant [s].
+  void start(double time);
+  /// Moves to an instant [s] from the last accepted one. Throws SolverError when cf becomes
+  /// negative there, or when the law releases more ions than the steric ion model has room for.
   void evaluate(double time);
+  /// Makes the instant evaluated last the one to go on from, which matters to laws with a memory.
+  void accept();
+  /// The memory of the law at the last accepted instant; empty without one.
+  std::optional<poroelasticity::WaterState> memory() const;
+  void restore(const std::optional<poroelasticity::WaterState>& memory);
 
   std::span<const double> shear() const { return shear_; } ///< per control volume [1]
   std::span<const double> ratio() const { return ratio_; } ///< cf / c0 [1]
+  /// Added to the scaled potential wherever that drives the cations [nodes]; empty for none.
+  std::span<const double> drive() const { return drive_; }
+  /// Largest departure of cf / c0 from 1, or largest drive, that the history can make [1].
+  double largest_coupling() const { return largest_coupling_; }
   /// Whether the law adds a mobile ion for every fixed charge it adds.
   bool releases_ions() const { return law_.releases_ions; }
 
@@ -44,8 +56,11 @@ private:
   std::optional<StericExcess> excess_;
   TransportGrid grid_;
   const ScaledGrid& scaled_;
-  strain::StrainProjection projection_;
+  std::optional<strain::StrainProjection> projection_; ///< of the shear, where there is one
+  std::optional<poroelasticity::StreamingDrive> water_;
+  double largest_coupling_ = 0;
   std::vector<double> shear_, ratio_;
+  std::span<const double> drive_;
 };
 
 /// Evaluates the fixed charge at every sample of the history, between which it is linear in time at

@@ -85,11 +85,13 @@ StageProblem TimeIntegrator::problem_at(double time) {
           potentials_.top(time) / scales_.potential_scale,
           ion_amount,
           conductance_ ? std::optional(CircuitStage{start_charge_, implicit_ * *conductance_})
-                       : std::nullopt};
+                       : std::nullopt,
+          fixed_charge_.drive()};
 }
 
 void TimeIntegrator::initialise(double time, TransportState& state) {
-  state = {IonState(grid_.nodes()), std::vector<double>(2 * grid_.nodes(), 0.0), 0.0, 0.0};
+  state = {IonState(grid_.nodes()), std::vector<double>(2 * grid_.nodes(), 0.0), 0.0, 0.0, {}};
+  fixed_charge_.start(time);
   std::ranges::fill(start_, 1.0);
   implicit_ = 0.0;
   start_charge_ = 0.0;
@@ -101,11 +103,13 @@ void TimeIntegrator::initialise(double time, TransportState& state) {
                       "check the shear and the electrode potentials at the first instant");
   }
   solver_.rate(problem, state.ions, std::span(state.rate).first(grid_.nodes()));
+  state.memory = fixed_charge_.memory();
   settle(state.ions);
   note_charge(state);
 }
 
 void TimeIntegrator::take_up(double time, const TransportState& state) {
+  fixed_charge_.restore(state.memory);
   fixed_charge_.evaluate(time);
   settle(state.ions);
 }
@@ -213,6 +217,8 @@ void TimeIntegrator::accept(TransportState& state) {
     state.rate[p] = late + rest * (late - early);
   });
   std::swap(state.ions.values, end_.values);
+  fixed_charge_.accept();
+  state.memory = fixed_charge_.memory();
   settle(state.ions);
   note_charge(state);
 }

@@ -26,25 +26,34 @@ double top_potential(const StageProblem& problem, const TerminalVoltage& voltage
 
 TransportEquations::TransportEquations(const ScaledGrid& grid, WorkerTeam& team,
                                        std::optional<StericExcess> excess)
-    : grid_(grid), team_(team), excess_(excess), voltage_(grid), drive_(excess ? grid.nodes() : 0),
-      kept_drive_(drive_.size()), by_lower_(grid.nodes() - grid.columns()),
-      by_upper_(by_lower_.size()), by_difference_(by_lower_.size()) {
+    : grid_(grid), team_(team), excess_(excess), voltage_(grid),
+      by_lower_(grid.nodes() - grid.columns()), by_upper_(by_lower_.size()),
+      by_difference_(by_lower_.size()) {
   for (std::size_t i = 0; i < team.size(); ++i) {
     workspaces_.emplace_back(grid);
   }
 }
 
-std::span<const double> TransportEquations::driving(const IonState& state,
+std::span<const double> TransportEquations::driving(const StageProblem& problem,
+                                                    const IonState& state,
                                                     std::vector<double>& drive) {
-  if (!excess_) {
+  if (!excess_ && problem.drive.empty()) {
     return state.potential();
   }
+  drive.resize(grid_.nodes());
   team_.for_blocks(grid_.nodes(), drive_granularity,
                    [&](std::size_t begin, std::size_t end, std::size_t) {
                      const std::size_t count = end - begin;
-                     excess_->drive(state.concentration().subspan(begin, count),
-                                    state.potential().subspan(begin, count),
-                                    std::span(drive).subspan(begin, count));
+                     const auto potential = state.potential().subspan(begin, count);
+                     const auto sum = std::span(drive).subspan(begin, count);
+                     if (excess_) {
+                       excess_->drive(state.concentration().subspan(begin, count), potential, sum);
+                     } else {
+                       std::ranges::copy(potential, sum.begin());
+                     }
+                     for (std::size_t i = begin; i < end && !problem.drive.empty(); ++i) {
+                       drive[i] += problem.drive[i];
+                     }
                    });
   return drive;
 }
@@ -52,7 +61,7 @@ std::span<const double> TransportEquations::driving(const IonState& state,
 void TransportEquations::residual(const StageProblem& problem, const IonState& state,
                                   std::span<double> out) {
   const double top = top_potential(problem, voltage_, state.concentration());
-  const std::span<const double> drive = driving(state, drive_);
+  const std::span<const double> drive = driving(problem, state, drive_);
   team_.for_blocks(grid_.levels, 1, [&](std::size_t begin, std::size_t end, std::size_t worker) {
     residual_levels(problem, top, state, drive, begin, end, workspaces_[worker], out);
   });
@@ -129,7 +138,7 @@ void TransportEquations::linearise(const StageProblem& problem, const IonState& 
   step_ = problem.step;
   circuit_ = problem.circuit;
   const std::size_t columns = grid_.columns();
-  state_drive_ = driving(state, kept_drive_);
+  state_drive_ = driving(problem, state, kept_drive_);
   const auto c = state.concentration(), drive = state_drive_;
   team_.for_blocks(grid_.levels - 1, 1,
                    [&](std::size_t begin, std::size_t end, std::size_t worker) {

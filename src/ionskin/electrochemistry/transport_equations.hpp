@@ -26,6 +26,8 @@ struct StageProblem {
   double ion_amount = 0;
   /// Replaces `potential_top` by the bottom's potential plus the voltage of the circuit.
   std::optional<CircuitStage> circuit{};
+  /// Drives the cations beside the potential [nodes]; empty for none. Must outlive its use.
+  std::span<const double> drive{};
 };
 
 /// Potential of the top electrode: given, or what the circuit makes of the concentrations.
@@ -33,8 +35,8 @@ double top_potential(const StageProblem& problem, const TerminalVoltage& voltage
                      std::span<const double> concentration);
 
 /// The Poisson-Nernst-Planck equations on finite volumes: the residual of a stage and its exact
-/// derivative, applied without forming a matrix. The fluxes are driven by the potential, or by the
-/// sum of it and the steric excess.
+/// derivative, applied without forming a matrix. The fluxes are driven by the potential, plus the
+/// steric excess and the drive of the stage where there are any.
 class TransportEquations {
 public:
   /// @param excess nothing for dilute ions
@@ -62,7 +64,8 @@ private:
   };
 
   /// What drives the fluxes of a state: its potential, or the sum with the excess in `drive`.
-  std::span<const double> driving(const IonState& state, std::vector<double>& drive);
+  std::span<const double> driving(const StageProblem& problem, const IonState& state,
+                                  std::vector<double>& drive);
   /// Adds what the excess makes of the concentrations to the derivatives of the flux between the
   /// levels `interface` and `interface` + 1.
   void add_excess(std::size_t interface, std::span<const double> concentration);
@@ -87,7 +90,7 @@ private:
   double step_ = 0;
   std::optional<CircuitStage> circuit_;
   std::span<const double> state_drive_;    ///< of the fluxes of `state_`
-  std::vector<double> drive_, kept_drive_; ///< of a residual and of `state_`, with an excess only
+  std::vector<double> drive_, kept_drive_; ///< of a residual and of `state_`; empty until needed
   std::vector<double> by_lower_, by_upper_, by_difference_; ///< flux derivatives per interface
 };
 

@@ -136,6 +136,12 @@ Hdf5File::Shape Hdf5File::shape(const std::string& dataset) const {
   return {size.begin(), size.end()};
 }
 
+void Hdf5File::link(const std::string& object, const std::string& name) {
+  const Hdf5Handle links = group_making_links();
+  require_hdf5(H5Lcreate_hard(id_, object.c_str(), id_, name.c_str(), links, H5P_DEFAULT),
+               write_failure(path_, name));
+}
+
 void Hdf5File::remove(const std::string& object) {
   if (has(object)) {
     require_hdf5(H5Ldelete(id_, object.c_str(), H5P_DEFAULT), write_failure(path_, object));

@@ -42,6 +42,8 @@ public:
   /// Names of the members of a group, in alphabetical order.
   std::vector<std::string> members(const std::string& group) const;
   Shape shape(const std::string& dataset) const;
+  /// Gives an object a second name.
+  void link(const std::string& object, const std::string& name);
   /// Removes an object if it is there.
   void remove(const std::string& object);
 

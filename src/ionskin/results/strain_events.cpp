@@ -43,10 +43,11 @@ std::vector<double> value_volumes(const strain::StrainGrid& grid) {
   return volumes;
 }
 
-// Rate of gamma over the step that starts at a sample.
-std::vector<double> rate_of_step(const strain::StrainHistory& history, std::size_t step) {
-  const strain::StrainField& before = *history.gamma[step];
-  const strain::StrainField& after = *history.gamma[step + 1];
+// Rate of a channel over the step that starts at a sample.
+std::vector<double> rate_of_step(const strain::StrainHistory& history,
+                                 const strain::HistoryChannel& channel, std::size_t step) {
+  const strain::StrainField& before = *channel.samples[step];
+  const strain::StrainField& after = *channel.samples[step + 1];
   std::vector<double> rate(before.size(), 0.0);
   if (&before != &after) {
     const double duration = history.time[step + 1] - history.time[step];
@@ -76,12 +77,13 @@ struct Jumps {
   }
 };
 
-Jumps rate_jumps(const strain::StrainHistory& history, const std::vector<double>& volumes) {
+Jumps rate_jumps(const strain::StrainHistory& history, const strain::HistoryChannel& channel,
+                 const std::vector<double>& volumes) {
   Jumps jumps;
-  std::vector<double> rate = rate_of_step(history, 0);
+  std::vector<double> rate = rate_of_step(history, channel, 0);
   jumps.largest = integral_of_magnitude(rate, volumes);
   for (std::size_t step = 1; step + 1 < history.time.size(); ++step) {
-    const std::vector<double> next = rate_of_step(history, step);
+    const std::vector<double> next = rate_of_step(history, channel, step);
     jumps.largest = std::max(jumps.largest, integral_of_magnitude(next, volumes));
     for (std::size_t i = 0; i < rate.size(); ++i) {
       rate[i] = next[i] - rate[i];
@@ -114,13 +116,21 @@ bool is_zero(const strain::StrainField& field) {
 } // namespace
 
 std::vector<double> detect_events(const strain::StrainHistory& history) {
-  const Jumps rate = rate_jumps(history, value_volumes(history.grid));
+  std::vector<Jumps> rates;
+  for (const strain::HistoryChannel& channel : history.channels) {
+    rates.push_back(rate_jumps(history, channel, value_volumes(history.grid)));
+  }
   const Jumps along_x = velocity_jumps(history.time, history.slider_x);
   const Jumps along_y = velocity_jumps(history.time, history.slider_y);
   std::vector<double> events{history.time.front()};
   for (std::size_t inner = 0; inner + 2 < history.time.size(); ++inner) {
     const bool slider_jumps = along_x.noticeable(inner) || along_y.noticeable(inner);
-    if (rate.noticeable(inner) || (slider_jumps && !is_zero(*history.gamma[inner + 1]))) {
+    const bool loaded = std::ranges::any_of(history.channels, [inner](const auto& channel) {
+      return !is_zero(*channel.samples[inner + 1]);
+    });
+    const bool kink =
+        std::ranges::any_of(rates, [inner](const Jumps& rate) { return rate.noticeable(inner); });
+    if (kink || (slider_jumps && loaded)) {
       events.push_back(history.time[inner + 1]);
     }
   }

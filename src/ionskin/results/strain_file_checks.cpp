@@ -35,7 +35,8 @@ void StrainFileChecks::finite(const std::string& dataset, const std::vector<doub
   }
 }
 
-void StrainFileChecks::finite_field(const strain::StrainHistory& history, std::size_t sample,
+void StrainFileChecks::finite_field(const std::string& dataset,
+                                    const strain::StrainHistory& history, std::size_t sample,
                                     const strain::StrainField& field) const {
   const auto bad =
       std::find_if(field.begin(), field.end(), [](double value) { return !std::isfinite(value); });
@@ -45,11 +46,11 @@ void StrainFileChecks::finite_field(const strain::StrainHistory& history, std::s
   const auto index = static_cast<std::size_t>(bad - field.begin());
   const std::size_t nx = history.grid.columns_x();
   const std::size_t ny = history.grid.columns_y();
-  fail(fmt::format("gamma is {} at [time, z, y, x] = [{}, {}, {}, {}], the first such place "
+  fail(fmt::format("{} is {} at [time, z, y, x] = [{}, {}, {}, {}], the first such place "
                    "(time {:.6g} s, z {:.6g} m)",
-                   kind_of(*bad), sample, index / (nx * ny), index / nx % ny, index % nx,
+                   dataset, kind_of(*bad), sample, index / (nx * ny), index / nx % ny, index % nx,
                    history.time[sample], history.grid.z_nodes[index / (nx * ny)]),
-       "write a finite shear everywhere in the core; 0 where nothing happens");
+       "write finite numbers everywhere in the core; 0 where nothing happens");
 }
 
 void StrainFileChecks::ascending(const std::string& dataset,
@@ -75,16 +76,15 @@ void StrainFileChecks::same_length(const std::string& dataset, std::size_t actua
   }
 }
 
-void StrainFileChecks::shape(const strain::StrainGrid& grid, std::size_t samples,
-                             const std::vector<std::size_t>& actual) const {
+void StrainFileChecks::shape(const std::string& dataset, const strain::StrainGrid& grid,
+                             std::size_t samples, const std::vector<std::size_t>& actual) const {
   const std::vector<std::size_t> expected{samples, grid.z_nodes.size(), grid.columns_y(),
                                           grid.columns_x()};
   if (actual != expected) {
-    fail(
-        fmt::format("gamma has the shape {}, but [time, z, y, x] with {} samples, {} z nodes, {} y "
-                    "cells and {} x cells needs {}",
-                    actual, expected[0], expected[1], expected[2], expected[3], expected),
-        "x and y hold cell edges (one more than cells), z holds nodes; x varies fastest");
+    fail(fmt::format("{} has the shape {}, but [time, z, y, x] with {} samples, {} z nodes, {} y "
+                     "cells and {} x cells needs {}",
+                     dataset, actual, expected[0], expected[1], expected[2], expected[3], expected),
+         "x and y hold cell edges (one more than cells), z holds nodes; x varies fastest");
   }
 }
 

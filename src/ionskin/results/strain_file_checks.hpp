@@ -19,13 +19,13 @@ public:
   [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const;
 
   void finite(const std::string& dataset, const std::vector<double>& values) const;
-  /// One sample of gamma.
-  void finite_field(const strain::StrainHistory& history, std::size_t sample,
-                    const strain::StrainField& field) const;
+  /// One sample of a channel.
+  void finite_field(const std::string& dataset, const strain::StrainHistory& history,
+                    std::size_t sample, const strain::StrainField& field) const;
   /// Finite, strictly ascending and at least two entries.
   void ascending(const std::string& dataset, const std::vector<double>& values) const;
   void same_length(const std::string& dataset, std::size_t actual, std::size_t samples) const;
-  void shape(const strain::StrainGrid& grid, std::size_t samples,
+  void shape(const std::string& dataset, const strain::StrainGrid& grid, std::size_t samples,
              const std::vector<std::size_t>& actual) const;
   /// Along x and y at every sample, along z exactly.
   void covers_core(const strain::StrainHistory& history, const Skin& skin) const;

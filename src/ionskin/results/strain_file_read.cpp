@@ -16,7 +16,6 @@ namespace ionskin::results {
 namespace {
 
 constexpr const char* format_name = "ionskin-strain";
-constexpr int supported_version = 1;
 
 // Hands out one shared field for all equal ones.
 class FieldPool {
@@ -88,10 +87,10 @@ private:
                    "name a strain file, or the results.h5 of a run");
     }
     const std::optional<double> version = file_.number_attribute(root(), "version");
-    if (version != supported_version) {
+    if (version != 1 && version != 2) {
       checks_.fail(version ? fmt::format("its version is {}", *version)
                            : "the number attribute version is missing",
-                   fmt::format("this program reads version {}", supported_version));
+                   "this program reads versions 1 and 2");
     }
     history.measure = required_text("measure", "off-diagonal");
     const std::string frame = required_text("frame", "skin");
@@ -164,16 +163,38 @@ private:
     }
   }
 
+  /// Version 1 has the shear alone, version 2 channels by name.
   void read_fields(strain::StrainHistory& history) const {
-    require_dataset("gamma");
-    check_unit("gamma", "1", true);
-    checks_.shape(history.grid, history.time.size(), file_.shape(object("gamma")));
+    if (!file_.has(object("channels"))) {
+      read_channel(history, "gamma", strain::channel_name::shear, "1");
+      return;
+    }
+    for (const std::string& name : file_.members(object("channels"))) {
+      const std::string* unit = strain::unit_of_channel(name);
+      if (unit == nullptr) {
+        checks_.fail(fmt::format("channels/{} is no channel that this program knows", name),
+                     fmt::format("known: {}", strain::known_channels()));
+      }
+      read_channel(history, "channels/" + name, name, *unit);
+    }
+    if (history.channels.empty()) {
+      checks_.fail("the group channels is empty",
+                   fmt::format("write one of {}", strain::known_channels()));
+    }
+  }
+
+  void read_channel(strain::StrainHistory& history, const std::string& dataset,
+                    const std::string& name, const std::string& unit) const {
+    require_dataset(dataset);
+    check_unit(dataset, unit, true);
+    checks_.shape(dataset, history.grid, history.time.size(), file_.shape(object(dataset)));
+    strain::HistoryChannel& channel = history.add_channel(name, unit);
     FieldPool pool;
     for (std::size_t sample = 0; sample < history.time.size(); ++sample) {
       strain::StrainField field;
-      file_.read_frame(object("gamma"), sample, field);
-      checks_.finite_field(history, sample, field);
-      history.gamma.push_back(pool.share(std::move(field)));
+      file_.read_frame(object(dataset), sample, field);
+      checks_.finite_field(dataset, history, sample, field);
+      channel.samples.push_back(pool.share(std::move(field)));
     }
   }
 

@@ -9,21 +9,21 @@
 namespace ionskin::results {
 namespace {
 
-void write_fields(Hdf5File& file, const std::string& dataset,
-                  const strain::StrainHistory& history) {
+void write_fields(Hdf5File& file, const std::string& dataset, const strain::StrainHistory& history,
+                  const strain::HistoryChannel& channel) {
   const strain::StrainGrid& grid = history.grid;
   file.create_frames(
       dataset, {history.time.size(), grid.z_nodes.size(), grid.columns_y(), grid.columns_x()});
   std::map<const strain::StrainField*, std::size_t> written;
-  for (std::size_t i = 0; i < history.gamma.size(); ++i) {
-    const auto [first, is_new] = written.emplace(history.gamma[i].get(), i);
+  for (std::size_t i = 0; i < channel.samples.size(); ++i) {
+    const auto [first, is_new] = written.emplace(channel.samples[i].get(), i);
     if (is_new) {
-      file.write_frame(dataset, i, *history.gamma[i]);
+      file.write_frame(dataset, i, *channel.samples[i]);
     } else {
       file.repeat_frame(dataset, first->second, i);
     }
   }
-  file.set_attribute(dataset, "unit", std::string("1"));
+  file.set_attribute(dataset, "unit", channel.unit);
 }
 
 } // namespace
@@ -44,9 +44,17 @@ void write_strain(Hdf5File& file, const std::string& group, const strain::Strain
   if (rides && !history.slider_y.empty()) {
     file.write_with_unit(root + "/slider_y", history.slider_y, "m");
   }
-  write_fields(file, root + "/gamma", history);
+  const bool shear_alone =
+      history.channels.size() == 1 && history.find(strain::channel_name::shear) != nullptr;
+  for (const strain::HistoryChannel& channel : history.channels) {
+    const std::string dataset = root + (shear_alone ? "/gamma" : "/channels/" + channel.name);
+    write_fields(file, dataset, history, channel);
+    if (!shear_alone && channel.name == strain::channel_name::shear) {
+      file.link(dataset, root + "/gamma"); // where readers of version 1 look
+    }
+  }
   file.set_attribute(group, "format", std::string("ionskin-strain"));
-  file.set_attribute(group, "version", 1);
+  file.set_attribute(group, "version", shear_alone ? 1 : 2);
   file.set_attribute(group, "measure", history.measure);
   file.set_attribute(group, "frame", std::string(rides ? "slider" : "skin"));
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/strain/handover.hpp"
 
+#include "ionskin/case/coupling.hpp"
+#include "ionskin/strain/compressive_dilation.hpp"
 #include "ionskin/strain/line_operators.hpp"
 #include "ionskin/strain/shear_measure.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -96,8 +99,8 @@ StrainField reflected_field(const StrainField& half, std::size_t levels, std::si
   return full;
 }
 
-/// Shear at the Gauss points of a combination of states, [z][y][x].
-std::vector<double> gauss_shear(ShearMeasure measure, const StateCombination& combination) {
+/// Six components of the strain at the Gauss points of a combination of states, each [z][y][x].
+std::array<std::vector<double>, 6> gauss_strain(const StateCombination& combination) {
   std::array<std::vector<double>, 6> strain;
   for (std::size_t c = 0; c < 6; ++c) {
     strain[c].assign(combination.terms.front().state->strain.component[c].size(), 0.0);
@@ -108,9 +111,32 @@ std::vector<double> gauss_shear(ShearMeasure measure, const StateCombination& co
       }
     }
   }
+  return strain;
+}
+
+/// Shear at the Gauss points of a combination of states, [z][y][x].
+std::vector<double> gauss_shear(ShearMeasure measure, const StateCombination& combination) {
   std::vector<double> shear;
-  evaluate_shear(measure, strain, shear);
+  evaluate_shear(measure, gauss_strain(combination), shear);
   return shear;
+}
+
+/// A channel that the handover makes, by its value at the Gauss points.
+struct ChannelRule {
+  const char* name;
+  std::function<std::vector<double>(const StateCombination&)> at_points;
+};
+
+std::vector<ChannelRule> channel_rules(const Case& input) {
+  std::vector<ChannelRule> rules{{channel_name::shear, [&input](const StateCombination& combination) {
+                                    return gauss_shear(input.coupling.measure, combination);
+                                  }}};
+  if (moves_water(input)) {
+    rules.push_back({channel_name::dilation, [](const StateCombination& combination) {
+                       return compressive_dilation(gauss_strain(combination));
+                     }});
+  }
+  return rules;
 }
 
 /// What a field depends on: the states with their weights, and the slider's place. Detached, only
@@ -147,10 +173,12 @@ StrainHistory build_strain_history(const Case& input, const mechanics::ContactSo
   history.measure = name(input.coupling.measure);
   history.length = input.skin.length;
   history.width = input.skin.width;
-  history.grid = {x_edges, mesh.half_model() ? reflected_edges(y_edges) : y_edges, z_lines};
+  const auto z_nodes = moves_water(input) ? halved(z_lines) : z_lines;
+  history.grid = {x_edges, mesh.half_model() ? reflected_edges(y_edges) : y_edges, z_nodes};
 
-  const LineOperator along_z = linear_projection(z_lines);
-  const auto field_at = [&](const StateCombination& combination) {
+  const LineOperator along_z =
+      moves_water(input) ? halved_projection(z_lines) : linear_projection(z_lines);
+  const auto field_at = [&](const ChannelRule& rule, const StateCombination& combination) {
     const auto& centre = combination.centre;
     const auto lines = mesh.lines(centre);
     const auto along = [](const std::vector<double>& line, std::vector<double> edges,
@@ -163,29 +191,35 @@ StrainHistory build_strain_history(const Case& input, const mechanics::ContactSo
     const LineOperator along_x = along(lines.x, x_edges, centre[0]);
     const LineOperator along_y = along(lines.y, y_edges, centre[1]);
     const auto& points = combination.terms.front().state->strain.points;
-    StrainField a = gauss_shear(input.coupling.measure, combination);
+    StrainField a = rule.at_points(combination);
     StrainField b;
     apply_along(along_z, 1, points[1] * points[0], a, b);
-    apply_along(along_x, z_lines.size() * points[1], 1, b, a);
-    apply_along(along_y, z_lines.size(), along_x.rows(), a, b);
-    return mesh.half_model() ? reflected_field(b, z_lines.size(), along_y.rows(), along_x.rows())
+    apply_along(along_x, z_nodes.size() * points[1], 1, b, a);
+    apply_along(along_y, z_nodes.size(), along_x.rows(), a, b);
+    return mesh.half_model() ? reflected_field(b, z_nodes.size(), along_y.rows(), along_x.rows())
                              : b;
   };
 
   // Legs that repeat each other share their fields.
-  std::map<FieldKey, std::shared_ptr<const StrainField>> known;
-  std::vector<std::shared_ptr<const StrainField>> cycle_fields;
+  const std::vector<ChannelRule> rules = channel_rules(input);
+  using Fields = std::vector<std::shared_ptr<const StrainField>>; // one per channel
+  const auto nothing = std::make_shared<const StrainField>(StrainField(history.grid.values(), 0.0));
+  std::map<FieldKey, Fields> known;
+  std::vector<const Fields*> cycle_fields;
   std::vector<std::array<double, 2>> cycle_centres;
   for (std::size_t i = 0; i < timeline.sample_times().size(); ++i) {
     const StateCombination combination = timeline.at_sample(i);
-    auto& field = known[field_key(combination)];
-    if (!field) {
-      field = std::make_shared<const StrainField>(combination.terms.empty()
-                                                      ? StrainField(history.grid.values(), 0.0)
-                                                      : field_at(combination));
+    Fields& fields = known[field_key(combination)];
+    for (std::size_t channel = fields.size(); channel < rules.size(); ++channel) {
+      fields.push_back(combination.terms.empty() ? nothing
+                                                 : std::make_shared<const StrainField>(
+                                                       field_at(rules[channel], combination)));
     }
     cycle_centres.push_back(combination.centre);
-    cycle_fields.push_back(field);
+    cycle_fields.push_back(&fields);
+  }
+  for (const ChannelRule& rule : rules) {
+    history.add_channel(rule.name, *unit_of_channel(rule.name));
   }
   const double middle = 0.5 * input.skin.width;
   const bool off_centre = box.low[1] != middle || box.high[1] != middle;
@@ -198,7 +232,9 @@ StrainHistory build_strain_history(const Case& input, const mechanics::ContactSo
       if (off_centre) {
         history.slider_y.push_back(cycle_centres[i][1]);
       }
-      history.gamma.push_back(cycle_fields[i]);
+      for (std::size_t channel = 0; channel < rules.size(); ++channel) {
+        history.channels[channel].samples.push_back((*cycle_fields[i])[channel]);
+      }
     }
     for (const double event : timeline.event_times()) {
       // Event times are sample times, up to coinciding ones: take the sample itself.

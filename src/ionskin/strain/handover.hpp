@@ -8,10 +8,12 @@
 
 namespace ionskin::strain {
 
-/// Turns Study 1 into the shear history of the whole run, in the slider's frame: interpolates the
-/// strain at fixed mesh index, takes the case's shear measure, smooths it by an L2 projection in
+/// Turns Study 1 into the history of the whole run, in the slider's frame: interpolates the strain
+/// at fixed mesh index, takes a scalar of it for every channel, smooths that by an L2 projection in
 /// the core (its integral is conserved) and averages it over cells that ride with the slider. Takes
 /// about a second and cannot be interrupted, so that finished mechanics is never lost.
+/// The channels are the shear by the case's measure and, where the coupling law of the case moves
+/// water, the dilation, with twice the z nodes: its values at the walls are what drives the ions.
 StrainHistory build_strain_history(const Case& input, const mechanics::ContactSolution& contact);
 
 /// Integral of the shear over the core straight from the Gauss points of the mechanics [m3]; the

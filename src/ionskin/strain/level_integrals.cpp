@@ -45,13 +45,13 @@ std::vector<double> lengths_within(const std::vector<double>& edges, double exte
   return result;
 }
 
-void keep_level_integrals_linear(const StrainHistory& history, const TimeBracket& at,
-                                 StrainField& field) {
+void keep_level_integrals_linear(const StrainHistory& history, const HistoryChannel& channel,
+                                 const TimeBracket& at, StrainField& field) {
   if (history.frame == Frame::skin || at.weight == 0) {
     return;
   }
-  const auto before = level_integrals(history, {at.index, 0.0}, *history.gamma[at.index]);
-  const auto after = level_integrals(history, {at.index + 1, 0.0}, *history.gamma[at.index + 1]);
+  const auto before = level_integrals(history, {at.index, 0.0}, *channel.samples[at.index]);
+  const auto after = level_integrals(history, {at.index + 1, 0.0}, *channel.samples[at.index + 1]);
   const auto now = level_integrals(history, at, field);
   const std::size_t columns = history.grid.columns_x() * history.grid.columns_y();
   for (std::size_t k = 0; k < now.size(); ++k) {

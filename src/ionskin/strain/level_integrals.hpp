@@ -16,7 +16,7 @@ std::vector<double> lengths_within(const std::vector<double>& edges, double exte
 /// the distance between the samples, but its rate is a sawtooth in the current. The field changes
 /// in proportion to its magnitude, so that zeros stay and signs too; by no more than a half.
 /// @param field interpolated at this instant; a field of the skin's frame needs nothing
-void keep_level_integrals_linear(const StrainHistory& history, const TimeBracket& at,
-                                 StrainField& field);
+void keep_level_integrals_linear(const StrainHistory& history, const HistoryChannel& channel,
+                                 const TimeBracket& at, StrainField& field);
 
 } // namespace ionskin::strain

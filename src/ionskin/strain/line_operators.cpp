@@ -34,36 +34,64 @@ void add_linear_integral(double left, double right, double from, double to, doub
   weight_right += (to - from) * mean;
 }
 
-} // namespace
-
-LineOperator linear_projection(const std::vector<double>& lines) {
+/// L2 projection of functions that are linear in each interval, given at its two Gauss points, on
+/// continuous ones that are linear in each of its equal parts.
+LineOperator projection(const std::vector<double>& lines, Eigen::Index parts) {
   const auto intervals = static_cast<Eigen::Index>(lines.size() - 1);
-  Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(intervals + 1, intervals + 1);
-  Eigen::MatrixXd load = Eigen::MatrixXd::Zero(intervals + 1, 2 * intervals);
-  for (Eigen::Index e = 0; e < intervals; ++e) {
-    const double length =
-        lines[static_cast<std::size_t>(e) + 1] - lines[static_cast<std::size_t>(e)];
+  const Eigen::Index nodes = parts * intervals + 1;
+  Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(nodes, nodes);
+  Eigen::MatrixXd load = Eigen::MatrixXd::Zero(nodes, 2 * intervals);
+  for (Eigen::Index e = 0; e < parts * intervals; ++e) {
+    const Eigen::Index interval = e / parts;
+    const double length = (lines[static_cast<std::size_t>(interval) + 1] -
+                           lines[static_cast<std::size_t>(interval)]) /
+                          static_cast<double>(parts);
     mass(e, e) += length / 3;
     mass(e + 1, e + 1) += length / 3;
     mass(e, e + 1) += length / 6;
     mass(e + 1, e) += length / 6;
-    for (Eigen::Index q = 0; q < 2; ++q) {
-      const double right = 0.5 * (1 + (q == 0 ? -gauss_offset : gauss_offset));
-      load(e, 2 * e + q) += 0.5 * length * (1 - right);
-      load(e + 1, 2 * e + q) += 0.5 * length * right;
+    // Two Gauss points are exact for the product of two linear functions.
+    for (Eigen::Index p = 0; p < 2; ++p) {
+      const double right = 0.5 * (1 + (p == 0 ? -gauss_offset : gauss_offset));
+      const double within = (static_cast<double>(e % parts) + right) / static_cast<double>(parts);
+      for (Eigen::Index q = 0; q < 2; ++q) {
+        // The function that is 1 at the interval's Gauss point q and 0 at the other.
+        const double value = 0.5 + (q == 0 ? -1 : 1) * (within - 0.5) / gauss_offset;
+        load(e, 2 * interval + q) += 0.5 * length * (1 - right) * value;
+        load(e + 1, 2 * interval + q) += 0.5 * length * right * value;
+      }
     }
   }
-  const Eigen::MatrixXd projection = mass.llt().solve(load);
+  const Eigen::MatrixXd weights = mass.llt().solve(load);
   LineOperator line;
   line.sources = static_cast<std::size_t>(2 * intervals);
-  for (Eigen::Index i = 0; i <= intervals; ++i) {
+  for (Eigen::Index i = 0; i < nodes; ++i) {
     std::vector<double> row(line.sources);
     for (std::size_t q = 0; q < line.sources; ++q) {
-      row[q] = projection(i, static_cast<Eigen::Index>(q));
+      row[q] = weights(i, static_cast<Eigen::Index>(q));
     }
     push_row(line, row);
   }
   return line;
+}
+
+} // namespace
+
+LineOperator linear_projection(const std::vector<double>& lines) {
+  return projection(lines, 1);
+}
+
+LineOperator halved_projection(const std::vector<double>& lines) {
+  return projection(lines, 2);
+}
+
+std::vector<double> halved(const std::vector<double>& lines) {
+  std::vector<double> nodes{lines.front()};
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    nodes.push_back(0.5 * (lines[i - 1] + lines[i]));
+    nodes.push_back(lines[i]);
+  }
+  return nodes;
 }
 
 LineOperator cell_averages(const std::vector<double>& lines,
@@ -151,6 +179,23 @@ LineOperator hat_averages(const std::vector<double>& source_nodes,
       weight /= volume[t];
     }
     push_row(line, dense[t]);
+  }
+  return line;
+}
+
+LineOperator linear_interpolation(const std::vector<double>& source_nodes,
+                                  const std::vector<double>& target_nodes) {
+  LineOperator line;
+  line.sources = source_nodes.size();
+  std::size_t interval = 0;
+  for (const double node : target_nodes) {
+    while (interval + 2 < source_nodes.size() && source_nodes[interval + 1] < node) {
+      ++interval;
+    }
+    const double left = source_nodes[interval], right = source_nodes[interval + 1];
+    const double weight = std::clamp((node - left) / (right - left), 0.0, 1.0);
+    line.first.push_back(interval);
+    line.weights.push_back({1 - weight, weight});
   }
   return line;
 }

@@ -24,6 +24,12 @@ struct LineOperator {
 /// Rows: n + 1 nodes; sources: 2 n points.
 LineOperator linear_projection(const std::vector<double>& lines);
 
+/// The same on twice the nodes: the ends of the intervals and their middles, which keeps more of
+/// what happens at the outer ends.
+LineOperator halved_projection(const std::vector<double>& lines);
+/// Ends of the intervals and their middles.
+std::vector<double> halved(const std::vector<double>& lines);
+
 /// Averages of a continuous piecewise-linear function over cells, each over its part within the
 /// lines. Cells outside take the value at the nearer end, so that a cell that crosses the end stays
 /// smooth in its position. Rows: cells; sources: line nodes.
@@ -39,6 +45,11 @@ LineOperator overlap_averages(const std::vector<double>& source_edges,
 /// conserved. Rows: target nodes; sources: source nodes. Both span the same interval.
 LineOperator hat_averages(const std::vector<double>& source_nodes,
                           const std::vector<double>& target_nodes);
+
+/// Values of a continuous piecewise-linear function at target nodes within the span of its own.
+/// Rows: target nodes; sources: source nodes.
+LineOperator linear_interpolation(const std::vector<double>& source_nodes,
+                                  const std::vector<double>& target_nodes);
 
 /// `second` after `first`.
 LineOperator compose(const LineOperator& second, const LineOperator& first);

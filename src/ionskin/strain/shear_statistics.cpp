@@ -18,7 +18,7 @@ struct Instant {
 
   Instant(const StrainHistory& history, double time) {
     const TimeBracket at = bracket(history, time);
-    interpolate_field(history, at, field);
+    interpolate_field(history, history.channel(channel_name::shear), at, field);
     const auto dx = lengths_within(skin_x_edges(history, at), history.length);
     const auto dy = lengths_within(skin_y_edges(history, at), history.width);
     area.reserve(dx.size() * dy.size());

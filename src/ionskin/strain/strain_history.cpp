@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/strain/strain_history.hpp"
 
+#include "ionskin/base/error.hpp"
 #include "ionskin/strain/level_integrals.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace ionskin::strain {
 namespace {
+
+struct KnownChannel {
+  std::string name, unit;
+};
+const std::array known{KnownChannel{channel_name::shear, "1"}, KnownChannel{channel_name::dilation, "1"},
+                       KnownChannel{channel_name::undrained_pressure, "Pa"}};
 
 std::vector<double> shifted(const std::vector<double>& edges, double offset) {
   std::vector<double> result(edges);
@@ -22,6 +31,20 @@ double at_bracket(const std::vector<double>& values, const TimeBracket& at) {
 }
 
 } // namespace
+
+double largest_magnitude(const HistoryChannel& channel) {
+  double largest = 0.0;
+  const StrainField* seen = nullptr;
+  for (const auto& field : channel.samples) {
+    if (field.get() != seen) {
+      seen = field.get();
+      for (const double value : *seen) {
+        largest = std::max(largest, std::abs(value));
+      }
+    }
+  }
+  return largest;
+}
 
 TimeBracket bracket(const StrainHistory& history, double time) {
   const auto& t = history.time;
@@ -52,17 +75,48 @@ std::vector<double> skin_y_edges(const StrainHistory& history, const TimeBracket
   return shifted(history.grid.y_edges, centre);
 }
 
-void interpolate_field(const StrainHistory& history, const TimeBracket& at, StrainField& field) {
-  const StrainField& before = *history.gamma[at.index];
+const std::string* unit_of_channel(std::string_view name) {
+  const auto found = std::ranges::find(known, name, &KnownChannel::name);
+  return found == known.end() ? nullptr : &found->unit;
+}
+
+std::string known_channels() {
+  std::string names;
+  for (const KnownChannel& channel : known) {
+    names += (names.empty() ? "" : ", ") + channel.name;
+  }
+  return names;
+}
+
+const HistoryChannel* StrainHistory::find(std::string_view name) const {
+  const auto found = std::ranges::find(channels, name, &HistoryChannel::name);
+  return found == channels.end() ? nullptr : &*found;
+}
+
+const HistoryChannel& StrainHistory::channel(std::string_view name) const {
+  if (const HistoryChannel* found = find(name)) {
+    return *found;
+  }
+  throw InternalError("the history has no channel " + std::string(name));
+}
+
+HistoryChannel& StrainHistory::add_channel(const std::string& name, const std::string& unit) {
+  const auto found = std::ranges::find(channels, name, &HistoryChannel::name);
+  return found == channels.end() ? channels.emplace_back(HistoryChannel{name, unit, {}}) : *found;
+}
+
+void interpolate_field(const StrainHistory& history, const HistoryChannel& channel,
+                       const TimeBracket& at, StrainField& field) {
+  const StrainField& before = *channel.samples[at.index];
   field = before;
   if (at.weight == 0) {
     return;
   }
-  const StrainField& after = *history.gamma[at.index + 1];
+  const StrainField& after = *channel.samples[at.index + 1];
   for (std::size_t i = 0; i < field.size(); ++i) {
     field[i] += at.weight * (after[i] - before[i]);
   }
-  keep_level_integrals_linear(history, at, field);
+  keep_level_integrals_linear(history, channel, at, field);
 }
 
 } // namespace ionskin::strain

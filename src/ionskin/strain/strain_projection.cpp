@@ -5,14 +5,15 @@
 
 namespace ionskin::strain {
 
-StrainProjection::StrainProjection(const StrainHistory& history, std::vector<double> x_edges,
-                                   std::vector<double> y_edges, const std::vector<double>& z_nodes)
-    : history_(history), x_edges_(std::move(x_edges)), y_edges_(std::move(y_edges)),
-      along_z_(hat_averages(history.grid.z_nodes, z_nodes)) {}
+StrainProjection::StrainProjection(const StrainHistory& history, const HistoryChannel& channel,
+                                   std::vector<double> x_edges, std::vector<double> y_edges,
+                                   LineOperator along_z)
+    : history_(history), channel_(channel), x_edges_(std::move(x_edges)),
+      y_edges_(std::move(y_edges)), along_z_(std::move(along_z)) {}
 
 void StrainProjection::evaluate(double time, std::vector<double>& field) const {
   const TimeBracket at = bracket(history_, time);
-  interpolate_field(history_, at, source_);
+  interpolate_field(history_, channel_, at, source_);
   const LineOperator along_x = overlap_averages(skin_x_edges(history_, at), x_edges_);
   const LineOperator along_y = overlap_averages(skin_y_edges(history_, at), y_edges_);
   const std::size_t levels = history_.grid.z_nodes.size();

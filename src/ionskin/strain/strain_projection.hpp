@@ -8,24 +8,25 @@
 
 namespace ionskin::strain {
 
-/// Averages a history over the columns of another x-y grid and projects it on other z nodes,
-/// conserving the integral and the first moment: exact overlap of cells in x and y, hat functions
-/// in z.
+/// Averages a channel over the columns of another x-y grid by exact overlap of cells, and takes it
+/// to other levels by an operator along z: `hat_averages` conserve the integral and the first
+/// moment, `linear_interpolation` keeps the values at the walls.
 class StrainProjection {
 public:
   /// @param history must outlive the projection
+  /// @param channel of the history
   /// @param x_edges, y_edges column edges in the skin's frame [m]
-  /// @param z_nodes nodes from 0 to the core thickness [m]
-  StrainProjection(const StrainHistory& history, std::vector<double> x_edges,
-                   std::vector<double> y_edges, const std::vector<double>& z_nodes);
+  /// @param along_z from the history's z nodes to the levels wanted
+  StrainProjection(const StrainHistory& history, const HistoryChannel& channel,
+                   std::vector<double> x_edges, std::vector<double> y_edges, LineOperator along_z);
 
-  /// Shear per control volume, [z][y][x] with x fastest. The control volume of a z node is the
-  /// integral of its hat function. `field` is resized.
+  /// The channel averaged over each column, [z][y][x] with x fastest. `field` is resized.
   /// @param time [s]; between samples linear
   void evaluate(double time, std::vector<double>& field) const;
 
 private:
   const StrainHistory& history_;
+  const HistoryChannel& channel_;
   std::vector<double> x_edges_, y_edges_;
   LineOperator along_z_;
   mutable StrainField source_, after_y_, after_x_; ///< scratch, so that no step allocates

@@ -39,7 +39,7 @@ strain::StrainHistory onset_history() {
   for (auto* series : {&history.time, &history.slider_x}) {
     series->resize(5);
   }
-  history.gamma.resize(5);
+  history.shear().resize(5);
   history.event_time = {history.time.begin() + 1, history.time.end() - 1};
   return history;
 }
@@ -186,7 +186,7 @@ TEST(IonTransport, ElectrodePotentialsChargeTheGeometricCapacitanceAtOnce) {
 
 TEST(IonTransport, NegativeFixedChargeStopsTheRunAndHandsOverWhatItHas) {
   auto history = linear_step_history(0.0, 0.0, {0.0, 0.5, 1.0});
-  history.gamma[2] = std::make_shared<const strain::StrainField>(strain::StrainField{0.0, -20.0});
+  history.shear()[2] = std::make_shared<const strain::StrainField>(strain::StrainField{0.0, -20.0});
   IonOptions options;
   std::size_t rows = 0;
   options.checkpoint = [&rows](const IonCheckpoint& checkpoint) {
@@ -250,8 +250,8 @@ TEST(IonTransport, DebyeLayersOfNanometresStayPositive) {
   for (const auto law : {"column-neutral", "pair-generation"}) {
     input.coupling.law = law;
     auto history = linear_step_history(0.0, 0.0, {0.0, 0.1, 0.1005, 0.2});
-    history.gamma[2] = std::make_shared<const strain::StrainField>(strain::StrainField{0.0, 0.1});
-    history.gamma[3] = history.gamma[2];
+    history.shear()[2] = std::make_shared<const strain::StrainField>(strain::StrainField{0.0, 0.1});
+    history.shear()[3] = history.shear()[2];
     history.event_time = {0.1, 0.1005};
     const auto solution = solve(input, history);
     EXPECT_GT(std::ranges::min(solution.min_concentration), 0.0);

@@ -19,7 +19,7 @@ strain::StrainHistory strips(const std::vector<double>& shear) {
   field.insert(field.end(), shear.begin(), shear.end());
   const auto none = std::make_shared<const strain::StrainField>(8, 0.0);
   const auto some = std::make_shared<const strain::StrainField>(field);
-  history.gamma = {none, some, some};
+  history.shear() = {none, some, some};
   history.event_time = {0.0, 0.1};
   return history;
 }

@@ -33,7 +33,7 @@ TEST(SpaceCharge, OfMirroredPlacesTheFirstIsNamed) {
     history.grid.y_edges = {0.0, 0.5 * history.width, history.width};
     const auto field =
         std::make_shared<const strain::StrainField>(strain::StrainField{0.0, 0.0, near, far});
-    history.gamma.assign(history.time.size(), field);
+    history.shear().assign(history.time.size(), field);
     try {
       check_fixed_charge(verification::model_case(), history);
     } catch (const SolverError& error) {

@@ -17,7 +17,7 @@ StrainHistory history_of(std::vector<double> time, const std::vector<double>& sh
   history.grid = {{0, 1e-3}, {0, 1e-3}, {0, 1e-4}};
   history.time = std::move(time);
   for (double value : shear) {
-    history.gamma.push_back(std::make_shared<strain::StrainField>(2, value));
+    history.shear().push_back(std::make_shared<strain::StrainField>(2, value));
   }
   return history;
 }
@@ -44,7 +44,7 @@ TEST(StrainEvents, AShearThatOnlyMovesBetweenColumnsIsSeen) {
     return std::make_shared<strain::StrainField>(std::move(values));
   };
   history.time = {0, 1, 2};
-  history.gamma = {field({1, 0, 0, 1, 0, 0}), field({0, 1, 0, 0, 1, 0}), field({0, 0, 1, 0, 0, 1})};
+  history.shear() = {field({1, 0, 0, 1, 0, 0}), field({0, 1, 0, 0, 1, 0}), field({0, 0, 1, 0, 0, 1})};
   EXPECT_EQ(detect_events(history), (std::vector<double>{0, 1}));
 }
 

@@ -36,7 +36,7 @@ inline strain::StrainHistory example_history(strain::Frame frame) {
     history.slider_x = {1e-3, 1e-3, 1.5e-3, 2e-3};
   }
   const auto rest = std::make_shared<strain::StrainField>(6, 0.0);
-  history.gamma = {
+  history.shear() = {
       rest, std::make_shared<strain::StrainField>(strain::StrainField{1, 2, 3, 4, 5, 6}),
       std::make_shared<strain::StrainField>(strain::StrainField{6, 5, 4, 3, 2, -1}), rest};
   return history;

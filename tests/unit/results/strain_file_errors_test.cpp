@@ -39,9 +39,9 @@ std::function<void(Hdf5File&)> replace(const std::string& dataset, std::vector<d
 }
 
 void set_value(StrainHistory& history, std::size_t sample, std::size_t index, double value) {
-  auto field = std::make_shared<strain::StrainField>(*history.gamma[sample]);
+  auto field = std::make_shared<strain::StrainField>(*history.shear()[sample]);
   (*field)[index] = value;
-  history.gamma[sample] = field;
+  history.shear()[sample] = field;
 }
 
 const double infinity = std::numeric_limits<double>::infinity();

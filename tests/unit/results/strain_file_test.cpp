@@ -25,9 +25,9 @@ void expect_equal(const StrainHistory& actual, const StrainHistory& expected) {
   EXPECT_EQ(actual.slider_x, expected.slider_x);
   EXPECT_EQ(actual.slider_y, expected.slider_y);
   EXPECT_EQ(actual.event_time, expected.event_time);
-  ASSERT_EQ(actual.gamma.size(), expected.gamma.size());
-  for (std::size_t i = 0; i < expected.gamma.size(); ++i) {
-    EXPECT_EQ(*actual.gamma[i], *expected.gamma[i]) << "sample " << i;
+  ASSERT_EQ(actual.shear().size(), expected.shear().size());
+  for (std::size_t i = 0; i < expected.shear().size(); ++i) {
+    EXPECT_EQ(*actual.shear()[i], *expected.shear()[i]) << "sample " << i;
   }
 }
 
@@ -63,8 +63,8 @@ TEST(StrainFile, SharesEqualFields) {
   const ScratchFolder folder;
   write_strain_file(folder / "strain.h5", example_history(Frame::skin));
   const StrainHistory read = read_strain_file(folder / "strain.h5", example_skin());
-  EXPECT_EQ(read.gamma[0], read.gamma[3]);
-  EXPECT_NE(read.gamma[0], read.gamma[1]);
+  EXPECT_EQ(read.shear()[0], read.shear()[3]);
+  EXPECT_NE(read.shear()[0], read.shear()[1]);
 }
 
 TEST(StrainFile, FindsEventsThatItDoesNotName) {

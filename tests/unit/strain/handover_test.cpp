@@ -45,7 +45,7 @@ TEST(Handover, RepeatsTheCycleWithoutCopies) {
   const auto history = build_strain_history(input, contact);
   const std::size_t one_cycle = ContactTimeline(input, contact).sample_times().size();
   ASSERT_EQ(history.time.size(), 2 * one_cycle - 1);
-  EXPECT_EQ(history.gamma[5].get(), history.gamma[one_cycle + 4].get());
+  EXPECT_EQ(history.shear()[5].get(), history.shear()[one_cycle + 4].get());
   EXPECT_DOUBLE_EQ(history.time.back(), 8.0);
   EXPECT_EQ(history.event_time.size(), 8u);
   EXPECT_NEAR(history.event_time[4], 4 + history.event_time[0], 1e-12);

@@ -15,7 +15,7 @@ StrainHistory two_columns() {
   history.length = 4;
   history.width = 1;
   history.time = {0, 10};
-  history.gamma = {std::make_shared<StrainField>(6, 0.0),
+  history.shear() = {std::make_shared<StrainField>(6, 0.0),
                    std::make_shared<StrainField>(StrainField{0, 3, 2, 3, 4, 3})};
   return history;
 }
@@ -34,7 +34,7 @@ TEST(ShearStatistics, MatchesClosedForms) {
 TEST(ShearStatistics, PercentileSplitsTheVolume) {
   StrainHistory history = two_columns();
   history.grid.x_edges = {0, 3.9, 4};
-  history.gamma[1] = std::make_shared<StrainField>(StrainField{1, 5, 1, 5, 1, 5});
+  history.shear()[1] = std::make_shared<StrainField>(StrainField{1, 5, 1, 5, 1, 5});
   const auto statistics = shear_statistics(history, 10);
   EXPECT_DOUBLE_EQ(statistics.p95, 1); // 97.5 % of the volume is at 1
   EXPECT_DOUBLE_EQ(statistics.p99, 5);
@@ -42,7 +42,7 @@ TEST(ShearStatistics, PercentileSplitsTheVolume) {
 
 TEST(ShearStatistics, SizesOfASignedShearAreOfItsMagnitude) {
   StrainHistory history = two_columns();
-  history.gamma[1] = std::make_shared<StrainField>(StrainField{0, -3, -2, -3, -4, -3});
+  history.shear()[1] = std::make_shared<StrainField>(StrainField{0, -3, -2, -3, -4, -3});
   const auto statistics = shear_statistics(history, 10);
   const auto mirrored = shear_statistics(two_columns(), 10);
   EXPECT_DOUBLE_EQ(statistics.mean, -mirrored.mean);
@@ -56,7 +56,7 @@ TEST(ShearStatistics, IntegratesTheMagnitudeThroughAChangeOfSign) {
   StrainHistory history = two_columns();
   EXPECT_DOUBLE_EQ(shear_integrals(history, 10).magnitude, shear_integral(history, 10));
   // Column 1 from -1 over 1 to 1: two triangles of 1/4 and a square; column 2 is -3 throughout.
-  history.gamma[1] = std::make_shared<StrainField>(StrainField{-1, -3, 1, -3, 1, -3});
+  history.shear()[1] = std::make_shared<StrainField>(StrainField{-1, -3, 1, -3, 1, -3});
   EXPECT_NEAR(shear_integrals(history, 10).magnitude, 1.5 + 3 * 2 * 3, 1e-14);
   EXPECT_NEAR(shear_integral(history, 10), 1.0 - 3 * 2 * 3, 1e-14);
   EXPECT_DOUBLE_EQ(shear_integrals(history, 10).value, shear_integral(history, 10));
@@ -76,7 +76,7 @@ TEST(ShearStatistics, CountsOnlyWhatLiesInTheCore) {
   history.grid.x_edges = {-4, 0, 4};
   history.grid.y_edges = {-0.5, 0.5};
   history.slider_x = {1, 1};
-  history.gamma[1] = std::make_shared<StrainField>(StrainField{1, 2, 1, 2, 1, 2});
+  history.shear()[1] = std::make_shared<StrainField>(StrainField{1, 2, 1, 2, 1, 2});
   EXPECT_NEAR(shear_integral(history, 10), 2 * (1 * 1 + 3 * 2), 1e-14);
 }
 

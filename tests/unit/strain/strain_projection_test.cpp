@@ -24,7 +24,7 @@ StrainHistory riding_history() {
     for (std::size_t i = 0; i < field.size(); ++i) {
       field[i] = std::sin(1.0 + 0.7 * static_cast<double>(i) + sample);
     }
-    history.gamma.push_back(std::make_shared<StrainField>(field));
+    history.shear().push_back(std::make_shared<StrainField>(field));
   }
   return history;
 }
@@ -37,7 +37,8 @@ TEST(StrainProjection, ConservesTheIntegralAtEveryInstant) {
   }
   const std::vector<double> y_edges{0, 0.5, 1.7, 2};
   const std::vector<double> z_nodes{0, 0.05, 0.4, 0.95, 1};
-  const StrainProjection projection(history, x_edges, y_edges, z_nodes);
+  const StrainProjection projection(history, history.channel(channel_name::shear), x_edges, y_edges,
+                                    hat_averages(history.grid.z_nodes, z_nodes));
   std::vector<double> field;
   for (const double time : {0.0, 0.41, 1.0, 2.9, 3.0}) {
     projection.evaluate(time, field);
@@ -71,7 +72,8 @@ TEST(StrainProjection, IntegralsOfRidingCellsAreLinearBetweenTheSamples) {
 
 TEST(StrainProjection, OneColumnTakesTheLateralAverage) {
   const auto history = riding_history();
-  const StrainProjection projection(history, {0, 4}, {0, 2}, history.grid.z_nodes);
+  const StrainProjection projection(history, history.channel(channel_name::shear), {0, 4}, {0, 2},
+                                    hat_averages(history.grid.z_nodes, history.grid.z_nodes));
   std::vector<double> field;
   projection.evaluate(0.7, field);
   ASSERT_EQ(field.size(), history.grid.z_nodes.size());

@@ -56,7 +56,7 @@ TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
   EXPECT_EQ(read->electrode_stress, record.electrode_stress);
   EXPECT_EQ(read->history.time, record.history.time);
   EXPECT_EQ(read->history.event_time, record.history.event_time);
-  EXPECT_EQ(*read->history.gamma[20], *record.history.gamma[20]);
+  EXPECT_EQ(*read->history.shear()[20], *record.history.shear()[20]);
   EXPECT_EQ(strain::shear_integral(read->history, 1.2345),
             strain::shear_integral(record.history, 1.2345));
   EXPECT_FALSE(read_mechanics(path, "other", input.skin));

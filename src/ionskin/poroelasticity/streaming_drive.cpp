@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/poroelasticity/streaming_drive.hpp"
+
+#include "ionskin/base/error.hpp"
+
+namespace ionskin::poroelasticity {
+namespace {
+
+using strain::HistoryChannel;
+using strain::LineOperator;
+using strain::StrainHistory;
+
+/// Quadratic elements through the core: 12 leave 2e-5 of a pressure difference (PorePressure's
+/// tests).
+constexpr std::size_t elements_through_core = 12;
+
+const HistoryChannel& load_channel(const StrainHistory& history) {
+  const HistoryChannel* pressure = history.find(strain::channel_name::undrained_pressure);
+  return pressure != nullptr ? *pressure : history.channel(strain::channel_name::dilation);
+}
+
+double width_of(const std::vector<double>& edges) {
+  return (edges.back() - edges.front()) / static_cast<double>(edges.size() - 1);
+}
+
+/// Values of a continuous piecewise-quadratic function, given at the ends and the middles of its
+/// elements, at other places.
+LineOperator quadratic_interpolation(const std::vector<double>& nodes,
+                                     const std::vector<double>& places) {
+  LineOperator line;
+  line.sources = nodes.size();
+  std::size_t element = 0;
+  for (const double place : places) {
+    while (element + 4 < nodes.size() && nodes[element + 2] < place) {
+      element += 2;
+    }
+    const double t = (place - nodes[element]) / (nodes[element + 2] - nodes[element]);
+    line.first.push_back(element);
+    line.weights.push_back({(1 - t) * (1 - 2 * t), 4 * t * (1 - t), t * (2 * t - 1)});
+  }
+  return line;
+}
+
+} // namespace
+
+StreamingDrive::StreamingDrive(const Case& input, const StrainHistory& history,
+                               const std::vector<double>& x_edges,
+                               const std::vector<double>& y_edges,
+                               const std::vector<double>& levels)
+    : water_(derive_water_properties(input)),
+      pressure_of_channel_(
+          load_channel(history).name == strain::channel_name::dilation ? water_.storage_modulus : 1.0),
+      pore_pressure_(
+          {x_edges.size() - 1, y_edges.size() - 1}, {width_of(x_edges), width_of(y_edges)},
+          wall_clustered_nodes(history.core_thickness(), elements_through_core),
+          {input.water.bottom_wall, input.water.top_wall}, water_.consolidation_coefficient),
+      projection_(history, load_channel(history), x_edges, y_edges,
+                  strain::linear_interpolation(history.grid.z_nodes, pore_pressure_.nodes())),
+      to_levels_(quadratic_interpolation(pore_pressure_.nodes(), levels)),
+      streaming_(input.electrochemistry.valence * water_.streaming_coefficient /
+                 water_.thermal_voltage),
+      dilution_(water_.dilution / water_.drained_modulus),
+      largest_(streaming_ * pressure_of_channel_ * largest_magnitude(load_channel(history))) {}
+
+void StreamingDrive::load(double time) {
+  projection_.evaluate(time, undrained_);
+  for (double& value : undrained_) {
+    value *= pressure_of_channel_;
+  }
+}
+
+void StreamingDrive::start(double time) {
+  load(time);
+  accepted_.time = time;
+  pore_pressure_.start(undrained_, accepted_.pressure);
+}
+
+void StreamingDrive::restore(const WaterState& state) {
+  const std::size_t values = pore_pressure_.values();
+  if (state.pressure.pressure.size() != values || state.pressure.undrained.size() != values) {
+    throw UserError("the saved state of the water belongs to another case: its grid differs; "
+                    "remove it to start afresh");
+  }
+  accepted_ = state;
+}
+
+const std::vector<double>& StreamingDrive::evaluate(double time) {
+  load(time);
+  tried_.time = time;
+  pore_pressure_.step(accepted_.pressure, time - accepted_.time, undrained_, tried_.pressure);
+  pore_pressure_.pressure(tried_.pressure, pressure_);
+  combine();
+  return at_levels_;
+}
+
+void StreamingDrive::combine() {
+  drive_.resize(pressure_.size());
+  for (std::size_t i = 0; i < drive_.size(); ++i) {
+    drive_[i] = streaming_ * pressure_[i] - dilution_ * (pressure_[i] - undrained_[i]);
+  }
+  strain::apply_along(to_levels_, 1, drive_.size() / pore_pressure_.nodes().size(), drive_,
+                      at_levels_);
+}
+
+} // namespace ionskin::poroelasticity

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "verification_table.hpp"
+
+#include <vector>
+
+namespace ionskin::verification {
+
+/// P1, P2: a drained layer against Terzaghi, a pressure difference between sealed walls.
+std::vector<Row> consolidation_rows();
+/// P3, P4: open-circuit voltage and short-circuit charge after a step of pressure through the
+/// thickness, against closed forms and the linear equations.
+std::vector<Row> pressure_step_rows(const Options& options);
+/// P5: waves of pressure along the skin, odd and even through the thickness.
+std::vector<Row> lateral_wave_rows(const Options& options);
+/// P6, P7: what must vanish, change its sign or be conserved.
+std::vector<Row> symmetry_rows(const Options& options);
+
+} // namespace ionskin::verification

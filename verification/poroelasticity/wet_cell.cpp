@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "poroelasticity/wet_cell.hpp"
+
+#include "electrochemistry/model_cases.hpp"
+
+#include <memory>
+#include <utility>
+
+namespace ionskin::verification {
+
+Case wet_case() {
+  Case input = model_case();
+  input.coupling = {};
+  input.coupling.law = "poroelastic";
+  input.skin.layers[1].material.poissons_ratio = 0.49999999;
+  input.water.drag_number = 2.5;
+  input.water.drained_modulus = 3.9e8;
+  input.water.mobility = 2e-19;
+  return input;
+}
+
+strain::StrainHistory held_pressure_history(double length, std::size_t columns,
+                                            const std::function<double(double, double)>& pressure,
+                                            std::vector<double> time) {
+  const Case input = model_case();
+  strain::StrainHistory history;
+  history.grid = {{}, {0.0, input.skin.width}, {}};
+  for (std::size_t i = 0; i <= columns; ++i) {
+    history.grid.x_edges.push_back(length * static_cast<double>(i) / static_cast<double>(columns));
+  }
+  history.measure = "prescribed";
+  history.length = length;
+  history.width = input.skin.width;
+  history.time = std::move(time);
+  history.event_time = {history.time.front()};
+  constexpr std::size_t intervals = 8;
+  strain::StrainField field;
+  for (std::size_t k = 0; k <= intervals; ++k) {
+    const double height = static_cast<double>(k) / intervals;
+    history.grid.z_nodes.push_back(height * input.skin.core_thickness());
+    for (std::size_t i = 0; i < columns; ++i) {
+      field.push_back(
+          pressure(0.5 * (history.grid.x_edges[i] + history.grid.x_edges[i + 1]), height));
+    }
+  }
+  history.grid.z_nodes.back() = input.skin.core_thickness();
+  history.add_channel(strain::channel_name::undrained_pressure, "Pa")
+      .samples.assign(history.time.size(), std::make_shared<const strain::StrainField>(field));
+  return history;
+}
+
+strain::StrainHistory pressure_step_history(double bottom, double top, std::vector<double> time) {
+  return held_pressure_history(
+      model_case().skin.length, 1,
+      [=](double, double height) { return bottom + (top - bottom) * height; }, std::move(time));
+}
+
+} // namespace ionskin::verification
