@@ -33,12 +33,20 @@ constexpr std::array laws{
 
 } // namespace
 
-std::vector<std::vector<std::string>> CouplingLaw::channels_needed() const {
-  
+std::vector<std::string> CouplingLaw::channels() const {
   if (moves_water) {
-    return {{strain::channel_name::dilation, strain::channel_name::undrained_pressure}};
+    return {strain::channel_name::undrained_pressure, strain::channel_name::dilation};
   }
-  return {{strain::channel_name::shear}};
+  return {strain::channel_name::shear};
+}
+
+const strain::HistoryChannel& CouplingLaw::channel(const strain::StrainHistory& history) const {
+  for (const std::string& candidate : channels()) {
+    if (const strain::HistoryChannel* found = history.find(candidate)) {
+      return *found;
+    }
+  }
+  throw InternalError("the history has no channel for the law " + std::string(name));
 }
 
 const CouplingLaw& coupling_law(const std::string& name) {

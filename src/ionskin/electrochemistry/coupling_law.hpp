@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ionskin/electrochemistry/scaled_grid.hpp"
+#include "ionskin/strain/strain_history.hpp"
 
 #include <span>
 #include <string>
@@ -23,8 +24,10 @@ struct CouplingLaw {
   /// Moves water, which drives the cations beside the potential (poroelasticity/streaming_drive).
   bool moves_water = false;
 
-  /// Channels of the history that the law is driven by: each inner list names alternatives.
-  std::vector<std::vector<std::string>> channels_needed() const;
+  /// Channels that can drive the law, the first that a history has does.
+  std::vector<std::string> channels() const;
+  /// The channel of a history that drives the law, which must be there.
+  const strain::HistoryChannel& channel(const strain::StrainHistory& history) const;
 };
 
 /// The law of a name that the schema has checked.

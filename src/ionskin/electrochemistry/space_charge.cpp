@@ -39,7 +39,7 @@ FixedCharge::FixedCharge(const Case& input, const strain::StrainHistory& history
     largest_coupling_ = std::abs(coupling_.coefficient) * largest_magnitude(*shear);
   }
   if (law_.moves_water) {
-    water_.emplace(input, history, grid.x_edges, grid.y_edges, grid.z_nodes);
+    water_.emplace(input, history, law_.channel(history), grid.x_edges, grid.y_edges, grid.z_nodes);
     largest_coupling_ = water_->largest();
   }
 }

@@ -51,6 +51,9 @@ std::string no_sane_solution_remedy() {
 }
 
 void check_net_charge(const Case& input, const strain::StrainHistory& history) {
+  if (history.find(strain::channel_name::shear) == nullptr) {
+    return;
+  }
   const double sign = input.coupling.coefficient < 0.0 ? -1.0 : 1.0;
   double largest = 0.0;
   for (const double time : history.time) {

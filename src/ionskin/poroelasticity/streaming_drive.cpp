@@ -14,11 +14,6 @@ using strain::StrainHistory;
 /// tests).
 constexpr std::size_t elements_through_core = 12;
 
-const HistoryChannel& load_channel(const StrainHistory& history) {
-  const HistoryChannel* pressure = history.find(strain::channel_name::undrained_pressure);
-  return pressure != nullptr ? *pressure : history.channel(strain::channel_name::dilation);
-}
-
 double width_of(const std::vector<double>& edges) {
   return (edges.back() - edges.front()) / static_cast<double>(edges.size() - 1);
 }
@@ -44,23 +39,23 @@ LineOperator quadratic_interpolation(const std::vector<double>& nodes,
 } // namespace
 
 StreamingDrive::StreamingDrive(const Case& input, const StrainHistory& history,
-                               const std::vector<double>& x_edges,
+                               const HistoryChannel& channel, const std::vector<double>& x_edges,
                                const std::vector<double>& y_edges,
                                const std::vector<double>& levels)
     : water_(derive_water_properties(input)),
-      pressure_of_channel_(
-          load_channel(history).name == strain::channel_name::dilation ? water_.storage_modulus : 1.0),
+      pressure_of_channel_(channel.name == strain::channel_name::dilation ? water_.storage_modulus
+                                                                          : 1.0),
       pore_pressure_(
           {x_edges.size() - 1, y_edges.size() - 1}, {width_of(x_edges), width_of(y_edges)},
           wall_clustered_nodes(history.core_thickness(), elements_through_core),
           {input.water.bottom_wall, input.water.top_wall}, water_.consolidation_coefficient),
-      projection_(history, load_channel(history), x_edges, y_edges,
+      projection_(history, channel, x_edges, y_edges,
                   strain::linear_interpolation(history.grid.z_nodes, pore_pressure_.nodes())),
       to_levels_(quadratic_interpolation(pore_pressure_.nodes(), levels)),
       streaming_(input.electrochemistry.valence * water_.streaming_coefficient /
                  water_.thermal_voltage),
       dilution_(water_.dilution / water_.drained_modulus),
-      largest_(streaming_ * pressure_of_channel_ * largest_magnitude(load_channel(history))) {}
+      largest_(streaming_ * pressure_of_channel_ * largest_magnitude(channel)) {}
 
 void StreamingDrive::load(double time) {
   projection_.evaluate(time, undrained_);

@@ -25,13 +25,13 @@ struct WaterState {
 /// of it is fitted.
 class StreamingDrive {
 public:
-  /// @param history with the channel `undrained_pressure`, or `dilation`, of which the undrained
-  ///   pressure is M_B times; must outlive the drive
+  /// @param channel of the history: `undrained_pressure`, or `dilation`, of which the undrained
+  ///   pressure is M_B times; both must outlive the drive
   /// @param x_edges, y_edges of the columns [m]
   /// @param levels where the drive is wanted, from 0 to the core's thickness [m]
   StreamingDrive(const Case& input, const strain::StrainHistory& history,
-                 const std::vector<double>& x_edges, const std::vector<double>& y_edges,
-                 const std::vector<double>& levels);
+                 const strain::HistoryChannel& channel, const std::vector<double>& x_edges,
+                 const std::vector<double>& y_edges, const std::vector<double>& levels);
 
   /// Moves the water to the first instant: the undrained response.
   void start(double time);

@@ -128,9 +128,10 @@ struct ChannelRule {
 };
 
 std::vector<ChannelRule> channel_rules(const Case& input) {
-  std::vector<ChannelRule> rules{{channel_name::shear, [&input](const StateCombination& combination) {
-                                    return gauss_shear(input.coupling.measure, combination);
-                                  }}};
+  std::vector<ChannelRule> rules{
+      {channel_name::shear, [&input](const StateCombination& combination) {
+         return gauss_shear(input.coupling.measure, combination);
+       }}};
   if (moves_water(input)) {
     rules.push_back({channel_name::dilation, [](const StateCombination& combination) {
                        return compressive_dilation(gauss_strain(combination));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 
 namespace ionskin::strain {
@@ -16,9 +17,9 @@ struct Instant {
   StrainField field;
   std::vector<double> area; ///< [y][x] [m2]
 
-  Instant(const StrainHistory& history, double time) {
+  Instant(const StrainHistory& history, const HistoryChannel& channel, double time) {
     const TimeBracket at = bracket(history, time);
-    interpolate_field(history, history.channel(channel_name::shear), at, field);
+    interpolate_field(history, channel, at, field);
     const auto dx = lengths_within(skin_x_edges(history, at), history.length);
     const auto dy = lengths_within(skin_y_edges(history, at), history.width);
     area.reserve(dx.size() * dy.size());
@@ -89,7 +90,12 @@ double mean_magnitude(double low, double high) {
 } // namespace
 
 ShearStatistics shear_statistics(const StrainHistory& history, double time) {
-  const Instant instant(history, time);
+  const HistoryChannel* shear = history.find(channel_name::shear);
+  if (shear == nullptr) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    return {unknown, unknown, unknown, unknown, unknown, unknown};
+  }
+  const Instant instant(history, *shear, time);
   const auto& z = history.grid.z_nodes;
   const double height = z.back();
   const std::size_t columns = instant.area.size();
@@ -126,11 +132,13 @@ ShearStatistics shear_statistics(const StrainHistory& history, double time) {
 }
 
 double shear_integral(const StrainHistory& history, double time) {
-  return integral(history, Instant(history, time), mean_shear);
+  return integral(history, Instant(history, history.channel(channel_name::shear), time),
+                  mean_shear);
 }
 
-ShearIntegrals shear_integrals(const StrainHistory& history, double time) {
-  const Instant instant(history, time);
+ChannelIntegrals channel_integrals(const StrainHistory& history, const HistoryChannel& channel,
+                                   double time) {
+  const Instant instant(history, channel, time);
   return {integral(history, instant, mean_shear), integral(history, instant, mean_magnitude)};
 }
 

@@ -16,18 +16,20 @@ struct ShearStatistics {
 };
 
 /// @param time [s] within the history
-/// Mean, rms and first moment are exact for the piecewise-linear form.
+/// Mean, rms and first moment are exact for the piecewise-linear form. All are NaN in a history
+/// without shear.
 ShearStatistics shear_statistics(const StrainHistory& history, double time);
 
 /// Integral of gamma over the core [m3], exact for the piecewise-linear form.
 double shear_integral(const StrainHistory& history, double time);
 
-/// Integrals over the core [m3], exact for the piecewise-linear form.
-struct ShearIntegrals {
-  double value = 0;     ///< of gamma
-  double magnitude = 0; ///< of |gamma|
+/// Integrals over the core of a channel [its unit times m3], exact for the piecewise-linear form.
+struct ChannelIntegrals {
+  double value = 0;     ///< of the channel
+  double magnitude = 0; ///< of its magnitude
 };
 
-ShearIntegrals shear_integrals(const StrainHistory& history, double time);
+ChannelIntegrals channel_integrals(const StrainHistory& history, const HistoryChannel& channel,
+                                   double time);
 
 } // namespace ionskin::strain

@@ -14,7 +14,8 @@ namespace {
 struct KnownChannel {
   std::string name, unit;
 };
-const std::array known{KnownChannel{channel_name::shear, "1"}, KnownChannel{channel_name::dilation, "1"},
+const std::array known{KnownChannel{channel_name::shear, "1"},
+                       KnownChannel{channel_name::dilation, "1"},
                        KnownChannel{channel_name::undrained_pressure, "Pa"}};
 
 std::vector<double> shifted(const std::vector<double>& edges, double offset) {

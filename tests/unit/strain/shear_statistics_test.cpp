@@ -16,7 +16,7 @@ StrainHistory two_columns() {
   history.width = 1;
   history.time = {0, 10};
   history.shear() = {std::make_shared<StrainField>(6, 0.0),
-                   std::make_shared<StrainField>(StrainField{0, 3, 2, 3, 4, 3})};
+                     std::make_shared<StrainField>(StrainField{0, 3, 2, 3, 4, 3})};
   return history;
 }
 
@@ -54,12 +54,15 @@ TEST(ShearStatistics, SizesOfASignedShearAreOfItsMagnitude) {
 
 TEST(ShearStatistics, IntegratesTheMagnitudeThroughAChangeOfSign) {
   StrainHistory history = two_columns();
-  EXPECT_DOUBLE_EQ(shear_integrals(history, 10).magnitude, shear_integral(history, 10));
+  EXPECT_DOUBLE_EQ(channel_integrals(history, history.channels.front(), 10).magnitude,
+                   shear_integral(history, 10));
   // Column 1 from -1 over 1 to 1: two triangles of 1/4 and a square; column 2 is -3 throughout.
   history.shear()[1] = std::make_shared<StrainField>(StrainField{-1, -3, 1, -3, 1, -3});
-  EXPECT_NEAR(shear_integrals(history, 10).magnitude, 1.5 + 3 * 2 * 3, 1e-14);
+  EXPECT_NEAR(channel_integrals(history, history.channels.front(), 10).magnitude, 1.5 + 3 * 2 * 3,
+              1e-14);
   EXPECT_NEAR(shear_integral(history, 10), 1.0 - 3 * 2 * 3, 1e-14);
-  EXPECT_DOUBLE_EQ(shear_integrals(history, 10).value, shear_integral(history, 10));
+  EXPECT_DOUBLE_EQ(channel_integrals(history, history.channels.front(), 10).value,
+                   shear_integral(history, 10));
 }
 
 TEST(ShearStatistics, IsLinearInTimeBetweenSamples) {
