@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command_line_options.hpp"
 
+#include <map>
+
 namespace ionskin::apps {
 
 void add_case_option(CLI::App& verb, std::string& case_path) {
@@ -35,15 +37,26 @@ void add_report_option(CLI::App& verb, bool& no_report) {
 }
 
 void add_log_options(CLI::App& verb, LogFormat& log) {
+  static const std::map<std::string, LogFormat> formats{{"auto", LogFormat::automatic},
+                                                        {"bar", LogFormat::bar},
+                                                        {"lines", LogFormat::lines},
+                                                        {"json", LogFormat::json},
+                                                        {"none", LogFormat::none}};
+  verb.add_option_function<std::string>(
+          "--progress", [&log](const std::string& format) { log = formats.at(format); },
+          "Progress on stderr: a bar on a terminal and lines in a log (auto), one of them, JSON\n"
+          "lines, or none")
+      ->check(CLI::IsMember({"auto", "bar", "lines", "json", "none"}));
   verb.add_option_function<std::string>(
           "--log",
           [&log](const std::string& format) {
             log = format == "json" ? LogFormat::json : LogFormat::automatic;
           },
-          "Progress as text (default) or JSON lines")
+          "The same as --progress auto or json")
       ->check(CLI::IsMember({"text", "json"}));
   verb.add_flag_callback(
-      "--quiet", [&log] { log = LogFormat::quiet; }, "No progress");
+      "--quiet", [&log] { log = LogFormat::quiet; },
+      "Neither progress nor a summary of the results");
 }
 
 void add_output_option(CLI::App& verb, std::string& output) {

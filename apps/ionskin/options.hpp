@@ -13,8 +13,9 @@
 
 namespace ionskin::apps {
 
-/// How progress is shown: a bar on a terminal and plain lines elsewhere, JSON lines, or nothing.
-enum class LogFormat { automatic, json, quiet };
+/// How progress is shown. `automatic`: a bar on a terminal and lines elsewhere. `quiet`: nothing,
+/// and no summary of the results either.
+enum class LogFormat { automatic, bar, lines, json, none, quiet };
 
 struct RunOptions {
   std::string case_path;

@@ -2,47 +2,62 @@
 #include "progress_display.hpp"
 
 #include "ionskin/base/timers.hpp"
+#include "terminal.hpp"
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <cstdlib>
+#include <string>
 #include <unistd.h>
 
 namespace ionskin::apps {
 namespace {
 
-constexpr int bar_width = 30;
-constexpr double bar_interval = 0.1; // [s] between two pictures of the bar
+constexpr double bar_interval = 0.1;   // [s] at least between two pictures of the bar
+constexpr double line_interval = 1.0;  // [s] at least between two lines of a log ...
+constexpr double line_step = 0.1;      // ... and this much progress,
+constexpr double silence_at_most = 30; // [s] or this time
+constexpr double json_step = 0.01;
+constexpr auto tick_interval = std::chrono::seconds(1);
+
+LogFormat settled(LogFormat format) {
+  if (format != LogFormat::automatic) {
+    return format;
+  }
+  const char* terminal = std::getenv("TERM");
+  const bool dumb = terminal != nullptr && std::string(terminal) == "dumb";
+  return isatty(STDERR_FILENO) != 0 && !dumb ? LogFormat::bar : LogFormat::lines;
+}
 
 } // namespace
 
-ProgressDisplay::ProgressDisplay(LogFormat format)
-    : format_(format), terminal_(isatty(STDERR_FILENO) != 0) {}
+ProgressDisplay::ProgressDisplay(LogFormat format) : format_(settled(format)) {
+  if (format_ == LogFormat::bar || format_ == LogFormat::lines) {
+    ticker_ = std::jthread([this](const std::stop_token& stop) { tick(stop); });
+  }
+}
 
 ProgressDisplay::~ProgressDisplay() {
+  if (ticker_.joinable()) {
+    ticker_.request_stop();
+    ticker_.join();
+  }
   end_bar();
 }
 
 void ProgressDisplay::update(std::string_view activity, double fraction) {
-  if (format_ == LogFormat::quiet) {
-    return;
-  }
   const std::lock_guard lock(mutex_);
-  if (activity != activity_) {
-    end_bar();
-    activity_ = activity;
-    start_ = base::wall_time();
-    last_shown_ = -1;
-    last_time_ = 0;
+  const bool again = state_.fraction >= 1 && fraction < 1;
+  if (activity != state_.activity || again) {
+    begin(activity);
   }
-  if (format_ == LogFormat::json) {
-    show_json(fraction);
-  } else if (terminal_) {
-    show_bar(fraction);
-  } else {
-    show_line(fraction);
+  const bool finished_before = state_.fraction >= 1;
+  state_.fraction = std::clamp(fraction, state_.fraction, 1.0);
+  if (!finished_before) {
+    show(state_.fraction >= 1 || shown_fraction_ < 0);
   }
 }
 
@@ -50,53 +65,82 @@ base::ProgressCallback ProgressDisplay::callback() {
   return [this](std::string_view activity, double fraction) { update(activity, fraction); };
 }
 
-void ProgressDisplay::show_bar(double fraction) {
-  const double now = base::wall_time();
-  if (fraction < 1 && now - last_time_ < bar_interval) {
+void ProgressDisplay::begin(std::string_view activity) {
+  end_bar();
+  state_ = {std::string(activity), 0, 0};
+  start_ = base::wall_time();
+  shown_fraction_ = -1;
+}
+
+void ProgressDisplay::show(bool forced) {
+  state_.elapsed = base::wall_time() - start_;
+  switch (format_) {
+  case LogFormat::automatic:
+  case LogFormat::bar:
+    return show_bar(forced);
+  case LogFormat::lines:
+    return show_line(forced);
+  case LogFormat::json:
+    return show_json(forced);
+  case LogFormat::none:
+  case LogFormat::quiet:
     return;
   }
-  last_time_ = now;
-  const double elapsed = now - start_;
-  const auto filled = static_cast<std::size_t>(std::clamp(fraction, 0.0, 1.0) * bar_width);
-  std::string left;
-  if (fraction >= 1) {
-    left = fmt::format("{:.1f} s", elapsed);
-  } else if (fraction > 0.02) {
-    left = fmt::format("{:.0f} s left", elapsed * (1 - fraction) / fraction);
+}
+
+void ProgressDisplay::show_bar(bool forced) {
+  const double now = base::wall_time();
+  if (!forced && now - shown_at_ < bar_interval) {
+    return;
   }
-  fmt::print(stderr, "\r{:<34} [{}{}] {:3.0f} %  {:<12}", activity_, std::string(filled, '#'),
-             std::string(bar_width - filled, '.'), 100 * fraction, left);
+  shown_at_ = now;
+  shown_fraction_ = state_.fraction;
+  // Many terminals wrap once the last column is filled.
+  const std::size_t columns = terminal_width(STDERR_FILENO) - 1;
+  const std::string line = bar_line(state_, columns);
+  fmt::print(stderr, "\r{:<{}}", line, std::min(bar_length_, columns));
   std::fflush(stderr);
-  bar_open_ = true;
-  if (fraction >= 1) {
+  bar_length_ = line.size();
+  if (state_.fraction >= 1) {
     end_bar();
   }
 }
 
-void ProgressDisplay::show_line(double fraction) {
-  const double tenth = std::max(0.0, static_cast<int>(fraction * 10) / 10.0);
-  if (tenth <= last_shown_) {
+void ProgressDisplay::show_line(bool forced) {
+  const double now = base::wall_time(), since = now - shown_at_;
+  const bool further =
+      state_.fraction - shown_fraction_ >= line_step - 1e-9 && since >= line_interval;
+  if (!forced && !further && since < silence_at_most) {
     return;
   }
-  last_shown_ = tenth;
-  fmt::print(stderr, "{}: {:.0f} % after {:.1f} s\n", activity_, 100 * fraction,
-             base::wall_time() - start_);
+  shown_at_ = now;
+  shown_fraction_ = state_.fraction;
+  fmt::print(stderr, "{}\n", log_line(state_));
+  std::fflush(stderr);
 }
 
-void ProgressDisplay::show_json(double fraction) {
-  if (fraction < 1 && fraction - last_shown_ < 0.01) {
+void ProgressDisplay::show_json(bool forced) {
+  if (!forced && state_.fraction - shown_fraction_ < json_step) {
     return;
   }
-  last_shown_ = fraction;
-  const nlohmann::json line{
-      {"activity", activity_}, {"fraction", fraction}, {"elapsed_s", base::wall_time() - start_}};
-  fmt::print(stderr, "{}\n", line.dump());
+  shown_fraction_ = state_.fraction;
+  fmt::print(stderr, "{}\n", json_line(state_));
+  std::fflush(stderr);
 }
 
 void ProgressDisplay::end_bar() {
-  if (bar_open_) {
+  if (bar_length_ > 0) {
     fmt::print(stderr, "\n");
-    bar_open_ = false;
+    bar_length_ = 0;
+  }
+}
+
+void ProgressDisplay::tick(const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  while (!wake_.wait_for(lock, stop, tick_interval, [&stop] { return stop.stop_requested(); })) {
+    if (shown_fraction_ >= 0 && state_.fraction < 1) {
+      show(false);
+    }
   }
 }
 

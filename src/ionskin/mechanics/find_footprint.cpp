@@ -6,6 +6,7 @@
 #include "ionskin/base/task_pool.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/mechanics/condensed_position.hpp"
+#include "ionskin/mechanics/shared_progress.hpp"
 #include "ionskin/mechanics/slider_track.hpp"
 #include "ionskin/mechanics/steady_sliding.hpp"
 #include "ionskin/mesh/mesh_resolution.hpp"
@@ -24,6 +25,7 @@ constexpr double least_fill = 0.6;   ///< of the rim by the contact, before it i
 constexpr double trial_margin = 1.3; ///< of a rim that is tried next
 constexpr double margin = 1.1;       ///< of the rim that is accepted
 constexpr double grid_ratio = 1.05;
+constexpr double share_of_pass = 0.5; ///< of the progress that is left; how many follow is unknown
 
 /// How far from the slider's centre any cell carries force, along x and y, and whether cells at the
 /// border do.
@@ -88,7 +90,8 @@ Reach reach_at(const Case& input, const SkinModel& model, const std::array<doubl
 }
 
 /// Over two corners of the track.
-Reach reach_of(const Case& input, const mesh::Footprint& footprint, double friction, int threads) {
+Reach reach_of(const Case& input, const mesh::Footprint& footprint, double friction, int threads,
+               SharedProgress& progress) {
   const SkinModel model(input, footprint);
   const MotionBox box = motion_box(input.motion, input.slider);
   std::vector<std::array<double, 2>> centres{canonical_position(input.skin, box.low).centre,
@@ -96,9 +99,11 @@ Reach reach_of(const Case& input, const mesh::Footprint& footprint, double frict
   if (centres[0] == centres[1]) {
     centres.pop_back();
   }
+  progress.begin_pass(centres.size(), share_of_pass);
   std::vector<Reach> reaches(centres.size());
   base::run_tasks(centres.size(), threads, [&](std::size_t i) {
     reaches[i] = reach_at(input, model, centres[i], friction);
+    progress.finish_unit();
   });
   Reach reach = reaches.front();
   for (std::size_t d = 0; d < 2; ++d) {
@@ -144,7 +149,8 @@ std::array<bool, 2> border_touched(const ContactState& state, std::size_t column
 
 } // namespace
 
-mesh::Footprint find_footprint(const Case& input, double friction, int threads) {
+mesh::Footprint find_footprint(const Case& input, double friction, int threads,
+                               const base::ProgressCallback& callback) {
   mesh::Footprint footprint = mesh::largest_footprint(input);
   if (input.slider.sharp()) {
     return footprint;
@@ -153,8 +159,9 @@ mesh::Footprint find_footprint(const Case& input, double friction, int threads) 
   Case coarse = input;
   coarse.numerics.preset = Preset::coarse;
   coarse.numerics.mesh_refinement = std::min(0.75, input.numerics.mesh_refinement);
+  SharedProgress progress("contact footprint", callback);
   for (int pass = 0; pass < most_passes; ++pass) {
-    const Reach reach = reach_of(coarse, footprint, friction, threads);
+    const Reach reach = reach_of(coarse, footprint, friction, threads, progress);
     bool settled = true;
     std::array<double, 2> rim{};
     for (std::size_t d = 0; d < 2; ++d) {
@@ -181,6 +188,7 @@ mesh::Footprint find_footprint(const Case& input, double friction, int threads) 
           set_rim(footprint, d, rounded_up(margin * rim[d]), limit);
         }
       }
+      progress.finish();
       return footprint;
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/base/progress.hpp"
 #include "ionskin/case/case.hpp"
 #include "ionskin/mechanics/contact_solution.hpp"
 #include "ionskin/mesh/footprint.hpp"
@@ -16,8 +17,10 @@ namespace ionskin::mechanics {
 /// contact reaches its border, and keeps a margin. Rims are rounded up to a geometric grid, so that
 /// cases that differ little share one mesh.
 /// @param threads for the ends of the track
+/// @param progress called from one thread at a time, with "contact footprint"; not for a sharp one
 /// Throws UserError when the contact reaches the edge of the skin.
-mesh::Footprint find_footprint(const Case& input, double friction, int threads);
+mesh::Footprint find_footprint(const Case& input, double friction, int threads,
+                               const base::ProgressCallback& progress = base::no_progress);
 
 /// A larger footprint when the contact of any state reaches the border of this one, which it should
 /// not; empty when it nowhere does, or the slider ends there.

@@ -20,6 +20,9 @@
 namespace ionskin::mechanics {
 namespace {
 
+/// The contact of a round slider may turn out to need a wider footprint, and with it another pass.
+constexpr double share_of_uncertain_pass = 0.9;
+
 mesh::MeshedPart whole(const ContactOptions& options) {
   return options.full_model ? mesh::MeshedPart::whole : mesh::MeshedPart::half_if_symmetric;
 }
@@ -73,8 +76,8 @@ void warn_of_interpolation(double tolerance, ContactSolution& solution) {
 
 std::vector<ContactSolution> solve_on_footprint(const Case& input, const mesh::Footprint& footprint,
                                                 const std::vector<double>& frictions,
-                                                const ContactOptions& options,
-                                                base::Timers& timers) {
+                                                const ContactOptions& options, base::Timers& timers,
+                                                SharedProgress& progress) {
   auto analysis = std::make_unique<base::Timers::Scope>(timers, "mechanics: analysis");
   const SkinModel model(input, footprint, whole(options));
   analysis.reset();
@@ -86,13 +89,14 @@ std::vector<ContactSolution> solve_on_footprint(const Case& input, const mesh::F
   for (const double friction : frictions) {
     solves.push_back({friction, first_plan, first_plan.positions, SolvedPieces(first_plan)});
   }
-  SharedProgress progress(options.progress,
-                          plan_contact(input, expected).positions.size() * (1 + frictions.size()));
+  progress.begin_pass(plan_contact(input, expected).positions.size() * (1 + frictions.size()),
+                      input.slider.sharp() ? 1.0 : share_of_uncertain_pass);
   const SharedSetting setting{model, options, timers, progress, &friction_law(input.contact.law)};
   const double tolerance = interpolation_tolerance(input.numerics.preset);
   std::vector<ContactSolution> solutions;
   for (bool settled = false; !settled;) {
     solve_open_positions(setting, solves);
+    progress.expect_known_units();
     settled = true;
     solutions.clear();
     for (FrictionSolve& solve : solves) {
@@ -126,18 +130,20 @@ std::vector<ContactSolution> solve_contact(const Case& input, const std::vector<
   } else {
     const base::Timers::Scope scope(timers, "mechanics: footprint");
     footprint = find_footprint(input, *std::max_element(frictions.begin(), frictions.end()),
-                               options.threads);
+                               options.threads, options.progress);
   }
-  auto solutions = solve_on_footprint(input, footprint, frictions, options, timers);
+  SharedProgress progress("mechanics", options.progress);
+  auto solutions = solve_on_footprint(input, footprint, frictions, options, timers, progress);
   for (std::size_t i = 0; i < frictions.size(); ++i) {
     // Each by itself, so that no solution depends on its neighbours.
     mesh::Footprint own = footprint;
     while (const auto wider = widened_footprint(input, own, solutions[i])) {
       own = *wider;
-      solutions[i] =
-          std::move(solve_on_footprint(input, own, {frictions[i]}, options, timers).front());
+      solutions[i] = std::move(
+          solve_on_footprint(input, own, {frictions[i]}, options, timers, progress).front());
     }
   }
+  progress.finish();
   return solutions;
 }
 

@@ -8,21 +8,26 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace ionskin::study {
 namespace {
+
+constexpr std::string_view companion_activity = "mechanics on a coarser mesh";
 
 using Solutions = std::vector<mechanics::ContactSolution>;
 
 /// A run keeps its results where their error cannot be estimated; then `problem` says why.
 Solutions solve_companion(const Case& input, const std::vector<double>& frictions,
                           const mechanics::ContactOptions& options, std::string& problem) {
-  mechanics::ContactOptions quiet = options;
-  quiet.progress = base::no_progress;
+  mechanics::ContactOptions coarser = options;
+  coarser.progress = [&options](std::string_view activity, double fraction) {
+    options.progress(activity == "mechanics" ? companion_activity : activity, fraction);
+  };
   base::Timers parts; // of the companion, which counts as one stage
   try {
-    return mechanics::solve_contact(companion_case(input), frictions, quiet, parts);
+    return mechanics::solve_contact(companion_case(input), frictions, coarser, parts);
   } catch (const SolverError& error) {
     problem = error.what();
   } catch (const UserError& error) { // its mesh does not fit beside the slider
@@ -37,18 +42,20 @@ std::vector<SolvedMechanics> solve_mechanics(const Case& input,
                                              const std::vector<double>& frictions,
                                              const mechanics::ContactOptions& options,
                                              base::Timers& timers) {
-  options.progress("mechanics", 0.0);
   mechanics::ContactOptions both = options;
   if (!both.footprint) {
     const base::Timers::Scope scope(timers, "mechanics: footprint");
-    both.footprint = mechanics::find_footprint(input, std::ranges::max(frictions), options.threads);
+    both.footprint = mechanics::find_footprint(input, std::ranges::max(frictions), options.threads,
+                                               options.progress);
   }
   std::string problem;
   Solutions companions;
   {
     const base::Timers::Scope scope(timers, "mechanics: companion");
+    options.progress(companion_activity, 0.0);
     companions = solve_companion(input, frictions, both, problem);
   }
+  options.progress("mechanics", 0.0);
   Solutions solutions = mechanics::solve_contact(input, frictions, both, timers);
   std::vector<SolvedMechanics> solved;
   for (std::size_t i = 0; i < frictions.size(); ++i) {

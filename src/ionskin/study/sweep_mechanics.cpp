@@ -176,6 +176,16 @@ void leave_in_folders(const std::vector<SweepPoint>& points, const SharedMechani
   }
 }
 
+/// Of the mechanics, of which the footprint and the coarser mesh come first.
+double finished_share(std::string_view activity, double fraction) {
+  constexpr double of_footprint = 0.05, before_mechanics = 0.15;
+  if (activity == "contact footprint") {
+    return of_footprint * fraction;
+  }
+  return activity == "mechanics" ? before_mechanics + (1 - before_mechanics) * fraction
+                                 : of_footprint + (before_mechanics - of_footprint) * fraction;
+}
+
 class SharedMechanicsSolver {
 public:
   /// @param cache of the user; none when null
@@ -205,6 +215,8 @@ public:
       }
     }
     finished_ += end - begin;
+    options_.progress("mechanics of all points",
+                      static_cast<double>(finished_) / static_cast<double>(units_));
   }
 
   SweepFailures failures;
@@ -219,8 +231,9 @@ private:
     contact_options.threads = options_.threads;
     contact_options.cache = cache_;
     contact_options.footprint = footprint;
-    contact_options.progress = [&](std::string_view, double fraction) {
-      options_.progress("mechanics of all points", before + share * fraction);
+    contact_options.progress = [&](std::string_view activity, double fraction) {
+      options_.progress("mechanics of all points",
+                        before + share * finished_share(activity, fraction));
     };
     std::vector<double> frictions;
     for (std::size_t i = begin; i < end; ++i) {
@@ -302,6 +315,9 @@ SweepFailures solve_shared_mechanics(const std::vector<SweepPoint>& points,
   std::size_t units = 0;
   for (const FrictionGroup& group : groups) {
     units += group.size();
+  }
+  if (units > 0) {
+    options.progress("mechanics of all points", 0.0);
   }
   SharedMechanicsSolver solver(points, options, timers, units, cache.get());
   for (const FrictionGroup& group : groups) {

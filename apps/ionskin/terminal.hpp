@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace ionskin::apps {
+
+/// Columns of the terminal behind a file descriptor, asked anew at every call since windows change:
+/// what the terminal says, else COLUMNS, else 80. At least 20.
+std::size_t terminal_width(int descriptor);
+
+/// Text broken at blanks into lines of at most `width` columns, the second and later ones behind
+/// `indent` blanks; a longer word stands on a line of its own. Without a newline at its end.
+std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
+
+/// A paragraph for stdout, with a newline: wrapped on a terminal, one line in a file.
+std::string paragraph(std::string_view text, std::size_t indent);
+
+/// "12 s", "3 min 20 s", "1 h 05 min".
+std::string duration_text(double seconds);
+
+} // namespace ionskin::apps

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What stands on the terminal while a case runs: the progress, whatever the width and where it goes."""
+
+import fcntl
+import json
+import os
+import pty
+import re
+import struct
+import subprocess
+import termios
+import unittest
+
+from program import PROGRAM, QUICK, ROOT, ProgramTest
+
+FINGER = ROOT / "cases" / "finger.toml"
+# A sphere, whose contact is looked for first.
+SPHERE = ("run", FINGER, "-o", "out", "--no-report", "--set", "numerics.preset=coarse",
+          "--set", "numerics.mesh_refinement=0.5", "--set", "motion.cycles=1")
+SMALL = (QUICK, "--set", "numerics.mesh_refinement=0.5")
+
+
+class Terminal(ProgramTest):
+    def on_terminal(self, columns, *arguments, expect=0):
+        """What the program writes on a terminal of so many columns, as text."""
+        first, second = pty.openpty()
+        fcntl.ioctl(second, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
+        process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdin=second, stdout=second, stderr=second,
+                                   cwd=self.folder, env={**os.environ, "TERM": "xterm"})
+        os.close(second)
+        text = b""
+        while True:
+            try:
+                part = os.read(first, 65536)
+            except OSError:  # the other end is closed
+                break
+            if not part:
+                break
+            text += part
+        os.close(first)
+        self.assertEqual(process.wait(), expect, text.decode())
+        return text.decode().replace("\r\n", "\n")
+
+    def assert_progress(self, states):
+        """States in order: (activity, percentage); each activity goes forward and reaches 100 %."""
+        names = [name for index, (name, _) in enumerate(states) if index == 0 or states[index - 1][0] != name]
+        self.assertEqual(len(names), len(set(names)), names)
+        self.assertLessEqual({"contact footprint", "mechanics", "strain history", "ion transport"}, set(names))
+        for activity in names:
+            percentages = [value for name, value in states if name == activity]
+            self.assertEqual(percentages, sorted(percentages), activity)
+            self.assertEqual(percentages[-1], 100, activity)
+        return names
+
+    def test_bar_fits_the_terminal(self):
+        for columns in (80, 40):
+            text = self.on_terminal(columns, *SPHERE, "--overwrite")
+            pictures = [picture for picture in re.split(r"[\r\n]", text) if " %" in picture and "estimated" not in picture]
+            self.assertLess(max(map(len, pictures)), columns)
+            found = [re.match(r"(.*?) *(?:\[[#.]+\])? +(\d+) %", picture) for picture in pictures]
+            names = self.assert_progress([(match[1], int(match[2])) for match in found])
+            # One line each, however often it is drawn.
+            self.assertEqual(sum("%" in line and "estimated" not in line for line in text.split("\n")), len(names))
+            self.assertEqual("[###" in text, columns == 80)
+            self.assertIn("left", text)
+
+    def test_lines_in_a_log(self):
+        process = self.run_program(*SPHERE)
+        lines = process.stderr.splitlines()
+        found = [re.fullmatch(r"(.*): (\d+) % after [\d.]+ s(, about .* left)?", line) for line in lines]
+        self.assertTrue(all(found), lines)
+        self.assert_progress([(match[1], int(match[2])) for match in found])
+
+    def test_progress_on_request(self):
+        process = self.run_case(*SMALL, "-o", "json", "--progress", "json")
+        states = [json.loads(line) for line in process.stderr.splitlines()]
+        self.assertEqual(set(states[0]), {"activity", "fraction", "elapsed_s", "time_left_s"})
+        self.assertIsNone(states[0]["time_left_s"])
+        self.assertEqual(states[-1]["time_left_s"], 0)
+        for activity in {state["activity"] for state in states}:
+            fractions = [state["fraction"] for state in states if state["activity"] == activity]
+            self.assertEqual(fractions, sorted(fractions))
+            self.assertEqual(fractions[-1], 1, activity)
+        process = self.run_case(*SMALL, "-o", "none", "--progress", "none")
+        self.assertEqual(process.stderr, "")
+        self.assertIn("results: none", process.stdout)
+        self.assertIn("[####", self.run_case(*SMALL, "-o", "bar", "--progress", "bar").stderr)
+        self.assertIn("100 % after", self.run_case(*SMALL, "-o", "lines", "--progress", "lines").stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
