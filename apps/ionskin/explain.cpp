@@ -14,12 +14,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
 namespace ionskin::apps {
 
 namespace {
+
+// Of a path of many waypoints the first and the last are told.
+constexpr std::size_t most_instants = 16, last_instants = 4;
 
 std::string row(const std::string& name, const std::string& value, const std::string& note = "") {
   return note.empty() ? fmt::format("  {:<34} {}\n", name, value)
@@ -135,14 +139,34 @@ std::vector<std::pair<std::string, double>> instants(const std::vector<MotionLeg
   return result;
 }
 
+/// "480 x slide begins, 3 x contact" of the instants [begin, end).
+std::string kinds(const std::vector<std::pair<std::string, double>>& all, std::size_t begin,
+                  std::size_t end) {
+  std::map<std::string, std::size_t> counts;
+  for (std::size_t i = begin; i < end; ++i)
+    ++counts[all[i].first];
+  std::string text;
+  for (const auto& [what, count] : counts)
+    text += fmt::format("{}{} x {}", text.empty() ? "" : ", ", count, what);
+  return text;
+}
+
 std::string events(const Case& input) {
   const Motion& motion = input.motion;
   std::string text = fmt::format(
       "\nInstants of each cycle of {:.6g} s; the run has {} and lasts {:.6g} s\n",
       motion.cycle_duration(), motion.cycles == 1 ? "one" : std::to_string(motion.cycles),
       motion.cycles * motion.cycle_duration());
-  for (const auto& [what, instant] : instants(motion_legs(motion, input.slider)))
-    text += row(what, fmt::format("{:.8g} s", instant));
+  const auto all = instants(motion_legs(motion, input.slider));
+  const std::size_t left_out = all.size() > most_instants ? all.size() - most_instants : 0;
+  const std::size_t first_left_out = most_instants - last_instants;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (left_out > 0 && i == first_left_out) {
+      text += row("...", fmt::format("{} more", left_out), kinds(all, i, i + left_out));
+      i += left_out;
+    }
+    text += row(all[i].first, fmt::format("{:.8g} s", all[i].second));
+  }
   return text;
 }
 

@@ -2,9 +2,11 @@
 #include "python_verbs.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/case/schema.hpp"
 #include "ionskin/study/python_module.hpp"
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 namespace ionskin::apps {
 namespace {
@@ -29,8 +31,16 @@ int report(const ReportOptions& options) {
 }
 
 int compare(const CompareOptions& options) {
-  return run_module("ionskin.compare", {options.first, options.second, "--tolerance",
-                                        fmt::format("{}", options.tolerance)});
+  // A case may leave out what it then takes from the schema.
+  nlohmann::json defaults = nlohmann::json::object();
+  for (const SchemaRow& row : schema()) {
+    if (!row.default_value.empty()) {
+      defaults[row.key] = row.default_value;
+    }
+  }
+  return run_module("ionskin.compare",
+                    {options.first, options.second, "--tolerance",
+                     fmt::format("{}", options.tolerance), "--defaults", defaults.dump()});
 }
 
 } // namespace ionskin::apps

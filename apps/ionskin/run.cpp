@@ -4,8 +4,10 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/interrupt.hpp"
 #include "ionskin/case/read_case.hpp"
+#include "ionskin/results/output_folder.hpp"
 #include "ionskin/study/run_case.hpp"
 #include "study_settings.hpp"
+#include "terminal.hpp"
 
 #include <fmt/core.h>
 
@@ -29,6 +31,19 @@ study::Studies studies(const std::string& only) {
   return only == "electrochemistry" ? study::Studies::electrochemistry : study::Studies::both;
 }
 
+/// The first few; there may be one for every instant of a long motion.
+void print_warnings(const study::RunOutcome& outcome) {
+  constexpr std::size_t most = 6;
+  const std::size_t shown = std::min(most, outcome.warnings.size());
+  for (std::size_t i = 0; i < shown; ++i) {
+    fmt::print("{}", paragraph("warning: " + outcome.warnings[i], 2));
+  }
+  if (shown < outcome.warnings.size()) {
+    fmt::print("{} more warnings: {}\n", outcome.warnings.size() - shown,
+               (outcome.folder / results::file_names::summary).string());
+  }
+}
+
 void print_outcome(const study::RunOutcome& outcome) {
   for (const auto& metric : outcome.metrics) {
     if (std::find(headline.begin(), headline.end(), metric.name) != headline.end()) {
@@ -40,9 +55,7 @@ void print_outcome(const study::RunOutcome& outcome) {
                      : fmt::format("  (estimated error {:.2g} %)", 100 * error->second));
     }
   }
-  if (!outcome.warnings.empty()) {
-    fmt::print("{} warnings (in the report and in summary.json)\n", outcome.warnings.size());
-  }
+  print_warnings(outcome);
   fmt::print("{:.1f} s in all\n", outcome.seconds);
   if (outcome.report.empty()) {
     fmt::print("results: {}\n", outcome.folder.string());

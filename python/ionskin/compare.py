@@ -2,6 +2,9 @@
 """Tells in what two runs differ: parameters, metrics, signals. /usr/bin/python3 -m ionskin.compare A B"""
 
 import argparse
+import json
+import re
+import tomllib
 
 import numpy
 
@@ -19,10 +22,22 @@ def flat(value, prefix=""):
     return {prefix: value}
 
 
-def parameters(first, second):
-    """Rows of key and both values where the cases differ; None where one lacks the key."""
+def parameters(first, second, defaults):
+    """Rows of key and both values, as texts, where the cases differ. What a case leaves out has its default."""
     one, two = flat(first.case), flat(second.case)
-    return [(key, one.get(key), two.get(key)) for key in dict.fromkeys([*one, *two]) if one.get(key) != two.get(key)]
+    rows = []
+    for key in dict.fromkeys([*one, *two]):
+        default = defaults.get(re.sub(r"\[\d+\]", "[]", key))
+        if one.get(key, default) != two.get(key, default):
+            rows.append((key, *(given(case, key, default) for case in (one, two))))
+    return rows
+
+
+def given(case, key, default):
+    """The value of a key in a case as a text, with a word where the case leaves it out."""
+    if key in case:
+        return repr(case[key])
+    return "not given" if default is None else f"{default!r} (default)"
 
 
 def relative(first, second):
@@ -64,11 +79,11 @@ def number(value):
     return "–" if value is None else f"{value:.8g}"
 
 
-def report(first, second, tolerance):
+def report(first, second, tolerance, defaults):
     """The differences as lines of text."""
     lines = []
     for heading, rows in (
-            ("parameters", [f"{key}: {one!r} | {two!r}" for key, one, two in parameters(first, second)]),
+            ("parameters", [f"{key}: {one} | {two}" for key, one, two in parameters(first, second, defaults)]),
             ("metrics (relative difference)", [f"{name}: {number(one)} | {number(two)} {unit} ({gap:.2e})"
                                                for name, one, two, unit, gap in metrics(first, second, tolerance)]),
             ("signals (largest difference over the peak)", [f"{table}/{name}: {gap:.2e}" for table, name, gap
@@ -84,9 +99,11 @@ def main():
     parser.add_argument("first", help="output folder of a run")
     parser.add_argument("second", help="output folder of a run")
     parser.add_argument("--tolerance", type=float, default=1e-9, help="relative difference that counts as none")
+    parser.add_argument("--defaults", type=json.loads, default={}, help="JSON object: the TOML text of each key's default")
     arguments = parser.parse_args()
+    defaults = {key: tomllib.loads(f"value = {text}")["value"] for key, text in arguments.defaults.items()}
     with exit_on(OSError):
-        print("\n".join(report(Results(arguments.first), Results(arguments.second), arguments.tolerance)))
+        print("\n".join(report(Results(arguments.first), Results(arguments.second), arguments.tolerance, defaults)))
 
 
 if __name__ == "__main__":

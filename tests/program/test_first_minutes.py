@@ -76,6 +76,14 @@ class FirstMinutes(ProgramTest):
         self.assertIn("no differences", self.run_program("compare", "out", "out").stdout)
         self.assertIn("signals.csv", self.run_program("compare", "out", "nowhere", expect=2).stderr)
 
+    def test_comparison_names_defaults(self):
+        small = ("--only", "mechanics", "--set", "numerics.mesh_refinement=0.5")
+        self.run_case(QUICK, "-o", "one", *small)
+        self.run_case(QUICK, "-o", "two", *small, "--set", "coupling.law=column-neutral", "--set", "contact.law=coulomb")
+        compared = self.run_program("compare", "one", "two").stdout
+        self.assertIn("  coupling.law: 'fixed-charge' (default) | 'column-neutral'\n", compared)
+        self.assertNotIn("contact.law", compared)
+
     def test_doctor_and_cite(self):
         self.assertIn("Nothing is missing", self.run_program("doctor").stdout)
         with unittest.mock.patch.dict("os.environ", IONSKIN_DATA="nowhere"):

@@ -11,7 +11,7 @@ import subprocess
 import termios
 import unittest
 
-from program import PROGRAM, QUICK, ROOT, ProgramTest
+from program import PROGRAM, QUICK, ROOT, ProgramTest, summary
 
 FINGER = ROOT / "cases" / "finger.toml"
 # A sphere, whose contact is looked for first.
@@ -86,6 +86,28 @@ class Terminal(ProgramTest):
         self.assertIn("results: none", process.stdout)
         self.assertIn("[####", self.run_case(*SMALL, "-o", "bar", "--progress", "bar").stderr)
         self.assertIn("100 % after", self.run_case(*SMALL, "-o", "lines", "--progress", "lines").stderr)
+
+    def test_warnings_are_shown(self):
+        arguments = ("run", *SMALL, "-o", "out", "--no-report", "--progress", "none")
+        lines = [line for line in self.run_program(*arguments).stdout.splitlines() if line.startswith("warning: ")]
+        self.assertEqual([line.removeprefix("warning: ") for line in lines], summary(self.folder / "out")["warnings"])
+        text = self.on_terminal(60, *arguments, "--overwrite")
+        shown = text[text.index("warning: "):].splitlines()[:-2]
+        self.assertLessEqual(max(map(len, shown)), 60)
+        self.assertEqual(" ".join(line.strip() for line in shown), " ".join(lines))
+
+    def test_instants_of_a_long_path_are_summarised(self):
+        rows = [f"{1 + i}, {4 + i % 2}, 1, , 1" for i in range(1000)]
+        self.write("path.csv", "\n".join(["time [s], x [mm], y [mm], height [um], force [N]", "0, 4, 1, 1000,", *rows,
+                                          "1001, 5, 1, 1000,"]))
+        case = QUICK.read_text().split("[motion]")[0] + '[motion]\nkind = "waypoints"\nfile = "path.csv"\n'
+        case += "\n[contact]" + QUICK.read_text().split("[contact]")[1]
+        case = case.replace('start = ["4.5 mm", "1 mm"]\n', "")
+        text = self.run_program("check", self.write("case.toml", case), "--explain").stdout
+        instants = text[text.index("Instants of each cycle"):text.index("Size and cost")]
+        self.assertEqual(instants.count("\n"), 19)
+        self.assertRegex(instants, r"\.\.\. +98\d more +9\d\d x slide begins")
+        self.assertRegex(instants, r"lift-off begins +1000 s\n")
 
 
 if __name__ == "__main__":
