@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 # The thin front of the build: CMake presets do the work.
-.PHONY: help setup build demo check docs format format-check bench sanitize clean
+.PHONY: help setup build demo check install package docs format format-check bench sanitize clean
 
 BUILD := build
 JOBS := $(shell nproc)
 DEMO_OUT := out/demo
+PREFIX := /usr/local
 
 help:
 	@echo "make demo    install what is missing, build, run the paper's case, say where the report is"
 	@echo "make check   the same set-up, then every test"
 	@echo "make build   build/ionskin"
+	@echo "make install put what is built below PREFIX (/usr/local); DESTDIR goes before it"
+	@echo "make package a Debian package, in build/package"
 	@echo "make docs    the pages, in docs/_build/html"
 	@echo "make format  format the sources (clang-format 14)"
 	@echo "make bench   time the stages on this machine"
@@ -24,6 +27,16 @@ build: setup
 demo: build
 	$(BUILD)/ionskin run cases/paper.toml -o $(DEMO_OUT) --overwrite
 	@echo "Report: $(CURDIR)/$(DEMO_OUT)/report.html"
+
+# Builds nothing, so that root need not build.
+install:
+	@test -x $(BUILD)/ionskin || { echo "Nothing is built yet: make build" >&2; exit 1; }
+	@DESTDIR="$(DESTDIR)" cmake --install $(BUILD) --prefix "$(PREFIX)" --strip
+	@test -n "$(DESTDIR)" || test "$$(id -u)" -ne 0 || ldconfig
+
+package: build
+	@cd $(BUILD) && cpack
+	@echo "Package: $$(ls -t $(CURDIR)/$(BUILD)/package/*.deb | head -1)"
 
 # The cheap checks come first, so that a slip shows before the long build.
 check: setup

@@ -3,6 +3,7 @@
 
 #include "guard.hpp"
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/installation.hpp"
 #include "ionskin/case/data_folder.hpp"
 #include "threads.hpp"
 
@@ -86,15 +87,19 @@ void check_processor(Findings& findings) {
 }
 
 void check_program(Findings& findings) {
-  const fs::path solver = fs::canonical("/proc/self/exe").parent_path() / "ionskin-solver";
-  findings.check(runs({solver.string(), "--version"}),
-                 "solver beside this program, with its libraries",
-                 "build or install both programs and the packages of packages.txt: "
-                 "scripts/install_packages.sh");
+  const fs::path& solver = base::installation().solver;
+  findings.check(
+      runs({solver.string(), "--version"}), "solver with its libraries: " + solver.string(),
+      "install the package again; in a build tree build both programs, with the packages "
+      "of packages.txt: scripts/install_packages.sh");
   const fs::path data = data_folder();
   findings.check(fs::is_directory(data / "cases") && fs::is_directory(data / "materials"),
                  "cases and materials in " + data.string(),
                  "let the environment variable IONSKIN_DATA name the folder that holds them");
+  const fs::path& python = base::installation().python;
+  findings.check(fs::is_regular_file(python / "ionskin" / "report.py"),
+                 "Python package that draws reports in " + python.string(),
+                 "install the package again");
 }
 
 void check_python(Findings& findings) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // The front of the program. It parses the command line, answers the quick verbs itself and hands
-// the others to `ionskin-solver` beside it, whose libraries take half a second to load.
+// the others to `ionskin-solver`, whose libraries take half a second to load.
 
 #include "check.hpp"
 #include "cite.hpp"
@@ -12,9 +12,9 @@
 #include "manual_page.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/installation.hpp"
 
 #include <cstdlib>
-#include <filesystem>
 #include <unistd.h>
 
 namespace {
@@ -23,11 +23,10 @@ namespace {
 int become_solver(char** argv) {
   // One thread per factorisation; several run at once.
   setenv("OPENBLAS_NUM_THREADS", "1", 1);
-  const auto self = std::filesystem::canonical("/proc/self/exe");
-  const auto solver = self.parent_path() / "ionskin-solver";
+  const auto& solver = ionskin::base::installation().solver;
   execv(solver.c_str(), argv);
   throw ionskin::UserError("cannot start " + solver.string() +
-                           ": it must stand beside the ionskin program; build or install both");
+                           ", the part of ionskin that computes\n  = build or install both again");
 }
 
 } // namespace

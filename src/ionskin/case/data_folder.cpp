@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/data_folder.hpp"
 
+#include "ionskin/base/installation.hpp"
+
 #include <cstdlib>
 
 namespace ionskin {
 
 std::filesystem::path data_folder() {
   const char* folder = std::getenv("IONSKIN_DATA");
-  return folder != nullptr && *folder != '\0' ? folder : IONSKIN_DATA_FOLDER;
+  return folder != nullptr && *folder != '\0' ? folder : base::installation().data;
 }
 
 } // namespace ionskin

@@ -6,7 +6,7 @@
 namespace ionskin {
 
 /// The folder with `cases` and `materials`: that of the environment variable IONSKIN_DATA, or else
-/// the one compiled in.
+/// that of the installation.
 std::filesystem::path data_folder();
 
 } // namespace ionskin

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/python_module.hpp"
 
+#include "ionskin/base/installation.hpp"
+
 #include <cerrno>
 #include <cstdlib>
 #include <spawn.h>
@@ -15,7 +17,7 @@ namespace {
 /// The environment with PYTHONPATH put before any other.
 std::vector<std::string> python_environment() {
   const char* package = std::getenv("IONSKIN_PYTHON_PATH");
-  std::string path = package != nullptr ? package : IONSKIN_PYTHON_PATH;
+  std::string path = package != nullptr ? package : base::installation().python.string();
   if (const char* existing = std::getenv("PYTHONPATH")) {
     path += std::string(":") + existing;
   }

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: Apache-2.0
+"""An installed copy works by itself, wherever it is moved: program, Python package, library, manual, completion."""
+
+import gzip
+import json
+import os
+import subprocess
+import unittest
+
+from program import PROGRAM, ROOT, ProgramTest, summary
+
+BUILD = PROGRAM.parent
+PYTHON = "/usr/bin/python3"
+SMALL = ("--set", "numerics.mesh_refinement=0.5", "--threads", "1")
+
+
+class Install(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        # As a package is made: put below a folder, and moved from there.
+        self.command("cmake", "--install", BUILD, "--prefix", "/usr", environment={"DESTDIR": str(self.folder / "staged")})
+        self.prefix = self.folder / "moved"
+        (self.folder / "staged" / "usr").rename(self.prefix)
+        self.home = self.folder / "home"
+        self.home.mkdir()
+
+    def command(self, *words, environment=(), expect=0):
+        """Runs a command with none of this environment but the path; asserts the exit code."""
+        process = subprocess.run(
+            [*map(str, words)], cwd=self.folder, capture_output=True, text=True, check=False,
+            env={"PATH": os.environ["PATH"], "HOME": str(self.folder / "home"), **dict(environment)})
+        self.assertEqual(process.returncode, expect, f"{words}\n{process.stdout}\n{process.stderr}")
+        return process.stdout
+
+    def test_installed_copy(self):
+        self.program()
+        self.python()
+        self.shell_files()
+        self.library()
+        # No file names the tree it was made in, but for the fallback of programs that stand elsewhere.
+        for file in (*self.prefix.rglob("*.cmake"), *self.prefix.rglob("*.py")):
+            self.assertNotIn(str(ROOT), file.read_text(), file)
+
+    def program(self):
+        program = self.prefix / "bin" / "ionskin"
+        doctor = self.command(program, "doctor")
+        for part in ("libexec/ionskin/ionskin-solver", "share/ionskin", "lib/python3/dist-packages"):
+            self.assertIn(str(self.prefix / part), doctor)
+        self.assertNotIn(str(ROOT), doctor)
+        self.assertIn("Nothing is missing", doctor)
+        self.command(program, "init", "case.toml", "--from", "quick")
+        self.command(program, "run", "case.toml", "-o", "out", *SMALL)
+        self.assertTrue((self.folder / "out" / "report.html").exists())
+        self.assertIn("no differences", self.command(program, "compare", "out", "out"))
+
+    def python(self):
+        path = {"PYTHONPATH": str(self.prefix / "lib/python3/dist-packages"), "PYTHONDONTWRITEBYTECODE": "1"}
+        code = ("import ionskin, json; case = ionskin.Case.from_file('case.toml');"
+                "case['numerics.mesh_refinement'] = 0.5; result = ionskin.run(case, 'from_python', threads=1);"
+                "print(json.dumps([ionskin.__file__, result.metrics['normal_force_slide'].value]))")
+        place, force = json.loads(self.command(PYTHON, "-c", code, environment=path))
+        self.assertTrue(place.startswith(str(self.prefix)), place)
+        self.assertAlmostEqual(force / summary(self.folder / "out")["metrics"]["normal_force_slide"]["value"], 1, 9)
+
+    def shell_files(self):
+        page = gzip.decompress((self.prefix / "share/man/man1/ionskin.1.gz").read_bytes()).decode()
+        self.assertTrue(page.startswith(".TH IONSKIN 1"), page[:80])
+        completion = self.prefix / "share/bash-completion/completions/ionskin"
+        self.assertIn("complete -F _ionskin ionskin", completion.read_text())
+        self.command("bash", "-n", completion)
+
+    def library(self):
+        """The example that links to the library; and every header that is installed includes installed ones only."""
+        source = self.folder / "embed"
+        self.command("cp", "-r", self.prefix / "share/doc/ionskin/examples/embed", source)
+        headers = sorted(file.relative_to(self.prefix / "include") for file in self.prefix.rglob("*.hpp"))
+        (source / "headers.cpp").write_text("".join(f'#include "{header}"\n' for header in headers))
+        with (source / "CMakeLists.txt").open("a") as file:
+            file.write("target_sources(embed PRIVATE headers.cpp)\n")
+        self.command("cmake", "-S", source, "-B", "build", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        self.command("cmake", "--build", "build")
+        self.command("sed", "-i", 's/^preset = "coarse"/&\\nmesh_refinement = 0.5/', "case.toml")
+        out = self.command("build/embed", "case.toml", "embedded")
+        self.assertRegex(out, r"friction 0.1: tangential_force_slide = 6\.\d+ N\nfriction 0.3: .* = 19\.\d+ N\n")
+
+
+if __name__ == "__main__":
+    unittest.main()
