@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command_line.hpp"
 
+#include "command_line_mistake.hpp"
 #include "command_line_options.hpp"
 #include "ionskin/base/error.hpp"
 #include "version.hpp"
 
 #include <CLI/CLI.hpp>
 
+#include <cstdio>
 #include <memory>
 
 namespace ionskin::apps {
@@ -118,12 +120,15 @@ std::optional<Command> parse_command_line(int argc, char** argv, int& exit_code)
     exit_code = 0;
     return std::nullopt;
   }
-  app.failure_message(CLI::FailureMessage::simple);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);
-    exit_code = code == 0 ? 0 : static_cast<int>(ExitCode::user_error);
+    if (error.get_exit_code() == 0) { // --help and --version
+      exit_code = app.exit(error);
+      return std::nullopt;
+    }
+    std::fprintf(stderr, "%s\n", explain_mistake(app, error, {argv + 1, argv + argc}).c_str());
+    exit_code = static_cast<int>(ExitCode::user_error);
     return std::nullopt;
   }
   return command;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command_line_options.hpp"
 
+#include <charconv>
 #include <map>
 
 namespace ionskin::apps {
@@ -19,9 +20,16 @@ void add_set_option(CLI::App& verb, std::vector<std::string>& edits) {
       ->take_all();
 }
 
+std::string whole_number_from_1(const std::string& text) {
+  int value = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool good = status == std::errc() && end == text.data() + text.size() && value >= 1;
+  return good ? "" : text + " is no whole number of at least 1";
+}
+
 void add_threads_option(CLI::App& verb, int& threads) {
   verb.add_option("--threads", threads, "Threads to use at most (default: all processors)")
-      ->check(CLI::PositiveNumber);
+      ->check(whole_number_from_1);
 }
 
 void add_cache_option(CLI::App& verb, bool& use_cache) {

@@ -22,4 +22,14 @@ std::vector<std::string> split(std::string_view text, char separator, std::strin
   return parts;
 }
 
+std::string foreign_separator(std::string_view header) {
+  if (header.find(',') != std::string_view::npos) {
+    return "";
+  }
+  if (header.find(';') != std::string_view::npos) {
+    return "semicolons";
+  }
+  return header.find('\t') == std::string_view::npos ? "" : "tabs";
+}
+
 } // namespace ionskin::base

@@ -17,4 +17,9 @@ std::string trimmed(std::string_view text, std::string_view blanks = " \t");
 std::vector<std::string> split(std::string_view text, char separator,
                                std::string_view blanks = " \t");
 
+/// What separates the columns of a header where it is no comma: "semicolons", "tabs", or empty.
+std::string foreign_separator(std::string_view header);
+inline constexpr const char* foreign_separator_remedy =
+    "separate columns by commas and write decimal points: sed 's/,/./g; s/[;\\t]/,/g' FILE";
+
 } // namespace ionskin::base

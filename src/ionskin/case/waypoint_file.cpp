@@ -63,6 +63,8 @@ private:
   }
 
   void read_header(const std::string& line) {
+    if (const std::string separator = base::foreign_separator(line); !separator.empty())
+      refuse("the columns are separated by " + separator, base::foreign_separator_remedy);
     for (const std::string& cell : base::split(line, ',', base::csv_blanks)) {
       const auto open = cell.find('['), close = cell.find(']');
       if (open == std::string::npos || close == std::string::npos || close < open)

@@ -65,6 +65,9 @@ public:
   FitData read(const std::string& column) {
     std::string line;
     next(line);
+    if (const std::string separator = base::foreign_separator(line); !separator.empty()) {
+      refuse("the columns are separated by " + separator, base::foreign_separator_remedy);
+    }
     for (const std::string& cell : base::split(line, ',', base::csv_blanks)) {
       titles_.push_back(title(cell));
     }

@@ -2,10 +2,10 @@
 #include "ionskin/study/fit_model.hpp"
 
 #include "ionskin/base/error.hpp"
-#include "ionskin/base/nearest_name.hpp"
 #include "ionskin/base/task_pool.hpp"
 #include "ionskin/case/read_case.hpp"
 #include "ionskin/case/schema.hpp"
+#include "ionskin/case/suggest_key.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
 #include "ionskin/electrochemistry/space_charge.hpp"
 #include "ionskin/electrochemistry/wall_potential.hpp"
@@ -29,13 +29,7 @@ namespace {
 }
 
 [[noreturn]] void refuse_unknown(const std::string& key) {
-  std::vector<std::string> keys;
-  for (const SchemaRow& row : schema()) {
-    if (row.type == ValueType::number || row.type == ValueType::quantity) {
-      keys.push_back(row.key);
-    }
-  }
-  const std::string nearest = base::nearest_name(key, keys);
+  const std::string nearest = suggest_key(key);
   refuse(key, "unknown key",
          nearest.empty() ? "ionskin check CASE.toml --explain lists the keys of a case"
                          : fmt::format("did you mean {}?", nearest));

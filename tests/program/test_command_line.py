@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A mistyped command line is answered with what would be right."""
+
+import unittest
+
+from program import QUICK, ProgramTest
+
+MISTAKES = (
+    (("runn", "x"), '"runn" is no verb of ionskin', "did you mean run?"),
+    (("nonsense",), '"nonsense" is no verb of ionskin', "verbs: init, check, run"),
+    (("my.toml",), '"my.toml" is no verb of ionskin', "ionskin run my.toml --output DIR"),
+    (("--verson",), "ionskin has no option --verson", "did you mean --version?"),
+    (("run", QUICK, "--friction", "0.2", "-o", "out"), "ionskin run has no option --friction",
+     "write --set contact.friction=0.2"),
+    (("run", QUICK, "--stroke=3 mm", "-o", "out"), "ionskin run has no option --stroke", '--set "motion.stroke=3 mm"'),
+    (("check", QUICK, "--explian"), "ionskin check has no option --explian", "did you mean --explain?"),
+    (("--explain", "check", QUICK), "--explain stands before the verb", "ionskin check --explain"),
+    (("report", "out", "--explain"), "ionskin report has no option --explain", "it is an option of ionskin check"),
+    (("run",), "ionskin run lacks CASE.toml and --output DIR", "write ionskin run CASE.toml --output DIR"),
+    (("run", QUICK, "--set", "motion.stroke=3", "mm", "-o", "out"), '"mm" is one word too many for ionskin run', "quotes"),
+    (("run", QUICK, "-o", "out", "--only", "mech"), "--only mech is unknown", "did you mean mechanics?"),
+    (("run", QUICK, "-o", "out", "--threads", "two"), "--threads: two is no whole number of at least 1", "--help"),
+    (("fit", QUICK, "--data", "semicolons.csv", "--free", "k", "-o", "out"), "--free k: unknown key",
+     "did you mean coupling.coefficient?"),
+    (("fit", QUICK, "--data", "semicolons.csv", "--free", "friction", "-o", "out"), "unknown key", "contact.friction?"),
+    (("fit", QUICK, "--data", "semicolons.csv", "--free", "coupling.coefficient", "-o", "out"),
+     "semicolons.csv:1: the columns are separated by semicolons", "sed 's/,/./g"),
+)
+
+
+class CommandLine(ProgramTest):
+    def test_mistakes(self):
+        self.write("semicolons.csv", "time [s];current_difference [A]\n0;1,5e-6\n1;2e-6\n")
+        for arguments, problem, remedy in MISTAKES:
+            with self.subTest(arguments):
+                process = self.run_program(*arguments, expect=2)
+                self.assertEqual(process.stdout, "")
+                self.assertRegex(process.stderr, r"\Aerror: ")
+                error, told = process.stderr.rstrip().split("\n  = ")
+                self.assertIn(problem, error)
+                self.assertIn(remedy, told)
+
+    def test_semicolons_in_a_path_of_waypoints(self):
+        case = QUICK.read_text().split("[motion]")[0].replace('start = ["4.5 mm", "1 mm"]\n', "")
+        case += '[motion]\nkind = "waypoints"\nfile = "path.csv"\n\n[contact]' + QUICK.read_text().split("[contact]")[1]
+        self.write("path.csv", "time [s]; x [mm]; y [mm]; height [um]\n0; 4; 1; 1000\n")
+        error = self.run_program("check", self.write("case.toml", case), expect=2).stderr
+        self.assertIn("separated by semicolons", error)
+        self.assertIn("path.csv:1", error)
+
+
+if __name__ == "__main__":
+    unittest.main()
