@@ -2,6 +2,7 @@
 #include "check.hpp"
 
 #include "explain.hpp"
+#include "terminal.hpp"
 
 #include "ionskin/case/read_case.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
@@ -25,7 +26,11 @@ bool check(const CheckOptions& options) {
 void print_valid(const CheckOptions& options, const CaseDocument& document,
                  const std::string& warning) {
   const std::string explanation = options.explain ? explain(document) : std::string();
-  fmt::print("{} is valid.\n{}{}", options.case_path, warning, explanation);
+  std::string notes;
+  for (const std::string& note : document.input.notes) {
+    notes += paragraph("note: " + note, 2);
+  }
+  fmt::print("{} is valid.\n{}{}{}", options.case_path, notes, warning, explanation);
 }
 
 } // namespace ionskin::apps

@@ -10,6 +10,7 @@ void add_help_verbs(CLI::App& app, Command& command) {
       ->callback([&command] { command = DoctorOptions{}; });
   auto key_options = std::make_shared<KeysOptions>();
   CLI::App* key_verb = app.add_subcommand("keys", "List every key that a case can have");
+  key_verb->add_option("word", key_options->word, "Only keys that contain it")->type_name("WORD");
   key_verb->add_flag("--json", key_options->json, "With type, unit, range and source, as JSON");
   set_when_parsed(*key_verb, key_options, command);
   auto completion_options = std::make_shared<CompletionOptions>();

@@ -89,6 +89,32 @@ std::string scales_of_ions(const Case& input) {
   return text;
 }
 
+/// Both diffuse layers in series, of which each holds permittivity over Debye length and area.
+std::string scales_of_readout(const Case& input) {
+  const auto scales =
+      electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness());
+  const auto excess = electrochemistry::steric_excess(input.electrochemistry);
+  const double screening = scales.debye_length * (excess ? std::sqrt(1 / excess->room(1.0)) : 1.0);
+  const double per_area = input.electrochemistry.permittivity / (2 * screening);
+  const Readout& readout = input.readout;
+  const double capacitance = per_area * input.skin.length * input.skin.width;
+  std::string text = "\nReadout\n";
+  text += row("capacitance of the cell C", fmt::format("{:.4g} F", capacitance),
+              "of both double layers in series, at low frequency and small voltage");
+  if (!readout.taxels.empty()) {
+    const Taxel& first = readout.taxels.front();
+    const double area = (first.upper[0] - first.lower[0]) * (first.upper[1] - first.lower[1]);
+    text += row(fmt::format("capacitance below taxel {}", first.name),
+                fmt::format("{:.4g} F", per_area * area),
+                fmt::format("the first of {}", readout.taxels.size()));
+  }
+  if (readout.circuit == ReadoutCircuit::load)
+    text += row("time constant R C", fmt::format("{:.4g} s", readout.load_resistance * capacitance),
+                fmt::format("through the load of {:.4g} ohm{}", readout.load_resistance,
+                            readout.taxels.empty() ? "" : ", which all taxels share"));
+  return text;
+}
+
 /// The contact of a round slider is not known before it is solved.
 std::string scales_of_round_contact(const Case& input) {
   const mesh::Footprint largest = mesh::largest_footprint(input);
@@ -202,7 +228,7 @@ std::string warning_of_ions(const Case& input) {
 
 std::string explain(const CaseDocument& document) {
   const Case& input = document.input;
-  std::string text = values(document) + scales_of_ions(input);
+  std::string text = values(document) + scales_of_ions(input) + scales_of_readout(input);
   if (input.strain.kind == StrainSourceKind::contact)
     text += scales_of_contact(input) + events(input);
   return text + costs(input);

@@ -16,7 +16,8 @@ int init(const InitOptions& options) {
   const fs::path source = data_folder() / "cases" / (options.from + ".toml");
   if (!fs::is_regular_file(source))
     throw UserError(
-        fmt::format("there is no starter case {}\n  = choose --from paper or --from quick; the "
+        fmt::format("there is no starter case {}\n  = it comes with ionskin: ionskin doctor says "
+                    "where from; the "
                     "environment variable IONSKIN_DATA names the folder that holds cases/",
                     source.string()));
   std::error_code error;

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "keys.hpp"
 
+#include "ionskin/base/error.hpp"
 #include "ionskin/case/schema.hpp"
+#include "ionskin/case/suggest_key.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -67,13 +71,17 @@ std::string range_of(const SchemaRow& row) {
   return bounded ? describe(row.range, row.dimension) : "";
 }
 
-nlohmann::json json_of(const SchemaRow& row) {
+std::vector<std::string> choices_of(const SchemaRow& row) {
   std::vector<std::string> choices;
   for (const Choice& choice : row.choices) {
     if (choice.in_this_version) {
       choices.push_back(choice.name);
     }
   }
+  return choices;
+}
+
+nlohmann::json json_of(const SchemaRow& row) {
   std::vector<std::string> kinds;
   if (has_dimension(row)) {
     kinds.push_back(dimension_info(row.dimension).name);
@@ -89,32 +97,45 @@ nlohmann::json json_of(const SchemaRow& row) {
           {"range_reason", row.range_reason},
           {"need", need_name(row)},
           {"default", row.default_value},
-          {"choices", choices},
+          {"choices", choices_of(row)},
           {"help", row.help},
           {"source", row.source}};
 }
 
 std::string line_of(const SchemaRow& row, std::size_t width) {
   const std::string value = row.default_value.empty() ? need_name(row) : row.default_value;
-  return fmt::format("{:<{}}  {}  [{}]\n", row.key, width, row.help, value);
+  const auto choices = choices_of(row);
+  const std::string words =
+      choices.empty() ? "" : fmt::format("  one of {}", fmt::join(choices, ", "));
+  return fmt::format("{:<{}}  {}{}  [{}]\n", row.key, width, row.help, words, value);
 }
 
 } // namespace
 
 int keys(const KeysOptions& options) {
+  std::vector<SchemaRow> rows;
+  std::ranges::copy_if(schema(), std::back_inserter(rows), [&options](const SchemaRow& row) {
+    return row.key.find(options.word) != std::string::npos;
+  });
+  if (rows.empty()) {
+    const std::string nearest = suggest_key(options.word);
+    throw UserError(fmt::format("no key of a case contains \"{}\"\n  = {}", options.word,
+                                nearest.empty() ? "ionskin keys lists all"
+                                                : fmt::format("did you mean {}?", nearest)));
+  }
   if (options.json) {
     nlohmann::json all = nlohmann::json::array();
-    for (const SchemaRow& row : schema()) {
+    for (const SchemaRow& row : rows) {
       all.push_back(json_of(row));
     }
     fmt::print("{}\n", all.dump(1));
     return 0;
   }
   std::size_t width = 0;
-  for (const SchemaRow& row : schema()) {
+  for (const SchemaRow& row : rows) {
     width = std::max(width, row.key.size());
   }
-  for (const SchemaRow& row : schema()) {
+  for (const SchemaRow& row : rows) {
     fmt::print("{}", line_of(row, width));
   }
   return 0;

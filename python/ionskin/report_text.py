@@ -131,8 +131,13 @@ def timing_rows(results):
 
 
 def counter_rows(results):
-    """Rows of the counters of the solvers."""
-    return [(name.replace("_", " "), f"{value:.6g}") for name, value in results.manifest.get("counters", {}).items()]
+    """Rows of the counters of the solvers. Threads work side by side, so their times can add up to more than a stage."""
+    rows = []
+    for name, value in results.manifest.get("counters", {}).items():
+        timed = name.startswith("seconds_")
+        rows.append((name.removeprefix("seconds_").replace("_", " ") + (", summed over threads" if timed else ""),
+                     f"{value:.6g}" + (" s" if timed else "")))
+    return rows
 
 
 def origin_rows(results):

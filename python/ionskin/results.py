@@ -91,7 +91,7 @@ class Results:
     """What a run has written into its folder.
 
     signals, sampled  Table; see the documentation of the columns
-    taxels, circuit   Table, or None in runs without
+    taxels, circuit   Table, or None in runs without; sampled_taxels and sampled_circuit likewise
     metrics           dict of name to Metric
     summary, manifest dict, as in the files; empty when the file is missing
     case              dict of the case file, quantities as texts
@@ -115,8 +115,9 @@ class Results:
             self.sampled = read_table(self.folder / "sampled.csv")
         else:
             self._take_mechanics(unfinished)
-        self.taxels, self.circuit = (read_table(path) if path.exists() else None
-                                     for path in (self.folder / "taxels.csv", self.folder / "circuit.csv"))
+        self.taxels, self.circuit, self.sampled_taxels, self.sampled_circuit = (
+            read_table(path) if path.exists() else None for path in (
+                self.folder / f"{name}.csv" for name in ("taxels", "circuit", "sampled_taxels", "sampled_circuit")))
         self.summary = read_json(self.folder / "summary.json")
         if self.complete:
             self.metrics = {

@@ -76,6 +76,18 @@ class FirstMinutes(ProgramTest):
         self.assertIn("no differences", self.run_program("compare", "out", "out").stdout)
         self.assertIn("signals.csv", self.run_program("compare", "out", "nowhere", expect=2).stderr)
 
+    def test_starter_cases_and_keys(self):
+        self.run_program("init", "finger.toml", "--from", "finger")
+        self.assertIn("sphere", (self.folder / "finger.toml").read_text())
+        self.assertIn("paper, quick, finger", self.run_program("init", "x.toml", "--from", "hand", expect=2).stderr)
+        keys = self.run_program("keys").stdout
+        self.assertRegex(keys, r"readout\.circuit .* one of short, open, load, amplifier  \[\"short\"\]")
+        for key in ("readout.taxels.rows", "readout.taxels.gap", "readout.taxels[].name"):
+            self.assertIn(key, keys)
+        lines = self.run_program("keys", "friction").stdout.splitlines()
+        self.assertTrue(all(line.startswith("contact.friction") for line in lines) and lines)
+        self.assertIn("did you mean contact.friction?", self.run_program("keys", "fricton", expect=2).stderr)
+
     def test_comparison_names_defaults(self):
         small = ("--only", "mechanics", "--set", "numerics.mesh_refinement=0.5")
         self.run_case(QUICK, "-o", "one", *small)

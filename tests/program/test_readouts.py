@@ -45,6 +45,58 @@ class Readouts(ProgramTest):
         self.assertGreater(numpy.abs(taxels["charge_top_a"]).max() / 8,
                            1.5 * numpy.abs(taxels["charge_top_b"]).max() / (5.3 * 0.7))
 
+    def test_grid_of_taxels_and_sampled_tables(self):
+        whole, out = self.read_out("grid", "readout.circuit=load", "readout.load_resistance=20 Ohm",
+                                   "readout.taxels={rows = 2, columns = 3}", "readout.sample_interval=5 ms")
+        taxels, sampled = signals(out, "taxels"), signals(out, "sampled_taxels")
+        names = [f"r{row}c{column}" for row in (1, 2) for column in (1, 2, 3)]
+        self.assertEqual(list(sampled), ["time", *(f"current_top_{name}" for name in names),
+                                         *(f"charge_top_{name}" for name in names)])
+        total = sum(taxels[f"charge_top_{name}"] for name in names)
+        numpy.testing.assert_allclose(total, whole["charge_top"], atol=1e-12 * numpy.abs(total).max(), rtol=0)
+        # Sampled: charge gained over each interval; with the first charge the current sums up to the last one.
+        self.assertEqual(len(sampled["time"]), 100)
+        for name in names:
+            charge = numpy.concatenate([taxels[f"charge_top_{name}"][:1], sampled[f"charge_top_{name}"]])
+            numpy.testing.assert_allclose(sampled[f"current_top_{name}"], numpy.diff(charge) / 5e-3,
+                                          atol=1e-9 * numpy.abs(charge).max() / 5e-3, rtol=0)
+        circuit, resolved = signals(out, "sampled_circuit"), signals(out, "circuit")
+        self.assertEqual(list(circuit), ["time", "voltage", "current", "charge"])
+        mean = numpy.trapezoid if hasattr(numpy, "trapezoid") else numpy.trapz
+        self.assertAlmostEqual(circuit["voltage"].mean() * 0.5 / mean(resolved["voltage"], resolved["time"]), 1, 6)
+        with h5py.File(out / "results.h5") as file:
+            numpy.testing.assert_array_equal(file["sampled_circuit/voltage"][:], circuit["voltage"])
+            self.assertIn("sampled_taxels/current_top_r2c3", file)
+        self.assertTrue(any("share one resistor" in warning for warning in summary(out)["warnings"]))
+        # A later run without taxels leaves none.
+        self.run_case(QUICK, "-o", out, "--overwrite", "--only", "mechanics", "--set", "numerics.mesh_refinement=0.5")
+        self.assertFalse((out / "sampled_taxels.csv").exists())
+
+    def test_grid_from_single_keys_and_explanation(self):
+        edits = [option for edit in ("readout.taxels.rows=4", "readout.taxels.columns=4", "readout.circuit=load",
+                                     "readout.load_resistance=1 kOhm") for option in ("--set", edit)]
+        explained = self.run_program("check", QUICK, "--explain", *edits).stdout
+        self.assertIn("note: All 16 taxels share one resistor of 1000 ohm", explained)
+        # eps A / (2 lambda) of 15 mm x 2 mm, a sixteenth of it, and with 1 kOhm.
+        for line in (r"capacitance of the cell C +0\.0454\d* F", r"capacitance below taxel r1c1 +0\.002838 F",
+                     r"time constant R C +45\.41 s"):
+            self.assertRegex(explained, line)
+        for edits, problem in ((("readout.taxels.rows=4",), "missing key readout.taxels.columns"),
+                               (("readout.taxels={rows = 0, columns = 2}",), "readout.taxels.rows = 0 is out of range"),
+                               (('readout.taxels={rows = 3, columns = 2, gap = "1 mm"}',), "no room for the taxels along y"),
+                               (("readout.taxels={rows = 3, colums = 2}",), "did you mean readout.taxels.columns?")):
+            error = self.run_program("check", QUICK, *(option for edit in edits for option in ("--set", edit)), expect=2)
+            self.assertIn(problem, error.stderr)
+
+    def test_circuits_can_be_swept(self):
+        case = self.write("case.toml", QUICK.read_text() + '\n[readout]\ncircuit = "load"\nload_resistance = "1 kOhm"\n')
+        note = self.run_program("check", case, "--set", "readout.circuit=short").stdout
+        self.assertIn('note: readout.load_resistance is given and not used: the circuit "short" has none, "load" has.', note)
+        self.run_program("sweep", case, "--over", "readout.circuit=short,load", "-o", "sweep", "--no-report",
+                         "--set", "numerics.mesh_refinement=0.5")
+        rows = (self.folder / "sweep" / "sweep.csv").read_text().splitlines()
+        self.assertEqual([row.split(",")[3] for row in rows[1:]], ["finished", "finished"], rows[:2])
+
     def test_load_obeys_ohms_law(self):
         _, out = self.read_out("load", "readout.circuit=load", "readout.load_resistance=20 Ohm")
         load = signals(out, "circuit")

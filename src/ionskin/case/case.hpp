@@ -165,6 +165,12 @@ struct Taxel {
   std::array<double, 2> lower{}, upper{}; ///< corners, x and y [m]
 };
 
+/// Equal taxels over the whole top electrode, instead of a list of them.
+struct TaxelGrid {
+  int rows = 0, columns = 0; ///< along y and along x; 0 without a grid
+  double gap = 0;            ///< between neighbours [m]
+};
+
 /// What is connected to the two electrodes.
 enum class ReadoutCircuit { short_circuit, open, load, amplifier };
 
@@ -181,7 +187,8 @@ struct Readout {
   ReadoutCircuit circuit = ReadoutCircuit::short_circuit;
   double load_resistance = 0; ///< of circuit `load` [ohm]
   Amplifier amplifier;        ///< of circuit `amplifier`
-  std::vector<Taxel> taxels;  ///< disjoint; empty for one whole electrode
+  TaxelGrid taxel_grid;       ///< as written
+  std::vector<Taxel> taxels;  ///< disjoint, those of a grid too; empty for one whole electrode
 };
 
 enum class Preset { coarse, standard, fine };
@@ -210,6 +217,9 @@ struct Case {
   Readout readout;
   Numerics numerics;
   Output output;
+  /// What a reader of the results should know of the case as it is written; nothing is computed
+  /// from it.
+  std::vector<std::string> notes;
   std::string text; ///< the TOML text with all `--set` edits applied, as written to case.toml
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/check_readout.hpp"
 
+#include "ionskin/case/taxel_grid.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -76,31 +78,76 @@ void check_pair(const CaseDocument& document, std::size_t first, std::size_t sec
                  "move their corners apart: charge belongs to one taxel only");
 }
 
-/// A key that the circuit does not use is a circuit that the user forgot to name.
+/// A key that only one circuit uses.
+struct CircuitKey {
+  const char* key;
+  ReadoutCircuit circuit;
+  const char* name;
+};
+constexpr std::array<CircuitKey, 5> circuit_keys{
+    {{"readout.load_resistance", ReadoutCircuit::load, "load"},
+     {"readout.amplifier_bandwidth", ReadoutCircuit::amplifier, "amplifier"},
+     {"readout.amplifier_noise_density", ReadoutCircuit::amplifier, "amplifier"},
+     {"readout.amplifier_range", ReadoutCircuit::amplifier, "amplifier"},
+     {"readout.noise_seed", ReadoutCircuit::amplifier, "amplifier"}}};
+
+/// Those that are given and not used.
+std::vector<CircuitKey> idle_keys(const CaseDocument& document) {
+  std::vector<CircuitKey> idle;
+  for (const CircuitKey& one : circuit_keys)
+    if (!document.point_at(one.key).empty() && document.input.readout.circuit != one.circuit)
+      idle.push_back(one);
+  return idle;
+}
+
+bool names_circuit(const CaseDocument& document) {
+  return !document.point_at("readout.circuit").empty();
+}
+
+/// A key of a circuit beside no word of a circuit is one that the user forgot to name.
 void check_circuit(const CaseDocument& document, Problems& problems) {
-  struct Use {
-    const char* key;
-    ReadoutCircuit circuit;
-    const char* name;
-  };
-  static constexpr std::array<Use, 5> uses{
-      {{"readout.load_resistance", ReadoutCircuit::load, "load"},
-       {"readout.amplifier_bandwidth", ReadoutCircuit::amplifier, "amplifier"},
-       {"readout.amplifier_noise_density", ReadoutCircuit::amplifier, "amplifier"},
-       {"readout.amplifier_range", ReadoutCircuit::amplifier, "amplifier"},
-       {"readout.noise_seed", ReadoutCircuit::amplifier, "amplifier"}}};
-  for (const Use& use : uses) {
-    const std::vector<Pointer> given = document.point_at(use.key);
-    if (!given.empty() && document.input.readout.circuit != use.circuit)
-      problems.add(fmt::format("{} is given, but the circuit has none", use.key), given,
-                   fmt::format("set readout.circuit = \"{}\", or remove the key", use.name));
-  }
+  if (names_circuit(document))
+    return;
+  for (const CircuitKey& one : idle_keys(document))
+    problems.add(fmt::format("{} is given, but the circuit has none", one.key),
+                 document.point_at(one.key),
+                 fmt::format("set readout.circuit = \"{}\", or remove the key", one.name));
+}
+
+void check_grid(const CaseDocument& document, Problems& problems) {
+  const TaxelGrid& grid = document.input.readout.taxel_grid;
+  const std::string key = "readout.taxels.";
+  std::vector<Pointer> given;
+  for (const char* name : {"rows", "columns", "gap"})
+    for (const Pointer& pointer : document.point_at(key + name))
+      given.push_back(pointer);
+  if (given.empty())
+    return;
+  for (const char* name : {"rows", "columns"})
+    if (document.point_at(key + name).empty())
+      problems.add(fmt::format("missing key {}{} of the grid of taxels", key, name), given,
+                   "a grid has both: taxels = {rows = 2, columns = 4}");
+  if (grid.rows < 1 || grid.columns < 1)
+    return;
+  const Skin& skin = document.input.skin;
+  const std::array<double, 2> size = taxel_size(grid, skin), face{skin.length, skin.width};
+  const std::array<int, 2> count{grid.columns, grid.rows};
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    if (size[axis] <= 0)
+      problems.add(fmt::format("the gaps leave no room for the taxels along {}: {} of {:.6g} mm on "
+                               "{:.6g} mm",
+                               axis == 0 ? "x" : "y", count[axis] - 1, grid.gap * 1e3,
+                               face[axis] * 1e3),
+                   document.point_at(key + "gap"),
+                   fmt::format("it must be below {:.6g} mm, or the taxels fewer",
+                               face[axis] * 1e3 / (count[axis] - 1)));
 }
 
 } // namespace
 
 void check_readout(const CaseDocument& document, Problems& problems) {
   check_circuit(document, problems);
+  check_grid(document, problems);
   const std::vector<Taxel>& taxels = document.input.readout.taxels;
   for (std::size_t i = 0; i < taxels.size(); ++i) {
     if (!is_column_name(taxels[i].name))
@@ -111,6 +158,26 @@ void check_readout(const CaseDocument& document, Problems& problems) {
     for (std::size_t j = 0; j < i; ++j)
       check_pair(document, j, i, problems);
   }
+}
+
+std::vector<std::string> notes_on_readout(const CaseDocument& document) {
+  std::vector<std::string> notes;
+  for (const CircuitKey& one : idle_keys(document))
+    notes.push_back(
+        fmt::format("{} is given and not used: the circuit \"{}\" has none, \"{}\" has.", one.key,
+                    document.find("readout.circuit")->value.text, one.name));
+  const Readout& readout = document.input.readout;
+  if (!readout.taxels.empty() && readout.circuit == ReadoutCircuit::load)
+    notes.push_back(fmt::format(
+        "All {} taxels share one resistor of {:.4g} ohm and one voltage: with the circuit \"load\" "
+        "the top electrode is one conductor, and taxels.csv tells the part of the current that "
+        "enters each. Taxels read one by one are held at one potential: circuit \"short\".",
+        readout.taxels.size(), readout.load_resistance));
+  if (!readout.taxels.empty() && readout.circuit == ReadoutCircuit::open)
+    notes.push_back(
+        "All taxels share one voltage: with the circuit \"open\" the top electrode is one "
+        "conductor, and the currents of the taxels flow from one to another.");
+  return notes;
 }
 
 } // namespace ionskin

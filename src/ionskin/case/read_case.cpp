@@ -2,10 +2,12 @@
 #include "ionskin/case/read_case.hpp"
 
 #include "ionskin/case/check_case.hpp"
+#include "ionskin/case/check_readout.hpp"
 #include "ionskin/case/materials.hpp"
 #include "ionskin/case/missing_keys.hpp"
 #include "ionskin/case/read_text_file.hpp"
 #include "ionskin/case/set_edit.hpp"
+#include "ionskin/case/taxel_grid.hpp"
 #include "ionskin/case/toml_text.hpp"
 #include "ionskin/case/toml_walk.hpp"
 #include "ionskin/case/waypoint_file.hpp"
@@ -94,8 +96,12 @@ CaseDocument read_case_text(const std::string& original, const std::string& path
   if (document.input.strain.kind == StrainSourceKind::contact)
     settle_slider(document.input.slider);
   take_waypoints(document.input);
+  Readout& readout = document.input.readout;
+  if (readout.taxels.empty())
+    readout.taxels = taxels_of(readout.taxel_grid, document.input.skin);
   document.input.text = text.text();
   check_case(document);
+  document.input.notes = notes_on_readout(document);
   return document;
 }
 

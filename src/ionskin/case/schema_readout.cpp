@@ -95,6 +95,35 @@ void add_taxels(SchemaRows& rows) {
                   .set = into_taxel(&Taxel::upper)});
 }
 
+SchemaRow grid_count(const std::string& name, const std::string& help, int TaxelGrid::*member) {
+  return {.key = "readout.taxels." + name,
+          .type = ValueType::integer,
+          .range = {1, 64, true, true},
+          .need = Need::where_known,
+          .help = help,
+          .set = [member](CaseDraft& draft, const KeyIndex&, const Value& value) {
+            draft.input.readout.taxel_grid.*member = static_cast<int>(value.numbers[0]);
+          }};
+}
+
+void add_taxel_grid(SchemaRows& rows) {
+  rows.push_back(grid_count("rows",
+                            "Instead of a list of taxels, a grid of equal ones over the whole top "
+                            "electrode: so many along y. They are named r1c1, r1c2, ...",
+                            &TaxelGrid::rows));
+  rows.push_back(grid_count("columns", "So many taxels of a grid along x.", &TaxelGrid::columns));
+  rows.push_back(
+      {.key = "readout.taxels.gap",
+       .type = ValueType::quantity,
+       .dimension = Dimension::length,
+       .range = not_negative,
+       .need = Need::where_known,
+       .help = "Bare strip between neighbouring taxels of a grid; without it they touch.",
+       .set = [](CaseDraft& draft, const KeyIndex&, const Value& value) {
+         draft.input.readout.taxel_grid.gap = value.numbers[0];
+       }});
+}
+
 } // namespace
 
 void add_readout(SchemaRows& rows) {
@@ -109,6 +138,7 @@ void add_readout(SchemaRows& rows) {
   add_circuit(rows);
   add_amplifier(rows);
   add_taxels(rows);
+  add_taxel_grid(rows);
 }
 
 } // namespace ionskin

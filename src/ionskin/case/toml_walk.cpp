@@ -105,7 +105,8 @@ void TomlWalk::visit_value(const toml::value& value, const std::string& key,
   seen[key] = true;
   if (const SchemaRow* row = find_row(pattern))
     read(*row, value, key, index);
-  else if (any_row_starts_with(pattern + "[]."))
+  else if (any_row_starts_with(pattern + "[].") &&
+           !(value.is_table() && any_row_starts_with(pattern + ".")))
     visit_list(value, key, pattern);
   else if (any_row_starts_with(pattern + "."))
     visit_table(value, key, pattern, index);
@@ -138,7 +139,10 @@ void TomlWalk::visit_list(const toml::value& value, const std::string& key,
                           const std::string& pattern) {
   if (!value.is_array() || (!value.as_array().empty() && !value.as_array().front().is_table())) {
     problems_.add(fmt::format("{} must be a list of tables", key), {{place_of(value), ""}},
-                  fmt::format("write one section [[{}]] for each {}", key, entry_name(pattern)));
+                  fmt::format("write one section [[{}]] for each {}{}", key, entry_name(pattern),
+                              any_row_starts_with(pattern + ".")
+                                  ? ", or a grid such as {rows = 2, columns = 4}"
+                                  : ""));
     return;
   }
   tables[key] = place_of(value);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string_view>
+#include <utility>
 
 namespace ionskin::readout {
 namespace {
@@ -21,6 +23,44 @@ std::vector<double> values_at(const std::vector<double>& time, const std::vector
     values.push_back(value_at(time, quantity, instant));
   }
   return values;
+}
+
+/// Start of the run and the end of every interval that it completes.
+std::vector<double> interval_ends(const std::vector<double>& time, double interval) {
+  const double start = time.front();
+  const auto count =
+      static_cast<std::size_t>(std::floor((time.back() - start) / interval + interval_rounding));
+  std::vector<double> instants{start};
+  for (std::size_t i = 1; i <= count; ++i) {
+    instants.push_back(start + static_cast<double>(i) * interval);
+  }
+  return instants;
+}
+
+/// Integral since the first row of a quantity that is linear between the rows, at the instants.
+std::vector<double> integral_at(const std::vector<double>& time,
+                                const std::vector<double>& quantity,
+                                const std::vector<double>& instants) {
+  std::vector<double> result;
+  double whole = 0; // up to the row before the instant
+  std::size_t row = 0;
+  for (const double instant : instants) {
+    while (row + 1 < time.size() && time[row + 1] <= instant) {
+      whole += (time[row + 1] - time[row]) * (quantity[row + 1] + quantity[row]) / 2;
+      ++row;
+    }
+    const double at = value_at(time, quantity, instant);
+    result.push_back(whole + std::max(0.0, instant - time[row]) * (quantity[row] + at) / 2);
+  }
+  return result;
+}
+
+std::vector<double> rates(const std::vector<double>& instants, const std::vector<double>& values) {
+  std::vector<double> result;
+  for (std::size_t i = 1; i < instants.size(); ++i) {
+    result.push_back((values[i] - values[i - 1]) / (instants[i] - instants[i - 1]));
+  }
+  return result;
 }
 
 // Drops the first row, which has no interval.
@@ -48,13 +88,7 @@ double value_at(const std::vector<double>& time, const std::vector<double>& quan
 SignalTable sample_currents(const SignalTable& signals, double interval,
                             const ChargeRelaxation& relaxation) {
   const std::vector<double>& time = signals.column("time").values;
-  const double start = time.front();
-  const auto count =
-      static_cast<std::size_t>(std::floor((time.back() - start) / interval + interval_rounding));
-  std::vector<double> instants{start};
-  for (std::size_t i = 1; i <= count; ++i) {
-    instants.push_back(start + static_cast<double>(i) * interval);
-  }
+  const std::vector<double> instants = interval_ends(time, interval);
   std::vector<double> top = values_at(time, signals.column("charge_top").values, instants);
   std::vector<double> bottom = values_at(time, signals.column("charge_bottom").values, instants);
   for (std::size_t i = 0; i < instants.size(); ++i) {
@@ -69,6 +103,29 @@ SignalTable sample_currents(const SignalTable& signals, double interval,
   sampled.columns.push_back(interval_means("current_bottom", means.bottom));
   sampled.columns.push_back(interval_means("current_difference", means.difference));
   sampled.columns.push_back(interval_means("current_common", means.common));
+  return sampled;
+}
+
+SignalTable sample_table(const SignalTable& table, double interval) {
+  constexpr std::string_view current = "current";
+  const std::vector<double>& time = table.column("time").values;
+  const std::vector<double> instants = interval_ends(time, interval);
+  SignalTable sampled;
+  for (const Signal& column : table.columns) {
+    std::vector<double> values;
+    if (column.name == "time") {
+      values.assign(instants.begin() + 1, instants.end());
+    } else if (column.name.starts_with(current)) {
+      const Signal& charge = table.column("charge" + column.name.substr(current.size()));
+      values = rates(instants, values_at(time, charge.values, instants));
+    } else if (column.unit == "C") {
+      values = values_at(time, column.values, instants);
+      values.erase(values.begin());
+    } else {
+      values = rates(instants, integral_at(time, column.values, instants));
+    }
+    sampled.columns.push_back({column.name, column.unit, std::move(values)});
+  }
   return sampled;
 }
 

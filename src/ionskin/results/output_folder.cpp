@@ -30,7 +30,8 @@ void remove_by_extension(const fs::path& folder, const std::set<std::string>& ex
 void remove_results(const fs::path& folder) {
   for (const char* name :
        {file_names::case_text, file_names::summary, file_names::signals, file_names::sampled,
-        file_names::taxels, file_names::circuit, file_names::impedance, file_names::results,
+        file_names::taxels, file_names::circuit, file_names::sampled_taxels,
+        file_names::sampled_circuit, file_names::impedance, file_names::results,
         file_names::checkpoint, file_names::report, file_names::manifest, file_names::sweep_table,
         file_names::sweep_signals, file_names::fit, file_names::fit_table,
         file_names::fitted_case}) {

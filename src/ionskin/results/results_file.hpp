@@ -24,7 +24,7 @@ public:
   };
   ResultsFile(const std::filesystem::path& path, Start start);
 
-  /// @param group "signals", "sampled", "taxels" or "circuit"
+  /// @param group "signals", "sampled", "taxels", "circuit", or one of the latter with "sampled_"
   void write_signals(const std::string& group, const readout::SignalTable& table);
   void write_strain(const strain::StrainHistory& history);
   /// Concentration, potential and shear of every snapshot under /ions/TIME, the grid under

@@ -220,6 +220,13 @@ Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonS
   add_ion_metrics(input, ions, signals.resolved, signals.metrics);
   add_taxels(ions, signals);
   add_circuit(input, ions, signals);
+  const double interval = input.readout.sample_interval;
+  if (signals.taxels) {
+    signals.sampled_taxels = readout::sample_table(*signals.taxels, interval);
+  }
+  if (signals.circuit) {
+    signals.sampled_circuit = readout::sample_table(*signals.circuit, interval);
+  }
   return signals;
 }
 

@@ -151,7 +151,8 @@ void write_sweep_signals(const std::filesystem::path& folder, const std::vector<
     const results::Hdf5File source(folder / results::file_names::points / points[i].name /
                                        results::file_names::results,
                                    results::Hdf5File::Access::read);
-    for (const char* table : {"signals", "sampled", "taxels", "circuit"}) {
+    for (const char* table :
+         {"signals", "sampled", "taxels", "circuit", "sampled_taxels", "sampled_circuit"}) {
       copy_group(source, table, file, group);
     }
     for (const SweptValue& value : points[i].values) {

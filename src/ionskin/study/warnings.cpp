@@ -78,6 +78,7 @@ std::vector<std::string> collect_warnings(const Case& input, const MechanicsReco
                                           const electrochemistry::IonSolution& ions,
                                           const readout::SignalTable& signals) {
   std::vector<std::string> warnings = mechanics_warnings(input, mechanics);
+  warnings.insert(warnings.end(), input.notes.begin(), input.notes.end());
   if (input.coupling.coefficient != 0) {
     warnings.push_back(fmt::format(
         "The coupling coefficient k = {:.4g} is not calibrated by any measurement: currents are in "

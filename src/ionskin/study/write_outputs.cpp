@@ -37,6 +37,8 @@ void write_results_file(const Case& input, const MechanicsRecord& mechanics,
   file.write_signals("sampled", outputs.signals.sampled);
   write_optional(file, "taxels", outputs.signals.taxels);
   write_optional(file, "circuit", outputs.signals.circuit);
+  write_optional(file, "sampled_taxels", outputs.signals.sampled_taxels);
+  write_optional(file, "sampled_circuit", outputs.signals.sampled_circuit);
   if (!mechanics.has_contact()) {
     file.write_strain(mechanics.history);
   }
@@ -97,6 +99,8 @@ RunOutcome write_outputs(const Case& input, const RunOptions& options,
     results::write_csv(folder.file(names::sampled), outputs.signals.sampled);
     write_optional(folder.file(names::taxels), outputs.signals.taxels);
     write_optional(folder.file(names::circuit), outputs.signals.circuit);
+    write_optional(folder.file(names::sampled_taxels), outputs.signals.sampled_taxels);
+    write_optional(folder.file(names::sampled_circuit), outputs.signals.sampled_circuit);
     if (options.paraview && outputs.ions && !outputs.ions->snapshots.empty()) {
       results::write_fields(folder.file(names::fields), outputs.ions->grid,
                             input.skin.core_bottom(), outputs.ions->snapshots);

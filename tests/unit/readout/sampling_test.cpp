@@ -50,6 +50,22 @@ TEST(Sampling, OfARunShorterThanOneIntervalIsEmpty) {
   EXPECT_TRUE(sample_currents(charges({0, 1}, {0, 1}, {0, 0}), 2.0).column("time").values.empty());
 }
 
+TEST(Sampling, OfATableTakesMeansOfVoltagesAndGainsOfCharges) {
+  SignalTable table;
+  table.columns = {{"time", "s", {0, 0.5, 2}},
+                   {"voltage", "V", {0, 1, 4}},
+                   {"current", "A", {0, 99, 99}},
+                   {"charge", "C", {0, 1, 4}},
+                   {"current_top_r1c1", "A", {0, 99, 99}},
+                   {"charge_top_r1c1", "C", {0, 3, 3}}};
+  const SignalTable sampled = sample_table(table, 1.0);
+  EXPECT_EQ(sampled.column("time").values, (std::vector<double>{1, 2}));
+  EXPECT_EQ(sampled.column("voltage").values, (std::vector<double>{1, 3}));
+  EXPECT_EQ(sampled.column("current").values, (std::vector<double>{2, 2}));
+  EXPECT_EQ(sampled.column("charge").values, (std::vector<double>{2, 4}));
+  EXPECT_EQ(sampled.column("current_top_r1c1").values, (std::vector<double>{3, 0}));
+}
+
 TEST(Sampling, ValueAtARowIgnoresItsEmptyNeighbours) {
   EXPECT_EQ(value_at({0, 1, 2}, {NAN, 4, NAN}, 1.0), 4);
   EXPECT_TRUE(std::isnan(value_at({0, 1, 2}, {NAN, 4, NAN}, 1.5)));
