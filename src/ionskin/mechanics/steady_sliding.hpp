@@ -10,7 +10,8 @@ namespace ionskin::mechanics {
 /// to solve (active set, with Newton's method where the limit is not in proportion to the pressure;
 /// under a given force the indentation is one more unknown).
 /// @param travel of the slider, which becomes the slip [m]
-/// Throws SolverError when the active set cycles.
+/// Throws SolverError when the active set cycles, and when the friction law gives no finite number
+/// there.
 SurfaceState steady_sliding(const ContactProblem& problem, const SliderLoad& load,
                             const std::array<double, 2>& direction, double travel);
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/strain/handover.hpp"
 
+#include "ionskin/base/error.hpp"
 #include "ionskin/case/coupling.hpp"
 #include "ionskin/strain/compressive_dilation.hpp"
 #include "ionskin/strain/line_operators.hpp"
 #include "ionskin/strain/shear_measure.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -156,6 +159,19 @@ FieldKey field_key(const StateCombination& combination) {
   return key;
 }
 
+/// A NaN of the contact would otherwise be found by the ion transport, far from its cause.
+void require_finite(const StrainField& field, const Case& input, double time) {
+  const auto bad = static_cast<std::size_t>(std::count_if(
+      field.begin(), field.end(), [](double value) { return !std::isfinite(value); }));
+  if (bad > 0) {
+    throw SolverError(
+        fmt::format("the contact under the friction law \"{}\" (contact.friction = {:.4g}) ended in a "
+                    "shear that is no finite number, in {} of {} cells at t = {:.4g} s",
+                    input.contact.law, input.contact.friction, bad, field.size(), time),
+        "check the friction law and the materials, or change numerics.mesh_refinement");
+  }
+}
+
 } // namespace
 
 StrainHistory build_strain_history(const Case& input, const mechanics::ContactSolution& contact) {
@@ -215,6 +231,7 @@ StrainHistory build_strain_history(const Case& input, const mechanics::ContactSo
       fields.push_back(combination.terms.empty() ? nothing
                                                  : std::make_shared<const StrainField>(
                                                        field_at(rules[channel], combination)));
+      require_finite(*fields.back(), input, timeline.sample_times()[i]);
     }
     cycle_centres.push_back(combination.centre);
     cycle_fields.push_back(&fields);

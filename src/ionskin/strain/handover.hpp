@@ -11,7 +11,8 @@ namespace ionskin::strain {
 /// Turns Study 1 into the history of the whole run, in the slider's frame: interpolates the strain
 /// at fixed mesh index, takes a scalar of it for every channel, smooths that by an L2 projection in
 /// the core (its integral is conserved) and averages it over cells that ride with the slider. Takes
-/// about a second and cannot be interrupted, so that finished mechanics is never lost.
+/// about a second and cannot be interrupted, so that finished mechanics is never lost. Throws
+/// SolverError where a channel is not finite, so that the ion transport never sees it.
 /// The channels are the shear by the case's measure and, where the coupling law of the case moves
 /// water, the dilation, with twice the z nodes: its values at the walls are what drives the ions.
 StrainHistory build_strain_history(const Case& input, const mechanics::ContactSolution& contact);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "ionskin/base/error.hpp"
 #include "ionskin/mechanics/contact_diagnostics.hpp"
 #include "ionskin/mechanics/contact_newton.hpp"
 #include "ionskin/mechanics/contact_solver.hpp"
@@ -154,6 +155,23 @@ TEST(SteadySliding, finds_limits_that_are_not_in_proportion_to_the_pressure) {
     EXPECT_LT(worst_violation(problem, steady), 1e-10);
     const double share = std::hypot(steady.force[1], steady.force[2]) / (0.4 * steady.force[0]);
     EXPECT_LT(share, 0.95);
+  }
+}
+
+TEST(SteadySliding, NamesALawThatGivesNoNumberThere) {
+  const FrictionLaw viscous{
+      "viscous",
+      [](double mu, const FrictionArguments& at) {
+        return mu * at.normal_traction * at.slip_increment / at.time_step; // 0 / 0
+      },
+      [](double mu, const FrictionArguments& at) { return mu * at.slip_increment / at.time_step; }};
+  ContactProblem problem = line_of_cells(5, 0.4);
+  problem.friction.law = &viscous;
+  try {
+    steady_sliding(problem, {LoadKind::indentation, 1e-6}, {1, 0}, 1e-3);
+    FAIL() << "0 / 0 passed for a friction limit";
+  } catch (const SolverError& error) {
+    EXPECT_NE(std::string(error.what()).find("\"viscous\""), std::string::npos) << error.what();
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/strain/handover.hpp"
 
+#include "ionskin/base/error.hpp"
 #include "ionskin/strain/contact_timeline.hpp"
 #include "ionskin/strain/shear_statistics.hpp"
 #include "synthetic_contact.hpp"
@@ -59,6 +60,22 @@ TEST(Handover, TouchdownIsProportionalToTheIndentation) {
   const double half = shear_integral(history, 0.5 * (contact_time + 0.5));
   EXPECT_NEAR(half, 0.5 * shear_integral(history, 0.5), 1e-12 * half);
   EXPECT_EQ(shear_integral(history, contact_time), 0.0);
+}
+
+TEST(Handover, RefusesShearThatIsNoNumberAndNamesTheContact) {
+  const Case input = small_case();
+  auto contact = synthetic_contact(input);
+  mechanics::ContactState broken = *contact.legs[1].steady[3].state;
+  broken.strain.component[4][17] = std::nan("");
+  contact.legs[1].steady[3].state =
+      std::make_shared<const mechanics::ContactState>(std::move(broken));
+  try {
+    build_strain_history(input, contact);
+    FAIL() << "a NaN passed the handover";
+  } catch (const SolverError& error) {
+    EXPECT_NE(std::string(error.what()).find("friction law \"coulomb\""), std::string::npos)
+        << error.what();
+  }
 }
 
 } // namespace
