@@ -57,7 +57,8 @@ py::dict values(const py::handle& python_case) {
 
 /// SI unit of the numbers that a key takes, "1" for pure numbers, "" for texts; None when unknown.
 std::optional<std::string> key_unit(const std::string& key) {
-  const SchemaRow* row = find_row(key_pattern(key));
+  const auto entry = list_entry(key);
+  const SchemaRow* row = find_row(key_pattern(entry ? entry->list : key));
   if (row == nullptr) {
     return std::nullopt;
   }

@@ -5,6 +5,7 @@ import json
 import numbers
 import os
 import pathlib
+import re
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
@@ -12,6 +13,9 @@ import numpy
 
 from . import solver
 from .errors import CaseError
+
+
+LIST_ENTRY = re.compile(r"(?P<list>.+)\[(?P<index>\d+)\]")  # slider.start[0]
 
 
 class Value(NamedTuple):
@@ -50,6 +54,7 @@ class Case:
     case["contact.friction"] = 0.2         a number in SI units
     case["motion.preload"] = "0.5 um"      or a text with its unit
     case["skin.layers[1].thickness"]       1.8e-4; SI number, list of them, or text
+    case["slider.start[0]"]                4.5e-3; one entry of a list, to read and to set
 
     A wrong key or value raises CaseError at once. Values that do not fit together, and missing ones, raise it when
     the case is used: by `check`, `run`, `sweep`, or reading back.
@@ -101,17 +106,28 @@ class Case:
         return self.value(key).value
 
     def __contains__(self, key: str) -> bool:
-        return key in solver.load().values(self)
+        return self._find(key) is not None
 
     def __iter__(self) -> Iterator[str]:
         return iter(solver.load().values(self))
 
     def value(self, key: str) -> Value:
         """The value of a key with its unit and origin. Raises CaseError for keys that the case does not have."""
-        values = solver.load().values(self)
-        if key not in values:
+        found = self._find(key)
+        if found is None:
             raise CaseError(_no_such_key(key))
-        return Value(*values[key])
+        return found
+
+    def _find(self, key: str) -> Value | None:
+        values = solver.load().values(self)
+        if key in values:
+            return Value(*values[key])
+        entry = LIST_ENTRY.fullmatch(key)
+        whole = Value(*values[entry["list"]]) if entry and entry["list"] in values else None
+        if whole is None or not isinstance(whole.value, list) or int(entry["index"]) >= len(whole.value):
+            return None
+        number = whole.value[int(entry["index"])]
+        return whole._replace(value=number, written=toml_text(number, whole.unit))
 
     def values(self) -> dict[str, Value]:
         """Every value of the case by key, defaults and material presets included."""

@@ -67,14 +67,20 @@ class Table:
         return numpy.interp(time, self["time"], self[name])
 
 
+def name_and_unit(title):
+    """Parts of a column's title: "slider.start[0] [m]" is ("slider.start[0]", "m"); the unit is "" without one."""
+    name, opening, unit = title.rpartition(" [")
+    return (name, unit.removesuffix("]")) if opening else (title, "")
+
+
 def read_table(path):
     """Reads signals.csv or sampled.csv. Raises FileNotFoundError when it is missing."""
     header, *rows = pathlib.Path(path).read_text(encoding="utf-8").splitlines()
-    titles = [title.rstrip("]").split(" [") for title in header.split(",")]
+    titles = [name_and_unit(title) for title in header.split(",")]
     cells = zip(*(row.split(",") for row in rows)) if rows else ([] for _ in titles)
     columns, units = {}, {}
-    for (name, *unit), values in zip(titles, cells):
-        units[name] = unit[0] if unit else ""
+    for (name, unit), values in zip(titles, cells):
+        units[name] = unit
         if name in TEXT_COLUMNS:
             columns[name] = numpy.array(values, dtype=str)
         else:

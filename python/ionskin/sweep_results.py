@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy
 
 from . import labelled
-from .results import Results, read_json
+from .results import Results, name_and_unit, read_json
 
 FRICTION = "contact.friction"
 NAMES = {FRICTION: "friction coefficient µ", "coupling.coefficient": "coupling coefficient k",
@@ -45,10 +45,10 @@ class Sweep:
             raise FileNotFoundError(f"{self.folder} holds no sweep.csv: name the folder of a sweep")
         with open(path, newline="", encoding="utf-8") as file:
             header, *rows = list(csv.reader(file))
-        titles = [title.rstrip("]").split(" [") for title in header]
+        titles = [name_and_unit(title) for title in header]
         status = header.index("status")
-        self.keys = {name: unit[0] if unit else "" for name, *unit in titles[2:status]}
-        self.units = {name: unit[0] for name, *unit in titles[status + 2:] if unit}
+        self.keys = dict(titles[2:status])
+        self.units = dict(titles[status + 2:])
         self.manifest = read_json(self.folder / "manifest.json")
         self.points = [self._point(titles, status, row) for row in rows]
 
@@ -78,9 +78,8 @@ class Sweep:
         return f"Sweep({self.folder}: {finished} of {len(self)} points finished, over {', '.join(self.keys)})"
 
     def _point(self, titles, status, row):
-        values = {name: float(text) if unit else text
-                  for (name, *unit), text in zip(titles[2:status], row[2:status])}
-        metrics = {name[0]: float(text) for name, text in zip(titles[status + 2:], row[status + 2:]) if text}
+        values = {name: float(text) if unit else text for (name, unit), text in zip(titles[2:status], row[2:status])}
+        metrics = {name: float(text) for (name, _), text in zip(titles[status + 2:], row[status + 2:]) if text}
         return Point(int(row[0]), self.folder / row[1], values, row[status], row[status + 1], metrics)
 
 

@@ -44,6 +44,19 @@ class Case(PackageTest):
         self.assertEqual({key: value.value for key, value in again.values().items()},
                          {key: value.value for key, value in self.case.values().items()})
 
+    def test_one_entry_of_a_list(self):
+        self.case["slider.start[0]"] = 0.0047
+        self.assertEqual(self.case["slider.start[0]"], 0.0047)
+        self.assertEqual(self.case["slider.start"], [0.0047, 1e-3])
+        self.case["slider.start[0]"] = "4.8 mm"
+        self.assertAlmostEqual(self.case["slider.start[0]"], 0.0048, delta=1e-15)
+        self.assertEqual(self.case.value("slider.start[1]").unit, "m")
+        self.assertIn("slider.start[1]", self.case)
+        for key in ("slider.start[2]", "contact.friction[0]", "slider.start[x]"):
+            self.assertNotIn(key, self.case)
+            with self.assertRaises(ionskin.CaseError):
+                self.case[key]
+
     def test_mistakes_have_the_messages_of_the_program_and_change_nothing(self):
         for key, value, words in (("contact.friction", 7, "at most 2"), ("contact.fricton", 1, "did you mean contact.friction"),
                                   ("motion.preload", "3 kg", "got a mass"), ("motion.cycles", 1.5, "not an integer"),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/case_document.hpp"
 
+#include "ionskin/case/schema.hpp"
+
 #include <algorithm>
 
 namespace ionskin {
@@ -23,6 +25,24 @@ const ValueRecord* CaseDocument::find(const std::string& key) const {
   const auto found = std::find_if(records.begin(), records.end(),
                                   [&](const ValueRecord& record) { return record.key == key; });
   return found == records.end() ? nullptr : &*found;
+}
+
+std::optional<NumberRecord> CaseDocument::number(const std::string& key) const {
+  const ValueRecord* record = find(key);
+  std::size_t index = 0;
+  if (record == nullptr) {
+    const auto entry = list_entry(key);
+    if (!entry) {
+      return {};
+    }
+    record = find(entry->list);
+    index = entry->index;
+  }
+  if (record == nullptr || index >= record->value.numbers.size() ||
+      (record->key == key && is_list(find_row(key_pattern(key))->type))) {
+    return {};
+  }
+  return NumberRecord{record->value.numbers[index], record->value.dimension};
 }
 
 std::vector<Pointer> CaseDocument::point_at(const std::string& key, const std::string& note) const {

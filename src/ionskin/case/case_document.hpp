@@ -26,6 +26,12 @@ struct ValueRecord {
   Value value{};              ///< as used
 };
 
+/// One number of a case and the dimension that it was written in.
+struct NumberRecord {
+  double value = 0; ///< SI
+  units::Dimension dimension = units::Dimension::number;
+};
+
 /// A case together with the origin of its values.
 struct CaseDocument {
   Case input;
@@ -34,6 +40,9 @@ struct CaseDocument {
 
   /// The record of a key, or nullptr.
   const ValueRecord* find(const std::string& key) const;
+  /// The number of a key with one value, or of an entry of a list ("slider.start[0]"); empty for
+  /// texts, whole lists and unknown keys.
+  std::optional<NumberRecord> number(const std::string& key) const;
   /// Where the key stands, with a note; empty when its value is a default.
   std::vector<Pointer> point_at(const std::string& key, const std::string& note = "") const;
 };

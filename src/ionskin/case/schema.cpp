@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace ionskin {
@@ -52,6 +53,25 @@ const SchemaRow* find_row(const std::string& pattern) {
   const auto found = std::find_if(schema().begin(), schema().end(),
                                   [&](const SchemaRow& row) { return row.key == pattern; });
   return found == schema().end() ? nullptr : &*found;
+}
+
+bool is_list(ValueType type) {
+  return type == ValueType::number_pair || type == ValueType::quantity_pair ||
+         type == ValueType::quantity_list;
+}
+
+std::optional<ListEntry> list_entry(const std::string& key) {
+  const std::size_t open = key.rfind('[');
+  if (open == std::string::npos || key.size() < open + 3 || key.back() != ']') {
+    return {};
+  }
+  const std::string digits = key.substr(open + 1, key.size() - open - 2);
+  ListEntry entry{key.substr(0, open)};
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), entry.index);
+  const SchemaRow* row = find_row(key_pattern(entry.list));
+  const bool whole = error == std::errc() && end == digits.data() + digits.size();
+  return whole && row != nullptr && is_list(row->type) ? std::optional(entry) : std::nullopt;
 }
 
 std::string key_pattern(const std::string& key) {

@@ -24,6 +24,9 @@ enum class ValueType {
   quantity_list
 };
 
+/// True for types whose value is several numbers.
+bool is_list(ValueType type);
+
 /// When a key must be given.
 /// `always`: where `SchemaRow::applies`. `when_it_applies`: so with contact only. `one_of_several`:
 /// the checks of the case see to it that one of the keys with the same purpose is there.
@@ -104,6 +107,14 @@ const std::vector<SchemaRow>& schema();
 
 /// The row of a key pattern, or nullptr.
 const SchemaRow* find_row(const std::string& pattern);
+
+/// A list and the place in it that a key such as "slider.start[0]" names.
+struct ListEntry {
+  std::string list;
+  std::size_t index = 0;
+};
+/// Empty for keys that do not end in an index, and for those of tables such as "skin.layers[1]".
+std::optional<ListEntry> list_entry(const std::string& key);
 
 /// The pattern that a key of a case follows: "skin.layers[].name" of "skin.layers[1].name".
 std::string key_pattern(const std::string& key);

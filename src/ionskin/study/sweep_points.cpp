@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 
 namespace ionskin::study {
 namespace {
@@ -48,18 +47,12 @@ std::string name_part(const std::string& key, const std::string& value) {
 
 SweptValue swept_value(const CaseDocument& document, const std::string& key,
                        const std::string& written) {
-  SweptValue result{key, written, written, ""};
-  if (const ValueRecord* record = document.find(key)) {
-    result.si = record->si;
-    char* end = nullptr;
-    std::strtod(record->si.c_str(), &end);
-    const std::string rest = end;
-    if (end != record->si.c_str() && (rest.empty() || rest.front() == ' ')) {
-      result.si = record->si.substr(0, record->si.size() - rest.size());
-      result.unit = rest.empty() ? "1" : rest.substr(1);
-    }
+  if (const auto number = document.number(key)) {
+    return {key, written, fmt::format("{:.12g}", number->value),
+            units::dimension_info(number->dimension).si_unit};
   }
-  return result;
+  const ValueRecord* record = document.find(key);
+  return {key, written, record != nullptr ? record->si : written, ""};
 }
 
 SweepPoint read_point(const SweepRequest& request, const std::vector<SweepAxis>& axes,
