@@ -7,9 +7,9 @@
 
 namespace ionskin::mechanics {
 
-/// What a friction law may depend on at one cell over one step. In steady sliding, the limit of long
-/// sliding, slip increment and time step are both 0: a law in their quotient must say there what it
-/// tends to.
+/// What a friction law may depend on at one cell over one step. In steady sliding, the limit of
+/// long sliding, slip increment and time step are both 0: a law in their quotient must say there
+/// what it tends to.
 struct FrictionArguments {
   double normal_traction = 0; ///< compression positive [Pa]
   double slip_increment = 0;  ///< length of the relative sliding in the step [m]

@@ -165,9 +165,10 @@ void require_finite(const StrainField& field, const Case& input, double time) {
       field.begin(), field.end(), [](double value) { return !std::isfinite(value); }));
   if (bad > 0) {
     throw SolverError(
-        fmt::format("the contact under the friction law \"{}\" (contact.friction = {:.4g}) ended in a "
-                    "shear that is no finite number, in {} of {} cells at t = {:.4g} s",
-                    input.contact.law, input.contact.friction, bad, field.size(), time),
+        fmt::format(
+            "the contact under the friction law \"{}\" (contact.friction = {:.4g}) ended in a "
+            "shear that is no finite number, in {} of {} cells at t = {:.4g} s",
+            input.contact.law, input.contact.friction, bad, field.size(), time),
         "check the friction law and the materials, or change numerics.mesh_refinement");
   }
 }
