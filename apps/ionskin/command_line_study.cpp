@@ -38,6 +38,8 @@ void add_sweep(CLI::App& app, Command& command) {
   add_threads_option(*verb, options->threads);
   verb->add_option("--only", options->only, "Run the mechanics alone")
       ->check(CLI::IsMember({"mechanics"}));
+  verb->add_flag("--explain", options->explain,
+                 "Say how many points it has, what they share and how long it takes, and stop");
   add_report_option(*verb, options->no_report);
   add_cache_option(*verb, options->use_cache);
   add_log_options(*verb, options->log);

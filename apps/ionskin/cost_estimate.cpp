@@ -39,11 +39,11 @@ CostEstimate estimate_cost(const Case& input, int threads) {
   const double scale = static_cast<double>(cost.mechanics_unknowns) / reference_unknowns;
   const int at_once = std::min(threads, static_cast<int>(cost.positions));
   const double rounds = std::ceil(static_cast<double>(cost.positions) / at_once);
-  cost.seconds =
-      (1 + companion_share) * rounds * seconds_per_position * std::pow(scale, seconds_power) +
-      seconds_per_ion_step * static_cast<double>(ions.unknowns) * static_cast<double>(ions.steps) /
-          threads +
-      seconds_of_output;
+  cost.mechanics_seconds =
+      (1 + companion_share) * rounds * seconds_per_position * std::pow(scale, seconds_power);
+  cost.ion_seconds = seconds_per_ion_step * static_cast<double>(ions.unknowns) *
+                     static_cast<double>(ions.steps) / threads;
+  cost.seconds = cost.mechanics_seconds + cost.ion_seconds + seconds_of_output;
   const double factors = mechanics::factorisations_memory(cost.mechanics_unknowns, at_once);
   cost.memory = bytes_at_rest + std::max(factors, ions.memory);
   return cost;

@@ -43,7 +43,8 @@ struct SweepOptions {
   bool resume = false;
   bool no_report = false;
   bool use_cache = true;
-  std::string only; ///< "mechanics" or empty for both studies
+  std::string only;     ///< "mechanics" or empty for both studies
+  bool explain = false; ///< say what it costs, and stop
   LogFormat log = LogFormat::automatic;
 };
 

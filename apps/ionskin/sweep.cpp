@@ -5,6 +5,7 @@
 #include "ionskin/base/interrupt.hpp"
 #include "ionskin/study/sweep.hpp"
 #include "study_settings.hpp"
+#include "sweep_cost.hpp"
 
 #include <fmt/core.h>
 
@@ -54,14 +55,21 @@ void print_problems(const study::SweepOutcome& outcome) {
 int sweep(const SweepOptions& options, const std::string& command) {
   base::install_interrupt_handler();
   const study::SweepPlan plan = study::plan_sweep(request(options));
+  const bool both_studies = options.only != "mechanics";
+  if (options.explain || options.log == LogFormat::automatic) {
+    const std::string cost = sweep_cost(plan, both_studies, thread_count(options.threads));
+    fmt::print(options.explain ? stdout : stderr, "{}\n", cost);
+  }
+  if (options.explain) {
+    return static_cast<int>(ExitCode::success);
+  }
   study::SweepOutcome outcome;
   {
     ProgressDisplay display(options.log);
     auto settings = study_settings<study::SweepOptions>(options, command, display);
     settings.resume = options.resume;
     settings.report = !options.no_report;
-    settings.studies =
-        options.only == "mechanics" ? study::Studies::mechanics : study::Studies::both;
+    settings.studies = both_studies ? study::Studies::both : study::Studies::mechanics;
     outcome = study::run_sweep(plan, settings);
   }
   print_problems(outcome);

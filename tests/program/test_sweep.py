@@ -137,6 +137,20 @@ class Sweep(ProgramTest):
                 self.assertIn(words, process.stderr)
                 self.assertFalse((self.folder / "out").exists())
 
+    def test_tells_its_cost_beforehand(self):
+        """What is asked for by --explain does no work."""
+        shared = self.run_program("sweep", QUICK, "-o", "out", *SMALL, "--over", "contact.friction=0.1:0.1:0.5", "--explain")
+        self.assertRegex(shared.stdout, r"^5 points, 5 contact solutions that share 1 set of factorisations; about .* s with ")
+        apart = self.run_program("sweep", QUICK, "-o", "out", *SMALL, "--over", "slider.start[0]=4:5 mm", "--samples", 3,
+                                 "--explain")
+        self.assertRegex(apart.stdout, r"^3 points, 3 contact solutions; about ")
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_entries_of_lists_are_numbers_with_units(self):
+        self.run_program("sweep", QUICK, "-o", "out", "--no-report", *SMALL, "--only", "mechanics", "--over",
+                         "slider.start[0]=4.4 mm,0.0046 m")
+        self.assertEqual([row["slider.start[0] [m]"] for row in rows(self.folder / "out")], ["0.0044", "0.0046"])
+
     def test_sampled_mechanics(self):
         """A seeded design over two keys, mechanics alone."""
         self.run_program("sweep", QUICK, "-o", "out", "--no-report", *SMALL, "--only", "mechanics", "--samples", 2, "--seed", 5,

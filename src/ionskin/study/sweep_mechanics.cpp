@@ -284,6 +284,20 @@ bool has_mechanics(const SweepPoint& point, const RunOptions& options) {
 
 } // namespace
 
+std::vector<MechanicsGroup> mechanics_groups(const std::vector<SweepPoint>& points) {
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].input.strain.kind == StrainSourceKind::contact) {
+      chosen.push_back(i);
+    }
+  }
+  std::vector<MechanicsGroup> result;
+  for (const FrictionGroup& group : group_points(points, chosen)) {
+    result.push_back({group.front().points.front(), group.size()});
+  }
+  return result;
+}
+
 SweepFailures solve_shared_mechanics(const std::vector<SweepPoint>& points,
                                      const std::vector<std::size_t>& unfinished,
                                      const RunOptions& options, base::Timers& timers) {

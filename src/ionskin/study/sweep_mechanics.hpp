@@ -14,6 +14,14 @@ namespace ionskin::study {
 /// Point numbers (from 0) whose Study 1 could not be solved, each with the reason.
 using SweepFailures = std::map<std::size_t, std::string>;
 
+/// Points that differ in the friction coefficient only and share all factorisations.
+struct MechanicsGroup {
+  std::size_t first_point = 0;
+  std::size_t solutions = 0; ///< different friction coefficients
+};
+/// The groups of all points whose Study 1 is to be solved, in the order of the points.
+std::vector<MechanicsGroup> mechanics_groups(const std::vector<SweepPoint>& points);
+
 /// Solves Study 1 of the given points and leaves it in their folders, where `run_case` takes it up.
 /// Points that differ in the friction coefficient only share all factorisations; points whose Study
 /// 1 is the same share it. When the solver gives up on several together, or their contact does not
