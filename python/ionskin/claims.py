@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The paper's claims, judged on the data: each with its verdict and its number."""
+"""The article's claims (see paper.py), judged on the data: each with its verdict and its number."""
 
 from typing import NamedTuple
 
 import numpy
 
-from . import derived, regimes
+from . import derived, regimes, sensitivity
 from .panels import peak_of
-from .report_text import quantity
+from .words import quantity
 
 HOLDS, CONDITION, FAILS, OPEN = "holds", "holds under a condition", "does not hold", "cannot be judged"
 DETACHED = 1e-3  # shear of the return over the peak that still counts as none
@@ -46,6 +46,8 @@ def monotone(study, metric, words):
         return Verdict(claim, OPEN, "it needs several finished runs")
     if not numpy.isfinite(values).all():
         return Verdict(claim, OPEN, "not every run has it")
+    if study.scattered:
+        return rising_rank(study, claim, values)
     unit = study.typical.results.metrics[metric].unit
     ends = f"from {quantity(values[0], unit, 3)} to {quantity(values[-1], unit, 3)}"
     steps = numpy.diff(values)
@@ -58,9 +60,18 @@ def monotone(study, metric, words):
                                  f"after {study.label(at)}")
 
 
+def rising_rank(study, claim, values):
+    """The same where other keys vary too: by ranks."""
+    rank = sensitivity.rank_correlation([member.value for member in study.members], values)
+    number = f"rank correlation {rank:.2f} over {len(values)} points, whose other keys vary too"
+    return Verdict(claim, CONDITION if rank >= FOLLOWS else FAILS if rank <= 0 else OPEN, number)
+
+
 def two_regimes(study, metric, words):
     """A metric has a weak and a strong regime."""
     claim = f"two regimes: {words} rises faster at high {study.name}"
+    if study.scattered:
+        return Verdict(claim, OPEN, "several keys vary at once: a sweep along one key would tell")
     fit = regimes.fit([member.value for member in study.members], study.metric(metric))
     if fit is None:
         return Verdict(claim, OPEN, f"it needs {regimes.FEWEST} points or more")
@@ -105,6 +116,8 @@ def follows_rate(study, part, words):
     claim = f"the {words} follows dγ/dt"
     if not study.typical.results.sampled.has("current_top"):
         return Verdict(claim, OPEN, "the runs have no currents")
+    if part == "common" and all(derived.common_is_noise(member.results) for member in study.members):
+        return Verdict(claim, OPEN, "there is no common current: what is left of it is noise of the solver")
     found = [derived.rate_correlations(member.results) for member in study.members]
     sampled = [entry[part, "sampled"] for entry in found]
     resolved = [entry[part, "resolved"] for entry in found]
@@ -122,13 +135,20 @@ def span_of(values):
 def opposite(study):
     """The currents of the electrodes are equal and opposite."""
     claim = "the electrodes' currents are equal and opposite"
-    common, difference = (numpy.array(study.metric(f"rms_current_{name}")) for name in ("common", "difference"))
-    if not numpy.isfinite(common).all() or not difference.any():
+    if not study.typical.results.sampled.has("current_common", "current_difference"):
         return Verdict(claim, OPEN, "the runs have no currents")
-    share = common / numpy.hypot(common, difference)
+    shares = []
+    for member in study.members:
+        common, difference = (derived.sampled_rms(member.results, name) for name in ("common", "difference"))
+        if derived.common_is_noise(member.results):
+            common = 0.0
+        shares.append(common / (numpy.hypot(common, difference) or 1.0))
     law = study.typical.results.case.get("coupling", {}).get("law", "fixed-charge")
-    number = f"the common part has {span_of(list(share * 100))} % of the rms (law {law})"
-    return Verdict(claim, HOLDS if share.max() < OPPOSITE else FAILS, number)
+    if not any(shares):
+        noise = quantity(max(derived.common_noise(member.results) for member in study.members), "A", 2)
+        return Verdict(claim, HOLDS, f"the common current is not above the noise of the solver, {noise} (law {law})")
+    number = f"the common part has {span_of([100 * share for share in shares])} % of the sampled rms (law {law})"
+    return Verdict(claim, HOLDS if max(shares) < OPPOSITE else FAILS, number)
 
 
 def transient(study):
@@ -152,7 +172,7 @@ def transient(study):
 
 
 def judge(study):
-    """All claims in the order of the paper."""
+    """All claims in the order of the article."""
     return [
         detached(study),
         monotone(study, "peak_mean_shear", "the peak of the mean shear"),

@@ -48,6 +48,44 @@ def rate_correlations(results):
     return found
 
 
+NEUTRAL_LAWS = ("volume-neutral", "column-neutral")  # the core as a whole keeps its charge: exact physics has no common part
+
+SOUND_AUDIT = 1e-6  # charge identity error up to which a common charge of a neutral law is the solver's rounding
+
+
+def sampled_rms(results, name):
+    """Rms of a sampled current over the run [A]."""
+    sampled = results.sampled
+    steps = numpy.diff(numpy.concatenate([[results.signals["time"][0]], sampled["time"]]))
+    values = sampled[f"current_{name}"]
+    good = numpy.isfinite(values)
+    return float(numpy.sqrt(numpy.average(values[good] ** 2, weights=steps[good]))) if good.any() else 0.0
+
+
+def common_noise(results):
+    """What the solver's error of the common charge can make of the sampled common current [A].
+
+    The run's own audit tells that error, `charge_identity_error`; of a neutral law all common charge is it. Without the audit,
+    or where it fails, nothing counts as noise.
+    """
+    signals = results.signals
+    audit = results.metrics.get("charge_identity_error")
+    if not signals.has("charge_top", "charge_bottom") or audit is None or not (audit.value or 1.0) < SOUND_AUDIT:
+        return 0.0
+    charge = numpy.abs(signals["charge_top"] + signals["charge_bottom"])
+    largest = float(numpy.nanmax(charge))
+    if results.case.get("coupling", {}).get("law", "fixed-charge") not in NEUTRAL_LAWS:
+        largest *= audit.value
+    interval = float(numpy.min(numpy.diff(results.sampled["time"]), initial=numpy.inf))
+    # Half the sum of both currents, and the error may turn its sign within one interval.
+    return largest / interval if numpy.isfinite(interval) else 0.0
+
+
+def common_is_noise(results):
+    """True when the sampled common current is not above the solver's noise."""
+    return sampled_rms(results, "common") <= common_noise(results)
+
+
 def charge_per_shear(results):
     """K = F c0 k V in coulomb: the common charge of both electrodes per mean shear, or None when unknown."""
     case = results.case

@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figures of one run. Each function takes Results and returns a Figure, or None without its data."""
+"""The figures of one run. Each function takes Results and returns a Figure, None without its data, or in words what the
+run would need for it."""
 
 from typing import Callable, NamedTuple
 
-from . import style
+from . import figures_contact, figures_fields, figures_model, figures_readout, style
 from .panels import (STEP, first_cycle_names, motion_panels, name_phases, peak_of, rows_within, sampled_label, scaled,
                      shade_phases, signed_log_axis, slide_start, time_axis)
+from .sweep_results import Study
+
 
 def motion(results):
     """Prescribed position of the slider and its phases."""
@@ -188,14 +191,42 @@ class Entry(NamedTuple):
     draw: Callable
 
 
+def of_run(draw):
+    """A numbered figure as one of a run, whose reasons for its absence are plain there."""
+    def drawn(results):
+        figure = draw(Study(results.folder, results))
+        return None if isinstance(figure, str) else figure
+
+    return drawn
+
+
+def ions(results):
+    """Concentration and potential through the core."""
+    figure = figures_fields.ions(Study(results.folder, results)) if results.signals.has("current_top") else None
+    return figure if figure != figures_fields.NO_FIELDS else None
+
+
 FIGURES = [
-    Entry("motion", "Motion", "Prescribed motion of the slider. Bands mark the phases in contact, here and below.", motion),
+    Entry("model", "Skin and slider", "Before touchdown.", of_run(figures_model.model)),
+    Entry("motion", "Motion", "Prescribed motion of the slider. Bands, here and below: pale where slider and skin touch, darker "
+          "while it slides.", motion),
+    Entry("contact", "Contact", "Under the slider and in its frame, seen from above; last row: section through the core at "
+          "mid-width. Under sharp edges the peaks depend on the mesh: there the colours end where 95 % of the area "
+          "(tractions) and 99 % of the section lie below.", of_run(figures_contact.contact_maps)),
     Entry("shear", "Shear of the core", "Scalar shear γ in the ion-conducting layer. The pointwise maximum depends on "
           "the mesh at the slider's edges and is not shown.", shear),
     Entry("currents", "Electrode currents", "Currents on a symmetric logarithmic axis, linear around zero. A resolved "
           "current is the mean over one time step: its spikes are as high as the events are short. The sampled current "
           "is the charge gained over each readout interval divided by it, which an integrating instrument sees.",
           currents),
+    Entry("circuit", "Readout circuit", "The top electrode's potential against the bottom one's, or what the amplifier reads; "
+          "circuit.csv holds the numbers.", figures_readout.circuit),
+    Entry("taxel_map", "Taxels", "The skin from above: largest magnitude of each taxel's charge during the run.",
+          figures_readout.taxel_map),
+    Entry("taxels", "Taxel signals", "Charge of each taxel over time on common axes; taxels.csv holds the currents too.",
+          figures_readout.taxel_charges),
+    Entry("ions", "Ions through the thickness", "Concentration and potential in one column of the core at the instants of "
+          "output.fields; the outer panels enlarge the double layers.", ions),
     Entry("forces", "Forces", "Contact forces; under full slip the tangential force is the friction coefficient times "
           "the normal force.", forces),
     Entry("charge", "Electrode charge", "Charge on the metal. The common part follows the net fixed charge that the "
@@ -208,7 +239,7 @@ FIGURES = [
 
 
 def draw_all(results):
-    """Yields (Entry, Figure) for every figure that the run has data for."""
+    """Yields (Entry, Figure) for every figure that the run has data for, or (Entry, text) for what it would need."""
     for entry in FIGURES:
         figure = entry.draw(results)
         if figure is not None:

@@ -5,85 +5,104 @@ import numpy
 from matplotlib.colors import SymLogNorm
 from matplotlib.ticker import EngFormatter
 
-from . import regimes, style
+from . import event_panels, regimes, style
 from .panels import peak_of, sampled_label, scaled, scaled_label, shade_phases
+from .words import short
 
 NO_CURRENT = "the runs have no currents"
 NEEDS_SEVERAL = "it needs several runs of a sweep"
+SEVERAL_KEYS = "several keys vary at once: fig21_scatter shows the points"
 MAP_COLUMNS = 1500
+MOST_MEMBERS = 24  # of a family in one figure
 CURRENTS = [("top", style.BLUE, "o"), ("bottom", style.ORANGE, "s"), ("difference", style.GREEN, "^"),
             ("common", style.PURPLE, "D")]
 
 
-def family_grid(study, rows_height, columns):
-    """One panel per member with common axes; unused panels are gone."""
-    count = len(study.members)
-    columns = min(columns, count)
-    rows = -(-count // columns)
-    height = rows_height * rows + 0.75
-    figure = style.canvas(height=height, left=0.085, right=0.98, top=1 - 0.30 / height, bottom=0.42 / height,
-                          hspace=0.42, wspace=0.12)
-    panels = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
-    for panel in panels.ravel()[count:]:
+def family_grid(study, row_height, columns):
+    """One cell of panels per member: for every column the whole run and the first contact enlarged. Returns the figure and,
+    per member, a list of event_panels.Row, whose vertical axes are common along each column."""
+    shown = study.members[::-(-len(study.members) // MOST_MEMBERS)]
+    beside = 2 if columns == 1 and len(shown) > 1 else 1  # members side by side
+    lines = -(-len(shown) // beside)
+    height = max(row_height, 1.6 / lines) * lines + 1.0
+    figure = style.canvas(height=height, left=0.095, right=0.985, top=1 - 0.50 / height, bottom=0.42 / height, hspace=0.42,
+                          wspace=0.10 if columns == 1 else 0.24)
+    enlarged = event_panels.windows(study.typical.results)[:1]
+    widths = ([1.5, 1.0] if enlarged else [1.0]) * columns * beside
+    panels = figure.subplots(lines, len(widths), sharex=False, sharey=False, squeeze=False,
+                             gridspec_kw={"width_ratios": widths})
+    each = len(widths) // beside
+    cells = [panels[i // beside, (i % beside) * each:(i % beside + 1) * each] for i in range(len(shown))]
+    for panel in panels.ravel()[len(shown) * each:]:
         panel.set_visible(False)
-    for panel in panels[-1]:
-        panel.set_xlabel("time [s]")
-    for panel in panels.ravel()[max(0, count - columns):count]:
-        panel.tick_params(labelbottom=True)
-        panel.set_xlabel("time [s]")
-    return figure, panels
+    per_column = each // columns
+    rows = [[event_panels.Row(cell[k * per_column:(k + 1) * per_column]) for k in range(columns)] for cell in cells]
+    for i, (member, cell) in enumerate(zip(shown, rows)):
+        for k, row in enumerate(cell):
+            finish_row(member, row, enlarged, rows[0][k], last=i + beside >= len(shown))
+    return figure, list(zip(shown, rows))
+
+
+def finish_row(member, row, enlarged, model, last):
+    """Limits, common axes and labels of one member's panels."""
+    time = member.results.signals["time"]
+    whole, *rest = row.panels
+    whole.set_xlim(time[0], time[-1])
+    for panel, window in zip(rest, event_panels.windows(member.results) or enlarged):
+        event_panels.enlarge(panel, window)
+        panel.tick_params(labelleft=False)
+    for panel in row.panels:
+        shade_phases(member.results, panel)
+        if panel is not model.panels[0]:
+            panel.sharey(model.panels[0])
+        panel.tick_params(labelbottom=last)
+        panel.set_xlabel(("time [s]" if panel is whole else "ms from contact") if last else "")
 
 
 def shear(study):
-    """Figure 5: mean shear over time, one panel per member, common y axis."""
+    """Figure 5: mean shear over time, one cell per member, common y axis."""
     if not study.typical.results.signals.has("mean_shear"):
         return "the runs have no shear"
-    figure, panels = family_grid(study, 0.82, 2)
+    figure, cells = family_grid(study, 0.86, 1)
     peak = max(peak_of(member.results.signals["mean_shear"]) for member in study.members)
     divisor, label = scaled_label("mean shear γ", "1", peak)
-    for panel, member in zip(panels.ravel(), study.members):
+    for member, (row,) in cells:
         signals = member.results.signals
-        panel.plot(signals["time"], signals["mean_shear"] / divisor, color=style.BLUE, lw=1.0)
-        shade_phases(member.results, panel)
-        panel.set_title(study.label(member), loc="left", fontsize=7.5, pad=2)
-        panel.set_xlim(signals["time"][0], signals["time"][-1])
-    panels[0, 0].set_ylim(0, 1.08 * peak / divisor or 1)
+        row.plot(signals["time"], signals["mean_shear"] / divisor, color=style.BLUE, lw=1.0)
+        row.panels[0].set_title(short(study.label(member), 44), loc="left", fontsize=7.5, pad=2)
+    cells[0][1][0].set_ylim(min(0, *(1.08 * numpy.nanmin(member.results.signals["mean_shear"]) / divisor
+                                     for member in study.members)), 1.08 * peak / divisor or 1)
     figure.supylabel(label, fontsize=8, x=0.005)
     return figure
 
 
 def currents(study):
-    """Figure 9: sampled currents over time, one row per member, common y axis per column."""
+    """Figure 9: sampled currents over time, one line per member, common y axis per column."""
     if not study.typical.results.sampled.has("current_top"):
         return NO_CURRENT
-    count = len(study.members)
-    height = 0.72 * count + 0.85
-    figure = style.canvas(height=height, left=0.105, right=0.98, top=1 - 0.52 / height, bottom=0.40 / height,
-                          hspace=0.42, wspace=0.22)
-    panels = figure.subplots(count, 2, sharex=True, sharey="col", squeeze=False)
+    figure, cells = family_grid(study, 0.74, 2)
     columns = [peak_of(*(member.results.sampled[column] for member in study.members))
                for column in ("current_top", "current_difference")]
     (electrodes, label), (difference, difference_label) = (scaled_label("current", "A", peak) for peak in columns)
-    for row, member in zip(panels, study.members):
-        time = member.results.sampled["time"]
+    for member, (left, right) in cells:
+        sampled = member.results.sampled
         for name, colour in (("top", style.BLUE), ("bottom", style.ORANGE)):
-            row[0].plot(time, member.results.sampled[f"current_{name}"] / electrodes, color=colour, lw=0.8, label=name,
-                        drawstyle="steps-pre", ls="-" if name == "top" else (0, (4, 1.5)))
-        row[1].plot(time, member.results.sampled["current_difference"] / difference, color=style.GREEN, lw=0.9,
-                    drawstyle="steps-pre", label="difference (top − bottom)/2")
-        row[0].set_ylabel(study.label(member), fontsize=7.5)
-        for panel, signal in zip(row, ("current_top", "current_difference")):
-            shade_phases(member.results, panel)
-            panel.set_xlim(0, time[-1])
-            peak = peak_of(member.results.signals[signal])
-            panel.text(1.0, 1.0, f"resolved peak {significant(peak)}", transform=panel.transAxes, ha="right",
-                       va="bottom", fontsize=6, color=style.QUIET)
-    for panel in panels[0]:
-        panel.legend(loc="lower right", bbox_to_anchor=(1.0, 1.2), ncol=2, borderaxespad=0.0, fontsize=7)
-    for panel, words in zip(panels[0], (label, difference_label)):
-        panel.set_title(words, loc="left", fontsize=8, pad=11)
-    for panel in panels[-1]:
-        panel.set_xlabel(f"time [s]; {sampled_label(study.typical.results)}")
+            left.plot(sampled["time"], sampled[f"current_{name}"] / electrodes, color=colour, lw=0.8, label=name,
+                      drawstyle="steps-pre", ls="-" if name == "top" else (0, (4, 1.5)))
+        right.plot(sampled["time"], sampled["current_difference"] / difference, color=style.GREEN, lw=0.9,
+                   drawstyle="steps-pre", label="difference (top − bottom)/2")
+        left.panels[0].set_title(short(study.label(member), 44), loc="left", fontsize=7, pad=2)
+        for row, signal in ((left, "current_top"), (right, "current_difference")):
+            row.panels[-1].set_title(f"resolved peak {significant(peak_of(member.results.signals[signal]))}", loc="right",
+                                     fontsize=6, pad=2, color=style.QUIET)
+    for row, peak, divisor in zip(cells[0][1], columns, (electrodes, difference)):
+        row.set_ylim(-1.1 * peak / divisor or -1, 1.1 * peak / divisor or 1)
+    height = figure.get_figheight()
+    for row, x, words in zip(cells[0][1], (0.095, 0.56), (label, difference_label)):
+        handles, names = row.panels[0].get_legend_handles_labels()
+        figure.legend(handles, [f"{name}" for name in names], loc="upper left", bbox_to_anchor=(x, 1 - 0.02 / height), ncol=2,
+                      fontsize=7, title=f"{words}, {sampled_label(study.typical.results)}", title_fontsize=7,
+                      alignment="left", borderaxespad=0.0)
     return figure
 
 
@@ -105,6 +124,8 @@ def shear_map(study):
     """Figure 6: mean shear over time and the swept key."""
     if study.single:
         return NEEDS_SEVERAL
+    if study.scattered:
+        return SEVERAL_KEYS
     edges, centres = time_grid(study)
     rows = numpy.array([member.results.signals.at("mean_shear", centres) for member in study.members])
     figure, axes = style.stacked(1, heights=[1.5], left=0.09)
@@ -122,6 +143,8 @@ def current_map(study):
     """Figure 10: sampled currents over time and the swept key, on a symmetric logarithmic scale."""
     if study.single:
         return NEEDS_SEVERAL
+    if study.scattered:
+        return SEVERAL_KEYS
     if not study.typical.results.sampled.has("current_top"):
         return NO_CURRENT
     figure, axes = style.stacked(3, heights=[0.85] * 3, left=0.09)
@@ -157,13 +180,15 @@ def significant(current):
 def plot_metric(study, panel, name, divisor, **look):
     """A metric against the swept key, with error bars where an error is estimated."""
     values = numpy.array(study.metric(name)) / divisor
-    errors = numpy.array(study.errors(name)) * numpy.abs(values)
+    errors = numpy.nan_to_num(numpy.array(study.errors(name)) * numpy.abs(values))
     panel.errorbar([member.value for member in study.members], values, yerr=errors if errors.any() else None,
-                   capsize=2, lw=1.0, **look)
+                   capsize=2, lw=1.0, **{**look, **({"ls": ""} if study.scattered else {})})
 
 
 def mark_regimes(study, panel, name, divisor):
     """The regimes found in the data: the two power laws, their exponents and the place of the break."""
+    if study.scattered:
+        return
     fit = regimes.fit([member.value for member in study.members], study.metric(name))
     if fit is None:
         return
@@ -244,7 +269,8 @@ def correlation(study):
                                              ("peak_sampled_current_difference", "difference, sampled"))):
         current = numpy.array(study.metric(metric))
         divisor = scaled(panel, "peak current", "A", peak_of(current))
-        panel.plot(shear_peaks, current / divisor, color=style.PALE, lw=0.9, zorder=1)
+        if not study.scattered:
+            panel.plot(shear_peaks, current / divisor, color=style.PALE, lw=0.9, zorder=1)
         points = panel.scatter(shear_peaks, current / divisor, c=values, cmap=style.SEQUENCE, s=18, zorder=2,
                                edgecolor=style.INK, linewidth=0.3)
         panel.set_xlabel("peak mean shear γ [10⁻³]")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures 17 to 19, which the paper lacks: stick and slip, contact and core shear maps, ions through the thickness."""
+"""Figures 17 and 19: stick and slip over the onset of sliding, ions through the thickness."""
 
 import numpy
 
@@ -68,7 +68,7 @@ def stick_slip(study):
     axes[0].set_xlim(0, 1e3 * end)
     axes[0].legend(loc="upper right")
     style.title(axes[0], "Onset of sliding")
-    if len(histories) == 1:
+    if len(histories) == 1 or study.scattered:
         axes[1].set_visible(False)
         return figure
     image = axes[1].pcolormesh(edges * 1e3, value_edges([member.value for member, *_ in histories]), rows,
@@ -80,83 +80,6 @@ def stick_slip(study):
     style.title(axes[1], "Sticking; line: full slip")
     figure.colorbar(image, ax=axes[1], pad=0.02).set_label("stuck part of the contact area")
     return figure
-
-
-def mirrored(file, values):
-    """A map of the half model completed to the full footprint, with its y edges."""
-    edges = file["contact/grid/y"][...]
-    if edges[-1] > 1e-9:
-        return edges, values
-    return numpy.concatenate([edges, -edges[-2::-1]]), numpy.concatenate([values, values[::-1]])
-
-
-def capped(values, areas, share=0.95):
-    """Upper end of a colour scale that the mesh-dependent peaks at the edges do not set: what `share` of the area
-    stays below."""
-    order = numpy.argsort(values, axis=None)
-    below = numpy.cumsum(numpy.broadcast_to(areas, values.shape).ravel()[order])
-    return float(values.ravel()[order][numpy.searchsorted(below, share * below[-1])]) or 1.0
-
-
-def touchdown_state(file):
-    """Name of the state at the end of the first touchdown, which takes one step or several; None without any."""
-    return max((name for name in file["contact"] if name.startswith("touchdown")), default=None)
-
-
-def middle_state(file):
-    """Name of the state of steady sliding nearest the middle of the slide, or of touchdown."""
-    steady = sorted(name for name in file["contact"] if name.startswith("steady_"))
-    return steady[len(steady) // 2] if steady else touchdown_state(file)
-
-
-def contact_maps(study):
-    """Figure 18: pressure under the slider and shear in the core, in the slider's frame."""
-    results = study.typical.results
-    if fields_of(results) is None:
-        return NO_FIELDS
-    with fields_of(results) as file:
-        if "contact" not in file or touchdown_state(file) is None:
-            return NO_CONTACT
-        figure = style.canvas(height=4.9, left=0.085, right=0.93, top=0.95, bottom=0.095, hspace=0.62, wspace=0.30)
-        panels = figure.subplots(3, 2)
-        x = file["contact/grid/x"][...] * 1e3
-        for column, (state, words) in enumerate(((touchdown_state(file), "end of touchdown"),
-                                                    (middle_state(file), "mid-slide"))):
-            group = file["contact"][state]
-            y, pressure = mirrored(file, group["pressure"][...])
-            shear = numpy.hypot(group["shear_x"][...], group["shear_y"][...])
-            for row, (values, name) in enumerate(((pressure, "pressure"), (mirrored(file, shear)[1], "shear traction"))):
-                panel = panels[row, column]
-                top = capped(values, mirrored(file, cell_areas(file))[1])
-                image = panel.pcolormesh(x, y * 1e3, values / 1e6, cmap=style.SEQUENCE, vmin=0, vmax=top / 1e6,
-                                         rasterized=True)
-                panel.set(xlabel="x from the slider's centre [mm]", ylabel="y [mm]" if column == 0 else "")
-                style.title(panel, f"{name.capitalize()} [MPa], {words}")
-                panel.grid(False)
-                figure.colorbar(image, ax=panel, extend="max", pad=0.02)
-        core_sections(figure, panels[2], file, results)
-    return figure
-
-
-def core_sections(figure, panels, file, results):
-    """Shear of the core at the end of touchdown and mid-slide, on the section at mid-width."""
-    strain = file["strain"]
-    time = strain["time"][...]
-    x, z = strain["grid/x"][...] * 1e3, strain["grid/z"][...] * 1e6
-    spans = {span.phase: span for span in reversed(results.phases())}
-    slide = spans.get("slide")
-    instants = (spans["touchdown"].end, (slide.start + slide.end) / 2) if slide else (time[0], time[-1])
-    middle = strain["gamma"].shape[2] // 2
-    sections = [strain["gamma"][int(numpy.abs(time - instant).argmin()), :, middle, :] for instant in instants]
-    for panel, section, words in zip(panels, sections, ("end of touchdown", "mid-slide")):
-        top = capped(section, numpy.diff(x), 0.99)
-        image = panel.pcolormesh((x[1:] + x[:-1]) / 2, z, section * 1e3, cmap=style.SEQUENCE, vmin=0, vmax=top * 1e3,
-                                 shading="gouraud", rasterized=True)
-        panel.set(xlabel="x from the slider's centre [mm]", ylabel="z [µm]" if panel is panels[0] else "")
-        panel.set_xlim(-3.5, 3.5)
-        panel.grid(False)
-        style.title(panel, f"Core shear γ [10⁻³], {words}")
-        figure.colorbar(image, ax=panel, extend="max", pad=0.02)
 
 
 def ions(study):

@@ -9,6 +9,7 @@ from . import style
 from .panels import motion_panels, name_phases
 from .quantity import si
 from .underside import Underside
+from .words import short
 
 ROLE_COLOURS = {"electrode": "#a9b1bd", "core": "#7fc4b0"}
 SLIDER_COLOUR = "#e3a27c"
@@ -95,7 +96,7 @@ def model(study):
         top = height + MAGNIFIED * thickness * 1e3
         box(axes, (0, 0, height), (length, width, top), ROLE_COLOURS[role], 1.0)
         handles.append(Rectangle((0, 0), 1, 1, facecolor=ROLE_COLOURS[role], edgecolor=style.INK, lw=0.4,
-                                 label=f"{name}: {material}, {thickness * 1e6:.4g} µm"))
+                                 label=f"{short(name, 24)}: {short(material, 24)}, {thickness * 1e6:.4g} µm"))
         height = top
     slider = shape["slider"]
     start, gap, body = numpy.array(shape["start"]) * 1e3, shape["gap"] * 1e3, slider.depth * 1e3
@@ -131,6 +132,12 @@ def model(study):
     return figure
 
 
+def wall_potentials(readout):
+    """What holds for the potential at both walls of the core, under the circuit between the electrodes."""
+    top = {"open": "φ = U, no current", "load": "φ = U = R I"}.get(readout.get("circuit", "short"), "φ = 0")
+    return {"bottom": "φ = 0", "top": top}
+
+
 def layers(study):
     """Figure 2: the layers, with what holds on their faces."""
     shape = geometry(study.typical.results)
@@ -139,6 +146,7 @@ def layers(study):
         for layer in study.typical.results.case.get("skin", {}).get("layers", [])]
     if not rows:
         return "the case names no layers"
+    potential = wall_potentials(study.typical.results.case.get("readout", {}))
     law = study.typical.results.case.get("contact", {}).get("law", "coulomb").capitalize()
     figure = style.canvas(height=2.2, left=0.02, right=0.98, top=0.98, bottom=0.02)
     axes = figure.add_subplot()
@@ -148,13 +156,13 @@ def layers(study):
     height = 0.0
     for (name, role, material, thickness), part in zip(rows, drawn):
         axes.add_patch(Rectangle((0, height), 6, part, facecolor=ROLE_COLOURS[role], edgecolor=style.INK, lw=0.6))
-        axes.text(3, height + part / 2, f"{name} ({material})", ha="center", va="center", fontsize=8.5)
+        axes.text(3, height + part / 2, f"{short(name, 36)} ({short(material, 36)})", ha="center", va="center", fontsize=8.5)
         axes.text(-0.1, height + part / 2, f"{thickness * 1e6:.4g} µm", ha="right", va="center")
         if role == "core":
             axes.text(6.15, height + part / 2, "PNP ion transport; c mobile cations,\ncf fixed anions; sides: no flux",
                       va="center", fontsize=7.5)
             for face, word in ((height, "bottom"), (height + part, "top")):
-                axes.annotate(f"{word} wall: n·J = 0, φ = 0; charge Q$_\\mathrm{{{word}}}$", (6.0, face),
+                axes.annotate(f"{word} wall: n·J = 0, {potential[word]}; charge Q {word}", (6.0, face),
                               (6.15, face + (0.28 if word == "top" else -0.28)), va="center", fontsize=7.5,
                               arrowprops={"arrowstyle": "-", "lw": 0.5, "color": style.QUIET})
         height += part

@@ -3,8 +3,8 @@
 
 import numpy
 
-from . import derived, style
-from .panels import STEP, name_phases, peak_of, sampled_label, scaled, shade_phases, time_axis
+from . import derived, event_panels, style
+from .panels import STEP, name_phases, peak_of, sampled_label, scaled, shade_phases
 
 NO_CURRENT = "the run has no currents"
 NO_MOTION = "the run has no prescribed motion"
@@ -29,26 +29,23 @@ def rate(study):
     sampled = results.sampled
     correlations = derived.rate_correlations(results)
     shear_rate = derived.sampled_rate(results)
-    figure, axes = style.stacked(3, heights=[0.9] * 3)
-    figure.subplots_adjust(right=0.90)
+    figure, axes = event_panels.rows(results, [0.9] * 3, right=0.90)
     for panel, (name, colour) in zip(axes, (("top", style.BLUE), ("common", style.PURPLE), ("difference", style.GREEN))):
         column = f"current_{name}"
         unit = scaled(panel, "current", "A", peak_of(sampled[column]))
         panel.plot(sampled["time"], sampled[column] / unit, color=colour, lw=1.0, **STEP)
-        twin = panel.twinx()
+        twin = panel.twin()
         twin.plot(sampled["time"], shear_rate, color=style.ORANGE, lw=0.8, ls=(0, (3, 1.5)), **STEP)
-        twin.set_ylabel("dγ/dt [1/s]", color=style.ORANGE)
-        twin.spines["right"].set_visible(True)
-        twin.grid(False)
+        twin.panels[-1].set_ylabel("dγ/dt [1/s]", color=style.ORANGE)
         for each, values in ((panel, sampled[column] / unit), (twin, shear_rate)):
             limit = 1.15 * peak_of(values) or 1
             each.set_ylim(-limit, limit)
         words = f"{name.capitalize()} current"
         style.title(panel, title_of(study, words) if panel is axes[0] else words)
-        panel.set_title(f"r = {correlations[name, 'sampled']:.3f} sampled, {correlations[name, 'resolved']:.3f} resolved",
-                        loc="right", fontsize=7.5, pad=4)
-    time_axis(results, axes)
-    axes[-1].set_xlabel(f"time [s]; current and dashed rate are {sampled_label(results).replace('sampled, ', '')}")
+        panel.panels[-1].set_title(f"r = {correlations[name, 'sampled']:.3f} sampled, "
+                                   f"{correlations[name, 'resolved']:.3f} resolved", loc="right", fontsize=7.5, pad=4)
+    event_panels.finish(results, axes)
+    figure.text(0.01, 0.008, f"dashed: rate; {sampled_label(results)}", fontsize=6.5, color=style.QUIET)
     return figure
 
 
@@ -69,7 +66,7 @@ def current_motion(study):
     if not results.signals.has("slider_x"):
         return NO_MOTION
     signals, sampled = results.signals, results.sampled
-    figure, axes = style.stacked(3, heights=[0.6, 0.6, 1.1])
+    figure, axes = event_panels.rows(results, [0.6, 0.6, 1.1])
     axes[0].plot(signals["time"], signals["slider_x"] * 1e3, color=style.INK, lw=1.0)
     axes[0].set_ylabel("x [mm]")
     axes[1].plot(signals["time"], signals["slider_z"] * 1e3, color=style.INK, lw=1.0)
@@ -78,7 +75,7 @@ def current_motion(study):
     style.title(axes[0], title_of(study, "Centre of the slider"))
     style.title(axes[1], "Underside above the skin")
     style.title(axes[2], "Electrode currents")
-    time_axis(results, axes)
+    event_panels.finish(results, axes)
     return figure
 
 
@@ -96,7 +93,7 @@ def cycle(study):
     if not results.signals.has("slider_x"):
         return NO_MOTION
     signals, sampled = results.signals, results.sampled
-    figure, axes = style.stacked(4, heights=[0.75, 0.75, 0.85, 0.75])
+    figure, axes = event_panels.rows(results, [0.75, 0.75, 0.85, 0.75])
     axes[0].plot(signals["time"], (signals["slider_x"] - signals["slider_x"][0]) * 1e3, color=style.INK, label="x − start")
     axes[0].plot(signals["time"], signals["slider_z"] * 1e3, color=style.INK, ls="--", label="z")
     axes[0].set_ylabel("motion [mm]")
@@ -106,8 +103,7 @@ def cycle(study):
     plot_sampled(axes[2], sampled, "current", ("top", "bottom"), 1.0)
     unit = scaled(axes[3], "current", "A", peak_of(sampled["current_difference"]))
     axes[3].plot(sampled["time"], sampled["current_difference"] / unit, color=style.GREEN, lw=1.0, **STEP)
-    time_axis(results, axes)
-    axes[0].set_xlim(*first_cycle(results))
+    event_panels.finish(results, axes, first_cycle(results))
     for panel, words in zip(axes, ("Motion", title_of(study, "Shear"), "Electrodes, " + sampled_label(results),
                                    "Difference (top − bottom)/2, sampled")):
         style.title(panel, words)
@@ -193,7 +189,7 @@ def normalised(study):
     if not results.signals.has("slider_x"):
         return NO_MOTION
     signals, sampled = results.signals, results.sampled
-    figure, axes = style.stacked(2, heights=[1.1, 1.1])
+    figure, axes = event_panels.rows(results, [1.1, 1.1])
     travel = signals["slider_x"] - signals["slider_x"][0]
     for panel in axes:
         panel.plot(signals["time"], travel / (peak_of(travel) or 1), color=style.PALE, lw=1.4, label="slider x")
@@ -207,7 +203,7 @@ def normalised(study):
                    **STEP)
         style.legend(panel)
         style.title(panel, title_of(study, "Top electrode") if name == "top" else "Difference")
-    time_axis(results, axes)
+    event_panels.finish(results, axes)
     return figure
 
 

@@ -3,7 +3,7 @@
 
 from typing import Callable, NamedTuple
 
-from . import figures_family, figures_fields, figures_model, figures_signals
+from . import figures_contact, figures_family, figures_fields, figures_model, figures_sensitivity, figures_signals
 
 PNG_DPI = 300
 
@@ -17,15 +17,16 @@ class Entry(NamedTuple):
     draw: Callable
 
 
-PAPER_FIGURES = [
+ENTRIES = [
     Entry("fig01_model", "The model", "Skin and slider before touchdown.", figures_model.model),
     Entry("fig02_layers", "The layers", "Section through the skin, not to scale, with what holds on its faces.",
           figures_model.layers),
     Entry("fig03_stages", "The stages of a cycle", "Pale: where a stage begins; heights are not to scale.",
           figures_model.stages),
-    Entry("fig04_motion", "Input motion", "Prescribed position and height of the slider. Bands: touchdown and lift pale, "
-          "slide darker.", figures_model.motion),
-    Entry("fig05_shear", "Shear over time", "Volume mean of γ over the core; the vertical axis is common.",
+    Entry("fig04_motion", "Input motion", "Prescribed position and height of the slider. Bands: pale where slider and "
+          "skin touch, darker while it slides.", figures_model.motion),
+    Entry("fig05_shear", "Shear over time", "Volume mean of γ over the core; right: its rise at the first contact. The vertical "
+          "axis is common.",
           figures_family.shear),
     Entry("fig06_shear_map", "Shear over time and the swept key", "Volume mean of γ over the core.",
           figures_family.shear_map),
@@ -34,8 +35,8 @@ PAPER_FIGURES = [
           figures_family.peaks),
     Entry("fig08_means", "Means", "Time mean of the mean shear with the power laws found in the data, and rms of the resolved "
           "currents over the run.", figures_family.means),
-    Entry("fig09_current", "Currents over time", "Sampled currents of both electrodes and their difference; the vertical axes "
-          "are common along a column.", figures_family.currents),
+    Entry("fig09_current", "Currents over time", "Sampled currents of both electrodes and their difference, the whole run and "
+          "enlarged at the first contact; the vertical axes are common along a column.", figures_family.currents),
     Entry("fig10_current_map", "Currents over time and the swept key", "Sampled; the colour scale is linear within a "
           "thousandth of the peak and logarithmic beyond.", figures_family.current_map),
     Entry("fig11_rate", "Current and the rate of the shear", "Sampled current (solid) and the rate of the mean shear over the "
@@ -51,19 +52,25 @@ PAPER_FIGURES = [
           figures_family.correlation),
     Entry("fig17_stick_slip", "Stick and slip", "Stuck part of the contact area during the onset of sliding.",
           figures_fields.stick_slip),
-    Entry("fig18_contact_maps", "Contact and shear maps", "In the slider's frame. Peaks at sharp edges depend on the mesh: the "
-          "colour scales end where 95 % of the area (tractions) and 99 % of the section (shear, at mid-width) lie below.",
-          figures_fields.contact_maps),
+    Entry("fig18_contact_maps", "Contact and shear maps", "In the slider's frame, seen from above. Under sharp edges the peaks "
+          "depend on the mesh: there the colour scales end where 95 % of the area (tractions) and 99 % of the section (shear, "
+          "at mid-width) lie below.", figures_contact.contact_maps),
     Entry("fig19_ions", "Ions through the thickness", "Concentration and potential in one column at the instants of "
           "output.fields; the outer panels enlarge the double layers.", figures_fields.ions),
     Entry("fig20_charge", "Charge per phase", "Charge gained by each electrode in each phase; the marks are what the shear "
           "predicts for the sum.", figures_signals.charge),
+    Entry("fig21_scatter", "Metrics against the sampled keys", "One mark per point of the sweep; all keys vary at once.",
+          figures_sensitivity.scatter),
+    Entry("fig22_sensitivity", "Sensitivity", "Left: rank correlation (Spearman) of a metric with a key, from -1 to 1. Right: "
+          "the share of the metric's variance that a parabola in this key alone explains, an estimate of the first-order "
+          "index; what the shares of a row lack to 1 is due to interplay of keys, or to a course that no parabola follows.",
+          figures_sensitivity.sensitivity),
 ]
 
 
 def draw(study, only=()):
     """Yields (Entry, Figure or reason) for every figure, or for those named."""
-    for entry in PAPER_FIGURES:
+    for entry in ENTRIES:
         if not only or entry.name in only:
             yield entry, entry.draw(study)
 
@@ -78,4 +85,4 @@ def save(figure, folder, name):
 
 def known_names():
     """Names of all figures, for messages."""
-    return [entry.name for entry in PAPER_FIGURES]
+    return [entry.name for entry in ENTRIES]

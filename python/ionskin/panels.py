@@ -12,9 +12,26 @@ SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 DECADES = 5  # between the largest current and the linear part of a symmetric logarithmic axis
 
 
+def contact_spans(results):
+    """The parts of the phases in which slider and skin touch, as PhaseSpan; whole phases where no force is known."""
+    signals = results.signals
+    spans = [span for span in results.phases() if span.phase != "return"]
+    if not signals.has("normal_force"):
+        return spans
+    time, touching = signals["time"], signals["normal_force"] > 0
+    found = []
+    for span in spans:
+        rows = numpy.flatnonzero(rows_within(signals, span) & touching)
+        if len(rows):
+            # A row belongs to the step that ends there; the force of the last contact falls to 0 within the next one.
+            end = min(rows[-1] + 1, len(time) - 1)
+            found.append(span._replace(start=max(span.start, time[rows[0] - 1]), end=min(span.end, time[end])))
+    return found
+
+
 def shade_phases(results, axes, offset=0.0, cycle=None):
-    """Bands behind the phases in contact; the slide is the darker one."""
-    for span in results.phases():
+    """Bands behind the contact; darker while it slides."""
+    for span in contact_spans(results):
         if span.phase in CONTACT_PHASES and (cycle is None or span.cycle == cycle):
             axes.axvspan(span.start - offset, span.end - offset, color=CONTACT_PHASES[span.phase], lw=0, zorder=0)
 
@@ -85,7 +102,7 @@ def signed_log_axis(panel, unit, peak):
 def first_cycle_names(results, panel):
     """Says once what the bands mean."""
     handles = [panel.fill_between([], [], color=colour, lw=0, label=label) for colour, label in
-               ((style.BAND, "touchdown, lift"), (style.BAND_STRONG, "slide"))]
+               ((style.BAND, "touching"), (style.BAND_STRONG, "sliding"))]
     panel.legend(handles=handles, loc="lower right", bbox_to_anchor=(1.0, 0.98), ncol=2, borderaxespad=0.1,
                  handlelength=1.4)
 

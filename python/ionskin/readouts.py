@@ -8,41 +8,16 @@ import pathlib
 import numpy
 from matplotlib.figure import Figure
 
-from . import figures, style
+from . import figures, figures_readout, style
 from .errors import exit_on
-from .results import Results, Table, read_table
+from .results import Results
 
 PNG_DPI = 180
 COLOURS = (style.BLUE, style.ORANGE, style.GREEN, style.PURPLE, style.QUIET)
 TAXEL_PREFIX = "current_top_"
 
 
-def optional_table(results: Results, name: str) -> Table | None:
-    """A table that only some readouts write."""
-    path = results.folder / name
-    return read_table(path) if path.exists() else None
-
-
-def draw_voltage(results, panel, circuit):
-    """Open circuit or load."""
-    readout = results.case.get("readout", {})
-    is_open = readout.get("circuit") == "open"
-    divisor = figures.scaled(panel, "voltage", "V", figures.peak_of(circuit["voltage"]))
-    panel.plot(circuit["time"], circuit["voltage"] / divisor, color=style.GREEN)
-    load = readout.get("load_resistance", "1 MOhm").replace("Ohm", "Ω")
-    style.title(panel, "Open circuit" if is_open else f"Load of {load}")
-
-
-def draw_amplifier(results, panel, circuit):
-    """Reading of the transimpedance amplifier."""
-    band = results.case.get("readout", {}).get("amplifier_bandwidth", "1 kHz")
-    panel.plot(circuit["time"], circuit["current"], color=style.PURPLE, lw=0.8)
-    figures.signed_log_axis(panel, "A", figures.peak_of(circuit["current"]))
-    panel.set_ylabel("current")
-    style.title(panel, f"Amplifier of {band}")
-
-
-def draw_taxels(_, panel, taxels):
+def draw_taxels(panel, taxels):
     """Currents of a segmented top electrode."""
     names = [name for name in taxels.columns if name.startswith(TAXEL_PREFIX)]
     for name, colour in zip(names, COLOURS):
@@ -54,7 +29,7 @@ def draw_taxels(_, panel, taxels):
     style.legend(panel, columns=len(names))
 
 
-def draw_short(results, panel, _):
+def draw_short(results, panel):
     """Difference current of the short circuit."""
     current = results.signals["current_difference"]
     panel.plot(results.signals["time"], current, color=style.BLUE, lw=0.8, **figures.STEP)
@@ -65,15 +40,12 @@ def draw_short(results, panel, _):
 
 def draw_panel(results, panel):
     """What the run's readout shows."""
-    taxels, circuit = optional_table(results, "taxels.csv"), optional_table(results, "circuit.csv")
-    if taxels is not None:
-        draw_taxels(results, panel, taxels)
-    elif circuit is None:
-        draw_short(results, panel, None)
-    elif circuit.has("voltage"):
-        draw_voltage(results, panel, circuit)
+    if results.taxels is not None:
+        draw_taxels(panel, results.taxels)
+    elif results.circuit is None:
+        draw_short(results, panel)
     else:
-        draw_amplifier(results, panel, circuit)
+        figures_readout.circuit_panel(panel, results)
 
 
 def draw(folders) -> Figure:

@@ -6,13 +6,16 @@ import io
 import pathlib
 import re
 
-from . import claims, figures, gallery, markup, report_text, style, sweep_page
+from markupsafe import Markup
+
+from . import claims, figures, gallery, pages, paper, report_text, style, sweep_page
 from .errors import exit_on
 from .results import Results
 from .sweep_results import Study
 
 PNG_DPI = 180
 FAST_PNG = {"compress_level": 2}
+FIRST = ("model",)  # figures that stand before the charts to explore
 
 
 def inline_svg(svg, name):
@@ -29,15 +32,19 @@ def inline_svg(svg, name):
 
 
 def save_figures(results):
-    """Writes figures/NAME.png and .svg; yields (Entry, inline SVG)."""
+    """Writes figures/NAME.png and .svg; yields a section of the page for each."""
     folder = results.folder / "figures"
     folder.mkdir(exist_ok=True)
     for entry, figure in figures.draw_all(results):
+        if isinstance(figure, str):
+            yield pages.Section(entry.name, entry.heading, "paragraphs", [f"Not drawn: {figure}."])
+            continue
         figure.savefig(folder / f"{entry.name}.png", dpi=PNG_DPI, pil_kwargs=FAST_PNG)
         page = io.StringIO()
         figure.savefig(page, format="svg", metadata={"Date": None}, transparent=True)
         svg = page.getvalue()
-        yield entry, inline_svg(svg, entry.name)
+        picture = pages.Picture(entry.name, entry.heading, entry.caption, Markup(inline_svg(svg, entry.name)))
+        yield pages.Section(entry.name, entry.heading, "figure", picture)
         # A file of its own is seen on any background.
         (folder / f"{entry.name}.svg").write_text(white_background(svg), encoding="utf-8")
 
@@ -48,76 +55,64 @@ def white_background(svg):
     return f'{svg[:start]}\n <rect width="100%" height="100%" fill="white"/>{svg[start:]}'
 
 
-def headline(results):
-    """The few numbers that a reader wants first."""
-    cards = [f'<div class="card"><b>{markup.escaped(value)}</b><span>{markup.escaped(label)}</span></div>'
-             for label, value in report_text.headline(results)]
-    return f'<div class="cards">{"".join(cards)}</div>' if cards else ""
-
-
-def warnings(results):
-    """The warnings of the run."""
-    items = "".join(f"<li>{markup.escaped(text)}</li>" for text in results.summary.get("warnings", []))
-    return f'<ul class="warnings">{items}</ul>' if items else "<p>None.</p>"
-
-
-def case_summary(results):
-    """What was simulated."""
-    groups = "".join(
-        f"<div><h3>{markup.escaped(heading)}</h3><dl>"
-        + "".join(f"<dt>{markup.escaped(key)}</dt><dd>{markup.escaped(value)}</dd>" for key, value in entries)
-        + "</dl></div>"
-        for heading, entries in report_text.case_groups(results.case))
-    layers = markup.table(("layer, top first", "role", "material", "thickness"), report_text.layers(results.case))
-    return f'{layers}<div class="groups">{groups}</div>' if groups or layers else ""
-
-
 def numbers(results):
     """Every metric; the column of errors stands only where some are estimated."""
     head, rows = ("quantity", "value", "unit", "estimated error"), report_text.metric_rows(results)
     used = 4 if any(row[3] for row in rows) else 3
-    return markup.table(head[:used], [row[:used] for row in rows], (1, 3))
+    return {"tables": [pages.Table(head[:used], [row[:used] for row in rows], (1, 3))], "notes": [report_text.NUMBERS_NOTE]}
 
 
-def figure_sections(drawn):
-    """Every figure with its caption."""
-    return "".join(
-        markup.section(entry.name, entry.heading,
-                f'<figure role="img" aria-label="{markup.escaped(entry.heading)}">{svg}'
-                f"<figcaption>{markup.escaped(entry.caption)}</figcaption></figure>")
-        for entry, svg in drawn)
+def timing(results):
+    """Wall time per stage and counters of the solvers."""
+    return {"tables": [pages.Table(("stage", "state", "wall time", "peak memory"), report_text.timing_rows(results), (2, 3)),
+                       pages.Table(("counter", "value"), report_text.counter_rows(results), (1,))], "notes": []}
 
 
-def page(results, drawn):
+def case_summary(results):
+    """What was simulated."""
+    layers = pages.Table(("layer, top first", "role", "material", "thickness"), report_text.layers(results.case))
+    groups = report_text.case_groups(results.case)
+    return {"layers": layers, "groups": groups} if groups or layers.rows else None
+
+
+def claims_section(study, wanted=False):
+    """Verdicts on the article's claims, for its own case or where they are asked for."""
+    own = paper.is_own_case(study.typical.results.case)
+    data = {"about": paper.ABOUT, "verdicts": claims.judge(study)} if own or wanted else None
+    return pages.Section("claims", "The article's claims", "verdicts", data)
+
+
+def page(results, drawn, with_claims=False):
     """The whole page."""
     title = results.case.get("title", results.folder.resolve().name)
     study = Study(results.folder)
-    sections = "".join([
-        markup.section("warnings", "Warnings", warnings(results)),
-        markup.section("case", "What was simulated", case_summary(results)),
-        markup.section("explore", "Explore", sweep_page.explore(study)),
-        figure_sections(drawn),
-        markup.section("claims", "The paper's claims", markup.verdict_table(claims.judge(study))),
-        markup.section("numbers", "Numbers", numbers(results)
-                + f"<p class='note'>{markup.escaped(report_text.NUMBERS_NOTE)}</p>"),
-        markup.section("timing", "Timing", markup.table(("stage", "state", "wall time", "peak memory"),
-                                          report_text.timing_rows(results), (2, 3))
-                + markup.table(("counter", "value"), report_text.counter_rows(results), (1,))),
-        markup.section("limits", "Limits of the model",
-                "<ul>" + "".join(f"<li>{markup.escaped(text)}</li>" for text in report_text.limits(results)) + "</ul>"),
-        markup.section("origin", "Origin", markup.table(("", ""), report_text.origin_rows(results))),
-    ])
-    return markup.frame(title, report_text.subtitle(results), f"{headline(results)}{markup.contents(sections)}{sections}",
-                        sweep_page.script(study))
+    sections = [
+        pages.Section("warnings", "Warnings", "warnings", {"texts": results.warnings}),
+        pages.Section("case", "What was simulated", "case", case_summary(results)),
+        *[picture for picture in drawn if picture.identifier in FIRST],
+        pages.Section("explore", "Explore", "explore", sweep_page.explore(study)),
+        *[picture for picture in drawn if picture.identifier not in FIRST],
+        claims_section(study, with_claims),
+        pages.Section("numbers", "Numbers", "tables", numbers(results)),
+        pages.Section("timing", "Timing", "tables", timing(results)),
+        pages.Section("limits", "Limits of the model", "list", report_text.limits(results)),
+        pages.Section("origin", "Origin", "table", pages.Table(("", ""), report_text.origin_rows(results))),
+    ]
+    return pages.page(title, report_text.subtitle(results), sections, cards=report_text.headline(results),
+                      script=sweep_page.script(study))
 
 
-def make_report(folder):
-    """Writes figures/ and report.html of a run or a sweep; returns the path of the report."""
+def make_report(folder, with_claims=False):
+    """Writes figures/ and report.html of a run or a sweep; returns the path of the report.
+
+    with_claims  judge the article's claims although the case is not its own
+    """
     folder = pathlib.Path(folder)
     if (folder / "sweep.csv").exists():
-        return sweep_page.make(folder)
+        study = Study(folder)
+        return sweep_page.make(study, claims_section(study, with_claims))
     results = Results(folder)
-    return markup.write_page(folder / "report.html", page(results, list(save_figures(results))))
+    return pages.write_page(folder / "report.html", page(results, list(save_figures(results)), with_claims))
 
 
 def make_gallery(folder, only=()):
@@ -139,22 +134,24 @@ def main():
     parser = argparse.ArgumentParser(prog="ionskin.report", description=__doc__)
     parser.add_argument("folder", type=pathlib.Path, help="output folder of a run or a sweep")
     parser.add_argument("--all", action="store_true", help="the numbered figures too, and what was left out")
+    parser.add_argument("--claims", action="store_true", help="judge the article's claims whatever the case")
     parser.add_argument("--figure", action="append", default=[], metavar="NAME", help="this numbered figure only")
     arguments = parser.parse_args()
     with exit_on(OSError, ValueError):
         if arguments.all:
-            tell(arguments.folder, arguments.figure)
+            tell(arguments.folder, arguments.figure, arguments.claims)
         if not arguments.figure:
-            make_report(arguments.folder)
+            make_report(arguments.folder, arguments.claims)
 
 
-def tell(folder, only):
+def tell(folder, only, with_claims):
     """Draws the numbered figures and prints where they are, what was left out, and the verdicts."""
     for name, reason in make_gallery(folder, only):
         print(f"{name}: left out, {reason}")
     print(f"figures: {folder}/figures (PNG, SVG, PDF)")
     if not only:
-        for verdict in claims.judge(Study(folder)):
+        section = claims_section(Study(folder), with_claims)
+        for verdict in section.data["verdicts"] if section.data else ():
             print(f"{verdict.verdict}: {verdict.claim}; {verdict.number}")
         print(f"report: {folder}/report.html")
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The words and numbers of the report, taken from the results."""
 
-from . import style
+from .words import quantity
 
 HEADLINE = [
     ("normal force, mid-slide", "normal_force_slide"),
@@ -23,14 +23,17 @@ NUMBERS_NOTE = ("“touchdown” is the end of touchdown and “slide” the mid
 LIMITS = [
     "Linear elasticity with small strain, quasi-static. The slip direction neglects the convective part of the slip "
     "rate, which is of the order of the strain, and the drift of the footprint during the onset of sliding.",
-    "The slider is rigid and its edges are sharp: stress and shear at the edges grow as the mesh is refined. Mean, rms "
-    "and percentiles converge; a pointwise maximum does not, and the peak pressure is no result.",
     "Transport of one mobile cation against a fixed charge, as a dilute or a lattice solution, with constant diffusivity "
     "and permittivity. Both electrodes block; there is no flow of water and no reaction, and the ions do not act back on "
     "the mechanics.",
     "The difference current during the onset of sliding is a small remainder of large terms; its instantaneous peak "
     "there is 5 to 30 % uncertain.",
 ]
+
+SHARP = ("The slider is rigid and its edges are sharp: stress and shear at the edges grow as the mesh is refined. Mean, rms "
+         "and percentiles converge; a pointwise maximum does not, and the peak pressure is no result.")
+ROUND = ("The slider is rigid: what it touches gives way, it does not. Without sharp edges pressure and shear are finite, "
+         "but the rim of the contact is known to one cell of the mesh only, and the pressure of that cell is uncertain.")
 
 LAW_LIMITS = {
     "fixed-charge": "The coupling law “fixed-charge” creates net charge in the core, which both electrodes image: it "
@@ -41,18 +44,6 @@ LAW_LIMITS = {
     "column-neutral": "The coupling law “column-neutral” subtracts the mean over the thickness, so that every column of "
     "the core stays neutral.",
 }
-
-
-def quantity(value, unit, digits=4):
-    """A number with its unit and an SI prefix; pure numbers stay plain."""
-    if value is None:
-        return "–"
-    if unit == "1":
-        return f"{value:.{digits}g}"
-    if unit not in ("A", "C", "N", "V", "s", "Pa"):
-        return f"{value:.{digits}g} {unit}"
-    divisor, prefix = style.si_scale(abs(value))
-    return f"{value / divisor:.{digits}g} {prefix}{unit}"
 
 
 def headline(results):
@@ -76,10 +67,10 @@ def subtitle(results):
     return " · ".join(parts)
 
 
-def readable(value):
+def readable(value, between=", "):
     """A value of the case file as a reader would write it."""
     if isinstance(value, list):
-        return " × ".join(map(readable, value)) if value and isinstance(value[0], str) else ", ".join(map(readable, value))
+        return between.join(map(readable, value))
     if isinstance(value, bool):
         return "yes" if value else "no"
     return str(value)
@@ -95,7 +86,7 @@ def case_groups(case):
     """Pairs of heading and entries for every part of the case."""
     groups = []
     for key, heading in CASE_GROUPS.items():
-        entries = [(name.replace("_", " "), readable(value)) for name, value in case.get(key, {}).items()
+        entries = [(name.replace("_", " "), readable(value, " × " if name == "size" else ", ")) for name, value in case.get(key, {}).items()
                    if not isinstance(value, dict) and name not in ("layers", "taxels")]
         if entries:
             groups.append((heading, entries))
@@ -151,10 +142,19 @@ def origin_rows(results):
     return [row for row in rows if row[1] != ""]
 
 
+def has_sharp_edges(slider):
+    """True for a flat slider without rounded edges, and for a height map, of which nothing is known here."""
+    shape = slider.get("shape", "flat")
+    return shape == "profile" or shape == "flat" and str(slider.get("edge_radius", "0")).split()[0].strip("0.") == ""
+
+
 def limits(results):
     """What the model leaves out, as far as it concerns this case."""
     coupling = results.case.get("coupling", {})
     texts = list(LIMITS)
+    slider = results.case.get("slider")
+    if slider:
+        texts.insert(1, SHARP if has_sharp_edges(slider) else ROUND)
     if coupling.get("law") in LAW_LIMITS:
         texts.append(LAW_LIMITS[coupling["law"]])
     texts.append("No measurement calibrates the coupling coefficient k: while the response is linear the currents are in "

@@ -5,6 +5,8 @@ import matplotlib
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from .words import si_scale as si_scale  # noqa: PLC0414  figures take it from here
+
 INK = "#22252a"
 QUIET = "#6b7280"
 BEHIND_TEXT = {"facecolor": "white", "alpha": 0.8, "edgecolor": "none", "pad": 1.0}
@@ -47,6 +49,7 @@ SETTINGS = {
     "legend.frameon": False,
     "legend.fontsize": 7.5,
     "text.color": INK,
+    "text.parse_math": False,  # a name such as $\frac{1}$ stays what it is
     "xtick.color": INK,
     "ytick.color": INK,
     "xtick.labelsize": 7.5,
@@ -87,20 +90,6 @@ def legend(axes, *, columns=4):
 def title(axes, text):
     """The name of a panel, above it on the left."""
     axes.set_title(text, loc="left", pad=4, color=INK, fontweight="bold")
-
-
-PREFIXES = {-15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
-
-
-def si_scale(peak):
-    """Divisor and prefix that bring a largest magnitude between 1 and 1000: (1e-6, "µ")."""
-    exponent = 0
-    if peak > 0:
-        while peak < 10.0**exponent and exponent > -15:
-            exponent -= 3
-        while peak >= 10.0 ** (exponent + 3) and exponent < 9:
-            exponent += 3
-    return 10.0**exponent, PREFIXES[exponent]
 
 SEQUENCE = "viridis"  # perceptually even and safe for colour-blind readers
 DIVERGING = "PuOr_r"

@@ -2,7 +2,8 @@
 "use strict";
 (() => {
   const SVG = "http://www.w3.org/2000/svg";
-  const WIDTH = 900, LEFT = 74, RIGHT = 14, TOP = 24, BOTTOM = 42;
+  const LEFT = 74, RIGHT = 14, TOP = 24, BOTTOM = 42, NARROWEST = 280;
+  let WIDTH = 900; // of the charts in pixels, so that their letters keep their size on every screen
   const PREFIX = [[1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"], [1e-12, "p"]];
   const PANELS = [
     { title: "Motion", height: 146, curves: ["slider_x", "slider_z"], colours: ["--blue", "--orange"] },
@@ -12,7 +13,7 @@
     { title: "Difference current (top − bottom)/2, sampled", height: 186, curves: ["current_difference"],
       colours: ["--green"] },
   ];
-  const state = { member: DATA.typical, span: null, metric: 0 };
+  const state = { member: DATA.typical, span: null, metric: 0, key: 0 };
 
   function make(parent, tag, attributes = {}, text = "") {
     const node = document.createElementNS(SVG, tag);
@@ -25,7 +26,7 @@
   function withUnit(value, unit, digits = 4) {
     if (value === null || value === undefined) return "–";
     if (unit === "1") return Number(value.toPrecision(digits)).toString();
-    if (value === 0) return `0 ${unit}`;
+    if (value === 0) return "0";
     const [scale, prefix] = PREFIX.find(([size]) => Math.abs(value) >= size) || PREFIX[PREFIX.length - 1];
     return `${Number((value / scale).toPrecision(digits))} ${prefix}${unit}`;
   }
@@ -61,11 +62,11 @@
     return [low - (low < 0 ? room : 0), high + room];
   }
 
-  function axes(svg, frame, xTitle, unit) {
-    for (const value of ticks(...frame.x, 8)) {
+  function axes(svg, frame, xTitle, unit, xUnit = "") {
+    for (const value of ticks(...frame.x, Math.max(3, Math.round(WIDTH / 110)))) {
       make(svg, "line", { class: "gridline", x1: frame.px(value), x2: frame.px(value), y1: TOP, y2: frame.bottom });
       make(svg, "text", { x: frame.px(value), y: frame.bottom + 15, "text-anchor": "middle" },
-           Number(value.toPrecision(8)).toString());
+           xUnit ? withUnit(value, xUnit, 4) : Number(value.toPrecision(8)).toString());
     }
     for (const value of ticks(...frame.y, 5)) {
       make(svg, "line", { class: "gridline", x1: LEFT, x2: WIDTH - RIGHT, y1: frame.py(value), y2: frame.py(value) });
@@ -86,9 +87,13 @@
   }
 
   function legend(svg, labels, colours) {
-    let x = WIDTH - RIGHT;
+    const name = svg.querySelector(".name"), room = WIDTH - (name ? LEFT + name.getComputedTextLength() + 16 : LEFT);
+    const widths = labels.map((label) => 7 * label.length + 16);
+    // Where the title leaves no room, the legend goes inside the chart.
+    const y = widths.reduce((sum, width) => sum + width, 0) > room ? TOP + 13 : 15;
+    let x = WIDTH - RIGHT - (y > 15 ? 6 : 0);
     for (let i = labels.length - 1; i >= 0; --i) {
-      const text = make(svg, "text", { x, y: 15, "text-anchor": "end", style: `fill: var(${colours[i]})` }, labels[i]);
+      const text = make(svg, "text", { x, y, "text-anchor": "end", style: `fill: var(${colours[i]})` }, labels[i]);
       x -= (text.getComputedTextLength ? text.getComputedTextLength() : labels[i].length * 6) + 16;
     }
   }
@@ -123,11 +128,20 @@
       make(svg, "path", { class: "curve", d: path, style: `stroke: var(${panel.colours[i]})`, "clip-path": `url(#${clip})`,
                           "data-curve": name });
     });
-    make(svg, "text", { class: "name", x: LEFT, y: 15 }, `${panel.title}, ${member.label}`);
+    title(svg, panel.title, DATA.members.length > 1 ? `${panel.title}, ${member.short}` : panel.title);
     if (names.length > 1) {
       legend(svg, names.map((name) => DATA.curves.find((curve) => curve.name === name).label), panel.colours);
     }
     interact(svg, frame);
+  }
+
+  // The longer name where it fits.
+  function title(svg, short, long) {
+    const name = make(svg, "text", { class: "name", x: LEFT, y: 15 }, long);
+    if (name.getComputedTextLength() > WIDTH - LEFT) {
+      name.textContent = short;
+      name.setAttribute("x", 0);
+    }
   }
 
   function pixelOf(svg, event) {
@@ -166,6 +180,12 @@
     };
     svg.addEventListener("pointerup", end);
     svg.addEventListener("pointerleave", end);
+    // A finger that begins to scroll the page ends its drag.
+    svg.addEventListener("pointercancel", () => {
+      from = null;
+      if (shade) shade.remove();
+      shade = null;
+    });
     svg.addEventListener("dblclick", () => { state.span = null; drawAll(); });
   }
 
@@ -175,25 +195,29 @@
     if (row < 0) row = member.time.length - 1;
     const values = DATA.curves.filter((curve) => member.series[curve.name])
       .map((curve) => `${curve.label} ${withUnit(member.series[curve.name][row], curve.unit)}`);
-    document.querySelector(".readout").textContent = `${member.label}, t = ${time.toFixed(4)} s: ${values.join(", ")}`;
+    document.querySelector(".readout").textContent = `${DATA.members.length > 1 || member.label ? `${member.label}, ` : ""}t = ${time.toFixed(4)} s: ${values.join(", ")}`;
   }
 
   function drawTrend() {
-    const holder = document.getElementById("trend"), metric = DATA.metrics[state.metric];
+    const holder = document.getElementById("trend"), metric = DATA.metrics[state.metric], key = DATA.keys[state.key];
     holder.textContent = "";
     const chart = document.createElement("div");
     chart.className = "chart";
     holder.append(chart);
-    const known = DATA.members.map((member, i) => [member.value, metric.values[i], i]).filter((entry) => entry[1] !== null);
+    const known = DATA.members.map((member, i) => [key.values[i], metric.values[i], i]).filter((entry) => entry[1] !== null);
+    if (!known.length) return;
     const xs = known.map((entry) => entry[0]), ys = known.map((entry) => entry[1]);
     const pad = 0.05 * (Math.max(...xs) - Math.min(...xs)) || Math.abs(xs[0]) * 0.1 || 1;
     const top = Math.max(0, ...ys), low = Math.min(0, ...ys);
     const frame = makeFrame([Math.min(...xs) - pad, Math.max(...xs) + pad], [low, top + 0.08 * (top - low || 1)], 260);
     const svg = make(chart, "svg", { viewBox: `0 0 ${WIDTH} 260`, role: "img", "aria-label": metric.name });
-    axes(svg, frame, DATA.axis, metric.unit);
-    make(svg, "text", { class: "name", x: LEFT, y: 15 }, metric.name.replaceAll("_", " "));
-    make(svg, "path", { class: "curve", style: "stroke: var(--blue)",
-                        d: known.map(([x, y], i) => `${i ? "L" : "M"}${frame.px(x)} ${frame.py(y)}`).join("") });
+    axes(svg, frame, key.name, metric.unit, key.unit === "1" ? "" : key.unit);
+    const words = metric.name.replaceAll("_", " ");
+    title(svg, words, words);
+    if (!DATA.scattered) {
+      make(svg, "path", { class: "curve", style: "stroke: var(--blue)",
+                          d: known.map(([x, y], i) => `${i ? "L" : "M"}${frame.px(x)} ${frame.py(y)}`).join("") });
+    }
     for (const [x, y, i] of known) {
       const mark = make(svg, "circle", { cx: frame.px(x), cy: frame.py(y), r: i === state.member ? 7 : 4.5,
                                          style: `fill: var(${i === state.member ? "--orange" : "--blue"}); cursor: pointer` });
@@ -219,8 +243,15 @@
     const picker = document.querySelector("#explore .picker"), metrics = document.getElementById("metrics");
     picker.textContent = "";
     if (DATA.members.length > 1) {
-      DATA.members.forEach((member, i) => button(picker, member.label, i === state.member, () => pick(i)));
+      DATA.members.forEach((member, i) => button(picker, member.short, i === state.member, () => pick(i)));
     }
+    WIDTH = Math.max(NARROWEST, Math.min(900, document.getElementById("charts").clientWidth));
+    const keys = document.getElementById("keys");
+    if (keys) keys.textContent = "";
+    if (keys && DATA.keys.length > 1) DATA.keys.forEach((key, i) => button(keys, key.name, i === state.key, () => {
+      state.key = i;
+      drawAll();
+    }));
     if (metrics) metrics.textContent = "";
     if (metrics) DATA.metrics.forEach((metric, i) => button(metrics, metric.name.replaceAll("_", " "), i === state.metric, () => {
       state.metric = i;
@@ -236,7 +267,17 @@
     if (metrics && DATA.metrics.length) drawTrend();
   }
 
+  // Only a new width: on a phone the address bar changes the height while one scrolls.
+  let lastWidth = 0;
+  new ResizeObserver(() => {
+    const width = document.getElementById("charts").clientWidth;
+    if (width !== lastWidth) {
+      lastWidth = width;
+      drawAll();
+    }
+  }).observe(document.getElementById("charts"));
   document.addEventListener("keydown", (event) => {
+    if (event.target.closest && event.target.closest("[tabindex]")) return; // arrows scroll a wide table
     if (event.key === "ArrowRight") pick(state.member + 1);
     if (event.key === "ArrowLeft") pick(state.member - 1);
   });

@@ -8,11 +8,14 @@ import pathlib
 
 import numpy
 
-from . import claims, gallery, markup, report_text
-from .sweep_results import Study
+from . import gallery, pages, report_text
+from .panels import contact_spans
+from .sweep_results import value_text
+from .words import quantity
 
 SCRIPT = pathlib.Path(__file__).with_name("sweep_page.js")
 EMBEDDED_DPI = 130
+TREND_NOTE = "A click on a mark shows its run in the charts above."
 DIGITS = 5
 CURVES = [("slider_x", "position x", "m"), ("slider_z", "height z", "m"), ("mean_shear", "mean shear γ", "1"),
           ("current_top", "top", "A"), ("current_bottom", "bottom", "A"), ("current_difference", "difference", "A"),
@@ -36,15 +39,25 @@ def member_data(study, member):
             series[name] = rounded(results.sampled[name])
         elif results.signals.has(name):
             series[name] = rounded(results.signals.at(name, time))
-    return {"label": study.label(member), "value": member.value, "time": rounded(time), "series": series,
-            "phases": [[span.phase, round(span.start, 6), round(span.end, 6)] for span in results.phases()]}
+    return {"label": study.label(member), "short": f"point {member.number}" if study.scattered else study.label(member),
+            "time": rounded(time), "series": series,
+            "phases": [[span.phase, round(span.start, 6), round(span.end, 6)] for span in contact_spans(results)]}
+
+
+def axes(study):
+    """What the charts of metrics can run along: the study's key first, of a scattered one every swept number."""
+    keys = [study.key, *(key for key in study.numeric_keys if key != study.key)] if study.scattered else [study.key]
+    return [{"name": study.axis_label(key).split(" [")[0], "axis": study.axis_label(key),
+             "unit": study.sweep.keys.get(key, "1") if study.sweep else "1",
+             "values": rounded(member.values.get(key, member.value) for member in study.members)} for key in keys]
 
 
 def data(study):
     """Everything the script draws."""
     metrics = [{"name": name, "unit": study.typical.results.metrics[name].unit, "values": rounded(study.metric(name))}
                for name in AGAINST if name in study.typical.results.metrics]
-    return {"axis": study.axis_label(), "members": [member_data(study, member) for member in study.members],
+    return {"keys": axes(study), "scattered": study.scattered,
+            "members": [member_data(study, member) for member in study.members],
             "typical": study.members.index(study.typical), "metrics": metrics,
             "curves": [{"name": name, "label": label, "unit": unit} for name, label, unit in CURVES]}
 
@@ -53,78 +66,70 @@ def embedded(figure, entry):
     """A figure as a picture inside the page."""
     file = io.BytesIO()
     figure.savefig(file, format="png", dpi=EMBEDDED_DPI)
-    picture = base64.b64encode(file.getvalue()).decode("ascii")
-    return (f'<figure id="{entry.name}"><h3>{markup.escaped(entry.heading)}</h3>'
-            f'<img alt="{markup.escaped(entry.heading)}" src="data:image/png;base64,{picture}">'
-            f"<figcaption>{markup.escaped(entry.caption)}</figcaption></figure>")
+    address = "data:image/png;base64," + base64.b64encode(file.getvalue()).decode("ascii")
+    return pages.Picture(entry.name, entry.heading, entry.caption, address)
 
 
 def figures(study):
     """All numbered figures; a line for each that is left out."""
-    parts = []
+    pictures, notes = [], []
     for entry, figure in gallery.draw(study):
-        parts.append(f"<p class='note'>{markup.escaped(f'{entry.heading}: left out, {figure}.')}</p>"
-                     if isinstance(figure, str) else embedded(figure, entry))
-    return f'<div class="gallery">{"".join(parts)}</div>'
+        if isinstance(figure, str):
+            notes.append(f"{entry.heading}: left out, {figure}.")
+        else:
+            pictures.append(embedded(figure, entry))
+    return {"pictures": pictures, "notes": notes}
 
 
 def points(study):
     """The rows of sweep.csv that a reader wants to see."""
     sweep = study.sweep
     shown = [name for name in AGAINST if name in sweep.units]
-    head = ["point", *(f"{key} [{unit}]" if unit else key for key, unit in sweep.keys.items()), "status",
-            *(f"{name} [{sweep.units[name]}]" for name in shown)]
-    rows = []
-    for point in sweep.points:
-        values = [f"{value:.6g}" if isinstance(value, float) else value for value in point.values.values()]
-        metrics = [f"{point.metrics[name]:.5g}" if name in point.metrics else "–" for name in shown]
-        rows.append([point.number, *values, point.status, *metrics])
-    return markup.table(head, rows, range(len(sweep.keys) + 2, len(head)))
+    head = ("point", *sweep.keys, "status", *(name.replace("_", " ") for name in shown))
+    rows = [(point.number, *(value_text(value, sweep.keys[key]) for key, value in point.values.items()), point.status,
+             *(quantity(point.metrics.get(name), sweep.units[name]) for name in shown)) for point in sweep.points]
+    return pages.Table(head, rows, tuple(range(len(sweep.keys) + 2, len(head))))
 
 
 def failures(study):
-    """The points that failed, with their reasons."""
+    """The points that failed, with their reasons; None without any."""
     rows = [(point.folder.name, point.reason) for point in study.sweep.points if point.status == "failed"]
-    return markup.table(("point", "reason"), rows)
+    return pages.Table(("point", "reason"), rows) if rows else None
 
 
 def explore(study):
-    """Charts to hover over and to zoom into; empty where nothing was sampled."""
+    """Charts to hover over and to zoom into; None where nothing was sampled."""
     if "time" not in study.typical.results.sampled:
-        return ""
-    note = f'<p class="note">{markup.escaped(study.note)}</p>' if study.note else ""
-    keys = "" if study.single else "; arrow keys step through the runs"
-    return ('<div class="picker" role="group" aria-label="run"></div><div class="readout" aria-live="polite"></div>'
-            '<div id="charts"></div><p class="note">Drag over a chart to enlarge a time span, double-click to see all '
-            f"again{keys}. Currents are sampled: the charge gained over each readout interval divided by it.</p>" + note)
+        return None
+    return {"several": not study.single, "notes": [study.note] if study.note else []}
 
 
 def script(study):
     """Data and code of the charts; None where there are none."""
     if "time" not in study.typical.results.sampled:
         return None
-    payload = json.dumps(data(study), separators=(",", ":"), ensure_ascii=False).replace("</", "<\\/")
+    payload = json.dumps(data(study), separators=(",", ":"), ensure_ascii=False).replace("</", "<\\/").replace("<!", "<\\u0021")
     return f"const DATA={payload};\n{SCRIPT.read_text(encoding='utf-8')}"
 
 
-def page(study):
+def page(study, verdicts):
     """The whole page."""
     results = study.typical.results
     title = results.case.get("title") or study.folder.resolve().name
     finished = sum(point.status == "finished" for point in study.sweep.points)
-    sections = "".join([
-        markup.section("failures", "Points that failed", failures(study)),
-        markup.section("explore", "Explore", explore(study)),
-        markup.section("against", f"Against the {study.name}", '<div class="picker" id="metrics"></div><div id="trend"></div>'),
-        markup.section("claims", "The paper's claims", markup.verdict_table(claims.judge(study))),
-        markup.section("figures", "Figures", figures(study)),
-        markup.section("points", "Points", points(study)),
-        markup.section("limits", "Limits of the model", "<ul>" + "".join(
-            f"<li>{markup.escaped(text)}</li>" for text in report_text.limits(results)) + "</ul>"),
-        markup.section("origin", "Origin", markup.table(("", ""), report_text.origin_rows(study.sweep))),
-    ])
+    against = "Against the swept keys" if study.scattered else f"Against the {study.name}"
+    sections = [
+        pages.Section("failures", "Points that failed", "table", failures(study)),
+        pages.Section("explore", "Explore", "explore", explore(study)),
+        pages.Section("against", against, "trend", {"notes": [TREND_NOTE]}),
+        verdicts,
+        pages.Section("figures", "Figures", "gallery", figures(study)),
+        pages.Section("points", "Points", "table", points(study)),
+        pages.Section("limits", "Limits of the model", "list", report_text.limits(results)),
+        pages.Section("origin", "Origin", "table", pages.Table(("", ""), report_text.origin_rows(study.sweep))),
+    ]
     subtitle = f"{finished} of {len(study.sweep.points)} points finished · {solving_time(study)}"
-    return markup.frame(f"{title}: sweep", subtitle, markup.contents(sections) + sections, script(study))
+    return pages.page(f"{title}: sweep", subtitle, sections, script=script(study))
 
 
 def solving_time(study):
@@ -139,6 +144,6 @@ def solving_time(study):
     return " · ".join(parts)
 
 
-def make(folder):
-    """Writes report.html of a sweep and returns its path."""
-    return markup.write_page(pathlib.Path(folder) / "report.html", page(Study(folder)))
+def make(study, verdicts):
+    """Writes report.html of a sweep and returns its path; `verdicts` is a section."""
+    return pages.write_page(study.folder / "report.html", page(study, verdicts))

@@ -10,11 +10,23 @@ import numpy
 
 from . import labelled
 from .results import Results, name_and_unit, read_json
+from .words import quantity, short
 
 FRICTION = "contact.friction"
 NAMES = {FRICTION: "friction coefficient µ", "coupling.coefficient": "coupling coefficient k",
          "motion.preload": "preload", "motion.stroke": "stroke", "electrochemistry.diffusivity": "diffusivity"}
+LONGEST_VALUE = 24  # letters of a swept text in a label
 TYPICAL_FRICTION = 0.3  # the paper's representative curves are drawn at one coefficient within its sweep
+
+
+def symbol(key):
+    """How a label names a key: "µ", "preload"."""
+    return "µ" if key == FRICTION else key.rsplit(".", maxsplit=1)[-1]
+
+
+def value_text(value, unit):
+    """A swept value with its prefixed unit, or a text cut to the length of a label."""
+    return quantity(value, unit, 4) if unit else short(value, LONGEST_VALUE)
 
 
 class Point(NamedTuple):
@@ -84,48 +96,61 @@ class Sweep:
 
 
 class Member(NamedTuple):
-    """One curve of a family: its value on the swept key, and its run."""
+    """One run of a study. value: on the study's key; number, values: of its point in the sweep."""
 
     value: float
     results: Results
+    number: int = 0
+    values: dict = {}
 
 
 class Study:
     """What figures are drawn from: the members of a sweep along one key, or the one run there is.
 
-    key, name, unit  the swept key, its name in words, its unit
+    key, name, unit  the swept key, its name in words, its unit; "point" where no key is a number
     members          in ascending order of the value
+    scattered        True where other keys vary along the members too, as in a sampled design: they are points, no curve
     note             what of the sweep is not shown; "" for nothing
     """
 
-    def __init__(self, folder):
+    def __init__(self, folder, results=None):
+        """results: of the folder's run, where they have been read already"""
         folder = pathlib.Path(folder)
-        self.folder, self.note = folder, ""
-        self.sweep = Sweep(folder) if (folder / "sweep.csv").exists() else None
+        self.folder, self.note, self.scattered = folder, "", False
+        self.sweep = Sweep(folder) if results is None and (folder / "sweep.csv").exists() else None
         if self.sweep:
             self._take_members()
         else:
-            results = Results(folder)
+            results = results or Results(folder)
             friction = results.case.get("contact", {}).get("friction", 0.0)
             self.key, self.members = FRICTION, [Member(float(friction), results)]
             self.unit = "1"
         self.name = NAMES.get(self.key, self.key)
 
     def _take_members(self):
-        numeric = [key for key, unit in self.sweep.keys.items() if unit]
+        numeric = self.numeric_keys
         finished = [point for point in self.sweep.points if point.status == "finished"]
         if not finished:
             raise FileNotFoundError(f"{self.folder}: no point of this sweep has finished")
-        self.key = FRICTION if FRICTION in numeric or not numeric else numeric[0]
+        self.key = FRICTION if FRICTION in numeric else numeric[0] if numeric else "point"
         self.unit = self.sweep.keys.get(self.key, "1")
         others = [key for key in self.sweep.keys if key != self.key]
         first = finished[0].values
         shown = [point for point in finished if all(point.values[key] == first[key] for key in others)]
-        if len(shown) < len(finished):
-            at = ", ".join(f"{key} = {first[key]}" for key in others)
+        self.scattered = len(shown) < min(2, len(finished))
+        if self.scattered:
+            shown = finished
+            self.note = f"{' and '.join(self.sweep.keys)} vary at once: every finished point is shown."
+        elif len(shown) < len(finished):
+            at = ", ".join(f"{key} = {value_text(first[key], self.sweep.keys[key])}" for key in others)
             self.note = f"Shown at {at}: {len(shown)} of {len(finished)} finished points."
-        self.members = sorted((Member(point.values.get(self.key, 0.0), Results(point.folder)) for point in shown),
-                              key=lambda member: member.value)
+        self.members = sorted((Member(point.values.get(self.key, point.number), Results(point.folder), point.number,
+                                      point.values) for point in shown), key=lambda member: member.value)
+
+    @property
+    def numeric_keys(self):
+        """Swept keys whose values are numbers."""
+        return [key for key, unit in self.sweep.keys.items() if unit] if self.sweep else []
 
     @property
     def single(self):
@@ -140,13 +165,17 @@ class Study:
         return self.members[len(self.members) // 2]
 
     def label(self, member):
-        """Value with symbol: "µ = 0.3"."""
-        symbol = "µ" if self.key == FRICTION else self.key.rsplit(".", maxsplit=1)[-1]
-        return f"{symbol} = {member.value:.4g}" + ("" if self.unit == "1" else f" {self.unit}")
+        """Value with symbol: "µ = 0.3"; of a scattered study all values."""
+        if not self.scattered:
+            return f"{symbol(self.key)} = {value_text(member.value, self.unit)}"
+        return ", ".join(f"{symbol(key)} = {value_text(member.values[key], unit)}" for key, unit in self.sweep.keys.items())
 
-    def axis_label(self):
-        """For an axis along the members."""
-        return self.name if self.unit == "1" else f"{self.name} [{self.unit}]"
+    def axis_label(self, key=None):
+        """For an axis along the members, or along another swept key."""
+        key = key or self.key
+        unit = self.sweep.keys.get(key, "1") if self.sweep else "1"
+        name = NAMES.get(key, key)
+        return name if unit == "1" else f"{name} [{unit}]"
 
     def metric(self, name):
         """One metric of all members; NaN where a member lacks it."""

@@ -12,7 +12,7 @@ import numpy
 
 from browser import browser_page, chromium
 from ionskin import Results, Study
-from ionskin import claims, compare, figures_fields, gallery, regimes
+from ionskin import claims, compare, figures_contact, gallery, regimes, sensitivity
 from ionskin.report import make_gallery, make_report
 from report_test import write_run
 
@@ -68,7 +68,7 @@ class Figures(SweepTest):
     def test_one_run_leaves_out_the_maps_with_a_reason(self):
         write_run(self.folder)
         drawn = {entry.name: figure for entry, figure in gallery.draw(Study(self.folder))}
-        self.assertEqual(len(drawn), 20)
+        self.assertEqual(len(drawn), 22)
         for name in ("fig06_shear_map", "fig10_current_map", "fig16_correlation"):
             self.assertIn("several runs", drawn[name])
         self.assertNotIsInstance(drawn["fig13_cycle"], str)
@@ -83,9 +83,9 @@ class ContactStates(unittest.TestCase):
     def test_a_touchdown_takes_one_step_or_several(self):
         for last, names in (("touchdown", ["onset_01", "touchdown"]), ("touchdown_10", ["touchdown_09", "touchdown_10"])):
             file = {"contact": dict.fromkeys(names)}
-            self.assertEqual(figures_fields.touchdown_state(file), last)
-            self.assertEqual(figures_fields.middle_state(file), last)
-        self.assertEqual(figures_fields.middle_state({"contact": {"touchdown": 0, "steady_0": 0, "steady_1": 0, "steady_2": 0}}),
+            self.assertEqual(figures_contact.touchdown_state(file), last)
+            self.assertEqual(figures_contact.middle_state(file), last)
+        self.assertEqual(figures_contact.middle_state({"contact": {"touchdown": 0, "steady_0": 0, "steady_1": 0, "steady_2": 0}}),
                          "steady_1")
 
 
@@ -123,6 +123,21 @@ class Claims(SweepTest):
         # The made-up shear does not vanish in the return, and the common part is as large as the difference.
         self.assertEqual(found["γ is near 0 while the slider is detached"].verdict, claims.FAILS)
         self.assertEqual(found["the electrodes' currents are equal and opposite"].verdict, claims.FAILS)
+
+    def test_noise_of_the_solver_is_no_common_current(self):
+        write_run(self.folder)  # of a law that keeps every column neutral
+        summary = json.loads((self.folder / "summary.json").read_text())
+        opposite = "the electrodes' currents are equal and opposite"
+
+        def verdict(error):
+            summary["metrics"]["charge_identity_error"] = {"value": error, "unit": "1"}
+            (self.folder / "summary.json").write_text(json.dumps(summary))
+            return {entry.claim: entry for entry in claims.judge(Study(self.folder))}
+
+        for error, expected in ((1e-10, claims.HOLDS), (1e-2, claims.FAILS)):
+            self.assertEqual(verdict(error)[opposite].verdict, expected)
+        self.assertIn("noise of the solver", verdict(1e-10)[opposite].number)
+        self.assertEqual(verdict(1e-10)["the common current follows dγ/dt"].verdict, claims.OPEN)
 
     def test_one_run_cannot_be_monotone(self):
         write_run(self.folder)
@@ -211,6 +226,72 @@ class Page(SweepTest):
         left, top, width, height = page.box("#trend circle:nth-of-type(1)")
         page.click(left + width / 2, top + height / 2)
         self.assertEqual(page.evaluate("document.querySelector('#explore [aria-pressed=true]').textContent"), "µ = 0.1")
+
+
+def write_sampled_sweep(folder, count=12):
+    """Points that differ in two keys at once, one of which is an entry of a list; the metric follows friction alone."""
+    rows = ["point,folder,slider.start[0] [m],contact.friction [1],status,reason,peak_mean_shear [1]"]
+    for number in range(1, count + 1):
+        point = folder / "points" / f"{number:04}"
+        point.mkdir(parents=True)
+        write_run(point)
+        friction, start = 0.1 + 0.03 * number, 0.004 + 1e-4 * (7 * number % count)
+        summary = json.loads((point / "summary.json").read_text())
+        summary["metrics"]["peak_mean_shear"] = {"value": friction**2, "unit": "1"}
+        (point / "summary.json").write_text(json.dumps(summary))
+        rows.append(f"{number},points/{number:04},{start:.6g},{friction:.6g},finished,,{friction**2}")
+    (folder / "sweep.csv").write_text("\n".join(rows) + "\n")
+
+
+class SampledSweep(SweepTest):
+    def setUp(self):
+        super().setUp()
+        write_sampled_sweep(self.folder)
+
+    def test_every_point_is_a_member_with_units(self):
+        study = Study(self.folder)
+        self.assertEqual(study.sweep.keys, {"slider.start[0]": "m", "contact.friction": "1"})
+        self.assertTrue(study.scattered)
+        self.assertEqual(len(study.members), 12)
+        self.assertEqual(study.label(study.members[0]), "start[0] = 4.7 mm, µ = 0.13")
+
+    def test_sensitivity_finds_the_key_that_matters(self):
+        found = sensitivity.of_study(Study(self.folder), ["peak_mean_shear"])
+        at = dict(zip(found.keys, found.rank[0])), dict(zip(found.keys, found.share[0]))
+        self.assertAlmostEqual(at[0]["contact.friction"], 1.0)
+        self.assertAlmostEqual(at[1]["contact.friction"], 1.0)
+        self.assertLess(abs(at[0]["slider.start[0]"]), 0.5)
+        self.assertLess(at[1]["slider.start[0]"], 0.3)
+
+    def test_ranks_of_equal_values_are_shared(self):
+        self.assertEqual(list(sensitivity.ranks([3, 1, 3, 2])), [2.5, 0, 2.5, 1])
+        self.assertTrue(numpy.isnan(sensitivity.rank_correlation([1, 2], [5, 5])))
+
+    def test_figures_are_points_and_maps_are_left_out(self):
+        drawn = dict(make_gallery(self.folder, ["fig07_peaks", "fig10_current_map", "fig21_scatter", "fig22_sensitivity"]))
+        self.assertEqual(set(drawn), {"fig10_current_map"})
+        self.assertIn("vary at once", drawn["fig10_current_map"])
+
+    def test_rising_is_judged_by_ranks(self):
+        verdict = next(entry for entry in claims.judge(Study(self.folder)) if "peak of the mean shear rises" in entry.claim)
+        self.assertEqual(verdict.verdict, claims.CONDITION)
+        self.assertIn("rank correlation 1.00 over 12 points", verdict.number)
+
+    @unittest.skipUnless(chromium(), "no Chromium on this machine: apt-get install chromium to test the page in it")
+    def test_scatter_along_every_key_on_a_phone(self):
+        with browser_page(make_report(self.folder)) as page:
+            page.call("Emulation.setDeviceMetricsOverride", width=390, height=800, deviceScaleFactor=2, mobile=True)
+            self.assertEqual(page.evaluate("document.querySelectorAll('#trend circle').length"), 12)
+            self.assertEqual(page.evaluate("document.querySelectorAll('#trend path.curve').length"), 0)
+            left, top, width, height = page.box("#keys button:nth-child(2)")
+            page.click(left + width / 2, top + height / 2)
+            self.assertIn("mm", page.evaluate("[...document.querySelectorAll('#trend text')].map(t => t.textContent).join()"))
+            self.assertLessEqual(page.evaluate("document.documentElement.scrollWidth"), 390)
+            page.evaluate("new Promise(done => setTimeout(done, 300))")
+            self.assertGreater(page.evaluate("Math.min(...[...document.querySelectorAll('#charts text')].map("
+                                             "t => t.getBoundingClientRect().height))"), 9)
+            self.assertEqual(page.overlapping_labels("#charts svg, #trend svg"), [])
+            self.assertEqual(page.errors, [])
 
 
 if __name__ == "__main__":

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Report pages from the templates beside this file. Whatever comes from a case or a file is escaped by them."""
+
+import functools
+import pathlib
+from typing import Any, NamedTuple
+
+from markupsafe import Markup
+
+FOLDER = pathlib.Path(__file__).parent
+
+
+class Section(NamedTuple):
+    """One section of a page: `part` names the macro of templates/parts.html that draws `data`."""
+
+    identifier: str
+    heading: str
+    part: str
+    data: Any
+
+
+class Table(NamedTuple):
+    """Rows of texts under a head; columns of numbers, by index, are aligned to the right."""
+
+    head: tuple
+    rows: list
+    numbers: tuple = ()
+
+
+class Picture(NamedTuple):
+    """A figure of a page; `image` is an SVG element or the address of a picture."""
+
+    identifier: str
+    heading: str
+    caption: str
+    image: Any
+
+
+@functools.cache
+def environment():
+    """The templates, every value in them escaped."""
+    import jinja2  # half of the figures' users never make a page
+
+    return jinja2.Environment(loader=jinja2.FileSystemLoader(FOLDER / "templates"), autoescape=True, trim_blocks=True,
+                              lstrip_blocks=True, undefined=jinja2.StrictUndefined)
+
+
+def page(title, subtitle, sections, *, cards=(), script=None):
+    """The whole page as text; it stands alone, without any network. Sections without data are left out."""
+    style = (FOLDER / "report.css").read_text(encoding="utf-8")
+    return environment().get_template("page.html").render(
+        title=title, subtitle=subtitle, cards=cards, sections=[section for section in sections if section.data],
+        style=Markup(style), script=Markup(script) if script else "")
+
+
+def write_page(path, text):
+    """Writes a page so that readers see the old one or the whole new one."""
+    pending = path.with_suffix(".html.tmp")
+    pending.write_text(text, encoding="utf-8")
+    pending.replace(path)
+    return path
