@@ -14,6 +14,8 @@ import sys
 from case_reference import case_reference, command_line
 from gallery import gallery
 from materials import materials
+from mend_theme import mend_theme
+from python_api import python_api
 from verification import verification
 
 DOCS = pathlib.Path(__file__).resolve().parent.parent
@@ -51,13 +53,16 @@ def main():
         make_material(program, material)
     copy_sources(source)
     pages = {"case_reference": case_reference(program), "command_line": command_line(program),
+             "python_api": python_api(DOCS.parent / "python"),
              "materials": materials(DOCS.parent / "materials"),
              "verification_results": verification(material / "verification.csv", source),
              "gallery": gallery(material / "sweep" / "figures", source)}
     for name, text in pages.items():
         (source / f"{name}.md").write_text(text, encoding="utf-8")
     sphinx = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html", "-d", options.work / "doctrees"]
-    return subprocess.run([*sphinx, source, options.output], check=False).returncode
+    code = subprocess.run([*sphinx, source, options.output], check=False).returncode
+    mend_theme(options.output)
+    return code
 
 
 if __name__ == "__main__":
