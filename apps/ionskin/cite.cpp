@@ -17,6 +17,17 @@ int cite() {
       "  title   = {{{{ionskin}}: a simulator of ionic artificial skins}},\n"
       "  version = {{{0}}}\n"
       "}}\n\n"
+      "The case cases/paper.toml, the figures 1 to 16 and the claims that reports judge are those "
+      "of the "
+      "article\n\n"
+      "@article{{ionic_skin_2026,\n"
+      "  journal = {{Sensors}},\n"
+      "  year    = {{2026}},\n"
+      "  volume  = {{26}},\n"
+      "  number  = {{10}},\n"
+      "  pages   = {{2930}},\n"
+      "  doi     = {{10.3390/s26102930}}\n"
+      "}}\n\n"
       "State the commit and the input hash too: both stand in manifest.json of every run.\n",
       version);
   return 0;

@@ -86,6 +86,9 @@ void add_report(CLI::App& app, Command& command) {
       ->expected(1)
       ->allow_extra_args(false)
       ->take_all();
+  verb->add_flag(
+      "--claims", options->claims,
+      "Judge the claims of the paper (ionskin cite names it) for a case that is not its own too");
   set_when_parsed(*verb, options, command);
 }
 

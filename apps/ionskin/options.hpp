@@ -63,6 +63,7 @@ struct FitOptions {
 struct ReportOptions {
   std::string folder;
   std::vector<std::string> figures; ///< only these; empty for all
+  bool claims = false;              ///< judge the paper's claims whatever the case
 };
 
 struct CompareOptions {

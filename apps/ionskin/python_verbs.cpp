@@ -24,6 +24,9 @@ int run_module(const std::string& module, const std::vector<std::string>& argume
 
 int report(const ReportOptions& options) {
   std::vector<std::string> arguments{options.folder, "--all"};
+  if (options.claims) {
+    arguments.emplace_back("--claims");
+  }
   for (const std::string& figure : options.figures) {
     arguments.insert(arguments.end(), {"--figure", figure});
   }

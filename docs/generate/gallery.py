@@ -5,7 +5,8 @@ import shutil
 
 HEAD = """# Figure gallery
 
-What `ionskin report` draws. Figures 1 to 16 are those of the paper, 17 to 20 what it lacks. These are of the coarse
+What `ionskin report` draws. Figures 1 to 16 are those of the paper (*Sensors* 2026, 26(10),
+2930), 17 to 20 what it lacks; figures 21 and 22, of sampled sweeps, are not in this one. These are of the coarse
 sweep
 
     ionskin sweep cases/quick.toml --over contact.friction=0.05:0.05:0.5 -o sweep

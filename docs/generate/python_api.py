@@ -4,8 +4,10 @@
 import importlib
 import inspect
 import pathlib
+import re
 import sys
 
+FIRST = re.compile(r"\(self(, )?")
 HEAD = """# Python reference
 
 Every name of the package `ionskin`, as its docstrings tell. How the names work together is shown in [Python](python.md).
@@ -23,7 +25,7 @@ def package(folder):
 def signature(name, value):
     """How it is called, with its types where they are given."""
     try:
-        return f"{name}{inspect.signature(value)}".replace("'", "")
+        return f"{name}{inspect.signature(value)}"
     except ValueError:
         return name
 
@@ -36,8 +38,8 @@ def text_block(value):
 def members(value):
     """Public methods and properties that the class itself documents, by name."""
     for name, member in vars(value).items():
-        plain = member.__func__ if isinstance(member, classmethod) else member
-        if not name.startswith("_") and (inspect.isfunction(plain) or isinstance(plain, property)) and plain.__doc__:
+        plain = getattr(value, name) if isinstance(member, classmethod) else member
+        if not name.startswith("_") and (inspect.isroutine(plain) or isinstance(plain, property)) and plain.__doc__:
             yield name, plain
 
 
@@ -48,7 +50,7 @@ def entry(name, value):
         parts.append(f"```python\n{signature(f'ionskin.{name}', value)}\n```\n")
     parts.append(text_block(value))
     for own, member in members(value) if inspect.isclass(value) else ():
-        shown = own if isinstance(member, property) else signature(own, member).replace("(self, ", "(").replace("(self)", "()")
+        shown = own if isinstance(member, property) else FIRST.sub("(", signature(own, member))
         parts.append(f"### `{name}.{shown.split(' ->')[0]}`\n\n{text_block(member)}")
     return "\n".join(parts)
 

@@ -15,12 +15,12 @@ std::optional<std::string> draw(const std::string& module, const std::filesystem
   if (code == 0) {
     return std::nullopt;
   }
-  return fmt::format("No {} was made: {}. Remedy: install python3-numpy, python3-h5py and "
-                     "python3-matplotlib (ionskin doctor says what is missing), then {}",
-                     product,
-                     code < 0 ? python_interpreter() + " cannot be started"
-                              : "its script failed (see above)",
-                     again);
+  return fmt::format(
+      "No {} was made: {}. Remedy: install python3-numpy, python3-h5py, "
+      "python3-matplotlib and python3-jinja2 (ionskin doctor says what is missing), then {}",
+      product,
+      code < 0 ? python_interpreter() + " cannot be started" : "its script failed (see above)",
+      again);
 }
 
 } // namespace

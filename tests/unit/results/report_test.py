@@ -6,12 +6,15 @@ import pathlib
 import re
 import shutil
 import tempfile
+import tomllib
+import types
 import unittest
 
-from ionskin import Results
+from ionskin import Results, figures_model, panels, paper, report_text
 from ionskin.figures import draw_all
-from ionskin.report import make_report
-from ionskin.style import THEMED_COLOURS, si_scale
+from ionskin.report import make_gallery, make_report
+from ionskin.style import THEMED_COLOURS
+from ionskin.words import quantity, si_scale
 
 COLUMNS = ["time [s]", "cycle", "phase", "slider_x [m]", "slider_z [m]", "normal_force [N]", "tangential_force [N]",
            "mean_shear [1]", "rms_shear [1]", "p99_shear [1]", "shear_first_moment [1]", "mean_shear_rate [1/s]",
@@ -121,6 +124,86 @@ class Reading(unittest.TestCase):
         self.assertEqual(si_scale(65.0), (1.0, ""))
         self.assertEqual(si_scale(0.0), (1.0, ""))
         self.assertEqual(si_scale(15.2e6), (1e6, "M"))
+
+
+class Hostile(unittest.TestCase):
+    """Names in a case that are HTML, mathematics of matplotlib, or a book."""
+
+    NAMES = ("<script>alert(1)</script>", r"$\\frac{1}$", "x" * 20000)
+    CASE = """title = "</title><script>alert(2)</script>"
+[skin]
+length = "15 mm"
+width = "2 mm"
+{layers}
+[slider]
+size = ["3 mm", "1.5 mm"]
+start = ["4.5 mm", "1 mm"]
+[motion]
+gap = "1 mm"
+stroke = "6 mm"
+[readout]
+circuit = "load"
+{taxels}
+"""
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="ionskin-report-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+        write_run(self.folder)
+        layers = "".join(f'[[skin.layers]]\nname = "{name}"\nrole = "{role}"\nmaterial = "{name}"\nthickness = "10 um"\n'
+                         for name, role in zip(self.NAMES, ("electrode", "core", "electrode")))
+        taxels = "".join(f'[[readout.taxels]]\nname = "{name}"\nlower = ["{i} mm", "0 mm"]\nupper = ["{i + 1} mm", "2 mm"]\n'
+                         for i, name in enumerate(self.NAMES))
+        (self.folder / "case.toml").write_text(self.CASE.format(layers=layers, taxels=taxels))
+        names = [name.replace("\\\\", "\\") for name in self.NAMES]
+        head = ["time [s]", *(f"{kind}_top_{name} [{unit}]" for kind, unit in (("current", "A"), ("charge", "C")) for name in names)]
+        (self.folder / "taxels.csv").write_text("\n".join([",".join(head), "0,0,0,0,0,0,0", "4,0,0,0,1e-9,2e-9,3e-9"]) + "\n")
+        (self.folder / "circuit.csv").write_text("time [s],voltage [V],current [A],charge [C]\n0,0,0,0\n4,1e-3,1e-9,2e-9\n")
+
+    def test_page_and_figures_are_made_and_nothing_is_run(self):
+        page = make_report(self.folder).read_text()
+        for heading in ("Skin and slider", "Readout circuit", "Taxels", "Taxel signals"):
+            self.assertIn(f"<h2>{heading}</h2>", page)
+        self.assertNotIn("<script>alert", page)
+        self.assertEqual(page.count("</title>"), 1)
+        layers = make_gallery(self.folder, ["fig01_model", "fig02_layers"])
+        self.assertEqual(layers, [])
+        self.assertIn(r"$\frac{1}$", (self.folder / "figures" / "fig02_layers.svg").read_text())
+        self.assertLess((self.folder / "figures" / "model.svg").stat().st_size, 200_000)
+
+
+class Words(unittest.TestCase):
+    def test_what_is_said_follows_the_case(self):
+        for slider, words in (({"shape": "sphere", "radius": "8 mm"}, "Without sharp edges"), ({"size": []}, "edges are sharp"),
+                              ({"edge_radius": "0.2 mm"}, "Without sharp edges"), ({"edge_radius": "0 mm"}, "edges are sharp")):
+            with self.subTest(slider):
+                case = types.SimpleNamespace(case={"slider": slider})
+                self.assertIn(words, " ".join(report_text.limits(case)))
+        self.assertEqual(figures_model.wall_potentials({"circuit": "load"})["top"], "φ = U = R I")
+        self.assertEqual(figures_model.wall_potentials({})["top"], "φ = 0")
+
+    def test_the_articles_claims_stand_with_its_own_case(self):
+        for name, own in (("paper.toml", True), ("quick.toml", True), ("finger.toml", False)):
+            case = tomllib.loads((pathlib.Path(__file__).parents[3] / "cases" / name).read_text())
+            self.assertEqual(paper.is_own_case(case), own, name)
+        folder = pathlib.Path(tempfile.mkdtemp(prefix="ionskin-report-"))
+        self.addCleanup(shutil.rmtree, folder)
+        write_run(folder)
+        self.assertNotIn('id="claims"', make_report(folder).read_text())
+        self.assertIn("10.3390/s26102930", make_report(folder, with_claims=True).read_text())
+
+    def test_quantities_are_rounded_before_they_get_a_prefix(self):
+        self.assertEqual(quantity(0.99999999, "N", 3), "1 N")
+        self.assertEqual(quantity(0.00463387, "m"), "4.634 mm")
+
+    def test_bands_show_contact_and_not_the_descent(self):
+        folder = pathlib.Path(tempfile.mkdtemp(prefix="ionskin-report-"))
+        self.addCleanup(shutil.rmtree, folder)
+        write_run(folder, cycles=1)
+        results = Results(folder)
+        results.signals["normal_force"][:] = [0, 0, 65, 0, 0]  # touchdown ends at 1 s, the slide at 2 s
+        spans = panels.contact_spans(results)
+        self.assertEqual([(span.phase, span.start, span.end) for span in spans], [("slide", 1.0, 2.0)])
 
 
 if __name__ == "__main__":
