@@ -137,6 +137,8 @@ def opposite(study):
     claim = "the electrodes' currents are equal and opposite"
     if not study.typical.results.sampled.has("current_common", "current_difference"):
         return Verdict(claim, OPEN, "the runs have no currents")
+    if not any(derived.sampled_rms(member.results, "difference") for member in study.members):
+        return Verdict(claim, OPEN, "no current flows between the electrodes")
     shares = []
     for member in study.members:
         common, difference = (derived.sampled_rms(member.results, name) for name in ("common", "difference"))

@@ -4,7 +4,7 @@ run would need for it."""
 
 from typing import Callable, NamedTuple
 
-from . import figures_contact, figures_fields, figures_model, figures_readout, style
+from . import derived, figures_contact, figures_fields, figures_model, figures_readout, style
 from .panels import (STEP, first_cycle_names, motion_panels, name_phases, peak_of, rows_within, sampled_label, scaled,
                      shade_phases, signed_log_axis, slide_start, time_axis)
 from .sweep_results import Study
@@ -76,9 +76,11 @@ def currents(results):
         panel.plot(time, signals[column], color=colour, lw=0.8, label="resolved", **STEP)
         signed_log_axis(panel, "A", peak_of(signals[column]))
     style.title(axes[1], "Difference (top − bottom)/2")
-    style.title(axes[2], "Common (top + bottom)/2")
+    noise = ": not above the noise of the solver" if derived.common_is_noise(results) else ""
+    style.title(axes[2], f"Common (top + bottom)/2{noise}")
     for panel in axes:
         panel.set_ylabel("current")
+    for panel in axes[:2] if noise else axes:  # its title needs the room
         style.legend(panel)
     time_axis(results, axes)
     return figure
@@ -214,7 +216,7 @@ FIGURES = [
           "mid-width. Under sharp edges the peaks depend on the mesh: there the colours end where 95 % of the area "
           "(tractions) and 99 % of the section lie below.", of_run(figures_contact.contact_maps)),
     Entry("shear", "Shear of the core", "Scalar shear γ in the ion-conducting layer. The pointwise maximum depends on "
-          "the mesh at the slider's edges and is not shown.", shear),
+          "the mesh wherever a slider has sharp edges and is not shown.", shear),
     Entry("currents", "Electrode currents", "Currents on a symmetric logarithmic axis, linear around zero. A resolved "
           "current is the mean over one time step: its spikes are as high as the events are short. The sampled current "
           "is the charge gained over each readout interval divided by it, which an integrating instrument sees.",

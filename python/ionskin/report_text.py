@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The words and numbers of the report, taken from the results."""
 
+from .derived import common_is_noise
 from .words import quantity
 
 HEADLINE = [
@@ -48,7 +49,9 @@ LAW_LIMITS = {
 
 def headline(results):
     """Pairs of label and value for the top of the page."""
-    return [(label, quantity(*results.metrics[name], digits=3)) for label, name in HEADLINE if name in results.metrics]
+    noise = {"rms_current_common"} if "current_common" in results.sampled and common_is_noise(results) else set()
+    return [(label, quantity(*results.metrics[name], digits=3)) for label, name in HEADLINE
+            if name in results.metrics and name not in noise]
 
 
 def subtitle(results):
