@@ -165,7 +165,7 @@ std::optional<fs::path> cache_folder() {
 std::uintmax_t cache_limit() {
   const char* text = std::getenv("IONSKIN_CACHE_LIMIT");
   if (text == nullptr || *text == '\0') {
-    return 5'000'000'000u;
+    return default_cache_limit;
   }
   std::istringstream stream(text);
   double amount = -1;

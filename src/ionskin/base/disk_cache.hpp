@@ -53,6 +53,8 @@ private:
   std::vector<std::string> notes_;
 };
 
+inline constexpr std::uintmax_t default_cache_limit = 5'000'000'000u; ///< [bytes]
+
 /// The user's cache: the folder $IONSKIN_CACHE, or ionskin in $XDG_CACHE_HOME, or ~/.cache/ionskin;
 /// at most $IONSKIN_CACHE_LIMIT, such as "500 MB" or "8 GB" (default 5 GB), 0 to turn it off.
 /// Nothing when no folder is known. Throws UserError when the limit cannot be read.

@@ -25,6 +25,10 @@ KernelThreads::~KernelThreads() {
   openblas_set_num_threads(1);
 }
 
+std::string kernel_name() {
+  return openblas_get_config();
+}
+
 void product(bool transpose_a, int m, int n, int k, double alpha, const double* a, int lead_a,
              const double* b, int lead_b, double beta, double* c, int lead_c) {
   char form_a = transpose_a ? 'T' : 'N', form_b = 'N';

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 namespace ionskin::linear_algebra {
 
 // The kernels of BLAS in use, on column-major arrays with leading dimensions. They go
@@ -17,6 +19,10 @@ public:
   KernelThreads(const KernelThreads&) = delete;
   KernelThreads& operator=(const KernelThreads&) = delete;
 };
+
+/// The library in use, its version, and its kernels, which follow the processor: others round
+/// otherwise.
+std::string kernel_name();
 
 /// C := alpha A B + beta C, or alpha A^T B + beta C; C has shape [m, n], the sum runs over k.
 void product(bool transpose_a, int m, int n, int k, double alpha, const double* a, int lead_a,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/linear_algebra/fixed_point_matrix.hpp"
 
-#include "ionskin/linear_algebra/dense_kernels.hpp"
-
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace ionskin::linear_algebra {
@@ -13,8 +13,58 @@ namespace {
 /// Rows expanded to double precision at a time: a block stays in the cache of one core.
 constexpr int block_rows = 128;
 
+/// Entries of the product that are summed at once, in registers. What is missing of a tile at the
+/// border is filled with zeros, so that the same instructions make every entry.
+constexpr int tile_rows = 8, tile_columns = 4;
+constexpr int lane_rows = 4;
+using Lane = double __attribute__((vector_size(lane_rows * sizeof(double))));
+using Tile = std::array<std::array<double, tile_rows>, tile_columns>;
+
 std::size_t place(int rows, int i, int j) {
   return static_cast<std::size_t>(rows) * static_cast<std::size_t>(j) + static_cast<std::size_t>(i);
+}
+
+/// Rows of A as multiples of the units: tiles of rows one behind the other, by columns in each.
+void expand(const FixedPointMatrix& a, int first, int count, std::vector<double>& packed) {
+  std::fill(packed.begin(), packed.end(), 0.0);
+  for (int j = 0; j < a.columns; ++j) {
+    const std::int32_t* from = a.values.data() + place(a.rows, first, j);
+    for (int row = 0; row < count; row += tile_rows) {
+      double* to = packed.data() + place(row, 0, a.columns) + place(tile_rows, 0, j);
+      std::copy(from + row, from + std::min(count, row + tile_rows), to);
+    }
+  }
+}
+
+/// B times the units of A: tiles of columns one behind the other, by rows in each.
+std::vector<double> packed_right(const FixedPointMatrix& a, const DenseMatrix& b) {
+  const int tiles = (b.columns + tile_columns - 1) / tile_columns;
+  std::vector<double> packed(place(tiles * tile_columns, 0, a.columns));
+  for (int k = 0; k < b.columns; ++k) {
+    const int in_tile = k % tile_columns;
+    double* to = packed.data() + place(k - in_tile, 0, a.columns) + in_tile;
+    for (int j = 0; j < a.columns; ++j) {
+      to[place(tile_columns, 0, j)] = b(j, k) * a.unit[j];
+    }
+  }
+  return packed;
+}
+
+void multiply_tile(const double* left, const double* right, int count, Tile& tile) {
+  Lane low[tile_columns] = {}, high[tile_columns] = {};
+  for (int j = 0; j < count; ++j, left += tile_rows, right += tile_columns) {
+    Lane upper_rows, lower_rows;
+    std::memcpy(&upper_rows, left, sizeof(Lane));
+    std::memcpy(&lower_rows, left + lane_rows, sizeof(Lane));
+    for (int k = 0; k < tile_columns; ++k) {
+      low[k] += upper_rows * right[k];
+      high[k] += lower_rows * right[k];
+    }
+  }
+  for (int k = 0; k < tile_columns; ++k) {
+    std::memcpy(tile[k].data(), &low[k], sizeof(Lane));
+    std::memcpy(tile[k].data() + lane_rows, &high[k], sizeof(Lane));
+  }
 }
 
 } // namespace
@@ -41,24 +91,28 @@ double FixedPointMatrix::operator()(int i, int j) const {
   return unit[j] * values[place(rows, i, j)];
 }
 
-DenseMatrix multiply(const FixedPointMatrix& a, const DenseMatrix& b) {
-  const KernelThreads one(1);
-  DenseMatrix result(a.rows, b.columns), scaled = b, block(std::min(block_rows, a.rows), a.columns);
-  for (int k = 0; k < b.columns; ++k) {
-    for (int j = 0; j < a.columns; ++j) {
-      scaled(j, k) *= a.unit[j];
-    }
-  }
+void multiply_add(const FixedPointMatrix& a, const DenseMatrix& b, DenseMatrix& c) {
+  const std::vector<double> right = packed_right(a, b);
+  std::vector<double> left(place(block_rows, 0, a.columns));
+  Tile tile;
   for (int first = 0; first < a.rows; first += block_rows) {
     const int count = std::min(block_rows, a.rows - first);
-    for (int j = 0; j < a.columns; ++j) {
-      const std::int32_t* from = a.values.data() + place(a.rows, first, j);
-      std::copy(from, from + count, block.column(j));
+    expand(a, first, count, left);
+    for (int column = 0; column < b.columns; column += tile_columns) {
+      const int columns = std::min(tile_columns, b.columns - column);
+      for (int row = 0; row < count; row += tile_rows) {
+        multiply_tile(left.data() + place(row, 0, a.columns),
+                      right.data() + place(column, 0, a.columns), a.columns, tile);
+        const int rows = std::min(tile_rows, count - row);
+        for (int k = 0; k < columns; ++k) {
+          double* to = c.column(column + k) + first + row;
+          for (int i = 0; i < rows; ++i) {
+            to[i] += tile[k][i];
+          }
+        }
+      }
     }
-    product(false, count, b.columns, a.columns, 1.0, block.values.data(), block.rows,
-            scaled.values.data(), scaled.rows, 0.0, result.values.data() + first, result.rows);
   }
-  return result;
 }
 
 } // namespace ionskin::linear_algebra

@@ -23,7 +23,9 @@ struct FixedPointMatrix {
   double operator()(int i, int j) const;
 };
 
-/// A B in double precision, shapes [rows, columns] and [columns, any]. One thread.
-DenseMatrix multiply(const FixedPointMatrix& a, const DenseMatrix& b);
+/// C := C + A B in double precision, shapes [rows, columns], [columns, any], [rows, any]. One
+/// thread. A column of C is the same bits whatever columns stand beside it, which products of BLAS
+/// do not promise, and adding zero columns of B changes none.
+void multiply_add(const FixedPointMatrix& a, const DenseMatrix& b, DenseMatrix& c);
 
 } // namespace ionskin::linear_algebra

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/condensed_position.hpp"
 
+#include "ionskin/base/error.hpp"
 #include "ionskin/base/free_memory.hpp"
 #include "ionskin/linear_algebra/dense_kernels.hpp"
 #include "ionskin/mechanics/elastic_system.hpp"
@@ -28,13 +29,13 @@ DenseMatrix matrix_of(const std::vector<CellVector>& forces, std::size_t first, 
 }
 
 double equilibrium_residual(const ElasticSpace& space, const std::array<double, 3>& reaction,
-                            const CellVector& force) {
+                            const double* force, int components) {
   // Force components are normal (downwards), x, y; the base pushes back along x, y, z.
   constexpr std::array<std::size_t, 3> direction{2, 0, 1};
   double worst = 0, largest = 0;
   for (std::size_t c = 0; c < 3; ++c) {
     double load = 0;
-    for (std::size_t at = c; at < force.size(); at += 3) {
+    for (int at = static_cast<int>(c); at < components; at += 3) {
       load += c == 0 ? -force[at] : force[at];
     }
     largest = std::max(largest, std::abs(load));
@@ -66,11 +67,14 @@ public:
     return linear_algebra::gram(forward_);
   }
 
-  /// Displacement of all unknowns under unit forces from `first` on; shape [unknowns, count].
-  DenseMatrix unit_displacement(int first, int count) const {
+  /// Displacement of all unknowns under unit forces in one direction on the cells from `first` on;
+  /// shape [unknowns, count].
+  DenseMatrix unit_displacement(int direction, int first, int count) const {
     DenseMatrix block(forward_.rows, count);
-    std::copy(forward_.column(first), forward_.column(first) + block.values.size(),
-              block.values.begin());
+    for (int j = 0; j < count; ++j) {
+      const double* from = forward_.column(3 * (first + j) + direction);
+      std::copy(from, from + forward_.rows, block.column(j));
+    }
     return factor_->backward_from_trailing(block);
   }
   /// The same under given forces; shapes [3 cells, any] to [unknowns, any].
@@ -112,48 +116,58 @@ private:
 };
 
 CondensedPosition::CondensedPosition(const SkinModel& model, const std::array<double, 2>& centre,
-                                     const PositionStore& store, int threads)
+                                     const PositionUse& use)
     : model_(model), lines_(model.mesh.lines(centre)), lattice_(model.space, model.mesh.core_z()),
       membrane_(model.space, lines_, model.law_of_row, model.mesh.layer_of_row(),
                 model.mesh.core_z()) {
-  const bool caches = store.cache != nullptr;
-  const base::Digest key = caches ? position_key(model, lines_) : base::Digest{};
-  bool came_before = false;
-  if (caches) {
-    auto stored = read_position(*store.cache, key, lattice_.rows(), membrane_.rows(),
-                                model.cells.unit_load.columns);
-    if (stored && stored->response) {
+  const int cells = static_cast<int>(model.cells.count());
+  if (!responses_fit(lattice_.rows(), membrane_.rows(), 3 * cells)) {
+    factorise(use.threads);
+    return;
+  }
+  ForceDirections directions = use.forces;
+  const base::Digest key = use.cache != nullptr ? position_key(model, lines_) : base::Digest{};
+  if (use.cache != nullptr) {
+    auto stored = read_position(*use.cache, key, lattice_.rows(), membrane_.rows(), cells);
+    bool complete = stored.has_value();
+    for (std::size_t d = 0; stored && d < directions.size(); ++d) {
+      complete = complete && (stored->response[d] || !directions[d]);
+      directions[d] = directions[d] || stored->response[d]; // of an entry that is replaced
+    }
+    if (complete) {
       compliance_ = std::move(stored->compliance);
       response_ = std::move(stored->response);
       return;
     }
-    came_before = stored.has_value();
   }
-  factorised_ = std::make_unique<Factorised>(model, lines_, threads);
-  compliance_ = factorised_->compliance();
-  if (!caches) {
-    return;
+  factorise(use.threads);
+  for (std::size_t d = 0; d < directions.size(); ++d) {
+    if (directions[d]) {
+      response_[d] = unit_response(static_cast<int>(d));
+    }
   }
-  if ((store.many_states || came_before) &&
-      has_room_for_responses(*store.cache, lattice_.rows(), membrane_.rows(),
-                             compliance_.columns)) {
-    response_ = unit_response();
-    factorised_.reset();
+  factorised_.reset();
+  if (use.cache != nullptr) {
+    write_position(*use.cache, key, compliance_, response_);
   }
-  write_position(*store.cache, key, compliance_, response_ ? &*response_ : nullptr);
 }
 
 CondensedPosition::~CondensedPosition() = default;
 
-UnitResponse CondensedPosition::unit_response() const {
-  const int components = compliance_.columns;
-  UnitResponse result{
-      {lattice_.rows(), components}, {membrane_.rows(), components}, DenseMatrix(3, components)};
+void CondensedPosition::factorise(int threads) {
+  factorised_ = std::make_unique<Factorised>(model_, lines_, threads);
+  compliance_ = factorised_->compliance();
+}
+
+DirectionResponse CondensedPosition::unit_response(int direction) const {
+  const int cells = compliance_.columns / 3;
+  DirectionResponse result{
+      {lattice_.rows(), cells}, {membrane_.rows(), cells}, DenseMatrix(3, cells)};
   std::vector<double> lattice(static_cast<std::size_t>(lattice_.rows())),
       membrane(static_cast<std::size_t>(membrane_.rows()));
-  for (int first = 0; first < components; first += block_size) {
-    const int count = std::min(block_size, components - first);
-    const DenseMatrix displacement = factorised_->unit_displacement(first, count);
+  for (int first = 0; first < cells; first += block_size) {
+    const int count = std::min(block_size, cells - first);
+    const DenseMatrix displacement = factorised_->unit_displacement(direction, first, count);
     for (int j = 0; j < count; ++j) {
       lattice_.gather(displacement.column(j), lattice.data());
       membrane_.average_strain(displacement.column(j), membrane.data());
@@ -169,38 +183,69 @@ UnitResponse CondensedPosition::unit_response() const {
 CondensedPosition::Response CondensedPosition::response(const double* lattice,
                                                         const double* membrane,
                                                         const std::array<double, 3>& reaction,
-                                                        const CellVector& force) const {
+                                                        const double* force) const {
   return {lattice_.strain(lines_, lattice), membrane_.largest_stress(membrane),
-          equilibrium_residual(model_.space, reaction, force)};
+          equilibrium_residual(model_.space, reaction, force, compliance_.columns)};
+}
+
+void CondensedPosition::respond_by_products(const DenseMatrix& forces,
+                                            std::vector<Response>& responses) const {
+  const int cells = compliance_.columns / 3;
+  DenseMatrix core(lattice_.rows(), forces.columns), strain(membrane_.rows(), forces.columns),
+      direct(cells, forces.columns);
+  std::vector<std::array<double, 3>> reaction(static_cast<std::size_t>(forces.columns));
+  for (int d = 0; d < 3; ++d) {
+    for (int k = 0; k < forces.columns; ++k) {
+      for (int cell = 0; cell < cells; ++cell) {
+        direct(cell, k) = forces(3 * cell + d, k);
+      }
+    }
+    const auto& unit = response_[static_cast<std::size_t>(d)];
+    if (!unit) {
+      if (std::ranges::any_of(direct.values, [](double force) { return force != 0; })) {
+        throw InternalError("a slider position has no response in the direction of a force");
+      }
+      continue;
+    }
+    multiply_add(unit->core, direct, core);
+    multiply_add(unit->membrane, direct, strain);
+    for (int k = 0; k < forces.columns; ++k) {
+      for (int cell = 0; cell < cells; ++cell) {
+        for (int r = 0; r < 3; ++r) {
+          reaction[k][r] += unit->base_reaction(r, cell) * direct(cell, k);
+        }
+      }
+    }
+  }
+  for (int k = 0; k < forces.columns; ++k) {
+    responses.push_back(response(core.column(k), strain.column(k), reaction[k], forces.column(k)));
+  }
+}
+
+void CondensedPosition::respond_by_factor(const DenseMatrix& forces,
+                                          std::vector<Response>& responses) const {
+  std::vector<double> lattice(static_cast<std::size_t>(lattice_.rows())),
+      membrane(static_cast<std::size_t>(membrane_.rows()));
+  const DenseMatrix displacement = factorised_->displacement(forces);
+  for (int k = 0; k < forces.columns; ++k) {
+    lattice_.gather(displacement.column(k), lattice.data());
+    membrane_.average_strain(displacement.column(k), membrane.data());
+    responses.push_back(response(lattice.data(), membrane.data(),
+                                 factorised_->base_reaction(displacement.column(k)),
+                                 forces.column(k)));
+  }
 }
 
 std::vector<CondensedPosition::Response>
 CondensedPosition::respond(const std::vector<CellVector>& forces) const {
   std::vector<Response> responses;
-  std::vector<double> lattice(static_cast<std::size_t>(lattice_.rows())),
-      membrane(static_cast<std::size_t>(membrane_.rows()));
   for (std::size_t first = 0; first < forces.size(); first += block_size) {
     const int count = static_cast<int>(std::min<std::size_t>(block_size, forces.size() - first));
     const DenseMatrix block = matrix_of(forces, first, count);
-    const auto force = [&](int j) -> const CellVector& {
-      return forces[first + static_cast<std::size_t>(j)];
-    };
-    if (response_) {
-      const DenseMatrix core = multiply(response_->core, block),
-                        strain = multiply(response_->membrane, block),
-                        reaction = linear_algebra::multiply(response_->base_reaction, block);
-      for (int j = 0; j < count; ++j) {
-        responses.push_back(response(core.column(j), strain.column(j),
-                                     {reaction(0, j), reaction(1, j), reaction(2, j)}, force(j)));
-      }
+    if (factorised_) {
+      respond_by_factor(block, responses);
     } else {
-      const DenseMatrix displacement = factorised_->displacement(block);
-      for (int j = 0; j < count; ++j) {
-        lattice_.gather(displacement.column(j), lattice.data());
-        membrane_.average_strain(displacement.column(j), membrane.data());
-        responses.push_back(response(lattice.data(), membrane.data(),
-                                     factorised_->base_reaction(displacement.column(j)), force(j)));
-      }
+      respond_by_products(block, responses);
     }
   }
   return responses;

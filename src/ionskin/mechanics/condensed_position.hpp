@@ -11,30 +11,28 @@
 
 #include <array>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace ionskin::mechanics {
 
-/// Where condensed positions are looked up and kept.
-struct PositionStore {
-  base::DiskCache* cache = nullptr; ///< none when null
-  /// The response to every unit force takes as long as the factorisation and saves it ever after.
-  /// It is made at once when true, as many states ask for it, and otherwise when a position comes
-  /// for the second time; never where the cache could not keep those of a slide.
-  bool many_states = false;
+/// What a condensed position is asked for, and where it is looked up and kept.
+struct PositionUse {
+  base::DiskCache* cache = nullptr;         ///< none when null
+  ForceDirections forces{true, true, true}; ///< that `respond` gets
+  int threads = 1; ///< that a factor takes which the memory holds only one of at a time
 };
 
 /// The skin under one slider position: the compliance of the contact cells, and the strain and base
-/// reactions under any cell forces. From the cache, or from a factorisation that lasts as long as
-/// this object.
+/// reactions under any cell forces. From the response to unit forces, made once and kept in the
+/// cache, wherever `responses_fit`; on larger meshes from a factor that lasts as long as this
+/// object. Which of both depends on the mesh alone, so that the same forces make the same bits
+/// whatever is in the cache and whatever else is solved.
 class CondensedPosition {
 public:
   /// @param model outlives the position
   /// @param centre of the slider [m]
-  /// @param threads that a factor takes which the memory holds only one of at a time
   CondensedPosition(const SkinModel& model, const std::array<double, 2>& centre,
-                    const PositionStore& store = {}, int threads = 1);
+                    const PositionUse& use = {});
   ~CondensedPosition();
 
   /// Compliance of the contact components [m/N].
@@ -50,14 +48,21 @@ public:
     std::vector<double> electrode_stress;
     double equilibrium_residual = 0; ///< loads against base reactions over the largest load sum
   };
-  /// Responses to many states at once. @param forces each [3 cells] [N]
+  /// Responses to many states at once. Without a factor each is the same bits in any company.
+  /// @param forces each [3 cells] [N]
   std::vector<Response> respond(const std::vector<CellVector>& forces) const;
 
 private:
   class Factorised;
-  UnitResponse unit_response() const;
+  void factorise(int threads);
+  DirectionResponse unit_response(int direction) const;
+  /// Responses to the columns of a block [3 cells, any].
+  void respond_by_products(const linear_algebra::DenseMatrix& forces,
+                           std::vector<Response>& responses) const;
+  void respond_by_factor(const linear_algebra::DenseMatrix& forces,
+                         std::vector<Response>& responses) const;
   Response response(const double* lattice, const double* membrane,
-                    const std::array<double, 3>& reaction, const CellVector& force) const;
+                    const std::array<double, 3>& reaction, const double* force) const;
 
   const SkinModel& model_;
   mesh::MeshLines lines_;
@@ -65,7 +70,7 @@ private:
   ElectrodeMembrane membrane_;
   linear_algebra::DenseMatrix compliance_;
   std::unique_ptr<Factorised> factorised_;
-  std::optional<UnitResponse> response_;
+  UnitResponse response_;
 };
 
 } // namespace ionskin::mechanics

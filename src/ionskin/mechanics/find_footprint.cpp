@@ -67,7 +67,7 @@ std::vector<SliderLoad> heaviest_loads(const Case& input, bool half_model) {
 Reach reach_at(const Case& input, const SkinModel& model, const std::array<double, 2>& centre,
                double friction) {
   base::check_interrupt();
-  const CondensedPosition condensed(model, centre);
+  const CondensedPosition condensed(model, centre, {.forces = {false, false, false}});
   const ContactProblem problem{condensed.compliance(),
                                model.cells.area,
                                model.gap,
@@ -147,14 +147,10 @@ std::array<bool, 2> border_touched(const ContactState& state, std::size_t column
                               direction == 0 ? "x" : "y"));
 }
 
-} // namespace
-
-mesh::Footprint find_footprint(const Case& input, double friction, int threads,
-                               const base::ProgressCallback& callback) {
+/// Of a slider that is not sharp.
+mesh::Footprint footprint_at(const Case& input, double friction, int threads,
+                             const base::ProgressCallback& callback) {
   mesh::Footprint footprint = mesh::largest_footprint(input);
-  if (input.slider.sharp()) {
-    return footprint;
-  }
   const mesh::Footprint limit = mesh::footprint_limit(input);
   Case coarse = input;
   coarse.numerics.preset = Preset::coarse;
@@ -194,6 +190,39 @@ mesh::Footprint find_footprint(const Case& input, double friction, int threads,
   }
   throw SolverError("the footprint of the slider was not found",
                     "lower contact.friction, or give slider.size closer to the contact");
+}
+
+} // namespace
+
+double footprint_friction(double friction) {
+  if (friction <= 0) {
+    return 0;
+  }
+  double step = 0.5;
+  while (step < friction) {
+    step *= 2;
+  }
+  return step;
+}
+
+std::optional<mesh::Footprint> find_common_footprint(const Case& input, double friction,
+                                                     int threads,
+                                                     const base::ProgressCallback& progress) {
+  if (input.slider.sharp()) {
+    return mesh::largest_footprint(input);
+  }
+  try {
+    return footprint_at(input, footprint_friction(friction), threads, progress);
+  } catch (const UserError&) { // the contact leaves the skin
+  } catch (const SolverError&) {
+  }
+  return std::nullopt;
+}
+
+mesh::Footprint find_footprint(const Case& input, double friction, int threads,
+                               const base::ProgressCallback& progress) {
+  const auto common = find_common_footprint(input, friction, threads, progress);
+  return common ? *common : footprint_at(input, friction, threads, progress);
 }
 
 std::optional<mesh::Footprint> widened_footprint(const Case& input,

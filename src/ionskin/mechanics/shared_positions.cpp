@@ -13,10 +13,6 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// From so many friction coefficients on, the response to every unit force is worth its making in
-/// the same run.
-constexpr std::size_t many_frictions = 3;
-
 /// Enough for an efficient product, and little beside what the strains take for good.
 constexpr std::size_t states_per_block = 48;
 
@@ -90,16 +86,33 @@ void recover_strains(const SharedSetting& setting, std::vector<StrainBlock> bloc
   });
 }
 
-/// Contact of all friction coefficients at a position that is gone with its factor.
+/// Directions of the forces of all works: a slide goes its way, load steps may stick across it.
+ForceDirections force_directions(const SharedPosition& position,
+                                 const std::vector<FrictionSolve>& solves) {
+  ForceDirections directions{true, false, false};
+  for (const SharedPosition::Work& work : position.works) {
+    for (const PositionTask::Node& node : work.task->nodes) {
+      const auto way = node.position.reflected(solves[work.solve].plan.legs[node.leg].direction());
+      directions[1] = directions[1] || way[0] != 0;
+      directions[2] = directions[2] || way[1] != 0;
+    }
+    if (!work.task->chains.empty()) {
+      return {true, true, true};
+    }
+  }
+  return directions;
+}
+
+/// Contact of all friction coefficients at a position that is gone with its factor. The strains of
+/// each are recovered by themselves: products of BLAS round as the number of columns wants.
 void solve_at_once(const SharedSetting& setting, const CondensedPosition& condensed,
                    const std::vector<SharedPosition::Work>& works,
                    std::vector<FrictionSolve>& solves) {
-  PositionStates states(setting.model);
   for (const SharedPosition::Work& work : works) {
-    states.append(contact_at(setting, condensed, work, solves[work.solve]));
+    const PositionStates states = contact_at(setting, condensed, work, solves[work.solve]);
+    const base::Timers::Scope strain(setting.timers, "mechanics: strain");
+    states.complete(condensed);
   }
-  const base::Timers::Scope strain(setting.timers, "mechanics: strain");
-  states.complete(condensed);
 }
 
 /// Each friction coefficient is a task of its own, since most states belong to the first position.
@@ -143,9 +156,9 @@ void solve_open_positions(const SharedSetting& setting, std::vector<FrictionSolv
     base::check_interrupt();
     auto factorisation =
         std::make_unique<base::Timers::Scope>(setting.timers, "mechanics: factorisation");
-    const PositionStore store{setting.options.cache, solves.size() >= many_frictions};
-    auto condensed = std::make_unique<const CondensedPosition>(setting.model, positions[p].centre,
-                                                               store, threads);
+    const PositionUse use{setting.options.cache, force_directions(positions[p], solves), threads};
+    auto condensed =
+        std::make_unique<const CondensedPosition>(setting.model, positions[p].centre, use);
     factorisation.reset();
     setting.progress.finish_unit();
     if (condensed->holds_factor()) {

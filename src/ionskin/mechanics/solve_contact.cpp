@@ -120,18 +120,57 @@ std::vector<ContactSolution> solve_on_footprint(const Case& input, const mesh::F
   return solutions;
 }
 
+/// Friction coefficients that share a footprint are solved together.
+std::vector<ContactSolution> solve_on_own_footprints(const Case& input,
+                                                     const std::vector<double>& frictions,
+                                                     const ContactOptions& options,
+                                                     base::Timers& timers) {
+  std::vector<std::optional<ContactSolution>> solutions(frictions.size());
+  for (std::size_t first = 0; first < frictions.size(); ++first) {
+    if (solutions[first]) {
+      continue;
+    }
+    ContactOptions together = options;
+    std::vector<std::size_t> sharing{first};
+    {
+      const base::Timers::Scope scope(timers, "mechanics: footprint");
+      together.footprint =
+          find_common_footprint(input, frictions[first], options.threads, options.progress);
+      for (std::size_t i = first + 1; together.footprint && i < frictions.size(); ++i) {
+        if (input.slider.sharp() ||
+            footprint_friction(frictions[i]) == footprint_friction(frictions[first])) {
+          sharing.push_back(i);
+        }
+      }
+      if (!together.footprint) {
+        together.footprint =
+            find_footprint(input, frictions[first], options.threads, options.progress);
+      }
+    }
+    std::vector<double> shared;
+    for (const std::size_t i : sharing) {
+      shared.push_back(frictions[i]);
+    }
+    auto solved = solve_contact(input, shared, together, timers);
+    for (std::size_t i = 0; i < sharing.size(); ++i) {
+      solutions[sharing[i]] = std::move(solved[i]);
+    }
+  }
+  std::vector<ContactSolution> result;
+  for (auto& solution : solutions) {
+    result.push_back(std::move(*solution));
+  }
+  return result;
+}
+
 } // namespace
 
 std::vector<ContactSolution> solve_contact(const Case& input, const std::vector<double>& frictions,
                                            const ContactOptions& options, base::Timers& timers) {
-  mesh::Footprint footprint;
-  if (options.footprint) {
-    footprint = *options.footprint;
-  } else {
-    const base::Timers::Scope scope(timers, "mechanics: footprint");
-    footprint = find_footprint(input, *std::max_element(frictions.begin(), frictions.end()),
-                               options.threads, options.progress);
+  if (!options.footprint) {
+    return solve_on_own_footprints(input, frictions, options, timers);
   }
+  const mesh::Footprint& footprint = *options.footprint;
   SharedProgress progress("mechanics", options.progress);
   auto solutions = solve_on_footprint(input, footprint, frictions, options, timers, progress);
   for (std::size_t i = 0; i < frictions.size(); ++i) {

@@ -21,7 +21,7 @@ struct ContactOptions {
   PathSteps steps;
   /// Interpolation nodes along every slide; 0 for as many as keep the preset's tolerance.
   std::size_t nodes = 0;
-  /// As `find_footprint` found it for these loads and at least this friction; empty to find it.
+  /// As `find_footprint` found it for these loads and this friction; empty to find it.
   std::optional<mesh::Footprint> footprint;
   /// Meshes the whole skin where half of it would do, to compare.
   bool full_model = false;
@@ -34,9 +34,10 @@ struct ContactOptions {
 ContactSolution solve_contact(const Case& input, const ContactOptions& options,
                               base::Timers& timers);
 
-/// The same for several friction coefficients, which share all factorisations on one footprint; a
-/// contact that reaches its border is solved on a wider one by itself. One solution each, in order;
-/// `input.contact.friction` is not used.
+/// The same for several friction coefficients, of which those with one footprint share all
+/// factorisations; a contact that reaches its border is solved on a wider one by itself. Each
+/// solution is the same bits as alone. One solution each, in order; `input.contact.friction` is not
+/// used.
 std::vector<ContactSolution> solve_contact(const Case& input, const std::vector<double>& frictions,
                                            const ContactOptions& options, base::Timers& timers);
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/unit_response.hpp"
 
+#include "ionskin/linear_algebra/dense_kernels.hpp"
+
 #include <cstring>
 #include <span>
+#include <string>
 #include <utility>
 
 namespace ionskin::mechanics {
@@ -13,10 +16,13 @@ using linear_algebra::FixedPointMatrix;
 
 /// To be raised whenever the numbers of a condensed position change for the same input: elements,
 /// assembly, contact cells, lattice, rounding, or the layout of an entry.
-constexpr std::uint32_t numerical_version = 1;
+constexpr std::uint32_t numerical_version = 2;
+
+constexpr double positions_of_a_slide = 4;
 
 struct Sizes {
-  std::int32_t components = 0, core_rows = 0, membrane_rows = 0, has_response = 0;
+  std::int32_t cells = 0, core_rows = 0, membrane_rows = 0;
+  std::array<std::int32_t, 3> held{}; ///< whether the response in each direction follows
 };
 
 template <class T> std::span<const std::byte> bytes_of(const std::vector<T>& values) {
@@ -46,17 +52,15 @@ private:
 
 } // namespace
 
-bool has_room_for_responses(const base::DiskCache& cache, int core_rows, int membrane_rows,
-                            int components) {
-  constexpr double positions = 4;
+bool responses_fit(int core_rows, int membrane_rows, int components) {
   const double rows = static_cast<double>(core_rows) + membrane_rows;
-  return positions * rows * components * sizeof(std::int32_t) <
-         static_cast<double>(cache.most_bytes());
+  return positions_of_a_slide * rows * components * sizeof(std::int32_t) <
+         static_cast<double>(base::default_cache_limit);
 }
 
 base::Digest position_key(const SkinModel& model, const mesh::MeshLines& lines) {
   base::DigestBuilder builder;
-  builder.add("condensed position").add(numerical_version);
+  builder.add("condensed position").add(numerical_version).add(linear_algebra::kernel_name());
   builder.add(lines.x).add(lines.y).add(lines.z);
   for (const ElasticLaw& law : model.law_of_row) {
     builder.add(law.lame_lambda).add(law.shear_modulus);
@@ -73,7 +77,7 @@ base::Digest position_key(const SkinModel& model, const mesh::MeshLines& lines) 
 }
 
 std::optional<StoredPosition> read_position(base::DiskCache& cache, const base::Digest& key,
-                                            int core_rows, int membrane_rows, int components) {
+                                            int core_rows, int membrane_rows, int cells) {
   const auto content = cache.read(key);
   if (!content) {
     return std::nullopt;
@@ -81,42 +85,51 @@ std::optional<StoredPosition> read_position(base::DiskCache& cache, const base::
   EntryReader reader(*content);
   Sizes sizes;
   StoredPosition result;
-  result.compliance = DenseMatrix(components, components);
-  if (!reader.take(&sizes, sizeof(sizes)) || sizes.components != components ||
-      !reader.take(result.compliance.values)) {
+  result.compliance = DenseMatrix(3 * cells, 3 * cells);
+  if (!reader.take(&sizes, sizeof(sizes)) || sizes.cells != cells || sizes.core_rows != core_rows ||
+      sizes.membrane_rows != membrane_rows || !reader.take(result.compliance.values)) {
     return std::nullopt;
   }
-  if (sizes.has_response != 0) {
-    if (sizes.core_rows != core_rows || sizes.membrane_rows != membrane_rows) {
-      return std::nullopt;
+  for (std::size_t d = 0; d < result.response.size(); ++d) {
+    if (sizes.held[d] == 0) {
+      continue;
     }
-    UnitResponse response{FixedPointMatrix(core_rows, components),
-                          FixedPointMatrix(membrane_rows, components), DenseMatrix(3, components)};
+    DirectionResponse& response = result.response[d].emplace(
+        DirectionResponse{FixedPointMatrix(core_rows, cells),
+                          FixedPointMatrix(membrane_rows, cells), DenseMatrix(3, cells)});
     if (!reader.take(response.base_reaction.values) || !reader.take(response.core.unit) ||
         !reader.take(response.core.values) || !reader.take(response.membrane.unit) ||
         !reader.take(response.membrane.values)) {
       return std::nullopt;
     }
-    result.response = std::move(response);
   }
   return reader.at_end() ? std::optional(std::move(result)) : std::nullopt;
 }
 
 void write_position(base::DiskCache& cache, const base::Digest& key, const DenseMatrix& compliance,
-                    const UnitResponse* response) {
-  Sizes sizes{compliance.rows, 0, 0, response != nullptr};
+                    const UnitResponse& response) {
+  Sizes sizes{compliance.columns / 3, 0, 0, {}};
   std::vector<std::span<const std::byte>> parts{std::as_bytes(std::span(&sizes, 1)),
                                                 bytes_of(compliance.values)};
-  if (response != nullptr) {
-    sizes.core_rows = response->core.rows;
-    sizes.membrane_rows = response->membrane.rows;
-    for (const auto part : {bytes_of(response->base_reaction.values), bytes_of(response->core.unit),
-                            bytes_of(response->core.values), bytes_of(response->membrane.unit),
-                            bytes_of(response->membrane.values)}) {
+  std::size_t bytes = 0;
+  for (std::size_t d = 0; d < response.size(); ++d) {
+    if (!response[d]) {
+      continue;
+    }
+    const auto& [core, membrane, base_reaction] = *response[d];
+    sizes.core_rows = core.rows;
+    sizes.membrane_rows = membrane.rows;
+    sizes.held[d] = 1;
+    for (const auto part :
+         {bytes_of(base_reaction.values), bytes_of(core.unit), bytes_of(core.values),
+          bytes_of(membrane.unit), bytes_of(membrane.values)}) {
       parts.push_back(part);
+      bytes += part.size();
     }
   }
-  cache.write(key, parts);
+  if (positions_of_a_slide * static_cast<double>(bytes) < static_cast<double>(cache.most_bytes())) {
+    cache.write(key, parts);
+  }
 }
 
 } // namespace ionskin::mechanics

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/mechanics_cache.hpp"
 
+#include "ionskin/linear_algebra/dense_kernels.hpp"
 #include "ionskin/results/atomic_file.hpp"
 #include "ionskin/study/mechanics_file.hpp"
 
@@ -41,7 +42,12 @@ std::filesystem::path own_file() {
 }
 
 base::Digest key_of(const std::string& hash, const base::Digest& build) {
-  return base::DigestBuilder().add("mechanics").add(build.hex()).add(hash).finish();
+  return base::DigestBuilder()
+      .add("mechanics")
+      .add(build.hex())
+      .add(linear_algebra::kernel_name())
+      .add(hash)
+      .finish();
 }
 
 } // namespace

@@ -45,8 +45,8 @@ std::vector<SolvedMechanics> solve_mechanics(const Case& input,
   mechanics::ContactOptions both = options;
   if (!both.footprint) {
     const base::Timers::Scope scope(timers, "mechanics: footprint");
-    both.footprint = mechanics::find_footprint(input, std::ranges::max(frictions), options.threads,
-                                               options.progress);
+    both.footprint =
+        mechanics::find_footprint(input, frictions.front(), options.threads, options.progress);
   }
   std::string problem;
   Solutions companions;

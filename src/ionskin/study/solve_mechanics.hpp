@@ -16,7 +16,8 @@ struct SolvedMechanics {
   std::optional<mechanics::ContactSolution> companion; ///< empty where that mesh has no solution
 };
 
-/// Solves a case for several friction coefficients together.
+/// Solves a case for several friction coefficients together, which share one footprint: that of the
+/// options, or that of the first (`mechanics::footprint_friction`).
 /// Throws SolverError, Interrupted.
 std::vector<SolvedMechanics> solve_mechanics(const Case& input,
                                              const std::vector<double>& frictions,

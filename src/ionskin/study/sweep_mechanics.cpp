@@ -34,7 +34,7 @@ struct SharedMechanics {
   double friction = 0;
   std::vector<std::size_t> points;
 };
-/// Those of them that differ in the friction coefficient only.
+/// Those of them that differ in the friction coefficient only, and can share a footprint.
 using FrictionGroup = std::vector<SharedMechanics>;
 
 RunOptions point_options(const RunOptions& options, const SweepPoint& point) {
@@ -43,8 +43,10 @@ RunOptions point_options(const RunOptions& options, const SweepPoint& point) {
   return result;
 }
 
-std::string hash_without_friction(Case input) {
-  input.contact.friction = 0;
+/// Equal for cases that can share all factorisations.
+std::string hash_of_group(Case input) {
+  input.contact.friction =
+      input.slider.sharp() ? 0 : mechanics::footprint_friction(input.contact.friction);
   return mechanics_hash(input);
 }
 
@@ -53,7 +55,7 @@ std::vector<FrictionGroup> group_points(const std::vector<SweepPoint>& points,
   std::map<std::string, std::map<std::string, SharedMechanics>> groups;
   std::vector<std::string> order;
   for (const std::size_t i : chosen) {
-    const std::string group = hash_without_friction(points[i].input);
+    const std::string group = hash_of_group(points[i].input);
     if (groups.count(group) == 0) {
       order.push_back(group);
     }
@@ -102,27 +104,15 @@ struct GroupPlan {
   std::optional<mesh::Footprint> footprint; ///< of all of them; empty: each finds its own
 };
 
-/// Of all points that differ from a case in the friction coefficient only, finished ones too, so
-/// that a resumed sweep meshes as an uninterrupted one.
-double largest_friction(const std::vector<SweepPoint>& points, const Case& input) {
-  const std::string hash = hash_without_friction(input);
-  double largest = input.contact.friction;
-  for (const SweepPoint& point : points) {
-    if (hash_without_friction(point.input) == hash) {
-      largest = std::max(largest, point.input.contact.friction);
-    }
-  }
-  return largest;
-}
-
-/// Where the largest friction finds no contact, or none on the skin, each entry is tried alone and
-/// says so by itself.
-GroupPlan plan_group(const std::vector<SweepPoint>& points, const Case& input, int threads) {
+/// Without a footprint that all can share each entry is tried alone, and says so by itself where
+/// the contact leaves the skin.
+GroupPlan plan_group(const Case& input, int threads) {
   GroupPlan plan;
   failure_of([&] {
-    const mesh::Footprint footprint =
-        mechanics::find_footprint(input, largest_friction(points, input), threads);
-    plan = {batch_size(input, footprint), footprint};
+    const auto footprint = mechanics::find_common_footprint(input, input.contact.friction, threads);
+    if (footprint) {
+      plan = {batch_size(input, *footprint), footprint};
+    }
   });
   return plan;
 }
@@ -144,11 +134,6 @@ bool take_over(const std::vector<SweepPoint>& points, const RunOptions& options,
   });
 }
 
-/// Only a sharp slider has one and the same mesh in a run and beside larger frictions of a sweep.
-bool uses_cache_of_runs(const Case& input, const base::DiskCache* cache) {
-  return cache != nullptr && input.slider.sharp();
-}
-
 /// Leaves a solution in the folders of all points that share it, and in the cache.
 void leave_in_folders(const std::vector<SweepPoint>& points, const SharedMechanics& shared,
                       const SolvedMechanics& solved, double seconds, const RunOptions& options,
@@ -166,7 +151,7 @@ void leave_in_folders(const std::vector<SweepPoint>& points, const SharedMechani
         pending.commit();
       } else {
         write_mechanics(path, mechanics_hash(input), record_mechanics(input, solved, 1));
-        if (uses_cache_of_runs(input, cache)) {
+        if (cache != nullptr) {
           keep_mechanics(*cache, mechanics_hash(input), path);
         }
         first = path;
@@ -319,8 +304,7 @@ SweepFailures solve_shared_mechanics(const std::vector<SweepPoint>& points,
     const std::string hash = mechanics_hash(points[i].input);
     const auto donor = donors.find(hash);
     const bool taken_over = donor != donors.end() && take_over(points, options, donor->second, i);
-    const bool kept =
-        uses_cache_of_runs(points[i].input, cache.get()) && keeps_mechanics(*cache, hash);
+    const bool kept = cache && keeps_mechanics(*cache, hash);
     if (!taken_over && !kept) { // run_case finds what is kept
       to_solve.push_back(i);
     }
@@ -336,7 +320,7 @@ SweepFailures solve_shared_mechanics(const std::vector<SweepPoint>& points,
   SharedMechanicsSolver solver(points, options, timers, units, cache.get());
   for (const FrictionGroup& group : groups) {
     const Case& input = points[group.front().points.front()].input;
-    const GroupPlan plan = plan_group(points, input, options.threads);
+    const GroupPlan plan = plan_group(input, options.threads);
     for (std::size_t begin = 0; begin < group.size(); begin += plan.batch) {
       solver.solve(group, begin, std::min(group.size(), begin + plan.batch), plan.footprint);
     }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ionskin::linear_algebra {
@@ -46,8 +47,8 @@ TEST(FixedPointMatrix, product_is_that_of_the_rounded_entries) {
       right(j, k) = std::pow(1e3, j) * std::cos(j + 2.0 * k);
     }
   }
-  const DenseMatrix product = multiply(rounded, right);
-  ASSERT_EQ(product.rows, 700);
+  DenseMatrix product(700, 3);
+  multiply_add(rounded, right, product);
   for (int k = 0; k < 3; ++k) {
     for (int i = 0; i < 700; ++i) {
       double expected = 0;
@@ -56,6 +57,22 @@ TEST(FixedPointMatrix, product_is_that_of_the_rounded_entries) {
       }
       EXPECT_NEAR(product(i, k), expected, 1e-14);
     }
+  }
+}
+
+TEST(FixedPointMatrix, a_column_of_a_product_is_the_same_bits_in_any_company) {
+  const FixedPointMatrix rounded = fixed(example());
+  DenseMatrix right(5, 11);
+  for (std::size_t i = 0; i < right.values.size(); ++i) {
+    right.values[i] = std::cos(1.7 * static_cast<double>(i));
+  }
+  DenseMatrix together(700, 11);
+  multiply_add(rounded, right, together);
+  for (int k = 0; k < right.columns; ++k) {
+    DenseMatrix column(5, 1), alone(700, 1);
+    std::copy_n(right.column(k), 5, column.column(0));
+    multiply_add(rounded, column, alone);
+    EXPECT_TRUE(std::equal(alone.values.begin(), alone.values.end(), together.column(k)));
   }
 }
 

@@ -55,6 +55,16 @@ TEST(FindFootprint, does_not_depend_on_the_number_of_threads) {
   EXPECT_EQ(one.rim, two.rim);
 }
 
+TEST(FindFootprint, is_shared_by_all_coefficients_up_to_the_next_step) {
+  EXPECT_EQ(footprint_friction(0), 0);
+  EXPECT_EQ(footprint_friction(0.05), 0.5);
+  EXPECT_EQ(footprint_friction(0.5), 0.5);
+  EXPECT_EQ(footprint_friction(0.51), 1);
+  EXPECT_EQ(footprint_friction(2), 2);
+  const Case input = small_finger();
+  EXPECT_EQ(find_footprint(input, 0.1, 1).half_size, find_footprint(input, 0.45, 1).half_size);
+}
+
 TEST(FindFootprint, refuses_a_contact_over_the_edge_of_the_skin) {
   Case input = small_finger();
   input.slider.start[0] = 20e-6;

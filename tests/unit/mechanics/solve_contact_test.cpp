@@ -39,6 +39,24 @@ const LegSolution& lift_off(const ContactSolution& solution) {
   return solution.legs[2];
 }
 
+void expect_same_bits(const ContactSolution& one, const ContactSolution& other) {
+  ASSERT_EQ(one.legs.size(), other.legs.size());
+  for (std::size_t leg = 0; leg < one.legs.size(); ++leg) {
+    for (const auto points : {&LegSolution::path, &LegSolution::steady}) {
+      const auto &first = one.legs[leg].*points, &second = other.legs[leg].*points;
+      ASSERT_EQ(first.size(), second.size());
+      for (std::size_t i = 0; i < first.size(); ++i) {
+        ASSERT_EQ(first[i].time, second[i].time);
+        ASSERT_EQ(!first[i].state, !second[i].state);
+        if (first[i].state) {
+          EXPECT_EQ(first[i].state->normal_traction, second[i].state->normal_traction);
+          EXPECT_EQ(first[i].state->strain.component, second[i].state->strain.component);
+        }
+      }
+    }
+  }
+}
+
 double total_friction(const ContactState& state) {
   return std::hypot(state.tangential_force[0], state.tangential_force[1]);
 }
@@ -220,13 +238,21 @@ TEST(SolveContact, a_friction_coefficient_is_solved_the_same_beside_others) {
   options.threads = 2;
   const std::vector<ContactSolution> together =
       solve_contact(input, std::vector<double>{0.0, 0.3, 0.6}, options, timers);
-  const auto &alone = slide(solved_small_case()).steady, &beside = slide(together[1]).steady;
-  ASSERT_EQ(beside.size(), alone.size());
-  for (std::size_t i = 0; i < alone.size(); ++i) {
-    EXPECT_EQ(beside[i].time, alone[i].time);
-    EXPECT_NEAR(beside[i].state->normal_force, alone[i].state->normal_force,
-                1e-12 * alone[i].state->normal_force);
-  }
+  expect_same_bits(together[1], solved_small_case());
+}
+
+TEST(SolveContact, a_round_slider_is_solved_the_same_beside_larger_frictions) {
+  Case input = small_case();
+  input.slider.shape = SliderShape::sphere;
+  input.slider.radius = 8e-3;
+  input.motion.preload = 0;
+  input.motion.preload_force = 0.2;
+  input.contact.friction = 0.1;
+  base::Timers timers;
+  ContactOptions options;
+  options.threads = 2;
+  const auto together = solve_contact(input, std::vector<double>{0.8, 0.1, 0.4}, options, timers);
+  expect_same_bits(together[1], solve(input));
 }
 
 TEST(SolveContact, steady_sliding_between_the_nodes_is_as_close_as_estimated) {
