@@ -19,6 +19,10 @@ using linear_algebra::DenseMatrix;
 /// States, or unit forces, recovered in one blocked solve; bounds the memory.
 constexpr int block_size = 64;
 
+/// Threads of the kernels of a factor that the memory holds only one of at a time. BLAS splits its
+/// sums by the number of threads, so it is the same whatever number a run is given.
+constexpr int lone_factor_threads = 2;
+
 DenseMatrix matrix_of(const std::vector<CellVector>& forces, std::size_t first, int count) {
   DenseMatrix block(static_cast<int>(forces[first].size()), count);
   for (int j = 0; j < count; ++j) {
@@ -51,10 +55,10 @@ double equilibrium_residual(const ElasticSpace& space, const std::array<double, 
 /// The factor of one position, and its place among the factors that fit into the memory.
 class CondensedPosition::Factorised {
 public:
-  /// @param threads to use where it is alone
-  Factorised(const SkinModel& model, const mesh::MeshLines& lines, int threads)
+  Factorised(const SkinModel& model, const mesh::MeshLines& lines)
       : place_(model.analysis().free_factors),
-        threads_(model.analysis().factors_at_once == 1 ? threads : 1), base_reaction_{} {
+        threads_(model.analysis().factors_at_once == 1 ? lone_factor_threads : 1),
+        base_reaction_{} {
     ElasticSystem system = assemble(model.space, lines, model.law_of_row);
     factor_ = std::make_unique<linear_algebra::Cholesky>(model.analysis().symbolic,
                                                          system.stiffness, threads_);
@@ -122,7 +126,7 @@ CondensedPosition::CondensedPosition(const SkinModel& model, const std::array<do
                 model.mesh.core_z()) {
   const int cells = static_cast<int>(model.cells.count());
   if (!responses_fit(lattice_.rows(), membrane_.rows(), 3 * cells)) {
-    factorise(use.threads);
+    factorise();
     return;
   }
   ForceDirections directions = use.forces;
@@ -140,7 +144,7 @@ CondensedPosition::CondensedPosition(const SkinModel& model, const std::array<do
       return;
     }
   }
-  factorise(use.threads);
+  factorise();
   for (std::size_t d = 0; d < directions.size(); ++d) {
     if (directions[d]) {
       response_[d] = unit_response(static_cast<int>(d));
@@ -154,8 +158,8 @@ CondensedPosition::CondensedPosition(const SkinModel& model, const std::array<do
 
 CondensedPosition::~CondensedPosition() = default;
 
-void CondensedPosition::factorise(int threads) {
-  factorised_ = std::make_unique<Factorised>(model_, lines_, threads);
+void CondensedPosition::factorise() {
+  factorised_ = std::make_unique<Factorised>(model_, lines_);
   compliance_ = factorised_->compliance();
 }
 

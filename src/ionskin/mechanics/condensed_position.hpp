@@ -19,7 +19,6 @@ namespace ionskin::mechanics {
 struct PositionUse {
   base::DiskCache* cache = nullptr;         ///< none when null
   ForceDirections forces{true, true, true}; ///< that `respond` gets
-  int threads = 1; ///< that a factor takes which the memory holds only one of at a time
 };
 
 /// The skin under one slider position: the compliance of the contact cells, and the strain and base
@@ -54,7 +53,7 @@ public:
 
 private:
   class Factorised;
-  void factorise(int threads);
+  void factorise();
   DirectionResponse unit_response(int direction) const;
   /// Responses to the columns of a block [3 cells, any].
   void respond_by_products(const linear_algebra::DenseMatrix& forces,

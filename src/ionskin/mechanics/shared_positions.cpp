@@ -156,7 +156,7 @@ void solve_open_positions(const SharedSetting& setting, std::vector<FrictionSolv
     base::check_interrupt();
     auto factorisation =
         std::make_unique<base::Timers::Scope>(setting.timers, "mechanics: factorisation");
-    const PositionUse use{setting.options.cache, force_directions(positions[p], solves), threads};
+    const PositionUse use{setting.options.cache, force_directions(positions[p], solves)};
     auto condensed =
         std::make_unique<const CondensedPosition>(setting.model, positions[p].centre, use);
     factorisation.reset();
