@@ -68,4 +68,4 @@ bench: build
 	$(BUILD)/benchmarks/stages
 
 clean:
-	rm -rf build build-debug build-sanitize build-audit out docs/_build
+	rm -rf build build-debug build-sanitize build-audit build-fuzz out docs/_build

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Compiler flags of our own code, collected in one interface target.
 option(IONSKIN_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
+option(IONSKIN_FUZZ "Fuzzers instead of tests; needs clang" OFF)
 option(IONSKIN_ASSERTIONS "Keep assertions in an optimised build" OFF)
 set(IONSKIN_VECTOR_LEVEL "x86-64-v3" CACHE STRING
     "Vector instructions of the physics: x86-64 (any machine), x86-64-v3 (AVX2), x86-64-v4 (AVX-512), native")
@@ -14,6 +15,12 @@ if(IONSKIN_SANITIZE)
   # GCC 12 takes instrumented library code for uninitialised reads.
   target_compile_options(ionskin_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
                          -Wno-maybe-uninitialized)
+  target_link_options(ionskin_flags INTERFACE -fsanitize=address,undefined)
+endif()
+if(IONSKIN_FUZZ)
+  # Its warnings are not those that the code is kept free of.
+  target_compile_options(ionskin_flags INTERFACE -fsanitize=fuzzer-no-link,address,undefined
+                         -fno-sanitize-recover=undefined -fno-omit-frame-pointer -Wno-error)
   target_link_options(ionskin_flags INTERFACE -fsanitize=address,undefined)
 endif()
 if(IONSKIN_ASSERTIONS)

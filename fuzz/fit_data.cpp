@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+
+// Any bytes are a measurement or are refused with a UserError.
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/study/fit_data.hpp"
+#include "scratch_file.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const ionskin::fuzz::ScratchFile file(data, size);
+  try {
+    ionskin::study::read_fit_data(file.path());
+  } catch (const ionskin::UserError&) {
+  }
+  return 0;
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+
+// Any `--set` argument, or several parted by line ends, changes a valid case or is refused.
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/case/data_folder.hpp"
+#include "ionskin/case/read_case.hpp"
+#include "ionskin/case/read_text_file.hpp"
+
+#include <cstdint>
+#include <sstream>
+#include <string>
+#include <vector>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const std::string path = (ionskin::data_folder() / "cases" / "quick.toml").string();
+  static const std::string original = ionskin::read_text_file(path, "case");
+  std::istringstream arguments(std::string(reinterpret_cast<const char*>(data), size));
+  std::vector<std::string> edits;
+  for (std::string edit; edits.size() < 4 && std::getline(arguments, edit);)
+    edits.push_back(edit);
+  try {
+    ionskin::read_case_text(original, path, edits);
+  } catch (const ionskin::UserError&) {
+  }
+  return 0;
+}
