@@ -3,9 +3,13 @@
 
 #include "explain.hpp"
 #include "terminal.hpp"
+#include "threads.hpp"
 
+#include "ionskin/base/text.hpp"
 #include "ionskin/case/read_case.hpp"
+#include "ionskin/mechanics/first_touch.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
+#include "ionskin/study/resources.hpp"
 
 #include <fmt/format.h>
 
@@ -19,7 +23,11 @@ bool check(const CheckOptions& options) {
   // The mesh has a say too: it refuses sliders that leave no room for an element at the skin's
   // edge.
   mesh::SkinMesh{document.input};
-  print_valid(options, document, warning_of_ions(document.input));
+  mechanics::require_touch(document.input);
+  const std::string shortage = study::shortage(document.input, thread_count(0));
+  print_valid(options, document,
+              warning_of_ions(document.input) +
+                  (shortage.empty() ? "" : fmt::format("warning: {}\n", shortage)));
   return true;
 }
 
@@ -30,7 +38,7 @@ void print_valid(const CheckOptions& options, const CaseDocument& document,
   for (const std::string& note : document.input.notes) {
     notes += paragraph("note: " + note, 2);
   }
-  fmt::print("{} is valid.\n{}{}{}", options.case_path, notes, warning, explanation);
+  fmt::print("{} is valid.\n{}{}{}", base::shown(options.case_path), notes, warning, explanation);
 }
 
 } // namespace ionskin::apps

@@ -4,6 +4,7 @@
 #include "command_line_mistake.hpp"
 #include "command_line_options.hpp"
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/text.hpp"
 #include "version.hpp"
 
 #include <CLI/CLI.hpp>
@@ -129,7 +130,8 @@ std::optional<Command> parse_command_line(int argc, char** argv, int& exit_code)
       exit_code = app.exit(error);
       return std::nullopt;
     }
-    std::fprintf(stderr, "%s\n", explain_mistake(app, error, {argv + 1, argv + argc}).c_str());
+    const std::string mistake = explain_mistake(app, error, {argv + 1, argv + argc});
+    std::fprintf(stderr, "%s\n", base::printable(mistake).c_str());
     exit_code = static_cast<int>(ExitCode::user_error);
     return std::nullopt;
   }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explain.hpp"
 
-#include "cost_estimate.hpp"
 #include "threads.hpp"
 
+#include "ionskin/base/text.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/electrochemistry/derived_scales.hpp"
 #include "ionskin/electrochemistry/steric_excess.hpp"
 #include "ionskin/electrochemistry/wall_potential.hpp"
 #include "ionskin/mesh/footprint.hpp"
+#include "ionskin/study/cost_estimate.hpp"
 
 #include <fmt/format.h>
 
@@ -32,14 +33,15 @@ std::string row(const std::string& name, const std::string& value, const std::st
 
 std::string values(const CaseDocument& document) {
   std::size_t key_width = 0, value_width = 0;
+  constexpr std::size_t widest = 60;
   for (const ValueRecord& record : document.records) {
     key_width = std::max(key_width, record.key.size());
-    value_width = std::max(value_width, record.si.size());
+    value_width = std::max(value_width, base::shown(record.si, widest).size());
   }
   std::string text = "\nValues in SI units, and where they come from\n";
   for (const ValueRecord& record : document.records)
-    text += fmt::format("  {:<{}}  {:<{}}  {}\n", record.key, key_width, record.si, value_width,
-                        to_string(record.origin));
+    text += fmt::format("  {:<{}}  {:<{}}  {}\n", record.key, key_width,
+                        base::shown(record.si, widest), value_width, to_string(record.origin));
   return text;
 }
 
@@ -201,7 +203,7 @@ std::string costs(const Case& input) {
   if (input.strain.kind == StrainSourceKind::file)
     return text + row("Study 2", "", "its size follows from the strain file");
   const int threads = thread_count(0);
-  const CostEstimate cost = estimate_cost(input, threads);
+  const study::CostEstimate cost = study::estimate_cost(input, threads);
   text += row("Study 1: unknowns", fmt::format("{}", cost.mechanics_unknowns),
               fmt::format("displacements, factorised at {} positions", cost.positions));
   text += row("Study 2: unknowns", fmt::format("{}", cost.ion_unknowns),

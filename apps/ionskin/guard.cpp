@@ -2,6 +2,7 @@
 #include "guard.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/text.hpp"
 
 #include <fmt/core.h>
 
@@ -12,7 +13,7 @@ namespace ionskin::apps {
 namespace {
 
 int fail(ExitCode code, const std::string& message) {
-  fmt::print(stderr, "{}\n", message);
+  fmt::print(stderr, "{}\n", base::printable(message));
   return static_cast<int>(code);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sweep_cost.hpp"
 
-#include "cost_estimate.hpp"
+#include "ionskin/study/cost_estimate.hpp"
 #include "ionskin/study/sweep_mechanics.hpp"
 
 #include <fmt/format.h>
@@ -47,12 +47,13 @@ std::string sweep_cost(const study::SweepPlan& plan, bool both_studies, int thre
   }
   double seconds = seconds_of_report;
   for (const auto& group : groups) {
-    const CostEstimate cost = estimate_cost(plan.points[group.first_point].input, threads);
+    const study::CostEstimate cost =
+        study::estimate_cost(plan.points[group.first_point].input, threads);
     const double further = further_friction * static_cast<double>(group.solutions - 1);
     seconds += cost.mechanics_seconds * (1 + further);
   }
   if (both_studies) {
-    seconds += estimate_cost(plan.points.front().input, threads).ion_seconds *
+    seconds += study::estimate_cost(plan.points.front().input, threads).ion_seconds *
                static_cast<double>(plan.points.size());
   }
   return fmt::format("{}, {}; about {} with {}, less where the cache holds the mechanics", points,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/base/disk_cache.hpp"
 
+#include "ionskin/base/byte_count.hpp"
 #include "ionskin/base/cache_file.hpp"
 #include "ionskin/base/error.hpp"
 
@@ -167,20 +168,7 @@ std::uintmax_t cache_limit() {
   if (text == nullptr || *text == '\0') {
     return default_cache_limit;
   }
-  std::istringstream stream(text);
-  double amount = -1;
-  std::string unit, rest;
-  stream >> amount >> unit;
-  constexpr std::array<std::pair<const char*, double>, 4> units{
-      {{"kB", 1e3}, {"MB", 1e6}, {"GB", 1e9}, {"TB", 1e12}}};
-  const auto known = std::find_if(units.begin(), units.end(),
-                                  [&](const auto& candidate) { return unit == candidate.first; });
-  if (!(amount >= 0) || known == units.end() || amount * known->second > 1e18 || stream >> rest) {
-    throw UserError(fmt::format("IONSKIN_CACHE_LIMIT = \"{}\" is no size of a cache: give a number "
-                                "and kB, MB, GB or TB, such as \"5 GB\"",
-                                text));
-  }
-  return static_cast<std::uintmax_t>(amount * known->second);
+  return byte_count("IONSKIN_CACHE_LIMIT", text);
 }
 
 } // namespace ionskin::base

@@ -2,21 +2,25 @@
 #include "ionskin/base/interrupt.hpp"
 
 #include "ionskin/base/error.hpp"
+
+#include <atomic>
 namespace ionskin::base {
 namespace {
 
-volatile std::sig_atomic_t requested = 0;
+// Set by a handler and read by all threads: needs an atomic, and one without a lock.
+std::atomic<bool> requested = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void on_signal(int signal_number) {
   if (requested) {
     std::signal(signal_number, SIG_DFL);
     std::raise(signal_number);
   }
-  requested = 1;
+  requested = true;
 }
 
 extern "C" void on_signal_to_host(int) {
-  requested = 1;
+  requested = true;
 }
 
 } // namespace
@@ -27,11 +31,11 @@ void install_interrupt_handler() {
 }
 
 void request_interrupt() {
-  requested = 1;
+  requested = true;
 }
 
 InterruptScope::InterruptScope(bool take_signal) : taken_(take_signal) {
-  requested = 0;
+  requested = false;
   if (taken_) {
     struct sigaction ours {};
     ours.sa_handler = on_signal_to_host;
@@ -44,11 +48,11 @@ InterruptScope::~InterruptScope() {
   if (taken_) {
     sigaction(SIGINT, &former_, nullptr);
   }
-  requested = 0;
+  requested = false;
 }
 
 bool interrupt_requested() {
-  return requested != 0;
+  return requested;
 }
 
 void check_interrupt() {

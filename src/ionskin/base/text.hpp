@@ -22,4 +22,20 @@ std::string foreign_separator(std::string_view header);
 inline constexpr const char* foreign_separator_remedy =
     "separate columns by commas and write decimal points: sed 's/,/./g; s/[;\\t]/,/g' FILE";
 
+/// A user's text for a message: one line, control bytes and bytes that are no UTF-8 escaped
+/// ("\\x1b"), the middle of a long one left out.
+/// @param most bytes that are shown
+std::string shown(std::string_view text, std::size_t most = 120);
+
+/// A whole message that may hold users' texts: as `shown`, but lines and tabs stay, and both the
+/// lines and their number are bounded.
+std::string printable(std::string_view message);
+
+/// One cell of a CSV file, quoted where it must be. A text that a spreadsheet would take for a
+/// formula gets an apostrophe before it, which makes it a text there.
+std::string csv_cell(std::string_view text);
+
+/// Whether all of it is UTF-8.
+bool is_utf8(std::string_view text);
+
 } // namespace ionskin::base

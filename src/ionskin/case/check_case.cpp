@@ -4,9 +4,12 @@
 #include "ionskin/case/check_electrochemistry.hpp"
 #include "ionskin/case/check_motion.hpp"
 #include "ionskin/case/check_readout.hpp"
+#include "ionskin/case/check_sizes.hpp"
 #include "ionskin/case/check_slider.hpp"
 #include "ionskin/case/check_track.hpp"
 #include "ionskin/case/check_water.hpp"
+
+#include "ionskin/base/text.hpp"
 
 #include <fmt/format.h>
 
@@ -31,7 +34,7 @@ void check_layer_names(const CaseDocument& document, Problems& problems) {
   for (std::size_t i = 0; i < layers.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (layers[i].name == layers[j].name)
-        problems.add(fmt::format("two layers have the name \"{}\"", layers[i].name),
+        problems.add(fmt::format("two layers have the name \"{}\"", base::shown(layers[i].name)),
                      joined(document.point_at(layer_key(j, "name"), "first"),
                             document.point_at(layer_key(i, "name"), "second")),
                      "give every layer a name of its own");
@@ -92,11 +95,13 @@ void check_instants(const CaseDocument& document, Problems& problems) {
                document.point_at("motion.cycles", "cycles of touchdown, slide, lift and return")),
         fmt::format("it must be at most {:.6g} s", duration));
   for (const double instant : document.input.output.fields)
-    if (instant > duration)
+    if (instant > duration) {
       problems.add(fmt::format("output.fields: {:.6g} s lies behind the end of the run at {:.6g} s",
                                instant, duration),
                    document.point_at("output.fields"),
                    fmt::format("choose instants from 0 s to {:.6g} s", duration));
+      return;
+    }
 }
 
 void check_strain_file(const CaseDocument& document, Problems& problems) {
@@ -104,7 +109,8 @@ void check_strain_file(const CaseDocument& document, Problems& problems) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored) || !std::ifstream(file))
     problems.add(
-        fmt::format("the strain file {} cannot be read", file), document.point_at("strain.file"),
+        fmt::format("the strain file {} cannot be read", base::shown(file)),
+        document.point_at("strain.file"),
         "strain.file is relative to the folder of the case file; check its name and permissions");
 }
 
@@ -122,6 +128,7 @@ void check_case(const CaseDocument& document) {
     if (check_motion(document, problems)) {
       check_track(document, problems);
       check_instants(document, problems);
+      check_sizes(document, problems);
     }
     check_preload(document, problems);
   } else {

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/check_motion.hpp"
 
+#include "ionskin/case/read_text_file.hpp"
 #include "ionskin/case/schema.hpp"
 #include "ionskin/case/slider_motion.hpp"
+#include "ionskin/units/quantity.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
+#include <sstream>
+#include <utility>
 
 namespace ionskin {
 
@@ -32,12 +35,21 @@ public:
           "write sections [[motion.waypoints]], or name a file with motion.file");
       return false;
     }
-    for (std::size_t i = 0; i < waypoints.size(); ++i)
+    constexpr std::size_t most_told = 10; // each reads the file's line again
+    for (std::size_t i = 0, told = 0; i < waypoints.size() && told < most_told; ++i) {
+      const bool was_sound = std::exchange(sound_, true);
       check_one(i);
+      told += sound_ ? 0 : 1;
+      sound_ = sound_ && was_sound;
+    }
     if (!sound_)
       return false;
-    for (std::size_t i = 1; i < waypoints.size(); ++i)
+    for (std::size_t i = 1, told = 0; i < waypoints.size() && told < most_told; ++i) {
+      const bool was_sound = std::exchange(sound_, true);
       check_pair(i);
+      told += sound_ ? 0 : 1;
+      sound_ = sound_ && was_sound;
+    }
     check_ends();
     return sound_;
   }
@@ -49,8 +61,25 @@ private:
     sound_ = false;
   }
 
+  /// Those of a case are checked as they are read, those of a file here.
+  void check_range(std::size_t i, const std::string& name, double value) {
+    const SchemaRow& row = *find_row("motion.waypoints[]." + name);
+    if (!row.range.contains(value))
+      add(fmt::format("waypoint {}: {} = {} is out of range", i + 1, name,
+                      units::format_si(value, row.dimension)),
+          point_at_waypoint(document_, i),
+          fmt::format("it must be {}", describe(row.range, row.dimension)));
+  }
+
   void check_one(std::size_t i) {
     const Waypoint& waypoint = motion_.waypoints[i];
+    check_range(i, "time", waypoint.time);
+    check_range(i, "position", waypoint.position[0]);
+    check_range(i, "position", waypoint.position[1]);
+    if (waypoint.height)
+      check_range(i, "height", *waypoint.height);
+    if (waypoint.force && *waypoint.force > 0)
+      check_range(i, "force", *waypoint.force);
     if (waypoint.height.has_value() == waypoint.force.has_value())
       add(fmt::format("waypoint {} has {}", i + 1,
                       waypoint.force ? "both a height and a force" : "neither height nor force"),
@@ -134,8 +163,9 @@ void check_kind(const CaseDocument& document, Problems& problems) {
   }
 }
 
+// A few of the same file's lines are asked for, each in a message.
 std::string line_of(const std::string& path, std::size_t number) {
-  std::ifstream stream(path);
+  std::istringstream stream(read_text_file(path, "waypoint"));
   std::string line;
   for (std::size_t i = 0; i < number; ++i)
     std::getline(stream, line);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/check_readout.hpp"
 
+#include "ionskin/base/text.hpp"
 #include "ionskin/case/taxel_grid.hpp"
 
 #include <fmt/format.h>
@@ -42,14 +43,14 @@ void check_rectangle(const CaseDocument& document, std::size_t index, Problems& 
     if (low >= high)
       problems.add(fmt::format("the taxel \"{}\" has no extent along {}: it reaches from {:.6g} mm "
                                "to {:.6g} mm",
-                               taxel.name, direction, low, high),
+                               base::shown(taxel.name), direction, low, high),
                    document.point_at(taxel_key(index, "upper")),
                    "upper must be greater than lower along x and along y");
     else if (taxel.upper[axis] > size[axis] * (1 + 1e-12))
       problems.add(
           fmt::format("the taxel \"{}\" leaves the top face: it reaches to {:.6g} mm along "
                       "{}, the skin to {:.6g} mm",
-                      taxel.name, high, direction, size[axis] * 1e3),
+                      base::shown(taxel.name), high, direction, size[axis] * 1e3),
           document.point_at(taxel_key(index, "upper")),
           fmt::format("it must be at most {:.6g} mm along {}", size[axis] * 1e3, direction));
   }
@@ -65,16 +66,39 @@ bool overlap(const Taxel& first, const Taxel& second) {
   return true;
 }
 
-void check_pair(const CaseDocument& document, std::size_t first, std::size_t second,
-                Problems& problems) {
-  const Taxel& one = document.input.readout.taxels[first];
-  const Taxel& other = document.input.readout.taxels[second];
-  if (one.name == other.name)
-    problems.add(fmt::format("two taxels have the name \"{}\"", one.name),
-                 places(document, first, "name", second), "give every taxel a name of its own");
-  if (overlap(one, other))
-    problems.add(fmt::format("the taxels \"{}\" and \"{}\" overlap", one.name, other.name),
-                 places(document, first, "lower", second),
+/// The first of all pairs of taxels that conflict, and how many more do.
+struct Conflicts {
+  std::size_t first = 0, second = 0, count = 0;
+
+  void add(std::size_t one, std::size_t other) {
+    if (count++ == 0)
+      first = one, second = other;
+  }
+  std::string others() const {
+    return count < 2 ? "" : fmt::format("; so do {} more pairs", count - 1);
+  }
+};
+
+void check_pairs(const CaseDocument& document, Problems& problems) {
+  const std::vector<Taxel>& taxels = document.input.readout.taxels;
+  Conflicts names, places_taken;
+  for (std::size_t i = 0; i < taxels.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      if (taxels[i].name == taxels[j].name)
+        names.add(j, i);
+      if (overlap(taxels[j], taxels[i]))
+        places_taken.add(j, i);
+    }
+  if (names.count > 0)
+    problems.add(fmt::format("two taxels have the name \"{}\"{}",
+                             base::shown(taxels[names.first].name), names.others()),
+                 places(document, names.first, "name", names.second),
+                 "give every taxel a name of its own");
+  if (places_taken.count > 0)
+    problems.add(fmt::format("the taxels \"{}\" and \"{}\" overlap{}",
+                             base::shown(taxels[places_taken.first].name),
+                             base::shown(taxels[places_taken.second].name), places_taken.others()),
+                 places(document, places_taken.first, "lower", places_taken.second),
                  "move their corners apart: charge belongs to one taxel only");
 }
 
@@ -151,13 +175,12 @@ void check_readout(const CaseDocument& document, Problems& problems) {
   const std::vector<Taxel>& taxels = document.input.readout.taxels;
   for (std::size_t i = 0; i < taxels.size(); ++i) {
     if (!is_column_name(taxels[i].name))
-      problems.add(fmt::format("\"{}\" cannot name a taxel", taxels[i].name),
+      problems.add(fmt::format("\"{}\" cannot name a taxel", base::shown(taxels[i].name)),
                    document.point_at(taxel_key(i, "name")),
                    "use letters, digits, _ and -; \"rest\" is what no taxel covers");
     check_rectangle(document, i, problems);
-    for (std::size_t j = 0; j < i; ++j)
-      check_pair(document, j, i, problems);
   }
+  check_pairs(document, problems);
 }
 
 std::vector<std::string> notes_on_readout(const CaseDocument& document) {

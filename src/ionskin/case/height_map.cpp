@@ -18,6 +18,9 @@ namespace ionskin {
 
 namespace {
 
+constexpr std::size_t most_heights = 4'000'000;
+constexpr double largest_length = 10; // [m]
+
 std::vector<std::string> fields_of(const std::string& line) {
   std::vector<std::string> fields = base::split(line, ',', " \t\r");
   if (line.ends_with(',')) // begins no further field
@@ -46,6 +49,8 @@ public:
           refuse("the first row needs a unit of length and at least two values of x");
         continue;
       }
+      if (map.height.size() + fields.size() > most_heights)
+        refuse(fmt::format("more than {} heights", most_heights));
       if (fields.size() != map.x.size() + 1)
         refuse(fmt::format("{} values instead of y and {} heights", fields.size(), map.x.size()));
       append_line(map.y, length(fields.front(), unit), "y");
@@ -60,7 +65,11 @@ public:
 private:
   double length(const std::string& number, const std::string& unit) const {
     try {
-      return units::parse_quantity(number + " " + unit, units::Dimension::length);
+      const double value = units::parse_quantity(number + " " + unit, units::Dimension::length);
+      if (std::abs(value) > largest_length)
+        refuse(fmt::format("{} {} is more than {} m", base::shown(number), base::shown(unit),
+                           largest_length));
+      return value;
     } catch (const UserError& error) {
       refuse(error.what());
     }
@@ -76,7 +85,7 @@ private:
     throw UserError(fmt::format("the height map {} cannot be used: {}\n  in its line {}\n  = "
                                 "first row: unit of length, values of x; then rows of y and "
                                 "the heights there, separated by commas",
-                                path_, message, line_));
+                                base::shown(path_), message, line_));
   }
 
   std::string path_;

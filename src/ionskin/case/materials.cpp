@@ -2,6 +2,7 @@
 #include "ionskin/case/materials.hpp"
 
 #include "ionskin/base/nearest_name.hpp"
+#include "ionskin/base/text.hpp"
 #include "ionskin/case/data_folder.hpp"
 #include "ionskin/case/read_text_file.hpp"
 #include "ionskin/case/toml_text.hpp"
@@ -76,9 +77,9 @@ void report_unknown(const std::string& name, const std::vector<Pointer>& where,
     known.insert(defined);
   const std::string nearest = base::nearest_name(name, {known.begin(), known.end()});
   const std::string hint = nearest.empty() ? "" : fmt::format("did you mean \"{}\"? ", nearest);
-  problems.add(fmt::format("unknown material \"{}\"", name), where,
+  problems.add(fmt::format("unknown material \"{}\"", base::shown(name)), where,
                fmt::format("{}known: {}; or define it in a section [materials.{}]", hint,
-                           quoted_list(known), name));
+                           quoted_list(known), base::shown(name)));
 }
 
 std::vector<Pointer> place_of_layer_material(const TomlWalk& walk, std::size_t layer) {

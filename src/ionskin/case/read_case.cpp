@@ -8,6 +8,7 @@
 #include "ionskin/case/read_text_file.hpp"
 #include "ionskin/case/set_edit.hpp"
 #include "ionskin/case/taxel_grid.hpp"
+#include "ionskin/case/toml_limits.hpp"
 #include "ionskin/case/toml_text.hpp"
 #include "ionskin/case/toml_walk.hpp"
 #include "ionskin/case/waypoint_file.hpp"
@@ -70,7 +71,7 @@ std::size_t rank(const std::string& key) {
 
 CaseDocument read_case_document(const std::string& path,
                                 const std::vector<std::string>& set_edits) {
-  return read_case_text(read_text_file(path, "case"), path, set_edits);
+  return read_case_text(read_text_file(path, "case", toml_limits::bytes), path, set_edits);
 }
 
 CaseDocument read_case_text(const std::string& original, const std::string& path,

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace ionskin {
 
-/// The whole text of a file. Throws UserError when it cannot be read.
+/// Most bytes of a table of numbers: height map, waypoints, measurement.
+inline constexpr std::size_t largest_table = 64U << 20;
+
+/// The whole text of an ordinary file. Throws UserError when it cannot be read, is a folder, a pipe
+/// or a device, or is too large.
 /// @param what "case", for the message
-std::string read_text_file(const std::string& path, const std::string& what);
+/// @param most bytes
+std::string read_text_file(const std::string& path, const std::string& what,
+                           std::size_t most = largest_table);
 
 } // namespace ionskin

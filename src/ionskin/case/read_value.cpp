@@ -3,10 +3,12 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/nearest_name.hpp"
+#include "ionskin/base/text.hpp"
 #include "ionskin/units/quantity.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -49,14 +51,21 @@ private:
     throw BadValue{message, remedy, &where};
   }
 
-  static std::string written(const toml::value& value) { return toml::format(value, 10000); }
+  static std::string written(const toml::value& value) {
+    return base::shown(toml::format(value, 10000));
+  }
 
   std::string example() const { return units::dimension_info(row_.dimension).examples.front(); }
 
   std::string text(const toml::value& value) const {
     if (!value.is_string())
       refuse(value, fmt::format("{} = {} is not a text", key_, written(value)), "put it in quotes");
-    return value.as_string().str;
+    const std::string& text = value.as_string().str;
+    const auto is_control = [](unsigned char letter) { return letter < 0x20 || letter == 0x7F; };
+    if (std::ranges::any_of(text, is_control))
+      refuse(value, fmt::format("{} = {} holds control characters", key_, written(value)),
+             "write a text of one line without \\u00.. escapes");
+    return text;
   }
 
   std::string choice(const toml::value& value) const {
@@ -73,10 +82,10 @@ private:
     }
     for (const Choice& later : row_.choices)
       if (later.name == name)
-        refuse(value, fmt::format("{} = \"{}\" is not in this version", key_, name),
+        refuse(value, fmt::format("{} = \"{}\" is not in this version", key_, base::shown(name)),
                "choose " + list);
     const std::string nearest = base::nearest_name(name, names);
-    refuse(value, fmt::format("{} = \"{}\" is unknown", key_, name),
+    refuse(value, fmt::format("{} = \"{}\" is unknown", key_, base::shown(name)),
            (nearest.empty() ? "" : fmt::format("did you mean \"{}\"? ", nearest)) +
                "known: " + list);
   }

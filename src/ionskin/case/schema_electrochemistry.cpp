@@ -21,7 +21,7 @@ void add_electrochemistry(SchemaRows& rows) {
   rows.push_back({.key = "electrochemistry.temperature",
                   .type = ValueType::quantity,
                   .dimension = Dimension::temperature,
-                  .range = positive,
+                  .range = {100.0, 1000.0, true, true},
                   .default_value = "\"20 degC\"",
                   .help = "Temperature of the skin.",
                   .source = "room temperature",
@@ -29,7 +29,7 @@ void add_electrochemistry(SchemaRows& rows) {
   rows.push_back({.key = "electrochemistry.diffusivity",
                   .type = ValueType::quantity,
                   .dimension = Dimension::diffusivity,
-                  .range = positive,
+                  .range = {1e-18, 1e-4, true, true},
                   .need = Need::always,
                   .of_material = true,
                   .help =
@@ -39,7 +39,8 @@ void add_electrochemistry(SchemaRows& rows) {
   rows.push_back({.key = "electrochemistry.permittivity",
                   .type = ValueType::quantity,
                   .dimension = Dimension::permittivity,
-                  .range = positive,
+                  .range = {8e-12, 10.0, true, true},
+                  .range_reason = "that of vacuum is 8.85e-12 F/m",
                   .need = Need::always,
                   .help = "Effective permittivity of the core, absolute.",
                   .set = into(&Case::electrochemistry, &Electrochemistry::permittivity)});
@@ -47,7 +48,7 @@ void add_electrochemistry(SchemaRows& rows) {
       {.key = "electrochemistry.fixed_charge_concentration",
        .type = ValueType::quantity,
        .dimension = Dimension::concentration,
-       .range = positive,
+       .range = concentration_range,
        .need = Need::always,
        .of_material = true,
        .help = "Concentration of the fixed anions in the unstrained core; where it is not given, "
@@ -77,7 +78,7 @@ void add_electrochemistry(SchemaRows& rows) {
   rows.push_back({.key = "electrochemistry.largest_concentration",
                   .type = ValueType::quantity,
                   .dimension = Dimension::concentration,
-                  .range = positive,
+                  .range = concentration_range,
                   .need = Need::always,
                   .applies = is_steric,
                   .help = "Concentration of the cations when packed as densely as they can be, "
@@ -122,6 +123,7 @@ void add_coupling(SchemaRows& rows) {
        .set = into(&Case::coupling, &Coupling::law)});
   rows.push_back({.key = "coupling.coefficient",
                   .type = ValueType::number,
+                  .range = {-1e6, 1e6, true, true},
                   .need = Need::always,
                   .applies = has_coupling_coefficient,
                   .help =

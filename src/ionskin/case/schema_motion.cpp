@@ -13,8 +13,9 @@ namespace {
 
 // A direction without length stays so, for check_case to refuse.
 void into_direction(CaseDraft& draft, const KeyIndex&, const Value& value) {
+  constexpr double shortest = 1e-9;
   const double length = std::hypot(value.numbers[0], value.numbers[1]);
-  const double scale = length > 0 ? 1 / length : 1;
+  const double scale = length > shortest ? 1 / length : 0;
   draft.input.motion.direction = {value.numbers[0] * scale, value.numbers[1] * scale};
 }
 
@@ -30,7 +31,7 @@ SchemaRow duration(const std::string& key, const std::string& help, double Motio
   return {.key = key,
           .type = ValueType::quantity,
           .dimension = Dimension::time,
-          .range = positive,
+          .range = duration_range,
           .need = Need::when_it_applies,
           .applies = goes_in_strokes,
           .help = help,
@@ -80,21 +81,24 @@ void add_waypoints(SchemaRows& rows) {
                         into_waypoint([](Waypoint& waypoint, const Value& value) {
                           waypoint.time = value.numbers[0];
                         }));
-  time.range = not_negative;
+  time.range = {0.0, 1e7, true, true};
   time.need = Need::when_it_applies;
-  add("position", ValueType::quantity_pair, Dimension::length,
-      "Centre of the slider, x and y from the skin's corner.",
-      into_waypoint(
-          [](Waypoint& waypoint, const Value& value) { store(value, waypoint.position); }))
-      .need = Need::when_it_applies;
+  SchemaRow& position = add("position", ValueType::quantity_pair, Dimension::length,
+                            "Centre of the slider, x and y from the skin's corner.",
+                            into_waypoint([](Waypoint& waypoint, const Value& value) {
+                              store(value, waypoint.position);
+                            }));
+  position.range = {-10.0, 10.0, true, true};
+  position.need = Need::when_it_applies;
   add("height", ValueType::quantity, Dimension::length,
       "Height of the slider's underside above the undeformed top face; negative when it indents.",
       into_waypoint(
-          [](Waypoint& waypoint, const Value& value) { waypoint.height = value.numbers[0]; }));
+          [](Waypoint& waypoint, const Value& value) { waypoint.height = value.numbers[0]; }))
+      .range = {-0.1, 1.0, true, true};
   add("force", ValueType::quantity, Dimension::force, "Normal force, in place of a height.",
       into_waypoint(
           [](Waypoint& waypoint, const Value& value) { waypoint.force = value.numbers[0]; }))
-      .range = positive;
+      .range = {1e-9, 1e6, true, true};
   rows.push_back({.key = "motion.file",
                   .type = ValueType::text,
                   .need = Need::one_of_several,
@@ -121,20 +125,21 @@ void add_motion(SchemaRows& rows) {
                                         {"waypoints", MotionKind::waypoints}})});
   rows.push_back(distance("motion.gap",
                           "Clearance between slider and skin at the start of a cycle.",
-                          not_negative, &Motion::gap));
+                          {0.0, 1.0, true, true}, &Motion::gap));
   rows.push_back({.key = "motion.preload",
                   .type = ValueType::quantity,
                   .dimension = Dimension::length,
                   .other_dimension = Dimension::force,
-                  .range = positive,
+                  .range = {1e-12, 1e6, true, true},
                   .need = Need::when_it_applies,
                   .applies = goes_in_strokes,
                   .help = "Indentation while sliding, or the normal force that is held instead.",
                   .set = into_preload});
   rows.push_back(distance("motion.stroke", "Length of the slide; zero is a press-and-hold.",
-                          not_negative, &Motion::stroke));
+                          {0.0, 10.0, true, true}, &Motion::stroke));
   rows.push_back({.key = "motion.direction",
                   .type = ValueType::number_pair,
+                  .range = {-1e6, 1e6, true, true},
                   .applies = goes_in_strokes,
                   .default_value = "[1, 0]",
                   .help = "Direction of the slide in the x-y plane; any length, it is normalised.",
@@ -156,7 +161,7 @@ void add_motion(SchemaRows& rows) {
   rows.push_back({.key = "motion.dwell",
                   .type = ValueType::quantity,
                   .dimension = Dimension::time,
-                  .range = not_negative,
+                  .range = {0.0, 1e7, true, true},
                   .applies = reciprocates,
                   .default_value = "\"0 s\"",
                   .help = "Rest of the slider at each reversal.",

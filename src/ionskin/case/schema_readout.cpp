@@ -41,7 +41,7 @@ void add_circuit(SchemaRows& rows) {
   rows.push_back({.key = "readout.load_resistance",
                   .type = ValueType::quantity,
                   .dimension = Dimension::resistance,
-                  .range = positive,
+                  .range = {1e-3, 1e18, true, true},
                   .default_value = "\"1 MOhm\"",
                   .help = "Resistor between the electrodes in the circuit \"load\".",
                   .source = "input resistance of ordinary oscilloscopes",
@@ -50,15 +50,15 @@ void add_circuit(SchemaRows& rows) {
 
 void add_amplifier(SchemaRows& rows) {
   rows.push_back(amplifier_quantity(
-      "amplifier_bandwidth", Dimension::frequency, positive, "\"1 kHz\"",
+      "amplifier_bandwidth", Dimension::frequency, {1e-6, 1e12, true, true}, "\"1 kHz\"",
       "Bandwidth (-3 dB) of the amplifier's first-order low pass.",
       "an assumption: passes contact events of a millisecond", &Amplifier::bandwidth));
   rows.push_back(amplifier_quantity(
-      "amplifier_noise_density", Dimension::current_noise_density, not_negative, "\"0 A/sqrt(Hz)\"",
-      "Input-referred white current noise density of the amplifier, one-sided.",
+      "amplifier_noise_density", Dimension::current_noise_density, {0.0, 1.0, true, true},
+      "\"0 A/sqrt(Hz)\"", "Input-referred white current noise density of the amplifier, one-sided.",
       "an ideal amplifier", &Amplifier::noise_density));
   rows.push_back(amplifier_quantity(
-      "amplifier_range", Dimension::current, not_negative, "\"0 A\"",
+      "amplifier_range", Dimension::current, {0.0, 1e3, true, true}, "\"0 A\"",
       "Largest current that the amplifier can show, of either sign; beyond it clips. 0 A: any.",
       "an ideal amplifier", &Amplifier::range));
   rows.push_back({.key = "readout.noise_seed",
@@ -82,14 +82,14 @@ void add_taxels(SchemaRows& rows) {
   rows.push_back({.key = "readout.taxels[].lower",
                   .type = ValueType::quantity_pair,
                   .dimension = Dimension::length,
-                  .range = not_negative,
+                  .range = place_on_skin,
                   .need = Need::always,
                   .help = "Corner of the taxel with the least x and y on the top face.",
                   .set = into_taxel(&Taxel::lower)});
   rows.push_back({.key = "readout.taxels[].upper",
                   .type = ValueType::quantity_pair,
                   .dimension = Dimension::length,
-                  .range = positive,
+                  .range = {1e-9, 10.0, true, true},
                   .need = Need::always,
                   .help = "Corner of the taxel with the greatest x and y on the top face.",
                   .set = into_taxel(&Taxel::upper)});
@@ -130,7 +130,7 @@ void add_readout(SchemaRows& rows) {
   rows.push_back({.key = "readout.sample_interval",
                   .type = ValueType::quantity,
                   .dimension = Dimension::time,
-                  .range = positive,
+                  .range = {1e-9, 1e7, true, true},
                   .default_value = "\"10 ms\"",
                   .help = "Interval of the sampled currents: charge gained over it divided by it.",
                   .source = "100 readings a second, as of an ordinary multimeter interface",

@@ -14,8 +14,13 @@ namespace ionskin {
 using SchemaRows = std::vector<SchemaRow>;
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
-inline constexpr Range positive{0.0, infinity, false, false};
-inline constexpr Range not_negative{0.0, infinity, true, false};
+// What a skin, a slider and their ions can be, with decades to spare on both sides: beyond them
+// numbers overflow or studies never end, and a slip of the unit is likelier than the value.
+inline constexpr Range extent{1e-6, 10.0, true, true};             ///< of skin and slider [m]
+inline constexpr Range film{1e-9, 0.1, true, true};                ///< thickness of a layer [m]
+inline constexpr Range place_on_skin{0.0, 10.0, true, true};       ///< [m]
+inline constexpr Range duration_range{1e-6, 1e7, true, true};      ///< [s]
+inline constexpr Range concentration_range{1e-3, 1e6, true, true}; ///< [mol/m3]
 
 /// Whether the motion starts at slider.start; waypoints bring their own places.
 inline bool goes_in_strokes(const Case& input) {

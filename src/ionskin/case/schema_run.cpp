@@ -56,7 +56,7 @@ void add_run_control(SchemaRows& rows) {
   rows.push_back({.key = "output.fields",
                   .type = ValueType::quantity_list,
                   .dimension = Dimension::time,
-                  .range = not_negative,
+                  .range = {0.0, 1e11, true, true},
                   .default_value = "[]",
                   .help = "Instants at which fields are written.",
                   .set = into(&Case::output, &Output::fields)});

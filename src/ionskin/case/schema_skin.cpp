@@ -19,14 +19,14 @@ void add_skin(SchemaRows& rows) {
   rows.push_back({.key = "skin.length",
                   .type = ValueType::quantity,
                   .dimension = Dimension::length,
-                  .range = positive,
+                  .range = extent,
                   .need = Need::always,
                   .help = "Length of the skin along x.",
                   .set = into(&Case::skin, &Skin::length)});
   rows.push_back({.key = "skin.width",
                   .type = ValueType::quantity,
                   .dimension = Dimension::length,
-                  .range = positive,
+                  .range = extent,
                   .need = Need::always,
                   .help = "Width of the skin along y.",
                   .set = into(&Case::skin, &Skin::width)});
@@ -64,7 +64,7 @@ void add_layers(SchemaRows& rows) {
   rows.push_back({.key = "skin.layers[].thickness",
                   .type = ValueType::quantity,
                   .dimension = Dimension::length,
-                  .range = positive,
+                  .range = film,
                   .need = Need::always,
                   .help = "Thickness of the layer.",
                   .set = into_layer(&Layer::thickness)});
@@ -74,13 +74,13 @@ void add_materials(SchemaRows& rows) {
   rows.push_back({.key = "materials.NAME.youngs_modulus",
                   .type = ValueType::quantity,
                   .dimension = Dimension::stress,
-                  .range = positive,
+                  .range = {1.0, 1e13, true, true},
                   .need = Need::with_contact,
                   .help = "Young's modulus.",
                   .set = into_material(&Material::youngs_modulus)});
   rows.push_back({.key = "materials.NAME.poissons_ratio",
                   .type = ValueType::number,
-                  .range = {0.0, 0.5, true, false},
+                  .range = {0.0, 0.49999, true, true},
                   .range_reason = "0.5 is incompressible, which needs a mixed formulation with the "
                                   "pressure as an unknown; 0.4999 works",
                   .need = Need::with_contact,

@@ -3,12 +3,13 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/text.hpp"
+#include "ionskin/case/toml_limits.hpp"
 #include "ionskin/case/toml_text.hpp"
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <optional>
-#include <regex>
 #include <sstream>
 
 namespace ionskin {
@@ -30,18 +31,35 @@ using Path = std::vector<Step>;
   throw InternalError("a refused edit was accepted");
 }
 
+constexpr std::string_view name_letters =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";
+
+/// "name" or "name[3]".
+std::optional<Step> parse_step(const std::string& part) {
+  const std::size_t open = std::min(part.find_first_not_of(name_letters), part.size());
+  Step step{part.substr(0, open), {}};
+  if (open == 0)
+    return std::nullopt;
+  if (open == part.size())
+    return step;
+  constexpr std::size_t most_digits = 6;
+  const std::string digits = part.substr(open + 1, part.size() - open - 2);
+  if (part[open] != '[' || part.back() != ']' || digits.empty() || digits.size() > most_digits ||
+      digits.find_first_not_of("0123456789") != std::string::npos)
+    return std::nullopt;
+  step.index = std::stoul(digits);
+  return step;
+}
+
 Path parse_path(const std::string& argument, const std::string& key) {
-  static const std::regex step_form("([A-Za-z0-9_-]+)(\\[([0-9]{1,6})\\])?");
   Path path;
   std::istringstream parts(key);
   for (std::string part; std::getline(parts, part, '.');) {
-    std::smatch match;
-    if (!std::regex_match(part, match, step_form))
-      refuse(argument, fmt::format("\"{}\" is not a key", key), false,
+    const std::optional<Step> step = parse_step(part);
+    if (!step)
+      refuse(argument, fmt::format("\"{}\" is not a key", base::shown(key)), false,
              "keys look like contact.friction or skin.layers[1].thickness");
-    path.push_back({match[1], {}});
-    if (match[3].matched)
-      path.back().index = std::stoul(match[3]);
+    path.push_back(*step);
   }
   if (path.empty() || key.ends_with('.'))
     refuse(argument, "the edit names no key", false, "write --set key=value");
@@ -218,7 +236,30 @@ std::string toml_value_text(const std::string& typed) {
   return quoted(typed);
 }
 
+namespace {
+
+/// Before anything of an edit is read.
+void check_limits(const std::string& argument) {
+  if (argument.size() > toml_limits::text_bytes)
+    refuse(argument, fmt::format("the edit has {} bytes", argument.size()), false,
+           fmt::format("it may have {}", toml_limits::text_bytes));
+  if (!base::is_utf8(argument))
+    refuse(argument, "the edit is not UTF-8", false, "write --set key=value in UTF-8");
+  std::size_t depth = 0, deepest = 0;
+  for (const char letter : argument) {
+    depth += letter == '[' || letter == '{' ? 1 : 0;
+    depth -= depth > 0 && (letter == ']' || letter == '}') ? 1 : 0;
+    deepest = std::max(deepest, depth);
+  }
+  if (deepest > toml_limits::depth)
+    refuse(argument, fmt::format("more than {} brackets stand in one another", toml_limits::depth),
+           true, "no key of a case needs more than 3");
+}
+
+} // namespace
+
 void apply_set_edit(CaseText& text, const std::string& argument) {
+  check_limits(argument);
   const std::size_t equals = argument.find('=');
   if (equals == std::string::npos)
     refuse(argument, "the edit has no value", false, "write --set key=value");
@@ -229,7 +270,7 @@ void apply_set_edit(CaseText& text, const std::string& argument) {
            "write --set key=value; an empty text is \"\"");
   const std::string value = toml_value_text(typed);
   if (!is_toml_value(value))
-    refuse(argument, fmt::format("{} is not a TOML value", typed), true,
+    refuse(argument, fmt::format("{} is not a TOML value", base::shown(typed)), true,
            "numbers, quantities such as 3 mm, words, \"texts\" and [lists] are");
 
   const Path path = parse_path(argument, key);

@@ -2,9 +2,9 @@
 #include "ionskin/case/toml_text.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/case/toml_limits.hpp"
 
 #include <algorithm>
-#include <regex>
 #include <sstream>
 
 namespace ionskin {
@@ -13,14 +13,21 @@ namespace {
 
 // toml11's parser is instantiated here alone: it takes long to compile.
 toml::value parse(const std::string& text, const std::string& file) {
+  check_toml_limits(text, file);
   std::istringstream stream(text);
   return toml::parse(stream, file);
 }
 
 // toml11 names its own functions in its messages; users need not see them.
 std::string without_function_name(const std::string& message) {
-  static const std::regex prefix("^\\[error\\] *(toml::[A-Za-z_:]+: *)?");
-  return std::regex_replace(message, prefix, "", std::regex_constants::format_first_only);
+  const std::string prefix = "[error]", library = "toml::";
+  if (!message.starts_with(prefix))
+    return message;
+  std::size_t begin = message.find_first_not_of(' ', prefix.size());
+  if (begin != std::string::npos && message.compare(begin, library.size(), library) == 0)
+    begin = std::min(message.find(' ', begin), message.size());
+  begin = message.find_first_not_of(' ', begin);
+  return begin == std::string::npos ? "" : message.substr(begin);
 }
 
 std::size_t skip_blanks_back(const std::string& text, std::size_t end) {
@@ -42,6 +49,8 @@ std::optional<toml::value> try_parse_toml(const std::string& text) {
 toml::value parse_toml(const std::string& text, const std::string& file) {
   try {
     return parse(text, file);
+  } catch (const UserError&) {
+    throw;
   } catch (const std::exception& error) {
     throw UserError(
         "the case is not valid TOML: " + without_function_name(error.what()) +
@@ -72,12 +81,14 @@ TextSpan key_span(const std::string& text, const toml::value& value) {
 
 std::vector<std::pair<std::string, const toml::value*>>
 children_in_order(const std::string& text, const toml::value& table) {
-  std::vector<std::pair<std::string, const toml::value*>> children;
+  // A span costs a walk over the text: one for each child.
+  std::vector<std::pair<std::size_t, std::pair<std::string, const toml::value*>>> placed;
   for (const auto& [name, child] : table.as_table())
-    children.emplace_back(name, &child);
-  std::sort(children.begin(), children.end(), [&](const auto& first, const auto& second) {
-    return value_span(text, *first.second).begin < value_span(text, *second.second).begin;
-  });
+    placed.push_back({value_span(text, child).begin, {name, &child}});
+  std::ranges::sort(placed, {}, [](const auto& child) { return child.first; });
+  std::vector<std::pair<std::string, const toml::value*>> children;
+  for (auto& [begin, child] : placed)
+    children.push_back(std::move(child));
   return children;
 }
 

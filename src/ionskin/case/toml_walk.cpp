@@ -2,8 +2,11 @@
 #include "ionskin/case/toml_walk.hpp"
 
 #include "ionskin/base/nearest_name.hpp"
+#include "ionskin/base/text.hpp"
 #include "ionskin/case/read_value.hpp"
+#include "ionskin/case/toml_limits.hpp"
 #include "ionskin/case/toml_text.hpp"
+#include "ionskin/case/waypoint_file.hpp"
 
 #include <fmt/format.h>
 
@@ -74,6 +77,7 @@ std::string list_of_siblings(const std::string& key, const std::string& pattern)
                                 : fmt::format("keys of {}: {}", parent_of(key), list);
 }
 
+constexpr std::size_t most_layers = 50, most_taxels = 2000;
 constexpr const char* layer_list = "skin.layers";
 constexpr const char* waypoint_list = "motion.waypoints";
 
@@ -124,6 +128,12 @@ void TomlWalk::visit_table(const toml::value& value, const std::string& key,
   if (!key.empty())
     tables[key] = place_of(value);
   for (const auto& [name, child] : children_in_order(text_.text(), value)) {
+    if (name.size() > toml_limits::name_bytes || base::shown(name, name.size()) != name) {
+      problems_.add(
+          fmt::format("\"{}\" cannot be a name", base::shown(name)), {{place_of(*child), ""}},
+          fmt::format("use at most {} bytes and no control characters", toml_limits::name_bytes));
+      continue;
+    }
     KeyIndex child_index = index;
     const bool is_material = pattern == "materials";
     if (is_material) {
@@ -146,6 +156,14 @@ void TomlWalk::visit_list(const toml::value& value, const std::string& key,
     return;
   }
   tables[key] = place_of(value);
+  const std::size_t most = pattern == layer_list      ? most_layers
+                           : pattern == waypoint_list ? most_waypoints
+                                                      : most_taxels;
+  if (value.as_array().size() > most) {
+    problems_.add(fmt::format("{} has {} entries", key, value.as_array().size()),
+                  {{place_of(value), ""}}, fmt::format("it may have at most {}", most));
+    return;
+  }
   list_sizes[key] = value.as_array().size();
   resize_list(draft.input, pattern, value.as_array().size());
   for (std::size_t i = 0; i < value.as_array().size(); ++i)

@@ -47,6 +47,9 @@ public:
         read_header(line);
       else
         waypoints.push_back(read_row(line));
+      if (waypoints.size() > most_waypoints)
+        refuse(fmt::format("more than {} waypoints", most_waypoints),
+               "leave out those that lie on the way between their neighbours");
     }
     if (columns_.empty())
       refuse("the file has no header", fmt::format("begin with \"{}\"", header_example));
@@ -59,7 +62,8 @@ private:
   };
 
   [[noreturn]] void refuse(const std::string& message, const std::string& remedy) const {
-    throw UserError(fmt::format("{}\n --> {}:{}\n  = {}", message, path_, line_, remedy));
+    throw UserError(
+        fmt::format("{}\n --> {}:{}\n  = {}", message, base::shown(path_), line_, remedy));
   }
 
   void read_header(const std::string& line) {
@@ -68,7 +72,7 @@ private:
     for (const std::string& cell : base::split(line, ',', base::csv_blanks)) {
       const auto open = cell.find('['), close = cell.find(']');
       if (open == std::string::npos || close == std::string::npos || close < open)
-        refuse(fmt::format("the column \"{}\" has no unit", cell),
+        refuse(fmt::format("the column \"{}\" has no unit", base::shown(cell)),
                fmt::format("write names with units, such as \"{}\"", header_example));
       add_column({base::trimmed(cell.substr(0, open), base::csv_blanks),
                   cell.substr(open + 1, close - open - 1)});
@@ -89,7 +93,7 @@ private:
       for (const auto& [name, dimension] : known_columns())
         names.push_back(name);
       const std::string nearest = base::nearest_name(column.name, names);
-      refuse(fmt::format("the column \"{}\" is unknown", column.name),
+      refuse(fmt::format("the column \"{}\" is unknown", base::shown(column.name)),
              nearest.empty() ? "columns: time, x, y, height, force"
                              : fmt::format("did you mean \"{}\"?", nearest));
     }

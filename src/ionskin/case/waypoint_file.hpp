@@ -3,10 +3,14 @@
 
 #include "ionskin/case/case.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace ionskin {
+
+/// Most waypoints of one path, in a case or in a file.
+inline constexpr std::size_t most_waypoints = 10'000;
 
 /// Reads a path of the slider from a text file of comma-separated columns. The first line names
 /// them with their units, in any order: "time [s], x [mm], y [mm], height [um], force [N]". One of

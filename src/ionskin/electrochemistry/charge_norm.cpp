@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/electrochemistry/charge_norm.hpp"
 
+#include "ionskin/base/largest.hpp"
 #include "ionskin/electrochemistry/charges.hpp"
 
 #include <algorithm>
@@ -27,8 +28,9 @@ double ChargeNorm::of_change(const std::array<std::vector<double>, 2>& charges,
     differences += difference * difference;
     sums += sum * sum;
   }
-  return std::max({std::abs(mean) / count, column_share * std::sqrt(differences / count),
-                   0.2 * column_share * std::sqrt(sums / count)});
+  return base::larger(std::abs(mean) / count,
+                      base::larger(column_share * std::sqrt(differences / count),
+                                   0.2 * column_share * std::sqrt(sums / count)));
 }
 
 double ChargeNorm::of_state(const IonState& state, std::span<const double> fixed_charge) const {
@@ -44,8 +46,9 @@ double ChargeNorm::of_state(const IonState& state, std::span<const double> fixed
   const double mean = 0.5 * (charges.total_top - charges.total_bottom) / columns;
   const auto phi = state.potential();
   const double polarisation = mean - (phi.back() - phi.front()) / grid_.thickness;
-  return std::max({std::abs(mean), std::abs(polarisation), 0.1 * std::sqrt(difference / columns),
-                   0.01 * std::sqrt(all / columns)});
+  return base::larger(
+      base::larger(std::abs(mean), std::abs(polarisation)),
+      base::larger(0.1 * std::sqrt(difference / columns), 0.01 * std::sqrt(all / columns)));
 }
 
 } // namespace ionskin::electrochemistry

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/electrochemistry/newton_krylov.hpp"
 
+#include "ionskin/base/largest.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -54,19 +56,20 @@ double NewtonKrylov::precondition_residual(const StageProblem& problem, const Io
 }
 
 double NewtonKrylov::allowed_error(const StageProblem& problem, const IonState& state) {
-  double scale = std::max({std::abs(problem.potential_bottom), std::abs(problem.potential_top),
-                           vectors_.largest_magnitude(state.potential())});
+  double scale = base::larger(
+      base::larger(std::abs(problem.potential_bottom), std::abs(problem.potential_top)),
+      vectors_.largest_magnitude(state.potential()));
   const double* fixed_charge = problem.fixed_charge.data();
 #pragma omp simd reduction(max : scale)
   for (std::size_t i = 0; i < problem.fixed_charge.size(); ++i) {
     scale = std::max(scale, std::abs(fixed_charge[i] - 1.0));
   }
-  return tolerance_ * std::min(scale, 1.0) + rounding;
+  return std::isnan(scale) ? scale : tolerance_ * std::min(scale, 1.0) + rounding;
 }
 
 bool NewtonKrylov::solve(const StageProblem& problem, IonState& state) {
   const double allowed = allowed_error(problem, state);
-  if (!std::isfinite(precondition_residual(problem, state))) {
+  if (!std::isfinite(allowed) || !std::isfinite(precondition_residual(problem, state))) {
     return false;
   }
   if (correct_by_defects(problem, state, allowed)) {

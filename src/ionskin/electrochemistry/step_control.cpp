@@ -15,6 +15,9 @@ constexpr double smallest_shrinkage = 0.1;
 
 /// Factor on a step's length that brings its error of third order to what is allowed.
 double ideal_factor(double error) {
+  if (std::isnan(error)) {
+    return smallest_shrinkage;
+  }
   return safety / std::cbrt(std::max(error, 1e-12));
 }
 
@@ -24,6 +27,9 @@ constexpr double longest_step = 0.15; // [s]
 
 // Of the estimates of steps, see relaxation_step and crossing_step.
 constexpr double error_constant = 0.0404, kink_constant = 0.055;
+
+/// Of an estimate between two landings; far more than any run takes.
+constexpr double most_steps = 1e12;
 
 // Shares of the errors of single columns where they are to be resolved, and elsewhere.
 constexpr double resolved_share = 0.01, overall_share = 0.001;
@@ -125,10 +131,14 @@ std::size_t estimate_steps(const StepLandings& landings, const StepRule& rule,
     const double most = std::min(rule.longest, longest[i - 1]);
     double rest = landings.time[i] - landings.time[i - 1];
     step = std::min(step, most);
-    while (rest > 0.0) {
+    while (rest > 0.0 && step < most) {
       rest -= step;
       step = std::min(step * rule.growth, most);
       ++steps;
+    }
+    if (rest > 0.0) { // the rest in steps of one length, however many
+      const double count = std::ceil(rest / most * (1.0 - 1e-12));
+      steps += static_cast<std::size_t>(std::min(count, most_steps));
     }
     if (landings.is_event[i]) {
       step = rule.first;

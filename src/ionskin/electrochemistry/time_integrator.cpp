@@ -2,6 +2,7 @@
 #include "ionskin/electrochemistry/time_integrator.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/largest.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -139,7 +140,8 @@ std::optional<double> TimeIntegrator::try_step(double begin, double end,
   }
   for_nodes(
       [&](std::size_t i, double) { end_rate_[i] = (end_.values[i] - start_[i]) / implicit_; });
-  return charge_error(state, column_share);
+  const double error = charge_error(state, column_share);
+  return std::isfinite(error) ? std::optional(error) : std::nullopt;
 }
 
 /// From the begin along its rate.
@@ -198,8 +200,9 @@ double TimeIntegrator::charge_error(const TransportState& state, double column_s
       length_ * (error_of_begin * charge_rate(state.ions) + error_of_stage * charge_rate(stage_) +
                  error_of_end * charge_rate(end_));
   const auto charges = solver_.damped_sums(start_, charge_norm_.weights());
-  const double moved = std::max(charge_norm_.of_change(charges, column_share), std::abs(passed));
-  const double error = std::max(0.0, moved - rounding * grid_.thickness);
+  const double moved =
+      base::larger(charge_norm_.of_change(charges, column_share), std::abs(passed));
+  const double error = base::larger(0.0, moved - rounding * grid_.thickness);
   const double scale =
       std::max(state.charge_scale, charge_norm_.of_state(end_, fixed_charge_.ratio()));
   return error == 0.0 ? 0.0 : error / scale;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/electrochemistry/vector_operations.hpp"
 
+#include "ionskin/base/largest.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -88,16 +90,17 @@ double VectorOperations::largest_magnitude(std::span<const double> a) {
   const std::size_t parts = segments(a.size());
   partial_.resize(std::max(partial_.size(), parts));
   for_segments(a.size(), [&](std::size_t s, std::size_t begin, std::size_t end) {
-    double largest = 0.0;
-#pragma omp simd reduction(max : largest)
+    double largest = 0.0, poison = 0.0;
+#pragma omp simd reduction(max : largest) reduction(+ : poison)
     for (std::size_t i = begin; i < end; ++i) {
       largest = std::max(largest, std::abs(a[i]));
+      poison += 0.0 * a[i]; // NaN where an entry is not finite
     }
-    partial_[s] = largest;
+    partial_[s] = largest + poison;
   });
   double largest = 0.0;
   for (std::size_t s = 0; s < parts; ++s) {
-    largest = std::max(largest, partial_[s]);
+    largest = base::larger(largest, partial_[s]);
   }
   return largest;
 }

@@ -3,6 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/free_memory.hpp"
+#include "ionskin/base/largest.hpp"
 #include "ionskin/linear_algebra/dense_kernels.hpp"
 #include "ionskin/mechanics/elastic_system.hpp"
 
@@ -42,12 +43,12 @@ double equilibrium_residual(const ElasticSpace& space, const std::array<double, 
     for (int at = static_cast<int>(c); at < components; at += 3) {
       load += c == 0 ? -force[at] : force[at];
     }
-    largest = std::max(largest, std::abs(load));
+    largest = base::larger(largest, std::abs(load));
     if (space.held_by_base_alone(static_cast<int>(direction[c]))) {
-      worst = std::max(worst, std::abs(load - reaction[direction[c]]));
+      worst = base::larger(worst, std::abs(load - reaction[direction[c]]));
     }
   }
-  return largest > 0 ? worst / largest : 0.0;
+  return largest == 0 && worst == 0 ? 0.0 : worst / largest;
 }
 
 } // namespace

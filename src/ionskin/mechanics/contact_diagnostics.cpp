@@ -1,13 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/contact_diagnostics.hpp"
 
+#include "ionskin/base/largest.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace ionskin::mechanics {
 
+namespace {
+
+/// Without a contact there is nothing to compare with, and nothing to compare.
+double share(double part, double whole) {
+  return part == 0 ? 0 : part / whole;
+}
+
+} // namespace
+
 double ContactViolations::largest() const {
-  return std::max({tension, penetration, cone, slip_law});
+  return base::larger(base::larger(tension, penetration), base::larger(cone, slip_law));
 }
 
 ContactViolations contact_violations(const ContactProblem& problem, const SurfaceState& state,
@@ -17,20 +28,22 @@ ContactViolations contact_violations(const ContactProblem& problem, const Surfac
   for (int cell = 0; cell < problem.cells(); ++cell) {
     const std::size_t at = 3 * static_cast<std::size_t>(cell);
     const double normal = state.force[at];
-    const double gap = (state.surface[at] - state.indentation + problem.gap[cell]) / preload;
-    worst.tension = std::max(worst.tension, -normal / reference_force);
-    worst.penetration = std::max(worst.penetration, normal > 0 ? std::abs(gap) : -gap);
+    const double gap = share(state.surface[at] - state.indentation + problem.gap[cell], preload);
+    worst.tension = base::larger(worst.tension, share(-normal, reference_force));
+    worst.penetration = base::larger(worst.penetration, normal > 0 ? std::abs(gap) : -gap);
 
     const auto slip = slip_increment(step, state.surface, cell);
     const double limit =
         problem.friction_limit(cell, normal, std::hypot(slip[0], slip[1]), step.time_step);
     const std::array<double, 2> force{state.force[at + 1], state.force[at + 2]};
-    worst.cone = std::max(worst.cone, (std::hypot(force[0], force[1]) - limit) / reference_force);
+    worst.cone =
+        base::larger(worst.cone, share(std::hypot(force[0], force[1]) - limit, reference_force));
     const double compliance = problem.own_compliance(cell, 1);
     const auto allowed =
         project_on_disc({force[0] + slip[0] / compliance, force[1] + slip[1] / compliance}, limit);
-    worst.slip_law = std::max(
-        worst.slip_law, std::hypot(force[0] - allowed[0], force[1] - allowed[1]) / reference_force);
+    worst.slip_law =
+        base::larger(worst.slip_law, share(std::hypot(force[0] - allowed[0], force[1] - allowed[1]),
+                                           reference_force));
   }
   return worst;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/contact_newton.hpp"
 
+#include "ionskin/base/largest.hpp"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -35,9 +37,10 @@ CellPredictor predict(const ContactProblem& problem, const SliderStep& step, con
   CellPredictor result;
   const double normal = force[at] + (iterate.indentation - problem.gap[cell] - surface[at]) /
                                         problem.own_compliance(cell, 0);
-  result.residual = std::abs(force[at] - std::max(0.0, normal));
+  result.residual = std::abs(force[at] - base::larger(0.0, normal));
   if (normal <= 0) {
-    result.residual = std::max({result.residual, std::abs(force[at + 1]), std::abs(force[at + 2])});
+    result.residual = base::larger(result.residual,
+                                   base::larger(std::abs(force[at + 1]), std::abs(force[at + 2])));
     return result;
   }
   const auto slip = slip_increment(step, surface, cell);
@@ -48,8 +51,9 @@ CellPredictor predict(const ContactProblem& problem, const SliderStep& step, con
   const bool sticks = limit > 0 && std::hypot(result.tangential[0], result.tangential[1]) <= limit;
   result.status = sticks ? CellStatus::sticking : CellStatus::slipping;
   const auto allowed = project_on_disc(result.tangential, limit);
-  result.residual = std::max({result.residual, std::abs(force[at + 1] - allowed[0]),
-                              std::abs(force[at + 2] - allowed[1])});
+  result.residual =
+      base::larger(result.residual, base::larger(std::abs(force[at + 1] - allowed[0]),
+                                                 std::abs(force[at + 2] - allowed[1])));
   return result;
 }
 
@@ -176,7 +180,7 @@ NewtonResult contact_newton(const ContactProblem& problem, const SliderStep& ste
       const CellPredictor now = predict(problem, step, iterate, surface, cell);
       same_status = same_status && now.status == predictors[cell].status;
       predictors[cell] = now;
-      residual = std::max(residual, now.residual);
+      residual = base::larger(residual, now.residual);
       scale = std::max(scale, std::abs(iterate.force[3 * static_cast<std::size_t>(cell)]));
       if (now.status != CellStatus::separated) {
         touching.push_back(cell);
@@ -186,6 +190,9 @@ NewtonResult contact_newton(const ContactProblem& problem, const SliderStep& ste
       force = std::move(iterate.force);
       indentation = iterate.indentation;
       return {true, iteration};
+    }
+    if (!std::isfinite(residual)) {
+      break;
     }
     if (touching.empty()) {
       if (force_given) {

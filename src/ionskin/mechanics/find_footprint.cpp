@@ -6,6 +6,7 @@
 #include "ionskin/base/task_pool.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/mechanics/condensed_position.hpp"
+#include "ionskin/mechanics/first_touch.hpp"
 #include "ionskin/mechanics/shared_progress.hpp"
 #include "ionskin/mechanics/slider_track.hpp"
 #include "ionskin/mechanics/steady_sliding.hpp"
@@ -141,6 +142,13 @@ std::array<bool, 2> border_touched(const ContactState& state, std::size_t column
   return touched;
 }
 
+/// Whether the rim can grow no further because the skin ends, not the slider.
+bool ends_at_skin(const Case& input, const mesh::Footprint& footprint, const mesh::Footprint& limit,
+                  std::size_t direction) {
+  return footprint.rim[direction] >= limit.rim[direction] * (1 - 1e-9) &&
+         limit.half_size[direction] < input.slider.size[direction] / 2 * (1 - 1e-9);
+}
+
 [[noreturn]] void refuse_edge(std::size_t direction) {
   throw UserError(fmt::format("the contact reaches the edge of the skin along {}: move "
                               "slider.start, shorten motion.stroke or lower motion.preload",
@@ -171,7 +179,7 @@ mesh::Footprint footprint_at(const Case& input, double friction, int threads,
       if (reach.border[d] && !at_limit) {
         settled = false;
         set_rim(footprint, d, growth * footprint.rim[d], limit);
-      } else if (reach.border[d] && limit.half_size[d] < input.slider.size[d] / 2 * (1 - 1e-9)) {
+      } else if (reach.border[d] && ends_at_skin(input, footprint, limit, d)) {
         refuse_edge(d);
       } else if (rim[d] < least_fill * footprint.rim[d]) {
         settled = false;
@@ -208,8 +216,10 @@ double footprint_friction(double friction) {
 std::optional<mesh::Footprint> find_common_footprint(const Case& input, double friction,
                                                      int threads,
                                                      const base::ProgressCallback& progress) {
+  const mesh::Footprint largest = mesh::largest_footprint(input);
+  require_touch(input, largest);
   if (input.slider.sharp()) {
-    return mesh::largest_footprint(input);
+    return largest;
   }
   try {
     return footprint_at(input, footprint_friction(friction), threads, progress);
@@ -240,6 +250,9 @@ std::optional<mesh::Footprint> widened_footprint(const Case& input,
                                             solution.mesh.half_model());
         for (std::size_t d = 0; d < 2; ++d) {
           if (touched[d] && !footprint.sharp(d)) {
+            if (ends_at_skin(input, footprint, limit, d)) {
+              refuse_edge(d);
+            }
             set_rim(wider, d, growth * footprint.rim[d], limit);
           }
         }

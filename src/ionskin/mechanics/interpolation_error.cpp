@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/interpolation_error.hpp"
 
+#include "ionskin/base/largest.hpp"
 #include "ionskin/mechanics/interpolation_nodes.hpp"
 
 #include <algorithm>
@@ -65,7 +66,7 @@ std::vector<double> chebyshev_norms(const std::vector<PathState>& steady) {
     for (std::size_t j = 0; j <= i; ++j) {
       gram[count * i + j] = gram[count * j + i] = inner_product(steady[i].state, steady[j].state);
     }
-    largest = std::max(largest, gram[count * i + i]);
+    largest = base::larger(largest, gram[count * i + i]);
   }
   std::vector<double> norms;
   for (const std::vector<double>& weights : coefficient_weights(steady)) {
@@ -75,7 +76,7 @@ std::vector<double> chebyshev_norms(const std::vector<PathState>& steady) {
         square += weights[i] * gram[count * i + j] * weights[j];
       }
     }
-    norms.push_back(largest > 0 ? std::sqrt(std::max(0.0, square) / largest) : 0.0);
+    norms.push_back(largest == 0 ? 0.0 : std::sqrt(base::larger(0.0, square) / largest));
   }
   return norms;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/projected_gauss_seidel.hpp"
 
+#include "ionskin/base/largest.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,8 +14,9 @@ std::array<double, 3> relaxed(const ContactProblem& problem, const SliderStep& s
                               double indentation, const CellVector& force,
                               const CellVector& surface, int cell) {
   const std::size_t at = 3 * static_cast<std::size_t>(cell);
-  const double normal = std::max(0.0, force[at] + (indentation - problem.gap[cell] - surface[at]) /
-                                                      problem.own_compliance(cell, 0));
+  const double normal =
+      base::larger(0.0, force[at] + (indentation - problem.gap[cell] - surface[at]) /
+                                        problem.own_compliance(cell, 0));
   const auto slip = slip_increment(step, surface, cell);
   const double compliance =
       std::max(problem.own_compliance(cell, 1), problem.own_compliance(cell, 2));
@@ -50,12 +53,15 @@ GaussSeidelResult projected_gauss_seidel(const ContactProblem& problem, const Sl
           surface[r] += change * column[r];
         }
         force[at] = next[c];
-        largest_change = std::max(largest_change, std::abs(change));
+        largest_change = base::larger(largest_change, std::abs(change));
       }
       scale = std::max(scale, next[0]);
     }
     if (largest_change <= tolerance * scale) {
       return {true, sweep};
+    }
+    if (std::isnan(largest_change)) { // no further sweep mends it
+      return {false, sweep};
     }
   }
   return {false, most_sweeps};

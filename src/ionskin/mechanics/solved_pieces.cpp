@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/solved_pieces.hpp"
 
+#include "ionskin/base/largest.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -64,9 +66,9 @@ void summarise(ContactSolution& solution) {
   states.erase(nullptr);
   for (const ContactState* state : states) {
     solution.worst_equilibrium_residual =
-        std::max(solution.worst_equilibrium_residual, state->equilibrium_residual);
+        base::larger(solution.worst_equilibrium_residual, state->equilibrium_residual);
     solution.worst_complementarity_residual =
-        std::max(solution.worst_complementarity_residual, state->complementarity_residual);
+        base::larger(solution.worst_complementarity_residual, state->complementarity_residual);
   }
   solution.contact_solves = static_cast<int>(states.size());
 }

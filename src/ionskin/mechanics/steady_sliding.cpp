@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <vector>
@@ -93,10 +94,25 @@ Eigen::VectorXd normal_forces(const ContactProblem& problem, const std::array<do
   return matrix.partialPivLu().solve(right);
 }
 
+/// The slider at the height of its first touch, without force.
+SurfaceState free_of_contact(const ContactProblem& problem, const SliderLoad& load,
+                             const std::array<double, 2>& direction, double travel) {
+  SurfaceState state;
+  state.indentation = *std::ranges::min_element(problem.gap);
+  state.force.assign(3 * problem.area.size(), 0.0);
+  state.surface = state.force;
+  state.slip.assign(problem.area.size(), travel);
+  state.step = {load, {travel * direction[0], travel * direction[1]}, 0, state.surface};
+  return state;
+}
+
 } // namespace
 
 SurfaceState steady_sliding(const ContactProblem& problem, const SliderLoad& load,
                             const std::array<double, 2>& direction, double travel) {
+  if (load.kind == LoadKind::force && load.value <= 0) {
+    return free_of_contact(problem, load, direction, travel);
+  }
   std::vector<LimitLine> limits = first_tangents(problem, load);
   std::vector<bool> touches(problem.area.size(), true);
   for (int iteration = 1; iteration <= most_active_sets; ++iteration) {
@@ -106,13 +122,21 @@ SurfaceState steady_sliding(const ContactProblem& problem, const SliderLoad& loa
         touching.push_back(cell);
       }
     }
-    const Eigen::VectorXd normal = normal_forces(problem, direction, limits, touching, load);
     SurfaceState state;
-    state.indentation = load.kind == LoadKind::force ? normal[normal.size() - 1] : load.value;
+    state.indentation = load.value;
     state.iterations = iteration;
     state.force.assign(3 * problem.area.size(), 0.0);
-    const double largest =
-        normal.head(static_cast<Eigen::Index>(touching.size())).cwiseAbs().maxCoeff();
+    Eigen::VectorXd normal;
+    double largest = 0;
+    if (!touching.empty()) {
+      normal = normal_forces(problem, direction, limits, touching, load);
+      state.indentation = load.kind == LoadKind::force ? normal[normal.size() - 1] : load.value;
+      largest = normal.head(static_cast<Eigen::Index>(touching.size())).cwiseAbs().maxCoeff();
+    }
+    if (!normal.allFinite()) {
+      throw SolverError("the forces of steady sliding are not finite",
+                        "bring the moduli of the layers closer to each other");
+    }
     bool changed = false;
     for (std::size_t i = 0; i < touching.size(); ++i) {
       const std::size_t at = 3 * static_cast<std::size_t>(touching[i]);
@@ -137,6 +161,12 @@ SurfaceState steady_sliding(const ContactProblem& problem, const SliderLoad& loa
           state.surface[at] < state.indentation * (1 - 1e-12) - problem.gap[cell];
       changed = changed || penetrates;
       touches[cell] = touches[cell] || penetrates;
+    }
+    if (load.kind == LoadKind::force && std::ranges::none_of(touches, std::identity{})) {
+      // A force needs a cell to bear it: the one that the slider meets first.
+      touches[static_cast<std::size_t>(std::ranges::min_element(problem.gap) -
+                                       problem.gap.begin())] = true;
+      changed = true;
     }
     if (!changed) {
       state.slip.assign(problem.area.size(), travel);

@@ -3,6 +3,8 @@
 
 #include "ionskin/base/error.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,6 +22,18 @@ std::vector<double> accumulate(const std::vector<double>& sizes, double length) 
   }
   line.back() = length;
   return line;
+}
+
+/// No mesh that can be solved comes near.
+constexpr std::size_t most_elements = 100'000;
+
+[[noreturn]] void refuse_mesh(double length, double first) {
+  throw UserError(
+      fmt::format("the mesh would have more than {} elements along {:.3g} m, which begin "
+                  "with {:.3g} m\n  = thin layers and small contacts ask for small "
+                  "elements: make the layers thicker, slider and skin smaller, or the "
+                  "preload larger",
+                  most_elements, length, first));
 }
 
 double geometric_sum(double ratio, std::size_t count) {
@@ -46,6 +60,9 @@ std::vector<double> graded_line(double length, double first, double growth, doub
   std::vector<double> sizes;
   double size = first, total = 0;
   while (total < length * (1 - 1e-9)) {
+    if (sizes.size() >= most_elements || !(size > 0)) {
+      refuse_mesh(length, first);
+    }
     sizes.push_back(size);
     total += size;
     size = std::min(size * growth, std::max(first, total < zone.width ? zone.largest : largest));
@@ -111,7 +128,9 @@ std::vector<double> two_sided_line(double length, double growth, std::size_t cou
 std::size_t geometric_count(double length, double first, double growth) {
   std::size_t count = 1;
   while (geometric_sum(growth, count) * first < length * (1 - 1e-9)) {
-    ++count;
+    if (++count > most_elements / 10) { // each term costs the sum of all before
+      refuse_mesh(length, first);
+    }
   }
   return count;
 }

@@ -21,6 +21,13 @@ std::string summary_text(const Summary& summary) {
   json["timing"] = summary.timing;
   json["warnings"] = summary.warnings;
   json["error_estimate"] = summary.error_estimate;
+  json["audits"] = nlohmann::ordered_json::object();
+  for (const AuditEntry& audit : summary.audits) {
+    json["audits"][audit.metric] = {{"value", audit.value},
+                                    {"warn_above", audit.warn_above},
+                                    {"fail_above", audit.fail_above},
+                                    {"verdict", audit.verdict}};
+  }
   return json.dump(2) + "\n";
 }
 

@@ -10,12 +10,20 @@
 
 namespace ionskin::results {
 
+/// One of the quantities by which a run is judged.
+struct AuditEntry {
+  std::string metric;
+  double value = 0, warn_above = 0, fail_above = 0;
+  std::string verdict; ///< "passed", "warned" or "failed"
+};
+
 /// What stands in summary.json.
 struct Summary {
   std::vector<readout::Metric> metrics;
   std::map<std::string, double> timing; ///< mechanics, strain, electrochemistry, output, total [s]
   std::vector<std::string> warnings;
   std::map<std::string, double> error_estimate; ///< relative, by metric [1]
+  std::vector<AuditEntry> audits;
 };
 
 /// The JSON text, metrics in the given order; a value that is not finite becomes null.

@@ -4,6 +4,7 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/nearest_name.hpp"
 #include "ionskin/base/text.hpp"
+#include "ionskin/case/read_text_file.hpp"
 #include "ionskin/readout/charge_relaxation.hpp"
 #include "ionskin/readout/sampling.hpp"
 #include "ionskin/units/unit_system.hpp"
@@ -14,8 +15,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <optional>
+#include <sstream>
 
 namespace ionskin::study {
 
@@ -53,14 +54,8 @@ Title title(const std::string& cell) {
 /// Reads one file, knowing where it stands in it.
 class Reader {
 public:
-  explicit Reader(const std::filesystem::path& path) : path_(path.string()), stream_(path) {
-    std::error_code ignored;
-    if (!stream_ || std::filesystem::is_directory(path, ignored)) {
-      throw UserError(fmt::format("the data file {} cannot be read\n  = check its name and "
-                                  "permissions",
-                                  path_));
-    }
-  }
+  explicit Reader(const std::filesystem::path& path)
+      : path_(base::shown(path.string())), stream_(read_text_file(path.string(), "data")) {}
 
   FitData read(const std::string& column) {
     std::string line;
@@ -106,9 +101,9 @@ private:
     if (!column.empty()) {
       if (fit_columns().count(column) == 0) {
         const std::string nearest = base::nearest_name(column, known_names());
-        throw UserError(fmt::format("--column {} is no signal to fit\n  = {}{}", column,
-                                    nearest.empty() ? "" : "did you mean " + nearest + "? ",
-                                    known));
+        throw UserError(
+            fmt::format("--column {} is no signal to fit\n  = {}{}", base::shown(column),
+                        nearest.empty() ? "" : "did you mean " + nearest + "? ", known));
       }
       return column;
     }
@@ -130,9 +125,9 @@ private:
 
   void require_unit(const Title& column, const std::string& si) const {
     if (!units::convert_unit(1.0, column.unit, si)) {
-      refuse(
-          fmt::format("the unit [{}] of {} does not convert to {}", column.unit, column.name, si),
-          fmt::format("write the header {} [{}]", column.name, si));
+      refuse(fmt::format("the unit [{}] of {} does not convert to {}", base::shown(column.unit),
+                         column.name, si),
+             fmt::format("write the header {} [{}]", column.name, si));
     }
   }
 
@@ -140,10 +135,15 @@ private:
     double value = 0;
     const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (status != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
-      refuse(fmt::format("\"{}\" in column {} is no number", text, column.name),
+      refuse(fmt::format("\"{}\" in column {} is no number", base::shown(text), column.name),
              "leave the entry empty where nothing was measured");
     }
-    return *units::convert_unit(value, column.unit, si);
+    const double converted = *units::convert_unit(value, column.unit, si);
+    if (!std::isfinite(converted)) {
+      refuse(fmt::format("\"{}\" in column {} is too large", base::shown(text), column.name),
+             "check the number and the unit in the header");
+    }
+    return converted;
   }
 
   void take_row(const std::vector<std::string>& row, std::size_t time, std::size_t value,
@@ -167,7 +167,7 @@ private:
   }
 
   std::string path_;
-  std::ifstream stream_;
+  std::istringstream stream_;
   std::size_t line_ = 0;
   std::vector<Title> titles_;
 };

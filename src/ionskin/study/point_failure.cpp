@@ -2,6 +2,7 @@
 #include "ionskin/study/point_failure.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/text.hpp"
 
 #include <new>
 
@@ -13,11 +14,11 @@ std::optional<std::string> failure_of(const std::function<void()>& solve) {
   } catch (const Interrupted&) {
     throw;
   } catch (const SolverError& error) {
-    return std::string(error.what()) + "; remedy: " + error.remedy();
+    return base::printable(std::string(error.what()) + "; remedy: " + error.remedy());
   } catch (const std::bad_alloc&) {
     return "out of memory; remedy: use fewer --threads or a coarser numerics.preset";
   } catch (const std::exception& error) {
-    return error.what();
+    return base::printable(error.what());
   }
   return std::nullopt;
 }

@@ -2,11 +2,14 @@
 #include "ionskin/study/run_case.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/largest.hpp"
 #include "ionskin/base/timers.hpp"
+#include "ionskin/case/check_sizes.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
 #include "ionskin/electrochemistry/space_charge.hpp"
 #include "ionskin/electrochemistry/wall_potential.hpp"
 #include "ionskin/results/output_folder.hpp"
+#include "ionskin/study/audits.hpp"
 #include "ionskin/study/checkpoint_file.hpp"
 #include "ionskin/study/given_strain.hpp"
 #include "ionskin/study/ion_error_estimate.hpp"
@@ -15,12 +18,14 @@
 #include "ionskin/study/mechanics_file.hpp"
 #include "ionskin/study/mechanics_record.hpp"
 #include "ionskin/study/read_out.hpp"
+#include "ionskin/study/resources.hpp"
 #include "ionskin/study/run_folder.hpp"
 #include "ionskin/study/solve_mechanics.hpp"
 #include "ionskin/study/user_cache.hpp"
 #include "ionskin/study/warnings.hpp"
 #include "ionskin/study/write_outputs.hpp"
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -40,6 +45,7 @@ std::optional<MechanicsRecord> strain_from_file(const Case& input, const RunOpti
   }
   MechanicsRecord record;
   record.history = read_given_strain(input);
+  require_sampling(input.readout, record.history.time.back() - record.history.time.front());
   return record;
 }
 
@@ -133,11 +139,26 @@ void add_ion_errors(const Case& input, const strain::StrainHistory& history,
   options.progress("error estimate", 1.0);
 }
 
+/// Strains are taken as small by the contact problem; those of a file are as they are.
+std::vector<readout::Metric> audited_metrics(const MechanicsRecord& mechanics,
+                                             const Signals& signals) {
+  std::vector<readout::Metric> metrics = signals.metrics;
+  if (mechanics.has_contact()) {
+    double largest = 0;
+    for (const double shear : signals.resolved.column("p99_shear").values) {
+      largest = base::larger(largest, std::abs(shear));
+    }
+    metrics.push_back({"largest_p99_shear", largest, "1"});
+  }
+  return metrics;
+}
+
 } // namespace
 
 RunOutcome run_case(const Case& input, const RunOptions& options) {
   const double start = base::wall_time();
   auto given_strain = strain_from_file(input, options);
+  require_resources(input, options.threads);
   const auto cache = open_user_cache(options);
   RunFolder folder(input, options);
   base::Timers timers;
@@ -160,8 +181,13 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
   outputs.error_estimate.merge(
       estimate_mechanics_errors(outputs.signals.metrics, mechanics.companion_metrics));
   outputs.stage_seconds = timers.seconds();
+  outputs.audits = audit(audited_metrics(mechanics, outputs.signals));
+  for (std::string& warning : audit_warnings(outputs.audits)) {
+    outputs.warnings.push_back(std::move(warning));
+  }
   RunOutcome outcome = write_outputs(input, options, mechanics, outputs, start, folder);
   std::filesystem::remove(folder.file(results::file_names::checkpoint));
+  require_sound(outputs.audits, folder.path().string());
   return outcome;
 }
 

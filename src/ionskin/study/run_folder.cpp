@@ -77,8 +77,8 @@ void RunFolder::end(const std::string& stage, const std::string& state, double s
   write_manifest();
 }
 
-void RunFolder::finish() {
-  manifest_.state = "finished";
+void RunFolder::finish(bool sound) {
+  manifest_.state = sound ? "finished" : "failed";
   write_manifest();
 }
 

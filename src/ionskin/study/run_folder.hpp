@@ -44,8 +44,8 @@ public:
   /// Notes a stage that was worked elsewhere.
   void add_finished(const std::string& stage, double seconds) { end(stage, "finished", seconds); }
   void set_counter(const std::string& name, double value) { manifest_.counters[name] = value; }
-  /// Marks the whole run as finished.
-  void finish();
+  /// Marks the whole run as finished, or as failed where its results do not pass their audits.
+  void finish(bool sound = true);
   const results::Manifest& manifest() const { return manifest_; }
 
 private:

@@ -9,6 +9,7 @@
 #include "ionskin/results/summary_json.hpp"
 #include "ionskin/study/point_failure.hpp"
 #include "ionskin/study/report.hpp"
+#include "ionskin/study/resources.hpp"
 #include "ionskin/study/run_folder.hpp"
 #include "ionskin/study/sweep_mechanics.hpp"
 #include "ionskin/study/sweep_table.hpp"
@@ -189,6 +190,9 @@ template <class Work> void timed_stage(RunFolder& folder, const std::string& nam
 
 SweepOutcome run_sweep(const SweepPlan& plan, const SweepOptions& options) {
   const double start = base::wall_time();
+  for (const SweepPoint& point : plan.points) {
+    require_resources(point.input, options.threads);
+  }
   if (options.overwrite &&
       results::is_ionskin_manifest(options.folder / results::file_names::manifest)) {
     remove_earlier_points(options.folder);

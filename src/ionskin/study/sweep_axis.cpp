@@ -18,7 +18,7 @@ constexpr std::size_t most_values = 100000;
   throw UserError(fmt::format(
       "--over {}: {}\n  = write --over KEY=first:step:last, --over KEY=value,value,... or, with "
       "--samples, --over KEY=lowest:highest; for example --over contact.friction=0.05:0.05:0.5",
-      argument, problem));
+      base::shown(argument), problem));
 }
 
 /// Parts between separators that stand outside quotes and brackets.
@@ -53,7 +53,7 @@ Number parse_number(const std::string& argument, std::string text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
   if (end == text.c_str() || !std::isfinite(value)) {
-    refuse(argument, fmt::format("\"{}\" is not a number", text));
+    refuse(argument, fmt::format("\"{}\" is not a number", base::shown(text)));
   }
   return {value, base::trimmed(end)};
 }
@@ -67,7 +67,8 @@ std::vector<Number> parse_numbers(const std::string& argument,
     numbers.push_back(parse_number(argument, part));
     const std::string& own = numbers.back().unit;
     if (!own.empty() && !unit.empty() && own != unit) {
-      refuse(argument, fmt::format("the range mixes the units {} and {}", unit, own));
+      refuse(argument, fmt::format("the range mixes the units {} and {}", base::shown(unit),
+                                   base::shown(own)));
     }
     unit = own.empty() ? unit : own;
   }
@@ -121,6 +122,9 @@ SweepAxis parse_axis(const std::string& argument) {
     return axis;
   }
   axis.values = split(typed, ',');
+  if (axis.values.size() > most_values) {
+    refuse(argument, fmt::format("that are more than {} values", most_values));
+  }
   for (const std::string& value : axis.values) {
     if (value.empty()) {
       refuse(argument, "a value is missing");

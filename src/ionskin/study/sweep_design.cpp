@@ -54,6 +54,8 @@ std::vector<std::vector<double>> latin_points(std::size_t points, std::size_t di
 
 } // namespace
 
+constexpr std::size_t most_points = 100'000; // each has a folder
+
 std::vector<std::vector<std::string>> grid_design(const std::vector<SweepAxis>& axes) {
   std::vector<std::vector<std::string>> points{{}};
   for (const SweepAxis& axis : axes) {
@@ -62,6 +64,11 @@ std::vector<std::vector<std::string>> grid_design(const std::vector<SweepAxis>& 
                                   "points to take\n  = write --over {0}=first:step:last, or give "
                                   "--samples N",
                                   axis.key));
+    }
+    if (points.size() * axis.values.size() > most_points) {
+      throw UserError(fmt::format("the sweep has more than {} points\n  = give --over fewer values, "
+                                  "or take --samples N of intervals",
+                                  most_points));
     }
     std::vector<std::vector<std::string>> longer;
     for (const auto& point : points) {

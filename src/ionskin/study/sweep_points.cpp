@@ -2,6 +2,7 @@
 #include "ionskin/study/sweep_points.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/text.hpp"
 #include "ionskin/case/read_case.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 
@@ -79,7 +80,7 @@ SweepPoint read_point(const SweepRequest& request, const std::vector<SweepAxis>&
       point.values.push_back(swept_value(document, axes[i].key, values[i]));
     }
   } catch (const UserError& error) {
-    throw UserError(fmt::format("point {} of the sweep ({}): {}", number, where, error.what()));
+    throw UserError(fmt::format("point {} of the sweep ({}): {}", number, base::shown(where), error.what()));
   }
   return point;
 }
@@ -102,7 +103,7 @@ void unify_units(std::vector<SweepPoint>& points) {
 std::string design_comment(const SweepRequest& request) {
   std::string text = "\n# Swept:\n";
   for (const std::string& argument : request.over) {
-    text += fmt::format("#   --over {}\n", argument);
+    text += fmt::format("#   --over {}\n", base::shown(argument, argument.size()));
   }
   if (request.samples > 0) {
     text += fmt::format("#   --samples {} --sampling {} --seed {}\n", request.samples,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/sweep_table.hpp"
 
+#include "ionskin/base/text.hpp"
 #include "ionskin/results/atomic_file.hpp"
 #include "ionskin/results/hdf5_file.hpp"
 #include "ionskin/results/output_folder.hpp"
@@ -14,17 +15,6 @@
 
 namespace ionskin::study {
 namespace {
-
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) {
-    return text;
-  }
-  std::string quoted = "\"";
-  for (const char letter : text) {
-    quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-  }
-  return quoted + "\"";
-}
 
 const char* to_text(PointStatus status) {
   switch (status) {
@@ -119,9 +109,9 @@ std::string sweep_table_text(const std::vector<SweepPoint>& points,
   for (std::size_t i = 0; i < points.size(); ++i) {
     text += fmt::format("{},{}/{}", i + 1, results::file_names::points, points[i].name);
     for (const SweptValue& value : points[i].values) {
-      text += fmt::format(",{}", cell(value.si));
+      text += fmt::format(",{}", base::csv_cell(value.si));
     }
-    text += fmt::format(",{},{}", to_text(states[i].status), cell(states[i].reason));
+    text += fmt::format(",{},{}", to_text(states[i].status), base::csv_cell(states[i].reason));
     for (const readout::Metric& metric : metrics) {
       const double value = metric_value(states[i], metric.name);
       text += std::isnan(value) ? "," : fmt::format(",{}", value);

@@ -8,6 +8,8 @@
 #include "ionskin/results/vtu_writer.hpp"
 #include "ionskin/study/report.hpp"
 
+#include <algorithm>
+
 namespace ionskin::study {
 namespace {
 
@@ -88,6 +90,10 @@ RunOutcome write_outputs(const Case& input, const RunOptions& options,
   results::Summary summary;
   summary.metrics = outputs.signals.metrics;
   summary.warnings = outputs.warnings;
+  for (const Audit& one : outputs.audits) {
+    summary.audits.push_back(
+        {one.rule->metric, one.value, one.rule->warn, one.rule->fail, to_string(one.verdict)});
+  }
   summary.error_estimate = outputs.error_estimate;
   const auto write_summary = [&] {
     summary.timing = timing(folder, start);
@@ -117,7 +123,9 @@ RunOutcome write_outputs(const Case& input, const RunOptions& options,
     summary.warnings.push_back(*report_problem);
   }
   write_summary();
-  folder.finish();
+  const bool sound = std::ranges::none_of(
+      outputs.audits, [](const Audit& one) { return one.verdict == Verdict::failed; });
+  folder.finish(sound);
   const bool reported = options.report && !report_problem;
   return {folder.path(),    reported ? folder.file(names::report) : std::filesystem::path{},
           summary.metrics,  summary.error_estimate,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ionskin/electrochemistry/ion_solution.hpp"
+#include "ionskin/study/audits.hpp"
 #include "ionskin/study/mechanics_record.hpp"
 #include "ionskin/study/read_out.hpp"
 #include "ionskin/study/run_case.hpp"
@@ -19,6 +20,7 @@ struct RunOutputs {
   std::optional<electrochemistry::IonSolution> ions; ///< empty in runs of the mechanics alone
   Signals signals;
   std::vector<std::string> warnings;
+  std::vector<Audit> audits;
   std::map<std::string, double> error_estimate; ///< relative, by metric [1]
   std::map<std::string, double> stage_seconds;  ///< parts of the stages, for the manifest [s]
 };

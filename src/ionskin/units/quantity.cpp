@@ -27,18 +27,25 @@ struct NumberAndUnit {
   std::string unit;
 };
 
+// More than any number with its unit needs.
+constexpr std::size_t longest_quantity = 128;
+
 NumberAndUnit split(std::string_view text, Dimension expected) {
   const std::string clean = base::trimmed(text);
+  if (clean.size() > longest_quantity)
+    throw UserError(
+        fmt::format("\"{}\" is too long for a number with its unit", base::shown(text)));
   const char* begin = clean.data() + (clean.starts_with('+') ? 1 : 0);
   const char* const end = clean.data() + clean.size();
   NumberAndUnit result;
   const auto [rest, status] = std::from_chars(begin, end, result.number);
   if (status == std::errc::result_out_of_range)
-    throw UserError(
-        fmt::format("the number in \"{}\" is too large or too small to be represented", text));
+    throw UserError(fmt::format("the number in \"{}\" is too large or too small to be represented",
+                                base::shown(text)));
   if (status != std::errc() || !std::isfinite(result.number))
-    throw UserError(fmt::format("\"{}\" does not begin with a number; {}, written \"1.5 {}\"", text,
-                                expectation(expected), dimension_info(expected).examples.front()));
+    throw UserError(fmt::format("\"{}\" does not begin with a number; {}, written \"1.5 {}\"",
+                                base::shown(text), expectation(expected),
+                                dimension_info(expected).examples.front()));
   result.unit = base::trimmed(std::string_view(rest, static_cast<std::size_t>(end - rest)));
   return result;
 }
@@ -61,14 +68,15 @@ std::string name_of_dimension(const std::string& unit) {
     nearest = base::nearest_name(unit, usual_units());
   const std::string hint =
       nearest.empty() ? std::string() : fmt::format("; did you mean \"{}\"?", nearest);
-  throw UserError(fmt::format("unknown unit \"{}\" in \"{}\"{}{}", unit, text, hint,
+  throw UserError(fmt::format("unknown unit \"{}\" in \"{}\"{}{}", base::shown(unit),
+                              base::shown(text), hint,
                               nearest.empty() ? "; " + expectation(expected) : ""));
 }
 
 [[noreturn]] void throw_wrong_dimension(const std::string& unit, std::string_view text,
                                         Dimension expected) {
   const bool celsius = expected == Dimension::temperature && (unit == "C" || unit == "F");
-  throw UserError(fmt::format("\"{}\" has the wrong dimension: {}, got {}{}", text,
+  throw UserError(fmt::format("\"{}\" has the wrong dimension: {}, got {}{}", base::shown(text),
                               expectation(expected), name_of_dimension(unit),
                               celsius ? fmt::format("; did you mean \"deg{}\"?", unit) : ""));
 }
@@ -81,7 +89,8 @@ double parse_quantity(std::string_view text, Dimension expected) {
   if (unit.empty()) {
     if (expected == Dimension::number)
       return number;
-    throw UserError(fmt::format("missing unit in \"{}\": {}", text, expectation(expected)));
+    throw UserError(
+        fmt::format("missing unit in \"{}\": {}", base::shown(text), expectation(expected)));
   }
   if (!unit_is_known(unit))
     throw_unknown_unit(unit, text, expected);
@@ -89,7 +98,8 @@ double parse_quantity(std::string_view text, Dimension expected) {
   if (!value)
     throw_wrong_dimension(unit, text, expected);
   if (!std::isfinite(*value))
-    throw UserError(fmt::format("\"{}\" is too large to be represented in {}", text, info.si_unit));
+    throw UserError(fmt::format("\"{}\" is too large to be represented in {}", base::shown(text),
+                                info.si_unit));
   return *value;
 }
 

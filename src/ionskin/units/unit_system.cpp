@@ -3,12 +3,14 @@
 
 #include "ionskin/base/error.hpp"
 
+#include <fmt/format.h>
 #include <udunits2.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <mutex>
-#include <regex>
+#include <string_view>
 
 namespace ionskin::units {
 
@@ -33,8 +35,11 @@ void add_root_hertz(ut_system* system) {
 }
 
 std::string with_root_hertz(const std::string& unit) {
-  static const std::regex spelling(R"(sqrt\(Hz\)|√Hz)");
-  return std::regex_replace(unit, spelling, root_hertz);
+  std::string result = unit;
+  for (const std::string_view spelling : {"sqrt(Hz)", "√Hz"})
+    for (std::size_t at = 0; (at = result.find(spelling, at)) != std::string::npos;)
+      result.replace(at, spelling.size(), root_hertz);
+  return result;
 }
 
 ut_system* unit_system() {
@@ -54,16 +59,62 @@ ut_system* unit_system() {
   return system.get();
 }
 
+constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_";
+constexpr std::string_view digits = "0123456789", blanks = " \t\n\v\f\r";
+// More than any unit needs, and little for the parser of udunits2.
+constexpr std::size_t longest_unit = 64;
+
+bool is_word_letter(char letter) {
+  return letters.find(letter) != std::string_view::npos;
+}
+
 std::string with_molar_aliases(const std::string& unit) {
-  static const std::regex molar("(^|[^A-Za-z_])([munp]?)M(?![A-Za-z_])");
-  return std::regex_replace(unit, molar, "$1($2mol/L)");
+  std::string result;
+  for (std::size_t begin = 0; begin < unit.size();) {
+    if (!is_word_letter(unit[begin])) {
+      result += unit[begin++];
+      continue;
+    }
+    const std::size_t end = std::min(unit.find_first_not_of(letters, begin), unit.size());
+    const std::string_view word = std::string_view(unit).substr(begin, end - begin);
+    const bool molar = word == "M" || word == "mM" || word == "uM" || word == "nM" || word == "pM";
+    result += molar ? fmt::format("({}mol/L)", word.substr(0, word.size() - 1)) : std::string(word);
+    begin = end;
+  }
+  return result;
+}
+
+bool has_forbidden_word(const std::string& unit) {
+  const auto belongs = [](char letter) {
+    return is_word_letter(letter) || digits.find(letter) != std::string_view::npos;
+  };
+  for (std::size_t begin = 0; begin < unit.size();) {
+    std::size_t end = begin;
+    while (end < unit.size() && belongs(unit[end]))
+      ++end;
+    const std::string_view word = std::string_view(unit).substr(begin, end - begin);
+    for (const char* forbidden : {"since", "after", "from", "ref", "lg", "ln", "lb"})
+      if (word == forbidden)
+        return true;
+    begin = end + 1;
+  }
+  return false;
 }
 
 // Words of udunits2 that shift the origin or take logarithms make no sense in a case file.
 bool is_plain_unit(const std::string& unit) {
-  static const std::regex forbidden(
-      "@|\\b(since|after|from|ref|lg|ln|lb)\\b|^\\s*$|^\\s*[0-9]+(?!/)");
-  return unit == "1" || !std::regex_search(unit, forbidden);
+  if (unit == "1")
+    return true;
+  if (unit.size() > longest_unit || unit.find_first_of(std::string_view("@\0", 2)) != unit.npos)
+    return false;
+  const std::size_t first = unit.find_first_not_of(blanks);
+  if (first == unit.npos)
+    return false;
+  const std::size_t after_number = unit.find_first_not_of(digits, first);
+  if (after_number != first &&
+      (after_number - first > 1 || after_number == unit.npos || unit[after_number] != '/'))
+    return false;
+  return !has_forbidden_word(unit);
 }
 
 Unit parse(const std::string& unit) {

@@ -89,5 +89,11 @@ TEST(EstimatedSteps, FollowTheToleranceAndTheLandings) {
   EXPECT_EQ(estimate_steps(landings, doubling, {1.0, 0.25}), 4U + 9U);
 }
 
+TEST(EstimatedSteps, AreCountedAtOnceHoweverMany) {
+  const StepLandings landings{{0.0, 1e7}, {true, true}, {false, false}};
+  const StepRule rule{1e-4, 1e-15, 0.5, 1e-12, 2.0, 1e-3};
+  EXPECT_GE(estimate_steps(landings, rule, {1e-15}), 1'000'000'000'000U);
+}
+
 } // namespace
 } // namespace ionskin::electrochemistry

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace ionskin::electrochemistry {
@@ -29,6 +30,13 @@ TEST(VectorOperations, SumsAreTheSameOnAnyNumberOfThreads) {
   EXPECT_NEAR(dot, plain, 1e-10);
   EXPECT_EQ(dot, VectorOperations(three).dot(a, b));
   EXPECT_EQ(VectorOperations(one).norm(a), VectorOperations(three).norm(a));
+}
+
+TEST(VectorOperations, LargestMagnitudeOfNaNIsNaN) {
+  auto a = wave(3000, 0.2);
+  a[700] = std::numeric_limits<double>::quiet_NaN();
+  WorkerTeam team(2);
+  EXPECT_TRUE(std::isnan(VectorOperations(team).largest_magnitude(a)));
 }
 
 TEST(VectorOperations, LargestMagnitudeSeesNegativeValues) {

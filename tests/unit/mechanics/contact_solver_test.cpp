@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ionskin::mechanics {
 namespace {
@@ -267,6 +268,47 @@ TEST(ContactDiagnostics, see_each_violation) {
   bad.force[7] *= -1;
   EXPECT_GT(violations(bad).slip_law, 1e-3);
   EXPECT_EQ(stick_fraction(problem, good.force), 0.0);
+}
+
+TEST(SteadySliding, TouchesNothingAboveTheLowestCell) {
+  ContactProblem problem = line_of_cells(3, 0.5);
+  problem.gap = {2e-6, 1e-6, 3e-6};
+  const SurfaceState state = steady_sliding(problem, {LoadKind::indentation, 0.5e-6}, {1, 0}, 1e-6);
+  EXPECT_EQ(state.force, CellVector(9, 0.0));
+  EXPECT_EQ(state.slip, std::vector<double>(3, 1e-6));
+  EXPECT_EQ(contact_violations(problem, state, 0, state.indentation).largest(), 0);
+}
+
+TEST(SteadySliding, VanishingForceIsTheFirstTouch) {
+  ContactProblem problem = line_of_cells(3, 0.5);
+  problem.gap = {2e-6, 1e-6, 3e-6};
+  const SurfaceState none = steady_sliding(problem, {LoadKind::force, 0}, {1, 0}, 0);
+  EXPECT_EQ(none.indentation, 1e-6);
+  EXPECT_EQ(none.force, CellVector(9, 0.0));
+  const SurfaceState little = steady_sliding(problem, {LoadKind::force, 1e-9}, {1, 0}, 0);
+  EXPECT_NEAR(little.force[3], 1e-9, 1e-18);
+}
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+TEST(ContactSolver, NaNIsNoConvergence) {
+  ContactProblem problem = line_of_cells(3, 0.5);
+  problem.compliance(3, 3) = nan;
+  const SliderStep step = press(problem, 1e-6);
+  CellVector force(9, 0.0);
+  EXPECT_FALSE(projected_gauss_seidel(problem, step, 1e-6, force, 1e-4, 100).converged);
+  force.assign(9, 0.0);
+  double indentation = 1e-6;
+  EXPECT_FALSE(contact_newton(problem, step, force, indentation).converged);
+  EXPECT_THROW(solve(problem, step), SolverError);
+  EXPECT_THROW(steady_sliding(problem, {LoadKind::indentation, 1e-6}, {1, 0}, 0), SolverError);
+}
+
+TEST(ContactDiagnostics, NaNIsAViolation) {
+  const ContactProblem problem = line_of_cells(3, 0.5);
+  SurfaceState state = solve(problem, press(problem, 1e-6));
+  state.force[3] = nan;
+  EXPECT_TRUE(std::isnan(contact_violations(problem, state, 1, 1e-6).largest()));
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/find_footprint.hpp"
+#include "ionskin/mechanics/first_touch.hpp"
 
 #include "ionskin/base/error.hpp"
 #include "small_case.hpp"
@@ -69,6 +70,39 @@ TEST(FindFootprint, refuses_a_contact_over_the_edge_of_the_skin) {
   Case input = small_finger();
   input.slider.start[0] = 20e-6;
   EXPECT_THROW(find_footprint(input, 0.3, 1), UserError);
+}
+
+/// A wedge with its ridge along y at the given place.
+Case small_wedge(double ridge) {
+  Case input = small_case();
+  input.slider.shape = SliderShape::profile;
+  input.slider.profile_heights = {
+      {-0.5e-3, ridge, 0.5e-3}, {-0.4e-3, 0.4e-3}, {0.1e-3, 0, 0.1e-3, 0.1e-3, 0, 0.1e-3}};
+  return input;
+}
+
+TEST(FindFootprint, of_a_wedge_follows_its_ridge) {
+  const mesh::Footprint largest = mesh::largest_footprint(small_wedge(0));
+  // It indents by 1 um and rises by 0.1 mm over half its size.
+  EXPECT_NEAR(largest.half_size[0], 1.15 * 5e-6, 1e-9);
+  EXPECT_NEAR(largest.half_size[1], 0.4e-3, 1e-9);
+  const mesh::Footprint footprint = find_footprint(small_wedge(0), 0.3, 1);
+  EXPECT_LT(footprint.half_size[0], 10e-6);
+}
+
+TEST(FirstTouch, refuses_a_slider_that_touches_no_cell) {
+  EXPECT_NO_THROW(require_touch(small_wedge(0)));
+  Case input = small_wedge(0.3e-3); // far from the centre, where cells are wide
+  input.motion.preload = 1e-9;
+  EXPECT_THROW(require_touch(input), UserError);
+  EXPECT_THROW(find_footprint(input, 0.3, 1), UserError);
+}
+
+TEST(FirstTouch, refuses_a_path_above_the_skin) {
+  Case input = small_case();
+  input.motion.kind = MotionKind::waypoints;
+  input.motion.waypoints = {{0, {1.5e-3, 1e-3}, 1e-3, {}, 0}, {1, {2e-3, 1e-3}, 1e-4, {}, 0}};
+  EXPECT_THROW(require_touch(input), UserError);
 }
 
 } // namespace

@@ -64,5 +64,10 @@ TEST(SweepDesign, ValuesAndIntervalsDoNotMix) {
   EXPECT_THROW(sampled_design({values, interval}, Sampling::sobol, 2, 1), UserError);
 }
 
+TEST(SweepDesign, GridsHaveABound) {
+  const std::vector<std::string> many(1000, "1");
+  EXPECT_THROW(grid_design({{"a", many, {}}, {"b", many, {}}}), UserError);
+}
+
 } // namespace
 } // namespace ionskin::study

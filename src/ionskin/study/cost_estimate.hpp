@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace ionskin::apps {
+namespace ionskin::study {
 
 /// Size of both studies of a contact case, and what they will cost.
 struct CostEstimate {
@@ -23,4 +23,4 @@ struct CostEstimate {
 /// Throws UserError when the mesh cannot be built.
 CostEstimate estimate_cost(const Case& input, int threads);
 
-} // namespace ionskin::apps
+} // namespace ionskin::study

@@ -1,0 +1,28 @@
+#!/bin/bash
+# SPDX-License-Identifier: Apache-2.0
+# Runs every fuzzer for some seconds from its corpus and sums up: scripts/fuzz.sh [SECONDS_EACH [FOLDER]]
+# New inputs and artefacts (crash-*, timeout-*, leak-*) stay in FOLDER.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+seconds=${1:-10}
+work=${2:-$(mktemp -d)}
+cmake --preset fuzz > /dev/null
+cmake --build --preset fuzz
+failures=0
+for fuzzer in build-fuzz/fuzz_*; do
+  [ -x "$fuzzer" ] || continue
+  name=${fuzzer#build-fuzz/fuzz_}
+  mkdir -p "$work/$name"
+  status=0
+  "$fuzzer" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 \
+    -artifact_prefix="$work/$name-" "$work/$name" "fuzz/corpus/$name" > "$work/$name.log" 2>&1 || status=$?
+  inputs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$work/$name.log")
+  found=$(find "$work" -maxdepth 1 -name "$name-*" | wc -l)
+  echo "$name: ${inputs:-?} inputs, $found crashes, hangs or leaks"
+  if [ "$status" -ne 0 ] || [ "$found" -ne 0 ]; then
+    failures=1
+    tail -n 40 "$work/$name.log"
+  fi
+done
+echo "logs and new inputs: $work"
+exit $failures

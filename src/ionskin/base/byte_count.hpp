@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace ionskin::base {
+
+/// Bytes of a text such as "500 MB" or "8 GB". Throws UserError otherwise.
+/// @param name what the text was given for: "IONSKIN_CACHE_LIMIT"
+std::uintmax_t byte_count(const std::string& name, const std::string& text);
+
+} // namespace ionskin::base

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Inputs made to break the program are answered: exit code 2, soon, with a short message that no terminal acts on."""
+
+import os
+import subprocess
+import time
+import unittest
+
+from program import PROGRAM, QUICK, ProgramTest, summary
+
+# A skin, slider and waypoints in the middle of what is allowed, whose height map touches next to nothing.
+RIDGE = "mm, -1.5, 0, 1.5\n-0.75, 0.1, 0, 0.1\n0, 0.05, 0, 0.05\n0.75, 0.1, 0, 0.1\n"
+BUMPS = "mm,-1.5,0,1.5\n-0.75,0.006,0.001,0.006\n-0.375,0.008,0.0001,0.002\n0,0.007,0.005,0.005\n0.75,0.004,0.005,0.001\n"
+
+
+class HostileInput(ProgramTest):
+    def answer(self, *arguments, expect=2, within=60, **settings):
+        """Runs the program; its answer is short and harmless."""
+        start = time.monotonic()
+        process = subprocess.run(
+            [PROGRAM, *map(str, arguments)], capture_output=True, cwd=self.folder, check=False, timeout=within,
+            stdin=subprocess.DEVNULL, **settings,
+        )
+        self.assertEqual(process.returncode, expect, process.stderr[-2000:])
+        self.assertLess(time.monotonic() - start, within)
+        self.assertLess(len(process.stderr), 20000)
+        for byte in process.stderr + process.stdout:
+            self.assertTrue(byte >= 32 or byte in b"\n\t", f"control byte {byte}")
+        self.assertNotIn(b"internal error", process.stderr)
+        return process.stderr.decode(errors="replace") + process.stdout.decode(errors="replace")
+
+    def profile_case(self, heights, height):
+        """The quick case with a height map that lands and slides at one height."""
+        text = QUICK.read_text()
+        self.write("profile.csv", heights)
+        begin, end = text.index("[slider]"), text.index("[contact]")
+        slider = '[slider]\nshape = "profile"\nsize = ["3 mm", "1.5 mm"]\nprofile = "profile.csv"\n'
+        motion = '[motion]\nkind = "waypoints"\n'
+        for instant, x, z in ((0, 5, "0.5 mm"), (0.5, 5, height), (1.5, 8, height), (2, 8, "0.5 mm")):
+            motion += (f'[[motion.waypoints]]\ntime = "{instant} s"\nposition = ["{x} mm", "1 mm"]\n'
+                       f'height = "{z}"\n')
+        return self.write("profile.toml", text[:begin] + slider + motion + text[end:])
+
+    def test_case_files(self):
+        deep = self.write("deep.toml", "x = " + "[" * 20000)
+        self.assertIn("brackets", self.answer("check", deep))
+        self.assertIn("folder", self.answer("check", self.folder))
+        self.assertIn("device", self.answer("check", "/dev/zero"))
+        self.assertIn("device", self.answer("check", "/dev/stdin"))
+        fifo = self.folder / "fifo"
+        os.mkfifo(fifo)
+        self.assertIn("pipe", self.answer("check", fifo))
+        (self.folder / "latin.toml").write_bytes(QUICK.read_bytes() + b"# \xe4\xff\n")
+        self.assertIn("UTF-8", self.answer("check", "latin.toml"))
+
+    def test_command_line(self):
+        self.answer("check", QUICK, "--set", "coupling.law=\x1b[31mred")
+        self.answer("check", QUICK, "--set", "coupling.law=" + "x" * 30000)
+        self.answer("check", "\x1b[2J\nnothing.toml")
+        self.answer("sweep", QUICK, "-o", "out", "--over", "contact.friction=\x1b[31m:1:" + "9" * 5000)
+        self.answer("\x1b[31mrun")
+
+    def test_files_of_a_case(self):
+        for name in ("/dev/zero", "."):
+            self.answer("check", QUICK, "--set", "motion.kind=waypoints", "--set", f"motion.file={name}")
+
+    def test_readings_before_any_work(self):
+        message = self.answer("run", QUICK, "-o", "out", "--set", "readout.sample_interval=1 ns")
+        self.assertIn("readings", message)
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_memory_before_any_work(self):
+        environment = {**os.environ, "IONSKIN_MEMORY_LIMIT": "100 MB"}
+        message = self.answer("run", QUICK, "-o", "out", env=environment)
+        self.assertIn("0.1 GB are allowed by IONSKIN_MEMORY_LIMIT", message)
+        self.assertFalse((self.folder / "out").exists())
+        films = [option for layer in range(3) for option in ("--set", f"skin.layers[{layer}].thickness=200 nm")]
+        message = self.answer("run", QUICK, "-o", "out", "--set", "motion.preload=1 nm", *films)
+        self.assertRegex(message, "memory|unknowns|elements")
+
+    def test_slider_that_touches_no_cell(self):
+        case = self.profile_case(BUMPS, "-0.2 nm")
+        self.assertIn("touches no cell", self.answer("check", case))
+        self.assertIn("touches no cell", self.answer("run", case, "-o", "out"))
+
+    def test_height_map_with_a_small_preload(self):
+        case = self.profile_case(RIDGE, "-1 um")
+        self.answer("check", case, expect=0)
+        self.answer("run", case, "-o", "out", "--no-report", expect=0, within=300)
+        self.assertGreater(summary(self.folder / "out")["metrics"]["normal_force_slide"]["value"], 0)
+
+    def test_formulas_in_tables(self):
+        self.answer("sweep", QUICK, "-o", "out", "--only", "mechanics", "--no-report", "--over", 'title="=1+1"',
+                    expect=0, within=300)
+        self.assertIn("\"'=1+1\"", (self.folder / "out" / "sweep.csv").read_text())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/base/largest.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace ionskin::base {
+namespace {
+
+TEST(Larger, KeepsNaNOnEitherSide) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(larger(1, 2), 2);
+  EXPECT_EQ(larger(2, 1), 2);
+  EXPECT_TRUE(std::isnan(larger(nan, 1)));
+  EXPECT_TRUE(std::isnan(larger(1, nan)));
+  EXPECT_TRUE(std::isnan(larger(larger(nan, 1), 5)));
+}
+
+} // namespace
+} // namespace ionskin::base
