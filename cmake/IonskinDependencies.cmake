@@ -33,7 +33,8 @@ ionskin_find_library(dep_cholmod cholmod.h cholmod HEADER_PATHS /usr/include/sui
 # The serial flavour, which h5py loads too.
 pkg_check_modules(hdf5 REQUIRED IMPORTED_TARGET hdf5-serial)
 add_library(dep_hdf5 INTERFACE IMPORTED)
-target_link_libraries(dep_hdf5 INTERFACE PkgConfig::hdf5)
+find_library(hdf5_high_level hdf5_hl PATHS ${hdf5_LIBRARY_DIRS} NO_DEFAULT_PATH REQUIRED)
+target_link_libraries(dep_hdf5 INTERFACE ${hdf5_high_level} PkgConfig::hdf5)
 # CHOLMOD's own threads are held back through it.
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 pkg_check_modules(openblas REQUIRED IMPORTED_TARGET openblas)

@@ -13,7 +13,7 @@ namespace {
 
 /// Empty where the ions have a sane solution.
 std::string warning_of_strain(const Case& input) {
-  const strain::StrainHistory history = study::read_given_strain(input);
+  const strain::StrainHistory history = study::read_given_strain(input).history;
   try {
     electrochemistry::check_net_charge(input, history);
   } catch (const SolverError& error) {

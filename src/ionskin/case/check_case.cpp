@@ -107,11 +107,13 @@ void check_instants(const CaseDocument& document, Problems& problems) {
 void check_strain_file(const CaseDocument& document, Problems& problems) {
   const std::string& file = document.input.strain.file;
   std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored) || !std::ifstream(file))
+  // Opening a pipe would wait for its writer.
+  if (!std::filesystem::is_regular_file(file, ignored) || !std::ifstream(file))
     problems.add(
         fmt::format("the strain file {} cannot be read", base::shown(file)),
         document.point_at("strain.file"),
-        "strain.file is relative to the folder of the case file; check its name and permissions");
+        "strain.file is relative to the folder of the case file; check its name and permissions, "
+        "and that it is a regular file");
 }
 
 } // namespace

@@ -3,14 +3,24 @@
 
 #include "ionskin/results/hdf5_handle.hpp"
 #include "ionskin/results/hdf5_messages.hpp"
+#include "ionskin/results/hdf5_open_frames.hpp"
+#include "ionskin/results/hdf5_plain.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <hdf5_hl.h>
+#include <string_view>
 
 namespace ionskin::results {
 namespace {
+
+[[noreturn]] void refuse_content(const std::filesystem::path& path) {
+  throw UserError(fmt::format("{} is not an HDF5 file\n  = write it with h5py or another HDF5 "
+                              "library, or check that its copy is complete",
+                              path.string()));
+}
 
 void require_readable(const std::filesystem::path& path) {
   std::error_code ignored;
@@ -24,9 +34,7 @@ void require_readable(const std::filesystem::path& path) {
                     path.string(), std::strerror(errno)));
   }
   if (H5Fis_hdf5(path.c_str()) <= 0) {
-    throw UserError(fmt::format("{} is not an HDF5 file\n  = write it with h5py or another HDF5 "
-                                "library, or check that its copy is complete",
-                                path.string()));
+    refuse_content(path);
   }
 }
 
@@ -37,6 +45,18 @@ hid_t open_file(const std::filesystem::path& path, Hdf5File::Access access) {
   require_readable(path);
   const bool read_only = access == Hdf5File::Access::read;
   return H5Fopen(path.c_str(), read_only ? H5F_ACC_RDONLY : H5F_ACC_RDWR, H5P_DEFAULT);
+}
+
+/// At the begin, or behind a block of the user's, whose size is a power of 2 from 512 on.
+bool has_signature(std::span<std::byte> image) {
+  constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
+  const std::string_view bytes(reinterpret_cast<const char*>(image.data()), image.size());
+  for (std::size_t place = 0; place < bytes.size(); place = place == 0 ? 512 : 2 * place) {
+    if (bytes.substr(place).starts_with(signature)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 std::vector<hsize_t> extents(const Hdf5File::Shape& shape) {
@@ -68,13 +88,28 @@ Hdf5File::Hdf5File(std::filesystem::path path, Access access)
   }
 }
 
+Hdf5File::Hdf5File(std::span<std::byte> image, std::filesystem::path name)
+    : library_(library_mutex()), path_(std::move(name)) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  if (!has_signature(image)) {
+    refuse_content(path_);
+  }
+  id_ = H5LTopen_file_image(image.data(), image.size(),
+                            H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE);
+  if (id_ < 0) {
+    throw UserError(read_failure(path_, "the content"));
+  }
+}
+
 Hdf5File::~Hdf5File() {
+  frames_.reset();
   if (id_ >= 0) {
     H5Fclose(id_);
   }
 }
 
 void Hdf5File::close() {
+  frames_.reset();
   const hid_t id = id_;
   id_ = -1;
   const bool flushed = id < 0 || H5Fflush(id, H5F_SCOPE_LOCAL) >= 0;
@@ -85,48 +120,35 @@ void Hdf5File::close() {
 }
 
 bool Hdf5File::has(const std::string& object) const {
-  if (object == "/") {
-    return true;
-  }
-  // H5Lexists needs every group on the way to exist.
-  for (std::size_t slash = object.find('/', 1); slash != std::string::npos;
-       slash = object.find('/', slash + 1)) {
-    if (H5Lexists(id_, object.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) {
-      return false;
-    }
-  }
-  return H5Lexists(id_, object.c_str(), H5P_DEFAULT) > 0 &&
-         H5Oexists_by_name(id_, object.c_str(), H5P_DEFAULT) > 0;
+  return has_plain(id_, path_, object);
 }
 
 bool Hdf5File::has_numbers(const std::string& object) const {
   if (!has(object)) {
     return false;
   }
-  const hid_t dataset = H5Dopen2(id_, object.c_str(), H5P_DEFAULT);
-  if (dataset < 0) {
+  const Hdf5Handle owner(H5Oopen(id_, object.c_str(), H5P_DEFAULT), H5Oclose,
+                         read_failure(path_, object));
+  if (H5Iget_type(owner) != H5I_DATASET) {
     return false;
   }
-  const Hdf5Handle owner(dataset, H5Dclose, "");
-  const Hdf5Handle type(H5Dget_type(dataset), H5Tclose, read_failure(path_, object));
+  const Hdf5Handle type(H5Dget_type(owner), H5Tclose, read_failure(path_, object));
   const H5T_class_t kind = H5Tget_class(type);
   return kind == H5T_FLOAT || kind == H5T_INTEGER;
 }
 
 std::vector<std::string> Hdf5File::members(const std::string& group) const {
-  const Hdf5Handle owner(H5Gopen2(id_, group.c_str(), H5P_DEFAULT), H5Gclose,
-                         missing_object(path_, group));
-  std::vector<std::string> names;
-  const auto collect = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
-    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
-    return 0;
-  };
-  require_hdf5(H5Literate(owner, H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names),
-               read_failure(path_, group));
-  return names;
+  return plain_members(id_, path_, group);
+}
+
+void Hdf5File::require_plain() const {
+  require_plain_content(id_, path_);
 }
 
 Hdf5File::Shape Hdf5File::shape(const std::string& dataset) const {
+  if (!has(dataset)) {
+    throw UserError(missing_object(path_, dataset));
+  }
   const Hdf5Handle owner(H5Dopen2(id_, dataset.c_str(), H5P_DEFAULT), H5Dclose,
                          missing_object(path_, dataset));
   const Hdf5Handle space(H5Dget_space(owner), H5Sclose, read_failure(path_, dataset));
@@ -177,8 +199,7 @@ void Hdf5File::write_with_unit(const std::string& dataset, const std::vector<dou
 }
 
 std::vector<double> Hdf5File::read(const std::string& dataset) const {
-  const Hdf5Handle owner(H5Dopen2(id_, dataset.c_str(), H5P_DEFAULT), H5Dclose,
-                         missing_object(path_, dataset));
+  const Hdf5Handle owner = open_plain_dataset(id_, path_, dataset);
   std::size_t count = 1;
   for (std::size_t size : shape(dataset)) {
     count *= size;

@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,9 @@ namespace ionskin::results {
 /// the file ("/strain/gamma"); groups on the way are made when writing. Numbers are doubles,
 /// integers are converted on reading. HDF5 serves one thread at a time: while a file is open, its
 /// thread holds a lock, and other threads wait for it when they open one.
+///
+/// Files that this process has not written itself are read through ForeignHdf5File. What is read
+/// must be plain: see hdf5_plain.hpp.
 ///
 /// Errors: UserError when the file cannot be opened, is no HDF5 file, lacks what is read or cannot
 /// be written; the message names the file and the object.
@@ -28,6 +33,9 @@ public:
   using Shape = std::vector<std::size_t>;
 
   Hdf5File(std::filesystem::path path, Access access);
+  /// Reads a file whose bytes are in memory already and stay there.
+  /// @param name under which messages know it
+  Hdf5File(std::span<std::byte> image, std::filesystem::path name);
   ~Hdf5File();
   Hdf5File(const Hdf5File&) = delete;
   Hdf5File& operator=(const Hdf5File&) = delete;
@@ -42,6 +50,8 @@ public:
   /// Names of the members of a group, in alphabetical order.
   std::vector<std::string> members(const std::string& group) const;
   Shape shape(const std::string& dataset) const;
+  /// Opens every object: damage that the library finds, or stumbles over, shows now.
+  void require_plain() const;
   /// Gives an object a second name.
   void link(const std::string& object, const std::string& name);
   /// Removes an object if it is there.
@@ -78,9 +88,12 @@ public:
   std::optional<double> number_attribute(const std::string& object, const std::string& name) const;
 
 private:
+  struct OpenFrames;
+
   std::unique_lock<std::recursive_mutex> library_; ///< released last
   std::filesystem::path path_;
   std::int64_t id_ = -1;
+  mutable std::unique_ptr<OpenFrames> frames_; ///< of which the last frame was read
 };
 
 } // namespace ionskin::results

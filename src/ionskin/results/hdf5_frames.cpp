@@ -4,6 +4,8 @@
 
 #include "ionskin/results/hdf5_handle.hpp"
 #include "ionskin/results/hdf5_messages.hpp"
+#include "ionskin/results/hdf5_open_frames.hpp"
+#include "ionskin/results/hdf5_plain.hpp"
 
 namespace ionskin::results {
 namespace {
@@ -100,14 +102,19 @@ void Hdf5File::repeat_frame(const std::string& dataset, std::size_t source, std:
 void Hdf5File::read_frame(const std::string& dataset, std::size_t frame,
                           std::vector<double>& values) const {
   const std::string failure = read_failure(path_, dataset);
-  const Hdf5Handle owner(H5Dopen2(id_, dataset.c_str(), H5P_DEFAULT), H5Dclose,
-                         missing_object(path_, dataset));
+  if (!frames_ || frames_->name != dataset) {
+    frames_.reset();
+    frames_ = std::make_unique<OpenFrames>(dataset, open_plain_frames(id_, path_, dataset));
+  }
   const Shape whole = shape(dataset);
+  if (whole.empty() || frame >= whole[0]) {
+    throw UserError(failure);
+  }
   values.resize(frame_values(whole));
-  const FrameSpaces spaces(owner, whole, frame, failure);
-  require_hdf5(
-      H5Dread(owner, H5T_NATIVE_DOUBLE, spaces.memory, spaces.file, H5P_DEFAULT, values.data()),
-      failure);
+  const FrameSpaces spaces(frames_->dataset, whole, frame, failure);
+  require_hdf5(H5Dread(frames_->dataset, H5T_NATIVE_DOUBLE, spaces.memory, spaces.file, H5P_DEFAULT,
+                       values.data()),
+               failure);
 }
 
 } // namespace ionskin::results

@@ -4,6 +4,7 @@
 
 #include "ionskin/results/hdf5_handle.hpp"
 #include "ionskin/results/hdf5_messages.hpp"
+#include "ionskin/results/hdf5_plain.hpp"
 
 #include <algorithm>
 
@@ -28,6 +29,9 @@ Hdf5Handle scalar_space() {
 std::string up_to_padding(const char* text, std::size_t length) {
   return {text, std::find(text, text + length, '\0')};
 }
+
+/// Of an attribute: names, units, and reasons in a sentence.
+constexpr std::size_t longest_attribute = 1u << 16;
 
 // One text, fixed or variable length; `read` is H5Dread or H5Aread bound to its object.
 template <class Read> std::optional<std::string> read_one_text(hid_t file_type, const Read& read) {
@@ -113,9 +117,12 @@ void Hdf5File::write_texts(const std::string& dataset, const std::vector<std::st
 }
 
 std::string Hdf5File::read_text(const std::string& dataset) const {
-  const Hdf5Handle owner(H5Dopen2(id_, dataset.c_str(), H5P_DEFAULT), H5Dclose,
-                         missing_object(path_, dataset));
+  const Hdf5Handle owner = open_plain_dataset(id_, path_, dataset);
   const Hdf5Handle type(H5Dget_type(owner), H5Tclose, read_failure(path_, dataset));
+  const Hdf5Handle space(H5Dget_space(owner), H5Sclose, read_failure(path_, dataset));
+  if (H5Sget_simple_extent_npoints(space) != 1) {
+    throw UserError(read_failure(path_, dataset));
+  }
   const std::optional<std::string> text = read_one_text(type, [&](hid_t memory, void* target) {
     return H5Dread(owner, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, target);
   });
@@ -126,14 +133,17 @@ std::string Hdf5File::read_text(const std::string& dataset) const {
 }
 
 std::vector<std::string> Hdf5File::read_texts(const std::string& dataset) const {
-  const Hdf5Handle owner(H5Dopen2(id_, dataset.c_str(), H5P_DEFAULT), H5Dclose,
-                         missing_object(path_, dataset));
+  const Hdf5Handle owner = open_plain_dataset(id_, path_, dataset);
   const Hdf5Handle type(H5Dget_type(owner), H5Tclose, read_failure(path_, dataset));
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) {
     throw UserError(read_failure(path_, dataset));
   }
   const std::size_t length = H5Tget_size(type);
-  const std::size_t count = shape(dataset).at(0);
+  const Shape extents = shape(dataset);
+  if (extents.size() != 1) {
+    throw UserError(read_failure(path_, dataset));
+  }
+  const std::size_t count = extents[0];
   std::vector<char> padded(std::max<std::size_t>(1, count * length));
   require_hdf5(H5Dread(owner, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()),
                read_failure(path_, dataset));
@@ -165,30 +175,34 @@ void Hdf5File::set_attribute(const std::string& object, const std::string& name,
 
 std::optional<std::string> Hdf5File::text_attribute(const std::string& object,
                                                     const std::string& name) const {
-  if (H5Aexists_by_name(id_, object.c_str(), name.c_str(), H5P_DEFAULT) <= 0) {
+  if (!has(object) || H5Aexists_by_name(id_, object.c_str(), name.c_str(), H5P_DEFAULT) <= 0) {
     return std::nullopt;
   }
   const Hdf5Handle attribute(
       H5Aopen_by_name(id_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
       read_failure(path_, object));
   const Hdf5Handle type(H5Aget_type(attribute), H5Tclose, read_failure(path_, object));
-  if (!is_scalar(attribute)) {
+  if (!is_scalar(attribute) || H5Tget_size(type) > longest_attribute) {
     return std::nullopt;
   }
-  return read_one_text(
+  const auto text = read_one_text(
       type, [&](hid_t memory, void* target) { return H5Aread(attribute, memory, target); });
+  return text && text->size() <= longest_attribute ? text : std::nullopt;
 }
 
 std::optional<double> Hdf5File::number_attribute(const std::string& object,
                                                  const std::string& name) const {
-  if (H5Aexists_by_name(id_, object.c_str(), name.c_str(), H5P_DEFAULT) <= 0) {
+  if (!has(object) || H5Aexists_by_name(id_, object.c_str(), name.c_str(), H5P_DEFAULT) <= 0) {
     return std::nullopt;
   }
   const Hdf5Handle attribute(
       H5Aopen_by_name(id_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
       read_failure(path_, object));
+  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose, read_failure(path_, object));
+  const H5T_class_t kind = H5Tget_class(type);
   double value = 0;
-  if (!is_scalar(attribute) || H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) < 0) {
+  if ((kind != H5T_FLOAT && kind != H5T_INTEGER) || !is_scalar(attribute) ||
+      H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) < 0) {
     return std::nullopt;
   }
   return value;

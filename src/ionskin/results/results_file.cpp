@@ -2,6 +2,7 @@
 #include "ionskin/results/results_file.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/results/foreign_hdf5_file.hpp"
 #include "ionskin/results/hdf5_messages.hpp"
 #include "ionskin/results/strain_file.hpp"
 
@@ -18,6 +19,8 @@ Hdf5File::Access prepare(const std::filesystem::path& path, const std::filesyste
   if (start == ResultsFile::Start::empty || !std::filesystem::exists(path, error)) {
     return Hdf5File::Access::create;
   }
+  // The library opens the copy in this process.
+  ForeignHdf5File(path).require_plain();
   std::filesystem::copy_file(path, pending, std::filesystem::copy_options::overwrite_existing,
                              error);
   if (error) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ionskin/case/case.hpp"
+#include "ionskin/results/foreign_hdf5_file.hpp"
 #include "ionskin/results/hdf5_file.hpp"
 #include "ionskin/strain/strain_history.hpp"
 
@@ -32,5 +33,6 @@ void write_strain_file(const std::filesystem::path& path, const strain::StrainHi
 /// @param skin whose core the history must cover
 /// Throws UserError saying what is wrong, where, the actual value and the remedy.
 strain::StrainHistory read_strain_file(const std::filesystem::path& path, const Skin& skin);
+strain::StrainHistory read_strain_file(const ForeignHdf5File& file, const Skin& skin);
 
 } // namespace ionskin::results

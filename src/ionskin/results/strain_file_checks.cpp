@@ -16,6 +16,11 @@ namespace {
 // Lengths that users compute in another order than we do may differ by rounding.
 constexpr double relative_rounding = 1e-9;
 
+// What lies beyond was meant in another unit or is damage.
+constexpr double longest_time = 1e7, shortest_time = 1e-15;     // [s]
+constexpr double longest_length = 100, shortest_length = 1e-15; // [m]
+constexpr double largest_shear = 1000;
+
 const char* kind_of(double value) {
   return std::isnan(value) ? "NaN" : "infinite";
 }
@@ -37,20 +42,24 @@ void StrainFileChecks::finite(const std::string& dataset, const std::vector<doub
 
 void StrainFileChecks::finite_field(const std::string& dataset,
                                     const strain::StrainHistory& history, std::size_t sample,
-                                    const strain::StrainField& field) const {
-  const auto bad =
-      std::find_if(field.begin(), field.end(), [](double value) { return !std::isfinite(value); });
+                                    const strain::StrainField& field, double largest) const {
+  const auto bad = std::find_if(field.begin(), field.end(),
+                                [largest](double value) { return !(std::abs(value) <= largest); });
   if (bad == field.end()) {
     return;
   }
   const auto index = static_cast<std::size_t>(bad - field.begin());
   const std::size_t nx = history.grid.columns_x();
   const std::size_t ny = history.grid.columns_y();
+  const bool finite = std::isfinite(*bad);
   fail(fmt::format("{} is {} at [time, z, y, x] = [{}, {}, {}, {}], the first such place "
                    "(time {:.6g} s, z {:.6g} m)",
-                   dataset, kind_of(*bad), sample, index / (nx * ny), index / nx % ny, index % nx,
-                   history.time[sample], history.grid.z_nodes[index / (nx * ny)]),
-       "write finite numbers everywhere in the core; 0 where nothing happens");
+                   dataset, finite ? fmt::format("{:.6g}", *bad) : kind_of(*bad), sample,
+                   index / (nx * ny), index / nx % ny, index % nx, history.time[sample],
+                   history.grid.z_nodes[index / (nx * ny)]),
+       finite
+           ? fmt::format("write values from -{0:g} to {0:g}, in the unit of the dataset", largest)
+           : "write finite numbers everywhere in the core; 0 where nothing happens");
 }
 
 void StrainFileChecks::ascending(const std::string& dataset,
@@ -66,6 +75,43 @@ void StrainFileChecks::ascending(const std::string& dataset,
            "sort the entries and remove equal ones");
     }
   }
+}
+
+void StrainFileChecks::within(const std::string& dataset, const std::vector<double>& values,
+                              double most, const std::string& unit) const {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!(std::abs(values[i]) <= most)) {
+      fail(fmt::format("{} is {} {} at index {}", dataset, values[i], unit, i),
+           fmt::format("write it in {0}, from -{1} {0} to {1} {0}", unit, most));
+    }
+  }
+}
+
+void StrainFileChecks::apart(const std::string& dataset, const std::vector<double>& values,
+                             double least, const std::string& unit) const {
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (values[i] - values[i - 1] < least) {
+      fail(fmt::format("{} ascends by {} {} at index {}", dataset, values[i] - values[i - 1], unit,
+                       i),
+           fmt::format("leave at least {} {} between neighbours", least, unit));
+    }
+  }
+}
+
+void StrainFileChecks::sane_times(const std::vector<double>& values) const {
+  within("time", values, longest_time, "s");
+  apart("time", values, shortest_time, "s");
+}
+
+void StrainFileChecks::sane_lengths(const std::string& dataset,
+                                    const std::vector<double>& values) const {
+  within(dataset, values, longest_length, "m");
+  apart(dataset, values, shortest_length, "m");
+}
+
+void StrainFileChecks::sane_positions(const std::string& dataset,
+                                      const std::vector<double>& values) const {
+  within(dataset, values, longest_length, "m");
 }
 
 void StrainFileChecks::same_length(const std::string& dataset, std::size_t actual,

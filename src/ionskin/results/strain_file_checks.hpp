@@ -19,11 +19,15 @@ public:
   [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const;
 
   void finite(const std::string& dataset, const std::vector<double>& values) const;
-  /// One sample of a channel.
+  /// One sample of a channel: finite, and of a magnitude up to `largest`.
   void finite_field(const std::string& dataset, const strain::StrainHistory& history,
-                    std::size_t sample, const strain::StrainField& field) const;
+                    std::size_t sample, const strain::StrainField& field, double largest) const;
   /// Finite, strictly ascending and at least two entries.
   void ascending(const std::string& dataset, const std::vector<double>& values) const;
+  /// No time and no length is absurd; nor is a step between neighbours.
+  void sane_times(const std::vector<double>& values) const;
+  void sane_lengths(const std::string& dataset, const std::vector<double>& values) const;
+  void sane_positions(const std::string& dataset, const std::vector<double>& values) const;
   void same_length(const std::string& dataset, std::size_t actual, std::size_t samples) const;
   void shape(const std::string& dataset, const strain::StrainGrid& grid, std::size_t samples,
              const std::vector<std::size_t>& actual) const;
@@ -32,6 +36,10 @@ public:
   void events_are_samples(const strain::StrainHistory& history) const;
 
 private:
+  void within(const std::string& dataset, const std::vector<double>& values, double most,
+              const std::string& unit) const;
+  void apart(const std::string& dataset, const std::vector<double>& values, double least,
+             const std::string& unit) const;
   void covers(const std::string& axis, const std::vector<double>& edges,
               const std::vector<double>& offsets, double extent) const;
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "ionskin/base/available_memory.hpp"
 #include "ionskin/base/error.hpp"
+#include "ionskin/results/foreign_hdf5_file.hpp"
 #include "ionskin/results/strain_events.hpp"
 #include "ionskin/results/strain_file.hpp"
 #include "ionskin/results/strain_file_checks.hpp"
@@ -16,6 +18,8 @@ namespace ionskin::results {
 namespace {
 
 constexpr const char* format_name = "ionskin-strain";
+/// Of the available memory, for the history; ion transport takes more.
+constexpr double free_share = 0.5;
 
 // Hands out one shared field for all equal ones.
 class FieldPool {
@@ -35,14 +39,16 @@ public:
     return shared;
   }
 
+  std::size_t distinct() const { return fields_.size(); }
+
 private:
   std::unordered_multimap<std::size_t, std::shared_ptr<const strain::StrainField>> fields_;
 };
 
 class StrainFileReader {
 public:
-  explicit StrainFileReader(const std::filesystem::path& path)
-      : file_(path, Hdf5File::Access::read), checks_(path.string()), group_(find_group()) {}
+  explicit StrainFileReader(const ForeignHdf5File& file)
+      : file_(file), checks_(file.path().string()), group_(find_group()) {}
 
   strain::StrainHistory read(const Skin& skin) {
     strain::StrainHistory history;
@@ -144,12 +150,17 @@ private:
     checks_.ascending("grid/y", history.grid.y_edges);
     checks_.ascending("grid/z", history.grid.z_nodes);
     checks_.ascending("time", history.time);
+    checks_.sane_lengths("grid/x", history.grid.x_edges);
+    checks_.sane_lengths("grid/y", history.grid.y_edges);
+    checks_.sane_lengths("grid/z", history.grid.z_nodes);
+    checks_.sane_times(history.time);
   }
 
   std::vector<double> read_positions(const std::string& name, std::size_t samples) const {
     std::vector<double> positions = read_line(name, "m");
     checks_.same_length(name, positions.size(), samples);
     checks_.finite(name, positions);
+    checks_.sane_positions(name, positions);
     return positions;
   }
 
@@ -190,11 +201,21 @@ private:
     checks_.shape(dataset, history.grid, history.time.size(), file_.shape(object(dataset)));
     strain::HistoryChannel& channel = history.add_channel(name, unit);
     FieldPool pool;
+    const double free = free_share * base::available_memory().bytes;
     for (std::size_t sample = 0; sample < history.time.size(); ++sample) {
       strain::StrainField field;
       file_.read_frame(object(dataset), sample, field);
-      checks_.finite_field(dataset, history, sample, field);
+      checks_.finite_field(dataset, history, sample, field, strain::largest_of_channel(name));
       channel.samples.push_back(pool.share(std::move(field)));
+      const double bytes =
+          static_cast<double>(pool.distinct() * history.grid.values() * sizeof(double));
+      if (bytes > free) {
+        checks_.fail(fmt::format("the first {} of {} samples of {} take {:.3g} GB of memory, and "
+                                 "{:.3g} GB were free for it",
+                                 sample + 1, history.time.size(), dataset, bytes * 1e-9,
+                                 free * 1e-9),
+                     "write fewer samples or a coarser grid, or free memory");
+      }
     }
   }
 
@@ -208,7 +229,7 @@ private:
     checks_.events_are_samples(history);
   }
 
-  Hdf5File file_;
+  const ForeignHdf5File& file_;
   StrainFileChecks checks_;
   std::string group_;
 };
@@ -216,7 +237,11 @@ private:
 } // namespace
 
 strain::StrainHistory read_strain_file(const std::filesystem::path& path, const Skin& skin) {
-  return StrainFileReader(path).read(skin);
+  return read_strain_file(ForeignHdf5File(path), skin);
+}
+
+strain::StrainHistory read_strain_file(const ForeignHdf5File& file, const Skin& skin) {
+  return StrainFileReader(file).read(skin);
 }
 
 } // namespace ionskin::results

@@ -13,10 +13,11 @@ namespace {
 
 struct KnownChannel {
   std::string name, unit;
+  double largest;
 };
-const std::array known{KnownChannel{channel_name::shear, "1"},
-                       KnownChannel{channel_name::dilation, "1"},
-                       KnownChannel{channel_name::undrained_pressure, "Pa"}};
+const std::array known{KnownChannel{channel_name::shear, "1", 1e3},
+                       KnownChannel{channel_name::dilation, "1", 1e3},
+                       KnownChannel{channel_name::undrained_pressure, "Pa", 1e12}};
 
 std::vector<double> shifted(const std::vector<double>& edges, double offset) {
   std::vector<double> result(edges);
@@ -79,6 +80,11 @@ std::vector<double> skin_y_edges(const StrainHistory& history, const TimeBracket
 const std::string* unit_of_channel(std::string_view name) {
   const auto found = std::ranges::find(known, name, &KnownChannel::name);
   return found == known.end() ? nullptr : &found->unit;
+}
+
+double largest_of_channel(std::string_view name) {
+  const auto found = std::ranges::find(known, name, &KnownChannel::name);
+  return found == known.end() ? 0.0 : found->largest;
 }
 
 std::string known_channels() {

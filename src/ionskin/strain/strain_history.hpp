@@ -34,6 +34,8 @@ inline constexpr const char* undrained_pressure = "undrained_pressure";
 
 /// Unit of a channel that the program knows, or nullptr.
 const std::string* unit_of_channel(std::string_view name);
+/// Largest magnitude that a known channel can sensibly have, in its unit.
+double largest_of_channel(std::string_view name);
 /// Their names, for messages.
 std::string known_channels();
 

@@ -2,7 +2,7 @@
 #include "ionskin/study/checkpoint_file.hpp"
 
 #include "ionskin/results/atomic_file.hpp"
-#include "ionskin/results/hdf5_file.hpp"
+#include "ionskin/results/foreign_hdf5_file.hpp"
 
 #include <fmt/core.h>
 
@@ -86,7 +86,7 @@ std::optional<IonCheckpoint> read_checkpoint(const std::filesystem::path& path,
   if (!std::filesystem::exists(path)) {
     return std::nullopt;
   }
-  const results::Hdf5File file(path, results::Hdf5File::Access::read);
+  const results::ForeignHdf5File file(path);
   if (file.text_attribute("/", "input_hash") != input_hash) {
     return std::nullopt;
   }

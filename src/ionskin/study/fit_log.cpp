@@ -4,7 +4,7 @@
 #include "ionskin/base/digest.hpp"
 #include "ionskin/base/error.hpp"
 #include "ionskin/results/atomic_file.hpp"
-#include "ionskin/results/hdf5_file.hpp"
+#include "ionskin/results/foreign_hdf5_file.hpp"
 
 #include <utility>
 
@@ -14,7 +14,7 @@ namespace {
 constexpr const char* extension = ".h5";
 constexpr const char* failure_name = "failure";
 
-FitAnswer read_answer(const results::Hdf5File& file) {
+FitAnswer read_answer(const results::ForeignHdf5File& file) {
   if (const auto failure = file.text_attribute("/", failure_name)) {
     return {std::nullopt, *failure};
   }
@@ -35,7 +35,7 @@ FitLog::FitLog(std::filesystem::path folder) : folder_(std::move(folder)) {
 
 void FitLog::take_up(const std::filesystem::path& path) {
   try {
-    const results::Hdf5File file(path, results::Hdf5File::Access::read);
+    const results::ForeignHdf5File file(path);
     answers_[file.read("/point")] = read_answer(file);
   } catch (const UserError&) {
     // Damaged, as by a power cut: it is solved again.

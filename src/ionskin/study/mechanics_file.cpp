@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/mechanics_file.hpp"
 
+#include "ionskin/results/foreign_hdf5_file.hpp"
 #include "ionskin/results/results_file.hpp"
 #include "ionskin/results/strain_file.hpp"
 
@@ -30,7 +31,8 @@ void write_metrics(results::Hdf5File& file, const std::string& group,
   file.write_texts(group + "/unit", units);
 }
 
-std::vector<readout::Metric> read_metrics(const results::Hdf5File& file, const std::string& group) {
+std::vector<readout::Metric> read_metrics(const results::ForeignHdf5File& file,
+                                          const std::string& group) {
   const auto names = file.read_texts(group + "/name");
   const auto units = file.read_texts(group + "/unit");
   const auto values = file.read(group + "/value");
@@ -76,7 +78,7 @@ std::optional<MechanicsRecord> read_mechanics(const std::filesystem::path& path,
   }
   MechanicsRecord record;
   {
-    const results::Hdf5File file(path, results::Hdf5File::Access::read);
+    const results::ForeignHdf5File file(path);
     if (!file.has("/path") || file.text_attribute("/path", "mechanics_hash") != hash) {
       return std::nullopt;
     }

@@ -34,7 +34,7 @@ namespace {
 
 using electrochemistry::IonSolution;
 
-std::optional<MechanicsRecord> strain_from_file(const Case& input, const RunOptions& options) {
+std::optional<GivenStrain> strain_from_file(const Case& input, const RunOptions& options) {
   if (input.strain.kind != StrainSourceKind::file) {
     return std::nullopt;
   }
@@ -43,9 +43,12 @@ std::optional<MechanicsRecord> strain_from_file(const Case& input, const RunOpti
         "--only mechanics has nothing to do: strain.source = \"file\" gives the strain\n"
         "  = leave out --only, or set strain.source = \"contact\"");
   }
+  return read_given_strain(input);
+}
+
+MechanicsRecord record_of(GivenStrain given) {
   MechanicsRecord record;
-  record.history = read_given_strain(input);
-  require_sampling(input.readout, record.history.time.back() - record.history.time.front());
+  record.history = std::move(given.history);
   return record;
 }
 
@@ -162,9 +165,12 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
   const auto cache = open_user_cache(options);
   RunFolder folder(input, options);
   base::Timers timers;
+  if (given_strain) {
+    require_unchanged(input, *given_strain);
+  }
 
   const MechanicsRecord mechanics = given_strain
-                                        ? std::move(*given_strain)
+                                        ? record_of(std::move(*given_strain))
                                         : study_1(input, options, cache.get(), folder, timers);
   RunOutputs outputs;
   if (options.studies == Studies::mechanics) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/run_folder.hpp"
 
-#include "ionskin/case/read_text_file.hpp"
+#include "ionskin/base/file_copy.hpp"
 #include "ionskin/results/atomic_file.hpp"
 #include "ionskin/results/output_folder.hpp"
 
@@ -95,7 +95,7 @@ std::string input_hash(const Case& input) {
     text += heights_text(input.slider.profile_heights);
   }
   if (input.strain.kind == StrainSourceKind::file) {
-    text += results::content_hash(read_text_file(input.strain.file, "strain"));
+    text += base::file_digest(input.strain.file).hex();
   }
   return results::content_hash(text);
 }

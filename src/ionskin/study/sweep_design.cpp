@@ -66,9 +66,10 @@ std::vector<std::vector<std::string>> grid_design(const std::vector<SweepAxis>& 
                                   axis.key));
     }
     if (points.size() * axis.values.size() > most_points) {
-      throw UserError(fmt::format("the sweep has more than {} points\n  = give --over fewer values, "
-                                  "or take --samples N of intervals",
-                                  most_points));
+      throw UserError(
+          fmt::format("the sweep has more than {} points\n  = give --over fewer values, "
+                      "or take --samples N of intervals",
+                      most_points));
     }
     std::vector<std::vector<std::string>> longer;
     for (const auto& point : points) {

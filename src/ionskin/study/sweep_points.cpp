@@ -80,7 +80,8 @@ SweepPoint read_point(const SweepRequest& request, const std::vector<SweepAxis>&
       point.values.push_back(swept_value(document, axes[i].key, values[i]));
     }
   } catch (const UserError& error) {
-    throw UserError(fmt::format("point {} of the sweep ({}): {}", number, base::shown(where), error.what()));
+    throw UserError(
+        fmt::format("point {} of the sweep ({}): {}", number, base::shown(where), error.what()));
   }
   return point;
 }

@@ -3,7 +3,7 @@
 
 #include "ionskin/base/text.hpp"
 #include "ionskin/results/atomic_file.hpp"
-#include "ionskin/results/hdf5_file.hpp"
+#include "ionskin/results/foreign_hdf5_file.hpp"
 #include "ionskin/results/output_folder.hpp"
 
 #include <fmt/format.h>
@@ -52,7 +52,7 @@ double metric_value(const PointState& state, const std::string& name) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-void copy_group(const results::Hdf5File& source, const std::string& group,
+void copy_group(const results::ForeignHdf5File& source, const std::string& group,
                 results::Hdf5File& target, const std::string& target_group) {
   if (!source.has("/" + group)) {
     return;
@@ -138,9 +138,8 @@ void write_sweep_signals(const std::filesystem::path& folder, const std::vector<
       continue;
     }
     const std::string group = "/points/" + points[i].name;
-    const results::Hdf5File source(folder / results::file_names::points / points[i].name /
-                                       results::file_names::results,
-                                   results::Hdf5File::Access::read);
+    const results::ForeignHdf5File source(folder / results::file_names::points / points[i].name /
+                                          results::file_names::results);
     for (const char* table :
          {"signals", "sampled", "taxels", "circuit", "sampled_taxels", "sampled_circuit"}) {
       copy_group(source, table, file, group);

@@ -47,6 +47,28 @@ void set_value(StrainHistory& history, std::size_t sample, std::size_t index, do
 const double infinity = std::numeric_limits<double>::infinity();
 
 const std::vector<Mistake> mistakes{
+    {"endless",
+     Frame::skin,
+     [](StrainHistory& history) { history.time.back() = 1e300; },
+     leave,
+     {"time is 1e+300 s at index 3", "to 10000000 s"}},
+    {"times too close",
+     Frame::skin,
+     [](StrainHistory& history) {
+       history.time = {0, 5e-324, 1, 2};
+     },
+     leave,
+     {"time ascends by", "leave at least 1e-15 s"}},
+    {"endless skin",
+     Frame::skin,
+     [](StrainHistory& history) { history.grid.x_edges.back() = 1e300; },
+     leave,
+     {"grid/x is 1e+300 m at index 3", "100 m"}},
+    {"absurd shear",
+     Frame::skin,
+     [](StrainHistory& history) { set_value(history, 1, 2, 1e300); },
+     leave,
+     {"gamma is 1e+300 at", "from -1000 to 1000"}},
     {"no format",
      Frame::skin,
      keep,

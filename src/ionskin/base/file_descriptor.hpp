@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <unistd.h>
+#include <utility>
+
+namespace ionskin::base {
+
+/// Owns one file descriptor; -1 is none.
+class FileDescriptor {
+public:
+  explicit FileDescriptor(int number = -1) : number_(number) {}
+  FileDescriptor(FileDescriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  FileDescriptor& operator=(FileDescriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  ~FileDescriptor() {
+    if (number_ >= 0) {
+      close(number_);
+    }
+  }
+  operator int() const { return number_; }
+
+private:
+  int number_;
+};
+
+} // namespace ionskin::base
