@@ -133,7 +133,8 @@ namespace ionskin::python {
 
 CaseSource case_source(const py::handle& python_case) {
   return {python_case.attr("_original").cast<std::string>(),
-          python_case.attr("_path").cast<std::string>(),
+          // As bytes: names of files need not be UTF-8.
+          py::module_::import("os").attr("fsencode")(python_case.attr("_path")).cast<std::string>(),
           python_case.attr("_edit_list")().cast<std::vector<std::string>>()};
 }
 

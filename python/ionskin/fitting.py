@@ -62,5 +62,5 @@ def fit(case: Case, data: str | os.PathLike, free: Sequence[str], output: str | 
     Raises CaseError before any work, SolverError and KeyboardInterrupt.
     """
     settings = solve_settings(os.fspath(output), threads, overwrite, resume, "", report, cache, "fit")
-    solver.load().fit_folder(case, os.fspath(data), column, list(free), settings, progress)
+    solver.load().fit_folder(case, os.fsencode(data), column, list(free), settings, progress)
     return Fit.from_folder(output)

@@ -1,14 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 """The output folder of one run, as arrays and plain dictionaries."""
 
+import contextlib
 import json
+import os
 import pathlib
+import stat
 import tomllib
 from typing import NamedTuple
 
 import numpy
 
 from . import labelled
+from .errors import CaseError
+from .hdf5 import open_hdf5
 from .unfinished import mechanics, reason
 
 TEXT_COLUMNS = ("phase",)
@@ -74,8 +79,12 @@ def name_and_unit(title):
 
 
 def read_table(path):
-    """Reads signals.csv or sampled.csv. Raises FileNotFoundError when it is missing."""
-    header, *rows = pathlib.Path(path).read_text(encoding="utf-8").splitlines()
+    """Reads signals.csv or sampled.csv. Raises FileNotFoundError when it is missing, CaseError when it is damaged."""
+    with _whole(path):
+        return _table(*_text(path).splitlines())
+
+
+def _table(header, *rows):
     titles = [name_and_unit(title) for title in header.split(",")]
     cells = zip(*(row.split(",") for row in rows)) if rows else ([] for _ in titles)
     columns, units = {}, {}
@@ -89,8 +98,33 @@ def read_table(path):
 
 
 def read_json(path):
-    """The content of a JSON file; empty when it is missing."""
-    return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+    """The content of a JSON file; empty when it is missing. Raises CaseError when it is damaged."""
+    if not path.exists():
+        return {}
+    with _whole(path):
+        return json.loads(_text(path))
+
+
+def _text(path):
+    if not stat.S_ISREG(os.stat(path).st_mode):  # a pipe would be waited for
+        raise ValueError("it is no regular file")
+    return pathlib.Path(path).read_text(encoding="utf-8")
+
+
+def _object(parent, name):
+    found = parent.get(name, {}) if isinstance(parent, dict) else None
+    if not isinstance(found, dict):
+        raise ValueError(f"{name} is no object")
+    return found
+
+
+@contextlib.contextmanager
+def _whole(path):
+    """Turns what a damaged file raises into a CaseError that names it."""
+    try:
+        yield
+    except (ValueError, TypeError, KeyError, IndexError, RecursionError) as error:
+        raise CaseError(f"{path} is damaged: {error}\n  = run the case again") from error
 
 
 class Results:
@@ -104,7 +138,8 @@ class Results:
     complete          False for a run that has not ended: it gives place, height and forces of the slider and the
                       metrics of the contact alone
 
-    Raises FileNotFoundError, with what the run is at, when the folder holds no signals.csv.
+    Raises FileNotFoundError, with what the run is at, when the folder holds no signals.csv, and CaseError when a file
+    in it is damaged.
     """
 
     def __init__(self, folder, keep=None, *, unfinished=False):
@@ -126,11 +161,14 @@ class Results:
                 self.folder / f"{name}.csv" for name in ("taxels", "circuit", "sampled_taxels", "sampled_circuit")))
         self.summary = read_json(self.folder / "summary.json")
         if self.complete:
-            self.metrics = {
-                name: Metric(entry["value"], entry["unit"]) for name, entry in self.summary.get("metrics", {}).items()
-            }
+            with _whole(self.folder / "summary.json"):
+                self.metrics = {name: Metric(entry["value"], entry["unit"])
+                                for name, entry in _object(self.summary, "metrics").items()}
         case = self.folder / "case.toml"
-        self.case = tomllib.loads(case.read_text(encoding="utf-8")) if case.exists() else {}
+        self.case = {}
+        if case.exists():
+            with _whole(case):
+                self.case = tomllib.loads(_text(case))
 
     def _take_mechanics(self, wanted):
         found = mechanics(self.folder / "results.h5") if wanted else None
@@ -153,10 +191,11 @@ class Results:
         return f"Results({self.folder}: {len(self.signals['time'])} rows, {len(self.metrics)} metrics)"
 
     def open_fields(self):
-        """results.h5 as an h5py.File, for the strain, the ions and the contact maps."""
-        import h5py  # costs a quarter of a second that most readers need not pay
+        """results.h5 as an h5py.File, for the strain, the ions and the contact maps.
 
-        return h5py.File(self.folder / "results.h5")
+        Raises CaseError when the file is damaged or leads to other files.
+        """
+        return open_hdf5(self.folder / "results.h5")
 
     def phases(self):
         """The phases in order, as PhaseSpan; empty in runs from a strain file and in those that have not ended."""

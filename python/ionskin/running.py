@@ -35,7 +35,8 @@ def run(case: Case, output: str | os.PathLike | None = None, *, threads: int = 0
     cache      use the user's cache of factorised slider positions
 
     Raises CaseError before any work, SolverError, and KeyboardInterrupt; what was finished then stays in the folder.
-    Other Python threads go on meanwhile; a second run waits for the first.
+    Other Python threads go on meanwhile; a second run waits for the first, but `progress` cannot begin one. A process
+    that was forked during a run cannot run either: both are a CaseError.
     """
     _require("only", only, STUDIES)
     with_folder, keep = _folder(output)
@@ -102,7 +103,8 @@ def solve_settings(folder: str, threads: int, overwrite: bool, resume: bool, onl
               verb: str) -> dict[str, Any]:
     if overwrite and resume:
         raise CaseError("overwrite and resume exclude each other")
-    return {"output": folder, "threads": threads, "overwrite": overwrite, "resume": resume, "only": only, "report": report,
+    # As bytes: names of folders need not be UTF-8.
+    return {"output": os.fsencode(folder), "threads": threads, "overwrite": overwrite, "resume": resume, "only": only, "report": report,
             "cache": cache, "command": f"ionskin.{verb} (Python)",
             "main_thread": threading.current_thread() is threading.main_thread()}
 

@@ -3,6 +3,9 @@
 
 import contextlib
 
+from .errors import CaseError
+from .hdf5 import open_hdf5
+
 # Columns by their places in results.h5.
 PLACES = {"time": "path/time", "slider_x": "strain/slider_x", "slider_z": "path/slider_z",
           "normal_force": "path/normal_force", "tangential_force": "path/tangential_force"}
@@ -10,9 +13,7 @@ PLACES = {"time": "path/time", "slider_x": "strain/slider_x", "slider_z": "path/
 
 def mechanics(path):
     """Columns and units by name, and metrics as (name, value, unit); None where the file does not hold Study 1."""
-    import h5py  # costs a quarter of a second that readers of finished runs need not pay
-
-    with contextlib.suppress(OSError, KeyError), h5py.File(path) as file:
+    with contextlib.suppress(OSError, KeyError, CaseError), open_hdf5(path) as file:
         columns = {name: file[place][:] for name, place in PLACES.items()}
         units = {name: str(file[place].attrs["unit"]) for name, place in PLACES.items()}
         names, texts = (file[f"path/metrics/{part}"].asstr()[:] for part in ("name", "unit"))

@@ -85,7 +85,8 @@ std::string manifest_text(const Manifest& manifest) {
   json["input_hash"] = manifest.input_hash;
   json["stages"] = stages_json(manifest.stages);
   json["counters"] = manifest.counters;
-  return json.dump(2) + "\n";
+  // Names of files need not be UTF-8, as JSON must.
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 void write_manifest(const std::filesystem::path& path, const Manifest& manifest) {

@@ -19,7 +19,6 @@ constexpr double relative_rounding = 1e-9;
 // What lies beyond was meant in another unit or is damage.
 constexpr double longest_time = 1e7, shortest_time = 1e-15;     // [s]
 constexpr double longest_length = 100, shortest_length = 1e-15; // [m]
-constexpr double largest_shear = 1000;
 
 const char* kind_of(double value) {
   return std::isnan(value) ? "NaN" : "infinite";

@@ -28,7 +28,8 @@ std::string summary_text(const Summary& summary) {
                                     {"fail_above", audit.fail_above},
                                     {"verdict", audit.verdict}};
   }
-  return json.dump(2) + "\n";
+  // Names of files need not be UTF-8, as JSON must.
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 void write_summary(const std::filesystem::path& path, const Summary& summary) {

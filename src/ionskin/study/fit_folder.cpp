@@ -117,7 +117,8 @@ std::string fit_json_text(const FitResult& result, const FitModel& model, const 
   json["mechanics_solves"] = model.mechanics_solves();
   json["warnings"] = result.warnings;
   json["seconds"] = seconds;
-  return json.dump(2) + "\n";
+  // Names of files need not be UTF-8, as JSON must.
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 FitResult run_fit(const FitRequest& request, const FitOptions& options) {

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: Apache-2.0
+"""results.h5 of a folder that may come from elsewhere."""
+
+import os
+import stat
+
+from .errors import CaseError
+
+
+def open_hdf5(path):
+    """An h5py.File to read, all of whose values stand in the file itself.
+
+    Raises FileNotFoundError when it is missing, and CaseError for pipes and folders, for damaged files, and for links
+    or datasets that lead to other files: none of these is followed.
+    """
+    import h5py  # costs a quarter of a second that most readers need not pay
+
+    if not stat.S_ISREG(os.stat(path).st_mode):
+        raise CaseError(f"{path} is no regular file\n  = name the folder of a run")
+    try:
+        file = h5py.File(path, "r")
+    except OSError as error:
+        raise _damaged(path, error) from error
+    try:
+        _require_plain(file, h5py, path)
+    except BaseException:
+        file.close()
+        raise
+    return file
+
+
+def _damaged(path, error):
+    return CaseError(f"{path} is damaged: {error}\n  = run the case again")
+
+
+def _require_plain(root, h5py, path):
+    groups, seen = [root], set()
+    try:
+        while groups:
+            group = groups.pop()
+            for name in group:
+                place = f"{group.name.rstrip('/')}/{name}"
+                link = group.get(name, getlink=True)
+                if not isinstance(link, h5py.HardLink):
+                    raise CaseError(f"{path}: {place} is a link to elsewhere, which is not followed\n"
+                                    "  = copy what it leads to into the file itself")
+                member = group[name]
+                if isinstance(member, h5py.Dataset):
+                    if member.is_virtual or member.external:
+                        raise CaseError(f"{path}: {place} keeps its values in another file, which is not opened\n"
+                                        "  = write its values into the file itself")
+                elif member.id not in seen:  # a group may hold itself
+                    seen.add(member.id)
+                    groups.append(member)
+    except (OSError, RuntimeError, KeyError) as error:
+        raise _damaged(path, error) from error
