@@ -77,7 +77,7 @@ std::string json_line(const ProgressState& state) {
                         {"fraction", state.fraction},
                         {"elapsed_s", state.elapsed},
                         {"time_left_s", left}}
-      .dump();
+      .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 } // namespace ionskin::apps
