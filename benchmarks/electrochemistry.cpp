@@ -14,7 +14,7 @@
 #include "ionskin/electrochemistry/transport_grid.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
 #include "ionskin/strain/handover.hpp"
-#include "ionskin/study/ion_error_estimate.hpp"
+#include "ionskin/study/error_estimate.hpp"
 
 #include <fmt/core.h>
 
@@ -92,7 +92,10 @@ void measure(const Case& input, const strain::StrainHistory& history, int thread
        fmt::format("{:.2f} s: {:.1f} GB at {:.1f} GB/s; processor time is {:.1f} times that",
                    bytes / rate, bytes * 1e-9, rate * 1e-9, each * rate / bytes));
   const double before = base::wall_time();
-  study::estimate_ion_errors(input, history, ions, threads, timers);
+  study::MechanicsRecord given; // the parts of Study 2 alone
+  given.history = history;
+  study::estimate_errors(input, given, ions, study::read_out(input, given, ions, threads), threads,
+                         timers);
   line("error estimate", fmt::format("{:.2f} s", base::wall_time() - before));
 }
 

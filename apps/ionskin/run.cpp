@@ -47,10 +47,10 @@ void print_warnings(const study::RunOutcome& outcome) {
 void print_outcome(const study::RunOutcome& outcome) {
   for (const auto& metric : outcome.metrics) {
     if (std::find(headline.begin(), headline.end(), metric.name) != headline.end()) {
-      const auto error = outcome.error_estimate.find(metric.name);
+      const auto error = outcome.errors.relative.find(metric.name);
       fmt::print("{:<34} {:.6g} {}{}\n", metric.name, metric.value,
                  metric.unit == "1" ? "" : metric.unit,
-                 error == outcome.error_estimate.end()
+                 error == outcome.errors.relative.end()
                      ? ""
                      : fmt::format("  (estimated error {:.2g} %)", 100 * error->second));
     }

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tells in what two runs differ: parameters, metrics, signals. /usr/bin/python3 -m ionskin.compare A B"""
+"""Tells in what two runs differ, parameters, metrics, signals, and which differences are within their stated errors.
+/usr/bin/python3 -m ionskin.compare A B"""
 
 import argparse
 import json
@@ -58,8 +59,31 @@ def metrics(first, second, tolerance):
     return rows
 
 
+def verdict(first, second, name):
+    """What the stated errors of both runs say about the difference of a metric; "" without any."""
+    if name in first.not_converging or name in second.not_converging:
+        return "does not converge"
+    errors = [run.stated_error(name) for run in (first, second)]
+    if None in errors or name not in first.metrics or name not in second.metrics:
+        return ""
+    gap = abs(first.metrics[name].value - second.metrics[name].value)
+    return "within the stated errors" if gap <= sum(errors) else "beyond the stated errors"
+
+
+def exceeding(first, second, table, name, time):
+    """Share of the instants at which two signals differ by more than both stated errors; None without those."""
+    errors = [run.errors.get(table) for run in (first, second)]
+    if any(error is None or name not in error for error in errors):
+        return None
+    one, two = (getattr(run, table) for run in (first, second))
+    gap = numpy.abs(one[name][:len(time)] - two.at(name, time))
+    allowed = errors[0][name][:len(time)] + numpy.interp(time, errors[1]["time"], errors[1][name])
+    return float(numpy.mean(gap > allowed))
+
+
 def signals(first, second, tolerance):
-    """Rows of table, name and largest difference over the peak, at the first run's instants both runs cover."""
+    """Rows of table, name, largest difference over the peak, and share of instants beyond both stated errors (None
+    without those), at the first run's instants both runs cover."""
     rows = []
     for table in ("signals", "sampled"):
         one, two = getattr(first, table), getattr(second, table)
@@ -70,7 +94,7 @@ def signals(first, second, tolerance):
             gap = numpy.nanmax(numpy.abs(one[name][:len(time)] - two.at(name, time)))
             scale = max(numpy.nanmax(numpy.abs(one[name])), numpy.nanmax(numpy.abs(two[name])))
             if scale and gap > tolerance * scale:
-                rows.append((table, name, gap / scale))
+                rows.append((table, name, gap / scale, exceeding(first, second, table, name, time)))
     return rows
 
 
@@ -79,15 +103,23 @@ def number(value):
     return "–" if value is None else f"{value:.8g}"
 
 
+def remark(text):
+    """A remark behind a row."""
+    return f", {text}" if text else ""
+
+
 def report(first, second, tolerance, defaults):
     """The differences as lines of text."""
     lines = []
     for heading, rows in (
             ("parameters", [f"{key}: {one} | {two}" for key, one, two in parameters(first, second, defaults)]),
-            ("metrics (relative difference)", [f"{name}: {number(one)} | {number(two)} {unit} ({gap:.2e})"
-                                               for name, one, two, unit, gap in metrics(first, second, tolerance)]),
-            ("signals (largest difference over the peak)", [f"{table}/{name}: {gap:.2e}" for table, name, gap
-                                                            in signals(first, second, tolerance)])):
+            ("metrics (relative difference)", [
+                f"{name}: {number(one)} | {number(two)} {unit} ({gap:.2e})" + remark(verdict(first, second, name))
+                for name, one, two, unit, gap in metrics(first, second, tolerance)]),
+            ("signals (largest difference over the peak)", [
+                f"{table}/{name}: {gap:.2e}" + remark("" if share is None else "within the stated errors" if not share
+                                                      else f"beyond the stated errors at {share:.1%} of the instants")
+                for table, name, gap, share in signals(first, second, tolerance)])):
         if rows:
             lines += [heading, *(f"  {row}" for row in rows)]
     return lines or [f"no differences above {tolerance:g}"]

@@ -5,8 +5,8 @@ run would need for it."""
 from typing import Callable, NamedTuple
 
 from . import derived, figures_contact, figures_fields, figures_model, figures_readout, style
-from .panels import (STEP, first_cycle_names, motion_panels, name_phases, peak_of, rows_within, sampled_label, scaled,
-                     shade_phases, signed_log_axis, slide_start, time_axis)
+from .panels import (STEP, error_band, first_cycle_names, motion_panels, name_phases, peak_of, rows_within, sampled_label,
+                     scaled, shade_phases, signed_log_axis, slide_start, time_axis)
 from .sweep_results import Study
 
 
@@ -72,6 +72,7 @@ def currents(results):
     for panel, name, colour in ((axes[1], "difference", style.GREEN), (axes[2], "common", style.PURPLE)):
         column = f"current_{name}"
         # Wide and pale below the resolved current, which it equals wherever nothing is fast.
+        error_band(panel, results, "sampled", column, 1.0, colour)
         panel.plot(sampled["time"], sampled[column], color=style.PALE, lw=2.6, label=sampled_label(results), **STEP)
         panel.plot(time, signals[column], color=colour, lw=0.8, label="resolved", **STEP)
         signed_log_axis(panel, "A", peak_of(signals[column]))

@@ -4,7 +4,7 @@
 import numpy
 
 from . import derived, event_panels, style
-from .panels import STEP, name_phases, peak_of, sampled_label, scaled, shade_phases
+from .panels import STEP, error_band, name_phases, peak_of, sampled_label, scaled, shade_phases
 
 NO_CURRENT = "the run has no currents"
 NO_MOTION = "the run has no prescribed motion"
@@ -49,10 +49,12 @@ def rate(study):
     return figure
 
 
-def plot_sampled(panel, sampled, label, names, width):
-    """Sampled currents, the bottom one dashed: it may cover the top one."""
+def plot_sampled(panel, results, label, names, width):
+    """Sampled currents with their stated errors, the bottom one dashed: it may cover the top one."""
+    sampled = results.sampled
     unit = scaled(panel, label, "A", peak_of(sampled["current_top"]))
     for name in names:
+        error_band(panel, results, "sampled", f"current_{name}", unit, COLOURS[name])
         panel.plot(sampled["time"], sampled[f"current_{name}"] / unit, color=COLOURS[name], lw=width, label=name,
                    ls=(0, (3, 1.5)) if name == "bottom" else "-", **STEP)
     style.legend(panel)
@@ -71,7 +73,7 @@ def current_motion(study):
     axes[0].set_ylabel("x [mm]")
     axes[1].plot(signals["time"], signals["slider_z"] * 1e3, color=style.INK, lw=1.0)
     axes[1].set_ylabel("z [mm]")
-    plot_sampled(axes[2], sampled, "sampled current", ("top", "bottom", "difference"), 0.9)
+    plot_sampled(axes[2], results, "sampled current", ("top", "bottom", "difference"), 0.9)
     style.title(axes[0], title_of(study, "Centre of the slider"))
     style.title(axes[1], "Underside above the skin")
     style.title(axes[2], "Electrode currents")
@@ -100,8 +102,9 @@ def cycle(study):
     style.legend(axes[0])
     divisor = scaled(axes[1], "mean shear γ", "1", peak_of(signals["mean_shear"]))
     axes[1].plot(signals["time"], signals["mean_shear"] / divisor, color=style.BLUE)
-    plot_sampled(axes[2], sampled, "current", ("top", "bottom"), 1.0)
+    plot_sampled(axes[2], results, "current", ("top", "bottom"), 1.0)
     unit = scaled(axes[3], "current", "A", peak_of(sampled["current_difference"]))
+    error_band(axes[3], results, "sampled", "current_difference", unit, style.GREEN)
     axes[3].plot(sampled["time"], sampled["current_difference"] / unit, color=style.GREEN, lw=1.0, **STEP)
     event_panels.finish(results, axes, first_cycle(results))
     for panel, words in zip(axes, ("Motion", title_of(study, "Shear"), "Electrodes, " + sampled_label(results),

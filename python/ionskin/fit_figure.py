@@ -14,6 +14,10 @@ def figure(fit: Fit):
     drawing, axes = style.stacked(2, heights=[1.6, 0.8])
     divisor, prefix = style.si_scale(numpy.abs(fit.measured).max())
     axes[0].plot(fit.time, fit.measured / divisor, ".", color=style.PALE, markersize=3, label="measured")
+    if fit.fitted_error is not None:
+        axes[0].fill_between(fit.time, (fit.fitted - fit.fitted_error) / divisor,
+                             (fit.fitted + fit.fitted_error) / divisor, color=style.BLUE, alpha=0.25, lw=0,
+                             label="numerical error")
     axes[0].plot(fit.time, fit.fitted / divisor, color=style.BLUE, label="fitted")
     axes[0].legend(loc="upper right")
     axes[0].set_ylabel(f"{fit.column.replace('_', ' ')} [{prefix}{fit.unit}]")

@@ -30,6 +30,7 @@ class Fit:
 
     parameters              Estimate by key
     time, measured, fitted  arrays [rows], SI; `column` and `unit` say of what
+    fitted_error            stated numerical error of `fitted`, array [rows]; None where there is none
     correlation             array [parameters, parameters] of the estimates
     condition_number        of the derivatives by the logarithms of the parameters; None when singular
     warnings                what a reader must know
@@ -44,6 +45,7 @@ class Fit:
         self.condition_number = summary["condition_number"]
         self.column, self.unit = summary["column"], summary["residual_deviation"]["unit"]
         self.warnings = summary["warnings"]
+        self.fitted_error = None
         self.time, self.measured, self.fitted = (numpy.asarray(values, dtype=float) for values in (time, measured, fitted))
 
     @classmethod
@@ -54,7 +56,10 @@ class Fit:
             raise FileNotFoundError(f"{folder} holds no fit.json: name the folder of a finished fit")
         summary, table = read_json(folder / "fit.json"), read_table(folder / "fit.csv")
         name = summary["column"]
-        return cls(summary, table["time"], table[f"{name}_measured"], table[f"{name}_fitted"], folder)
+        fit = cls(summary, table["time"], table[f"{name}_measured"], table[f"{name}_fitted"], folder)
+        if f"{name}_fitted_error" in table:
+            fit.fitted_error = table[f"{name}_fitted_error"]
+        return fit
 
     @classmethod
     def from_text(cls, text: str, time, measured, fitted) -> "Fit":

@@ -53,6 +53,14 @@ def time_axis(results, axes):
         shade_phases(results, panel)
 
 
+def error_band(panel, results, table, name, divisor, colour):
+    """Shades the stated error of a signal; nothing where none is stated."""
+    band = results.band(table, name)
+    if band is not None:
+        panel.fill_between(getattr(results, table)["time"], *(end / divisor for end in band), step="pre" if
+                           name.startswith("current") else None, color=colour, alpha=0.25, lw=0, zorder=1.5)
+
+
 def motion_panels(results, row, colours):
     """Position and height of the slider over time, one panel each; `row` is the height of a panel."""
     signals = results.signals

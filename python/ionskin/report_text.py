@@ -100,10 +100,16 @@ def case_groups(case):
 
 
 def metric_rows(results):
-    """Rows of the table of numbers: name, value, unit, estimated relative error."""
+    """Rows of the table of numbers: name, value, unit, stated relative error or why there is none."""
     errors = results.summary.get("error_estimate", {})
+
+    def error(name):
+        if name in results.not_converging:
+            return f"does not converge: {results.not_converging[name]}"
+        return f"{100 * errors[name]:.2g} %" if errors.get(name) is not None else ""
+
     return [(name, "–" if metric.value is None else f"{metric.value:.6g}", metric.unit,
-             f"{100 * errors[name]:.2g} %" if errors.get(name) is not None else "")
+             error(name))
             for name, metric in results.metrics.items()]
 
 

@@ -132,6 +132,7 @@ class Results:
 
     signals, sampled  Table; see the documentation of the columns
     taxels, circuit   Table, or None in runs without; sampled_taxels and sampled_circuit likewise
+    errors            dict of table name to Table: stated errors of the signals, same columns; empty without
     metrics           dict of name to Metric
     summary, manifest dict, as in the files; empty when the file is missing
     case              dict of the case file, quantities as texts
@@ -159,6 +160,8 @@ class Results:
         self.taxels, self.circuit, self.sampled_taxels, self.sampled_circuit = (
             read_table(path) if path.exists() else None for path in (
                 self.folder / f"{name}.csv" for name in ("taxels", "circuit", "sampled_taxels", "sampled_circuit")))
+        self.errors = {name: read_table(path) for name in ("signals", "sampled", "taxels", "circuit")
+                       if (path := self.folder / f"{name}_error.csv").exists()}
         self.summary = read_json(self.folder / "summary.json")
         if self.complete:
             with _whole(self.folder / "summary.json"):
@@ -177,6 +180,24 @@ class Results:
         columns, units, metrics = found
         self.signals, self.sampled = Table(columns, units), Table({"time": numpy.empty(0)}, {"time": "s"})
         self.metrics = {name: Metric(value, unit) for name, value, unit in metrics}
+
+    @property
+    def not_converging(self) -> dict[str, str]:
+        """Metrics that finer meshes or steps change on and on, each with the reason."""
+        return self.summary.get("not_converging", {})
+
+    def stated_error(self, name):
+        """The stated error of a metric in its unit; None where none is stated or the metric does not converge."""
+        parts = self.summary.get("error_parts", {}).get(name)
+        return None if parts is None or name in self.not_converging else sum(parts.values())
+
+    def band(self, table, name):
+        """Lower and upper end of a signal within its stated error; None where none is stated."""
+        errors = self.errors.get(table)
+        if errors is None or name not in errors or len(errors[name]) != len(getattr(self, table)[name]):
+            return None
+        values = getattr(self, table)[name]
+        return values - errors[name], values + errors[name]
 
     @property
     def warnings(self) -> list[str]:

@@ -183,8 +183,9 @@ class Study:
                 for member in self.members]
 
     def errors(self, name):
-        """Estimated relative errors of a metric of all members; 0 where none is estimated."""
-        return [member.results.summary.get("error_estimate", {}).get(name) or 0.0 for member in self.members]
+        """Stated relative errors of a metric of all members; 0 where none is stated."""
+        return [0.0 if name in member.results.not_converging
+                else member.results.summary.get("error_estimate", {}).get(name) or 0.0 for member in self.members]
 
 
 def open_results(folder):

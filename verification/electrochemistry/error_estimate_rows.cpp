@@ -5,7 +5,7 @@
 
 #include "ionskin/readout/sampling.hpp"
 #include "ionskin/readout/tail_current.hpp"
-#include "ionskin/study/ion_error_estimate.hpp"
+#include "ionskin/study/error_estimate.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -72,11 +72,14 @@ std::vector<Row> error_estimate_rows(const Options& options) {
     input.coupling.law = law;
     const IonSolution solution = run_model(input, history, options);
     base::Timers timers;
-    const auto estimate =
-        study::estimate_ion_errors(input, history, solution, options.threads, timers);
+    study::MechanicsRecord given;
+    given.history = history;
+    const auto estimate = study::estimate_errors(
+        input, given, solution, study::read_out(input, given, solution, options.threads),
+        options.threads, timers);
     // Between 1 and 5.
     rows.push_back(compare("C5", law + ": estimated over true error of the tail current",
-                           estimate.at("tail_current_difference") /
+                           estimate.relative.at("tail_current_difference") /
                                true_tail_error(input, history, solution, options),
                            3.0, 2.0));
   }

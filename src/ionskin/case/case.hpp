@@ -197,7 +197,10 @@ struct Numerics {
   Preset preset = Preset::standard;
   double mesh_refinement = 1; ///< divides every mesh size
   double time_refinement = 1; ///< divides every time step
-  double time_tolerance = 0;  ///< relative error of the charge per time step; 0: the preset's
+  /// Multiplies the elements through core and top electrode's face beside `mesh_refinement`; no key
+  /// of a case, but for companions that tell errors.
+  double thickness_refinement = 1;
+  double time_tolerance = 0; ///< relative error of the charge per time step; 0: the preset's
 };
 
 struct Output {

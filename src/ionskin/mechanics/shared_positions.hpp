@@ -12,10 +12,11 @@
 
 namespace ionskin::mechanics {
 
-/// One friction coefficient. It gets the nodes that it needs itself, so that its solution does not
+/// One variant. It gets the nodes that it needs itself, so that its solution does not
 /// depend on what is solved beside it.
 struct FrictionSolve {
   double friction = 0;
+  PathSteps steps;
   ContactPlan plan;
   std::vector<PositionTask> open; ///< of the plan, not solved yet
   SolvedPieces pieces;

@@ -75,7 +75,7 @@ void warn_of_interpolation(double tolerance, ContactSolution& solution) {
 }
 
 std::vector<ContactSolution> solve_on_footprint(const Case& input, const mesh::Footprint& footprint,
-                                                const std::vector<double>& frictions,
+                                                const std::vector<ContactVariant>& variants,
                                                 const ContactOptions& options, base::Timers& timers,
                                                 SharedProgress& progress) {
   auto analysis = std::make_unique<base::Timers::Scope>(timers, "mechanics: analysis");
@@ -86,10 +86,11 @@ std::vector<ContactSolution> solve_on_footprint(const Case& input, const mesh::F
   const NodeCounts expected = expected_node_counts(input);
   const ContactPlan first_plan = plan_contact(input, first_node_counts(expected, options.nodes));
   std::vector<FrictionSolve> solves;
-  for (const double friction : frictions) {
-    solves.push_back({friction, first_plan, first_plan.positions, SolvedPieces(first_plan)});
+  for (const ContactVariant& variant : variants) {
+    solves.push_back({variant.friction, variant.steps, first_plan, first_plan.positions,
+                      SolvedPieces(first_plan)});
   }
-  progress.begin_pass(plan_contact(input, expected).positions.size() * (1 + frictions.size()),
+  progress.begin_pass(plan_contact(input, expected).positions.size() * (1 + variants.size()),
                       input.slider.sharp() ? 1.0 : share_of_uncertain_pass);
   const SharedSetting setting{model, options, timers, progress, &friction_law(input.contact.law)};
   const double tolerance = interpolation_tolerance(input.numerics.preset);
@@ -120,13 +121,13 @@ std::vector<ContactSolution> solve_on_footprint(const Case& input, const mesh::F
   return solutions;
 }
 
-/// Friction coefficients that share a footprint are solved together.
+/// Variants that share a footprint are solved together.
 std::vector<ContactSolution> solve_on_own_footprints(const Case& input,
-                                                     const std::vector<double>& frictions,
+                                                     const std::vector<ContactVariant>& variants,
                                                      const ContactOptions& options,
                                                      base::Timers& timers) {
-  std::vector<std::optional<ContactSolution>> solutions(frictions.size());
-  for (std::size_t first = 0; first < frictions.size(); ++first) {
+  std::vector<std::optional<ContactSolution>> solutions(variants.size());
+  for (std::size_t first = 0; first < variants.size(); ++first) {
     if (solutions[first]) {
       continue;
     }
@@ -135,23 +136,23 @@ std::vector<ContactSolution> solve_on_own_footprints(const Case& input,
     {
       const base::Timers::Scope scope(timers, "mechanics: footprint");
       together.footprint =
-          find_common_footprint(input, frictions[first], options.threads, options.progress);
-      for (std::size_t i = first + 1; together.footprint && i < frictions.size(); ++i) {
-        if (input.slider.sharp() ||
-            footprint_friction(frictions[i]) == footprint_friction(frictions[first])) {
+          find_common_footprint(input, variants[first].friction, options.threads, options.progress);
+      for (std::size_t i = first + 1; together.footprint && i < variants.size(); ++i) {
+        if (input.slider.sharp() || footprint_friction(variants[i].friction) ==
+                                        footprint_friction(variants[first].friction)) {
           sharing.push_back(i);
         }
       }
       if (!together.footprint) {
         together.footprint =
-            find_footprint(input, frictions[first], options.threads, options.progress);
+            find_footprint(input, variants[first].friction, options.threads, options.progress);
       }
     }
-    std::vector<double> shared;
+    std::vector<ContactVariant> shared;
     for (const std::size_t i : sharing) {
-      shared.push_back(frictions[i]);
+      shared.push_back(variants[i]);
     }
-    auto solved = solve_contact(input, shared, together, timers);
+    auto solved = solve_variants(input, shared, together, timers);
     for (std::size_t i = 0; i < sharing.size(); ++i) {
       solutions[sharing[i]] = std::move(solved[i]);
     }
@@ -165,25 +166,35 @@ std::vector<ContactSolution> solve_on_own_footprints(const Case& input,
 
 } // namespace
 
-std::vector<ContactSolution> solve_contact(const Case& input, const std::vector<double>& frictions,
-                                           const ContactOptions& options, base::Timers& timers) {
+std::vector<ContactSolution> solve_variants(const Case& input,
+                                            const std::vector<ContactVariant>& variants,
+                                            const ContactOptions& options, base::Timers& timers) {
   if (!options.footprint) {
-    return solve_on_own_footprints(input, frictions, options, timers);
+    return solve_on_own_footprints(input, variants, options, timers);
   }
   const mesh::Footprint& footprint = *options.footprint;
   SharedProgress progress("mechanics", options.progress);
-  auto solutions = solve_on_footprint(input, footprint, frictions, options, timers, progress);
-  for (std::size_t i = 0; i < frictions.size(); ++i) {
+  auto solutions = solve_on_footprint(input, footprint, variants, options, timers, progress);
+  for (std::size_t i = 0; i < variants.size(); ++i) {
     // Each by itself, so that no solution depends on its neighbours.
     mesh::Footprint own = footprint;
     while (const auto wider = widened_footprint(input, own, solutions[i])) {
       own = *wider;
       solutions[i] = std::move(
-          solve_on_footprint(input, own, {frictions[i]}, options, timers, progress).front());
+          solve_on_footprint(input, own, {variants[i]}, options, timers, progress).front());
     }
   }
   progress.finish();
   return solutions;
+}
+
+std::vector<ContactSolution> solve_contact(const Case& input, const std::vector<double>& frictions,
+                                           const ContactOptions& options, base::Timers& timers) {
+  std::vector<ContactVariant> variants;
+  for (const double friction : frictions) {
+    variants.push_back({friction, options.steps});
+  }
+  return solve_variants(input, variants, options, timers);
 }
 
 ContactSolution solve_contact(const Case& input, const ContactOptions& options,

@@ -30,6 +30,12 @@ struct ContactOptions {
   std::vector<double> surface_before;
 };
 
+/// What may differ between solutions that share their factorisations.
+struct ContactVariant {
+  double friction = 0;
+  PathSteps steps;
+};
+
 /// All of Study 1. Throws SolverError when contact does not converge, Interrupted on request.
 ContactSolution solve_contact(const Case& input, const ContactOptions& options,
                               base::Timers& timers);
@@ -40,6 +46,11 @@ ContactSolution solve_contact(const Case& input, const ContactOptions& options,
 /// used.
 std::vector<ContactSolution> solve_contact(const Case& input, const std::vector<double>& frictions,
                                            const ContactOptions& options, base::Timers& timers);
+
+/// The same for variants, each with load steps of its own; `options.steps` is not used.
+std::vector<ContactSolution> solve_variants(const Case& input,
+                                            const std::vector<ContactVariant>& variants,
+                                            const ContactOptions& options, base::Timers& timers);
 
 /// Steady sliding at any arc lengths of the track [m], each from a factorisation of its own.
 std::vector<ContactState> solve_steady_sliding(const Case& input,

@@ -44,9 +44,15 @@ std::size_t scaled_count(double count, double refinement) {
 
 } // namespace
 
+std::size_t core_elements(const Numerics& numerics) {
+  return 2 * scaled_count(preset_resolution(numerics.preset).half_core_elements,
+                          numerics.mesh_refinement * numerics.thickness_refinement);
+}
+
 MeshResolution mesh_resolution(const Case& input, const Footprint& footprint) {
   const PresetResolution preset = preset_resolution(input.numerics.preset);
   const double refinement = input.numerics.mesh_refinement;
+  const double through_thickness = refinement * input.numerics.thickness_refinement;
   const auto length = [&](std::size_t d) {
     return std::min(input.skin.thickness(), footprint.half_size[d] / 2);
   };
@@ -65,8 +71,8 @@ MeshResolution mesh_resolution(const Case& input, const Footprint& footprint) {
   result.footprint_growth = std::pow(preset.footprint_growth, 1 / refinement);
   result.outer_growth = std::pow(preset.outer_growth, 1 / refinement);
   result.outer_minimum = scaled_count(preset.outer_minimum, refinement);
-  result.face_elements = scaled_count(preset.face_elements, refinement);
-  result.core_elements = 2 * scaled_count(preset.half_core_elements, refinement);
+  result.face_elements = scaled_count(preset.face_elements, through_thickness);
+  result.core_elements = core_elements(input.numerics);
   result.core_growth = std::pow(preset.core_growth, 1 / refinement);
   result.electrode_elements = scaled_count(1, refinement);
   result.depth_growth = std::pow(preset.depth_growth, 1 / refinement);

@@ -29,6 +29,11 @@ inline constexpr const char* taxels = "taxels.csv";   ///< of a segmented top el
 inline constexpr const char* circuit = "circuit.csv"; ///< of a circuit other than the short one
 inline constexpr const char* sampled_taxels = "sampled_taxels.csv";
 inline constexpr const char* sampled_circuit = "sampled_circuit.csv";
+// Errors of the signals, with the same columns.
+inline constexpr const char* signals_error = "signals_error.csv";
+inline constexpr const char* sampled_error = "sampled_error.csv";
+inline constexpr const char* taxels_error = "taxels_error.csv";
+inline constexpr const char* circuit_error = "circuit_error.csv";
 inline constexpr const char* impedance = "impedance.csv"; ///< of a spectrum
 inline constexpr const char* fit = "fit.json";            ///< of a fit to measured data
 inline constexpr const char* fit_table = "fit.csv";       ///< likewise

@@ -32,7 +32,10 @@ void write_strain_file(const std::filesystem::path& path, const strain::StrainHi
 /// event_time the events are found by `detect_events`.
 /// @param skin whose core the history must cover
 /// Throws UserError saying what is wrong, where, the actual value and the remedy.
-strain::StrainHistory read_strain_file(const std::filesystem::path& path, const Skin& skin);
-strain::StrainHistory read_strain_file(const ForeignHdf5File& file, const Skin& skin);
+/// @param group of a results.h5 that holds the strain; empty: /strain, or the root of a strain file
+strain::StrainHistory read_strain_file(const std::filesystem::path& path, const Skin& skin,
+                                       const std::string& group = "");
+strain::StrainHistory read_strain_file(const ForeignHdf5File& file, const Skin& skin,
+                                       const std::string& group = "");
 
 } // namespace ionskin::results

@@ -47,8 +47,8 @@ private:
 
 class StrainFileReader {
 public:
-  explicit StrainFileReader(const ForeignHdf5File& file)
-      : file_(file), checks_(file.path().string()), group_(find_group()) {}
+  StrainFileReader(const ForeignHdf5File& file, const std::string& group)
+      : file_(file), checks_(file.path().string()), group_(group.empty() ? find_group() : group) {}
 
   strain::StrainHistory read(const Skin& skin) {
     strain::StrainHistory history;
@@ -236,12 +236,14 @@ private:
 
 } // namespace
 
-strain::StrainHistory read_strain_file(const std::filesystem::path& path, const Skin& skin) {
-  return read_strain_file(ForeignHdf5File(path), skin);
+strain::StrainHistory read_strain_file(const std::filesystem::path& path, const Skin& skin,
+                                       const std::string& group) {
+  return read_strain_file(ForeignHdf5File(path), skin, group);
 }
 
-strain::StrainHistory read_strain_file(const ForeignHdf5File& file, const Skin& skin) {
-  return StrainFileReader(file).read(skin);
+strain::StrainHistory read_strain_file(const ForeignHdf5File& file, const Skin& skin,
+                                       const std::string& group) {
+  return StrainFileReader(file, group).read(skin);
 }
 
 } // namespace ionskin::results

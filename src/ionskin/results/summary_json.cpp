@@ -21,6 +21,9 @@ std::string summary_text(const Summary& summary) {
   json["timing"] = summary.timing;
   json["warnings"] = summary.warnings;
   json["error_estimate"] = summary.error_estimate;
+  json["error_parts"] = summary.error_parts;
+  json["not_converging"] = summary.not_converging;
+  json["not_estimated"] = summary.not_estimated;
   json["audits"] = nlohmann::ordered_json::object();
   for (const AuditEntry& audit : summary.audits) {
     json["audits"][audit.metric] = {{"value", audit.value},

@@ -23,6 +23,10 @@ struct Summary {
   std::map<std::string, double> timing; ///< mechanics, strain, electrochemistry, output, total [s]
   std::vector<std::string> warnings;
   std::map<std::string, double> error_estimate; ///< relative, by metric [1]
+  /// By metric and part, in the unit of the metric; they add up to the error.
+  std::map<std::string, std::map<std::string, double>> error_parts;
+  std::map<std::string, std::string> not_converging; ///< why, by metric
+  std::map<std::string, std::string> not_estimated;  ///< why, by metric
   std::vector<AuditEntry> audits;
 };
 

@@ -21,6 +21,8 @@ struct FittedParameter {
 struct FitResult {
   std::vector<FittedParameter> parameters;
   std::vector<double> fitted; ///< the model at each row of the data
+  /// Stated numerical error of `fitted` per row; empty where it is not estimated.
+  std::vector<double> fitted_error;
   FitStatistics statistics;
   bool converged = false;
   int iterations = 0;

@@ -46,16 +46,37 @@ readout::SignalTable fit_table(const FitData& data, const FitResult& result) {
                    {data.column + "_measured", data.unit, data.values},
                    {data.column + "_fitted", data.unit, result.fitted},
                    {data.column + "_residual", data.unit, residual}};
+  if (!result.fitted_error.empty()) {
+    table.columns.push_back({data.column + "_fitted_error", data.unit, result.fitted_error});
+  }
   return table;
 }
 
-void write_fit(const FitModel& model, const FitData& data, const FitResult& result, double seconds,
-               const std::filesystem::path& folder) {
+std::vector<double> fitted_values(const FitResult& result) {
   std::vector<double> values;
   for (const FittedParameter& fitted : result.parameters) {
     values.push_back(fitted.value);
   }
-  results::write_text_file(folder / names::fitted_case, model.case_at(values).text);
+  return values;
+}
+
+/// A fit keeps its result where the error of the curve cannot be estimated.
+void add_errors(FitModel& model, const FitData& data, FitResult& result) {
+  std::string reason = "the mechanics has no solution on a mesh of twice the size";
+  try {
+    result.fitted_error = model.errors(data, fitted_values(result));
+  } catch (const SolverError& error) {
+    reason = std::string("on a mesh of twice the size ") + error.what();
+  }
+  if (result.fitted_error.empty()) {
+    result.warnings.push_back(
+        "The numerical error of the fitted curve is not estimated: " + reason + ".");
+  }
+}
+
+void write_fit(const FitModel& model, const FitData& data, const FitResult& result, double seconds,
+               const std::filesystem::path& folder) {
+  results::write_text_file(folder / names::fitted_case, model.case_at(fitted_values(result)).text);
   results::write_csv(folder / names::fit_table, fit_table(data, result));
   results::write_text_file(folder / names::fit, fit_json_text(result, model, data, seconds));
 }
@@ -141,6 +162,7 @@ FitResult run_fit(const FitRequest& request, const FitOptions& options) {
   FitResult result;
   try {
     result = fit(model, data, options.progress);
+    add_errors(model, data, result);
   } catch (const Interrupted&) {
     note_state("interrupted");
     throw;

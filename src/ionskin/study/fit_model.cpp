@@ -11,7 +11,9 @@
 #include "ionskin/electrochemistry/wall_potential.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
 #include "ionskin/results/strain_file.hpp"
+#include "ionskin/study/error_estimate.hpp"
 #include "ionskin/study/run_folder.hpp"
+#include "ionskin/study/solve_mechanics.hpp"
 #include "ionskin/study/user_cache.hpp"
 
 #include <fmt/format.h>
@@ -145,6 +147,20 @@ FitModel::Ions FitModel::solve(const std::vector<double>& values, int threads) {
   ion_options.threads = threads;
   return std::make_shared<const electrochemistry::IonSolution>(
       electrochemistry::solve_ion_transport(input, mechanics->history, ion_options, timers));
+}
+
+std::vector<double> FitModel::errors(const FitData& data, const std::vector<double>& point) {
+  Case input = case_at(point);
+  input.output.fields.clear();
+  MechanicsRecord mechanics = *mechanics_of(input);
+  if (mechanics.has_contact()) {
+    mechanics::ContactOptions contact_options;
+    contact_options.threads = options_.threads;
+    contact_options.cache = cache_.get();
+    add_companions(input, contact_options, mechanics);
+  }
+  return estimate_data_errors(input, mechanics, *solve(point, options_.threads), data,
+                              options_.threads);
 }
 
 std::optional<FitAnswer> FitModel::known_answer(const FitData& data,

@@ -59,6 +59,11 @@ public:
   std::vector<std::optional<std::vector<double>>>
   answers(const FitData& data, const std::vector<std::vector<double>>& points);
 
+  /// Half the width of the band of numerical errors about an answer, one entry per row of the data;
+  /// empty where they are not estimated. Solves the companions of Study 1: for the end of a fit.
+  /// Throws SolverError, Interrupted.
+  std::vector<double> errors(const FitData& data, const std::vector<double>& point);
+
   std::size_t ion_solves() const { return ion_solves_; }
   std::size_t evaluations_taken_up() const { return log_ != nullptr ? log_->taken_up() : 0; }
   std::size_t mechanics_solves() const { return mechanics_solves_; }

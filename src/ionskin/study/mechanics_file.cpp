@@ -5,9 +5,16 @@
 #include "ionskin/results/results_file.hpp"
 #include "ionskin/results/strain_file.hpp"
 
+#include <map>
+#include <memory>
+#include <utility>
+
 namespace ionskin::study {
 
 namespace {
+
+/// Holds a group per companion, each with a path and a strain like those of the run.
+constexpr const char* companions_group = "/companions";
 
 std::vector<double> onset_column(const MechanicsRecord& record, std::size_t column) {
   std::vector<double> values;
@@ -43,6 +50,47 @@ std::vector<readout::Metric> read_metrics(const results::ForeignHdf5File& file,
   return metrics;
 }
 
+/// Below `root` what a run, or a companion of it, leaves beside the strain.
+void write_path(results::Hdf5File& file, const std::string& root, const MechanicsRecord& record) {
+  file.write_with_unit(root + "/time", record.history.time, "s");
+  file.write_with_unit(root + "/slider_z", record.slider_z, "m");
+  file.write_with_unit(root + "/normal_force", record.normal_force, "N");
+  file.write_with_unit(root + "/tangential_force", record.tangential_force, "N");
+  file.write_with_unit(root + "/onset_begin", onset_column(record, 0), "s");
+  file.write_with_unit(root + "/onset_end", onset_column(record, 1), "s");
+  file.write_with_unit(root + "/electrode_stress", record.electrode_stress, "Pa");
+  file.write_texts(root + "/warnings", record.warnings);
+  write_metrics(file, root + "/metrics", record.metrics);
+  file.set_attribute(root, "join_time", record.join_time);
+  file.set_attribute(root, "worst_equilibrium_residual", record.worst_equilibrium_residual);
+  file.set_attribute(root, "worst_complementarity_residual", record.worst_complementarity_residual);
+  file.set_attribute(root, "worst_interpolation_error", record.worst_interpolation_error);
+  file.set_attribute(root, "contact_solves", record.contact_solves);
+}
+
+MechanicsRecord read_path(const results::Hdf5File& file, const std::string& root) {
+  MechanicsRecord record;
+  const auto number = [&](const char* name) {
+    return file.number_attribute(root, name).value_or(0);
+  };
+  record.slider_z = file.read(root + "/slider_z");
+  record.normal_force = file.read(root + "/normal_force");
+  record.tangential_force = file.read(root + "/tangential_force");
+  const auto begins = file.read(root + "/onset_begin"), ends = file.read(root + "/onset_end");
+  for (std::size_t i = 0; i < begins.size(); ++i) {
+    record.onsets.push_back({begins[i], ends[i]});
+  }
+  record.metrics = read_metrics(file, root + "/metrics");
+  record.electrode_stress = file.read(root + "/electrode_stress");
+  record.warnings = file.read_texts(root + "/warnings");
+  record.join_time = number("join_time");
+  record.worst_equilibrium_residual = number("worst_equilibrium_residual");
+  record.worst_complementarity_residual = number("worst_complementarity_residual");
+  record.worst_interpolation_error = number("worst_interpolation_error");
+  record.contact_solves = static_cast<int>(number("contact_solves"));
+  return record;
+}
+
 } // namespace
 
 void write_mechanics(const std::filesystem::path& path, const std::string& hash,
@@ -51,23 +99,13 @@ void write_mechanics(const std::filesystem::path& path, const std::string& hash,
   results.write_strain(record.history);
   results.write_contact(record.maps);
   results::Hdf5File& file = results.file();
-  file.write_with_unit("/path/time", record.history.time, "s");
-  file.write_with_unit("/path/slider_z", record.slider_z, "m");
-  file.write_with_unit("/path/normal_force", record.normal_force, "N");
-  file.write_with_unit("/path/tangential_force", record.tangential_force, "N");
-  file.write_with_unit("/path/onset_begin", onset_column(record, 0), "s");
-  file.write_with_unit("/path/onset_end", onset_column(record, 1), "s");
-  file.write_with_unit("/path/electrode_stress", record.electrode_stress, "Pa");
-  file.write_texts("/path/warnings", record.warnings);
-  write_metrics(file, "/path/metrics", record.metrics);
-  write_metrics(file, "/path/companion_metrics", record.companion_metrics);
+  write_path(file, "/path", record);
   file.set_attribute("/path", "mechanics_hash", hash);
-  file.set_attribute("/path", "join_time", record.join_time);
-  file.set_attribute("/path", "worst_equilibrium_residual", record.worst_equilibrium_residual);
-  file.set_attribute("/path", "worst_complementarity_residual",
-                     record.worst_complementarity_residual);
-  file.set_attribute("/path", "worst_interpolation_error", record.worst_interpolation_error);
-  file.set_attribute("/path", "contact_solves", record.contact_solves);
+  for (const auto& [name, companion] : record.companions) {
+    const std::string group = companions_group + ("/" + name);
+    write_path(file, group + "/path", *companion);
+    results::write_strain(file, group + "/strain", companion->history);
+  }
   results.commit();
 }
 
@@ -77,32 +115,25 @@ std::optional<MechanicsRecord> read_mechanics(const std::filesystem::path& path,
     return std::nullopt;
   }
   MechanicsRecord record;
+  std::map<std::string, MechanicsRecord> companions;
   {
     const results::ForeignHdf5File file(path);
     if (!file.has("/path") || file.text_attribute("/path", "mechanics_hash") != hash) {
       return std::nullopt;
     }
-    const auto number = [&file](const char* name) {
-      return file.number_attribute("/path", name).value_or(0);
-    };
-    record.slider_z = file.read("/path/slider_z");
-    record.normal_force = file.read("/path/normal_force");
-    record.tangential_force = file.read("/path/tangential_force");
-    const auto begins = file.read("/path/onset_begin"), ends = file.read("/path/onset_end");
-    for (std::size_t i = 0; i < begins.size(); ++i) {
-      record.onsets.push_back({begins[i], ends[i]});
+    record = read_path(file, "/path");
+    if (file.has(companions_group)) {
+      for (const std::string& name : file.members(companions_group)) {
+        companions[name] = read_path(file, companions_group + ("/" + name) + "/path");
+      }
     }
-    record.metrics = read_metrics(file, "/path/metrics");
-    record.companion_metrics = read_metrics(file, "/path/companion_metrics");
-    record.electrode_stress = file.read("/path/electrode_stress");
-    record.warnings = file.read_texts("/path/warnings");
-    record.join_time = number("join_time");
-    record.worst_equilibrium_residual = number("worst_equilibrium_residual");
-    record.worst_complementarity_residual = number("worst_complementarity_residual");
-    record.worst_interpolation_error = number("worst_interpolation_error");
-    record.contact_solves = static_cast<int>(number("contact_solves"));
   }
   record.history = results::read_strain_file(path, skin);
+  for (auto& [name, companion] : companions) {
+    companion.history =
+        results::read_strain_file(path, skin, companions_group + ("/" + name) + "/strain");
+    record.companions[name] = std::make_shared<const MechanicsRecord>(std::move(companion));
+  }
   return record;
 }
 

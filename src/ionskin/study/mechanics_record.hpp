@@ -8,6 +8,8 @@
 #include "ionskin/strain/strain_history.hpp"
 
 #include <array>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,11 +31,13 @@ struct MechanicsRecord {
   double worst_complementarity_residual = 0;
   double worst_interpolation_error = 0;
   int contact_solves = 0;
-  std::vector<readout::Metric> metrics;           ///< of the contact, for summary.json
-  std::vector<readout::Metric> companion_metrics; ///< of Study 1 on twice the mesh sizes
+  std::vector<readout::Metric> metrics; ///< of the contact, for summary.json
   /// Largest membrane stress of each electrode layer over all states, bottom to top [Pa].
   std::vector<double> electrode_stress;
   std::vector<std::string> warnings;
+  /// The same without maps on coarser meshes, by name (study/companions.hpp): they tell the errors.
+  /// Empty where those have no solution, and with a given strain.
+  std::map<std::string, std::shared_ptr<const MechanicsRecord>> companions;
 
   bool has_contact() const { return !normal_force.empty(); }
 };

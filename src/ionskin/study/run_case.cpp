@@ -11,10 +11,9 @@
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/study/audits.hpp"
 #include "ionskin/study/checkpoint_file.hpp"
+#include "ionskin/study/error_estimate.hpp"
 #include "ionskin/study/given_strain.hpp"
-#include "ionskin/study/ion_error_estimate.hpp"
 #include "ionskin/study/mechanics_cache.hpp"
-#include "ionskin/study/mechanics_error_estimate.hpp"
 #include "ionskin/study/mechanics_file.hpp"
 #include "ionskin/study/mechanics_record.hpp"
 #include "ionskin/study/read_out.hpp"
@@ -86,7 +85,7 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, base::Disk
   });
   return folder.stage("strain", [&] {
     options.progress("strain history", 0.0);
-    MechanicsRecord record = record_mechanics(input, solved, options.threads);
+    MechanicsRecord record = record_mechanics(input, solved);
     const std::size_t own_warnings = record.warnings.size();
     if (cache != nullptr) {
       for (std::string& note : cache->take_notes()) {
@@ -125,19 +124,22 @@ IonSolution study_2(const Case& input, const RunOptions& options, RunFolder& fol
 }
 
 /// A run keeps its results where their error cannot be estimated.
-void add_ion_errors(const Case& input, const strain::StrainHistory& history,
-                    const RunOptions& options, base::Timers& timers, RunOutputs& outputs) {
+void add_errors(const Case& input, const MechanicsRecord& mechanics, const RunOptions& options,
+                base::Timers& timers, RunOutputs& outputs) {
   options.progress("error estimate", 0.0);
   try {
-    outputs.error_estimate.merge(
-        estimate_ion_errors(input, history, *outputs.ions, options.threads, timers));
-    for (std::string& warning : error_warnings(input, outputs.error_estimate)) {
+    outputs.errors = outputs.ions ? estimate_errors(input, mechanics, *outputs.ions,
+                                                    outputs.signals, options.threads, timers)
+                                  : estimate_mechanics_errors(input, mechanics, outputs.signals,
+                                                              options.threads);
+    for (std::string& warning : error_warnings(input, outputs.errors)) {
       outputs.warnings.push_back(std::move(warning));
     }
   } catch (const SolverError& error) {
     outputs.warnings.push_back(
         std::string("The error of the currents is not estimated: on a mesh of twice the size ") +
         error.what() + ".");
+    outputs.errors = estimate_mechanics_errors(input, mechanics, outputs.signals, options.threads);
   }
   options.progress("error estimate", 1.0);
 }
@@ -182,10 +184,8 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
     outputs.warnings = collect_warnings(input, mechanics, *outputs.ions, outputs.signals.resolved);
     outputs.warnings.insert(outputs.warnings.end(), outputs.signals.warnings.begin(),
                             outputs.signals.warnings.end());
-    add_ion_errors(input, mechanics.history, options, timers, outputs);
   }
-  outputs.error_estimate.merge(
-      estimate_mechanics_errors(outputs.signals.metrics, mechanics.companion_metrics));
+  add_errors(input, mechanics, options, timers, outputs);
   outputs.stage_seconds = timers.seconds();
   outputs.audits = audit(audited_metrics(mechanics, outputs.signals));
   for (std::string& warning : audit_warnings(outputs.audits)) {

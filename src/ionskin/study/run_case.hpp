@@ -4,6 +4,7 @@
 #include "ionskin/base/progress.hpp"
 #include "ionskin/case/case.hpp"
 #include "ionskin/readout/metrics.hpp"
+#include "ionskin/study/error_parts.hpp"
 
 #include <filesystem>
 #include <map>
@@ -32,7 +33,7 @@ struct RunOutcome {
   std::filesystem::path folder;
   std::filesystem::path report; ///< empty when no report was made
   std::vector<readout::Metric> metrics;
-  std::map<std::string, double> error_estimate; ///< relative, by name of the metric [1]
+  ErrorEstimate errors;
   std::vector<std::string> warnings;
   double seconds = 0;
 };

@@ -101,8 +101,10 @@ std::string input_hash(const Case& input) {
 }
 
 std::string mechanics_hash(const Case& input) {
-  std::string text = fmt::format("skin {} {} {}", input.skin.length, input.skin.width,
-                                 static_cast<int>(input.skin.sides));
+  // The record holds the companions of the errors; without them it is another one.
+  std::string text = "companions mesh path thickness ";
+  text += fmt::format("skin {} {} {}", input.skin.length, input.skin.width,
+                      static_cast<int>(input.skin.sides));
   for (const Layer& layer : input.skin.layers) {
     text += fmt::format(" layer {} {} {} {}", static_cast<int>(layer.role), layer.thickness,
                         layer.material.youngs_modulus, layer.material.poissons_ratio);

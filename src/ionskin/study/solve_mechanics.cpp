@@ -3,10 +3,10 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/mechanics/find_footprint.hpp"
-#include "ionskin/study/mechanics_error_estimate.hpp"
-#include "ionskin/study/read_out.hpp"
+#include "ionskin/study/companions.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,24 +16,65 @@ namespace {
 
 constexpr std::string_view companion_activity = "mechanics on a coarser mesh";
 
-using Solutions = std::vector<mechanics::ContactSolution>;
+using Companions = std::map<std::string, mechanics::ContactSolution>;
+
+mechanics::PathSteps halved(mechanics::PathSteps steps) {
+  steps.touchdown = std::max(1, steps.touchdown / 2);
+  steps.lift_off = std::max(1, steps.lift_off / 2);
+  steps.onset = std::max(1, steps.onset / 2);
+  steps.onset_growth *= steps.onset_growth; // as far with half as many
+  return steps;
+}
+
+/// One entry per friction coefficient.
+std::vector<Companions> solve_companions(const Case& input, const std::vector<double>& frictions,
+                                         const mechanics::ContactOptions& options) {
+  base::Timers parts; // of the companions, which count as one stage
+  std::vector<mechanics::ContactVariant> variants;
+  for (const double friction : frictions) {
+    variants.push_back({friction, options.steps});
+    variants.push_back({friction, halved(options.steps)});
+  }
+  auto solutions =
+      mechanics::solve_variants(companion_case(input, companions::mesh), variants, options, parts);
+  std::vector<Companions> result(frictions.size());
+  for (std::size_t i = 0; i < frictions.size(); ++i) {
+    result[i].emplace(companions::mesh, std::move(solutions[2 * i]));
+    result[i].emplace(companions::path, std::move(solutions[2 * i + 1]));
+  }
+  if (needs_thickness_companion(input)) {
+    auto finer = mechanics::solve_contact(companion_case(input, companions::thickness), frictions,
+                                          options, parts);
+    for (std::size_t i = 0; i < frictions.size(); ++i) {
+      result[i].emplace(companions::thickness, std::move(finer[i]));
+    }
+  }
+  return result;
+}
 
 /// A run keeps its results where their error cannot be estimated; then `problem` says why.
-Solutions solve_companion(const Case& input, const std::vector<double>& frictions,
-                          const mechanics::ContactOptions& options, std::string& problem) {
+std::vector<Companions> try_companions(const Case& input, const std::vector<double>& frictions,
+                                       const mechanics::ContactOptions& options,
+                                       std::string& problem) {
   mechanics::ContactOptions coarser = options;
   coarser.progress = [&options](std::string_view activity, double fraction) {
     options.progress(activity == "mechanics" ? companion_activity : activity, fraction);
   };
-  base::Timers parts; // of the companion, which counts as one stage
   try {
-    return mechanics::solve_contact(companion_case(input), frictions, coarser, parts);
+    return solve_companions(input, frictions, coarser);
   } catch (const SolverError& error) {
     problem = error.what();
   } catch (const UserError& error) { // its mesh does not fit beside the slider
     problem = error.what();
   }
   return {};
+}
+
+std::shared_ptr<const MechanicsRecord> companion_record(const Case& input,
+                                                        const mechanics::ContactSolution& contact) {
+  MechanicsRecord record = make_mechanics_record(input, contact);
+  record.maps = {};
+  return std::make_shared<const MechanicsRecord>(std::move(record));
 }
 
 } // namespace
@@ -49,35 +90,46 @@ std::vector<SolvedMechanics> solve_mechanics(const Case& input,
         mechanics::find_footprint(input, frictions.front(), options.threads, options.progress);
   }
   std::string problem;
-  Solutions companions;
+  std::vector<Companions> solved_companions;
   {
     const base::Timers::Scope scope(timers, "mechanics: companion");
     options.progress(companion_activity, 0.0);
-    companions = solve_companion(input, frictions, both, problem);
+    solved_companions = try_companions(input, frictions, both, problem);
   }
   options.progress("mechanics", 0.0);
-  Solutions solutions = mechanics::solve_contact(input, frictions, both, timers);
+  auto solutions = mechanics::solve_contact(input, frictions, both, timers);
   std::vector<SolvedMechanics> solved;
   for (std::size_t i = 0; i < frictions.size(); ++i) {
-    solved.push_back({std::move(solutions[i]), std::nullopt});
-    if (companions.empty()) {
+    solved.push_back({std::move(solutions[i]), {}});
+    if (solved_companions.empty()) {
       solved.back().contact.warnings.push_back(
           "The error of the mechanics is not estimated: on a mesh of twice the size " + problem +
           ".");
     } else {
-      solved.back().companion = std::move(companions[i]);
+      solved.back().companions = std::move(solved_companions[i]);
     }
   }
   return solved;
 }
 
-MechanicsRecord record_mechanics(const Case& input, const SolvedMechanics& solved, int threads) {
+void add_companions(const Case& input, const mechanics::ContactOptions& options,
+                    MechanicsRecord& record) {
+  mechanics::ContactOptions own = options;
+  if (!own.footprint) {
+    own.footprint = mechanics::find_footprint(input, input.contact.friction, options.threads);
+  }
+  std::string problem;
+  for (const Companions& solved : try_companions(input, {input.contact.friction}, own, problem)) {
+    for (const auto& [name, contact] : solved) {
+      record.companions[name] = companion_record(companion_case(input, name), contact);
+    }
+  }
+}
+
+MechanicsRecord record_mechanics(const Case& input, const SolvedMechanics& solved) {
   MechanicsRecord record = make_mechanics_record(input, solved.contact);
-  if (solved.companion) {
-    const Case companion = companion_case(input);
-    record.companion_metrics =
-        read_out_mechanics(companion, make_mechanics_record(companion, *solved.companion), threads)
-            .metrics;
+  for (const auto& [name, contact] : solved.companions) {
+    record.companions[name] = companion_record(companion_case(input, name), contact);
   }
   return record;
 }

@@ -5,15 +5,17 @@
 #include "ionskin/mechanics/solve_contact.hpp"
 #include "ionskin/study/mechanics_record.hpp"
 
-#include <optional>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace ionskin::study {
 
-/// Study 1, and the same on a companion mesh of twice the sizes, which tells the error.
+/// Study 1 and its companions, which tell the error.
 struct SolvedMechanics {
   mechanics::ContactSolution contact;
-  std::optional<mechanics::ContactSolution> companion; ///< empty where that mesh has no solution
+  /// By name, see study/companions.hpp; empty where their mesh has no solution.
+  std::map<std::string, mechanics::ContactSolution> companions;
 };
 
 /// Solves a case for several friction coefficients together, which share one footprint: that of the
@@ -24,7 +26,12 @@ std::vector<SolvedMechanics> solve_mechanics(const Case& input,
                                              const mechanics::ContactOptions& options,
                                              base::Timers& timers);
 
-/// Condenses both into what the rest of the run needs.
-MechanicsRecord record_mechanics(const Case& input, const SolvedMechanics& solved, int threads);
+/// Solves and adds the companions of a record that has none; none where they have no
+/// solution.
+void add_companions(const Case& input, const mechanics::ContactOptions& options,
+                    MechanicsRecord& record);
+
+/// Condenses all of them into what the rest of the run needs.
+MechanicsRecord record_mechanics(const Case& input, const SolvedMechanics& solved);
 
 } // namespace ionskin::study

@@ -150,8 +150,8 @@ void leave_in_folders(const std::vector<SweepPoint>& points, const SharedMechani
         std::filesystem::copy_file(*first, pending.path());
         pending.commit();
       } else {
-        write_mechanics(path, mechanics_hash(input), record_mechanics(input, solved, 1));
-        if (cache != nullptr) {
+        write_mechanics(path, mechanics_hash(input), record_mechanics(input, solved));
+        if (uses_cache_of_runs(input, cache)) {
           keep_mechanics(*cache, mechanics_hash(input), path);
         }
         first = path;

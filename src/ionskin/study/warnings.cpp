@@ -5,10 +5,12 @@
 #include "ionskin/electrochemistry/derived_scales.hpp"
 #include "ionskin/readout/metrics.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace ionskin::study {
 namespace {
@@ -17,6 +19,8 @@ namespace {
 constexpr double linear_limit = 0.3;    // k gamma h / (2 lambda)
 constexpr double depletion_limit = 0.1; // min c / c0
 constexpr double error_limit = 0.05;    // estimated, of the current between the spikes
+constexpr double large_error = 0.2;     // stated, of any metric
+constexpr std::size_t most_named = 4;   // of them in the warning, the largest
 constexpr double pressure_limit = 1e6;  // [Pa]; a fingertip presses with some 10 kPa
 
 void warn_about_common_current(const Case& input, const readout::SignalTable& signals,
@@ -53,6 +57,44 @@ void warn_about_onset_peak(const MechanicsRecord& mechanics, const readout::Sign
         "where it is "
         "a small remainder of large terms (5 to 30 % uncertain). Use the sampled current.",
         std::abs(*peak), at));
+  }
+}
+
+void warn_about_large_errors(const ErrorEstimate& errors, std::vector<std::string>& warnings) {
+  std::vector<std::pair<double, std::string>> large;
+  for (const auto& [name, error] : errors.relative) {
+    if (error > large_error && name != "tail_current_difference" &&
+        !errors.not_converging.contains(name)) {
+      large.emplace_back(error, name);
+    }
+  }
+  if (large.empty()) {
+    return;
+  }
+  std::ranges::sort(large, std::greater<>{});
+  std::string named;
+  for (std::size_t i = 0; i < std::min(large.size(), most_named); ++i) {
+    named +=
+        fmt::format("{}{} ({:.0f} %)", i > 0 ? ", " : "", large[i].second, 100 * large[i].first);
+  }
+  warnings.push_back(fmt::format(
+      "The stated error exceeds {:.0f} % for {}{}: see error_estimate in summary.json. Choose a "
+      "finer numerics.preset, or raise numerics.mesh_refinement.",
+      100 * large_error, named,
+      large.size() > most_named ? fmt::format(" and {} more", large.size() - most_named) : ""));
+}
+
+void warn_about_missing_errors(const ErrorEstimate& errors, std::vector<std::string>& warnings) {
+  std::vector<std::string> names;
+  for (const auto& [name, reason] : errors.not_estimated) {
+    if (reason == not_a_number) {
+      names.push_back(name);
+    }
+  }
+  if (!names.empty()) {
+    warnings.push_back(fmt::format("The error of {} is not estimated: a coarser solution gives no "
+                                   "number for it.",
+                                   fmt::join(names, ", ")));
   }
 }
 
@@ -112,18 +154,20 @@ std::vector<std::string> collect_warnings(const Case& input, const MechanicsReco
   return warnings;
 }
 
-std::vector<std::string> error_warnings(const Case& input,
-                                        const std::map<std::string, double>& error_estimate) {
-  const auto tail = error_estimate.find("tail_current_difference");
+std::vector<std::string> error_warnings(const Case& input, const ErrorEstimate& errors) {
+  std::vector<std::string> warnings;
+  const auto tail = errors.relative.find("tail_current_difference");
   const ReadoutCircuit circuit = input.readout.circuit;
-  if (circuit == ReadoutCircuit::open || circuit == ReadoutCircuit::load ||
-      tail == error_estimate.end() || tail->second <= error_limit) {
-    return {};
+  if (circuit != ReadoutCircuit::open && circuit != ReadoutCircuit::load &&
+      tail != errors.relative.end() && tail->second > error_limit) {
+    warnings.push_back(fmt::format(
+        "The error of the difference current between the contact spikes is estimated at {:.0f} %. "
+        "Choose a finer numerics.preset, or raise numerics.mesh_refinement.",
+        100 * tail->second));
   }
-  return {fmt::format(
-      "The error of the difference current between the contact spikes is estimated at {:.0f} %. "
-      "Choose a finer numerics.preset, or raise numerics.mesh_refinement.",
-      100 * tail->second)};
+  warn_about_large_errors(errors, warnings);
+  warn_about_missing_errors(errors, warnings);
+  return warnings;
 }
 
 } // namespace ionskin::study

@@ -4,9 +4,9 @@
 #include "ionskin/case/case.hpp"
 #include "ionskin/electrochemistry/ion_solution.hpp"
 #include "ionskin/readout/signals.hpp"
+#include "ionskin/study/error_parts.hpp"
 #include "ionskin/study/mechanics_record.hpp"
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -20,10 +20,9 @@ std::vector<std::string> collect_warnings(const Case& input, const MechanicsReco
 /// The part of them that Study 1 alone allows.
 std::vector<std::string> mechanics_warnings(const Case& input, const MechanicsRecord& mechanics);
 
-/// A sentence where the current between the contact spikes is uncertain; nothing behind an open
-/// circuit or a load, where little current flows.
-/// @param error_estimate relative, by metric
-std::vector<std::string> error_warnings(const Case& input,
-                                        const std::map<std::string, double>& error_estimate);
+/// Sentences where stated errors are large, or missing for another reason than rounding. The
+/// current between the contact spikes is named by itself, but behind an open circuit or a load,
+/// where little current flows.
+std::vector<std::string> error_warnings(const Case& input, const ErrorEstimate& errors);
 
 } // namespace ionskin::study

@@ -32,6 +32,11 @@ void write_optional(const std::filesystem::path& path,
   }
 }
 
+/// Nothing for a table without rows, which a run without estimates has.
+std::optional<readout::SignalTable> present(const readout::SignalTable& table) {
+  return table.columns.empty() ? std::nullopt : std::optional(table);
+}
+
 void write_results_file(const Case& input, const MechanicsRecord& mechanics,
                         const RunOutputs& outputs, const RunFolder& folder) {
   results::ResultsFile file(folder.file(names::results), results::ResultsFile::Start::extend);
@@ -41,6 +46,10 @@ void write_results_file(const Case& input, const MechanicsRecord& mechanics,
   write_optional(file, "circuit", outputs.signals.circuit);
   write_optional(file, "sampled_taxels", outputs.signals.sampled_taxels);
   write_optional(file, "sampled_circuit", outputs.signals.sampled_circuit);
+  write_optional(file, "signals_error", present(outputs.errors.signals));
+  write_optional(file, "sampled_error", present(outputs.errors.sampled));
+  write_optional(file, "taxels_error", outputs.errors.taxels);
+  write_optional(file, "circuit_error", outputs.errors.circuit);
   if (!mechanics.has_contact()) {
     file.write_strain(mechanics.history);
   }
@@ -94,7 +103,10 @@ RunOutcome write_outputs(const Case& input, const RunOptions& options,
     summary.audits.push_back(
         {one.rule->metric, one.value, one.rule->warn, one.rule->fail, to_string(one.verdict)});
   }
-  summary.error_estimate = outputs.error_estimate;
+  summary.error_estimate = outputs.errors.relative;
+  summary.error_parts = outputs.errors.parts;
+  summary.not_converging = outputs.errors.not_converging;
+  summary.not_estimated = outputs.errors.not_estimated;
   const auto write_summary = [&] {
     summary.timing = timing(folder, start);
     results::write_summary(folder.file(names::summary), summary);
@@ -107,6 +119,10 @@ RunOutcome write_outputs(const Case& input, const RunOptions& options,
     write_optional(folder.file(names::circuit), outputs.signals.circuit);
     write_optional(folder.file(names::sampled_taxels), outputs.signals.sampled_taxels);
     write_optional(folder.file(names::sampled_circuit), outputs.signals.sampled_circuit);
+    write_optional(folder.file(names::signals_error), present(outputs.errors.signals));
+    write_optional(folder.file(names::sampled_error), present(outputs.errors.sampled));
+    write_optional(folder.file(names::taxels_error), outputs.errors.taxels);
+    write_optional(folder.file(names::circuit_error), outputs.errors.circuit);
     if (options.paraview && outputs.ions && !outputs.ions->snapshots.empty()) {
       results::write_fields(folder.file(names::fields), outputs.ions->grid,
                             input.skin.core_bottom(), outputs.ions->snapshots);
@@ -128,7 +144,7 @@ RunOutcome write_outputs(const Case& input, const RunOptions& options,
   folder.finish(sound);
   const bool reported = options.report && !report_problem;
   return {folder.path(),    reported ? folder.file(names::report) : std::filesystem::path{},
-          summary.metrics,  summary.error_estimate,
+          summary.metrics,  outputs.errors,
           summary.warnings, base::wall_time() - start};
 }
 

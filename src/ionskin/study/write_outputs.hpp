@@ -21,8 +21,8 @@ struct RunOutputs {
   Signals signals;
   std::vector<std::string> warnings;
   std::vector<Audit> audits;
-  std::map<std::string, double> error_estimate; ///< relative, by metric [1]
-  std::map<std::string, double> stage_seconds;  ///< parts of the stages, for the manifest [s]
+  ErrorEstimate errors;
+  std::map<std::string, double> stage_seconds; ///< parts of the stages, for the manifest [s]
 };
 
 /// Signals -> Results: writes every file of a run, the report last.

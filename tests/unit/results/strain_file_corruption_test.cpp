@@ -17,8 +17,8 @@ namespace ionskin::results {
 namespace {
 
 void expect_sane(const strain::StrainHistory& history) {
-  ASSERT_EQ(history.gamma.size(), history.time.size());
-  for (const auto& field : history.gamma) {
+  ASSERT_EQ(history.shear().size(), history.time.size());
+  for (const auto& field : history.shear()) {
     ASSERT_EQ(field->size(), history.grid.values());
     for (const double value : *field) {
       ASSERT_LE(std::abs(value), 1000);

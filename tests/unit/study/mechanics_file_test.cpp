@@ -31,7 +31,9 @@ TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
   }
   contact.warnings = {"a warning"};
   auto record = make_mechanics_record(input, contact);
-  record.companion_metrics = {{"normal_force_slide", 65.0, "N"}};
+  const auto companion =
+      std::make_shared<const MechanicsRecord>(make_mechanics_record(input, contact));
+  record.companions["mesh"] = companion;
   EXPECT_EQ(record.electrode_stress, (std::vector<double>{3e6, 4e6}));
   ASSERT_EQ(record.normal_force.size(), record.history.time.size());
   ASSERT_EQ(record.maps.maps.size(), 1u + 2 + 9 + 2);
@@ -48,9 +50,12 @@ TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
   EXPECT_EQ(read->metrics[0].name, "contact_area_slide");
   EXPECT_EQ(read->metrics[0].value, record.metrics[0].value);
   EXPECT_EQ(read->metrics[0].unit, "m2");
-  ASSERT_EQ(read->companion_metrics.size(), 1u);
-  EXPECT_EQ(read->companion_metrics[0].name, "normal_force_slide");
-  EXPECT_EQ(read->companion_metrics[0].value, 65.0);
+  ASSERT_EQ(read->companions.size(), 1u);
+  const MechanicsRecord& companion_read = *read->companions.at("mesh");
+  EXPECT_EQ(companion_read.normal_force, companion->normal_force);
+  EXPECT_EQ(companion_read.metrics.size(), companion->metrics.size());
+  EXPECT_EQ(companion_read.history.time, companion->history.time);
+  EXPECT_EQ(*companion_read.history.shear()[20], *companion->history.shear()[20]);
   EXPECT_EQ(read->join_time, record.join_time);
   EXPECT_EQ(read->warnings, record.warnings);
   EXPECT_EQ(read->electrode_stress, record.electrode_stress);

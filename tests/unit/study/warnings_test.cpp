@@ -58,11 +58,25 @@ TEST_F(WarningsTest, SaysThatCationsAreDepleted) {
 }
 
 TEST_F(WarningsTest, SaysThatTheCurrentIsUncertain) {
-  EXPECT_TRUE(any_holds(error_warnings(input, {{"tail_current_difference", 0.12}}), "12 %"));
-  EXPECT_TRUE(error_warnings(input, {{"tail_current_difference", 0.01}}).empty());
-  EXPECT_TRUE(error_warnings(input, {}).empty());
+  ErrorEstimate errors;
+  EXPECT_TRUE(error_warnings(input, errors).empty());
+  errors.relative = {{"tail_current_difference", 0.01}};
+  EXPECT_TRUE(error_warnings(input, errors).empty());
+  errors.relative = {{"tail_current_difference", 0.12}};
+  EXPECT_TRUE(any_holds(error_warnings(input, errors), "12 %"));
   input.readout.circuit = ReadoutCircuit::open;
-  EXPECT_TRUE(error_warnings(input, {{"tail_current_difference", 0.12}}).empty());
+  EXPECT_TRUE(error_warnings(input, errors).empty());
+}
+
+TEST_F(WarningsTest, NamesLargeAndMissingErrors) {
+  ErrorEstimate errors;
+  errors.relative = {{"stick_fraction_touchdown", 4.81}, {"mean_shear_slide", 0.01}};
+  EXPECT_TRUE(any_holds(error_warnings(input, errors), "stick_fraction_touchdown (481 %)"));
+  errors.not_converging = {{"stick_fraction_touchdown", "a reason"}};
+  EXPECT_TRUE(error_warnings(input, errors).empty());
+  errors.not_estimated = {{"max_potential", not_a_number}, {"energy_balance_error", "an audit"}};
+  ASSERT_EQ(error_warnings(input, errors).size(), 1u);
+  EXPECT_TRUE(any_holds(error_warnings(input, errors), "max_potential is not estimated"));
 }
 
 TEST_F(WarningsTest, SaysHowHardTheSliderPresses) {

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+
+#include <string>
+
+namespace ionskin::study {
+
+/// Names of the coarser solutions of Study 1 whose differences tell its errors.
+namespace companions {
+inline constexpr const char* mesh = "mesh";           ///< twice the mesh sizes
+inline constexpr const char* path = "path";           ///< as mesh; half the load steps and samples
+inline constexpr const char* thickness = "thickness"; ///< as mesh; twice the layers of elements
+} // namespace companions
+
+/// The case that a companion solves.
+Case companion_case(const Case& input, const std::string& companion);
+
+/// Whether twice the mesh sizes would leave as many elements through the core: at the preset coarse
+/// it has one in each half, and the companion of twice the sizes cannot have fewer.
+bool needs_thickness_companion(const Case& input);
+
+} // namespace ionskin::study

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/readout/signals.hpp"
+#include "ionskin/study/read_out.hpp"
+#include "ionskin/study/signal_difference.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ionskin::study {
+
+/// Names of the parts of a stated error.
+namespace error_parts {
+inline constexpr const char* mechanics_mesh = "mechanics_mesh";
+inline constexpr const char* path = "path";
+inline constexpr const char* handover = "handover";
+inline constexpr const char* transport_grid = "transport_grid";
+inline constexpr const char* time_steps = "time_steps";
+inline constexpr const char* rounding = "rounding";
+} // namespace error_parts
+
+/// Reason that a metric whose estimate is NaN or infinite has none.
+inline constexpr const char* not_a_number = "its estimate is no number";
+
+/// Results at two degrees of one numerical choice, all else alike: what it leaves is their
+/// difference.
+struct ErrorPair {
+  std::string part;
+  const Signals* finer = nullptr;
+  const Signals* coarser = nullptr;
+};
+
+/// What beside the pairs decides the errors.
+struct ErrorFloors {
+  double path = 0;                ///< of interpolation and residuals of the contact, relative [1]
+  double charge = 0;              ///< what rounding may leave in a charge [C]; 0 without currents
+  double sample_interval = 0;     ///< of the readout [s]
+  std::vector<bool> tail;         ///< rows of the sampled table outside the contact spikes
+  std::vector<double> event_time; ///< [s]
+};
+
+/// The stated errors of one run.
+struct ErrorEstimate {
+  std::map<std::string, double> relative; ///< sum of the parts over the value, by metric [1]
+  /// By metric and part, in the unit of the metric.
+  std::map<std::string, std::map<std::string, double>> parts;
+  std::map<std::string, std::string> not_converging; ///< why, by metric: finer meshes change it on
+  std::map<std::string, std::string> not_estimated;  ///< why, by metric
+  /// Bands about the signals: the same columns, half a width per row [unit of the signal].
+  readout::SignalTable signals, sampled;
+  std::optional<readout::SignalTable> taxels, circuit;
+};
+
+/// Half the width of the band that one pair makes about the values of a column, per row; NaN where
+/// there is no value.
+/// @param path_floor least width of the part `path` over the value [1]
+std::vector<double> pair_band(const std::vector<double>& values, const std::string& part,
+                              const TableDifference& difference, const std::string& column,
+                              double path_floor);
+
+/// Sums the pairs up. A part of a metric is the largest of its own difference, that of its
+/// neighbours and the norm of the difference of its signal over the run, so that a difference that
+/// happens to vanish is not taken for none. What is no number is not estimated.
+ErrorEstimate combine_errors(const Signals& base, const std::vector<ErrorPair>& pairs,
+                             const ErrorFloors& floors);
+
+} // namespace ionskin::study

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/metric_neighbours.hpp"
+
+#include "ionskin/study/error_parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace ionskin::study {
+namespace {
+
+/// A metric whose name holds the first goes with the signal of the second; the first that fits.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 16> signal_of{{
+    {"current_top", "current_top"},
+    {"current_bottom", "current_bottom"},
+    {"current_difference", "current_difference"},
+    {"current_common", "current_common"},
+    {"amplifier", "current_difference"},
+    {"charge_top", "charge_top"},
+    {"charge_bottom", "charge_bottom"},
+    {"voltage", "voltage"},
+    {"tangential_force", "tangential_force"},
+    {"normal_force", "normal_force"},
+    {"first_moment", "shear_first_moment"},
+    {"p99_shear", "p99_shear"},
+    {"p95_shear", "rms_shear"},
+    {"element_max_shear", "p99_shear"},
+    {"electrode_membrane_stress", "p99_shear"},
+    {"nonlinearity", "p99_shear"},
+}};
+
+/// What happens at one place and instant errs together.
+const std::array<std::vector<std::string>, 3> groups{{
+    {"contact_area_slide", "mean_pressure_slide"},
+    {"external_work", "friction_work"},
+    {"p95_shear_slide", "p99_shear_slide"},
+}};
+
+} // namespace
+
+bool is_audit(const std::string& metric) {
+  return metric.ends_with("_residual") || metric.ends_with("_error");
+}
+
+std::vector<std::string> related_signals(const std::string& metric) {
+  const auto found = std::ranges::find_if(
+      signal_of, [&](const auto& entry) { return metric.find(entry.first) != std::string::npos; });
+  return {found == signal_of.end() ? "mean_shear" : std::string(found->second)};
+}
+
+std::vector<std::string> related_metrics(const std::string& metric) {
+  for (const std::vector<std::string>& group : groups) {
+    if (std::ranges::find(group, metric) != group.end()) {
+      return group;
+    }
+  }
+  return {};
+}
+
+double safety(const std::string& part) {
+  (void)part;
+  return 1;
+}
+
+} // namespace ionskin::study

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ionskin::study {
+
+/// Whether a metric judges the solution, such as a residual, and has no error of its own.
+bool is_audit(const std::string& metric);
+
+/// Signals whose relative error over the run a metric's is taken to be no smaller than.
+std::vector<std::string> related_signals(const std::string& metric);
+
+/// Metrics whose relative error a metric's is taken to be no smaller than.
+std::vector<std::string> related_metrics(const std::string& metric);
+
+/// What the difference of a part is multiplied with (docs/errors-of-results.md says why).
+double safety(const std::string& part);
+
+} // namespace ionskin::study
