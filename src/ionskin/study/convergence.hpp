@@ -9,7 +9,7 @@
 
 namespace ionskin::study {
 
-/// Metrics that finer meshes or steps change on and on, each with the reason: the largest value at
+/// Metrics that finer meshes or steps change on and on, each with the reason: extremes at
 /// a sharp edge, and the peak of a current whose spike is shorter than one time step.
 std::map<std::string, std::string> not_converging(const Case& input, const Signals& signals);
 

@@ -24,7 +24,7 @@ namespace {
 namespace parts = error_parts;
 
 /// Part of the largest charge that the shear can move which rounding may leave in a charge.
-constexpr double charge_rounding = 1e-11;
+constexpr double charge_rounding = 5e-11;
 
 // Names of the runs beside those of the companions.
 constexpr const char* run = "run";

@@ -134,7 +134,7 @@ private:
         at_least(value * own(name, difference) / other);
       }
     }
-    return safety(difference.pair->part) * largest;
+    return largest;
   }
 
   const Signals& base_;
@@ -183,15 +183,14 @@ std::vector<double> pair_band(const std::vector<double>& values, const std::stri
                               const TableDifference& difference, const std::string& column,
                               double path_floor) {
   const std::vector<double>& gaps = difference.table.column(column).values;
-  const double norm = difference.relative_norm.at(column), factor = safety(part);
+  const double norm = difference.relative_norm.at(column);
   const double least = part == error_parts::path ? path_floor : 0.0;
   std::vector<double> result;
   for (std::size_t row = 0; row < values.size(); ++row) {
     const double size = std::abs(values[row]);
-    result.push_back(
-        std::isnan(size)
-            ? size
-            : std::max(factor * std::max(largest_nearby(gaps, row), norm * size), least * size));
+    result.push_back(std::isnan(size) ? size
+                                      : std::max(std::max(largest_nearby(gaps, row), norm * size),
+                                                 least * size));
   }
   return result;
 }

@@ -31,11 +31,21 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 16> signal_o
     {"nonlinearity", "p99_shear"},
 }};
 
-/// What happens at one place and instant errs together.
-const std::array<std::vector<std::string>, 3> groups{{
-    {"contact_area_slide", "mean_pressure_slide"},
-    {"external_work", "friction_work"},
-    {"p95_shear_slide", "p99_shear_slide"},
+struct Neighbours {
+  std::string_view metric;
+  std::vector<std::string> others;
+};
+
+/// What happens at one place and instant errs together; an upper percentile errs as what lies below
+/// and above it.
+const std::array<Neighbours, 7> neighbours{{
+    {"contact_area_slide", {"mean_pressure_slide"}},
+    {"mean_pressure_slide", {"contact_area_slide"}},
+    {"external_work", {"friction_work"}},
+    {"friction_work", {"external_work"}},
+    {"p95_shear_slide", {"p99_shear_slide"}},
+    {"p99_shear_slide", {"p95_shear_slide", "element_max_shear_slide"}},
+    {"nonlinearity", {"p95_shear_slide", "element_max_shear_slide"}},
 }};
 
 } // namespace
@@ -51,17 +61,8 @@ std::vector<std::string> related_signals(const std::string& metric) {
 }
 
 std::vector<std::string> related_metrics(const std::string& metric) {
-  for (const std::vector<std::string>& group : groups) {
-    if (std::ranges::find(group, metric) != group.end()) {
-      return group;
-    }
-  }
-  return {};
-}
-
-double safety(const std::string& part) {
-  (void)part;
-  return 1;
+  const auto found = std::ranges::find(neighbours, metric, &Neighbours::metric);
+  return found == neighbours.end() ? std::vector<std::string>{} : found->others;
 }
 
 } // namespace ionskin::study

@@ -15,7 +15,4 @@ std::vector<std::string> related_signals(const std::string& metric);
 /// Metrics whose relative error a metric's is taken to be no smaller than.
 std::vector<std::string> related_metrics(const std::string& metric);
 
-/// What the difference of a part is multiplied with (docs/errors-of-results.md says why).
-double safety(const std::string& part);
-
 } // namespace ionskin::study

@@ -61,6 +61,21 @@ class Report(unittest.TestCase):
                       "321", "15 mm", "column-neutral", "ionskin 9.9"):
             self.assertIn(words, self.page)
 
+    def test_marks_what_does_not_converge_and_shades_the_band(self):
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            write_run(folder)
+            summary = json.loads((folder / "summary.json").read_text())
+            summary["not_converging"] = {"normal_force_slide": "extreme under a sharp edge"}
+            (folder / "summary.json").write_text(json.dumps(summary))
+            shutil.copy(folder / "sampled.csv", folder / "sampled_error.csv")
+            results = Results(folder)
+            self.assertEqual(report_text.metric_rows(results)[0][3], "does not converge: extreme under a sharp edge")
+            self.assertIsNone(results.stated_error("normal_force_slide"))
+            lower, upper = results.band("sampled", "current_top")
+            self.assertEqual((lower[0], upper[0]), (0.0, 4e-6))
+            self.assertIsNone(results.band("signals", "current_top"))
+
     def test_stands_alone(self):
         self.assertEqual(re.findall(r'(?:src|href)="(?!#)[^"]*"', self.page), [])
         self.assertNotIn("@import", self.page)

@@ -163,6 +163,28 @@ class Compare(SweepTest):
             self.assertIn(words, text)
         self.assertNotIn("current_top", text)
 
+    def test_says_what_the_stated_errors_allow(self):
+        """Forces 65.25 and 66 N: errors of 0.5 and 0.3 N cover their distance, of 0.3 and 0.3 N they do not."""
+        for name, error, value in (("a", 0.5, 65.25), ("b", 0.3, 66.0), ("c", 0.3, 65.25)):
+            (self.folder / name).mkdir()
+            write_run(self.folder / name)
+            path = self.folder / name / "summary.json"
+            summary = json.loads(path.read_text())
+            summary["metrics"]["normal_force_slide"]["value"] = value
+            summary["error_parts"] = {"normal_force_slide": {"mechanics_mesh": error - 0.1, "path": 0.1}}
+            path.write_text(json.dumps(summary))
+            for table in ("signals", "sampled"):
+                shutil.copy(self.folder / name / f"{table}.csv", self.folder / name / f"{table}_error.csv")
+        table = self.folder / "b" / "signals.csv"
+        table.write_text(table.read_text().replace("0.008", "0.009"))
+        first, second, third = (Results(self.folder / name) for name in "abc")
+        text = "\n".join(compare.report(first, second, 1e-9))
+        self.assertIn("66 N (1.14e-02), within the stated errors", text)
+        self.assertIn("signals/mean_shear: 1.11e-01, within the stated errors", text)
+        self.assertIn("66 N (1.14e-02), beyond the stated errors", "\n".join(compare.report(third, second, 1e-9)))
+        second.summary["not_converging"] = {"normal_force_slide": "a reason"}
+        self.assertIn("66 N (1.14e-02), does not converge", "\n".join(compare.report(first, second, 1e-9)))
+
 
 class Page(SweepTest):
     def test_stands_alone_and_says_what_failed(self):
