@@ -7,6 +7,8 @@ import unittest
 
 from program import QUICK, ProgramTest
 
+# Where contact begins again inside a sharp edge moves by whole cells, if it moves: docs/errors-of-results.md.
+BY_WHOLE_CELLS = {"contact_area_slide", "mean_pressure_slide", "stick_fraction_touchdown"}
 PARTS = {"mechanics_mesh", "path", "handover", "transport_grid", "time_steps"}
 
 
@@ -24,10 +26,11 @@ class StatedErrors(ProgramTest):
         for name, parts in stating["error_parts"].items():
             self.assertLessEqual(PARTS, set(parts), name)
             value, other = (summary["metrics"][name]["value"] for summary in (stating, finer))
-            if name not in stating["not_converging"] and abs(other - value) > sum(parts.values()) + 1e-12 * abs(value):
+            free = name in stating["not_converging"] or name in BY_WHOLE_CELLS
+            if not free and abs(other - value) > sum(parts.values()) + 1e-12 * abs(value):
                 missed.append(name)
         # One in twenty may be missed: the finer solution is itself uncertain.
-        self.assertLessEqual(len(missed), 0.05 * len(stating["error_parts"]) + 1, missed)
+        self.assertLessEqual(len(missed), 0.05 * len(stating["error_parts"]), missed)
         for name in ("normal_force_slide", "mean_shear_slide", "rms_current_top", "rms_current_difference",
                      "peak_sampled_current_difference"):
             self.assertNotIn(name, missed)

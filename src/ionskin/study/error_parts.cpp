@@ -22,6 +22,8 @@ using readout::SignalTable;
 /// they change sign from row to row.
 constexpr std::ptrdiff_t band_reach = 2;
 
+constexpr double mesh_safety = 1.3; // see `safety`
+
 const Metric* find_metric(const Signals& signals, const std::string& name) {
   const auto found = std::ranges::find(signals.metrics, name, &Metric::name);
   return found == signals.metrics.end() ? nullptr : &*found;
@@ -134,7 +136,7 @@ private:
         at_least(value * own(name, difference) / other);
       }
     }
-    return largest;
+    return safety(difference.pair->part) * largest;
   }
 
   const Signals& base_;
@@ -179,18 +181,23 @@ SignalTable band(const SignalTable& base, const std::vector<PairDifference>& dif
 
 } // namespace
 
+double safety(const std::string& part) {
+  return part == error_parts::mechanics_mesh ? mesh_safety : 1;
+}
+
 std::vector<double> pair_band(const std::vector<double>& values, const std::string& part,
                               const TableDifference& difference, const std::string& column,
                               double path_floor) {
   const std::vector<double>& gaps = difference.table.column(column).values;
-  const double norm = difference.relative_norm.at(column);
+  const double norm = difference.relative_norm.at(column), factor = safety(part);
   const double least = part == error_parts::path ? path_floor : 0.0;
   std::vector<double> result;
   for (std::size_t row = 0; row < values.size(); ++row) {
     const double size = std::abs(values[row]);
-    result.push_back(std::isnan(size) ? size
-                                      : std::max(std::max(largest_nearby(gaps, row), norm * size),
-                                                 least * size));
+    result.push_back(
+        std::isnan(size)
+            ? size
+            : std::max(factor * std::max(largest_nearby(gaps, row), norm * size), least * size));
   }
   return result;
 }

@@ -22,6 +22,11 @@ inline constexpr const char* time_steps = "time_steps";
 inline constexpr const char* rounding = "rounding";
 } // namespace error_parts
 
+/// What the differences of a part are multiplied with: 1, and 1.3 for the mesh of the mechanics.
+/// Two meshes cannot tell their order of convergence: the difference is the error when it is 1, and
+/// too little when it is less. 1.3 is measured (benchmarks/error_coverage.py, preset coarse).
+double safety(const std::string& part);
+
 /// Reason that a metric whose estimate is NaN or infinite has none.
 inline constexpr const char* not_a_number = "its estimate is no number";
 
