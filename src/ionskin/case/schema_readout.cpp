@@ -116,7 +116,7 @@ void add_taxel_grid(SchemaRows& rows) {
       {.key = "readout.taxels.gap",
        .type = ValueType::quantity,
        .dimension = Dimension::length,
-       .range = not_negative,
+       .range = place_on_skin,
        .need = Need::where_known,
        .help = "Bare strip between neighbouring taxels of a grid; without it they touch.",
        .set = [](CaseDraft& draft, const KeyIndex&, const Value& value) {

@@ -13,11 +13,12 @@ namespace {
 
 const Names<WaterWall> walls{{"sealed", WaterWall::sealed}, {"open", WaterWall::open}};
 
-SchemaRow quantity(const char* key, Dimension dimension, double Water::*member, const char* help) {
+SchemaRow quantity(const char* key, Dimension dimension, const Range& range, double Water::*member,
+                   const char* help) {
   return {.key = key,
           .type = ValueType::quantity,
           .dimension = dimension,
-          .range = positive,
+          .range = range,
           .need = Need::one_of_several,
           .applies = moves_water,
           .help = help,
@@ -58,28 +59,30 @@ void add_water(SchemaRows& rows) {
                       "has moved; that of the material is the undrained one. Or give "
                       "water.drained_modulus.",
                   .set = into(&Case::water, &Water::drained_poissons_ratio)});
-  rows.push_back(
-      quantity("water.drained_modulus", Dimension::stress, &Water::drained_modulus,
-               "Oedometric modulus M of the core at constant water potential, instead of "
-               "water.drained_poissons_ratio."));
-  rows.push_back(quantity("water.permeability", Dimension::area, &Water::permeability,
+  rows.push_back(quantity(
+      "water.drained_modulus", Dimension::stress, {1e3, 1e12, true, true}, &Water::drained_modulus,
+      "Oedometric modulus M of the core at constant water potential, instead of "
+      "water.drained_poissons_ratio."));
+  rows.push_back(quantity("water.permeability", Dimension::area, {1e-30, 1e-9, true, true},
+                          &Water::permeability,
                           "Hydraulic permeability of the core at zero current, with "
                           "water.viscosity; or give water.mobility or "
                           "water.consolidation_coefficient."));
   rows.push_back({.key = "water.viscosity",
                   .type = ValueType::quantity,
                   .dimension = Dimension::viscosity,
-                  .range = positive,
+                  .range = {1e-6, 1e3, true, true},
                   .applies = moves_water,
                   .default_value = "\"0.89 mPa s\"",
                   .help = "Viscosity of the water, for water.permeability.",
                   .source = "water at 25 degC (Kestin et al. 1978, doi 10.1063/1.555581)",
                   .set = into(&Case::water, &Water::viscosity)});
-  rows.push_back(quantity("water.mobility", Dimension::hydraulic_mobility, &Water::mobility,
+  rows.push_back(quantity("water.mobility", Dimension::hydraulic_mobility,
+                          {1e-27, 1e-6, true, true}, &Water::mobility,
                           "Hydraulic mobility of the core at zero current, permeability over "
                           "viscosity."));
   rows.push_back(quantity("water.consolidation_coefficient", Dimension::diffusivity,
-                          &Water::consolidation_coefficient,
+                          {1e-20, 1e-2, true, true}, &Water::consolidation_coefficient,
                           "Diffusivity of water pressure in the core, instead of "
                           "water.permeability or water.mobility."));
   rows.push_back({.key = "water.dilution",
