@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """The page on the Python package, from the docstrings of what it exports."""
 
+import functools
 import importlib
 import inspect
 import pathlib
 import re
 import sys
 
+ATTRIBUTES = (property, functools.cached_property)
 FIRST = re.compile(r"\(self(, )?")
 HEAD = """# Python reference
 
@@ -39,7 +41,7 @@ def members(value):
     """Public methods and properties that the class itself documents, by name."""
     for name, member in vars(value).items():
         plain = getattr(value, name) if isinstance(member, classmethod) else member
-        if not name.startswith("_") and (inspect.isroutine(plain) or isinstance(plain, property)) and plain.__doc__:
+        if not name.startswith("_") and (inspect.isroutine(plain) or isinstance(plain, ATTRIBUTES)) and plain.__doc__:
             yield name, plain
 
 
@@ -50,7 +52,7 @@ def entry(name, value):
         parts.append(f"```python\n{signature(f'ionskin.{name}', value)}\n```\n")
     parts.append(text_block(value))
     for own, member in members(value) if inspect.isclass(value) else ():
-        shown = own if isinstance(member, property) else FIRST.sub("(", signature(own, member))
+        shown = own if isinstance(member, ATTRIBUTES) else FIRST.sub("(", signature(own, member))
         parts.append(f"### `{name}.{shown.split(' ->')[0]}`\n\n{text_block(member)}")
     return "\n".join(parts)
 
