@@ -2,7 +2,6 @@
 """Strain files that are damaged, lead elsewhere or declare absurd sizes are refused at once, with a message."""
 
 import os
-import pathlib
 import subprocess
 import time
 import unittest
@@ -13,7 +12,7 @@ import numpy
 from program import PROGRAM, ROOT, ProgramTest, write_strain_file
 
 CASE = ROOT / "cases" / "strain_file.toml"
-DAMAGED = pathlib.Path(__file__).parent / "damaged"
+DAMAGED = ROOT / "fuzz" / "corpus" / "strain_file"
 SHEAR = 1e-3 * numpy.ones((2, 2, 1, 1))
 
 

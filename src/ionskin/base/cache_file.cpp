@@ -116,7 +116,8 @@ bool write_all(const std::filesystem::path& path, const Header& header,
 } // namespace
 
 CacheFileContent read_cache_file(const std::filesystem::path& path, const Digest& key) {
-  const OpenFile file(path, O_RDONLY);
+  // A pipe in place of the entry would be waited for.
+  const OpenFile file(path, O_RDONLY | O_NONBLOCK);
   if (!file.is_open()) {
     return {errno == ENOENT ? CacheFileState::absent : CacheFileState::damaged, {}};
   }

@@ -46,8 +46,9 @@ struct Hdf5Answer {
   std::uint64_t bytes = 0; ///< that follow
 };
 
-/// A reader of so many bytes may keep a processor busy this long [s]: many times what a slow machine
-/// needs to decompress them, and some to begin with. What takes longer goes round in a circle.
+/// A reader of so many bytes may keep a processor busy this long [s]: many times what a slow
+/// machine needs to decompress them, and some to begin with. What takes longer goes round in a
+/// circle.
 inline double reading_seconds(double bytes) {
   return 1.0 + bytes / 10e6;
 }

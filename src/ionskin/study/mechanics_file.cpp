@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/mechanics_file.hpp"
 
+#include "ionskin/base/error.hpp"
 #include "ionskin/results/foreign_hdf5_file.hpp"
+#include "ionskin/results/hdf5_messages.hpp"
 #include "ionskin/results/results_file.hpp"
 #include "ionskin/results/strain_file.hpp"
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <utility>
@@ -15,6 +18,7 @@ namespace {
 
 /// Holds a group per companion, each with a path and a strain like those of the run.
 constexpr const char* companions_group = "/companions";
+constexpr double most_solves = 1e9;
 
 std::vector<double> onset_column(const MechanicsRecord& record, std::size_t column) {
   std::vector<double> values;
@@ -38,11 +42,21 @@ void write_metrics(results::Hdf5File& file, const std::string& group,
   file.write_texts(group + "/unit", units);
 }
 
+/// What belongs together was written with one length.
+void require_length(const results::ForeignHdf5File& file, const std::string& dataset,
+                    std::size_t actual, std::size_t expected) {
+  if (actual != expected) {
+    throw UserError(results::read_failure(file.path(), dataset));
+  }
+}
+
 std::vector<readout::Metric> read_metrics(const results::ForeignHdf5File& file,
                                           const std::string& group) {
   const auto names = file.read_texts(group + "/name");
   const auto units = file.read_texts(group + "/unit");
   const auto values = file.read(group + "/value");
+  require_length(file, group + "/unit", units.size(), names.size());
+  require_length(file, group + "/value", values.size(), names.size());
   std::vector<readout::Metric> metrics;
   for (std::size_t i = 0; i < names.size(); ++i) {
     metrics.push_back({names[i], values[i], units[i]});
@@ -68,7 +82,16 @@ void write_path(results::Hdf5File& file, const std::string& root, const Mechanic
   file.set_attribute(root, "contact_solves", record.contact_solves);
 }
 
-MechanicsRecord read_path(const results::Hdf5File& file, const std::string& root) {
+/// One entry of each list for every sample of the history.
+void require_samples(const results::ForeignHdf5File& file, const std::string& root,
+                     const MechanicsRecord& record) {
+  const std::size_t samples = record.history.time.size();
+  require_length(file, root + "/slider_z", record.slider_z.size(), samples);
+  require_length(file, root + "/normal_force", record.normal_force.size(), samples);
+  require_length(file, root + "/tangential_force", record.tangential_force.size(), samples);
+}
+
+MechanicsRecord read_path(const results::ForeignHdf5File& file, const std::string& root) {
   MechanicsRecord record;
   const auto number = [&](const char* name) {
     return file.number_attribute(root, name).value_or(0);
@@ -77,6 +100,7 @@ MechanicsRecord read_path(const results::Hdf5File& file, const std::string& root
   record.normal_force = file.read(root + "/normal_force");
   record.tangential_force = file.read(root + "/tangential_force");
   const auto begins = file.read(root + "/onset_begin"), ends = file.read(root + "/onset_end");
+  require_length(file, root + "/onset_end", ends.size(), begins.size());
   for (std::size_t i = 0; i < begins.size(); ++i) {
     record.onsets.push_back({begins[i], ends[i]});
   }
@@ -87,7 +111,7 @@ MechanicsRecord read_path(const results::Hdf5File& file, const std::string& root
   record.worst_equilibrium_residual = number("worst_equilibrium_residual");
   record.worst_complementarity_residual = number("worst_complementarity_residual");
   record.worst_interpolation_error = number("worst_interpolation_error");
-  record.contact_solves = static_cast<int>(number("contact_solves"));
+  record.contact_solves = static_cast<int>(std::clamp(number("contact_solves"), 0.0, most_solves));
   return record;
 }
 
@@ -115,24 +139,23 @@ std::optional<MechanicsRecord> read_mechanics(const std::filesystem::path& path,
     return std::nullopt;
   }
   MechanicsRecord record;
-  std::map<std::string, MechanicsRecord> companions;
   {
     const results::ForeignHdf5File file(path);
     if (!file.has("/path") || file.text_attribute("/path", "mechanics_hash") != hash) {
       return std::nullopt;
     }
     record = read_path(file, "/path");
+    record.history = results::read_strain_file(file, skin);
+    require_samples(file, "/path", record);
     if (file.has(companions_group)) {
       for (const std::string& name : file.members(companions_group)) {
-        companions[name] = read_path(file, companions_group + ("/" + name) + "/path");
+        const std::string group = companions_group + ("/" + name);
+        MechanicsRecord companion = read_path(file, group + "/path");
+        companion.history = results::read_strain_file(file, skin, group + "/strain");
+        require_samples(file, group + "/path", companion);
+        record.companions[name] = std::make_shared<const MechanicsRecord>(std::move(companion));
       }
     }
-  }
-  record.history = results::read_strain_file(path, skin);
-  for (auto& [name, companion] : companions) {
-    companion.history =
-        results::read_strain_file(path, skin, companions_group + ("/" + name) + "/strain");
-    record.companions[name] = std::make_shared<const MechanicsRecord>(std::move(companion));
   }
   return record;
 }

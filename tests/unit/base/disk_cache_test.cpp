@@ -10,6 +10,7 @@
 #include <fstream>
 #include <stdlib.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <thread>
 
 namespace ionskin::base {
@@ -192,6 +193,13 @@ TEST_F(DiskCacheTest, folder_that_cannot_be_made_costs_the_entry_only) {
   put(cache, 2, filled(1000, 2));
   EXPECT_EQ(cache.take_notes().size(), 1u); // once
   EXPECT_FALSE(cache.read(key_of(1)));
+}
+
+TEST_F(DiskCacheTest, a_pipe_in_place_of_an_entry_is_not_waited_for) {
+  DiskCache cache(folder, 1'000'000);
+  ASSERT_EQ(mkfifo(file_of(1).c_str(), 0600), 0);
+  EXPECT_FALSE(cache.read(key_of(1)));
+  EXPECT_EQ(files(), 0u);
 }
 
 TEST(CacheSettings, come_from_the_environment) {

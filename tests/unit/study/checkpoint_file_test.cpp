@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/checkpoint_file.hpp"
 
+#include "corruption.hpp"
+#include "ionskin/base/error.hpp"
 #include "scratch_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -49,6 +51,22 @@ TEST(CheckpointFile, IsNotTakenForAnotherCase) {
   EXPECT_FALSE(read_checkpoint(folder.path() / "checkpoint.h5", "hash"));
   write_checkpoint(folder.path() / "checkpoint.h5", "hash", example());
   EXPECT_FALSE(read_checkpoint(folder.path() / "checkpoint.h5", "other"));
+}
+
+TEST(CheckpointFile, DamageIsAnErrorOrFindsNothingWrong) {
+  const results::ScratchFolder folder;
+  write_checkpoint(folder / "whole.h5", "hash", example());
+  const std::string whole = results::read_all(folder / "whole.h5");
+  const std::uint32_t count = results::corruptions(40);
+  for (std::uint32_t seed = 0; seed < count; ++seed) {
+    SCOPED_TRACE(seed);
+    results::write_all(folder / "checkpoint.h5", results::corrupted(whole, seed));
+    try {
+      read_checkpoint(folder / "checkpoint.h5", "hash");
+    } catch (const UserError& error) {
+      EXPECT_NE(std::string(error.what()).find("checkpoint.h5"), std::string::npos) << error.what();
+    }
+  }
 }
 
 } // namespace

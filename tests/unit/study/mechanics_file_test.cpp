@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/mechanics_file.hpp"
 
+#include "corruption.hpp"
+#include "ionskin/base/error.hpp"
+#include "ionskin/results/hdf5_file.hpp"
 #include "ionskin/strain/shear_statistics.hpp"
 #include "scratch_folder.hpp"
 #include "synthetic_contact.hpp"
@@ -10,9 +13,8 @@
 namespace ionskin::study {
 namespace {
 
-TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
-  const results::ScratchFolder folder;
-  const Case input = strain::small_case();
+/// On one cell, with its tractions.
+mechanics::ContactSolution small_contact(const Case& input) {
   auto contact = strain::synthetic_contact(input);
   contact.cell_lines_x = {-1e-3, 1e-3};
   contact.cell_lines_y = {-1e-3, 0};
@@ -29,6 +31,13 @@ TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
     std::for_each(leg.path.begin(), leg.path.end(), give_cell);
     std::for_each(leg.steady.begin(), leg.steady.end(), give_cell);
   }
+  return contact;
+}
+
+TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
+  const results::ScratchFolder folder;
+  const Case input = strain::small_case();
+  auto contact = small_contact(input);
   contact.warnings = {"a warning"};
   auto record = make_mechanics_record(input, contact);
   const auto companion =
@@ -65,6 +74,44 @@ TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
   EXPECT_EQ(strain::shear_integral(read->history, 1.2345),
             strain::shear_integral(record.history, 1.2345));
   EXPECT_FALSE(read_mechanics(path, "other", input.skin));
+}
+
+TEST(MechanicsFile, ListsOfUnlikeLengthsAreDamage) {
+  const results::ScratchFolder folder;
+  const Case input = strain::small_case();
+  const auto record = make_mechanics_record(input, small_contact(input));
+  const std::vector<std::string> datasets{"/path/slider_z", "/path/onset_end",
+                                          "/path/metrics/value"};
+  for (const std::string& dataset : datasets) {
+    SCOPED_TRACE(dataset);
+    write_mechanics(folder / "results.h5", "hash", record);
+    {
+      results::Hdf5File file(folder / "results.h5", results::Hdf5File::Access::modify);
+      file.remove(dataset);
+      file.write(dataset, std::vector<double>(1000, 1.0));
+    }
+    EXPECT_NE(results::message_of<UserError>([&] {
+                read_mechanics(folder / "results.h5", "hash", input.skin);
+              }).find(dataset),
+              std::string::npos);
+  }
+}
+
+TEST(MechanicsFile, DamageIsAnErrorOrFindsNothingWrong) {
+  const results::ScratchFolder folder;
+  const Case input = strain::small_case();
+  write_mechanics(folder / "whole.h5", "hash", make_mechanics_record(input, small_contact(input)));
+  const std::string whole = results::read_all(folder / "whole.h5");
+  const std::uint32_t count = results::corruptions(40);
+  for (std::uint32_t seed = 0; seed < count; ++seed) {
+    SCOPED_TRACE(seed);
+    results::write_all(folder / "results.h5", results::corrupted(whole, seed));
+    try {
+      read_mechanics(folder / "results.h5", "hash", input.skin);
+    } catch (const UserError& error) {
+      EXPECT_NE(std::string(error.what()).find("results.h5"), std::string::npos) << error.what();
+    }
+  }
 }
 
 } // namespace
