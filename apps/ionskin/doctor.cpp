@@ -104,12 +104,12 @@ void check_program(Findings& findings) {
 
 void check_python(Findings& findings) {
   const std::string python = IONSKIN_PYTHON;
-  const bool there = runs({python, "-c", "import sys; sys.exit(sys.version_info < (3, 11))"});
+  const bool there = runs({python, "-I", "-c", "import sys; sys.exit(sys.version_info < (3, 11))"});
   findings.check(there, "Python 3.11 or later for figures and reports: " + python,
                  "apt-get install python3");
   for (const char* module : {"numpy", "h5py", "matplotlib", "jinja2"}) {
     if (there) {
-      findings.check(runs({python, "-c", std::string("import ") + module}),
+      findings.check(runs({python, "-I", "-c", std::string("import ") + module}),
                      std::string("Python module ") + module,
                      std::string("apt-get install python3-") + module);
     }

@@ -12,7 +12,8 @@ namespace ionskin::apps {
 namespace {
 
 int run_module(const std::string& module, const std::vector<std::string>& arguments) {
-  const int code = study::run_python_module(module, arguments);
+  const int code =
+      study::run_python_module(module, arguments, study::PythonErrors::shown).exit_code;
   if (code < 0) {
     throw UserError(study::python_interpreter() +
                     " cannot be started\n  = ionskin doctor says what is missing");

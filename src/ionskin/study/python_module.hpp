@@ -9,8 +9,21 @@ namespace ionskin::study {
 /// Path of the Python interpreter that ionskin's Python package runs under.
 std::string python_interpreter();
 
-/// Runs `python -m MODULE ARGUMENTS...` with ionskin's package on the path and waits for it.
-/// @return its exit code; -1 when the interpreter cannot be started or is killed
-int run_python_module(const std::string& module, const std::vector<std::string>& arguments);
+struct PythonOutcome {
+  int exit_code = 0;   ///< -1 when the interpreter cannot be started or is killed
+  std::string message; ///< its last one on standard error, where that was captured
+
+  /// Whether a library that the module imports is not there.
+  bool lacks_library() const;
+};
+
+enum class PythonErrors { shown, captured };
+
+/// Runs a module of ionskin's Python package with these arguments and waits for it. The interpreter
+/// is in its isolated mode: neither the working folder nor PYTHONPATH and its kin decide what is
+/// imported. The package stands in the folder $IONSKIN_PYTHON_PATH, or where it was built.
+/// @param errors whether standard error goes to the terminal or into the outcome
+PythonOutcome run_python_module(const std::string& module,
+                                const std::vector<std::string>& arguments, PythonErrors errors);
 
 } // namespace ionskin::study

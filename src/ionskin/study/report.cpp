@@ -8,18 +8,29 @@
 namespace ionskin::study {
 namespace {
 
+std::string reason_of(const PythonOutcome& outcome) {
+  if (outcome.message.empty()) {
+    return outcome.exit_code < 0 ? python_interpreter() + " cannot be started or was ended"
+                                 : fmt::format("its script ended with {}", outcome.exit_code);
+  }
+  return outcome.message;
+}
+
 /// @param product, again what the module makes and how to ask for it again, for messages
 std::optional<std::string> draw(const std::string& module, const std::filesystem::path& folder,
                                 const std::string& product, const std::string& again) {
-  const int code = run_python_module(module, {folder.string()});
-  if (code == 0) {
+  const PythonOutcome outcome =
+      run_python_module(module, {folder.string()}, PythonErrors::captured);
+  if (outcome.exit_code == 0) {
     return std::nullopt;
   }
+  const bool not_installed = outcome.lacks_library() || outcome.exit_code < 0;
   return fmt::format(
-      "No {} was made: {}. Remedy: install python3-numpy, python3-h5py, "
-      "python3-matplotlib and python3-jinja2 (ionskin doctor says what is missing), then {}",
-      product,
-      code < 0 ? python_interpreter() + " cannot be started" : "its script failed (see above)",
+      "No {} was made: {}. The results do not depend on it. Remedy: {}, then {}", product,
+      reason_of(outcome),
+      not_installed ? "install python3-numpy, python3-h5py, python3-matplotlib and python3-jinja2 "
+                      "(ionskin doctor says what is missing)"
+                    : "mend what the reason names",
       again);
 }
 
