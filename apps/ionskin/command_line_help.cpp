@@ -8,6 +8,12 @@ namespace ionskin::apps {
 void add_help_verbs(CLI::App& app, Command& command) {
   app.add_subcommand("doctor", "Tell what this machine lacks for ionskin and how to get it")
       ->callback([&command] { command = DoctorOptions{}; });
+  auto cache_options = std::make_shared<CacheOptions>();
+  CLI::App* cache_verb = app.add_subcommand(
+      "cache", "Show the cache of this user, which saves mechanics for later runs, or clear it");
+  cache_verb->add_option("action", cache_options->action, "clear: remove its entries")
+      ->check(CLI::IsMember({"show", "clear"}));
+  set_when_parsed(*cache_verb, cache_options, command);
   auto key_options = std::make_shared<KeysOptions>();
   CLI::App* key_verb = app.add_subcommand("keys", "List every key that a case can have");
   key_verb->add_option("word", key_options->word, "Only keys that contain it")->type_name("WORD");

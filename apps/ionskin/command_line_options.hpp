@@ -33,7 +33,7 @@ void set_when_parsed(CLI::App& verb, const std::shared_ptr<Options>& options, Co
 
 /// sweep, fit, report and compare.
 void add_study_verbs(CLI::App& app, Command& command);
-/// doctor, keys, completion, man and cite.
+/// doctor, cache, keys, completion, man and cite.
 void add_help_verbs(CLI::App& app, Command& command);
 
 /// All verbs with their options; parsing fills `command`, which must outlive `app`.

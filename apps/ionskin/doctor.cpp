@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "doctor.hpp"
 
+#include "cache.hpp"
 #include "guard.hpp"
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/installation.hpp"
@@ -130,6 +131,7 @@ void check_folders(Findings& findings) {
   findings.add(gigabytes > 1 ? Finding::good : Finding::note,
                fmt::format("{:.1f} GB free here", gigabytes),
                "a sweep of ten points writes about 0.5 GB");
+  findings.add(Finding::good, cache_summary());
 }
 
 } // namespace

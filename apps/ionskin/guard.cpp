@@ -6,22 +6,43 @@
 
 #include <fmt/core.h>
 
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <new>
+#include <system_error>
 
 namespace ionskin::apps {
 namespace {
 
+/// Whether the message arrives or not, the code does.
 int fail(ExitCode code, const std::string& message) {
-  fmt::print(stderr, "{}\n", base::printable(message));
+  std::fputs((base::printable(message) + "\n").c_str(), stderr);
   return static_cast<int>(code);
+}
+
+int fail_at_output() {
+  const std::string reason = std::strerror(errno);
+  return fail(ExitCode::user_error,
+              fmt::format("error: the standard output cannot be written: {}; what was computed is "
+                          "kept in its folder",
+                          reason));
+}
+
+/// What was printed may still be in a buffer.
+int flushed(int exit_code) {
+  return exit_code == 0 && (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) ? fail_at_output()
+                                                                                  : exit_code;
 }
 
 } // namespace
 
 int guarded(const std::function<int()>& body) {
+  // A limit on the size of files is an error of the write, as a full disk is.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
-    return body();
+    return flushed(body());
   } catch (const UserError& error) {
     return fail(ExitCode::user_error, fmt::format("error: {}", error.what()));
   } catch (const SolverError& error) {
@@ -32,6 +53,14 @@ int guarded(const std::function<int()>& body) {
   } catch (const std::bad_alloc&) {
     return fail(ExitCode::solver_gave_up,
                 "error: out of memory\nremedy: use fewer --threads or a coarser numerics.preset");
+  } catch (const std::system_error& error) {
+    if (std::ferror(stdout) != 0) {
+      return fail_at_output();
+    }
+    return fail(ExitCode::user_error,
+                fmt::format("error: {}\n  = check the free space and the permissions of the "
+                            "folders",
+                            error.what()));
   } catch (const std::exception& error) {
     return fail(ExitCode::internal_error,
                 fmt::format("internal error: {}\nThis is a mistake of ionskin, not of your case: "

@@ -3,6 +3,7 @@
 // The front of the program. It parses the command line, answers the quick verbs itself and hands
 // the others to `ionskin-solver`, whose libraries take half a second to load.
 
+#include "cache.hpp"
 #include "check.hpp"
 #include "cite.hpp"
 #include "command_line.hpp"
@@ -41,6 +42,9 @@ int main(int argc, char** argv) {
     }
     if (std::holds_alternative<DoctorOptions>(*command)) {
       return doctor();
+    }
+    if (const auto* cache_options = std::get_if<CacheOptions>(&*command)) {
+      return cache(*cache_options);
     }
     if (std::holds_alternative<CiteOptions>(*command)) {
       return cite();

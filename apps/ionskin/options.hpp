@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "cache.hpp"
 #include "check.hpp"
 #include "completion.hpp"
 #include "init.hpp"
@@ -93,6 +94,6 @@ struct ImpedanceOptions {
 using Command =
     std::variant<InitOptions, CheckOptions, RunOptions, SweepOptions, FitOptions, ImpedanceOptions,
                  ReportOptions, CompareOptions, VerifyOptions, DoctorOptions, CiteOptions,
-                 KeysOptions, CompletionOptions, ManualOptions>;
+                 KeysOptions, CompletionOptions, ManualOptions, CacheOptions>;
 
 } // namespace ionskin::apps

@@ -32,6 +32,11 @@ LogFormat settled(LogFormat format) {
   return isatty(STDERR_FILENO) != 0 && !dumb ? LogFormat::bar : LogFormat::lines;
 }
 
+/// A terminal that is gone does not end the run.
+void put(const std::string& text) {
+  std::fputs(text.c_str(), stderr);
+}
+
 } // namespace
 
 ProgressDisplay::ProgressDisplay(LogFormat format) : format_(settled(format)) {
@@ -98,7 +103,7 @@ void ProgressDisplay::show_bar(bool forced) {
   // Many terminals wrap once the last column is filled.
   const std::size_t columns = terminal_width(STDERR_FILENO) - 1;
   const std::string line = bar_line(state_, columns);
-  fmt::print(stderr, "\r{:<{}}", line, std::min(bar_length_, columns));
+  put(fmt::format("\r{:<{}}", line, std::min(bar_length_, columns)));
   std::fflush(stderr);
   bar_length_ = line.size();
   if (state_.fraction >= 1) {
@@ -115,7 +120,7 @@ void ProgressDisplay::show_line(bool forced) {
   }
   shown_at_ = now;
   shown_fraction_ = state_.fraction;
-  fmt::print(stderr, "{}\n", log_line(state_));
+  put(log_line(state_) + "\n");
   std::fflush(stderr);
 }
 
@@ -124,13 +129,13 @@ void ProgressDisplay::show_json(bool forced) {
     return;
   }
   shown_fraction_ = state_.fraction;
-  fmt::print(stderr, "{}\n", json_line(state_));
+  put(json_line(state_) + "\n");
   std::fflush(stderr);
 }
 
 void ProgressDisplay::end_bar() {
   if (bar_length_ > 0) {
-    fmt::print(stderr, "\n");
+    put("\n");
     bar_length_ = 0;
   }
 }

@@ -70,6 +70,9 @@ int run(const RunOptions& options, const std::string& command) {
   base::install_interrupt_handler();
   const Case input = read_case(options.case_path, options.set_edits);
   study::RunOutcome outcome;
+  if (options.log != LogFormat::quiet) {
+    announce_cache(options.use_cache);
+  }
   {
     ProgressDisplay display(options.log);
     auto settings = study_settings<study::RunOptions>(options, command, display);

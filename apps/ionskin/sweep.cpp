@@ -64,6 +64,9 @@ int sweep(const SweepOptions& options, const std::string& command) {
     return static_cast<int>(ExitCode::success);
   }
   study::SweepOutcome outcome;
+  if (options.log != LogFormat::quiet) {
+    announce_cache(options.use_cache);
+  }
   {
     ProgressDisplay display(options.log);
     auto settings = study_settings<study::SweepOptions>(options, command, display);

@@ -3,7 +3,8 @@
 
 from typing import Callable, NamedTuple
 
-from . import figures_contact, figures_family, figures_fields, figures_model, figures_sensitivity, figures_signals
+from . import (figures_contact, figures_family, figures_fields, figures_model, figures_sensitivity, figures_signals,
+               output_folder)
 
 PNG_DPI = 300
 
@@ -77,10 +78,9 @@ def draw(study, only=()):
 
 def save(figure, folder, name):
     """Writes NAME.png, .svg and .pdf into the folder."""
-    folder.mkdir(exist_ok=True)
-    figure.savefig(folder / f"{name}.png", dpi=PNG_DPI)
-    figure.savefig(folder / f"{name}.svg", metadata={"Date": None})
-    figure.savefig(folder / f"{name}.pdf", metadata={"CreationDate": None})
+    output_folder.save(figure, folder / f"{name}.png", dpi=PNG_DPI)
+    output_folder.save(figure, folder / f"{name}.svg", metadata={"Date": None})
+    output_folder.save(figure, folder / f"{name}.pdf", metadata={"CreationDate": None})
 
 
 def known_names():

@@ -7,7 +7,7 @@ import pathlib
 import numpy
 from matplotlib.ticker import EngFormatter, MultipleLocator
 
-from . import style
+from . import output_folder, style
 from .errors import exit_on
 from .results import read_table
 
@@ -66,9 +66,8 @@ def draw(folder):
     """Writes figures/nyquist.png and figures/bode.png."""
     folder = pathlib.Path(folder)
     spectrum = read_table(folder / "impedance.csv")
-    (folder / "figures").mkdir(exist_ok=True)
     for name, figure in (("nyquist", nyquist(spectrum)), ("bode", bode(spectrum))):
-        figure.savefig(folder / "figures" / f"{name}.png", dpi=PNG_DPI)
+        output_folder.save(figure, folder / "figures" / f"{name}.png", dpi=PNG_DPI)
 
 
 def main():

@@ -8,7 +8,7 @@ import re
 
 from markupsafe import Markup
 
-from . import claims, figures, gallery, pages, paper, report_text, style, sweep_page
+from . import claims, figures, gallery, output_folder, pages, paper, report_text, style, sweep_page
 from .errors import exit_on
 from .results import Results
 from .sweep_results import Study
@@ -34,19 +34,18 @@ def inline_svg(svg, name):
 def save_figures(results):
     """Writes figures/NAME.png and .svg; yields a section of the page for each."""
     folder = results.folder / "figures"
-    folder.mkdir(exist_ok=True)
     for entry, figure in figures.draw_all(results):
         if isinstance(figure, str):
             yield pages.Section(entry.name, entry.heading, "paragraphs", [f"Not drawn: {figure}."])
             continue
-        figure.savefig(folder / f"{entry.name}.png", dpi=PNG_DPI, pil_kwargs=FAST_PNG)
+        output_folder.save(figure, folder / f"{entry.name}.png", dpi=PNG_DPI, pil_kwargs=FAST_PNG)
         page = io.StringIO()
         figure.savefig(page, format="svg", metadata={"Date": None}, transparent=True)
         svg = page.getvalue()
         picture = pages.Picture(entry.name, entry.heading, entry.caption, Markup(inline_svg(svg, entry.name)))
         yield pages.Section(entry.name, entry.heading, "figure", picture)
         # A file of its own is seen on any background.
-        (folder / f"{entry.name}.svg").write_text(white_background(svg), encoding="utf-8")
+        output_folder.write_text(folder / f"{entry.name}.svg", white_background(svg))
 
 
 def white_background(svg):

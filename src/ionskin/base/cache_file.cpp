@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/base/cache_file.hpp"
 
-#include <fmt/core.h>
+#include "ionskin/base/atomic_file.hpp"
 
 #include <array>
-#include <atomic>
 #include <cerrno>
-#include <cstring>
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -38,7 +35,7 @@ Digest checksum(const Digest& key, const std::vector<std::span<const std::byte>>
 class OpenFile {
 public:
   OpenFile(const std::filesystem::path& path, int flags)
-      : descriptor_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+      : descriptor_(::open(path.c_str(), flags | O_CLOEXEC)) {}
   ~OpenFile() {
     if (is_open()) {
       ::close(descriptor_);
@@ -50,7 +47,9 @@ public:
   bool is_open() const { return descriptor_ >= 0; }
   std::uint64_t size() const {
     struct stat status {};
-    return ::fstat(descriptor_, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
+    return ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode)
+               ? static_cast<std::uint64_t>(status.st_size)
+               : 0;
   }
   bool read(std::span<std::byte> bytes) const {
     while (!bytes.empty()) {
@@ -62,62 +61,16 @@ public:
     }
     return true;
   }
-  bool write(std::span<const std::byte> bytes) const {
-    while (!bytes.empty()) {
-      const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
-      if (count < 0 && errno != EINTR) {
-        return false;
-      }
-      bytes = bytes.subspan(count > 0 ? static_cast<std::size_t>(count) : 0);
-    }
-    return true;
-  }
-  bool flush() const { return ::fsync(descriptor_) == 0; }
 
 private:
   int descriptor_;
 };
 
-/// Turns the signal of a limit on file sizes into an error of `write` while it lives.
-class FileLimitGuard {
-public:
-  FileLimitGuard() {
-    sigemptyset(&limit_);
-    sigaddset(&limit_, SIGXFSZ);
-    pthread_sigmask(SIG_BLOCK, &limit_, &before_);
-  }
-  ~FileLimitGuard() {
-    const timespec now{};
-    sigtimedwait(&limit_, nullptr, &now); // takes a pending signal away
-    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-  }
-  FileLimitGuard(const FileLimitGuard&) = delete;
-  FileLimitGuard& operator=(const FileLimitGuard&) = delete;
-
-private:
-  sigset_t limit_{}, before_{};
-};
-
-bool write_all(const std::filesystem::path& path, const Header& header,
-               const std::vector<std::span<const std::byte>>& parts) {
-  const FileLimitGuard guard;
-  const OpenFile file(path, O_WRONLY | O_CREAT | O_EXCL);
-  if (!file.is_open() || !file.write(std::as_bytes(std::span(&header, 1)))) {
-    return false;
-  }
-  for (const auto& part : parts) {
-    if (!file.write(part)) {
-      return false;
-    }
-  }
-  return file.flush();
-}
-
 } // namespace
 
 CacheFileContent read_cache_file(const std::filesystem::path& path, const Digest& key) {
-  // A pipe in place of the entry would be waited for.
-  const OpenFile file(path, O_RDONLY | O_NONBLOCK);
+  // Neither a link nor a pipe under the name of an entry is one.
+  const OpenFile file(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
   if (!file.is_open()) {
     return {errno == ENOENT ? CacheFileState::absent : CacheFileState::damaged, {}};
   }
@@ -140,25 +93,25 @@ CacheFileContent read_cache_file(const std::filesystem::path& path, const Digest
   return result;
 }
 
-std::string write_cache_file(const std::filesystem::path& path, const std::string& pending_suffix,
-                             const Digest& key,
+std::string write_cache_file(const std::filesystem::path& path, const Digest& key,
                              const std::vector<std::span<const std::byte>>& parts) {
-  static std::atomic<unsigned> counter{0};
   Header header;
   header.key = key;
   for (const auto& part : parts) {
     header.bytes += part.size();
   }
   header.checksum = checksum(key, parts);
-  const std::filesystem::path pending =
-      path.parent_path() /
-      fmt::format("{}-{}-{}{}", path.stem().string(), ::getpid(), counter++, pending_suffix);
-  std::string failure;
-  if (!write_all(pending, header, parts) || ::rename(pending.c_str(), path.c_str()) != 0) {
-    failure = std::strerror(errno);
-    ::unlink(pending.c_str());
+  try {
+    PendingFile file(path);
+    file.write(std::as_bytes(std::span(&header, 1)));
+    for (const auto& part : parts) {
+      file.write(part);
+    }
+    file.commit();
+    return "";
+  } catch (const UnwritableFile& failure) {
+    return failure.reason();
   }
-  return failure;
 }
 
 } // namespace ionskin::base

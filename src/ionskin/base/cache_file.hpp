@@ -25,11 +25,9 @@ struct CacheFileContent {
 /// Reads a file and verifies its mark, version, key, length and checksum.
 CacheFileContent read_cache_file(const std::filesystem::path& path, const Digest& key);
 
-/// Writes a file under a temporary name beside `path`, flushes it to the disk and renames it.
-/// Neither a full disk nor a limit on file sizes ends the program.
+/// Writes a file, see PendingFile.
 /// @return what went wrong, empty on success; then nothing is left behind
-std::string write_cache_file(const std::filesystem::path& path, const std::string& pending_suffix,
-                             const Digest& key,
+std::string write_cache_file(const std::filesystem::path& path, const Digest& key,
                              const std::vector<std::span<const std::byte>>& parts);
 
 } // namespace ionskin::base

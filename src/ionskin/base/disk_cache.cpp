@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/base/disk_cache.hpp"
 
+#include "ionskin/base/atomic_file.hpp"
 #include "ionskin/base/byte_count.hpp"
 #include "ionskin/base/cache_file.hpp"
 #include "ionskin/base/error.hpp"
@@ -21,7 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* entry_suffix = ".ionskin-cache";
-constexpr const char* pending_suffix = ".ionskin-pending";
 /// Temporary files older than this belong to writers that were killed.
 constexpr std::chrono::hours pending_age{1};
 
@@ -31,15 +31,24 @@ struct Entry {
   fs::file_time_type used;
 };
 
-/// The entries of a folder; what other processes remove meanwhile is left out.
+/// Whether a name begins with a key and ends with a suffix; that of an entry holds nothing else.
+bool is_own_name(const std::string& name, const std::string& suffix) {
+  constexpr std::size_t digits = 32;
+  return name.find_first_not_of("0123456789abcdef") == digits && name.ends_with(suffix) &&
+         (suffix != entry_suffix || name.size() == digits + suffix.size());
+}
+
+/// The entries of a folder, or those that are being written: regular files under names of ours,
+/// whatever else the user keeps there. What other processes remove meanwhile is left out.
 std::vector<Entry> entries(const fs::path& folder, const char* suffix) {
   std::vector<Entry> result;
   std::error_code error;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    if (at->path().extension() != suffix) {
+    std::error_code gone;
+    if (!is_own_name(at->path().filename().string(), suffix) ||
+        !fs::is_regular_file(at->symlink_status(gone))) {
       continue;
     }
-    std::error_code gone;
     Entry entry{at->path(), at->file_size(gone), {}};
     entry.used = gone ? fs::file_time_type{} : at->last_write_time(gone);
     if (!gone) {
@@ -77,7 +86,7 @@ std::vector<std::string> DiskCache::take_notes() {
 
 bool DiskCache::contains(const Digest& key) const {
   std::error_code unreadable;
-  return fs::exists(file(key), unreadable);
+  return fs::is_regular_file(fs::symlink_status(file(key), unreadable));
 }
 
 std::optional<std::vector<std::byte>> DiskCache::read(const Digest& key) {
@@ -136,7 +145,7 @@ void DiskCache::write(const Digest& key, const std::vector<std::span<const std::
   std::string failure = error ? error.message() : "";
   if (failure.empty()) {
     make_room(bytes);
-    failure = write_cache_file(file(key), pending_suffix, key, parts);
+    failure = write_cache_file(file(key), key, parts);
   }
   if (!failure.empty()) {
     note(
@@ -144,6 +153,33 @@ void DiskCache::write(const Digest& key, const std::vector<std::span<const std::
                     "or another IONSKIN_CACHE avoids this warning.",
                     folder_.string(), failure));
   }
+}
+
+CacheContent DiskCache::content() const {
+  CacheContent result;
+  for (const Entry& entry : entries(folder_, entry_suffix)) {
+    ++result.entries;
+    result.bytes += entry.bytes;
+  }
+  return result;
+}
+
+CacheContent DiskCache::clear() {
+  CacheContent removed;
+  for (const char* suffix : {entry_suffix, pending_suffix}) {
+    for (const Entry& entry : entries(folder_, suffix)) {
+      std::error_code error;
+      if (fs::remove(entry.path, error)) {
+        ++removed.entries;
+        removed.bytes += entry.bytes;
+      }
+    }
+  }
+  std::error_code ignored; // only an empty folder goes
+  if (!fs::is_symlink(fs::symlink_status(folder_, ignored))) {
+    fs::remove(folder_, ignored);
+  }
+  return removed;
 }
 
 std::optional<fs::path> cache_folder() {

@@ -14,12 +14,19 @@
 
 namespace ionskin::base {
 
+/// What stands in a cache.
+struct CacheContent {
+  std::size_t entries = 0;
+  std::uintmax_t bytes = 0;
+};
+
 /// Results kept on disk under the digest of everything they depend on. It can only save time: a
 /// missing, broken or foreign entry is computed anew, and what cannot be written is not kept.
 ///
 /// One file an entry. Writers fill a temporary file, flush it to the disk and rename it, so readers
 /// see whole files only, whoever writes at the same time or is killed. A checksum over the whole
 /// content is verified at every read. When the files exceed the bound, the least recently used go.
+/// Only regular files under the names of entries are read, counted or removed.
 /// Safe to use from several threads and several processes.
 class DiskCache {
 public:
@@ -37,6 +44,11 @@ public:
 
   /// What went wrong since the last call, as sentences; each kind of failure once.
   std::vector<std::string> take_notes();
+
+  CacheContent content() const;
+  /// Removes every entry, what killed writers left, and the folder if nothing else is in it.
+  /// @return what was removed
+  CacheContent clear();
 
   const std::filesystem::path& folder() const { return folder_; }
   /// Bound of all entries together.

@@ -4,12 +4,13 @@
 #include "ionskin/base/error.hpp"
 
 #include <atomic>
+
 namespace ionskin::base {
 namespace {
 
-// Set by a handler and read by all threads: needs an atomic, and one without a lock.
-std::atomic<bool> requested = false;
-static_assert(std::atomic<bool>::is_always_lock_free);
+// Set by a signal or a thread, read by others.
+std::atomic<int> requested{0};
+static_assert(std::atomic<int>::is_always_lock_free);
 
 extern "C" void on_signal(int signal_number) {
   if (requested) {
@@ -28,6 +29,10 @@ extern "C" void on_signal_to_host(int) {
 void install_interrupt_handler() {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
+  // The terminal is gone; nohup has the run go on without one.
+  if (std::signal(SIGHUP, on_signal) == SIG_IGN) {
+    std::signal(SIGHUP, SIG_IGN);
+  }
 }
 
 void request_interrupt() {

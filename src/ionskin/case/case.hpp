@@ -224,6 +224,8 @@ struct Case {
   /// from it.
   std::vector<std::string> notes;
   std::string text; ///< the TOML text with all `--set` edits applied, as written to case.toml
+  /// Every key with its value in SI units, those of defaults and of material presets included.
+  std::string values;
 };
 
 /// Between symmetry planes a slider over the whole width, wherever it goes, makes plane strain.

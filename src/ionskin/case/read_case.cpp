@@ -13,6 +13,9 @@
 #include "ionskin/case/toml_walk.hpp"
 #include "ionskin/case/waypoint_file.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -67,6 +70,14 @@ std::size_t rank(const std::string& key) {
   return schema().size();
 }
 
+std::string values_text(const std::vector<ValueRecord>& records) {
+  std::string text;
+  for (const ValueRecord& record : records)
+    text += fmt::format("{} = {} {}\n", record.key, record.value.text,
+                        fmt::join(record.value.numbers, " "));
+  return text;
+}
+
 } // namespace
 
 CaseDocument read_case_document(const std::string& path,
@@ -101,6 +112,7 @@ CaseDocument read_case_text(const std::string& original, const std::string& path
   if (readout.taxels.empty())
     readout.taxels = taxels_of(readout.taxel_grid, document.input.skin);
   document.input.text = text.text();
+  document.input.values = values_text(document.records);
   check_case(document);
   document.input.notes = notes_on_readout(document);
   return document;

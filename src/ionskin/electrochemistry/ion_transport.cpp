@@ -67,6 +67,7 @@ public:
       save();
       throw;
     }
+    save();
     rows_.finish(run_.state.ions, run_.solution);
     return std::move(run_.solution);
   }
@@ -124,6 +125,7 @@ private:
   double take_step(double begin) {
     TransportState& state = run_.state;
     while (true) {
+      base::check_interrupt();
       const double end = control_.step_end(begin, state.next_step);
       const std::optional<double> error =
           integrator_.try_step(begin, end, state, control_.column_share(begin));

@@ -30,8 +30,8 @@ struct IonOptions {
   /// Instants at which snapshots are kept [s]; steps land on them.
   std::vector<double> snapshot_times;
   /// Receives the run's state every `checkpoint_interval` steps, though not sooner than
-  /// `checkpoint_seconds` of wall time after the last, and before an interruption or a SolverError
-  /// leaves the solver.
+  /// `checkpoint_seconds` of wall time after the last, before an interruption or a SolverError
+  /// leaves the solver, and at the end.
   std::function<void(const IonCheckpoint&)> checkpoint;
   std::size_t checkpoint_interval = 50;
   double checkpoint_seconds = 5;

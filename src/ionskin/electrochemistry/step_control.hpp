@@ -65,7 +65,7 @@ public:
   /// Share of the errors of single columns in the error of a step from `begin`: larger on the way
   /// to a landing where the fields are kept.
   double column_share(double begin) const;
-  bool too_short(double wanted) const { return wanted < rule_.shortest; }
+  bool too_short(double wanted) const { return !(wanted >= rule_.shortest); } ///< or no number
 
 private:
   StepLandings landings_;

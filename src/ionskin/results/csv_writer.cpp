@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/results/csv_writer.hpp"
 
-#include "ionskin/results/atomic_file.hpp"
+#include "ionskin/base/atomic_file.hpp"
 
 #include <fmt/format.h>
 
@@ -68,7 +68,7 @@ std::string csv_text(const readout::SignalTable& table) {
 }
 
 void write_csv(const std::filesystem::path& path, const readout::SignalTable& table) {
-  write_text_file(path, csv_text(table));
+  base::write_text_file(path, csv_text(table));
 }
 
 } // namespace ionskin::results

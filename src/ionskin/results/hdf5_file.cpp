@@ -78,6 +78,10 @@ std::recursive_mutex& library_mutex() {
 
 Hdf5File::Hdf5File(std::filesystem::path path, Access access)
     : library_(library_mutex()), path_(std::move(path)) {
+  // What the library could not write when a disk is full it must not try again when the program
+  // ends: it would crash. Every file is closed here.
+  static const herr_t once = H5dont_atexit();
+  static_cast<void>(once);
   // Our own messages say what failed; HDF5's stack trace would only bury them.
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   id_ = open_file(path_, access);
@@ -113,9 +117,11 @@ void Hdf5File::close() {
   const hid_t id = id_;
   id_ = -1;
   const bool flushed = id < 0 || H5Fflush(id, H5F_SCOPE_LOCAL) >= 0;
+  int reason = flushed ? 0 : errno;
   const bool closed = id < 0 || H5Fclose(id) >= 0;
+  reason = flushed && !closed ? errno : reason;
   if (!flushed || !closed) {
-    throw UserError(write_failure(path_, "its last part"));
+    throw UserError(with_reason(write_failure(path_, "its last part"), reason));
   }
 }
 

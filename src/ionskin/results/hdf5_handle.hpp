@@ -5,6 +5,9 @@
 
 #include <hdf5.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <string>
 #include <utility>
 
@@ -36,10 +39,21 @@ private:
   Closer closer_;
 };
 
+/// A message with the reason that the system gave for a failed write, if it did, before its remedy.
+inline std::string with_reason(std::string message, int reason) {
+  for (const int known : {ENOSPC, EFBIG, EDQUOT, EIO, EROFS}) {
+    if (reason == known) {
+      message.insert(std::min(message.find('\n'), message.size()),
+                     std::string(": ") + std::strerror(reason));
+    }
+  }
+  return message;
+}
+
 /// Throws UserError with `message` when an HDF5 call failed.
 inline void require_hdf5(herr_t status, const std::string& message) {
   if (status < 0) {
-    throw UserError(message);
+    throw UserError(with_reason(message, errno));
   }
 }
 

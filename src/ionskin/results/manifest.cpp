@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/results/manifest.hpp"
 
-#include "ionskin/base/error.hpp"
-#include "ionskin/results/atomic_file.hpp"
+#include "ionskin/base/atomic_file.hpp"
+#include "ionskin/base/own_build.hpp"
 #include "ionskin/results/build_info.hpp"
 
 #include <fmt/chrono.h>
@@ -18,6 +18,18 @@ namespace ionskin::results {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Key of the digest of everything else in the file.
+constexpr const char* digest_key = "digest";
+
+/// A command line may hold bytes that are no UTF-8.
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string digest_of(const Json& json) {
+  return base::DigestBuilder().add(std::string_view(text_of(json))).finish().hex();
+}
 
 Json program_json() {
   Json program;
@@ -71,6 +83,8 @@ Manifest new_manifest(std::string command, int threads, std::string input_hash) 
   manifest.input_hash = std::move(input_hash);
   const auto now =
       std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::system_clock::now());
+  const auto& build = base::own_build();
+  manifest.build = build ? build->hex() : "";
   manifest.started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
   return manifest;
 }
@@ -85,12 +99,14 @@ std::string manifest_text(const Manifest& manifest) {
   json["input_hash"] = manifest.input_hash;
   json["stages"] = stages_json(manifest.stages);
   json["counters"] = manifest.counters;
-  // Names of files need not be UTF-8, as JSON must.
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  json["build"] = manifest.build;
+  json["files"] = manifest.files;
+  json[digest_key] = digest_of(json);
+  return text_of(json);
 }
 
 void write_manifest(const std::filesystem::path& path, const Manifest& manifest) {
-  write_text_file(path, manifest_text(manifest));
+  base::write_text_file(path, manifest_text(manifest));
 }
 
 Manifest read_manifest(const std::filesystem::path& path) {
@@ -98,11 +114,16 @@ Manifest read_manifest(const std::filesystem::path& path) {
       "{} is not a manifest of ionskin or is damaged\n  = start the run anew in another "
       "folder",
       path.string()));
-  const std::optional<Json> json = parse(path);
+  std::optional<Json> json = parse(path);
   if (!json) {
     throw damaged;
   }
   try {
+    const auto digest = json->at(digest_key).get<std::string>();
+    json->erase(digest_key);
+    if (digest != digest_of(*json)) {
+      throw damaged;
+    }
     Manifest manifest;
     manifest.state = json->at("state").get<std::string>();
     manifest.started = json->at("started").get<std::string>();
@@ -111,6 +132,8 @@ Manifest read_manifest(const std::filesystem::path& path) {
     manifest.input_hash = json->at("input_hash").get<std::string>();
     manifest.stages = read_stages(json->at("stages"));
     manifest.counters = json->at("counters").get<std::map<std::string, double>>();
+    manifest.build = json->at("build").get<std::string>();
+    manifest.files = json->at("files").get<std::map<std::string, std::string>>();
     return manifest;
   } catch (const nlohmann::json::exception&) {
     throw damaged;

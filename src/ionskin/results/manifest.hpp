@@ -25,6 +25,8 @@ struct Manifest {
   int threads = 1;
   std::map<std::string, StageRecord> stages;
   std::map<std::string, double> counters;
+  std::string build; ///< digest of the program, empty when unknown; filled by `new_manifest`
+  std::map<std::string, std::string> files; ///< digests of the results, by name; when finished
 };
 
 /// A manifest that starts now.
@@ -34,7 +36,7 @@ Manifest new_manifest(std::string command, int threads, std::string input_hash);
 std::string manifest_text(const Manifest& manifest);
 /// Writes the file atomically. Throws UserError when it cannot.
 void write_manifest(const std::filesystem::path& path, const Manifest& manifest);
-/// Throws UserError when the file is missing or is no manifest of ionskin.
+/// Throws UserError when the file is missing, is no manifest of ionskin, or was changed.
 Manifest read_manifest(const std::filesystem::path& path);
 bool is_ionskin_manifest(const std::filesystem::path& path);
 

@@ -1,50 +1,52 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/results/output_folder.hpp"
 
-#include "ionskin/base/error.hpp"
-#include "ionskin/results/atomic_file.hpp"
+#include "ionskin/base/atomic_file.hpp"
+#include "ionskin/results/file_list.hpp"
 #include "ionskin/results/manifest.hpp"
 
 #include <fmt/format.h>
 
-#include <set>
-#include <string>
+#include <array>
+#include <cerrno>
+#include <fcntl.h>
+#include <sys/file.h>
 #include <system_error>
+#include <unistd.h>
 
 namespace ionskin::results {
 namespace {
 
 namespace fs = std::filesystem;
 
-void remove_by_extension(const fs::path& folder, const std::set<std::string>& extensions) {
+constexpr std::array subfolders{file_names::fields, file_names::figures, file_names::points,
+                                file_names::evaluations};
+constexpr std::array top_files{
+    file_names::manifest,       file_names::case_text,       file_names::summary,
+    file_names::signals,        file_names::sampled,         file_names::taxels,
+    file_names::sampled_taxels, file_names::sampled_circuit, file_names::signals_error,
+    file_names::sampled_error,  file_names::taxels_error,    file_names::circuit_error,
+    file_names::circuit,        file_names::impedance,       file_names::fit,
+    file_names::fit_table,      file_names::fitted_case,     file_names::results,
+    file_names::checkpoint,     file_names::report,          file_names::sweep_table,
+    file_names::sweep_signals};
+
+/// Of the entry itself; a link is a link.
+fs::file_status status_of(const fs::path& path) {
   std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-    if (entry.is_regular_file() && extensions.count(entry.path().extension().string()) > 0) {
-      fs::remove(entry.path());
-    }
-  }
-  // Only an empty folder goes.
-  fs::remove(folder, ignored);
+  return fs::symlink_status(path, ignored);
 }
 
-void remove_results(const fs::path& folder) {
-  for (const char* name :
-       {file_names::case_text, file_names::summary, file_names::signals, file_names::sampled,
-        file_names::taxels, file_names::circuit, file_names::sampled_taxels,
-        file_names::sampled_circuit, file_names::impedance, file_names::results,
-        file_names::checkpoint, file_names::report, file_names::manifest, file_names::sweep_table,
-        file_names::sweep_signals, file_names::fit, file_names::fit_table,
-        file_names::fitted_case}) {
-    fs::remove(folder / name);
-    fs::remove(folder / (std::string(name) + ".tmp"));
-  }
-  remove_by_extension(folder / file_names::fields, {".vtu", ".pvd"});
-  remove_by_extension(folder / file_names::evaluations, {".h5", ".tmp"});
-  remove_by_extension(folder / file_names::figures, {".png", ".svg", ".pdf"});
+bool is_folder(const fs::path& path) {
+  return fs::is_directory(status_of(path));
+}
+
+bool is_ours(const fs::path& folder) {
+  return is_ionskin_manifest(folder / file_names::manifest) || read_file_list(folder).has_value();
 }
 
 void require_own(const fs::path& folder, ExistingFolder existing) {
-  if (is_ionskin_manifest(folder / file_names::manifest)) {
+  if (is_ours(folder)) {
     return;
   }
   const char* option = existing == ExistingFolder::overwrite ? "--overwrite" : "--resume";
@@ -54,10 +56,34 @@ void require_own(const fs::path& folder, ExistingFolder existing) {
                   folder.string(), option));
 }
 
-void require_writable(const fs::path& folder) {
-  const fs::path probe = folder / ".ionskin-write-test";
-  write_text_file(probe, "");
-  fs::remove(probe);
+void refuse_link(const fs::path& path) {
+  if (fs::is_symlink(status_of(path))) {
+    throw UserError(fmt::format("{} is a link, and ionskin writes nothing through a link out of "
+                                "its folder\n  = remove the link, or choose another folder with -o",
+                                path.string()));
+  }
+}
+
+[[noreturn]] void throw_foreign(const fs::path& path) {
+  throw UserError(fmt::format("{} is in the way of a result and was not written by ionskin, which "
+                              "replaces its own files only\n  = move it away, or choose another "
+                              "folder with -o",
+                              path.string()));
+}
+
+/// What versions before the list wrote; their figures stay.
+std::set<std::string> unlisted_results(const fs::path& folder) {
+  std::set<std::string> names(top_files.begin(), top_files.end());
+  std::error_code error;
+  const fs::path fields = folder / file_names::fields;
+  for (fs::directory_iterator at(fields, error), end; !error && at != end; at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (is_folder(fields) && name.starts_with("fields") &&
+        (name.ends_with(".vtu") || name.ends_with(".pvd"))) {
+      names.insert(std::string(file_names::fields) + "/" + name);
+    }
+  }
+  return names;
 }
 
 void create(const fs::path& folder) {
@@ -75,41 +101,142 @@ void create(const fs::path& folder) {
   }
 }
 
-void make_room(const fs::path& folder, ExistingFolder existing) {
-  switch (existing) {
-  case ExistingFolder::refuse:
-    throw UserError(fmt::format("the output folder {} already holds files\n  = replace earlier "
-                                "results with --overwrite, finish an interrupted run with "
-                                "--resume, or choose another folder with -o",
-                                folder.string()));
-  case ExistingFolder::overwrite:
-    require_own(folder, existing);
-    remove_results(folder);
-    return;
-  case ExistingFolder::resume:
-    require_own(folder, existing);
-    return;
+} // namespace
+
+OutputFolder::OutputFolder(fs::path folder, ExistingFolder existing) : folder_(std::move(folder)) {
+  create(folder_);
+  lock();
+  try {
+    make_ready(existing);
+  } catch (const fs::filesystem_error& error) {
+    ::close(lock_);
+    throw UserError(fmt::format("the output folder {} cannot be made ready: {}\n  = choose another "
+                                "folder with -o",
+                                folder_.string(), error.code().message()));
+  } catch (...) {
+    ::close(lock_);
+    throw;
   }
 }
 
-} // namespace
+OutputFolder::~OutputFolder() {
+  ::close(lock_);
+}
 
-void prepare_output_folder(const fs::path& folder, ExistingFolder existing) {
-  create(folder);
-  try {
-    if (!fs::is_empty(folder)) {
-      // Before anything is removed.
-      if (existing != ExistingFolder::refuse) {
-        require_writable(folder);
-      }
-      make_room(folder, existing);
-    }
-  } catch (const fs::filesystem_error& error) {
-    throw UserError(fmt::format("the output folder {} cannot be made ready: {}\n  = choose another "
-                                "folder with -o",
-                                folder.string(), error.code().message()));
+void OutputFolder::lock() {
+  lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  // Some file systems know no such locks: then there is none.
+  if (lock_ >= 0 && ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    ::close(lock_);
+    throw UserError(fmt::format("another ionskin is writing to the folder {}\n  = wait until it "
+                                "has ended, or choose another folder with -o",
+                                folder_.string()));
   }
-  require_writable(folder);
+}
+
+void OutputFolder::make_ready(ExistingFolder existing) {
+  if (fs::is_empty(folder_)) {
+    clear_file_list(folder_);
+    return;
+  }
+  if (existing == ExistingFolder::refuse) {
+    throw UserError(fmt::format("the output folder {} already holds files\n  = replace earlier "
+                                "results with --overwrite, finish an interrupted run with "
+                                "--resume, or choose another folder with -o",
+                                folder_.string()));
+  }
+  require_own(folder_, existing);
+  for (const char* name : subfolders) {
+    refuse_link(folder_ / name);
+  }
+  const auto listed = read_file_list(folder_);
+  owned_ = listed.value_or(unlisted_results(folder_));
+  for (const char* name : top_files) {
+    if (owned_.count(name) == 0 && fs::exists(status_of(folder_ / name))) {
+      throw_foreign(folder_ / name);
+    }
+  }
+  // Tells whether the folder can be written before anything is removed.
+  if (!listed) {
+    clear_file_list(folder_);
+    for (const std::string& name : owned_) {
+      if (fs::exists(status_of(folder_ / name))) {
+        add_to_file_list(folder_, name);
+      }
+    }
+  } else {
+    base::PendingFile probe(folder_ / file_list_name);
+  }
+  base::remove_pending_files(folder_);
+  for (const char* name : subfolders) {
+    base::remove_pending_files(folder_ / name);
+  }
+  if (existing == ExistingFolder::overwrite) {
+    remove_results();
+    remove_points();
+  }
+}
+
+fs::path OutputFolder::own(const std::string& name) {
+  const fs::path path = folder_ / name;
+  if (!is_inner_name(name)) {
+    throw InternalError(name + " is no name of a result");
+  }
+  const fs::path parent = path.parent_path();
+  if (fs::path(name).has_parent_path()) {
+    refuse_link(parent);
+    std::error_code error;
+    fs::create_directory(parent, error);
+    if (error) {
+      throw base::UnwritableFile(parent, error.message());
+    }
+  }
+  if (owned_.count(name) == 0) {
+    if (fs::exists(status_of(path))) {
+      throw_foreign(path);
+    }
+    add_to_file_list(folder_, name);
+    owned_.insert(name);
+  }
+  return path;
+}
+
+void OutputFolder::remove(const std::string& name) {
+  const fs::path path = folder_ / name;
+  const bool inside = !fs::path(name).has_parent_path() || is_folder(path.parent_path());
+  if (owned_.count(name) > 0 && inside && !is_folder(path)) {
+    std::error_code ignored;
+    fs::remove(path, ignored);
+  }
+}
+
+void OutputFolder::remove_results() {
+  for (const std::string& name : owned_) {
+    remove(name);
+  }
+  owned_.clear();
+  std::error_code ignored;
+  for (const char* name : {file_names::fields, file_names::figures, file_names::evaluations}) {
+    fs::remove(folder_ / name, ignored); // only an empty folder goes
+  }
+  clear_file_list(folder_);
+}
+
+/// Of an earlier sweep.
+void OutputFolder::remove_points() {
+  std::error_code ignored;
+  const fs::path points = folder_ / file_names::points;
+  for (const auto& entry : fs::directory_iterator(points, ignored)) {
+    if (is_folder(entry.path()) && is_ours(entry.path())) {
+      { const OutputFolder point(entry.path(), ExistingFolder::overwrite); }
+      const auto left = std::distance(fs::directory_iterator(entry.path()), {});
+      if (left == 1) { // the list
+        fs::remove(entry.path() / file_list_name, ignored);
+        fs::remove(entry.path(), ignored);
+      }
+    }
+  }
+  fs::remove(points, ignored);
 }
 
 } // namespace ionskin::results

@@ -2,21 +2,56 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
+#include <string>
 
 namespace ionskin::results {
 
 /// What to do with a folder that already holds something.
 enum class ExistingFolder {
   refuse,
-  overwrite, ///< remove the files that ionskin writes, and only those
+  overwrite, ///< remove the files that ionskin wrote, and only those
   resume     ///< keep everything
 };
 
-/// Makes the output folder of a run ready before any work. A missing or an empty folder is taken as
-/// it is. `overwrite` and `resume` accept only a folder with ionskin's manifest.json, so that no
-/// foreign file of the same name is lost.
-/// Throws UserError when the folder holds other files, is none, or cannot be written.
-void prepare_output_folder(const std::filesystem::path& folder, ExistingFolder existing);
+/// The folder of the results of a run, a sweep, a fit or a spectrum while the program writes to it.
+///
+/// The file `.ionskin-files` in it lists what the program wrote: only that is ever removed or
+/// replaced. Links are not followed: a file under the name of a link is replaced, and nothing is
+/// written through the link of a folder. A lock, which goes with the process, keeps a second run
+/// out.
+class OutputFolder {
+public:
+  /// Makes the folder ready before any work. A missing or an empty folder is taken as it is.
+  /// `overwrite` and `resume` accept only a folder of ionskin.
+  /// Throws UserError when the folder holds other files, is none, cannot be written, or is locked.
+  OutputFolder(std::filesystem::path folder, ExistingFolder existing);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  const std::filesystem::path& path() const { return folder_; }
+  /// Where a file is read.
+  std::filesystem::path file(const std::string& name) const { return folder_ / name; }
+  /// Where a file is written: notes it in the list, and makes its subfolder.
+  /// @param name relative, such as "fields/fields.pvd"
+  /// Throws UserError when a file of the user or a link is in the way.
+  std::filesystem::path own(const std::string& name);
+  /// Removes a file that the program wrote, if it is there.
+  void remove(const std::string& name);
+  /// Names of the files that the program wrote here, whether they are still there or not.
+  const std::set<std::string>& owned() const { return owned_; }
+
+private:
+  void make_ready(ExistingFolder existing);
+  void lock();
+  void remove_results();
+  void remove_points();
+
+  std::filesystem::path folder_;
+  int lock_ = -1;
+  std::set<std::string> owned_;
+};
 
 /// Names inside the folder of a run.
 namespace file_names {

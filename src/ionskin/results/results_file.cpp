@@ -2,6 +2,7 @@
 #include "ionskin/results/results_file.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/sealed_file.hpp"
 #include "ionskin/results/foreign_hdf5_file.hpp"
 #include "ionskin/results/hdf5_messages.hpp"
 #include "ionskin/results/strain_file.hpp"
@@ -96,6 +97,7 @@ void ResultsFile::write_text(const std::string& name, const std::string& text) {
 
 void ResultsFile::commit() {
   file_.close();
+  base::seal(pending_.path());
   pending_.commit();
 }
 

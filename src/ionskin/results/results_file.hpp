@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/base/atomic_file.hpp"
 #include "ionskin/electrochemistry/ion_solution.hpp"
 #include "ionskin/readout/signals.hpp"
-#include "ionskin/results/atomic_file.hpp"
 #include "ionskin/results/contact_map.hpp"
 #include "ionskin/results/hdf5_file.hpp"
 #include "ionskin/strain/strain_history.hpp"
@@ -15,7 +15,8 @@
 namespace ionskin::results {
 
 /// results.h5: /signals, /sampled, /strain, /ions, /contact, /case and /manifest. What is written
-/// replaces what stood there; nothing is seen under the final name before `commit`.
+/// replaces what stood there; nothing is seen under the final name before `commit`, which seals the
+/// file.
 class ResultsFile {
 public:
   enum class Start {
@@ -41,7 +42,7 @@ public:
   void commit();
 
 private:
-  PendingFile pending_;
+  base::PendingFile pending_;
   Hdf5File file_;
 };
 

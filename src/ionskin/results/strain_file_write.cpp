@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/results/strain_file.hpp"
 
-#include "ionskin/results/atomic_file.hpp"
+#include "ionskin/base/atomic_file.hpp"
 
 #include <cstddef>
 #include <map>
@@ -60,7 +60,7 @@ void write_strain(Hdf5File& file, const std::string& group, const strain::Strain
 }
 
 void write_strain_file(const std::filesystem::path& path, const strain::StrainHistory& history) {
-  PendingFile pending(path);
+  base::PendingFile pending(path);
   Hdf5File file(pending.path(), Hdf5File::Access::create);
   write_strain(file, "/", history);
   file.close();

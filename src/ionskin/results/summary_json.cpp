@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/results/summary_json.hpp"
 
+#include "ionskin/base/atomic_file.hpp"
 #include "ionskin/base/error.hpp"
-#include "ionskin/results/atomic_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -36,10 +36,10 @@ std::string summary_text(const Summary& summary) {
 }
 
 void write_summary(const std::filesystem::path& path, const Summary& summary) {
-  write_text_file(path, summary_text(summary));
+  base::write_text_file(path, summary_text(summary));
 }
 
-std::vector<readout::Metric> read_metrics(const std::filesystem::path& path) {
+Summary read_summary(const std::filesystem::path& path) {
   std::ifstream stream(path);
   const auto json = nlohmann::ordered_json::parse(stream, nullptr, false);
   if (json.is_discarded() || !json.is_object() || !json.contains("metrics")) {
@@ -47,14 +47,21 @@ std::vector<readout::Metric> read_metrics(const std::filesystem::path& path) {
                                 "--overwrite",
                                 path.string()));
   }
-  std::vector<readout::Metric> metrics;
+  Summary summary;
   for (const auto& [name, entry] : json["metrics"].items()) {
     const auto& value = entry.at("value");
-    metrics.push_back(
+    summary.metrics.push_back(
         {name, value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>(),
          entry.at("unit").get<std::string>()});
   }
-  return metrics;
+  summary.timing = json.value("timing", summary.timing);
+  summary.warnings = json.value("warnings", summary.warnings);
+  summary.error_estimate = json.value("error_estimate", summary.error_estimate);
+  return summary;
+}
+
+std::vector<readout::Metric> read_metrics(const std::filesystem::path& path) {
+  return read_summary(path).metrics;
 }
 
 } // namespace ionskin::results

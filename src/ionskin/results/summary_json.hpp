@@ -35,6 +35,8 @@ std::string summary_text(const Summary& summary);
 /// Writes the file atomically. Throws UserError when it cannot.
 void write_summary(const std::filesystem::path& path, const Summary& summary);
 
+/// Reads the file. Throws UserError when it is missing or no summary.
+Summary read_summary(const std::filesystem::path& path);
 /// The metrics of a summary.json in the order of the file, those that are not finite as
 /// NaN. Throws UserError when the file is missing or no summary.
 std::vector<readout::Metric> read_metrics(const std::filesystem::path& path);

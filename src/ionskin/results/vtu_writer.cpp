@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/results/vtu_writer.hpp"
 
+#include "ionskin/base/atomic_file.hpp"
 #include "ionskin/base/error.hpp"
-#include "ionskin/results/atomic_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
@@ -14,7 +14,6 @@
 #include <cstdint>
 #include <ostream>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace ionskin::results {
@@ -148,7 +147,7 @@ void write_vtu(const std::filesystem::path& path, const ColumnMesh& mesh,
                  mesh.at_points(snapshot.concentration)),
       compressed(named("Float32", "potential", 1, "V"), mesh.at_points(snapshot.potential)),
       compressed(named("Float32", "shear", 1, "1"), mesh.at_points(snapshot.shear))};
-  AtomicFile file(path);
+  base::AtomicFile file(path);
   std::ostream& out = file.stream();
   out << "<?xml version=\"1.0\"?>\n"
          "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
@@ -170,29 +169,22 @@ void write_vtu(const std::filesystem::path& path, const ColumnMesh& mesh,
   file.commit();
 }
 
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw UserError(fmt::format("the folder {} cannot be made: {}\n  = choose another with -o",
-                                folder.string(), error.message()));
-  }
-}
-
 } // namespace
 
-void write_fields(const std::filesystem::path& folder, const TransportGrid& grid,
-                  double core_bottom, const std::vector<IonSnapshot>& snapshots) {
-  make_folder(folder);
+void write_fields(OutputFolder& folder, const TransportGrid& grid, double core_bottom,
+                  const std::vector<IonSnapshot>& snapshots) {
+  const auto place = [&](const std::string& name) {
+    return folder.own(std::string(file_names::fields) + "/" + name);
+  };
   const ColumnMesh mesh(grid, core_bottom);
   std::string collection;
   for (std::size_t i = 0; i < snapshots.size(); ++i) {
     const std::string name = fmt::format("fields_{:04}.vtu", i);
-    write_vtu(folder / name, mesh, snapshots[i]);
+    write_vtu(place(name), mesh, snapshots[i]);
     collection += fmt::format("<DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n",
                               snapshots[i].time, name);
   }
-  AtomicFile file(folder / "fields.pvd");
+  base::AtomicFile file(place("fields.pvd"));
   file.stream() << "<?xml version=\"1.0\"?>\n"
                    "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
                    "<Collection>\n"

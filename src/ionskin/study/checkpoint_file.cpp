@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/checkpoint_file.hpp"
 
-#include "ionskin/results/atomic_file.hpp"
+#include "ionskin/base/atomic_file.hpp"
+#include "ionskin/base/sealed_file.hpp"
 #include "ionskin/results/foreign_hdf5_file.hpp"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace ionskin::study {
 namespace {
@@ -42,11 +45,26 @@ constexpr std::array counters{
     Counter{"krylov_iterations", &IonSolution::krylov_iterations},
     Counter{"preconditioner_setups", &IonSolution::preconditioner_setups}};
 
+/// A state that no run can have left must not lead the time steps astray.
+bool is_consistent(const IonCheckpoint& checkpoint) {
+  const auto finite = [](const std::vector<double>& values) {
+    return std::all_of(values.begin(), values.end(),
+                       [](double value) { return std::isfinite(value); });
+  };
+  const electrochemistry::TransportState& state = checkpoint.state;
+  const IonSolution& solution = checkpoint.solution;
+  return state.next_step > 0 && std::isfinite(state.next_step) &&
+         std::isfinite(state.charge_scale) && !state.ions.values.empty() &&
+         state.rate.size() == state.ions.values.size() && finite(state.ions.values) &&
+         finite(state.rate) && solution.time.size() == checkpoint.step + 1 &&
+         finite(solution.time) && std::is_sorted(solution.time.begin(), solution.time.end());
+}
+
 } // namespace
 
 void write_checkpoint(const std::filesystem::path& path, const std::string& input_hash,
                       const IonCheckpoint& checkpoint) {
-  results::PendingFile pending(path);
+  base::PendingFile pending(path);
   results::Hdf5File file(pending.path(), results::Hdf5File::Access::create);
   file.set_attribute("/", "input_hash", input_hash);
   file.set_attribute("/", "step", static_cast<double>(checkpoint.step));
@@ -78,12 +96,13 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& inpu
     file.set_attribute(group, "time", snapshot.time);
   }
   file.close();
+  base::seal(pending.path());
   pending.commit();
 }
 
 std::optional<IonCheckpoint> read_checkpoint(const std::filesystem::path& path,
                                              const std::string& input_hash) {
-  if (!std::filesystem::exists(path)) {
+  if (base::check_seal(path) != base::SealState::whole) {
     return std::nullopt;
   }
   const results::ForeignHdf5File file(path);
@@ -120,7 +139,7 @@ std::optional<IonCheckpoint> read_checkpoint(const std::filesystem::path& path,
                                     file.read(group + "/potential"), file.read(group + "/shear")});
     }
   }
-  return checkpoint;
+  return is_consistent(checkpoint) ? std::optional(std::move(checkpoint)) : std::nullopt;
 }
 
 } // namespace ionskin::study

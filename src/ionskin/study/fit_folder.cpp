@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "ionskin/base/atomic_file.hpp"
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/timers.hpp"
-#include "ionskin/results/atomic_file.hpp"
 #include "ionskin/results/csv_writer.hpp"
 #include "ionskin/results/manifest.hpp"
 #include "ionskin/results/output_folder.hpp"
@@ -75,10 +75,10 @@ void add_errors(FitModel& model, const FitData& data, FitResult& result) {
 }
 
 void write_fit(const FitModel& model, const FitData& data, const FitResult& result, double seconds,
-               const std::filesystem::path& folder) {
-  results::write_text_file(folder / names::fitted_case, model.case_at(fitted_values(result)).text);
-  results::write_csv(folder / names::fit_table, fit_table(data, result));
-  results::write_text_file(folder / names::fit, fit_json_text(result, model, data, seconds));
+               results::OutputFolder& folder) {
+  base::write_text_file(folder.own(names::fitted_case), model.case_at(fitted_values(result)).text);
+  results::write_csv(folder.own(names::fit_table), fit_table(data, result));
+  base::write_text_file(folder.own(names::fit), fit_json_text(result, model, data, seconds));
 }
 
 /// Hash of everything that decides the evaluations of a fit.
@@ -102,14 +102,10 @@ void require_same_fit(const std::filesystem::path& folder, const std::string& ha
   }
 }
 
-void make_ready(const FitOptions& options, const std::string& hash) {
+results::ExistingFolder existing_folder(const FitOptions& options) {
   using results::ExistingFolder;
   const auto otherwise = options.resume ? ExistingFolder::resume : ExistingFolder::refuse;
-  results::prepare_output_folder(options.folder,
-                                 options.overwrite ? ExistingFolder::overwrite : otherwise);
-  if (options.resume) {
-    require_same_fit(options.folder, hash);
-  }
+  return options.overwrite ? ExistingFolder::overwrite : otherwise;
 }
 
 } // namespace
@@ -149,15 +145,18 @@ FitResult run_fit(const FitRequest& request, const FitOptions& options) {
   FitData data = read_fit_data(request.data_path, request.column);
   prepare(data, model);
   const std::string hash = fit_hash(model, data);
-  make_ready(options, hash);
+  results::OutputFolder folder(options.folder, existing_folder(options));
+  if (options.resume) {
+    require_same_fit(options.folder, hash);
+  }
   auto manifest = results::new_manifest(options.command, options.threads, hash);
-  results::write_text_file(options.folder / names::case_text, model.start_case().text);
+  base::write_text_file(folder.own(names::case_text), model.start_case().text);
   const auto note_state = [&](const char* state) {
     manifest.state = state;
-    results::write_manifest(options.folder / names::manifest, manifest);
+    results::write_manifest(folder.own(names::manifest), manifest);
   };
-  results::write_manifest(options.folder / names::manifest, manifest);
-  FitLog log(options.folder / names::evaluations);
+  results::write_manifest(folder.own(names::manifest), manifest);
+  FitLog log(folder);
   model.keep_answers_in(log);
   FitResult result;
   try {
@@ -170,7 +169,7 @@ FitResult run_fit(const FitRequest& request, const FitOptions& options) {
     note_state("failed");
     throw;
   }
-  write_fit(model, data, result, base::wall_time() - start, options.folder);
+  write_fit(model, data, result, base::wall_time() - start, folder);
   if (options.report) {
     if (const auto problem = draw_fit(options.folder)) {
       result.warnings.push_back(*problem);

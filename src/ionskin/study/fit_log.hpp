@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/results/output_folder.hpp"
+
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -21,8 +23,9 @@ struct FitAnswer {
 /// to use from several threads.
 class FitLog {
 public:
-  /// Takes up what is in the folder, which is made if it is missing.
-  explicit FitLog(std::filesystem::path folder);
+  /// Takes up what this build left in the folder's subfolder `evaluations`; the folder must live
+  /// on.
+  explicit FitLog(results::OutputFolder& folder);
 
   /// @param point values of the free keys [SI]
   std::optional<FitAnswer> find(const std::vector<double>& point) const;
@@ -35,7 +38,7 @@ public:
 private:
   void take_up(const std::filesystem::path& path);
 
-  std::filesystem::path folder_;
+  results::OutputFolder& folder_;
   mutable std::mutex mutex_;
   std::map<std::vector<double>, FitAnswer> answers_;
   std::size_t taken_up_ = 0;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/impedance_spectrum.hpp"
 
+#include "ionskin/base/atomic_file.hpp"
 #include "ionskin/base/error.hpp"
 #include "ionskin/electrochemistry/small_signal.hpp"
-#include "ionskin/results/atomic_file.hpp"
 #include "ionskin/results/csv_writer.hpp"
 #include "ionskin/results/manifest.hpp"
 #include "ionskin/results/output_folder.hpp"
@@ -73,19 +73,19 @@ readout::SignalTable impedance_spectrum(const Case& input, const std::vector<dou
 
 ImpedanceOutcome run_impedance(const Case& input, const ImpedanceOptions& options) {
   const std::vector<double> wanted = frequencies(options.range);
-  results::prepare_output_folder(options.folder, options.overwrite
-                                                     ? results::ExistingFolder::overwrite
-                                                     : results::ExistingFolder::refuse);
+  results::OutputFolder folder(options.folder, options.overwrite
+                                                   ? results::ExistingFolder::overwrite
+                                                   : results::ExistingFolder::refuse);
   auto manifest = results::new_manifest(options.command, 1, results::content_hash(input.text));
-  results::write_text_file(options.folder / names::case_text, input.text);
-  results::write_manifest(options.folder / names::manifest, manifest);
+  base::write_text_file(folder.own(names::case_text), input.text);
+  results::write_manifest(folder.own(names::manifest), manifest);
   ImpedanceOutcome outcome{options.folder, {}, impedance_spectrum(input, wanted)};
-  results::write_csv(options.folder / names::impedance, outcome.spectrum);
+  results::write_csv(folder.own(names::impedance), outcome.spectrum);
   if (const auto problem = draw_impedance(options.folder)) {
     outcome.warnings.push_back(*problem);
   }
   manifest.state = "finished";
-  results::write_manifest(options.folder / names::manifest, manifest);
+  results::write_manifest(folder.own(names::manifest), manifest);
   return outcome;
 }
 

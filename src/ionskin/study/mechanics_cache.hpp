@@ -3,6 +3,7 @@
 
 #include "ionskin/base/digest.hpp"
 #include "ionskin/base/disk_cache.hpp"
+#include "ionskin/base/own_build.hpp"
 #include "ionskin/study/mechanics_record.hpp"
 
 #include <filesystem>
@@ -15,10 +16,7 @@ namespace ionskin::study {
 // up. Only the very same build of the program finds it, so that none takes up what another
 // computed; a build that is not known neither keeps nor finds anything.
 
-/// Stands for a program by the content of its file; nothing when it cannot be read.
-std::optional<base::Digest> build_digest(const std::filesystem::path& program);
-/// Of the running program or module.
-const std::optional<base::Digest>& own_build();
+using base::own_build;
 
 /// Keeps a file that `write_mechanics` wrote.
 /// @param hash see `mechanics_hash`

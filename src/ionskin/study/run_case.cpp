@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/run_case.hpp"
 
+#include "ionskin/base/digest.hpp"
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/largest.hpp"
 #include "ionskin/base/timers.hpp"
@@ -26,6 +27,7 @@
 
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 namespace ionskin::study {
@@ -55,10 +57,11 @@ MechanicsRecord record_of(GivenStrain given) {
 /// folder or in the cache.
 MechanicsRecord study_1(const Case& input, const RunOptions& options, base::DiskCache* cache,
                         RunFolder& folder, base::Timers& timers) {
-  const auto results_path = folder.file(results::file_names::results);
+  const auto results_path = folder.own(results::file_names::results);
   const std::string hash = mechanics_hash(input);
-  if (folder.was_finished("strain")) {
+  if (folder.holds(results::file_names::results)) {
     if (auto record = read_mechanics(results_path, hash, input.skin)) {
+      folder.keep_finished("strain");
       return *record;
     }
   }
@@ -101,11 +104,28 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, base::Disk
   });
 }
 
-/// StrainHistory -> IonSolution, from the beginning or from a checkpoint.
+/// Of everything that decides Study 2: another strain, as of mechanics that were solved again,
+/// makes what was computed from the first one worthless.
+std::string transport_hash(const std::string& input_hash, const strain::StrainHistory& history) {
+  base::DigestBuilder builder;
+  builder.add(std::string_view(input_hash)).add(history.time).add(history.slider_x);
+  const strain::StrainField* last = nullptr;
+  for (const auto& field : history.gamma) {
+    builder.add(field.get() == last);
+    if (field.get() != last) {
+      builder.add(*field);
+    }
+    last = field.get();
+  }
+  return builder.finish().hex();
+}
+
+/// StrainHistory -> IonSolution, from the beginning or from a checkpoint; the last checkpoint is
+/// the end, and stays until the whole run is finished.
 IonSolution study_2(const Case& input, const RunOptions& options, RunFolder& folder,
                     const strain::StrainHistory& history, base::Timers& timers) {
-  const auto checkpoint_path = folder.file(results::file_names::checkpoint);
-  const std::string hash = folder.manifest().input_hash;
+  const auto checkpoint_path = folder.own(results::file_names::checkpoint);
+  const std::string hash = transport_hash(folder.manifest().input_hash, history);
   electrochemistry::IonOptions ion_options;
   ion_options.threads = options.threads;
   ion_options.progress = options.progress;
@@ -113,7 +133,7 @@ IonSolution study_2(const Case& input, const RunOptions& options, RunFolder& fol
   ion_options.checkpoint = [&](const electrochemistry::IonCheckpoint& checkpoint) {
     write_checkpoint(checkpoint_path, hash, checkpoint);
   };
-  if (options.resume) {
+  if (options.resume && folder.holds(results::file_names::checkpoint)) {
     ion_options.resume = read_checkpoint(checkpoint_path, hash);
   }
   return folder.stage("electrochemistry", [&] {
@@ -158,6 +178,12 @@ std::vector<readout::Metric> audited_metrics(const MechanicsRecord& mechanics,
   return metrics;
 }
 
+/// Nothing is missing of what these studies give, but for the report perhaps.
+bool has_finished(const RunFolder& folder, const RunOptions& options) {
+  return options.resume && folder.is_complete() &&
+         (options.studies == Studies::mechanics || folder.was_finished("electrochemistry"));
+}
+
 } // namespace
 
 RunOutcome run_case(const Case& input, const RunOptions& options) {
@@ -166,6 +192,9 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
   require_resources(input, options.threads);
   const auto cache = open_user_cache(options);
   RunFolder folder(input, options);
+  if (has_finished(folder, options)) {
+    return complete_report(options, start, folder);
+  }
   base::Timers timers;
   if (given_strain) {
     require_unchanged(input, *given_strain);
@@ -185,6 +214,7 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
     outputs.warnings.insert(outputs.warnings.end(), outputs.signals.warnings.begin(),
                             outputs.signals.warnings.end());
   }
+  outputs.warnings.insert(outputs.warnings.end(), folder.notes().begin(), folder.notes().end());
   add_errors(input, mechanics, options, timers, outputs);
   outputs.stage_seconds = timers.seconds();
   outputs.audits = audit(audited_metrics(mechanics, outputs.signals));
@@ -192,7 +222,7 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
     outputs.warnings.push_back(std::move(warning));
   }
   RunOutcome outcome = write_outputs(input, options, mechanics, outputs, start, folder);
-  std::filesystem::remove(folder.file(results::file_names::checkpoint));
+  folder.output().remove(results::file_names::checkpoint);
   require_sound(outputs.audits, folder.path().string());
   return outcome;
 }

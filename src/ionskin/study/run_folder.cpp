@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/run_folder.hpp"
 
+#include "ionskin/base/atomic_file.hpp"
 #include "ionskin/base/file_copy.hpp"
-#include "ionskin/results/atomic_file.hpp"
-#include "ionskin/results/output_folder.hpp"
+#include "ionskin/base/own_build.hpp"
+#include "ionskin/base/sealed_file.hpp"
+#include "ionskin/case/read_text_file.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
 
 namespace ionskin::study {
 namespace {
@@ -33,30 +38,70 @@ results::ExistingFolder existing_folder(const RunOptions& options) {
   return takes_up ? results::ExistingFolder::resume : results::ExistingFolder::refuse;
 }
 
+/// Finished by this build, with all results as they were written.
+bool is_whole(const results::Manifest& manifest, const std::string& hash,
+              const std::filesystem::path& folder) {
+  const auto& files = manifest.files;
+  return manifest.state == "finished" && manifest.input_hash == hash && base::own_build() &&
+         manifest.build == base::own_build()->hex() && !files.empty() &&
+         std::all_of(files.begin(), files.end(), [&](const auto& entry) {
+           const auto digest = base::file_digest(folder / entry.first);
+           return digest && digest->hex() == entry.second;
+         });
+}
+
 } // namespace
 
-RunFolder::RunFolder(const Case& input, const RunOptions& options) : folder_(options.folder) {
-  results::prepare_output_folder(folder_, existing_folder(options));
+RunFolder::RunFolder(const Case& input, const RunOptions& options)
+    : folder_(options.folder, existing_folder(options)) {
   manifest_ = results::new_manifest(options.command, options.threads, input_hash(input));
-  const auto manifest_path = file(results::file_names::manifest);
-  if ((options.resume || options.studies == Studies::electrochemistry) &&
-      std::filesystem::exists(manifest_path)) {
-    earlier_ = results::read_manifest(manifest_path);
+  if (options.resume || options.studies == Studies::electrochemistry) {
+    take_up(input);
   }
   if (options.resume && !earlier_.input_hash.empty() &&
       earlier_.input_hash != manifest_.input_hash) {
     throw UserError(
         fmt::format("{} holds the results of another case than the one to resume (it may differ "
-                    "in a --set edit only): give the same case and edits, choose another folder, "
-                    "or replace its results with --overwrite",
-                    folder_.string()));
+                    "in a --set edit or in a material preset only): give the same case and edits, "
+                    "choose another folder, or replace its results with --overwrite",
+                    path().string()));
   }
   if (earlier_.input_hash != manifest_.input_hash) {
     earlier_.stages.erase("electrochemistry");
   }
   manifest_.stages = earlier_.stages;
-  results::write_text_file(file(results::file_names::case_text), input.text);
+  base::write_text_file(own(results::file_names::case_text), input.text);
+  complete_ = has_all_results();
+  if (complete_) {
+    manifest_ = earlier_;
+  }
   write_manifest();
+}
+
+void RunFolder::take_up(const Case& input) {
+  const auto manifest_path = file(results::file_names::manifest);
+  if (!std::filesystem::exists(manifest_path)) {
+    return;
+  }
+  try {
+    earlier_ = results::read_manifest(manifest_path);
+  } catch (const UserError&) {
+    // Without its hash the text alone tells which case was here.
+    const auto text_path = file(results::file_names::case_text);
+    if (std::filesystem::exists(text_path) &&
+        read_text_file(text_path.string(), "case") != input.text) {
+      throw;
+    }
+    note("manifest.json was damaged or is of an earlier version: only what proves to be whole is "
+         "taken up.");
+    earlier_.input_hash = manifest_.input_hash;
+    return;
+  }
+  if (earlier_.build != manifest_.build || manifest_.build.empty()) {
+    note("Another build of ionskin began this run: everything is done again.");
+    earlier_.stages.clear();
+    earlier_.files.clear();
+  }
 }
 
 bool RunFolder::was_finished(const std::string& stage) const {
@@ -64,7 +109,40 @@ bool RunFolder::was_finished(const std::string& stage) const {
   return found != earlier_.stages.end() && found->second.state == "finished";
 }
 
+bool RunFolder::holds(const char* name) {
+  const base::SealState state = base::check_seal(file(name));
+  if (state == base::SealState::damaged) {
+    note(fmt::format("{} was damaged: what it held is done again.", name));
+  }
+  return state == base::SealState::whole;
+}
+
+bool RunFolder::has_all_results() const {
+  return is_whole(earlier_, manifest_.input_hash, path());
+}
+
+bool holds_finished_run(const std::filesystem::path& folder, const Case& input, Studies studies) {
+  const auto path = folder / results::file_names::manifest;
+  if (!results::is_ionskin_manifest(path)) {
+    return false;
+  }
+  try {
+    const results::Manifest manifest = results::read_manifest(path);
+    const auto ions = manifest.stages.find("electrochemistry");
+    const bool both = ions != manifest.stages.end() && ions->second.state == "finished";
+    return (both || studies == Studies::mechanics) && is_whole(manifest, input_hash(input), folder);
+  } catch (const UserError&) {
+    return false; // damaged: the run itself tells
+  }
+}
+
+void RunFolder::note(const std::string& text) {
+  notes_.push_back(text);
+}
+
 void RunFolder::begin(const std::string& stage) {
+  manifest_.state = "running";
+  manifest_.files.clear();
   manifest_.stages[stage] = {"running", 0.0, 0.0};
   write_manifest();
 }
@@ -77,17 +155,33 @@ void RunFolder::end(const std::string& stage, const std::string& state, double s
   write_manifest();
 }
 
+void RunFolder::give_up(const std::string& stage, const std::string& state, double seconds) {
+  try {
+    end(stage, state, seconds);
+  } catch (const base::UnwritableFile&) {
+  }
+}
+
 void RunFolder::finish(bool sound) {
+  // What Python draws it draws again at any time; the checkpoint goes.
+  namespace names = results::file_names;
+  const std::set<std::string> others{names::manifest, names::report, names::checkpoint};
+  for (const std::string& name : folder_.owned()) {
+    const auto digest = base::file_digest(folder_.file(name));
+    if (digest && others.count(name) == 0 && !name.starts_with(names::figures)) {
+      manifest_.files[name] = digest->hex();
+    }
+  }
   manifest_.state = sound ? "finished" : "failed";
   write_manifest();
 }
 
-void RunFolder::write_manifest() const {
-  results::write_manifest(file(results::file_names::manifest), manifest_);
+void RunFolder::write_manifest() {
+  results::write_manifest(own(results::file_names::manifest), manifest_);
 }
 
 std::string input_hash(const Case& input) {
-  std::string text = input.text;
+  std::string text = input.text + input.values;
   if (!input.motion.file.empty()) {
     text += waypoints_text(input.motion);
   }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/sweep.hpp"
 
+#include "ionskin/base/atomic_file.hpp"
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/task_pool.hpp"
 #include "ionskin/electrochemistry/problem_size.hpp"
-#include "ionskin/results/atomic_file.hpp"
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/results/summary_json.hpp"
 #include "ionskin/study/point_failure.hpp"
@@ -24,18 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double memory_bound = 2.4e9; // bytes for the ion transport of all points at once
-
-/// The points' folders of an earlier sweep; only what ionskin wrote goes.
-void remove_earlier_points(const fs::path& folder) {
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder / results::file_names::points, ignored)) {
-    if (results::is_ionskin_manifest(entry.path() / results::file_names::manifest)) {
-      results::prepare_output_folder(entry.path(), results::ExistingFolder::overwrite);
-      fs::remove(entry.path(), ignored);
-    }
-  }
-  fs::remove(folder / results::file_names::points, ignored);
-}
 
 RunOptions sweep_folder_options(const SweepOptions& options) {
   RunOptions result;
@@ -63,8 +51,8 @@ RunOptions point_options(const SweepOptions& options) {
 /// What the points' folders tell, the progress over all of them, and the table on disk.
 class SweepRecord {
 public:
-  SweepRecord(const SweepPlan& plan, const SweepOptions& options)
-      : plan_(plan), options_(options), states_(plan.points.size()),
+  SweepRecord(const SweepPlan& plan, const SweepOptions& options, const fs::path& table)
+      : plan_(plan), options_(options), table_(table), states_(plan.points.size()),
         fractions_(plan.points.size(), 0.0) {
     for (std::size_t i = 0; i < states_.size(); ++i) {
       take_up(i);
@@ -93,23 +81,14 @@ public:
     show();
   }
   void write_table() const {
-    results::write_text_file(options_.folder / results::file_names::sweep_table,
-                             sweep_table_text(plan_.points, states_));
+    base::write_text_file(table_, sweep_table_text(plan_.points, states_));
   }
   const std::vector<PointState>& states() const { return states_; }
 
 private:
   void take_up(std::size_t i) {
     const fs::path folder = options_.folder / results::file_names::points / plan_.points[i].name;
-    const fs::path manifest_path = folder / results::file_names::manifest;
-    if (!results::is_ionskin_manifest(manifest_path)) {
-      return;
-    }
-    const auto manifest = results::read_manifest(manifest_path);
-    const auto ions = manifest.stages.find("electrochemistry");
-    const bool both = ions != manifest.stages.end() && ions->second.state == "finished";
-    if (manifest.state == "finished" && manifest.input_hash == input_hash(plan_.points[i].input) &&
-        (both || options_.studies == Studies::mechanics)) {
+    if (holds_finished_run(folder, plan_.points[i].input, options_.studies)) {
       states_[i] = {PointStatus::finished, "",
                     results::read_metrics(folder / results::file_names::summary)};
       fractions_[i] = 1;
@@ -130,6 +109,7 @@ private:
 
   const SweepPlan& plan_;
   const SweepOptions& options_;
+  fs::path table_;
   std::vector<PointState> states_;
   std::vector<double> fractions_;
   std::mutex mutex_;
@@ -193,12 +173,8 @@ SweepOutcome run_sweep(const SweepPlan& plan, const SweepOptions& options) {
   for (const SweepPoint& point : plan.points) {
     require_resources(point.input, options.threads);
   }
-  if (options.overwrite &&
-      results::is_ionskin_manifest(options.folder / results::file_names::manifest)) {
-    remove_earlier_points(options.folder);
-  }
   RunFolder folder(plan.base, sweep_folder_options(options));
-  SweepRecord record(plan, options);
+  SweepRecord record(plan, options, folder.own(results::file_names::sweep_table));
   record.write_table();
   base::Timers timers;
   timed_stage(folder, "mechanics", [&] {
@@ -210,7 +186,8 @@ SweepOutcome run_sweep(const SweepPlan& plan, const SweepOptions& options) {
   timed_stage(folder, "points", [&] { run_points(plan, options, record); });
   timed_stage(folder, "output", [&] {
     record.write_table();
-    write_sweep_signals(options.folder, plan.points, record.states());
+    write_sweep_signals(options.folder, folder.own(results::file_names::sweep_signals), plan.points,
+                        record.states());
   });
   note_cost(folder, timers);
 

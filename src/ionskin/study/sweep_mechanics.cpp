@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/sweep_mechanics.hpp"
 
+#include "ionskin/base/atomic_file.hpp"
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/sealed_file.hpp"
 #include "ionskin/base/task_pool.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/mechanics/find_footprint.hpp"
 #include "ionskin/mechanics/memory_estimate.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
-#include "ionskin/results/atomic_file.hpp"
+#include "ionskin/results/hdf5_file.hpp"
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/study/mechanics_cache.hpp"
 #include "ionskin/study/mechanics_file.hpp"
@@ -128,7 +130,7 @@ bool take_over(const std::vector<SweepPoint>& points, const RunOptions& options,
   }
   RunFolder folder(points[receiver].input, point_options(options, points[receiver]));
   return folder.stage("strain", [&] {
-    write_mechanics(folder.file(results::file_names::results),
+    write_mechanics(folder.own(results::file_names::results),
                     mechanics_hash(points[receiver].input), *record);
     return true;
   });
@@ -144,10 +146,11 @@ void leave_in_folders(const std::vector<SweepPoint>& points, const SharedMechani
     RunFolder folder(points[i].input, point_options(options, points[i]));
     folder.add_finished("mechanics", first ? 0.0 : seconds);
     folder.stage("strain", [&] {
-      const auto path = folder.file(results::file_names::results);
+      const auto path = folder.own(results::file_names::results);
       if (first) {
-        results::PendingFile pending(path);
-        std::filesystem::copy_file(*first, pending.path());
+        base::PendingFile pending(path);
+        std::filesystem::copy_file(*first, pending.path(),
+                                   std::filesystem::copy_options::overwrite_existing);
         pending.commit();
       } else {
         write_mechanics(path, mechanics_hash(input), record_mechanics(input, solved));
@@ -257,14 +260,13 @@ private:
 
 bool has_mechanics(const SweepPoint& point, const RunOptions& options) {
   const auto folder = point_options(options, point).folder;
-  const auto manifest_path = folder / results::file_names::manifest;
-  if (!results::is_ionskin_manifest(manifest_path)) {
+  const auto path = folder / results::file_names::results;
+  if (base::check_seal(path) != base::SealState::whole) {
     return false;
   }
-  const results::Manifest manifest = results::read_manifest(manifest_path);
-  const auto strain = manifest.stages.find("strain");
-  return strain != manifest.stages.end() && strain->second.state == "finished" &&
-         std::filesystem::exists(folder / results::file_names::results);
+  const results::Hdf5File file(path, results::Hdf5File::Access::read);
+  return file.has("/path") &&
+         file.text_attribute("/path", "mechanics_hash") == mechanics_hash(point.input);
 }
 
 } // namespace

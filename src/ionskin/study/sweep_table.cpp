@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/sweep_table.hpp"
 
+#include "ionskin/base/atomic_file.hpp"
 #include "ionskin/base/text.hpp"
-#include "ionskin/results/atomic_file.hpp"
 #include "ionskin/results/foreign_hdf5_file.hpp"
 #include "ionskin/results/output_folder.hpp"
 
@@ -121,9 +121,10 @@ std::string sweep_table_text(const std::vector<SweepPoint>& points,
   return text;
 }
 
-void write_sweep_signals(const std::filesystem::path& folder, const std::vector<SweepPoint>& points,
+void write_sweep_signals(const std::filesystem::path& folder, const std::filesystem::path& target,
+                         const std::vector<SweepPoint>& points,
                          const std::vector<PointState>& states) {
-  results::PendingFile pending(folder / results::file_names::sweep_signals);
+  base::PendingFile pending(target);
   results::Hdf5File file(pending.path(), results::Hdf5File::Access::create);
   write_swept(file, points);
   for (const readout::Metric& metric : all_metrics(states)) {

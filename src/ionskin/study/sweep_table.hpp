@@ -24,11 +24,12 @@ struct PointState {
 std::string sweep_table_text(const std::vector<SweepPoint>& points,
                              const std::vector<PointState>& states);
 
-/// sweep.h5 from the folders of the finished points: under /points/NAME the groups signals,
-/// sampled, taxels and circuit as in results.h5, as far as they are there, with the swept values as
-/// attributes; under /swept and /metrics one array over all points each, NaN where a point has
-/// none.
-void write_sweep_signals(const std::filesystem::path& folder, const std::vector<SweepPoint>& points,
+/// sweep.h5, at `target`, from the folders of the finished points: under /points/NAME the groups
+/// signals, sampled, taxels and circuit as in results.h5, as far as they are there, with the swept
+/// values as attributes; under /swept and /metrics one array over all points each, NaN where a
+/// point has none.
+void write_sweep_signals(const std::filesystem::path& folder, const std::filesystem::path& target,
+                         const std::vector<SweepPoint>& points,
                          const std::vector<PointState>& states);
 
 } // namespace ionskin::study

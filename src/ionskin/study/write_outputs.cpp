@@ -24,11 +24,11 @@ void write_optional(results::ResultsFile& file, const std::string& group,
   }
 }
 
-void write_optional(const std::filesystem::path& path,
+void write_optional(RunFolder& folder, const char* name,
                     const std::optional<readout::SignalTable>& table) {
-  std::filesystem::remove(path);
+  folder.output().remove(name);
   if (table) {
-    results::write_csv(path, *table);
+    results::write_csv(folder.own(name), *table);
   }
 }
 
@@ -38,8 +38,10 @@ std::optional<readout::SignalTable> present(const readout::SignalTable& table) {
 }
 
 void write_results_file(const Case& input, const MechanicsRecord& mechanics,
-                        const RunOutputs& outputs, const RunFolder& folder) {
-  results::ResultsFile file(folder.file(names::results), results::ResultsFile::Start::extend);
+                        const RunOutputs& outputs, RunFolder& folder) {
+  using Start = results::ResultsFile::Start;
+  results::ResultsFile file(folder.own(names::results),
+                            mechanics.has_contact() ? Start::extend : Start::empty);
   file.write_signals("signals", outputs.signals.resolved);
   file.write_signals("sampled", outputs.signals.sampled);
   write_optional(file, "taxels", outputs.signals.taxels);
@@ -90,7 +92,24 @@ std::map<std::string, double> timing(const RunFolder& folder, double start) {
   return result;
 }
 
+std::optional<std::string> draw_report(const RunOptions& options, RunFolder& folder) {
+  return options.report ? make_report(folder.path()) : std::nullopt;
+}
+
 } // namespace
+
+RunOutcome complete_report(const RunOptions& options, double start, RunFolder& folder) {
+  const bool missing = options.report && !std::filesystem::exists(folder.file(names::report));
+  const auto problem = missing ? draw_report(options, folder) : std::nullopt;
+  results::Summary summary = results::read_summary(folder.file(names::summary));
+  if (problem) {
+    summary.warnings.push_back(*problem);
+  }
+  const bool reported = std::filesystem::exists(folder.file(names::report));
+  return {folder.path(),    reported ? folder.file(names::report) : std::filesystem::path{},
+          summary.metrics,  summary.error_estimate,
+          summary.warnings, base::wall_time() - start};
+}
 
 RunOutcome write_outputs(const Case& input, const RunOptions& options,
                          const MechanicsRecord& mechanics, const RunOutputs& outputs, double start,
@@ -109,29 +128,29 @@ RunOutcome write_outputs(const Case& input, const RunOptions& options,
   summary.not_estimated = outputs.errors.not_estimated;
   const auto write_summary = [&] {
     summary.timing = timing(folder, start);
-    results::write_summary(folder.file(names::summary), summary);
+    results::write_summary(folder.own(names::summary), summary);
   };
   const auto report_problem = folder.stage("output", [&] {
     options.progress("results and report", 0.0);
-    results::write_csv(folder.file(names::signals), outputs.signals.resolved);
-    results::write_csv(folder.file(names::sampled), outputs.signals.sampled);
-    write_optional(folder.file(names::taxels), outputs.signals.taxels);
-    write_optional(folder.file(names::circuit), outputs.signals.circuit);
-    write_optional(folder.file(names::sampled_taxels), outputs.signals.sampled_taxels);
-    write_optional(folder.file(names::sampled_circuit), outputs.signals.sampled_circuit);
-    write_optional(folder.file(names::signals_error), present(outputs.errors.signals));
-    write_optional(folder.file(names::sampled_error), present(outputs.errors.sampled));
-    write_optional(folder.file(names::taxels_error), outputs.errors.taxels);
-    write_optional(folder.file(names::circuit_error), outputs.errors.circuit);
+    results::write_csv(folder.own(names::signals), outputs.signals.resolved);
+    results::write_csv(folder.own(names::sampled), outputs.signals.sampled);
+    write_optional(folder, names::taxels, outputs.signals.taxels);
+    write_optional(folder, names::circuit, outputs.signals.circuit);
+    write_optional(folder, names::sampled_taxels, outputs.signals.sampled_taxels);
+    write_optional(folder, names::sampled_circuit, outputs.signals.sampled_circuit);
+    write_optional(folder, names::signals_error, present(outputs.errors.signals));
+    write_optional(folder, names::sampled_error, present(outputs.errors.sampled));
+    write_optional(folder, names::taxels_error, outputs.errors.taxels);
+    write_optional(folder, names::circuit_error, outputs.errors.circuit);
     if (options.paraview && outputs.ions && !outputs.ions->snapshots.empty()) {
-      results::write_fields(folder.file(names::fields), outputs.ions->grid,
-                            input.skin.core_bottom(), outputs.ions->snapshots);
+      results::write_fields(folder.output(), outputs.ions->grid, input.skin.core_bottom(),
+                            outputs.ions->snapshots);
     }
     write_results_file(input, mechanics, outputs, folder);
     // The report reads the summary; its own time is added below.
     write_summary();
     options.progress("results and report", 0.5);
-    auto problem = options.report ? make_report(folder.path()) : std::nullopt;
+    auto problem = draw_report(options, folder);
     options.progress("results and report", 1.0);
     return problem;
   });

@@ -25,6 +25,9 @@ struct RunOutputs {
   std::map<std::string, double> stage_seconds; ///< parts of the stages, for the manifest [s]
 };
 
+/// The outcome of a run that an earlier one has finished; draws the report if it is missing.
+RunOutcome complete_report(const RunOptions& options, double start, RunFolder& folder);
+
 /// Signals -> Results: writes every file of a run, the report last.
 /// @param start of the run on the clock of `base::wall_time` [s]
 RunOutcome write_outputs(const Case& input, const RunOptions& options,

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <stdlib.h>
@@ -178,12 +179,42 @@ TEST_F(DiskCacheTest, full_disk_costs_the_entry_only) {
   getrlimit(RLIMIT_FSIZE, &before);
   rlimit small = before;
   small.rlim_cur = 600;
+  const auto former = std::signal(SIGXFSZ, SIG_IGN); // as the program and Python do
   setrlimit(RLIMIT_FSIZE, &small);
-  put(cache, 1, filled(1000, 1)); // the limit raises a signal that would end the program
+  put(cache, 1, filled(1000, 1));
   setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, former);
   EXPECT_EQ(files(), 0u);
   EXPECT_FALSE(cache.read(key_of(1)));
-  EXPECT_EQ(cache.take_notes().size(), 1u);
+  const auto notes = cache.take_notes();
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes.front().find("File too large"), std::string::npos) << notes.front();
+}
+
+TEST_F(DiskCacheTest, what_users_keep_beside_the_entries_stays) {
+  const std::string key = key_of(9).hex();
+  const std::vector<std::string> own{"notes.ionskin-cache", "draft.ionskin-pending", key + ".txt",
+                                     key + "-old.ionskin-cache"};
+  for (const std::string& name : own) {
+    std::ofstream(folder / name) << std::string(5000, 'x');
+    fs::last_write_time(folder / name, fs::file_time_type::clock::now() - std::chrono::hours(9));
+  }
+  std::ofstream(folder / "thesis.txt") << "mine";
+  fs::create_symlink(folder / "thesis.txt", file_of(7));
+  DiskCache cache(folder, 1'500);
+  put(cache, 1, filled(1000, 1));
+  put(cache, 2, filled(1000, 2));
+  EXPECT_EQ(cache.content().entries, 1u);
+  EXPECT_FALSE(cache.contains(key_of(7)));
+  EXPECT_FALSE(cache.read(key_of(7)));
+  put(cache, 7, filled(100, 7));
+  EXPECT_TRUE(cache.read(key_of(7)));
+  EXPECT_EQ(cache.clear().entries, 2u);
+  for (const std::string& name : own) {
+    EXPECT_EQ(fs::file_size(folder / name), 5000u) << name;
+  }
+  EXPECT_EQ(fs::file_size(folder / "thesis.txt"), 4u);
+  EXPECT_EQ(files(), own.size() + 1);
 }
 
 TEST_F(DiskCacheTest, folder_that_cannot_be_made_costs_the_entry_only) {

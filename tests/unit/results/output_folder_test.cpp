@@ -2,12 +2,14 @@
 #include "ionskin/results/output_folder.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/results/file_list.hpp"
 #include "ionskin/results/manifest.hpp"
 #include "scratch_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <unistd.h>
 #include <vector>
 
@@ -29,19 +31,19 @@ void fill_with_results(const fs::path& folder) {
 }
 
 std::string refusal(const fs::path& folder, ExistingFolder existing) {
-  return message_of<UserError>([&] { prepare_output_folder(folder, existing); });
+  return message_of<UserError>([&] { OutputFolder(folder, existing); });
 }
 
 TEST(OutputFolder, IsMadeWithItsParents) {
   const ScratchFolder scratch;
-  prepare_output_folder(scratch / "a/b", ExistingFolder::refuse);
+  OutputFolder folder(scratch / "a/b", ExistingFolder::refuse);
   EXPECT_TRUE(fs::is_directory(scratch / "a/b"));
-  EXPECT_TRUE(fs::is_empty(scratch / "a/b"));
+  EXPECT_FALSE(fs::exists(scratch / "a/b/manifest.json"));
 }
 
 TEST(OutputFolder, AnEmptyOneIsTaken) {
   const ScratchFolder scratch;
-  EXPECT_NO_THROW(prepare_output_folder(scratch.path(), ExistingFolder::refuse));
+  EXPECT_NO_THROW(OutputFolder(scratch.path(), ExistingFolder::refuse));
 }
 
 TEST(OutputFolder, AFilledOneIsRefusedWithTheRemedies) {
@@ -54,24 +56,139 @@ TEST(OutputFolder, AFilledOneIsRefusedWithTheRemedies) {
   EXPECT_EQ(read_all(scratch / "signals.csv"), "old");
 }
 
-TEST(OutputFolder, OverwriteRemovesOnlyWhatIonskinWrites) {
+/// A folder in which the program wrote a table, a figure and a field.
+void fill_with_listed_results(const fs::path& path) {
+  OutputFolder folder(path, ExistingFolder::refuse);
+  write_manifest(folder.own("manifest.json"), new_manifest("ionskin run", 1, "0"));
+  for (const char* name : {"signals.csv", "fields/fields_0000.vtu", "figures/motion.png"}) {
+    write_all(folder.own(name), "old");
+  }
+  write_all(path / "fields/fields.pvd.9-1.ionskin-pending", "of a killed writer");
+}
+
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    names.push_back(fs::relative(entry.path(), folder).string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+TEST(OutputFolder, OverwriteRemovesOnlyWhatIonskinWrote) {
+  const ScratchFolder scratch;
+  const fs::path out = scratch / "out";
+  fill_with_listed_results(out);
+  for (const char* name : {"notes.txt", "fields/view.pvd", "figures/own.png", "sweep.pdf"}) {
+    write_all(out / name, "mine");
+  }
+  OutputFolder(out, ExistingFolder::overwrite);
+  EXPECT_EQ(names_in(out),
+            (std::vector<std::string>{".ionskin-files", "fields", "fields/view.pvd", "figures",
+                                      "figures/own.png", "notes.txt", "sweep.pdf"}));
+  EXPECT_NO_THROW(OutputFolder(out, ExistingFolder::overwrite)) << "it still is a folder of ours";
+}
+
+TEST(OutputFolder, OverwriteOfOneWithoutAListLeavesFigures) {
   const ScratchFolder scratch;
   fill_with_results(scratch.path());
-  write_all(scratch / "notes.txt", "mine");
-  write_all(scratch / "fields/view.pvsm", "mine");
-  prepare_output_folder(scratch.path(), ExistingFolder::overwrite);
-  std::vector<std::string> left;
-  for (const auto& entry : fs::recursive_directory_iterator(scratch.path())) {
-    left.push_back(fs::relative(entry.path(), scratch.path()).string());
+  OutputFolder(scratch.path(), ExistingFolder::overwrite);
+  EXPECT_EQ(
+      names_in(scratch.path()),
+      (std::vector<std::string>{".ionskin-files", "figures", "figures/motion.pdf",
+                                "figures/motion.png", "figures/motion.svg", "results.h5.tmp"}));
+}
+
+TEST(OutputFolder, LinksAreNeverFollowed) {
+  const ScratchFolder scratch;
+  const fs::path out = scratch / "out", pictures = scratch / "pictures";
+  fs::create_directory(pictures);
+  write_all(pictures / "motion.png", "mine");
+  write_all(scratch / "thesis.csv", "mine");
+  fill_with_listed_results(out);
+  fs::remove_all(out / "figures");
+  fs::create_directory_symlink(pictures, out / "figures");
+  for (ExistingFolder existing : {ExistingFolder::overwrite, ExistingFolder::resume}) {
+    EXPECT_NE(refusal(out, existing).find("is a link"), std::string::npos);
   }
-  std::sort(left.begin(), left.end());
-  EXPECT_EQ(left, (std::vector<std::string>{"fields", "fields/view.pvsm", "notes.txt"}));
+  EXPECT_EQ(read_all(pictures / "motion.png"), "mine");
+  EXPECT_EQ(read_all(out / "signals.csv"), "old") << "nothing was removed before";
+  fs::remove(out / "figures");
+  fs::remove(out / "signals.csv");
+  fs::create_symlink(scratch / "thesis.csv", out / "signals.csv");
+  OutputFolder(out, ExistingFolder::overwrite);
+  EXPECT_FALSE(fs::exists(out / "signals.csv"));
+  EXPECT_EQ(read_all(scratch / "thesis.csv"), "mine");
+}
+
+TEST(OutputFolder, AListThatLeadsElsewhereIsNotFollowed) {
+  const ScratchFolder scratch;
+  const fs::path out = scratch / "out";
+  write_all(scratch / "thesis.csv", "mine");
+  fill_with_listed_results(out);
+  fs::create_directories(out / "own/deep");
+  write_all(out / "own/deep/a.txt", "mine");
+  std::ofstream(out / ".ionskin-files", std::ios::app)
+      << "../thesis.csv\n"
+      << (scratch / "thesis.csv").string() << "\nfigures/../../thesis.csv\n"
+      << "own/deep/a.txt\nown\n.\n..\n\n";
+  OutputFolder(out, ExistingFolder::overwrite);
+  EXPECT_EQ(read_all(scratch / "thesis.csv"), "mine");
+  EXPECT_EQ(read_all(out / "own/deep/a.txt"), "mine");
+}
+
+TEST(OutputFolder, AFileOfTheUserIsNotReplaced) {
+  const ScratchFolder scratch;
+  const fs::path out = scratch / "out";
+  fill_with_listed_results(out);
+  write_all(out / "summary.json", "mine");
+  for (ExistingFolder existing : {ExistingFolder::overwrite, ExistingFolder::resume}) {
+    EXPECT_NE(refusal(out, existing).find("not written by ionskin"), std::string::npos);
+  }
+  fs::remove(out / "summary.json");
+  OutputFolder folder(out, ExistingFolder::resume);
+  write_all(out / "summary.json", "mine");
+  EXPECT_THROW(folder.own("summary.json"), UserError);
+  EXPECT_EQ(read_all(out / "summary.json"), "mine");
+}
+
+TEST(OutputFolder, OnlyOneMayWrite) {
+  const ScratchFolder scratch;
+  const fs::path out = scratch / "out";
+  {
+    const OutputFolder folder(out, ExistingFolder::refuse);
+    for (ExistingFolder existing :
+         {ExistingFolder::refuse, ExistingFolder::overwrite, ExistingFolder::resume}) {
+      EXPECT_NE(refusal(out, existing).find("another ionskin"), std::string::npos);
+    }
+  }
+  EXPECT_NO_THROW(OutputFolder(out, ExistingFolder::resume));
+}
+
+TEST(OutputFolder, PointsOfAnEarlierSweepGo) {
+  const ScratchFolder scratch;
+  const fs::path out = scratch / "out";
+  fill_with_listed_results(out);
+  fs::create_directory(out / "points");
+  fill_with_listed_results(out / "points/0001");
+  fill_with_listed_results(out / "points/0002");
+  write_all(out / "points/0002/notes.txt", "mine");
+  fs::create_directory(out / "points/own");
+  write_all(out / "points/own/manifest.json", "mine");
+  fill_with_listed_results(scratch / "elsewhere");
+  fs::create_directory_symlink(scratch / "elsewhere", out / "points/0003");
+  OutputFolder(out, ExistingFolder::overwrite);
+  EXPECT_FALSE(fs::exists(out / "points/0001"));
+  EXPECT_FALSE(fs::exists(out / "points/0002/signals.csv"));
+  EXPECT_EQ(read_all(out / "points/0002/notes.txt"), "mine");
+  EXPECT_EQ(read_all(out / "points/own/manifest.json"), "mine");
+  EXPECT_EQ(read_all(scratch / "elsewhere/signals.csv"), "old");
 }
 
 TEST(OutputFolder, ResumeKeepsEverything) {
   const ScratchFolder scratch;
   fill_with_results(scratch.path());
-  prepare_output_folder(scratch.path(), ExistingFolder::resume);
+  OutputFolder folder(scratch.path(), ExistingFolder::resume);
   EXPECT_EQ(read_all(scratch / "results.h5"), "old");
 }
 

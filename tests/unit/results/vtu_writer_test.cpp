@@ -23,7 +23,8 @@ electrochemistry::IonSnapshot snapshot(double time) {
 
 TEST(VtuWriter, WritesOneFilePerInstantAndTheCollection) {
   const ScratchFolder folder;
-  write_fields(folder / "fields", grid(), 1e-5, {snapshot(0), snapshot(1.5)});
+  OutputFolder results(folder.path(), ExistingFolder::refuse);
+  write_fields(results, grid(), 1e-5, {snapshot(0), snapshot(1.5)});
   const std::string vtu = read_all(folder / "fields/fields_0001.vtu");
   // Two columns of two elements, four points at each of three levels.
   EXPECT_NE(vtu.find("NumberOfPoints=\"24\" NumberOfCells=\"4\""), std::string::npos);
@@ -38,9 +39,10 @@ TEST(VtuWriter, WritesOneFilePerInstantAndTheCollection) {
 
 TEST(VtuWriter, NamesAFolderThatCannotBeMade) {
   const ScratchFolder folder;
+  OutputFolder results(folder.path(), ExistingFolder::refuse);
   write_all(folder / "fields", "a file in the way");
   const std::string message =
-      message_of<UserError>([&] { write_fields(folder / "fields/a", grid(), 0, {snapshot(0)}); });
+      message_of<UserError>([&] { write_fields(results, grid(), 0, {snapshot(0)}); });
   EXPECT_NE(message.find("fields"), std::string::npos);
 }
 

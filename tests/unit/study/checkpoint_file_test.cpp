@@ -7,14 +7,17 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace ionskin::study {
 namespace {
 
 electrochemistry::IonCheckpoint example() {
   electrochemistry::IonCheckpoint checkpoint;
-  checkpoint.step = 7;
+  checkpoint.step = 1;
   checkpoint.state.ions.values = {1.0, 1.0 / 3, 2e-300, -0.1};
-  checkpoint.state.rate = {0.25, -1e-7};
+  checkpoint.state.rate = {0.25, -1e-7, 3.0, 0.0};
+  checkpoint.state.next_step = 1e-3;
   checkpoint.solution.grid = {{0, 1}, {0, 2}, {0, 0.1, 0.2}};
   checkpoint.solution.time = {0, 0.1};
   checkpoint.solution.charge_top = {0, 1e-9 / 7};
@@ -67,6 +70,27 @@ TEST(CheckpointFile, DamageIsAnErrorOrFindsNothingWrong) {
       EXPECT_NE(std::string(error.what()).find("checkpoint.h5"), std::string::npos) << error.what();
     }
   }
+}
+
+TEST(CheckpointFile, IsNotTakenWhenItCannotBeContinued) {
+  const results::ScratchFolder folder;
+  const auto path = folder.path() / "checkpoint.h5";
+  const auto is_taken = [&](const electrochemistry::IonCheckpoint& checkpoint) {
+    write_checkpoint(path, "hash", checkpoint);
+    return read_checkpoint(path, "hash").has_value();
+  };
+  auto spoilt = example();
+  spoilt.state.next_step = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(is_taken(spoilt));
+  spoilt = example();
+  spoilt.state.rate.pop_back();
+  EXPECT_FALSE(is_taken(spoilt));
+  spoilt = example();
+  spoilt.solution.time = {0};
+  EXPECT_FALSE(is_taken(spoilt));
+  ASSERT_TRUE(is_taken(example()));
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
+  EXPECT_FALSE(read_checkpoint(path, "hash"));
 }
 
 } // namespace

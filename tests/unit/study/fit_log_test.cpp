@@ -12,7 +12,7 @@ namespace {
 
 TEST(FitLog, GivesBackEveryBitOfWhatAnEarlierFitFound) {
   const results::ScratchFolder scratch;
-  const auto folder = scratch.path() / "evaluations";
+  results::OutputFolder folder(scratch.path() / "out", results::ExistingFolder::refuse);
   const std::vector<double> point{0.1, 1.0 / 3}, beside{0.1, 1.0 / 3 + 1e-16}, hopeless{-1, 0};
   {
     FitLog log(folder);
@@ -31,18 +31,22 @@ TEST(FitLog, GivesBackEveryBitOfWhatAnEarlierFitFound) {
 
 TEST(FitLog, PassesOverDamagedFilesAndLeavesForeignOnes) {
   const results::ScratchFolder scratch;
-  const auto folder = scratch.path() / "evaluations";
+  results::OutputFolder folder(scratch.path() / "out", results::ExistingFolder::refuse);
   {
     FitLog log(folder);
     log.add({1.0}, {std::vector<double>{2.0}, ""});
+    log.add({2.0}, {std::vector<double>{3.0}, ""});
   }
-  std::ofstream(folder / "half.h5") << "no HDF5";
-  std::ofstream(folder / "notes.txt") << "a user's";
+  const auto entry = std::filesystem::directory_iterator(folder.file("evaluations"))->path();
+  std::fstream(entry, std::ios::in | std::ios::out).seekp(2000).put('x');
+  std::ofstream(folder.file("evaluations/half.h5")) << "no HDF5";
+  std::ofstream(folder.file("evaluations/notes.txt")) << "a user's";
   FitLog log(folder);
   EXPECT_EQ(log.taken_up(), 1u);
   log.remove();
-  EXPECT_TRUE(std::filesystem::exists(folder / "notes.txt"));
-  EXPECT_FALSE(std::filesystem::exists(folder / "half.h5"));
+  EXPECT_TRUE(std::filesystem::exists(folder.file("evaluations/notes.txt")));
+  EXPECT_TRUE(std::filesystem::exists(folder.file("evaluations/half.h5")));
+  EXPECT_FALSE(std::filesystem::exists(entry));
 }
 
 } // namespace

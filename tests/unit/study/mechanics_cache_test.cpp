@@ -61,11 +61,11 @@ TEST_F(MechanicsCache, GivesNothingFromATruncatedEntry) {
 
 TEST_F(MechanicsCache, TellsBuildsApart) {
   const auto program = scratch.path() / "program";
-  EXPECT_FALSE(build_digest(program));
+  EXPECT_FALSE(base::build_digest(program));
   std::ofstream(program) << "one build";
-  const auto one = build_digest(program);
+  const auto one = base::build_digest(program);
   std::ofstream(program) << "another build";
-  const auto other = build_digest(program);
+  const auto other = base::build_digest(program);
   ASSERT_TRUE(one && other && own_build());
   keep_mechanics(cache, "hash", written(), one);
   EXPECT_TRUE(recall_mechanics(cache, "hash", input.skin, copy(), one));

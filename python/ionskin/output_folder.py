@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Files in an output folder of the program: only its own are replaced, and no link is followed."""
+
+import contextlib
+import os
+import pathlib
+import tempfile
+
+LIST = ".ionskin-files"
+PENDING = ".ionskin-pending"
+
+
+@contextlib.contextmanager
+def writing(path):
+    """Gives a place to write a file of this name; the file appears when it is whole.
+
+    `path` is FOLDER/NAME of an output folder, or FOLDER/figures/NAME. Raises ValueError where a file of the user or a
+    link is in the way.
+    """
+    path = pathlib.Path(path)
+    inside = path.parent.name == "figures"
+    folder = path.parent.parent if inside else path.parent
+    if inside:
+        if path.parent.is_symlink():
+            raise ValueError(f"{path.parent} is a link, and ionskin writes nothing through a link out of its folder: "
+                             "remove the link")
+        path.parent.mkdir(exist_ok=True)
+    _note(folder, f"figures/{path.name}" if inside else path.name, path)
+    handle, pending = tempfile.mkstemp(prefix=f"{path.name}.", suffix=PENDING, dir=path.parent)
+    try:
+        os.close(handle)
+        umask = os.umask(0)
+        os.umask(umask)
+        os.chmod(pending, 0o666 & ~umask)
+        yield pathlib.Path(pending)
+        os.replace(pending, path)
+    except BaseException:
+        with contextlib.suppress(FileNotFoundError):
+            os.unlink(pending)
+        raise
+
+
+def save(figure, path, **settings):
+    """Saves a figure of matplotlib; the suffix of the path tells the format."""
+    path = pathlib.Path(path)
+    with writing(path) as pending:
+        figure.savefig(pending, format=path.suffix[1:], **settings)
+
+
+def write_text(path, text):
+    """Writes a text."""
+    with writing(path) as pending:
+        pending.write_text(text, encoding="utf-8")
+
+
+def _note(folder, name, path):
+    """Adds a name to the list of the folder, if it keeps one: those of earlier versions do not."""
+    entries = folder / LIST
+    if not entries.is_file() or entries.is_symlink():
+        return
+    if name in entries.read_text(encoding="utf-8", errors="replace").splitlines():
+        return
+    if os.path.lexists(path):
+        raise ValueError(f"{path} is in the way of a result and was not written by ionskin, which replaces its own files "
+                         "only: move it away")
+    with open(entries, "a", encoding="utf-8") as file:
+        file.write(f"\n{name}\n")

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/base/digest.hpp"
+
+#include <filesystem>
+#include <optional>
+
+namespace ionskin::base {
+
+// A seal is a line behind the content of a file, with the build of the program that wrote it and
+// the digest of all bytes before. HDF5 does not look behind its own end, and drops the seal of a
+// file that it changes.
+
+/// Puts the seal of this build behind a complete file. Throws UnwritableFile.
+void seal(const std::filesystem::path& path);
+
+enum class SealState {
+  absent,      ///< there is no file
+  damaged,     ///< changed, cut short, or never sealed
+  other_build, ///< whole, but another build of the program wrote it
+  whole
+};
+SealState check_seal(const std::filesystem::path& path);
+
+/// Of a file's bytes; nothing when it cannot be read or is no regular file. A link is not followed.
+std::optional<Digest> file_digest(const std::filesystem::path& path);
+
+} // namespace ionskin::base

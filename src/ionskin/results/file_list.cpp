@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/results/file_list.hpp"
+
+#include "ionskin/base/atomic_file.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <system_error>
+#include <unistd.h>
+
+namespace ionskin::results {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* heading =
+    "# What ionskin wrote here: --overwrite removes these files and no others.\n";
+
+} // namespace
+
+bool is_inner_name(const std::string& name) {
+  const fs::path path(name);
+  const auto parts = std::distance(path.begin(), path.end());
+  return !name.empty() && path.is_relative() && parts <= 2 && path.lexically_normal() == path &&
+         *path.begin() != ".." && *path.begin() != "." && path.has_filename();
+}
+
+std::optional<std::set<std::string>> read_file_list(const fs::path& folder) {
+  std::error_code error;
+  const fs::path path = folder / file_list_name;
+  if (!fs::is_regular_file(fs::symlink_status(path, error))) {
+    return std::nullopt;
+  }
+  std::ifstream stream(path, std::ios::binary);
+  std::set<std::string> names;
+  for (std::string line; std::getline(stream, line);) {
+    if (is_inner_name(line)) {
+      names.insert(line);
+    }
+  }
+  return names;
+}
+
+void add_to_file_list(const fs::path& folder, const std::string& name) {
+  const fs::path path = folder / file_list_name;
+  const int list = ::open(path.c_str(), O_WRONLY | O_APPEND | O_NOFOLLOW | O_CLOEXEC);
+  if (list < 0) {
+    throw base::UnwritableFile(path, std::strerror(errno));
+  }
+  // A power cut may have left half a line.
+  const std::string text = "\n" + name + "\n";
+  const ssize_t count = ::write(list, text.data(), text.size());
+  const bool written = count == static_cast<ssize_t>(text.size()) && ::fsync(list) == 0;
+  const int reason = count >= 0 && count < static_cast<ssize_t>(text.size()) ? ENOSPC : errno;
+  ::close(list);
+  if (!written) {
+    throw base::UnwritableFile(path, std::strerror(reason));
+  }
+}
+
+void clear_file_list(const fs::path& folder) {
+  base::write_text_file(folder / file_list_name, heading);
+}
+
+} // namespace ionskin::results
