@@ -7,6 +7,8 @@ from typing import Any, NamedTuple
 
 from markupsafe import Markup
 
+from . import output_folder
+
 FOLDER = pathlib.Path(__file__).parent
 
 
@@ -55,7 +57,5 @@ def page(title, subtitle, sections, *, cards=(), script=None):
 
 def write_page(path, text):
     """Writes a page so that readers see the old one or the whole new one."""
-    pending = path.with_suffix(".html.tmp")
-    pending.write_text(text, encoding="utf-8")
-    pending.replace(path)
+    output_folder.write_text(path, text)
     return path

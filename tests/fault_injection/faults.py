@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Lets every call of the system in a run and in a sweep fail, one after the other, and resumes each to its end.
 
-    IONSKIN_FAULTS=build/tests/fault_injection/libionskin_fault_injection.so /usr/bin/python3 faults.py [--every N]
+    IONSKIN_FAULTS=build/tests/fault_injection/libionskin_fault_injection.so /usr/bin/python3 faults.py [--faults N]
 
 Each faulty run must end with 0, 2 or 3 and a message, and `--resume` must then give the result of an undisturbed run to
 the last bit. Prints a table of faults tried; ends with 1 where one was not survived.
@@ -21,7 +21,7 @@ PROGRAM = os.environ.get("IONSKIN_PROGRAM", str(ROOT / "build" / "ionskin"))
 FAULTS = os.environ.get("IONSKIN_FAULTS",
                         str(ROOT / "build" / "tests" / "fault_injection" / "libionskin_fault_injection.so"))
 SMALL = [str(ROOT / "cases" / "quick.toml"), "--no-report", "--quiet", "--threads", "1", "--set",
-         "numerics.mesh_refinement=0.5"]
+         "numerics.mesh_refinement=0.3"]
 VERBS = {"run": ["run", *SMALL], "sweep": ["sweep", *SMALL, "--over", "coupling.coefficient=0.05,0.1"]}
 CALLS = ("write", "rename", "fsync", "open", "malloc")
 RESULTS = ("signals.csv", "sampled.csv", "sweep.csv")
@@ -82,10 +82,17 @@ class Driver:
         return process.returncode, f"left behind {left[0].name}" if left else ""
 
 
+def faults(total, most):
+    """Pairs of the call that fails, and whether all later ones do: all of them, or so many over the whole run."""
+    if most is None or most >= 2 * total:
+        return [(number, stays) for number in range(1, total + 1) for stays in (0, 1)]
+    return [(1 + (2 * i + 1) * total // (2 * most), i % 2) for i in range(most)]
+
+
 def main():
     """Command line."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--every", type=int, default=1, help="only every N-th call")
+    parser.add_argument("--faults", type=int, help="so many of each kind of call, instead of all")
     parser.add_argument("--verb", choices=VERBS, action="append")
     parser.add_argument("--call", choices=CALLS, action="append")
     arguments = parser.parse_args()
@@ -96,14 +103,12 @@ def main():
             for call in arguments.call or CALLS:
                 total = driver.count(call)
                 tried, codes = 0, collections.Counter()
-                for number in range(1 + (arguments.every // 2 if arguments.every <= total else 0), total + 1,
-                                    arguments.every):
-                    for stays in (0, 1) if arguments.every == 1 else (number % 2,):
-                        code, complaint = driver.complaint(call, number, stays)
-                        tried, codes[code] = tried + 1, codes[code] + 1
-                        if complaint:
-                            complaints += 1
-                            print(f"{verb}, {call} {number}{' and later' * stays} of {total}: {complaint}", flush=True)
+                for number, stays in faults(total, arguments.faults):
+                    code, complaint = driver.complaint(call, number, stays)
+                    tried, codes[code] = tried + 1, codes[code] + 1
+                    if complaint:
+                        complaints += 1
+                        print(f"{verb}, {call} {number}{' and later' * stays} of {total}: {complaint}", flush=True)
                 print(f"{verb}: {call} called {total} times, {tried} faults, exit codes {dict(sorted(codes.items()))}",
                       flush=True)
     print(f"{complaints} faults not survived")
