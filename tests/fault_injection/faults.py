@@ -73,6 +73,8 @@ class Driver:
             return process.returncode, f"ended with {process.returncode}: {last[0]}"
         if process.returncode != 0 and "error" not in process.stderr:
             return process.returncode, f"no message: {process.stderr}"
+        # What a warm cache rounds differently is no matter of faults.
+        shutil.rmtree(self.folder / "work" / "cache", ignore_errors=True)
         again = self.run("out", *(["--resume"] if (self.folder / "work" / "out").exists() else []))
         if again.returncode != 0:
             return process.returncode, f"not resumed ({again.returncode}): {again.stderr.strip()}"

@@ -37,7 +37,7 @@ class Interrupt(ProgramTest):
                                when=lambda: self.stage_finished("strain"))
         with h5py.File(self.folder / "out" / "results.h5") as file:
             self.assertTrue(numpy.isfinite(file["strain/gamma"][...]).all())
-        self.assertEqual(list((self.folder / "out").glob("*.tmp*")), [])
+        self.assertEqual(list((self.folder / "out").glob("*.ionskin-pending")), [])
         self.assert_resumes_to_the_same()
 
     def test_one_study_after_the_other(self):
