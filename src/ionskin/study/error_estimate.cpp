@@ -184,8 +184,7 @@ ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanic
   const ErrorFloors floors{
       path_floor(mechanics), charge_rounding * charge_scale(input, mechanics.history),
       input.readout.sample_interval,
-      readout::in_tail(base.sampled, input.readout.sample_interval, mechanics.history.event_time),
-      mechanics.history.event_time};
+      readout::in_tail(base.sampled, input.readout.sample_interval, mechanics.history.event_time)};
   ErrorEstimate estimate = combine_errors(base, pairs_of(all_pairs(mechanics), results), floors);
   estimate.not_converging = not_converging(input, signals);
   return estimate;

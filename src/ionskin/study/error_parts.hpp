@@ -40,11 +40,10 @@ struct ErrorPair {
 
 /// What beside the pairs decides the errors.
 struct ErrorFloors {
-  double path = 0;                ///< of interpolation and residuals of the contact, relative [1]
-  double charge = 0;              ///< what rounding may leave in a charge [C]; 0 without currents
-  double sample_interval = 0;     ///< of the readout [s]
-  std::vector<bool> tail;         ///< rows of the sampled table outside the contact spikes
-  std::vector<double> event_time; ///< [s]
+  double path = 0;            ///< of interpolation and residuals of the contact, relative [1]
+  double charge = 0;          ///< what rounding may leave in a charge [C]; 0 without currents
+  double sample_interval = 0; ///< of the readout [s]
+  std::vector<bool> tail;     ///< rows of the sampled table outside the contact spikes
 };
 
 /// The stated errors of one run.
