@@ -14,7 +14,7 @@ set_target_properties(ionskin_library PROPERTIES OUTPUT_NAME ionskin EXPORT_NAME
   VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 
 install(TARGETS ionskin RUNTIME DESTINATION ${IONSKIN_BIN_FOLDER})
-install(TARGETS ionskin-solver RUNTIME DESTINATION ${IONSKIN_LIBEXEC_FOLDER})
+install(TARGETS ionskin-solver ionskin-studio RUNTIME DESTINATION ${IONSKIN_LIBEXEC_FOLDER})
 install(TARGETS ionskin_library EXPORT ionskin LIBRARY DESTINATION ${IONSKIN_LIBRARY_FOLDER})
 
 # What a program of others needs to read and run a case, and what that includes.

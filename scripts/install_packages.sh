@@ -5,9 +5,13 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+# What other packages provide counts as there: NodeSource's nodejs brings npm.
+provided=$(dpkg-query -W -f='${db:Status-Status} ${Provides}\n' | sed -n 's/^installed //p' | tr -d ' ' | tr ',' '\n' |
+  sed 's/(.*//')
 missing=()
 while read -r package; do
-  if ! dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed'; then
+  if ! dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' &&
+    ! grep -qx "$package" <<<"$provided"; then
     missing+=("$package")
   fi
 done < <(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' packages.txt)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "check.hpp"
 
+#include "check_json.hpp"
 #include "explain.hpp"
 #include "terminal.hpp"
 #include "threads.hpp"
@@ -33,6 +34,10 @@ bool check(const CheckOptions& options) {
 
 void print_valid(const CheckOptions& options, const CaseDocument& document,
                  const std::string& warning) {
+  if (options.json) {
+    fmt::print("{}\n", check_json(document, warning));
+    return;
+  }
   const std::string explanation = options.explain ? explain(document) : std::string();
   std::string notes;
   for (const std::string& note : document.input.notes) {

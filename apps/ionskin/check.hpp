@@ -12,6 +12,7 @@ struct CheckOptions {
   std::string case_path;
   std::vector<std::string> set_edits; ///< "key=value"
   bool explain = false;
+  bool json = false; ///< in place of text
 };
 
 /// Reads and checks a case and says that it is valid; explains it when asked. Throws UserError.

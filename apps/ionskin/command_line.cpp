@@ -47,6 +47,7 @@ void add_check(CLI::App& app, Command& command) {
   add_set_option(*verb, options->set_edits);
   verb->add_flag("--explain", options->explain,
                  "Show SI values, derived scales, unknowns, memory and expected time");
+  verb->add_flag("--json", options->json, "The same for programs: values, scales and cost as JSON");
   set_when_parsed(*verb, options, command);
 }
 

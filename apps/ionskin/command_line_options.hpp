@@ -31,7 +31,7 @@ void set_when_parsed(CLI::App& verb, const std::shared_ptr<Options>& options, Co
   verb.callback([options, &command] { command = *options; });
 }
 
-/// sweep, fit, report and compare.
+/// sweep, fit, report, compare and studio.
 void add_study_verbs(CLI::App& app, Command& command);
 /// doctor, cache, keys, completion, man and cite.
 void add_help_verbs(CLI::App& app, Command& command);

@@ -104,6 +104,19 @@ void add_compare(CLI::App& app, Command& command) {
   set_when_parsed(*verb, options, command);
 }
 
+void add_studio(CLI::App& app, Command& command) {
+  auto options = std::make_shared<StudioOptions>();
+  CLI::App* verb = app.add_subcommand(
+      "studio", "Open the Studio in the browser: cases, runs and results of a folder");
+  verb->add_option("folder", options->folder, "Folder with cases and results")
+      ->type_name("FOLDER")
+      ->capture_default_str();
+  verb->add_option("--port", options->port, "Port on this machine (default: any that is free)")
+      ->check(CLI::Range(0, 65535));
+  verb->add_flag("--no-browser", options->no_browser, "Only print the link");
+  set_when_parsed(*verb, options, command);
+}
+
 } // namespace
 
 void add_study_verbs(CLI::App& app, Command& command) {
@@ -111,6 +124,7 @@ void add_study_verbs(CLI::App& app, Command& command) {
   add_fit(app, command);
   add_report(app, command);
   add_compare(app, command);
+  add_studio(app, command);
 }
 
 } // namespace ionskin::apps

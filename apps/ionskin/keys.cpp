@@ -110,7 +110,19 @@ std::string line_of(const SchemaRow& row, std::size_t width) {
   return fmt::format("{:<{}}  {}{}  [{}]\n", row.key, width, row.help, words, value);
 }
 
+std::string keys_json(const std::vector<SchemaRow>& rows) {
+  nlohmann::json all = nlohmann::json::array();
+  for (const SchemaRow& row : rows) {
+    all.push_back(json_of(row));
+  }
+  return all.dump(1);
+}
+
 } // namespace
+
+std::string keys_json() {
+  return keys_json(schema());
+}
 
 int keys(const KeysOptions& options) {
   std::vector<SchemaRow> rows;
@@ -124,11 +136,7 @@ int keys(const KeysOptions& options) {
                                                 : fmt::format("did you mean {}?", nearest)));
   }
   if (options.json) {
-    nlohmann::json all = nlohmann::json::array();
-    for (const SchemaRow& row : rows) {
-      all.push_back(json_of(row));
-    }
-    fmt::print("{}\n", all.dump(1));
+    fmt::print("{}\n", keys_json(rows));
     return 0;
   }
   std::size_t width = 0;

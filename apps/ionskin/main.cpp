@@ -20,14 +20,14 @@
 
 namespace {
 
-/// Replaces this process by the solver with the same arguments.
-int become_solver(char** argv) {
+/// Replaces this process by a program beside it with the same arguments.
+int become(const char* name, char** argv) {
   // One thread per factorisation; several run at once.
   setenv("OPENBLAS_NUM_THREADS", "1", 1);
-  const auto& solver = ionskin::base::installation().solver;
-  execv(solver.c_str(), argv);
-  throw ionskin::UserError("cannot start " + solver.string() +
-                           ", the part of ionskin that computes\n  = build or install both again");
+  const auto program = ionskin::base::installation().solver.parent_path() / name;
+  execv(program.c_str(), argv);
+  throw ionskin::UserError("cannot start " + program.string() +
+                           ", a part of ionskin\n  = build or install all parts again");
 }
 
 } // namespace
@@ -58,6 +58,9 @@ int main(int argc, char** argv) {
     if (const auto* completion_options = std::get_if<CompletionOptions>(&*command)) {
       return completion(*completion_options);
     }
+    if (std::holds_alternative<StudioOptions>(*command)) {
+      return become("ionskin-studio", argv);
+    }
     require_vector_instructions();
     if (const auto* init_options = std::get_if<InitOptions>(&*command)) {
       return init(*init_options);
@@ -67,6 +70,6 @@ int main(int argc, char** argv) {
         return 0;
       }
     }
-    return become_solver(argv);
+    return become("ionskin-solver", argv);
   });
 }

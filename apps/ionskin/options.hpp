@@ -72,6 +72,12 @@ struct CompareOptions {
   double tolerance = 1e-9;   ///< relative differences up to here are no differences
 };
 
+struct StudioOptions {
+  std::string folder = "."; ///< with cases and results
+  int port = 0;             ///< 0: any that is free
+  bool no_browser = false;
+};
+
 struct DoctorOptions {};
 struct CiteOptions {};
 struct ManualOptions {};
@@ -93,7 +99,7 @@ struct ImpedanceOptions {
 
 using Command =
     std::variant<InitOptions, CheckOptions, RunOptions, SweepOptions, FitOptions, ImpedanceOptions,
-                 ReportOptions, CompareOptions, VerifyOptions, DoctorOptions, CiteOptions,
-                 KeysOptions, CompletionOptions, ManualOptions, CacheOptions>;
+                 ReportOptions, CompareOptions, VerifyOptions, StudioOptions, DoctorOptions,
+                 CiteOptions, KeysOptions, CompletionOptions, ManualOptions, CacheOptions>;
 
 } // namespace ionskin::apps

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <httplib.h>
+
+#include <mutex>
+#include <string>
+
+namespace ionskin::apps::studio {
+
+/// Who may talk to the server: a browser that opened the one-time link, from its own page.
+class Access {
+public:
+  explicit Access(int port);
+
+  /// The path of the link: it opens the page once and gives the browser its cookie.
+  const std::string& link_path() const { return link_path_; }
+
+  /// Throws HttpError 403 when the request was sent for another host, or by another page: DNS
+  /// rebinding, cross-site requests.
+  void require_own_origin(const httplib::Request& request) const;
+  bool has_cookie(const httplib::Request& request) const;
+  /// The value of Set-Cookie when this is the link and it was not used before; else empty.
+  std::string redeem(const std::string& path);
+
+private:
+  int port_;
+  std::string link_path_, cookie_name_, cookie_;
+  std::mutex mutex_;
+  bool used_ = false;
+};
+
+} // namespace ionskin::apps::studio

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace ionskin::apps::studio {
+
+/// A request that is answered with an error: its status, and what a reader is told.
+class HttpError : public std::runtime_error {
+public:
+  HttpError(int status, const std::string& message)
+      : std::runtime_error(message), status_(status) {}
+  int status() const { return status_; }
+
+private:
+  int status_;
+};
+
+} // namespace ionskin::apps::studio

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+
+namespace ionskin::apps::studio::limits {
+
+// Everything that a page or a stranger could make large is bounded here.
+
+inline constexpr std::size_t body = 4u << 20;    ///< of a request [bytes]
+inline constexpr std::size_t upload = 16u << 20; ///< of a measured CSV file [bytes]
+inline constexpr std::size_t workers = 16;       ///< requests that are answered at once
+inline constexpr std::size_t waiting = 256;      ///< accepted connections that wait for a worker
+inline constexpr std::size_t listeners = 8;      ///< pages that follow the progress
+inline constexpr std::size_t queued_jobs = 64;   ///< that wait or run
+inline constexpr std::size_t kept_jobs = 500;    ///< of which the list tells
+inline constexpr std::size_t checks_at_once = 4;
+inline constexpr std::size_t listed_folders = 5000; ///< that are looked into for results
+inline constexpr int listed_depth = 4;
+inline constexpr std::size_t table_bytes = 256u << 20; ///< of a CSV file that is shown
+inline constexpr std::size_t frame_values = 64u << 20; ///< of a field at one instant
+inline constexpr std::size_t child_output = 4u << 20;  ///< of a check [bytes]
+inline constexpr std::size_t log_tail = 64u << 10;     ///< of a job's messages that is read [bytes]
+inline constexpr std::size_t check_memory = 4ull << 30; ///< address space of a check [bytes]
+inline constexpr std::chrono::seconds check_time{20};
+inline constexpr std::chrono::seconds compare_time{60};
+inline constexpr std::chrono::milliseconds poll{150}; ///< between two looks at the jobs
+
+} // namespace ionskin::apps::studio::limits

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+
+// The Studio: a server for one user and one folder, and the keeper of each of its jobs. `ionskin
+// studio` becomes this program.
+
+#include "command_line.hpp"
+#include "guard.hpp"
+#include "studio/job_keeper.hpp"
+#include "studio/server.hpp"
+
+#include <fmt/core.h>
+
+#include <csignal>
+#include <cstdio>
+#include <string_view>
+#include <thread>
+
+namespace ionskin::apps {
+namespace {
+
+void open_browser(const std::string& link, const std::filesystem::path& folder) {
+  try {
+    studio::start_detached({"/usr/bin/xdg-open", link}, folder, "/dev/null", "/dev/null");
+  } catch (const std::exception&) {
+    return; // the link is printed
+  }
+}
+
+/// Serves until Ctrl-C or SIGTERM. Jobs go on.
+int serve(const StudioOptions& options) {
+  sigset_t ends;
+  sigemptyset(&ends);
+  sigaddset(&ends, SIGINT);
+  sigaddset(&ends, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &ends, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);
+  studio::Workspace workspace(options.folder);
+  studio::JobQueue jobs(workspace);
+  studio::Server server(workspace, jobs, options.port);
+  fmt::print("ionskin studio: {}\n", server.link());
+  std::fflush(stdout);
+  if (!options.no_browser) {
+    open_browser(server.link(), workspace.root());
+  }
+  std::thread waiter([&] {
+    int signal = 0;
+    sigwait(&ends, &signal);
+    server.stop();
+  });
+  server.listen();
+  waiter.join();
+  return 0;
+}
+
+} // namespace
+} // namespace ionskin::apps
+
+int main(int argc, char** argv) {
+  using namespace ionskin::apps;
+  return guarded([&]() -> int {
+    if (argc == 3 && std::string_view(argv[1]) == "--keep") {
+      return studio::keep_job(argv[2]);
+    }
+    int exit_code = 0;
+    const auto command = parse_command_line(argc, argv, exit_code);
+    if (!command) {
+      return exit_code;
+    }
+    return serve(std::get<StudioOptions>(*command));
+  });
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// Curves over time with uPlot; a line marks the instant of the time bar.
+import uPlot from "uplot";
+import { is_dark, line_colours } from "./colours";
+import { scale_for, number } from "./format";
+import { Series } from "./series";
+
+export class Plot {
+  readonly element = document.createElement("div");
+  scaled = { factor: 1, unit: "" };
+  series: Series[] = [];
+  private chart?: uPlot;
+  private time = 0;
+  private log = false;
+  private bands = true;
+  private axis = "time [s]";
+  private watcher = new ResizeObserver(() => this.fit());
+
+  /// @param pick called with the instant that a reader clicks on
+  constructor(private pick: (time: number) => void, private height = 300) {
+    this.element.className = "plot";
+    this.element.setAttribute("role", "img");
+    this.watcher.observe(this.element);
+  }
+
+  show(series: Series[], options: { log?: boolean; bands?: boolean; axis?: string } = {}): void {
+    this.series = series;
+    this.log = options.log ?? this.log;
+    this.bands = options.bands ?? this.bands;
+    this.axis = options.axis ?? this.axis;
+    this.draw();
+  }
+
+  mark(time: number): void {
+    this.time = time;
+    this.chart?.redraw(false, false);
+  }
+
+  canvas(): HTMLCanvasElement | undefined { return this.chart?.ctx.canvas; }
+
+  private fit(): void {
+    const width = this.element.clientWidth;
+    if (this.chart && width > 0 && Math.abs(width - this.chart.width) > 1) this.chart.setSize({ width, height: this.height });
+  }
+
+  private draw(): void {
+    this.chart?.destroy();
+    this.chart = undefined;
+    this.element.replaceChildren();
+    const width = this.element.clientWidth || 600;
+    const largest = this.series.reduce((most, one) => one.values.reduce((m, v) => (Math.abs(v) > m ? Math.abs(v) : m), most), 0);
+    this.scaled = scale_for(largest, this.series[0]?.unit ?? "");
+    const label = this.series.map((one) => one.label).join(", ");
+    this.element.setAttribute("aria-label", this.series.length ? `${label} over ${this.axis}; largest magnitude ${number(largest * this.scaled.factor)} ${this.scaled.unit}` : "no curve");
+    if (this.series.length === 0) return;
+    const value = (v: number) => (!Number.isFinite(v) || (this.log && v === 0) ? null : (this.log ? Math.abs(v) : v) * this.scaled.factor);
+    const tables: uPlot.AlignedData[] = [];
+    const described: uPlot.Series[] = [{ label: this.axis }];
+    const bands: uPlot.Band[] = [];
+    const colours = line_colours();
+    this.series.forEach((one, i) => {
+      const colour = colours[i % colours.length];
+      const line: uPlot.Series = { label: `${one.label}${this.scaled.unit ? ` [${this.scaled.unit}]` : ""}`, stroke: colour, width: 1.5,
+        dash: i >= colours.length ? [6, 4] : undefined, spanGaps: true, points: { show: one.points ? true : false, size: 4 },
+        value: (_, v) => (v === null ? "–" : number(v)) };
+      if (one.points) line.width = 0;
+      const columns: (number | null)[][] = [Array.from(one.values, value)];
+      described.push(line);
+      if (one.band && this.bands && !this.log) {
+        const at = described.length;
+        const edge = { label: "", stroke: undefined, width: 0, points: { show: false }, spanGaps: true };
+        described.push({ ...edge }, { ...edge });
+        columns.push(Array.from(one.values, (v, k) => value(v + one.band![k])), Array.from(one.values, (v, k) => value(v - one.band![k])));
+        bands.push({ series: [at, at + 1], fill: colour + "44" });
+      }
+      tables.push([Array.from(one.time), ...columns] as uPlot.AlignedData);
+    });
+    const ink = is_dark() ? "#d5dae1" : "#333";
+    const grid = { stroke: is_dark() ? "#39424e" : "#e3e6ea", width: 1 };
+    const axis = { stroke: ink, grid, ticks: grid };
+    this.chart = new uPlot({
+      width, height: this.height, series: described, bands,
+      scales: { x: { time: false }, y: { distr: this.log ? 3 : 1 } },
+      axes: [{ ...axis, label: this.axis, labelSize: 22 }, { ...axis, label: this.scaled.unit || "1", labelSize: 20, size: 62,
+        values: (_, marks) => marks.map((mark) => (mark === null ? "" : this.log && Math.log10(mark) % 1 !== 0 ? "" : number(mark, 3))) }],
+      cursor: { drag: { x: true, y: false } },
+      legend: { live: true },
+      hooks: { draw: [(chart) => this.draw_mark(chart)], ready: [(chart) => {
+        chart.over.addEventListener("click", () => { if (chart.cursor.left! >= 0) this.pick(chart.posToVal(chart.cursor.left!, "x")); });
+        // The edges of bands need no line in the legend.
+        chart.root.querySelectorAll(".u-series").forEach((row, i) => { if (i > 0 && !described[i]?.label) (row as HTMLElement).hidden = true; });
+      }] },
+    }, uPlot.join(tables, tables.map((one) => one.map(() => 1))), this.element);
+  }
+
+  private draw_mark(chart: uPlot): void {
+    const x = chart.valToPos(this.time, "x", true);
+    const { left, top, width, height } = chart.bbox;
+    if (this.axis !== "time [s]" || x < left || x > left + width) return;
+    chart.ctx.save();
+    chart.ctx.strokeStyle = is_dark() ? "#fff" : "#000";
+    chart.ctx.setLineDash([4, 4]);
+    chart.ctx.beginPath();
+    chart.ctx.moveTo(x, top);
+    chart.ctx.lineTo(x, top + height);
+    chart.ctx.stroke();
+    chart.ctx.restore();
+  }
+}
