@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// The case: form and text of the same words, checked by the program as one types.
+import { Verdict, check, post } from "./api";
+import { CaseActions } from "./case_actions";
+import { CaseForm } from "./case_form";
+import { CaseTextEditor } from "./case_text";
+import { attempt, button, el } from "./dom";
+import { duration, memory } from "./format";
+import { store } from "./store";
+
+export function case_view(): HTMLElement {
+  if (!store.case_text) {
+    return el("div", { class: "page" }, el("h1", {}, "No case is open"), el("p", {}, "Choose one on the start page."), button("Start", () => { location.hash = "#start"; }, "primary"));
+  }
+  const verdict_line = el("p", { class: "verdict", role: "status" });
+  const problems = el("ul", { class: "problems" });
+  const explanation = el("pre", { class: "explanation", tabIndex: 0 });
+  const actions = new CaseActions();
+  const editor = new CaseTextEditor((text) => { store.case_text = text; later(); });
+  const form = new CaseForm(store.keys, (key, value) => attempt(async () => {
+    const edited = await post<{ text: string }>("/api/case/set", { text: store.case_text, key, value });
+    store.case_text = editor.text = edited.text;
+    await judge();
+  }));
+  let timer = 0, asked = 0;
+  const later = () => {
+    window.clearTimeout(timer);
+    timer = window.setTimeout(() => attempt(judge), 200);
+  };
+  async function judge(): Promise<void> {
+    const mine = ++asked;
+    const verdict = await check(store.case_text);
+    if (mine !== asked) return; // a newer text is being judged
+    tell(verdict);
+  }
+  function tell(verdict: Verdict): void {
+    const errors = verdict.errors ?? [];
+    editor.mark(errors);
+    if (verdict.valid) form.show(verdict.values!);
+    form.mark(errors);
+    actions.allow(verdict.valid ? verdict.values : undefined);
+    verdict_line.className = verdict.valid ? "verdict good" : "verdict bad";
+    const cost = verdict.cost;
+    verdict_line.textContent = verdict.valid
+      ? "✓ Valid" + (cost ? `: about ${duration(cost.seconds)} and ${memory(cost.memory_bytes)} with ${cost.threads} threads; less when the mechanics is cached` : "")
+      : `✕ ${errors.length === 1 ? "One mistake" : `${errors.length} mistakes`}`;
+    problems.replaceChildren(...errors.map((error) => el("li", {},
+      button(error.line ? `Line ${error.line}` : "Case", () => editor.go_to(error), "link"), ` ${error.message} `, el("em", {}, error.remedy))),
+      ...(verdict.warning ? [el("li", { class: "warning" }, verdict.warning)] : []));
+    explanation.textContent = verdict.explanation ?? "";
+    window.dispatchEvent(new CustomEvent("judged"));
+  }
+  editor.text = store.case_text;
+  attempt(judge);
+  return el("div", { class: "page wide" },
+    el("h1", {}, "Case"), verdict_line, problems, actions.element,
+    el("div", { class: "two case" },
+      el("section", {}, el("h2", {}, "Form"), form.element),
+      el("section", {}, el("h2", {}, "Text"), editor.element,
+        el("details", {}, el("summary", {}, "What it means (check --explain)"), explanation))));
+}
