@@ -17,11 +17,15 @@ export function case_view(): HTMLElement {
   const explanation = el("pre", { class: "explanation", tabIndex: 0 });
   const actions = new CaseActions();
   const editor = new CaseTextEditor((text) => { store.case_text = text; later(); });
-  const form = new CaseForm(store.keys, (key, value) => attempt(async () => {
-    const edited = await post<{ text: string }>("/api/case/set", { text: store.case_text, key, value });
-    store.case_text = editor.text = edited.text;
-    await judge();
-  }));
+  // One edit after the other: each goes into the text that the one before made.
+  let edits = Promise.resolve();
+  const form = new CaseForm(store.keys, (key, value) => {
+    edits = edits.then(() => attempt(async () => {
+      const edited = await post<{ text: string }>("/api/case/set", { text: store.case_text, key, value });
+      store.case_text = editor.text = edited.text;
+      attempt(judge);
+    }));
+  });
   let timer = 0, asked = 0;
   const later = () => {
     window.clearTimeout(timer);

@@ -13,7 +13,7 @@ export class CurvesPanel {
   private plot: Plot;
   private results: Result[] = [];
   private known: Quantity[] = [];
-  private chosen = "signals/difference";
+  private chosen = "sampled/difference";
   private measured: Series[] = [];
   private asked = 0;
   private choice = el("select", { onchange: () => { this.chosen = this.choice.value; attempt(() => this.draw()); } });

@@ -6,9 +6,22 @@ import { attempt, button, el } from "./dom";
 import { quantity } from "./format";
 import { differences, result_facts } from "./result_facts";
 import { ScenePanel } from "./scene_panel";
+import { column, table_of } from "./series";
 import { store } from "./store";
 import { sweep_panel } from "./sweep_panel";
 import { TimeBar } from "./time_bar";
+
+/// Where there is something to see: the middle of the first slide, or the beginning.
+async function middle_of_slide(result: Result): Promise<number> {
+  if (!result.tables.includes("signals")) return 0;
+  const data = await table_of(result, "signals");
+  const phases = column(data, "phase")?.texts ?? [];
+  const first = phases.indexOf("slide");
+  if (first < 0) return 0;
+  const after = phases.findIndex((phase, i) => i > first && phase !== "slide");
+  const time = column(data, "time")!.values;
+  return (time[first] + time[after < 0 ? time.length - 1 : after]) / 2;
+}
 
 export function results_view(): HTMLElement {
   const list = el("ul", { class: "plain results" });
@@ -29,6 +42,7 @@ export function results_view(): HTMLElement {
     scene.element.hidden = first.kind === "fit";
     await curves.show(results);
     bar.set_end(curves.end);
+    if (bar.time === 0) bar.set(await middle_of_slide(first));
     if (first.kind !== "fit") await scene.show(first);
     window.dispatchEvent(new Event("shown"));
   }

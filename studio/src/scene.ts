@@ -51,7 +51,7 @@ export class Scene {
     this.build_slider();
     const reach = Math.max(geometry.length, geometry.width * 1.5);
     this.controls.target.set(geometry.length / 2, geometry.width / 2, this.height() / 2);
-    this.camera.position.set(geometry.length * 0.42, -reach * 1.25, reach * 0.8);
+    this.camera.position.set(geometry.length * 0.42, -reach * 1.05, reach * 0.72);
     this.controls.update();
     this.fit();
   }

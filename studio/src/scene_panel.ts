@@ -5,6 +5,7 @@ import { ColourScale, css, colour, slip, stick } from "./colours";
 import { attempt, button, el, labelled, select } from "./dom";
 import { quantity } from "./format";
 import { Geometry, geometry_of, geometry_of_fields } from "./geometry";
+import { check_box } from "./curves_panel";
 import { save_canvas } from "./save";
 import { Scene } from "./scene";
 import { column, table_of } from "./series";
@@ -26,6 +27,7 @@ export class ScenePanel {
   private time = 0;
   private busy = false;
   private again = false;
+  private walls = el("input", { type: "checkbox", checked: true, onchange: () => this.refresh() });
   private channels = el("select", { onchange: () => { this.channel = this.channels.value; this.refresh(); } });
   private legend = el("div", { class: "legend" });
   private note = el("p", { class: "hint" });
@@ -45,6 +47,7 @@ export class ScenePanel {
       labelled("Field", this.channels),
       labelled("Cut", select([["y", "Along the slide"], ["x", "Across"], ["z", "Level"], ["volume", "Slices of the volume"], ["", "None"]], this.cut, (value) => { this.cut = value; this.refresh(); })),
       labelled("Place of the cut", place), labelled("Face", contacts), labelled("Thickness stretched", stretch),
+      check_box("Wall layers magnified", this.walls),
       button("Save PNG", () => { this.scene!.draw(); save_canvas("skin.png", this.scene!.canvas); }, "small")));
     window.addEventListener("theme", () => this.scene!.render());
   }
@@ -109,7 +112,7 @@ export class ScenePanel {
     if (stored !== this.stored) return;
     const scale = shown && this.scale(shown);
     scene.show_sections(shown ? this.sections(shown, shape) : [], scale ?? { least: 0, greatest: 1, diverging: false });
-    const pressures: ColourScale = { least: 0, greatest: pressed?.pressure.greatest ?? 1, diverging: false };
+    const pressures: ColourScale = { least: 0, greatest: pressed ? usual(pressed.pressure.values) : 1, diverging: false };
     scene.show_contact(pressed, this.contact, pressures);
     this.tell(shown, scale, pressed, pressures);
   }
@@ -133,7 +136,7 @@ export class ScenePanel {
   }
 
   private sections(shown: Shown, shape: Geometry): Section[] {
-    const { volume } = shown;
+    const volume = this.walls.checked ? { ...shown.volume, z: shown.volume.z.map((_, i, all) => (all[all.length - 1] * i) / Math.max(1, all.length - 1)) } : shown.volume;
     if (this.cut === "y") return [section_at_y(volume, this.place * shape.width * 0.999, shape.length)];
     if (this.cut === "x") return [section_at_x(volume, this.place * shape.length * 0.999, shape.width)];
     if (this.cut === "z") return [section_at_z(volume, this.place, shape.length, shape.width)];
@@ -157,11 +160,17 @@ export class ScenePanel {
     const name = [...this.channels.options].find((one) => one.value === this.channel)?.textContent ?? "";
     const bars: HTMLElement[] = [];
     if (shown && scale) bars.push(bar(name, scale, shown.volume.field.unit));
-    if (pressed && this.contact === "pressure") bars.push(bar("Contact pressure", pressures, "Pa"));
+    if (pressed && this.contact === "pressure") bars.push(bar("Contact pressure, 9 cells of 10", pressures, "Pa"));
     if (pressed && this.contact === "slip") bars.push(el("span", { class: "key" }, swatch(stick), " sticks ", swatch(slip), " slips"));
     this.legend.replaceChildren(...bars);
-    this.note.textContent = shown && Math.abs(shown.time - this.time) > 0.02 ? `The field is stored at ${quantity(shown.time, "s")}, the nearest instant; output.fields stores more.` : "";
+    this.note.textContent = shown && Math.abs(shown.time - this.time) > 0.02 ? `This field is stored at ${quantity(shown.time, "s")}, the nearest instant; output.fields stores more.` : "";
   }
+}
+
+/// The pressure that nine cells of ten stay below: peaks under sharp edges follow the mesh.
+function usual(pressures: Float32Array): number {
+  const sorted = Float32Array.from(pressures).filter((one) => one > 0).sort();
+  return sorted[Math.floor(sorted.length * 0.9)] || 1;
 }
 
 function swatch(rgb: [number, number, number]): HTMLElement {

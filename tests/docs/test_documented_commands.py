@@ -15,8 +15,8 @@ DOCS = ROOT / "docs"
 COARSE = "--set numerics.mesh_refinement=0.5 --set numerics.time_refinement=0.3"
 SMALLER = (("init my_skin.toml", "init my_skin.toml --from quick"), ("cases/paper.toml", "cases/quick.toml"),
            ("contact.friction=0.05:0.05:0.5", "contact.friction=0.1,0.4"))
-# The tests `verification` and `program_fit` run these.
-ELSEWHERE = ("build/ionskin verify", "build/ionskin fit")
+# The tests `verification`, `program_fit` and `studio_jobs` run these.
+ELSEWHERE = ("build/ionskin verify", "build/ionskin fit", "build/ionskin studio")
 # The exit code that the commands of a page on errors end with.
 EXIT_CODES = {"wrong_case.md": 2, "files.md": 2, "solver.md": 3}
 

@@ -92,7 +92,11 @@ void add_sweep(const Json& request, Job& job) {
 }
 
 void add_fit(const Workspace& workspace, const Json& request, Job& job) {
-  const std::string data = workspace.relative(workspace.inside(text_of(request, "data")));
+  const fs::path measured = workspace.inside(text_of(request, "data"));
+  if (!fs::is_regular_file(measured)) {
+    throw HttpError(400, "data is the name of a CSV file in the workspace");
+  }
+  const std::string data = workspace.relative(measured);
   const std::string column = text_of(request, "column");
   std::string keys, keys_python;
   for (const Json& key : list_in(request, "free", most_keys)) {

@@ -39,8 +39,10 @@ std::string title_in(const std::string& text) {
   if (open == std::string::npos) {
     return "";
   }
-  const std::string rest = text.substr(open + 1, end == std::string::npos ? end : end - open - 1);
-  return rest.substr(0, rest.rfind('"'));
+  std::string rest = text.substr(open, end == std::string::npos ? end : end - open);
+  rest = rest.substr(0, rest.rfind('"') + 1);
+  const Json title = Json::parse(rest, nullptr, false); // escapes as in JSON
+  return title.is_string() ? title.get<std::string>() : rest;
 }
 
 Json outline(const Workspace& workspace, const fs::path& folder, const std::string& kind) {

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+// A newcomer's way through the Studio in Debian's chromium: gallery, run, other friction, overlay, sweep, fit, exports,
+// dark and phone-wide pictures. Console errors, failing requests and overlapping labels are failures.
+//
+// Usage: node browser.mjs PROGRAM PACKAGES PICTURES
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import fs from "node:fs";
+import { createRequire } from "node:module";
+import os from "node:os";
+import path from "node:path";
+
+const [program, packages, pictures] = process.argv.slice(2).map((one) => path.resolve(one));
+const puppeteer = createRequire(path.join(packages, "package.json"))("puppeteer-core");
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), "ionskin-studio-"));
+const workspace = path.join(folder, "work <b>space");
+const downloads = path.join(folder, "downloads");
+fs.mkdirSync(workspace);
+fs.mkdirSync(downloads);
+fs.mkdirSync(pictures, { recursive: true });
+const times = {};
+
+async function start_server() {
+  const begun = performance.now();
+  const server = spawn(program, ["studio", workspace, "--no-browser"], { env: { ...process.env, IONSKIN_CACHE: path.join(folder, "cache") } });
+  const line = await new Promise((resolve, reject) => {
+    server.stdout.once("data", (data) => resolve(String(data)));
+    server.once("exit", () => reject(new Error("the server ended")));
+  });
+  times["start of the server"] = performance.now() - begun;
+  return [server, /http:\S+/.exec(line)[0]];
+}
+
+const problems = [];
+function listen(page) {
+  page.on("console", (message) => { if (["error", "warn"].includes(message.type()) && !/GPU stall|GL Driver Message/.test(message.text())) problems.push(`console: ${message.text()}`); });
+  page.on("pageerror", (error) => problems.push(`page: ${error.message}`));
+  page.on("requestfailed", (request) => { if (!request.url().endsWith("/api/events")) problems.push(`request: ${request.url()} ${request.failure()?.errorText}`); });
+  page.on("response", (response) => { if (response.status() >= 400) problems.push(`request: ${response.status()} ${response.url()}`); });
+}
+
+// Runs in the page: texts that lie over one another, and what is wider than the window.
+function layout_problems() {
+  const found = [];
+  const seen = [...document.querySelectorAll("label, button, h1, h2, summary, a, .hint, output, .u-legend th")].filter((one) => {
+    const box = one.getBoundingClientRect();
+    return box.width > 1 && box.height > 1 && !one.closest(".skip, .time-bar, header, #status, .results, .editor") && one.checkVisibility();
+  });
+  const boxes = seen.map((one) => [one, one.getBoundingClientRect()]);
+  for (let i = 0; i < boxes.length; ++i) {
+    for (let j = i + 1; j < boxes.length; ++j) {
+      const [a, p] = boxes[i], [b, q] = boxes[j];
+      if (a.contains(b) || b.contains(a)) continue;
+      if (Math.min(p.right, q.right) - Math.max(p.left, q.left) > 2 && Math.min(p.bottom, q.bottom) - Math.max(p.top, q.top) > 2) {
+        found.push(`overlap: "${a.textContent.slice(0, 40)}" and "${b.textContent.slice(0, 40)}"`);
+      }
+    }
+  }
+  if (document.documentElement.scrollWidth > window.innerWidth + 1) found.push(`the page is ${document.documentElement.scrollWidth} wide in a window of ${window.innerWidth}`);
+  for (const control of document.querySelectorAll("input, select, textarea, button, progress")) {
+    const named = control.textContent.trim() || control.ariaLabel || control.labels?.[0]?.textContent.trim();
+    if (!named && control.checkVisibility()) found.push(`no label: ${control.outerHTML.slice(0, 80)}`);
+  }
+  return found;
+}
+
+const main = async (page, link) => {
+  const wait = (what, ...rest) => page.waitForFunction(what, { timeout: 60000, polling: 50 }, ...rest);
+  const click = async (text, within = "body") => {
+    const handle = await wait((wanted, scope) => [...document.querySelectorAll(`${scope} button, ${scope} a, ${scope} summary`)].find((one) => one.textContent.trim() === wanted && one.checkVisibility() && !one.disabled), text, within);
+    await handle.click();
+  };
+  const picture = async (name) => {
+    for (const width of [1300, 390]) {
+      await page.setViewport({ width, height: width === 1300 ? 900 : 844 });
+      await page.evaluate(() => window.scrollTo(0, 0));
+      await new Promise((resolve) => setTimeout(resolve, 400));
+      problems.push(...(await page.evaluate(layout_problems)).map((one) => `${name} ${width}: ${one}`));
+      await page.screenshot({ path: path.join(pictures, `${name}-${width}.png`), fullPage: true });
+    }
+    await page.setViewport({ width: 1300, height: 900 });
+  };
+  const fill = async (label, value) => {
+    const control = await wait((wanted) => [...document.querySelectorAll("label")].find((one) => one.textContent === wanted && one.checkVisibility())?.control, label);
+    await control.evaluate((one, text) => { one.value = text; one.dispatchEvent(new Event("input", { bubbles: true })); one.dispatchEvent(new Event("change", { bubbles: true })); }, value);
+  };
+  const field = (key, value) => page.$eval(`[data-key="${key}"]`, (one, text) => { one.value = text; one.dispatchEvent(new Event("change", { bubbles: true })); }, value);
+  const shown = (paths) => wait((list) => list.every((one) => document.querySelector(".plot .u-legend, .plot")?.textContent.includes(one)), paths);
+
+  // Start page.
+  let begun = performance.now();
+  await page.goto(link);
+  await wait(() => document.querySelectorAll(".card .picture").length === document.querySelectorAll(".card").length && document.querySelector(".card"));
+  times["link to gallery"] = performance.now() - begun;
+  await picture("start");
+
+  // The first case; a mistake, at the line and at the field.
+  await click("Open", ".card");
+  await wait(() => document.querySelector(".verdict.good"));
+  begun = performance.now();
+  await field("contact.friction", "9");
+  await wait(() => document.querySelector('[data-key="contact.friction"][aria-invalid="true"]') && document.querySelector(".gutter .bad"));
+  times["case edit to verdict"] = performance.now() - begun;
+  assert.match(await page.$eval(".problems", (one) => one.textContent), /out of range/);
+  await picture("mistake");
+  await field("contact.friction", "0.3");
+  await field("title", '<img src=x onerror="alert(1)">');
+  await wait(() => document.querySelector(".verdict.good"));
+  assert.match(await page.$eval("textarea", (one) => one.value), /friction = 0\.3\n/);
+  await picture("case");
+
+  // Run it.
+  begun = performance.now();
+  await fill("Name of the results", "first");
+  await click("Run");
+  await shown(["first"]);
+  times["first run to curve"] = performance.now() - begun;
+  assert.equal(await page.$(".facts img"), null);
+  await wait(() => document.querySelector(".legend").textContent);
+  await picture("results");
+
+  // Other coupling, mechanics cached; both curves.
+  await click("Case");
+  await wait(() => document.querySelector(".verdict.good"));
+  await field("coupling.coefficient", "0.2");
+  await wait(() => /coefficient = 0\.2/.test(document.querySelector("textarea").value) && document.querySelector(".verdict.good"));
+  await fill("Name of the results", "second");
+  begun = performance.now();
+  await click("Run");
+  await shown(["first", "second"]);
+  times["cached rerun to curve (coupling)"] = performance.now() - begun;
+  await click("Case");
+  await wait(() => document.querySelector(".verdict.good"));
+  await field("contact.friction", "0.15");
+  await wait(() => /friction = 0\.15/.test(document.querySelector("textarea").value) && document.querySelector(".verdict.good"));
+  await fill("Name of the results", "third");
+  begun = performance.now();
+  await click("Run");
+  await shown(["first", "second", "third"]);
+  times["cached rerun to curve (friction)"] = performance.now() - begun;
+  await click("What differs between third and second");
+  await wait(() => /contact.friction/.test(document.querySelector(".differences pre").textContent));
+
+  // The scene follows the time bar, every cut and face.
+  await page.$eval('.time-bar input', (one) => { one.value = "1.5"; one.dispatchEvent(new Event("input")); });
+  for (const [label, values] of [["Cut", ["x", "z", "volume", "y"]], ["Face", ["slip", "pressure"]]]) {
+    for (const value of values) await fill(label, value);
+  }
+  const channels = await page.$$eval(".scene-panel select:first-of-type option", (all) => all.map((one) => one.value));
+  assert.ok(channels.includes("strain/gamma") && channels.includes("ions/concentration") && channels.includes("ions/potential"), channels.join());
+  await fill("Field", "ions/concentration");
+  await wait(() => /Concentration/.test(document.querySelector(".legend").textContent));
+  await fill("Thickness stretched", "20");
+  await picture("scene");
+  times["scene, frames a second"] = await page.evaluate(async () => {
+    document.querySelector(".time-bar button").click();
+    const begin = performance.now();
+    let frames = 0;
+    await new Promise((resolve) => requestAnimationFrame(function step() { ++frames; performance.now() - begin > 2000 ? resolve() : requestAnimationFrame(step); }));
+    document.querySelector(".time-bar button").click();
+    return frames / ((performance.now() - begin) / 1000);
+  });
+
+  // Sweep.
+  await click("Case");
+  await wait(() => document.querySelector(".verdict.good"));
+  await click("Sweep a key");
+  await fill("Key", "coupling.coefficient");
+  await fill("From", "0.1");
+  await fill("Step", "0.1");
+  await fill("To", "0.3");
+  await click("Run the sweep");
+  await wait(() => /coupling.coefficient = 0.1/.test(document.querySelector(".sweep output")?.textContent));
+  await page.$eval(".sweep input[type=range]", (one) => { one.value = "2"; one.dispatchEvent(new Event("input")); });
+  await wait(() => /coupling.coefficient = 0.3/.test(document.querySelector(".sweep output").textContent) && /0003/.test(document.querySelector(".curves .plot").textContent));
+  await wait(() => document.querySelector(".legend").textContent);
+  await picture("sweep");
+
+  // Fit on a CSV.
+  await click("Case");
+  await wait(() => document.querySelector(".verdict.good"));
+  await click("Fit to a measurement");
+  const input = await page.$('.actions input[type="file"]');
+  const measured = path.join(folder, "measured.csv");
+  fs.copyFileSync(path.join(workspace, "second", "sampled.csv"), measured);
+  await input.uploadFile(measured);
+  await wait(() => [...document.querySelectorAll(".actions option")].some((one) => one.value === "measured.csv"));
+  await wait(() => [...document.querySelectorAll(".actions option")].some((one) => one.value === "current_difference"));
+  await click("Run the fit");
+  await wait(() => /Fitted keys/.test(document.body.textContent));
+  await picture("fit");
+
+  // Overlay of the measurement, log scale, exports.
+  await page.evaluate(() => [...document.querySelectorAll(".results button")].find((one) => one.textContent === "second").click());
+  await shown(["second"]);
+  await (await page.$('.curves input[type="file"]')).uploadFile(measured);
+  await wait(() => /measured.csv/.test(document.querySelector(".curves .plot").textContent));
+  await page.evaluate(() => [...document.querySelectorAll(".curves .check")].find((one) => /Log/.test(one.textContent)).querySelector("input").click());
+  for (const [text, within] of [["Save CSV", ".curves"], ["Save SVG", ".curves"], ["Save PNG", ".curves"], ["Save PNG", ".scene-panel"]]) await click(text, within);
+  for (const file of ["curves.csv", "curves.svg", "curves.png", "skin.png"]) {
+    for (let i = 0; !fs.existsSync(path.join(downloads, file)); ++i) {
+      assert.ok(i < 100, `${file} was not saved`);
+      await new Promise((resolve) => setTimeout(resolve, 100));
+    }
+  }
+  assert.match(fs.readFileSync(path.join(downloads, "curves.csv"), "utf8"), /^series,time \[s\],value,unit\n/);
+  await picture("overlay");
+
+  // Dark, the queue, the keyboard.
+  await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: "dark" }]);
+  await picture("dark");
+  await click("Queue");
+  await wait(() => document.querySelectorAll(".job.finished").length === 5);
+  await picture("queue");
+  await page.keyboard.press("Tab");
+  assert.notEqual(await page.evaluate(() => document.activeElement.tagName), "BODY");
+};
+
+const [server, link] = await start_server();
+const browser = await puppeteer.launch({ executablePath: "/usr/bin/chromium", headless: true,
+  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage"] });
+try {
+  const page = await browser.newPage();
+  listen(page);
+  const session = await browser.target().createCDPSession();
+  await session.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: downloads });
+  try {
+    await main(page, link);
+  } catch (error) {
+    await page.screenshot({ path: path.join(pictures, "failed.png"), fullPage: true });
+    console.error(problems.join("\n"), await page.$eval("#status", (one) => one.textContent));
+    throw error;
+  }
+  for (const [name, value] of Object.entries(times)) console.log(`${name}: ${name.includes("frames") ? value.toFixed(0) : `${(value / 1000).toFixed(2)} s`}`);
+  assert.deepEqual(problems, []);
+} finally {
+  await browser.close();
+  server.kill("SIGINT");
+  await new Promise((resolve) => server.once("exit", resolve));
+  fs.rmSync(folder, { recursive: true, force: true });
+}

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Jobs of the Studio: they outlive it, are taken up again, cancelled, resumed; what ran can be run without it."""
+
+import os
+import pathlib
+import signal
+import subprocess
+import unittest
+
+from studio_server import PROGRAM, QUICK, StudioTest
+
+
+def command_of(keeper):
+    """The process that a keeper watches."""
+    children = pathlib.Path(f"/proc/{keeper}/task/{keeper}/children").read_text().split()
+    return int(children[0])
+
+
+class Jobs(StudioTest):
+    def test_a_run_goes_on_without_the_server_and_is_taken_up_again(self):
+        self.studio.run("first")
+        self.studio.run("second")
+        self.studio.wait("first", lambda job: job["state"] == "running" and job["progress"])
+        self.studio.end(signal.SIGKILL)
+        again = self.start()
+        self.assertIn(again.job("first")["state"], ("running", "finished"))
+        again.wait("first", lambda job: job["state"] == "finished")
+        again.wait("second", lambda job: job["state"] == "finished")  # waited when the server was ended
+        self.assertIn("first", [run["path"] for run in again.json("GET", "/api/runs")])
+        command = again.job("first")["command"].split()
+        self.assertEqual(command, ["ionskin", "run", "first.toml", "-o", "first", "--no-report"])
+        # The same command by hand, elsewhere: the same currents.
+        by_hand = [*command[1:4], str(self.scratch / "by_hand"), *command[5:]]
+        subprocess.run([PROGRAM, *by_hand], cwd=self.folder, check=True, capture_output=True,
+                       env={**os.environ, "IONSKIN_CACHE": str(self.cache)})
+        self.assertEqual((self.folder / "first" / "signals.csv").read_bytes(), (self.scratch / "by_hand" / "signals.csv").read_bytes())
+
+    def test_a_run_that_was_ended_with_the_server_is_resumed(self):
+        self.studio.run("first")
+        job = self.studio.wait("first", lambda one: one["state"] == "running" and one["progress"] and one["progress"]["fraction"] > 0)
+        self.studio.end(signal.SIGKILL)
+        os.killpg(job["pid"], signal.SIGKILL)  # as when the machine goes down
+        again = self.start()
+        stopped = again.wait("first", lambda one: one["state"] == "stopped")
+        self.assertIn("kept", stopped["message"])
+        again.json("POST", f"/api/jobs/{stopped['id']}/resume", {})
+        resumed = again.wait("first", lambda one: one["state"] in ("finished", "failed"))
+        self.assertEqual(resumed["state"], "finished", resumed["message"])
+
+    def test_cancel_stops_the_command_and_resume_ends_it(self):
+        case = QUICK.replace("friction = 0.3", "friction = 0.31")
+        self.studio.run("first", case)
+        job = self.studio.wait("first", lambda one: one["state"] == "running" and one["progress"])
+        command = command_of(job["pid"])
+        self.studio.json("POST", f"/api/jobs/{job['id']}/cancel", {})
+        self.studio.wait("first", lambda one: one["state"] == "stopped")
+        self.assertFalse(pathlib.Path(f"/proc/{command}").exists())
+        self.assertEqual(self.studio.call("POST", f"/api/jobs/{job['id']}/cancel", {})[0], 409)
+        self.studio.json("POST", f"/api/jobs/{job['id']}/resume", {})
+        self.studio.wait("first", lambda one: one["state"] == "finished")
+
+    def test_the_queue_is_bounded_and_names_are_never_taken_twice(self):
+        first = self.studio.run("first")
+        second = self.studio.run("first")
+        self.assertEqual((first["folder"], second["folder"]), ("first", "first-2"))
+        for job in self.studio.json("GET", "/api/jobs"):
+            self.studio.json("POST", f"/api/jobs/{job['id']}/cancel", {})
+        self.studio.wait("first", lambda one: one["state"] == "stopped")
+
+    def test_a_second_studio_in_the_folder_is_refused(self):
+        other = subprocess.run([PROGRAM, "studio", self.folder, "--no-browser"], capture_output=True, text=True, check=False)
+        self.assertEqual(other.returncode, 2)
+        self.assertIn("another Studio", other.stderr)
+
+    def test_mistakes_come_with_line_and_key(self):
+        case = QUICK.replace("friction = 0.3", "friction = 33").replace('preload = "1 um"', "preload = 3")
+        errors = self.studio.json("POST", "/api/case/check", {"text": case})["errors"]
+        lines = case.splitlines()
+        self.assertEqual({(tuple(one["keys"]), lines[one["line"] - 1]) for one in errors},
+                         {(("contact.friction",), "friction = 33"), (("motion.preload",), "preload = 3")})
+        edited = self.studio.json("POST", "/api/case/set", {"text": case, "key": "motion.preload", "value": "2 um"})["text"]
+        self.assertIn('preload = "2 um"', edited)
+
+    def test_ctrl_c_ends_the_server(self):
+        self.assertEqual(self.studio.end(), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
