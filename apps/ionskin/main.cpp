@@ -16,6 +16,7 @@
 #include "ionskin/base/installation.hpp"
 
 #include <cstdlib>
+#include <filesystem>
 #include <unistd.h>
 
 namespace {
@@ -25,6 +26,8 @@ int become(const char* name, char** argv) {
   // One thread per factorisation; several run at once.
   setenv("OPENBLAS_NUM_THREADS", "1", 1);
   const auto program = ionskin::base::installation().solver.parent_path() / name;
+  const auto self = std::filesystem::canonical("/proc/self/exe");
+  setenv("IONSKIN_FRONT", self.c_str(), 1); // for parts that start further commands
   execv(program.c_str(), argv);
   throw ionskin::UserError("cannot start " + program.string() +
                            ", a part of ionskin\n  = build or install all parts again");

@@ -70,6 +70,7 @@ function follow(): void {
   events.onerror = () => { if (events.readyState === EventSource.CLOSED) window.setTimeout(follow, 3000); };
 }
 
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => window.dispatchEvent(new Event("theme")));
 set_theme(localStorage.getItem("theme") ?? "");
 header();
 window.addEventListener("hashchange", route);

@@ -24,7 +24,7 @@ export class CurvesPanel {
 
   constructor(pick: (time: number) => void) {
     this.plot = new Plot(pick);
-    const options = el("div", { class: "row controls" }, labelled("Curve", this.choice), check_box("Log scale of magnitudes", this.log), check_box("Error bands", this.bands));
+    const options = el("div", { class: "row controls" }, el("div", { class: "curve-choice" }, labelled("Curve", this.choice)), check_box("Log scale of magnitudes", this.log), check_box("Error bands", this.bands));
     this.element = el("section", { class: "curves", "aria-label": "Curves" }, options, this.plot.element,
       el("div", { class: "row controls" },
         button("Save CSV", () => save("curves.csv", csv_of(this.plot.series)), "small"),
@@ -57,7 +57,9 @@ export class CurvesPanel {
     const lists = quantity ? await Promise.all(this.results.map((result) => series_of(result, quantity, this.results.length > 1 || quantity.columns.length === 1 ? result.path : ""))) : [];
     if (mine !== this.asked) return;
     const series = lists.flat();
-    const fitting = this.measured.filter((one) => !series.length || one.unit === series[0].unit);
+    const same = this.measured.filter((one) => !series.length || one.unit === series[0].unit);
+    const named = same.filter((one) => quantity?.columns.some((name) => one.name === name));
+    const fitting = named.length ? named : same;
     if (this.measured.length && !fitting.length) say(`the measurement has no column in ${series[0].unit}`, true);
     this.end = Math.max(0, ...series.map((one) => one.time[one.time.length - 1] ?? 0)) || 1;
     this.plot.show([...series, ...fitting], { log: this.log.checked, bands: this.bands.checked });

@@ -5,6 +5,12 @@ import { is_dark, line_colours } from "./colours";
 import { scale_for, number } from "./format";
 import { Series } from "./series";
 
+/// Marks of a log scale: the powers of ten.
+function decades(_chart: uPlot, _axis: number, least: number, greatest: number): number[] {
+  const first = Math.ceil(Math.log10(least) - 1e-9), last = Math.floor(Math.log10(greatest) + 1e-9);
+  return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) => Number(`1e${first + i}`));
+}
+
 export class Plot {
   readonly element = document.createElement("div");
   scaled = { factor: 1, unit: "" };
@@ -53,7 +59,9 @@ export class Plot {
     const label = this.series.map((one) => one.label).join(", ");
     this.element.setAttribute("aria-label", this.series.length ? `${label} over ${this.axis}; largest magnitude ${number(largest * this.scaled.factor)} ${this.scaled.unit}` : "no curve");
     if (this.series.length === 0) return;
-    const value = (v: number) => (!Number.isFinite(v) || (this.log && v === 0) ? null : (this.log ? Math.abs(v) : v) * this.scaled.factor);
+    // A log scale over more decades than these shows rounding, no signal.
+    const smallest = this.log ? largest * 1e-6 : 0;
+    const value = (v: number) => (!Number.isFinite(v) || (this.log && Math.abs(v) <= smallest) ? null : (this.log ? Math.abs(v) : v) * this.scaled.factor);
     const tables: uPlot.AlignedData[] = [];
     const described: uPlot.Series[] = [{ label: this.axis }];
     const bands: uPlot.Band[] = [];
@@ -82,7 +90,7 @@ export class Plot {
       width, height: this.height, series: described, bands,
       scales: { x: { time: false }, y: { distr: this.log ? 3 : 1 } },
       axes: [{ ...axis, label: this.axis, labelSize: 22 }, { ...axis, label: this.scaled.unit || "1", labelSize: 20, size: 62,
-        values: (_, marks) => marks.map((mark) => (mark === null ? "" : this.log && Math.log10(mark) % 1 !== 0 ? "" : number(mark, 3))) }],
+        ...(this.log ? { splits: decades } : {}), values: (_, marks) => marks.map((mark) => (mark === null ? "" : number(mark, 3))) }],
       cursor: { drag: { x: true, y: false } },
       legend: { live: true },
       hooks: { draw: [(chart) => this.draw_mark(chart)], ready: [(chart) => {

@@ -151,7 +151,8 @@ export class ScenePanel {
       const reach = Math.max(greatest - middle, middle - least);
       return { least: middle - reach, greatest: middle + reach, diverging: true };
     }
-    const both = (least ?? 0) < 0 && (greatest ?? 0) > 0;
+    // Smoothing leaves a shear that cannot be negative a little below 0.
+    const both = (least ?? 0) < -0.1 * (greatest ?? 0) && (greatest ?? 0) > 0;
     const reach = Math.max(Math.abs(least ?? 0), Math.abs(greatest ?? 0));
     return both ? { least: -reach, greatest: reach, diverging: true } : { least: Math.min(0, least ?? 0), greatest: greatest ?? 1, diverging: false };
   }

@@ -4,7 +4,7 @@ import { Column, Result, Table, table } from "./api";
 import { words } from "./format";
 
 export interface Series {
-  label: string; unit: string; time: Float64Array; values: Float64Array;
+  label: string; name?: string; unit: string; time: Float64Array; values: Float64Array;
   /// Half width of the error band at each row, when an estimate exists.
   band?: Float64Array;
   /// Drawn as points: a measurement.
@@ -99,5 +99,5 @@ export function read_measurement(text: string, name: string): Series[] {
     return { name: title![1], unit, values: Float64Array.from(rows, (row) => Number.parseFloat(row.split(",")[i]) * factors[prefix]) };
   });
   const time = columns.find((one) => one.name === "time") ?? columns[0];
-  return columns.filter((one) => one !== time).map((one) => ({ label: `${name}: ${words(one.name)}`, unit: one.unit, time: time.values, values: one.values, points: true }));
+  return columns.filter((one) => one !== time).map((one) => ({ label: `${name}: ${words(one.name)}`, name: one.name, unit: one.unit, time: time.values, values: one.values, points: true }));
 }

@@ -5,6 +5,7 @@ import os
 import pathlib
 import signal
 import subprocess
+import time
 import unittest
 
 from studio_server import PROGRAM, QUICK, StudioTest
@@ -12,8 +13,10 @@ from studio_server import PROGRAM, QUICK, StudioTest
 
 def command_of(keeper):
     """The process that a keeper watches."""
-    children = pathlib.Path(f"/proc/{keeper}/task/{keeper}/children").read_text().split()
-    return int(children[0])
+    children = pathlib.Path(f"/proc/{keeper}/task/{keeper}/children")
+    while not children.read_text():
+        time.sleep(0.02)
+    return int(children.read_text().split()[0])
 
 
 class Jobs(StudioTest):

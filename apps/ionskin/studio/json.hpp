@@ -19,11 +19,19 @@ inline std::string dump(const Json& value) {
 
 /// The body of a request. Throws HttpError 400 when it is no JSON object.
 inline Json parse_object(std::string_view text) {
-  // Nesting is bounded: the parser and the destructor of a value recurse.
+  // Copies of a value recurse, so its nesting is bounded. Brackets within texts do not nest.
   int depth = 0;
-  for (const char c : text) {
-    depth += c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;
-    if (depth > 4000) {
+  bool in_text = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_text && c == '\\') {
+      ++i;
+    } else if (c == '"') {
+      in_text = !in_text;
+    } else if (!in_text) {
+      depth += c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;
+    }
+    if (depth > 16) {
       throw HttpError(400, "the request is nested too deeply");
     }
   }

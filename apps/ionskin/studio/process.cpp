@@ -6,6 +6,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <fcntl.h>
 #include <fstream>
 #include <iterator>
@@ -140,7 +141,9 @@ ProcessId identify(pid_t pid) {
 }
 
 std::filesystem::path program() {
-  return std::filesystem::canonical("/proc/self/exe").parent_path() / "ionskin";
+  const char* front = std::getenv("IONSKIN_FRONT");
+  return front != nullptr ? std::filesystem::path(front)
+                          : std::filesystem::canonical("/proc/self/exe").parent_path() / "ionskin";
 }
 
 pid_t start_detached(const std::vector<std::string>& words, const std::filesystem::path& folder,

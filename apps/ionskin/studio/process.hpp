@@ -22,7 +22,7 @@ struct ProcessId {
 /// Of a process that runs now; `started` is empty when there is none.
 ProcessId identify(pid_t pid);
 
-/// The ionskin program beside this one.
+/// The ionskin program that became this one, or else the one beside it.
 std::filesystem::path program();
 
 /// Starts a program in a session of its own, so that it outlives this one. No shell is involved.

@@ -20,6 +20,9 @@ ProgressLog read_progress(const std::string& text) {
     log.fraction = entry.value("fraction", 0.0);
     const double elapsed = entry.value("elapsed_s", 0.0);
     log.left = log.fraction > 0.02 ? elapsed * (1 - log.fraction) / log.fraction : -1;
+    if (const auto told = entry.find("time_left_s"); told != entry.end() && told->is_number()) {
+      log.left = told->get<double>();
+    }
   }
   return log;
 }

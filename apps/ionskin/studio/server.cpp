@@ -122,14 +122,16 @@ Server::Server(Workspace& workspace, JobQueue& jobs, int port)
       [this](const httplib::Request& request, httplib::Response& response) {
         return admit(request, response);
       });
-  http_.set_expect_100_continue_handler([](const httplib::Request& request, httplib::Response&) {
-    try {
-      require_small_body(request);
-    } catch (const HttpError& error) {
-      return error.status();
-    }
-    return 100;
-  });
+  http_.set_expect_100_continue_handler(
+      [](const httplib::Request& request, httplib::Response& response) {
+        try {
+          require_small_body(request);
+        } catch (const HttpError& error) {
+          response.status = error.status();
+          return error.status();
+        }
+        return 100;
+      });
   serve_case_calls();
   serve_job_calls();
   serve_result_calls();

@@ -12,20 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The program, or the library that was loaded, that this code is part of.
-fs::path own_file() {
-  static const char anchor = 0;
-  Dl_info info{};
-  link_map* map = nullptr;
-  std::error_code error;
-  // The program itself has no name there, and the name it was called by may be anything.
-  if (dladdr1(&anchor, &info, reinterpret_cast<void**>(&map), RTLD_DL_LINKMAP) != 0 &&
-      map != nullptr && *map->l_name != '\0') {
-    return fs::canonical(map->l_name, error);
-  }
-  return fs::canonical("/proc/self/exe", error);
-}
-
 /// The folder that `own` is in the given place of, when that is so.
 std::optional<fs::path> prefix_of(const fs::path& own, const fs::path& place) {
   fs::path prefix = own;
@@ -59,6 +45,19 @@ Installation find() {
 }
 
 } // namespace
+
+fs::path own_file() {
+  static const char anchor = 0;
+  Dl_info info{};
+  link_map* map = nullptr;
+  std::error_code error;
+  // The program itself has no name there, and the name it was called by may be anything.
+  if (dladdr1(&anchor, &info, reinterpret_cast<void**>(&map), RTLD_DL_LINKMAP) != 0 &&
+      map != nullptr && *map->l_name != '\0') {
+    return fs::canonical(map->l_name, error);
+  }
+  return fs::canonical("/proc/self/exe", error);
+}
 
 const Installation& installation() {
   static const Installation found = find();

@@ -17,4 +17,7 @@ struct Installation {
 /// Of the running copy. What the environment replaces is left to the callers.
 const Installation& installation();
 
+/// The program, or the library that was loaded, that this code is part of.
+std::filesystem::path own_file();
+
 } // namespace ionskin::base
