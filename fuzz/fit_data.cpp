@@ -2,8 +2,8 @@
 
 // Any bytes are a measurement or are refused with a UserError.
 
-#include "ionskin/base/error.hpp"
 #include "ionskin/study/fit_data.hpp"
+#include "ionskin/base/error.hpp"
 #include "scratch_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -16,6 +16,7 @@ from gallery import gallery
 from materials import materials
 from mend_theme import mend_theme
 from python_api import python_api
+from studio import studio
 from verification import verification
 
 DOCS = pathlib.Path(__file__).resolve().parent.parent
@@ -56,7 +57,8 @@ def main():
              "python_api": python_api(DOCS.parent / "python"),
              "materials": materials(DOCS.parent / "materials"),
              "verification_results": verification(material / "verification.csv", source),
-             "gallery": gallery(material / "sweep" / "figures", source)}
+             "gallery": gallery(material / "sweep" / "figures", source),
+             "studio": studio(program.parent / "studio" / "pictures", source)}
     for name, text in pages.items():
         (source / f"{name}.md").write_text(text, encoding="utf-8")
     sphinx = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html", "-d", options.work / "doctrees"]

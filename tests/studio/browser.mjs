@@ -65,7 +65,7 @@ function layout_problems() {
 }
 
 const main = async (page, link) => {
-  const wait = (what, ...rest) => page.waitForFunction(what, { timeout: 60000, polling: 50 }, ...rest);
+  const wait = (what, ...rest) => page.waitForFunction(what, { timeout: 240000, polling: 50 }, ...rest);
   const click = async (text, within = "body") => {
     const handle = await wait((wanted, scope) => [...document.querySelectorAll(`${scope} button, ${scope} a, ${scope} summary`)].find((one) => one.textContent.trim() === wanted && one.checkVisibility() && !one.disabled), text, within);
     await handle.click();

@@ -44,7 +44,8 @@ TEST(StrainEvents, AShearThatOnlyMovesBetweenColumnsIsSeen) {
     return std::make_shared<strain::StrainField>(std::move(values));
   };
   history.time = {0, 1, 2};
-  history.shear() = {field({1, 0, 0, 1, 0, 0}), field({0, 1, 0, 0, 1, 0}), field({0, 0, 1, 0, 0, 1})};
+  history.shear() = {field({1, 0, 0, 1, 0, 0}), field({0, 1, 0, 0, 1, 0}),
+                     field({0, 0, 1, 0, 0, 1})};
   EXPECT_EQ(detect_events(history), (std::vector<double>{0, 1}));
 }
 
