@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/case_check.hpp"
 
+#include "ionskin/base/atomic_file.hpp"
 #include "ionskin/case/schema.hpp"
-#include "ionskin/results/atomic_file.hpp"
 #include "studio/limits.hpp"
 #include "studio/process.hpp"
 
@@ -138,7 +138,7 @@ Json check_case(const Workspace& workspace, const std::string& text) {
     ~Release() { checks.release(); }
   } release;
   const ScratchFile scratch{workspace.root() / fmt::format(".studio-check-{}.toml", ++number)};
-  results::write_text_file(scratch.path, text);
+  base::write_text_file(scratch.path, text);
   Outcome outcome =
       run_to_end({program().string(), "check", scratch.path.filename().string(), "--json"},
                  workspace.root(), limits::check_time, limits::check_memory);

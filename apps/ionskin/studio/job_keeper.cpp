@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/job_keeper.hpp"
 
-#include "ionskin/results/atomic_file.hpp"
+#include "ionskin/base/atomic_file.hpp"
 #include "studio/job.hpp"
 
 #include <cerrno>
@@ -52,8 +52,8 @@ int keep_job(const std::filesystem::path& folder) {
   std::signal(SIGTERM, SIG_IGN);
   const Job job = job_from_json(Json::parse(file_text(folder / "job.json", 1u << 20)));
   const int exit_code = run(job.words);
-  results::write_text_file(folder / "end.json",
-                           dump({{"exit_code", exit_code}, {"ended", std::time(nullptr)}}));
+  base::write_text_file(folder / "end.json",
+                        dump({{"exit_code", exit_code}, {"ended", std::time(nullptr)}}));
   return 0;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/job_queue.hpp"
 
-#include "ionskin/results/atomic_file.hpp"
+#include "ionskin/base/atomic_file.hpp"
 #include "studio/limits.hpp"
 #include "studio/progress_log.hpp"
 
@@ -174,7 +174,7 @@ void JobQueue::load() {
 }
 
 void JobQueue::save(const Entry& entry) {
-  results::write_text_file(records(entry.job) / "job.json", dump(to_json(entry.job)));
+  base::write_text_file(records(entry.job) / "job.json", dump(to_json(entry.job)));
   ++version_;
   changed_.notify_all();
 }

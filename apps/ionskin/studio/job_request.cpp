@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/job_request.hpp"
 
+#include "ionskin/base/atomic_file.hpp"
 #include "ionskin/case/schema.hpp"
-#include "ionskin/results/atomic_file.hpp"
 #include "studio/case_check.hpp"
 #include "studio/limits.hpp"
 
@@ -66,7 +66,7 @@ std::string case_file(const Workspace& workspace, const Json& request, const std
   }
   const std::string file = name + ".toml";
   if (!request.value("dry", false)) {
-    results::write_text_file(workspace.place(file), text);
+    base::write_text_file(workspace.place(file), text);
   }
   return file;
 }

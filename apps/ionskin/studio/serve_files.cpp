@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/results/atomic_file.hpp"
+#include "ionskin/base/atomic_file.hpp"
 #include "studio/job.hpp"
 #include "studio/limits.hpp"
 #include "studio/server.hpp"
@@ -82,7 +82,7 @@ void Server::serve_file_calls() {
   });
   post("/api/upload", [this](const httplib::Request& request, httplib::Response& response) {
     const fs::path path = unused_place(workspace_, request.get_param_value("name"));
-    results::write_text_file(path, request.body);
+    base::write_text_file(path, request.body);
     response.status = 201;
     send_json(response, {{"path", workspace_.relative(path)}});
   });

@@ -123,7 +123,7 @@ SealState check_seal(const std::filesystem::path& path) {
   return own_build() && build == own_build()->hex() ? SealState::whole : SealState::other_build;
 }
 
-std::optional<Digest> file_digest(const std::filesystem::path& path) {
+std::optional<Digest> digest_if_readable(const std::filesystem::path& path) {
   const InputFile file(path, O_RDONLY);
   return file.readable() ? file.digest(file.size(), "") : std::nullopt;
 }

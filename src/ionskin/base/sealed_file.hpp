@@ -24,6 +24,6 @@ enum class SealState {
 SealState check_seal(const std::filesystem::path& path);
 
 /// Of a file's bytes; nothing when it cannot be read or is no regular file. A link is not followed.
-std::optional<Digest> file_digest(const std::filesystem::path& path);
+std::optional<Digest> digest_if_readable(const std::filesystem::path& path);
 
 } // namespace ionskin::base

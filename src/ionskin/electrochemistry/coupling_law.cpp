@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/electrochemistry/coupling_law.hpp"
 
+#include "ionskin/base/constants.hpp"
 #include "ionskin/base/error.hpp"
 #include "ionskin/electrochemistry/column_neutral.hpp"
 #include "ionskin/electrochemistry/fixed_charge.hpp"
 #include "ionskin/electrochemistry/pair_generation.hpp"
 #include "ionskin/electrochemistry/volume_neutral.hpp"
+#include "ionskin/poroelasticity/water_properties.hpp"
 #include "ionskin/strain/strain_history.hpp"
 
 #include <algorithm>
@@ -47,6 +49,17 @@ const strain::HistoryChannel& CouplingLaw::channel(const strain::StrainHistory& 
     }
   }
   throw InternalError("the history has no channel for the law " + std::string(name));
+}
+
+double charge_density_of_channel(const Case& input, const strain::HistoryChannel& channel) {
+  const double fixed = constants::faraday * input.electrochemistry.fixed_charge_concentration;
+  if (!coupling_law(input.coupling.law).moves_water) {
+    return fixed * input.coupling.coefficient;
+  }
+  const auto water = poroelasticity::derive_water_properties(input);
+  return fixed * input.electrochemistry.valence * water.streaming_coefficient /
+         water.thermal_voltage *
+         (channel.name == strain::channel_name::dilation ? water.storage_modulus : 1.0);
 }
 
 const CouplingLaw& coupling_law(const std::string& name) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/case/case.hpp"
 #include "ionskin/electrochemistry/scaled_grid.hpp"
 #include "ionskin/strain/strain_history.hpp"
 
@@ -29,6 +30,10 @@ struct CouplingLaw {
   /// The channel of a history that drives the law, which must be there.
   const strain::HistoryChannel& channel(const strain::StrainHistory& history) const;
 };
+
+/// Charge that a unit of the law's channel moves or makes per volume, to first order
+/// [C/m3 per unit of the channel].
+double charge_density_of_channel(const Case& input, const strain::HistoryChannel& channel);
 
 /// The law of a name that the schema has checked.
 const CouplingLaw& coupling_law(const std::string& name);

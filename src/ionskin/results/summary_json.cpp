@@ -57,6 +57,9 @@ Summary read_summary(const std::filesystem::path& path) {
   summary.timing = json.value("timing", summary.timing);
   summary.warnings = json.value("warnings", summary.warnings);
   summary.error_estimate = json.value("error_estimate", summary.error_estimate);
+  summary.error_parts = json.value("error_parts", summary.error_parts);
+  summary.not_converging = json.value("not_converging", summary.not_converging);
+  summary.not_estimated = json.value("not_estimated", summary.not_estimated);
   return summary;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/error_estimate.hpp"
 
-#include "ionskin/base/constants.hpp"
 #include "ionskin/base/task_pool.hpp"
+#include "ionskin/electrochemistry/coupling_law.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
 #include "ionskin/readout/tail_current.hpp"
 #include "ionskin/strain/merged_cells.hpp"
@@ -44,14 +44,15 @@ bool has_companions(const MechanicsRecord& mechanics) {
   return mechanics.companions.contains(companions::mesh);
 }
 
-/// Largest charge that the shear can move [C].
+/// Largest charge that the history can move [C].
 double charge_scale(const Case& input, const strain::StrainHistory& history) {
+  const strain::HistoryChannel& channel =
+      electrochemistry::coupling_law(input.coupling.law).channel(history);
   double largest = 0;
   for (const double time : history.time) {
-    largest = std::max(largest, strain::shear_integrals(history, time).magnitude);
+    largest = std::max(largest, strain::channel_integrals(history, channel, time).magnitude);
   }
-  return constants::faraday * input.electrochemistry.fixed_charge_concentration *
-         std::abs(input.coupling.coefficient) * largest;
+  return std::abs(electrochemistry::charge_density_of_channel(input, channel)) * largest;
 }
 
 double path_floor(const MechanicsRecord& mechanics) {

@@ -148,9 +148,9 @@ private:
 double largest_nearby(const std::vector<double>& values, std::size_t row) {
   double largest = 0;
   const auto at = static_cast<std::ptrdiff_t>(row);
-  const auto rows = static_cast<std::ptrdiff_t>(values.size());
+  const auto count = static_cast<std::ptrdiff_t>(values.size());
   for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, at - band_reach);
-       i < std::min(rows, at + band_reach + 1); ++i) {
+       i < std::min(count, at + band_reach + 1); ++i) {
     largest = std::fmax(largest, std::abs(values[static_cast<std::size_t>(i)]));
   }
   return largest;

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/read_out.hpp"
 
-#include "ionskin/base/constants.hpp"
 #include "ionskin/base/task_pool.hpp"
 #include "ionskin/electrochemistry/coupling_law.hpp"
 #include "ionskin/electrochemistry/derived_scales.hpp"
-#include "ionskin/poroelasticity/water_properties.hpp"
 #include "ionskin/readout/amplifier.hpp"
 #include "ionskin/readout/circuit.hpp"
 #include "ionskin/readout/phases.hpp"
@@ -96,13 +94,6 @@ void add_tail_metric(const Case& input, const MechanicsRecord& mechanics, Signal
        readout::tail_rms(signals.sampled.column("current_difference").values, tail), "A"});
 }
 
-/// What a law that moves water makes of a unit of its channel: the scaled drive of the cations.
-double drive_of_channel(const Case& input, const strain::HistoryChannel& channel) {
-  const auto water = poroelasticity::derive_water_properties(input);
-  return input.electrochemistry.valence * water.streaming_coefficient / water.thermal_voltage *
-         (channel.name == strain::channel_name::dilation ? water.storage_modulus : 1.0);
-}
-
 /// Gauss' law against the integral of the channel that drives the ions as the strain folder takes
 /// it: what that is under another law that makes net charge is not known here, and such a run has
 /// no figure of it.
@@ -114,9 +105,7 @@ std::optional<readout::Metric> charge_identity(const Case& input, const Mechanic
   }
   const electrochemistry::CouplingLaw& law = electrochemistry::coupling_law(input.coupling.law);
   const strain::HistoryChannel& channel = law.channel(mechanics.history);
-  const double factor =
-      constants::faraday * input.electrochemistry.fixed_charge_concentration *
-      (law.moves_water ? drive_of_channel(input, channel) : input.coupling.coefficient);
+  const double factor = electrochemistry::charge_density_of_channel(input, channel);
   std::vector<double> expected(ions.time.size()), magnitude(ions.time.size());
   base::run_tasks(expected.size(), threads, [&](std::size_t row) {
     const strain::ChannelIntegrals drive =

@@ -109,13 +109,16 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, base::Disk
 std::string transport_hash(const std::string& input_hash, const strain::StrainHistory& history) {
   base::DigestBuilder builder;
   builder.add(std::string_view(input_hash)).add(history.time).add(history.slider_x);
-  const strain::StrainField* last = nullptr;
-  for (const auto& field : history.gamma) {
-    builder.add(field.get() == last);
-    if (field.get() != last) {
-      builder.add(*field);
+  for (const strain::HistoryChannel& channel : history.channels) {
+    builder.add(std::string_view(channel.name));
+    const strain::StrainField* last = nullptr;
+    for (const auto& field : channel.samples) {
+      builder.add(field.get() == last);
+      if (field.get() != last) {
+        builder.add(*field);
+      }
+      last = field.get();
     }
-    last = field.get();
   }
   return builder.finish().hex();
 }

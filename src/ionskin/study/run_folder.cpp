@@ -45,7 +45,7 @@ bool is_whole(const results::Manifest& manifest, const std::string& hash,
   return manifest.state == "finished" && manifest.input_hash == hash && base::own_build() &&
          manifest.build == base::own_build()->hex() && !files.empty() &&
          std::all_of(files.begin(), files.end(), [&](const auto& entry) {
-           const auto digest = base::file_digest(folder / entry.first);
+           const auto digest = base::digest_if_readable(folder / entry.first);
            return digest && digest->hex() == entry.second;
          });
 }
@@ -167,7 +167,7 @@ void RunFolder::finish(bool sound) {
   namespace names = results::file_names;
   const std::set<std::string> others{names::manifest, names::report, names::checkpoint};
   for (const std::string& name : folder_.owned()) {
-    const auto digest = base::file_digest(folder_.file(name));
+    const auto digest = base::digest_if_readable(folder_.file(name));
     if (digest && others.count(name) == 0 && !name.starts_with(names::figures)) {
       manifest_.files[name] = digest->hex();
     }

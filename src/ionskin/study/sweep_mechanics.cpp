@@ -154,7 +154,7 @@ void leave_in_folders(const std::vector<SweepPoint>& points, const SharedMechani
         pending.commit();
       } else {
         write_mechanics(path, mechanics_hash(input), record_mechanics(input, solved));
-        if (uses_cache_of_runs(input, cache)) {
+        if (cache != nullptr) {
           keep_mechanics(*cache, mechanics_hash(input), path);
         }
         first = path;

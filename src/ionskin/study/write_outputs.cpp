@@ -106,8 +106,13 @@ RunOutcome complete_report(const RunOptions& options, double start, RunFolder& f
     summary.warnings.push_back(*problem);
   }
   const bool reported = std::filesystem::exists(folder.file(names::report));
+  ErrorEstimate errors;
+  errors.relative = summary.error_estimate;
+  errors.parts = summary.error_parts;
+  errors.not_converging = summary.not_converging;
+  errors.not_estimated = summary.not_estimated;
   return {folder.path(),    reported ? folder.file(names::report) : std::filesystem::path{},
-          summary.metrics,  summary.error_estimate,
+          summary.metrics,  std::move(errors),
           summary.warnings, base::wall_time() - start};
 }
 

@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "molecules of water for each cation", "it must be at most"},
         Refusal{"AWallThatIsNoWall", water + "top_wall = \"ajar\"\n", "water.top_wall = \"ajar\"",
                 "sealed"}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& refusal) { return refusal.param.name; });
 
 TEST(Water, IsRefusedBesideALawThatMovesNone) {
   const std::string message =
