@@ -11,6 +11,8 @@ target_compile_options(ionskin_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow
                        -Wno-missing-field-initializers -Werror)
 target_include_directories(ionskin_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
 target_link_options(ionskin_flags INTERFACE -Wl,--as-needed)
+# Units compiled with and without vector instructions share Eigen's inline functions: one alignment for all of them.
+target_compile_definitions(ionskin_flags INTERFACE EIGEN_MAX_ALIGN_BYTES=64)
 if(IONSKIN_SANITIZE)
   # GCC 12 takes instrumented library code for uninitialised reads.
   target_compile_options(ionskin_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer

@@ -65,7 +65,8 @@ TEST(StepRule, RefinementDividesStepsOfThirdOrder) {
   EXPECT_DOUBLE_EQ(twice.first, 0.5 * once.first);
   EXPECT_DOUBLE_EQ(twice.longest, 0.5 * once.longest);
   EXPECT_DOUBLE_EQ(twice.growth, std::sqrt(once.growth));
-  EXPECT_DOUBLE_EQ(step_rule({Preset::fine, 1.0, 1.0, 0.01}, {}, scales).tolerance, 0.01);
+  EXPECT_DOUBLE_EQ(
+      step_rule({.preset = Preset::fine, .time_tolerance = 0.01}, {}, scales).tolerance, 0.01);
 }
 
 TEST(StepRule, TaxelsAskForSingleColumns) {
