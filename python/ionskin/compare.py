@@ -108,11 +108,11 @@ def remark(text):
     return f", {text}" if text else ""
 
 
-def report(first, second, tolerance, defaults):
+def report(first, second, tolerance, defaults=None):
     """The differences as lines of text."""
     lines = []
     for heading, rows in (
-            ("parameters", [f"{key}: {one} | {two}" for key, one, two in parameters(first, second, defaults)]),
+            ("parameters", [f"{key}: {one} | {two}" for key, one, two in parameters(first, second, defaults or {})]),
             ("metrics (relative difference)", [
                 f"{name}: {number(one)} | {number(two)} {unit} ({gap:.2e})" + remark(verdict(first, second, name))
                 for name, one, two, unit, gap in metrics(first, second, tolerance)]),
