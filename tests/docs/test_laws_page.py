@@ -13,8 +13,9 @@ from moved_build import move_build
 from program import PROGRAM, ROOT, ProgramTest, metric, signals
 
 PAGE = ROOT / "docs" / "laws.md"
-COPIED = ("apps", "benchmarks", "cases", "cmake", "docs", "materials", "python", "src", "tests", "verification",
-          "CMakeLists.txt", "CMakePresets.json", "Makefile")
+COPIED = ("apps", "benchmarks", "cases", "cmake", "docs", "examples", "fuzz", "materials", "packaging", "python", "src",
+          "studio", "tests", "verification", "CHANGELOG.md", "CITATION.cff", "CMakeLists.txt", "CMakePresets.json",
+          "LICENSE", "Makefile", "README.md")
 NEW = re.compile(r"New file `([^`]+)`:\n\n```cpp\n(.*?)^```", re.DOTALL | re.MULTILINE)
 FILE = re.compile(r"\b[Ii]n `([^`]+)`")
 EDIT = re.compile(r"in\s+place\s+of\n\n```\w+\n(.*?)\n```\n\nwrite\n\n```\w+\n(.*?)\n```", re.DOTALL)

@@ -64,7 +64,7 @@ class ForeignHdf5(ProgramTest):
         def long(file):
             file["time"][...] = [0, 1e6]
 
-        self.refused(self.strain_file("long.h5", long), "set readout.sample_interval to at least 0.1 s")
+        self.refused(self.strain_file("long.h5", long), "it must be at least 0.5 s")
 
     def test_standard_input_is_a_file_or_refused(self):
         path = self.strain_file("whole.h5", lambda file: None)

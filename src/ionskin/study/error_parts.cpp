@@ -22,7 +22,8 @@ using readout::SignalTable;
 /// they change sign from row to row.
 constexpr std::ptrdiff_t band_reach = 2;
 
-constexpr double mesh_safety = 1.3; // see `safety`
+// See `safety`.
+constexpr double mesh_safety = 1.3, verified_order = 1.8, richardson_safety = 2.0;
 
 const Metric* find_metric(const Signals& signals, const std::string& name) {
   const auto found = std::ranges::find(signals.metrics, name, &Metric::name);
@@ -182,6 +183,9 @@ SignalTable band(const SignalTable& base, const std::vector<PairDifference>& dif
 } // namespace
 
 double safety(const std::string& part) {
+  if (part == error_parts::transport_grid || part == error_parts::time_steps) {
+    return richardson_safety / (std::pow(2.0, verified_order) - 1);
+  }
   return part == error_parts::mechanics_mesh ? mesh_safety : 1;
 }
 

@@ -26,6 +26,17 @@ mechanics::PathSteps halved(mechanics::PathSteps steps) {
   return steps;
 }
 
+/// Options whose solution takes up a part of the progress on coarser meshes.
+mechanics::ContactOptions with_share(const mechanics::ContactOptions& options, double first,
+                                     double share) {
+  mechanics::ContactOptions result = options;
+  result.progress = [&options, first, share](std::string_view activity, double fraction) {
+    activity == "mechanics" ? options.progress(companion_activity, first + share * fraction)
+                            : options.progress(activity, fraction);
+  };
+  return result;
+}
+
 /// One entry per friction coefficient.
 std::vector<Companions> solve_companions(const Case& input, const std::vector<double>& frictions,
                                          const mechanics::ContactOptions& options) {
@@ -35,16 +46,18 @@ std::vector<Companions> solve_companions(const Case& input, const std::vector<do
     variants.push_back({friction, options.steps});
     variants.push_back({friction, halved(options.steps)});
   }
+  const bool has_second = needs_thickness_companion(input);
   auto solutions =
-      mechanics::solve_variants(companion_case(input, companions::mesh), variants, options, parts);
+      mechanics::solve_variants(companion_case(input, companions::mesh), variants,
+                                with_share(options, 0, has_second ? 0.5 : 1), parts);
   std::vector<Companions> result(frictions.size());
   for (std::size_t i = 0; i < frictions.size(); ++i) {
     result[i].emplace(companions::mesh, std::move(solutions[2 * i]));
     result[i].emplace(companions::path, std::move(solutions[2 * i + 1]));
   }
-  if (needs_thickness_companion(input)) {
+  if (has_second) {
     auto finer = mechanics::solve_contact(companion_case(input, companions::thickness), frictions,
-                                          options, parts);
+                                          with_share(options, 0.5, 0.5), parts);
     for (std::size_t i = 0; i < frictions.size(); ++i) {
       result[i].emplace(companions::thickness, std::move(finer[i]));
     }
@@ -56,12 +69,8 @@ std::vector<Companions> solve_companions(const Case& input, const std::vector<do
 std::vector<Companions> try_companions(const Case& input, const std::vector<double>& frictions,
                                        const mechanics::ContactOptions& options,
                                        std::string& problem) {
-  mechanics::ContactOptions coarser = options;
-  coarser.progress = [&options](std::string_view activity, double fraction) {
-    options.progress(activity == "mechanics" ? companion_activity : activity, fraction);
-  };
   try {
-    return solve_companions(input, frictions, coarser);
+    return solve_companions(input, frictions, options);
   } catch (const SolverError& error) {
     problem = error.what();
   } catch (const UserError& error) { // its mesh does not fit beside the slider
