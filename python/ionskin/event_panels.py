@@ -48,6 +48,11 @@ class Row:
         for panel in self.panels:
             panel.plot(*values, **look)
 
+    def fill_between(self, *values, **look):
+        """The same band in every panel."""
+        for panel in self.panels:
+            panel.fill_between(*values, **look)
+
     def twin(self):
         """A row with an axis of its own on the right, shown at the last panel."""
         twins = [panel.twinx() for panel in self.panels]

@@ -2,6 +2,7 @@
 """Sweeps: sharing, killing and resuming, points that fail, bad input."""
 
 import csv
+import os
 import resource
 import shutil
 import signal
@@ -97,12 +98,21 @@ class Sweep(ProgramTest):
                                metric(self.folder / "single", "rms_current_difference"), delta=1e-15)
         self.run_program(*sweep[:-1], "coupling.coefficient=-40", "-o", "none", expect=3)
 
-    def test_a_mesh_too_large_for_the_memory_leaves_the_other_points(self):
+    def test_a_mesh_too_large_for_the_memory_is_refused_or_leaves_the_other_points(self):
         bound = 1024**3  # the small mesh comes first: OpenBLAS waits for ever where its first buffer finds no room
-        process = subprocess.run(
-            [PROGRAM, "sweep", QUICK, "-o", "out", "--no-report", "--only", "mechanics", "--threads", "1", "--over",
-             "numerics.mesh_refinement=0.5,2.5"], capture_output=True, text=True, cwd=self.folder, check=False,
-            timeout=300, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (bound, bound)))
+
+        def sweep(**environment):
+            return subprocess.run(
+                [PROGRAM, "sweep", QUICK, "-o", "out", "--no-report", "--only", "mechanics", "--threads", "1", "--over",
+                 "numerics.mesh_refinement=0.5,2.5"], capture_output=True, text=True, cwd=self.folder, check=False,
+                timeout=300, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (bound, bound)),
+                env={**os.environ, **environment})
+
+        refused = sweep()
+        self.assertEqual(refused.returncode, 2, refused.stderr)
+        self.assertIn("IONSKIN_MEMORY_LIMIT", refused.stderr)
+        self.assertFalse((self.folder / "out").exists())
+        process = sweep(IONSKIN_MEMORY_LIMIT="64 GB")
         self.assertEqual(process.returncode, 0, process.stderr)
         small, large = rows(self.folder / "out")
         self.assertEqual((large["status"], small["status"]), ("failed", "finished"))

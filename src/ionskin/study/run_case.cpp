@@ -53,17 +53,31 @@ MechanicsRecord record_of(GivenStrain given) {
   return record;
 }
 
+/// What an earlier run left of Study 1 in its folder; damage that its seal does not tell, as of a
+/// write that failed unnoticed, is solved again.
+std::optional<MechanicsRecord> left_mechanics(const Case& input, const std::string& hash,
+                                              const std::filesystem::path& path,
+                                              RunFolder& folder) {
+  if (!folder.holds(results::file_names::results)) {
+    return std::nullopt;
+  }
+  try {
+    return read_mechanics(path, hash, input.skin);
+  } catch (const UserError& error) {
+    folder.note(std::string("The mechanics is solved again: ") + error.what());
+    return std::nullopt;
+  }
+}
+
 /// Case -> SkinMesh -> ContactSolution -> StrainHistory, or what an earlier run left of it in its
 /// folder or in the cache.
 MechanicsRecord study_1(const Case& input, const RunOptions& options, base::DiskCache* cache,
                         RunFolder& folder, base::Timers& timers) {
   const auto results_path = folder.own(results::file_names::results);
   const std::string hash = mechanics_hash(input);
-  if (folder.holds(results::file_names::results)) {
-    if (auto record = read_mechanics(results_path, hash, input.skin)) {
-      folder.keep_finished("strain");
-      return *record;
-    }
+  if (auto record = left_mechanics(input, hash, results_path, folder)) {
+    folder.keep_finished("strain");
+    return *record;
   }
   if (options.studies == Studies::electrochemistry) {
     throw UserError(folder.path().string() +
