@@ -19,7 +19,7 @@ install(TARGETS ionskin_library EXPORT ionskin LIBRARY DESTINATION ${IONSKIN_LIB
 
 # What a program of others needs to read and run a case, and what that includes.
 foreach(header base/error base/interrupt base/progress case/case case/case_document case/height_map case/place
-        case/read_case case/schema readout/metrics readout/signals results/summary_json study/run_case units/dimension)
+        case/read_case case/schema readout/metrics readout/signals results/summary_json study/run_case study/stated_errors units/dimension)
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${PROJECT_SOURCE_DIR}/src/ionskin/${header}.hpp DESTINATION ${IONSKIN_INCLUDE_FOLDER}/${folder})
 endforeach()

@@ -4,9 +4,8 @@
 #include "ionskin/readout/signals.hpp"
 #include "ionskin/study/read_out.hpp"
 #include "ionskin/study/signal_difference.hpp"
+#include "ionskin/study/stated_errors.hpp"
 
-#include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,18 +45,6 @@ struct ErrorFloors {
   double charge = 0;          ///< what rounding may leave in a charge [C]; 0 without currents
   double sample_interval = 0; ///< of the readout [s]
   std::vector<bool> tail;     ///< rows of the sampled table outside the contact spikes
-};
-
-/// The stated errors of one run.
-struct ErrorEstimate {
-  std::map<std::string, double> relative; ///< sum of the parts over the value, by metric [1]
-  /// By metric and part, in the unit of the metric.
-  std::map<std::string, std::map<std::string, double>> parts;
-  std::map<std::string, std::string> not_converging; ///< why, by metric: finer meshes change it on
-  std::map<std::string, std::string> not_estimated;  ///< why, by metric
-  /// Bands about the signals: the same columns, half a width per row [unit of the signal].
-  readout::SignalTable signals, sampled;
-  std::optional<readout::SignalTable> taxels, circuit;
 };
 
 /// Half the width of the band that one pair makes about the values of a column, per row; NaN where

@@ -4,7 +4,7 @@
 #include "ionskin/base/progress.hpp"
 #include "ionskin/case/case.hpp"
 #include "ionskin/readout/metrics.hpp"
-#include "ionskin/study/error_parts.hpp"
+#include "ionskin/study/stated_errors.hpp"
 
 #include <filesystem>
 #include <map>
