@@ -47,9 +47,8 @@ std::vector<Companions> solve_companions(const Case& input, const std::vector<do
     variants.push_back({friction, halved(options.steps)});
   }
   const bool has_second = needs_thickness_companion(input);
-  auto solutions =
-      mechanics::solve_variants(companion_case(input, companions::mesh), variants,
-                                with_share(options, 0, has_second ? 0.5 : 1), parts);
+  auto solutions = mechanics::solve_variants(companion_case(input, companions::mesh), variants,
+                                             with_share(options, 0, has_second ? 0.5 : 1), parts);
   std::vector<Companions> result(frictions.size());
   for (std::size_t i = 0; i < frictions.size(); ++i) {
     result[i].emplace(companions::mesh, std::move(solutions[2 * i]));
