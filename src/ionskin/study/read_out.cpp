@@ -127,9 +127,12 @@ void add_ion_metrics(const Case& input, const IonSolution& ions,
   const double shear = readout::peak_magnitude(signals.column("p99_shear").values);
   const auto scales =
       electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness());
-  metrics.push_back({"nonlinearity",
-                     electrochemistry::nonlinearity(scales, input.coupling.coefficient, shear),
-                     "1"});
+  // A law that moves water has no k, and a 0 would say that it is linear.
+  if (!electrochemistry::coupling_law(input.coupling.law).moves_water) {
+    metrics.push_back({"nonlinearity",
+                       electrochemistry::nonlinearity(scales, input.coupling.coefficient, shear),
+                       "1"});
+  }
   const double initial =
       input.electrochemistry.fixed_charge_concentration / input.electrochemistry.valence;
   metrics.push_back(
