@@ -26,7 +26,9 @@ KernelThreads::~KernelThreads() {
 }
 
 std::string kernel_name() {
-  return openblas_get_config();
+  // OpenBLAS puts the text together in a buffer that all threads share: it is asked once.
+  static const std::string name = openblas_get_config();
+  return name;
 }
 
 void product(bool transpose_a, int m, int n, int k, double alpha, const double* a, int lead_a,
