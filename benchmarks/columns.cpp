@@ -6,10 +6,10 @@
 #include "presets.hpp"
 
 #include "ionskin/base/timers.hpp"
-#include "ionskin/case/read_case.hpp"
+#include "ionskin/case/reading/read_case.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
+#include "ionskin/handover/handover.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
-#include "ionskin/strain/handover.hpp"
 
 #include <fmt/core.h>
 
@@ -28,7 +28,7 @@ constexpr std::size_t turns = 7;
 
 struct RubbedSkin {
   Case input;
-  strain::StrainHistory history;
+  history::CoreHistory history;
 };
 
 /// The shear of the coarse preset serves: the cost of a step does not depend on the mechanics.
@@ -41,8 +41,8 @@ RubbedSkin skin_of(const std::string& preset, const std::vector<std::string>& ed
   mechanics::ContactOptions options;
   options.threads = threads;
   base::Timers timers;
-  return {read_case(file, all),
-          strain::build_strain_history(coarse, mechanics::solve_contact(coarse, options, timers))};
+  return {read_case(file, all), handover::build_strain_history(
+                                    coarse, mechanics::solve_contact(coarse, options, timers))};
 }
 
 struct Cost {

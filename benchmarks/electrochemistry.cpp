@@ -5,16 +5,16 @@
 
 #include "presets.hpp"
 
-#include "ionskin/base/task_pool.hpp"
 #include "ionskin/base/timers.hpp"
-#include "ionskin/case/read_case.hpp"
+#include "ionskin/case/reading/read_case.hpp"
+#include "ionskin/electrochemistry/grid/mid_width_mirror.hpp"
+#include "ionskin/electrochemistry/grid/transport_grid.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
-#include "ionskin/electrochemistry/mid_width_mirror.hpp"
-#include "ionskin/electrochemistry/problem_size.hpp"
-#include "ionskin/electrochemistry/transport_grid.hpp"
+#include "ionskin/electrochemistry/time/problem_size.hpp"
+#include "ionskin/handover/handover.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
-#include "ionskin/strain/handover.hpp"
-#include "ionskin/study/error_estimate.hpp"
+#include "ionskin/parallel/task_pool.hpp"
+#include "ionskin/study/errors/error_estimate.hpp"
 
 #include <fmt/core.h>
 
@@ -47,7 +47,7 @@ double triad_rate(int threads) {
   double best = 0;
   for (int repeat = 0; repeat < 7; ++repeat) {
     const double start = base::processor_time();
-    base::run_tasks(parts, threads, [&](std::size_t part) {
+    parallel::run_tasks(parts, threads, [&](std::size_t part) {
       const std::size_t end = (part + 1) * length / parts;
       for (std::size_t i = part * length / parts; i < end; ++i) {
         a[i] = b[i] + 0.5 * c[i];
@@ -62,7 +62,7 @@ void line(const std::string& name, const std::string& value) {
   fmt::print("  {:<44} {}\n", name, value);
 }
 
-void measure(const Case& input, const strain::StrainHistory& history, int threads, double rate) {
+void measure(const Case& input, const history::CoreHistory& history, int threads, double rate) {
   const electrochemistry::MidWidthMirror mirror(
       electrochemistry::make_transport_grid(input, history), history);
   const double unknowns =
@@ -112,7 +112,7 @@ int main(int argc, char** argv) {
     options.threads = threads;
     base::Timers timers;
     const auto history =
-        strain::build_strain_history(input, mechanics::solve_contact(input, options, timers));
+        handover::build_strain_history(input, mechanics::solve_contact(input, options, timers));
     fmt::print("\n{} preset, {} cycles, ", preset, input.motion.cycles);
     measure(input, history, 1, triad_rate(1));
     if (threads > 1) {

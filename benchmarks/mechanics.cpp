@@ -5,15 +5,15 @@
 
 #include "presets.hpp"
 
-#include "ionskin/base/task_pool.hpp"
 #include "ionskin/base/timers.hpp"
-#include "ionskin/case/read_case.hpp"
+#include "ionskin/case/reading/read_case.hpp"
 #include "ionskin/linear_algebra/dense_kernels.hpp"
-#include "ionskin/mechanics/elastic_system.hpp"
-#include "ionskin/mechanics/find_footprint.hpp"
+#include "ionskin/mechanics/elasticity/elastic_system.hpp"
+#include "ionskin/mechanics/path/find_footprint.hpp"
+#include "ionskin/mechanics/position/unit_response.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
-#include "ionskin/mechanics/unit_response.hpp"
-#include "ionskin/study/mechanics_record.hpp"
+#include "ionskin/parallel/task_pool.hpp"
+#include "ionskin/study/store/mechanics_record.hpp"
 
 #include <fmt/core.h>
 
@@ -128,8 +128,8 @@ Total measure_study(const Case& input, const std::vector<double>& frictions, int
   {
     const auto solutions = mechanics::solve_contact(input, frictions, options, timers);
     const base::Timers::Scope scope(timers, "strain history");
-    base::run_tasks(solutions.size(), threads,
-                    [&](std::size_t i) { study::make_mechanics_record(input, solutions[i]); });
+    parallel::run_tasks(solutions.size(), threads,
+                        [&](std::size_t i) { study::make_mechanics_record(input, solutions[i]); });
     for (const auto& solution : solutions) {
       total.states += solution.contact_solves;
     }

@@ -4,11 +4,11 @@
 // Arguments of a benchmark: preset (0 coarse, 1 standard) and threads.
 
 #include "ionskin/base/timers.hpp"
-#include "ionskin/case/read_case.hpp"
+#include "ionskin/case/reading/read_case.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
-#include "ionskin/electrochemistry/problem_size.hpp"
+#include "ionskin/electrochemistry/time/problem_size.hpp"
+#include "ionskin/handover/handover.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
-#include "ionskin/strain/handover.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -35,12 +35,12 @@ mechanics::ContactSolution solve_mechanics(const Case& input, int thread_count) 
 }
 
 /// The history of one preset, made once for the benchmarks behind it.
-const strain::StrainHistory& history_of(const Case& input, int thread_count) {
-  static std::map<Preset, strain::StrainHistory> histories;
+const history::CoreHistory& history_of(const Case& input, int thread_count) {
+  static std::map<Preset, history::CoreHistory> histories;
   auto found = histories.find(input.numerics.preset);
   if (found == histories.end()) {
     const auto contact = solve_mechanics(input, thread_count);
-    found = histories.emplace(input.numerics.preset, strain::build_strain_history(input, contact))
+    found = histories.emplace(input.numerics.preset, handover::build_strain_history(input, contact))
                 .first;
   }
   return found->second;

@@ -20,6 +20,8 @@ function(ionskin_unit_test folder)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
   add_executable(unit_${folder} EXCLUDE_FROM_ALL ${ARG_SOURCES})
   target_link_libraries(unit_${folder} PRIVATE ionskin_flags ${ARG_DEPENDS} GTest::gtest_main)
+  # Helpers of a folder's tests lie beside its CMakeLists.txt.
+  target_include_directories(unit_${folder} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   # What is tested is optimised; the tests themselves compile in half the time without.
   target_compile_options(unit_${folder} PRIVATE -O0)
   set_target_properties(unit_${folder} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)

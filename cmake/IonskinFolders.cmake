@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Places of an installation, relative to its prefix. They are compiled in, so that a program finds its parts relative
-# to itself: src/ionskin/base/installation.hpp.
+# to itself: src/ionskin/base/system/installation.hpp.
 set(IONSKIN_BIN_FOLDER bin)
 set(IONSKIN_LIBEXEC_FOLDER libexec/ionskin)
 set(IONSKIN_LIBRARY_FOLDER lib)

@@ -2,7 +2,7 @@
 
 // Any bytes are a whole entry of the cache or a damaged one.
 
-#include "ionskin/base/cache_file.hpp"
+#include "ionskin/base/files/cache_file.hpp"
 #include "scratch_file.hpp"
 
 #include <cstdlib>

@@ -3,7 +3,7 @@
 // Any text is a case or is refused with a UserError.
 
 #include "ionskin/base/error.hpp"
-#include "ionskin/case/read_case.hpp"
+#include "ionskin/case/reading/read_case.hpp"
 
 #include <cstdint>
 #include <string>

@@ -3,7 +3,7 @@
 // Any bytes are a checkpoint of this case, none of it, or are refused with a UserError.
 
 #include "ionskin/base/error.hpp"
-#include "ionskin/study/checkpoint_file.hpp"
+#include "ionskin/study/store/checkpoint_file.hpp"
 #include "scratch_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,7 +2,7 @@
 
 // Any bytes are a measurement or are refused with a UserError.
 
-#include "ionskin/study/fit_data.hpp"
+#include "ionskin/study/store/fit_data.hpp"
 #include "ionskin/base/error.hpp"
 #include "scratch_file.hpp"
 

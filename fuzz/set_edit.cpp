@@ -3,9 +3,9 @@
 // Any `--set` argument, or several parted by line ends, changes a valid case or is refused.
 
 #include "ionskin/base/error.hpp"
-#include "ionskin/case/data_folder.hpp"
-#include "ionskin/case/read_case.hpp"
-#include "ionskin/case/read_text_file.hpp"
+#include "ionskin/case/reading/read_case.hpp"
+#include "ionskin/case/text/data_folder.hpp"
+#include "ionskin/case/text/read_text_file.hpp"
 
 #include <cstdint>
 #include <sstream>

@@ -3,7 +3,7 @@
 // Any bytes are a strain history or are refused with a UserError. The HDF5 library, which does
 // crash, runs in the process apart.
 
-#include "ionskin/results/strain_file.hpp"
+#include "ionskin/results/strain_file/strain_file.hpp"
 #include "ionskin/base/error.hpp"
 #include "scratch_file.hpp"
 

@@ -3,7 +3,7 @@
 // Any bytes are a file of waypoints or are refused with a UserError.
 
 #include "ionskin/base/error.hpp"
-#include "ionskin/case/waypoint_file.hpp"
+#include "ionskin/case/document/waypoint_file.hpp"
 #include "scratch_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,15 +1,31 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks the rule of the house: includes point one way only, and special libraries stay in their rooms."""
+"""Checks the rules of the house: includes point one way only, special libraries stay in their rooms, and the table of
+folders in docs/house-rules.md is that of the tree."""
 
 import pathlib
 import re
 import sys
 
-FOLDERS = [
-    "base", "units", "case", "mesh", "linear_algebra", "mechanics", "strain", "poroelasticity",
-    "electrochemistry", "readout", "results", "study",
-]
+# Rooms, each with its subfolders; "." are the files of the room itself. Both lists are in the order of includes: a file
+# includes only what stands before it, or beside it in its own folder.
+ROOMS = {
+    "base": [".", "system", "files"],
+    "parallel": ["."],
+    "units": ["."],
+    "case": ["text", ".", "schema", "document", "checks", "reading"],
+    "mesh": ["."],
+    "linear_algebra": ["."],
+    "history": ["."],
+    "mechanics": ["output", "friction", "elasticity", "surface", "position", "path", "."],
+    "handover": ["measures", "."],
+    "poroelasticity": ["."],
+    "electrochemistry": ["output", "grid", "coupling", "circuit", "equations", "solver", "time", "."],
+    "planning": ["."],
+    "readout": ["."],
+    "results": ["hdf5", "strain_file", "."],
+    "study": ["store", "stations", "errors", "run", "impedance", "sweep", "fit"],
+}
 # header prefix -> the folders that may include it
 LIBRARIES = {
     "toml": {"units", "case"},
@@ -19,16 +35,23 @@ LIBRARIES = {
     "CLI/": set(),
     "iostream": set(),
 }
+# The physics know nothing of each other.
+APART = {(room, other) for room in ("electrochemistry", "poroelasticity") for other in ("mechanics", "handover")}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
+
+
+def room_and_folder(parts):
+    """The room of a path below src/ionskin, and its subfolder."""
+    return parts[0], "/".join(parts[1:-1]) or "."
 
 
 def violations(source_root):
     """Yields one message for each include that breaks the rule."""
-    rank = {folder: index for index, folder in enumerate(FOLDERS)}
+    room_rank = {room: index for index, room in enumerate(ROOMS)}
     for path in sorted(source_root.rglob("*.[ch]pp")):
-        folder = path.relative_to(source_root).parts[0]
-        if folder not in rank:
-            yield f"{path}: folder '{folder}' is not in the list of folders"
+        room, folder = room_and_folder(path.relative_to(source_root).parts)
+        if room not in ROOMS or folder not in ROOMS[room]:
+            yield f"{path}: folder '{room}/{folder}' is not in the list of folders"
             continue
         for number, line in enumerate(path.read_text().splitlines(), 1):
             match = INCLUDE.match(line)
@@ -37,21 +60,35 @@ def violations(source_root):
             header = match.group(1)
             place = f"{path}:{number}"
             if header.startswith("ionskin/"):
-                target = header.split("/")[1]
-                if target not in rank:
-                    yield f"{place}: includes unknown folder '{target}'"
-                elif rank[target] > rank[folder]:
-                    yield f"{place}: '{folder}' must not include '{target}'"
-                elif folder == "electrochemistry" and target == "mechanics":
-                    yield f"{place}: the two physics must not include each other"
+                target, inner = room_and_folder(header.split("/")[1:])
+                if target not in ROOMS or inner not in ROOMS[target]:
+                    yield f"{place}: includes from unknown folder '{target}/{inner}'"
+                elif room_rank[target] > room_rank[room]:
+                    yield f"{place}: '{room}' must not include '{target}'"
+                elif (room, target) in APART:
+                    yield f"{place}: '{room}' must not include '{target}': the history is all that passes between them"
+                elif target == room and ROOMS[room].index(inner) > ROOMS[room].index(folder):
+                    yield f"{place}: '{room}/{folder}' must not include '{room}/{inner}'"
             for prefix, allowed in LIBRARIES.items():
-                if header.startswith(prefix) and folder not in allowed:
-                    yield f"{place}: '{folder}' must not include <{header}>"
+                if header.startswith(prefix) and room not in allowed:
+                    yield f"{place}: '{room}' must not include <{header}>"
+
+
+def table_mistakes(source_root, page):
+    """Yields one message for each folder that the table lacks, names wrongly or has out of order."""
+    told = re.findall(r"^\| `([a-z0-9_/]+)` \| \S", page.read_text(), re.MULTILINE)
+    known = [room if folder == "." else f"{room}/{folder}" for room, folders in ROOMS.items() for folder in folders]
+    there = {str(path.parent.relative_to(source_root)) for path in source_root.rglob("*.[ch]pp")}
+    for name in sorted(there ^ set(told)):
+        yield f"{page}: the table of folders and the tree differ in '{name}'"
+    if not there ^ set(told) and told != [name for name in known if name in there]:
+        yield f"{page}: the folders of the table are not in the order of includes"
 
 
 def main():
-    source_root = pathlib.Path(__file__).resolve().parent.parent / "src" / "ionskin"
-    found = list(violations(source_root))
+    root = pathlib.Path(__file__).resolve().parent.parent
+    source_root = root / "src" / "ionskin"
+    found = [*violations(source_root), *table_mistakes(source_root, root / "docs" / "house-rules.md")]
     for message in found:
         print(message)
     print(f"includes: {len(found)} violations")

@@ -3,17 +3,17 @@
 // The front of the program. It parses the command line, answers the quick verbs itself and hands
 // the others to `ionskin-solver`, whose libraries take half a second to load.
 
-#include "cache.hpp"
-#include "check.hpp"
-#include "cite.hpp"
-#include "command_line.hpp"
-#include "doctor.hpp"
-#include "guard.hpp"
-#include "init.hpp"
-#include "manual_page.hpp"
+#include "command_line/command_line.hpp"
+#include "command_line/guard.hpp"
+#include "command_line/manual_page.hpp"
+#include "verbs/cache.hpp"
+#include "verbs/check.hpp"
+#include "verbs/cite.hpp"
+#include "verbs/doctor.hpp"
+#include "verbs/init.hpp"
 
 #include "ionskin/base/error.hpp"
-#include "ionskin/base/installation.hpp"
+#include "ionskin/base/system/installation.hpp"
 
 #include <cstdlib>
 #include <filesystem>

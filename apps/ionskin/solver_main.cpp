@@ -2,15 +2,15 @@
 
 // The verbs that compute; started by `ionskin` with the same arguments.
 
-#include "check_strain.hpp"
-#include "command_line.hpp"
-#include "fit.hpp"
-#include "guard.hpp"
-#include "impedance.hpp"
-#include "python_verbs.hpp"
-#include "run.hpp"
-#include "sweep.hpp"
-#include "verify.hpp"
+#include "command_line/command_line.hpp"
+#include "command_line/guard.hpp"
+#include "study_verbs/check_strain.hpp"
+#include "study_verbs/fit.hpp"
+#include "study_verbs/impedance.hpp"
+#include "study_verbs/python_verbs.hpp"
+#include "study_verbs/run.hpp"
+#include "study_verbs/sweep.hpp"
+#include "study_verbs/verify.hpp"
 
 int main(int argc, char** argv) {
   using namespace ionskin::apps;

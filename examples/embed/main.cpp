@@ -4,8 +4,8 @@
 // the program.
 
 #include "ionskin/base/error.hpp"
-#include "ionskin/case/read_case.hpp"
-#include "ionskin/study/run_case.hpp"
+#include "ionskin/case/reading/read_case.hpp"
+#include "ionskin/study/run/run_case.hpp"
 
 #include <cstdio>
 #include <filesystem>

@@ -2,9 +2,9 @@
 #include "case_source.hpp"
 #include "solve_guard.hpp"
 
+#include "command_line/threads.hpp"
 #include "ionskin/base/timers.hpp"
-#include "ionskin/study/fit.hpp"
-#include "threads.hpp"
+#include "ionskin/study/fit/fit.hpp"
 
 #include <pybind11/stl.h>
 

@@ -2,7 +2,7 @@
 #include "solve_guard.hpp"
 
 #include "ionskin/base/error.hpp"
-#include "ionskin/base/interrupt.hpp"
+#include "ionskin/base/system/interrupt.hpp"
 
 #include <cblas.h>
 

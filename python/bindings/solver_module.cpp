@@ -6,13 +6,13 @@
 #include "case_source.hpp"
 #include "solve_guard.hpp"
 
-#include "guard.hpp"
+#include "command_line/guard.hpp"
+#include "command_line/threads.hpp"
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/nearest_name.hpp"
-#include "ionskin/case/read_case.hpp"
-#include "ionskin/study/run_case.hpp"
-#include "ionskin/study/sweep.hpp"
-#include "threads.hpp"
+#include "ionskin/case/reading/read_case.hpp"
+#include "ionskin/study/run/run_case.hpp"
+#include "ionskin/study/sweep/sweep.hpp"
 
 #include <pybind11/stl.h>
 

@@ -4,8 +4,8 @@
 #include "verification_table.hpp"
 
 #include "ionskin/case/case.hpp"
-#include "ionskin/mechanics/contact_solution.hpp"
-#include "ionskin/strain/strain_history.hpp"
+#include "ionskin/history/core_history.hpp"
+#include "ionskin/mechanics/output/contact_solution.hpp"
 
 #include <vector>
 
@@ -15,7 +15,7 @@ namespace ionskin::verification {
 struct Chain {
   Case input;
   mechanics::ContactSolution contact;
-  strain::StrainHistory history;
+  history::CoreHistory history;
 };
 
 /// C3: steady sliding at positions that are no interpolation nodes, and its smoothness on the

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "chain/rows.hpp"
-#include "ionskin/electrochemistry/transport_grid.hpp"
-#include "ionskin/mechanics/slider_track.hpp"
+#include "ionskin/electrochemistry/grid/transport_grid.hpp"
+#include "ionskin/handover/contact_timeline.hpp"
+#include "ionskin/handover/handover.hpp"
+#include "ionskin/history/strain_projection.hpp"
+#include "ionskin/mechanics/path/slider_track.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
-#include "ionskin/strain/contact_timeline.hpp"
-#include "ionskin/strain/handover.hpp"
-#include "ionskin/strain/strain_projection.hpp"
 
 #include <Eigen/Dense>
 
@@ -75,19 +75,19 @@ void add_fresh_rows(const Chain& chain, const Options& options, std::vector<Row>
   contact_options.progress = options.progress;
   base::Timers timers;
   const auto states = mechanics::solve_steady_sliding(input, arcs, contact_options, timers);
-  const strain::ContactTimeline timeline(input, chain.contact);
+  const handover::ContactTimeline timeline(input, chain.contact);
   double force_error = 0;
   double shear_error = 0;
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     const double time = input.motion.touchdown + input.motion.slide * arcs[i] / input.motion.stroke;
     const double force = states[i].normal_force;
     force_error = std::max(force_error, std::abs(timeline.at(time).normal_force() / force - 1));
-    strain::StateCombination fresh;
+    handover::StateCombination fresh;
     fresh.terms = {{&states[i], 1.0}};
     fresh.centre = mechanics::SliderTrack(input).centre(arcs[i]);
-    const double shear = strain::mechanics_shear_integral(input, chain.contact.mesh, fresh);
+    const double shear = handover::mechanics_shear_integral(input, chain.contact.mesh, fresh);
     const double interpolated =
-        strain::mechanics_shear_integral(input, chain.contact.mesh, timeline.at(time));
+        handover::mechanics_shear_integral(input, chain.contact.mesh, timeline.at(time));
     shear_error = std::max(shear_error, std::abs(interpolated / shear - 1));
   }
   rows.push_back(at_most("C3", "interpolated normal force against 20 new positions, relative",
@@ -100,12 +100,12 @@ void add_fresh_rows(const Chain& chain, const Options& options, std::vector<Row>
 void add_transport_rows(const Chain& chain, std::vector<Row>& rows) {
   Case input = chain.input;
   input.numerics.time_refinement = sampling_refinement;
-  const strain::StrainHistory history = strain::build_strain_history(input, chain.contact);
+  const history::CoreHistory history = handover::build_strain_history(input, chain.contact);
   const auto grid = electrochemistry::make_transport_grid(input, history);
-  const strain::StrainProjection projection(
-      history, history.channel(strain::channel_name::shear), grid.x_edges, grid.y_edges,
-      strain::hat_averages(history.grid.z_nodes, grid.z_nodes));
-  const strain::ContactTimeline timeline(input, chain.contact);
+  const history::StrainProjection projection(
+      history, history.channel(history::channel_name::shear), grid.x_edges, grid.y_edges,
+      history::hat_averages(history.grid.z_nodes, grid.z_nodes));
+  const handover::ContactTimeline timeline(input, chain.contact);
   const double begin = input.motion.touchdown + 0.1 * input.motion.slide;
   const double end = input.motion.touchdown + input.motion.slide;
   std::vector<double> times;
@@ -120,7 +120,7 @@ void add_transport_rows(const Chain& chain, std::vector<Row>& rows) {
     projection.evaluate(time, shear);
     integrals.push_back(integral_on(grid, shear));
     const double mechanics =
-        strain::mechanics_shear_integral(input, chain.contact.mesh, timeline.at(time));
+        handover::mechanics_shear_integral(input, chain.contact.mesh, timeline.at(time));
     difference = std::max(difference, std::abs(integrals.back() / mechanics - 1));
   }
   rows.push_back(at_most("C3", "integral(gamma) on the transport grid against mechanics, relative",

@@ -3,7 +3,7 @@
 #include "electrochemistry/model_run.hpp"
 #include "ionskin/base/constants.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
-#include "ionskin/strain/shear_statistics.hpp"
+#include "ionskin/history/shear_statistics.hpp"
 
 #include <cmath>
 
@@ -26,8 +26,8 @@ std::vector<Row> spike_rows(const Chain& chain, const Options& options) {
     const auto charge = [&](std::size_t row, double sign) {
       return 0.5 * (ions.charge_top[row] + sign * ions.charge_bottom[row]);
     };
-    const auto shear_before = strain::shear_statistics(chain.history, begin);
-    const auto shear_after = strain::shear_statistics(chain.history, end);
+    const auto shear_before = history::shear_statistics(chain.history, begin);
+    const auto shear_after = history::shear_statistics(chain.history, end);
     const double common = factor * (shear_after.mean - shear_before.mean) / 2;
     rows.push_back(compare("C4", "common charge over " + event + " [uC]",
                            1e6 * (charge(after, 1) - charge(before, 1)), 1e6 * common,

@@ -5,7 +5,7 @@
 
 #include "ionskin/readout/sampling.hpp"
 #include "ionskin/readout/tail_current.hpp"
-#include "ionskin/study/error_estimate.hpp"
+#include "ionskin/study/errors/error_estimate.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -18,16 +18,16 @@ namespace {
 using electrochemistry::IonSolution;
 
 /// One sliding cycle averaged over the width: two dimensions, where the truth is affordable.
-strain::StrainHistory plane_history() {
-  strain::StrainHistory history = sliding_contact_history(1);
+history::CoreHistory plane_history() {
+  history::CoreHistory history = sliding_contact_history(1);
   const std::size_t rows = history.grid.columns_y(), columns = history.grid.columns_x();
   for (auto& sample : history.shear()) {
-    strain::StrainField mean(columns * history.grid.z_nodes.size(), 0.0);
+    history::StrainField mean(columns * history.grid.z_nodes.size(), 0.0);
     for (std::size_t i = 0; i < sample->size(); ++i) {
       const std::size_t level = i / (rows * columns);
       mean[level * columns + i % columns] += (*sample)[i] / static_cast<double>(rows);
     }
-    sample = std::make_shared<const strain::StrainField>(std::move(mean));
+    sample = std::make_shared<const history::StrainField>(std::move(mean));
   }
   history.grid.y_edges = {history.grid.y_edges.front(), history.grid.y_edges.back()};
   return history;
@@ -44,7 +44,7 @@ readout::SignalTable sampled_currents(const Case& input, const IonSolution& solu
 
 /// Relative error of the tail of the difference current, extrapolated from a run on half the mesh
 /// sizes and half the time steps.
-double true_tail_error(const Case& input, const strain::StrainHistory& history,
+double true_tail_error(const Case& input, const history::CoreHistory& history,
                        const IonSolution& solution, const Options& options) {
   Case refined = input;
   refined.numerics.mesh_refinement *= 2.0;
@@ -64,7 +64,7 @@ double true_tail_error(const Case& input, const strain::StrainHistory& history,
 } // namespace
 
 std::vector<Row> error_estimate_rows(const Options& options) {
-  const strain::StrainHistory history = plane_history();
+  const history::CoreHistory history = plane_history();
   std::vector<Row> rows;
   for (const std::string law : {"fixed-charge", "column-neutral"}) {
     Case input = model_case();

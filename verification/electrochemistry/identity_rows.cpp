@@ -3,7 +3,7 @@
 #include "electrochemistry/model_run.hpp"
 #include "electrochemistry/rows.hpp"
 #include "ionskin/base/constants.hpp"
-#include "ionskin/strain/shear_statistics.hpp"
+#include "ionskin/history/shear_statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,12 +23,12 @@ double largest(const std::vector<double>& values) {
 }
 
 /// F c0 k integral(gamma) per row, the integral as the strain folder has it [C].
-std::vector<double> strain_charge(const Case& input, const strain::StrainHistory& history,
+std::vector<double> strain_charge(const Case& input, const history::CoreHistory& history,
                                   const IonSolution& solution) {
   std::vector<double> charge;
   for (const double time : solution.time) {
     charge.push_back(constants::faraday * input.electrochemistry.fixed_charge_concentration *
-                     input.coupling.coefficient * strain::shear_integral(history, time));
+                     input.coupling.coefficient * history::shear_integral(history, time));
   }
   return charge;
 }
@@ -92,7 +92,7 @@ std::vector<Row> sliding_rows(const std::string& law, const Options& options) {
   Case input = model_case();
   input.numerics.preset = Preset::coarse;
   input.coupling.law = law;
-  const strain::StrainHistory history = sliding_contact_history(2);
+  const history::CoreHistory history = sliding_contact_history(2);
   const IonSolution solution = run_model(input, history, options);
   const std::vector<double> charge = strain_charge(input, history, solution);
   const double lowest = *std::ranges::min_element(solution.min_concentration) /
@@ -112,7 +112,7 @@ std::vector<Row> hundred_cycles_rows(const Options& options) {
   Case input = model_case();
   input.numerics.preset = Preset::coarse;
   input.numerics.mesh_refinement = 0.5;
-  const strain::StrainHistory history = sliding_contact_history(100);
+  const history::CoreHistory history = sliding_contact_history(100);
   const IonSolution solution = run_model(input, history, options);
   const std::vector<double> charge = strain_charge(input, history, solution);
   return {

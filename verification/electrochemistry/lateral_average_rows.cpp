@@ -2,7 +2,7 @@
 #include "electrochemistry/model_cases.hpp"
 #include "electrochemistry/model_run.hpp"
 #include "electrochemistry/rows.hpp"
-#include "ionskin/strain/strain_projection.hpp"
+#include "ionskin/history/strain_projection.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,13 +15,13 @@ namespace {
 using electrochemistry::IonSolution;
 
 /// The history averaged along x and y: one cell at rest with the same samples.
-strain::StrainHistory laterally_averaged(const strain::StrainHistory& history) {
-  strain::StrainHistory average = linear_step_history(0.0, 0.0, history.time);
+history::CoreHistory laterally_averaged(const history::CoreHistory& history) {
+  history::CoreHistory average = linear_step_history(0.0, 0.0, history.time);
   average.grid.z_nodes = history.grid.z_nodes;
   average.event_time = history.event_time;
   const std::size_t cells = history.grid.columns_x() * history.grid.columns_y();
   for (std::size_t sample = 0; sample < history.time.size(); ++sample) {
-    strain::StrainField means;
+    history::StrainField means;
     for (std::size_t k = 0; k < history.grid.z_nodes.size(); ++k) {
       double sum = 0.0;
       for (std::size_t i = 0; i < cells; ++i) {
@@ -31,7 +31,7 @@ strain::StrainHistory laterally_averaged(const strain::StrainHistory& history) {
       const double grid_length = history.grid.x_edges.back() - history.grid.x_edges.front();
       means.push_back(sum / static_cast<double>(cells) * grid_length / history.length);
     }
-    average.shear()[sample] = std::make_shared<const strain::StrainField>(means);
+    average.shear()[sample] = std::make_shared<const history::StrainField>(means);
   }
   return average;
 }
@@ -52,7 +52,7 @@ double deviation_from_average(const std::string& law, double coefficient, const 
   input.numerics.preset = Preset::coarse;
   input.coupling.law = law;
   input.coupling.coefficient = coefficient;
-  const strain::StrainHistory history = sliding_contact_history(1);
+  const history::CoreHistory history = sliding_contact_history(1);
   return deviation(run_model(input, history, options),
                    run_model(input, laterally_averaged(history), options), history.time);
 }

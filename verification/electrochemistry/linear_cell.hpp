@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ionskin/case/case.hpp"
-#include "ionskin/electrochemistry/derived_scales.hpp"
+#include "ionskin/electrochemistry/grid/derived_scales.hpp"
 
 #include <complex>
 #include <functional>

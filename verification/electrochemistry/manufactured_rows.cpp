@@ -3,9 +3,9 @@
 #include "electrochemistry/rows.hpp"
 
 #include "ionskin/base/constants.hpp"
-#include "ionskin/electrochemistry/derived_scales.hpp"
+#include "ionskin/electrochemistry/grid/derived_scales.hpp"
+#include "ionskin/electrochemistry/grid/transport_grid.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
-#include "ionskin/electrochemistry/transport_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -106,9 +106,9 @@ template <class Body> void for_nodes(const TransportGrid& grid, const Body& body
 }
 
 /// The fixed charge of the exact solution as a history of shear on the transport grid itself.
-strain::StrainHistory manufactured_history(const Case& input, const ExactSolution& exact,
-                                           int samples) {
-  strain::StrainHistory history;
+history::CoreHistory manufactured_history(const Case& input, const ExactSolution& exact,
+                                          int samples) {
+  history::CoreHistory history;
   history.measure = "manufactured";
   history.length = length;
   history.width = width;
@@ -117,7 +117,7 @@ strain::StrainHistory manufactured_history(const Case& input, const ExactSolutio
   history.grid = {grid.x_edges, grid.y_edges, grid.z_nodes};
   for (int sample = 0; sample <= samples; ++sample) {
     const double time = duration * sample / samples;
-    auto field = std::make_shared<strain::StrainField>();
+    auto field = std::make_shared<history::StrainField>();
     for_nodes(grid, [&](double x, double y, double z) {
       field->push_back(exact.at(time, x, y, z).fixed_charge - 1.0);
     });

@@ -35,9 +35,9 @@ double rim(double x, double half) {
   return 0.5 * (left * left + right * right);
 }
 
-std::shared_ptr<strain::StrainField> contact_shear(const strain::StrainGrid& grid,
-                                                   double amplitude) {
-  auto field = std::make_shared<strain::StrainField>();
+std::shared_ptr<history::StrainField> contact_shear(const history::StrainGrid& grid,
+                                                    double amplitude) {
+  auto field = std::make_shared<history::StrainField>();
   for (const double z : grid.z_nodes) {
     const double zeta = z / core_thickness;
     for (std::size_t j = 0; j < grid.columns_y(); ++j) {
@@ -83,34 +83,35 @@ Case model_case() {
   return input;
 }
 
-strain::StrainHistory linear_step_history(double bottom, double top, std::vector<double> time) {
-  strain::StrainHistory history;
+history::CoreHistory linear_step_history(double bottom, double top, std::vector<double> time) {
+  history::CoreHistory history;
   history.grid = {{0.0, skin_length}, {0.0, skin_width}, {0.0, core_thickness}};
   history.measure = "prescribed";
   history.length = skin_length;
   history.width = skin_width;
   history.time = std::move(time);
-  const auto field = std::make_shared<const strain::StrainField>(strain::StrainField{bottom, top});
+  const auto field =
+      std::make_shared<const history::StrainField>(history::StrainField{bottom, top});
   history.shear().assign(history.time.size(), field);
   history.event_time = {history.time.front()};
   return history;
 }
 
-strain::StrainHistory sliding_contact_history(int cycles) {
-  strain::StrainHistory history;
-  history.frame = strain::Frame::slider;
+history::CoreHistory sliding_contact_history(int cycles) {
+  history::CoreHistory history;
+  history.frame = history::Frame::slider;
   history.measure = "prescribed";
   history.length = skin_length;
   history.width = skin_width;
   // The grid covers the core at both ends of the track: 10.5 mm on either side of the slider.
   history.grid = {edges(-10.5e-3, 10.5e-3, 210), edges(-0.5 * skin_width, 0.5 * skin_width, 20),
                   edges(0.0, core_thickness, 12)};
-  const std::shared_ptr<const strain::StrainField> none = contact_shear(history.grid, 0.0);
-  const std::shared_ptr<const strain::StrainField> touching = contact_shear(history.grid, 1.0);
-  const std::shared_ptr<const strain::StrainField> sliding = contact_shear(history.grid, 1.5);
+  const std::shared_ptr<const history::StrainField> none = contact_shear(history.grid, 0.0);
+  const std::shared_ptr<const history::StrainField> touching = contact_shear(history.grid, 1.0);
+  const std::shared_ptr<const history::StrainField> sliding = contact_shear(history.grid, 1.5);
   struct Sample {
     double time, slider_x;
-    std::shared_ptr<const strain::StrainField> field;
+    std::shared_ptr<const history::StrainField> field;
   };
   const double start = 4.5e-3, end = 10.5e-3, slip_x = start + (full_slip - slide_begin) * 3e-3;
   const std::array<Sample, 6> samples{{{contact_begin, start, none},

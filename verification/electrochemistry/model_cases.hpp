@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ionskin/case/case.hpp"
-#include "ionskin/strain/strain_history.hpp"
+#include "ionskin/history/core_history.hpp"
 
 #include <vector>
 
@@ -14,12 +14,12 @@ Case model_case();
 /// One column at rest: shear linear through the thickness from `bottom` to `top`, constant in time,
 /// switched on at the first sample, which is the only event.
 /// @param time samples [s]
-strain::StrainHistory linear_step_history(double bottom, double top, std::vector<double> time);
+history::CoreHistory linear_step_history(double bottom, double top, std::vector<double> time);
 
 /// One period of touchdown, slide and lift-off in the manner of the baseline, on a grid that rides
 /// with the slider: a footprint of 3 x 1.5 mm with soft edges, shear that grows towards the top and
 /// along the edges, contact during the last half millisecond of touchdown, full slip after 17 ms.
 /// @param cycles periods of 4 s
-strain::StrainHistory sliding_contact_history(int cycles);
+history::CoreHistory sliding_contact_history(int cycles);
 
 } // namespace ionskin::verification

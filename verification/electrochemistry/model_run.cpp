@@ -8,7 +8,7 @@
 
 namespace ionskin::verification {
 
-electrochemistry::IonSolution run_model(const Case& input, const strain::StrainHistory& history,
+electrochemistry::IonSolution run_model(const Case& input, const history::CoreHistory& history,
                                         const Options& options) {
   electrochemistry::IonOptions ion_options;
   ion_options.threads = options.threads;

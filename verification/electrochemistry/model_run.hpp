@@ -11,7 +11,7 @@ namespace ionskin::verification {
 /// F c0 lambda of the baseline [C/m2] and the area of its electrodes [m2].
 inline constexpr double charge_density = 76.4835, electrode_area = 15e-3 * 2e-3;
 
-electrochemistry::IonSolution run_model(const Case& input, const strain::StrainHistory& history,
+electrochemistry::IonSolution run_model(const Case& input, const history::CoreHistory& history,
                                         const Options& options);
 
 /// (Q_top - Q_bottom) / 2 of a row [C].

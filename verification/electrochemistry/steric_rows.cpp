@@ -131,7 +131,7 @@ Case equivalent_dilute_case(const Case& steric) {
 }
 
 /// Largest difference between the top charges of two runs with the same samples, relative.
-double largest_deviation(const Case& a, const Case& b, const strain::StrainHistory& history,
+double largest_deviation(const Case& a, const Case& b, const history::CoreHistory& history,
                          const Options& options) {
   const IonSolution one = run_model(a, history, options), other = run_model(b, history, options);
   double error = 0.0, scale = 0.0;
@@ -164,7 +164,7 @@ void add_steric_limit_rows(const Options& options, std::vector<Row>& rows) {
                          impedance_error(), 1e-3));
   Case linear = steric_case(0.5, Preset::coarse);
   linear.coupling.coefficient = 1e-4;
-  const strain::StrainHistory history = sliding_contact_history(1);
+  const history::CoreHistory history = sliding_contact_history(1);
   rows.push_back(
       at_most("E9", "sliding in 3D at k = 0.0001: deviation from the equivalent dilute ions",
               largest_deviation(linear, equivalent_dilute_case(linear), history, options), 1e-2));

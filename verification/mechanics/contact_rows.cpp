@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/mechanics/core_strain.hpp"
-#include "ionskin/mechanics/slider_track.hpp"
+#include "ionskin/mechanics/elasticity/core_strain.hpp"
+#include "ionskin/mechanics/path/slider_track.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
 #include "mechanics/baseline_case.hpp"
 #include "mechanics/rows.hpp"

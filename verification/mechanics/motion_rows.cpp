@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/mechanics/core_strain.hpp"
-#include "ionskin/mechanics/slider_track.hpp"
+#include "ionskin/handover/contact_timeline.hpp"
+#include "ionskin/handover/energy_balance.hpp"
+#include "ionskin/mechanics/elasticity/core_strain.hpp"
+#include "ionskin/mechanics/path/slider_track.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
-#include "ionskin/strain/contact_timeline.hpp"
-#include "ionskin/strain/energy_balance.hpp"
 #include "mechanics/baseline_case.hpp"
 #include "mechanics/rows.hpp"
 
@@ -174,7 +174,8 @@ void add_reversal_rows(const Options& options, std::vector<Row>& rows) {
                          loop_gap(part, 5, 3) / loop_gap(part, 4, 2), 0.75));
   rows.push_back(at_most(
       "M10", "energy balance of strokes in full slip, relative",
-      strain::energy_balance(strain::ContactTimeline(sliding, full), full).relative_error, 1e-3));
+      handover::energy_balance(handover::ContactTimeline(sliding, full), full).relative_error,
+      1e-3));
 }
 
 /// A force instead of an indentation.
@@ -183,7 +184,7 @@ void add_force_rows(const Options& options, std::vector<Row>& rows) {
   input.motion.preload = 0;
   input.motion.preload_force = 1;
   const ContactSolution solution = solve(input, options);
-  const strain::ContactTimeline timeline(input, solution);
+  const handover::ContactTimeline timeline(input, solution);
   double worst = 0;
   for (const double time : timeline.sample_times()) {
     if (time >= input.motion.touchdown && time <= input.motion.touchdown + input.motion.slide) {
@@ -193,7 +194,7 @@ void add_force_rows(const Options& options, std::vector<Row>& rows) {
   rows.push_back(at_most("M11", "force control: |N - 1 N| from touchdown to the end of slide [N]",
                          worst, 1e-6));
   rows.push_back(at_most("M11", "energy balance of a cycle under force control, relative",
-                         strain::energy_balance(timeline, solution).relative_error, 1e-3));
+                         handover::energy_balance(timeline, solution).relative_error, 1e-3));
   // The indentation that was found, given instead, carries the force.
   Case given = input;
   given.motion.preload = solution.legs[0].last()->indentation;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/linear_algebra/cholesky.hpp"
-#include "ionskin/mechanics/elastic_law.hpp"
-#include "ionskin/mechanics/elastic_system.hpp"
+#include "ionskin/mechanics/elasticity/elastic_law.hpp"
+#include "ionskin/mechanics/elasticity/elastic_system.hpp"
 #include "mechanics/baseline_case.hpp"
 #include "mechanics/rows.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mechanics/pressed_skin.hpp"
 
-#include "ionskin/mechanics/contact_diagnostics.hpp"
-#include "ionskin/mechanics/covered_area.hpp"
-#include "ionskin/mechanics/find_footprint.hpp"
+#include "ionskin/mechanics/path/find_footprint.hpp"
+#include "ionskin/mechanics/surface/contact_diagnostics.hpp"
+#include "ionskin/mechanics/surface/covered_area.hpp"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/mechanics/condensed_position.hpp"
-#include "ionskin/mechanics/contact_solver.hpp"
+#include "ionskin/mechanics/position/condensed_position.hpp"
+#include "ionskin/mechanics/surface/contact_solver.hpp"
 
 #include <array>
 

@@ -2,7 +2,7 @@
 #include "mechanics/pressed_skin.hpp"
 #include "mechanics/rows.hpp"
 
-#include "ionskin/base/task_pool.hpp"
+#include "ionskin/parallel/task_pool.hpp"
 
 #include <fmt/format.h>
 
@@ -132,7 +132,7 @@ std::vector<Row> round_contact_rows(const Options& options) {
       [&] { slip[1] = partial_slip(12); },        [&] { sphere[1] = sphere_ratios(8); },
       [&] { slip[0] = partial_slip(6); },         [&] { sphere[0] = sphere_ratios(4); },
       [&] { cylinder[1] = cylinder_ratios(16); }, [&] { cylinder[0] = cylinder_ratios(8); }};
-  base::run_tasks(solves.size(), options.threads, [&](std::size_t i) { solves[i](); });
+  parallel::run_tasks(solves.size(), options.threads, [&](std::size_t i) { solves[i](); });
   std::vector<Row> rows;
   add_hertz_rows("cylinder", cylinder[0], cylinder[1], rows);
   add_hertz_rows("sphere", sphere[0], sphere[1], rows);

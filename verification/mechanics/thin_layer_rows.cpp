@@ -2,7 +2,7 @@
 #include "mechanics/pressed_skin.hpp"
 #include "mechanics/rows.hpp"
 
-#include "ionskin/mechanics/elastic_law.hpp"
+#include "ionskin/mechanics/elasticity/elastic_law.hpp"
 
 #include <array>
 #include <cmath>

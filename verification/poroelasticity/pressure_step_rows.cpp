@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "electrochemistry/model_run.hpp"
-#include "ionskin/electrochemistry/derived_scales.hpp"
+#include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "ionskin/poroelasticity/water_properties.hpp"
 #include "poroelasticity/rows.hpp"
 #include "poroelasticity/wet_cell.hpp"

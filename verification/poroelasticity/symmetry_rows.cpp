@@ -31,10 +31,10 @@ double largest_charge(const IonSolution& solution) {
 
 /// A uniform shear, with a dilation that is nothing everywhere.
 IonSolution sheared(const Options& options) {
-  strain::StrainHistory history = linear_step_history(0.05, 0.05, instants);
-  history.add_channel(strain::channel_name::dilation, "1")
+  history::CoreHistory history = linear_step_history(0.05, 0.05, instants);
+  history.add_channel(history::channel_name::dilation, "1")
       .samples.assign(history.time.size(),
-                      std::make_shared<const strain::StrainField>(history.grid.values(), 0.0));
+                      std::make_shared<const history::StrainField>(history.grid.values(), 0.0));
   return run_model(wet_case(), history, options);
 }
 
@@ -58,8 +58,8 @@ double against_pair_generation(const Options& options) {
   wet.water.mobility = 1e-40;
   const auto water = poroelasticity::derive_water_properties(wet);
   const double dilation = 1e-4;
-  strain::StrainHistory history = linear_step_history(-0.5 * dilation, 0.5 * dilation, instants);
-  history.channels.front().name = strain::channel_name::dilation;
+  history::CoreHistory history = linear_step_history(-0.5 * dilation, 0.5 * dilation, instants);
+  history.channels.front().name = history::channel_name::dilation;
   const IonSolution moved = run_model(wet, history, options);
   Case pairs = model_case();
   pairs.coupling.law = "pair-generation";

@@ -19,11 +19,11 @@ Case wet_case() {
   return input;
 }
 
-strain::StrainHistory held_pressure_history(double length, std::size_t columns,
-                                            const std::function<double(double, double)>& pressure,
-                                            std::vector<double> time) {
+history::CoreHistory held_pressure_history(double length, std::size_t columns,
+                                           const std::function<double(double, double)>& pressure,
+                                           std::vector<double> time) {
   const Case input = model_case();
-  strain::StrainHistory history;
+  history::CoreHistory history;
   history.grid = {{}, {0.0, input.skin.width}, {}};
   for (std::size_t i = 0; i <= columns; ++i) {
     history.grid.x_edges.push_back(length * static_cast<double>(i) / static_cast<double>(columns));
@@ -34,7 +34,7 @@ strain::StrainHistory held_pressure_history(double length, std::size_t columns,
   history.time = std::move(time);
   history.event_time = {history.time.front()};
   constexpr std::size_t intervals = 8;
-  strain::StrainField field;
+  history::StrainField field;
   for (std::size_t k = 0; k <= intervals; ++k) {
     const double height = static_cast<double>(k) / intervals;
     history.grid.z_nodes.push_back(height * input.skin.core_thickness());
@@ -44,12 +44,12 @@ strain::StrainHistory held_pressure_history(double length, std::size_t columns,
     }
   }
   history.grid.z_nodes.back() = input.skin.core_thickness();
-  history.add_channel(strain::channel_name::undrained_pressure, "Pa")
-      .samples.assign(history.time.size(), std::make_shared<const strain::StrainField>(field));
+  history.add_channel(history::channel_name::undrained_pressure, "Pa")
+      .samples.assign(history.time.size(), std::make_shared<const history::StrainField>(field));
   return history;
 }
 
-strain::StrainHistory pressure_step_history(double bottom, double top, std::vector<double> time) {
+history::CoreHistory pressure_step_history(double bottom, double top, std::vector<double> time) {
   return held_pressure_history(
       model_case().skin.length, 1,
       [=](double, double height) { return bottom + (top - bottom) * height; }, std::move(time));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ionskin/case/case.hpp"
-#include "ionskin/strain/strain_history.hpp"
+#include "ionskin/history/core_history.hpp"
 
 #include <functional>
 #include <vector>
@@ -21,13 +21,13 @@ Case wet_case();
 /// One column at rest whose undrained pressure is linear through the thickness from `bottom` to
 /// `top` [Pa], switched on at the first instant and held.
 /// @param time samples [s]
-strain::StrainHistory pressure_step_history(double bottom, double top, std::vector<double> time);
+history::CoreHistory pressure_step_history(double bottom, double top, std::vector<double> time);
 
 /// An undrained pressure on `columns` cells along x, held from the first instant.
 /// @param length of the skin [m]
 /// @param pressure of the place along x and of the height over the core's thickness [Pa]
-strain::StrainHistory held_pressure_history(double length, std::size_t columns,
-                                            const std::function<double(double, double)>& pressure,
-                                            std::vector<double> time);
+history::CoreHistory held_pressure_history(double length, std::size_t columns,
+                                           const std::function<double(double, double)>& pressure,
+                                           std::vector<double> time);
 
 } // namespace ionskin::verification

@@ -3,10 +3,10 @@
 // The Studio: a server for one user and one folder, and the keeper of each of its jobs. `ionskin
 // studio` becomes this program.
 
-#include "command_line.hpp"
-#include "guard.hpp"
-#include "studio/job_keeper.hpp"
-#include "studio/server.hpp"
+#include "command_line/command_line.hpp"
+#include "command_line/guard.hpp"
+#include "studio/jobs/job_keeper.hpp"
+#include "studio/server/server.hpp"
 
 #include <fmt/core.h>
 

@@ -12,7 +12,7 @@
 namespace ionskin {
 
 // Plain data of one case, SI units throughout. Read, checked and documented by the schema table
-// (case/schema.hpp); everything below `case` in the list of folders sees only these structs.
+// (case/schema/schema.hpp); everything below `case` in the list of folders sees only these structs.
 
 struct Material {
   std::string name;
@@ -104,7 +104,7 @@ struct Motion {
 };
 
 struct Contact {
-  std::string law = "coulomb"; ///< a name from the table in mechanics/friction_law.cpp
+  std::string law = "coulomb"; ///< a name from the table in mechanics/friction/friction_law.cpp
   double friction = 0;         ///< coefficient [1]
 };
 
@@ -127,8 +127,9 @@ struct Electrochemistry {
 enum class ShearMeasure { off_diagonal, deviatoric, signed_xz };
 
 struct Coupling {
-  std::string law = "fixed-charge"; ///< a name from the table in electrochemistry/coupling_law.cpp
-  double coefficient = 0;           ///< k [1]
+  std::string law =
+      "fixed-charge";     ///< a name from the table in electrochemistry/coupling/coupling_law.cpp
+  double coefficient = 0; ///< k [1]
   ShearMeasure measure = ShearMeasure::off_diagonal;
 };
 

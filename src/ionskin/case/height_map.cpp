@@ -3,7 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/text.hpp"
-#include "ionskin/case/read_text_file.hpp"
+#include "ionskin/case/text/read_text_file.hpp"
 #include "ionskin/units/quantity.hpp"
 
 #include <fmt/format.h>

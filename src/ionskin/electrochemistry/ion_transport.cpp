@@ -2,13 +2,13 @@
 #include "ionskin/electrochemistry/ion_transport.hpp"
 
 #include "ionskin/base/error.hpp"
-#include "ionskin/base/interrupt.hpp"
-#include "ionskin/electrochemistry/external_circuit.hpp"
-#include "ionskin/electrochemistry/mid_width_mirror.hpp"
-#include "ionskin/electrochemistry/solution_rows.hpp"
-#include "ionskin/electrochemistry/step_control.hpp"
-#include "ionskin/electrochemistry/time_integrator.hpp"
-#include "ionskin/electrochemistry/transport_grid.hpp"
+#include "ionskin/base/system/interrupt.hpp"
+#include "ionskin/electrochemistry/circuit/external_circuit.hpp"
+#include "ionskin/electrochemistry/grid/mid_width_mirror.hpp"
+#include "ionskin/electrochemistry/grid/transport_grid.hpp"
+#include "ionskin/electrochemistry/time/solution_rows.hpp"
+#include "ionskin/electrochemistry/time/step_control.hpp"
+#include "ionskin/electrochemistry/time/time_integrator.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ constexpr double least_charge = 1e-3;
 /// The parts of one run, wired together.
 class TransportRun {
 public:
-  TransportRun(const Case& input, const strain::StrainHistory& history, const IonOptions& options)
+  TransportRun(const Case& input, const history::CoreHistory& history, const IonOptions& options)
       : options_(options), grid_(make_transport_grid(input, history)),
         scales_(derive_scales(input.electrochemistry, history.core_thickness())),
         mirror_(grid_, history), scaled_(scale_grid(mirror_.solved_grid(), scales_.debye_length)),
@@ -179,7 +179,7 @@ private:
   StepControl control_;
   FixedCharge fixed_charge_;
   double charge_floor_;
-  WorkerTeam team_;
+  parallel::WorkerTeam team_;
   NewtonKrylov solver_;
   TimeIntegrator integrator_;
   SolutionRows rows_;
@@ -189,7 +189,7 @@ private:
 
 } // namespace
 
-IonSolution solve_ion_transport(const Case& input, const strain::StrainHistory& history,
+IonSolution solve_ion_transport(const Case& input, const history::CoreHistory& history,
                                 const IonOptions& options, base::Timers& timers) {
   const base::Timers::Scope timer(timers, "electrochemistry");
   return TransportRun(input, history, options).run();

@@ -4,10 +4,10 @@
 #include "ionskin/base/progress.hpp"
 #include "ionskin/base/timers.hpp"
 #include "ionskin/case/case.hpp"
-#include "ionskin/electrochemistry/electrode_potentials.hpp"
-#include "ionskin/electrochemistry/ion_solution.hpp"
-#include "ionskin/electrochemistry/ion_state.hpp"
-#include "ionskin/strain/strain_history.hpp"
+#include "ionskin/electrochemistry/output/electrode_potentials.hpp"
+#include "ionskin/electrochemistry/output/ion_solution.hpp"
+#include "ionskin/electrochemistry/output/ion_state.hpp"
+#include "ionskin/history/core_history.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -42,7 +42,7 @@ struct IonOptions {
 /// Solves ion transport in the core for a history of shear and returns one row per time step.
 /// Stage in `timers`: "electrochemistry". Throws Interrupted, and SolverError when the fixed charge
 /// becomes negative or a step finds no solution.
-IonSolution solve_ion_transport(const Case& input, const strain::StrainHistory& history,
+IonSolution solve_ion_transport(const Case& input, const history::CoreHistory& history,
                                 const IonOptions& options, base::Timers& timers);
 
 } // namespace ionskin::electrochemistry

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/electrochemistry/small_signal.hpp"
 
-#include "ionskin/electrochemistry/charges.hpp"
-#include "ionskin/electrochemistry/transport_equations.hpp"
-#include "ionskin/electrochemistry/transport_grid.hpp"
+#include "ionskin/electrochemistry/equations/transport_equations.hpp"
+#include "ionskin/electrochemistry/grid/charges.hpp"
+#include "ionskin/electrochemistry/grid/transport_grid.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -74,7 +74,7 @@ SmallSignalCell::SmallSignalCell(const Case& input)
 /// Every third level at once: a level answers to itself and its neighbours only.
 void SmallSignalCell::probe_jacobian() {
   const std::size_t levels = scaled_.levels;
-  WorkerTeam team(1);
+  parallel::WorkerTeam team(1);
   TransportEquations equations(scaled_, team, excess_);
   IonState rest(levels);
   std::ranges::fill(rest.concentration(), 1.0);

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "ionskin/case/case.hpp"
-#include "ionskin/electrochemistry/derived_scales.hpp"
-#include "ionskin/electrochemistry/ion_solution.hpp"
-#include "ionskin/electrochemistry/scaled_grid.hpp"
-#include "ionskin/electrochemistry/steric_excess.hpp"
+#include "ionskin/electrochemistry/equations/steric_excess.hpp"
+#include "ionskin/electrochemistry/grid/derived_scales.hpp"
+#include "ionskin/electrochemistry/grid/scaled_grid.hpp"
+#include "ionskin/electrochemistry/output/ion_solution.hpp"
 
 #include <array>
 #include <complex>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/shared_positions.hpp"
 
-#include "ionskin/base/interrupt.hpp"
-#include "ionskin/base/task_pool.hpp"
-#include "ionskin/mechanics/condensed_position.hpp"
-#include "ionskin/mechanics/position_solver.hpp"
+#include "ionskin/base/system/interrupt.hpp"
+#include "ionskin/mechanics/path/position_solver.hpp"
+#include "ionskin/mechanics/position/condensed_position.hpp"
+#include "ionskin/parallel/task_pool.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -77,7 +77,7 @@ std::vector<StrainBlock> strain_blocks(std::vector<std::shared_ptr<LightPosition
 
 void recover_strains(const SharedSetting& setting, std::vector<StrainBlock> blocks) {
   setting.progress.add_units(blocks.size());
-  base::run_tasks(blocks.size(), setting.options.threads, [&](std::size_t i) {
+  parallel::run_tasks(blocks.size(), setting.options.threads, [&](std::size_t i) {
     base::check_interrupt();
     const base::Timers::Scope strain(setting.timers, "mechanics: strain");
     const StrainBlock block = std::move(blocks[i]);
@@ -133,7 +133,7 @@ void solve_light_positions(const SharedSetting& setting,
     }
   }
   std::vector<PositionStates> states(works.size(), PositionStates(setting.model));
-  base::run_tasks(works.size(), setting.options.threads, [&](std::size_t i) {
+  parallel::run_tasks(works.size(), setting.options.threads, [&](std::size_t i) {
     const auto [position, work] = works[i];
     states[i] = contact_at(setting, *position->condensed, *work, solves[work->solve]);
   });
@@ -152,7 +152,7 @@ void solve_open_positions(const SharedSetting& setting, std::vector<FrictionSolv
     setting.progress.add_units(1 + position.works.size());
   }
   std::vector<std::unique_ptr<const CondensedPosition>> light(positions.size());
-  base::run_tasks(positions.size(), threads, [&](std::size_t p) {
+  parallel::run_tasks(positions.size(), threads, [&](std::size_t p) {
     base::check_interrupt();
     auto factorisation =
         std::make_unique<base::Timers::Scope>(setting.timers, "mechanics: factorisation");

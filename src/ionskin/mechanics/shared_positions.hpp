@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/mechanics/contact_plan.hpp"
-#include "ionskin/mechanics/friction_law.hpp"
-#include "ionskin/mechanics/shared_progress.hpp"
-#include "ionskin/mechanics/skin_model.hpp"
+#include "ionskin/mechanics/friction/friction_law.hpp"
+#include "ionskin/mechanics/path/contact_plan.hpp"
+#include "ionskin/mechanics/path/shared_progress.hpp"
+#include "ionskin/mechanics/path/solved_pieces.hpp"
+#include "ionskin/mechanics/position/skin_model.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
-#include "ionskin/mechanics/solved_pieces.hpp"
 
 #include <vector>
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/solve_contact.hpp"
 
-#include "ionskin/base/interrupt.hpp"
-#include "ionskin/base/task_pool.hpp"
-#include "ionskin/mechanics/contact_plan.hpp"
-#include "ionskin/mechanics/find_footprint.hpp"
-#include "ionskin/mechanics/interpolation_error.hpp"
-#include "ionskin/mechanics/interpolation_nodes.hpp"
-#include "ionskin/mechanics/position_states.hpp"
+#include "ionskin/base/system/interrupt.hpp"
+#include "ionskin/mechanics/path/contact_plan.hpp"
+#include "ionskin/mechanics/path/find_footprint.hpp"
+#include "ionskin/mechanics/path/position_states.hpp"
+#include "ionskin/mechanics/path/steady_sliding.hpp"
+#include "ionskin/mechanics/position/interpolation_error.hpp"
+#include "ionskin/mechanics/position/interpolation_nodes.hpp"
 #include "ionskin/mechanics/shared_positions.hpp"
-#include "ionskin/mechanics/steady_sliding.hpp"
+#include "ionskin/parallel/task_pool.hpp"
 
 #include <fmt/format.h>
 
@@ -213,7 +213,7 @@ std::vector<ContactState> solve_steady_sliding(const Case& input,
   const MotionLeg leg = first_slide(motion_legs(input.motion, input.slider));
   const SliderLoad load = load_of(leg.to_level, model.mesh.half_model() ? 0.5 : 1.0);
   std::vector<ContactState> result(arc_lengths.size());
-  base::run_tasks(arc_lengths.size(), options.threads, [&](std::size_t i) {
+  parallel::run_tasks(arc_lengths.size(), options.threads, [&](std::size_t i) {
     base::check_interrupt();
     const CanonicalPosition position{track.centre(arc_lengths[i]), {false, false}};
     const CondensedPosition condensed(model, position.centre, {options.cache});

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/base/disk_cache.hpp"
+#include "ionskin/base/files/disk_cache.hpp"
 #include "ionskin/base/progress.hpp"
 #include "ionskin/base/timers.hpp"
 #include "ionskin/case/case.hpp"
-#include "ionskin/mechanics/contact_path.hpp"
-#include "ionskin/mechanics/contact_solution.hpp"
+#include "ionskin/mechanics/output/contact_solution.hpp"
+#include "ionskin/mechanics/path/contact_path.hpp"
 #include "ionskin/mesh/footprint.hpp"
 
 #include <optional>

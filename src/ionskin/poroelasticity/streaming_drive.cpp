@@ -6,9 +6,9 @@
 namespace ionskin::poroelasticity {
 namespace {
 
-using strain::HistoryChannel;
-using strain::LineOperator;
-using strain::StrainHistory;
+using history::CoreHistory;
+using history::HistoryChannel;
+using history::LineOperator;
 
 /// Quadratic elements through the core: 12 leave 2e-5 of a pressure difference (PorePressure's
 /// tests).
@@ -38,19 +38,19 @@ LineOperator quadratic_interpolation(const std::vector<double>& nodes,
 
 } // namespace
 
-StreamingDrive::StreamingDrive(const Case& input, const StrainHistory& history,
+StreamingDrive::StreamingDrive(const Case& input, const CoreHistory& history,
                                const HistoryChannel& channel, const std::vector<double>& x_edges,
                                const std::vector<double>& y_edges,
                                const std::vector<double>& levels)
     : water_(derive_water_properties(input)),
-      pressure_of_channel_(channel.name == strain::channel_name::dilation ? water_.storage_modulus
-                                                                          : 1.0),
+      pressure_of_channel_(channel.name == history::channel_name::dilation ? water_.storage_modulus
+                                                                           : 1.0),
       pore_pressure_(
           {x_edges.size() - 1, y_edges.size() - 1}, {width_of(x_edges), width_of(y_edges)},
           wall_clustered_nodes(history.core_thickness(), elements_through_core),
           {input.water.bottom_wall, input.water.top_wall}, water_.consolidation_coefficient),
       projection_(history, channel, x_edges, y_edges,
-                  strain::linear_interpolation(history.grid.z_nodes, pore_pressure_.nodes())),
+                  history::linear_interpolation(history.grid.z_nodes, pore_pressure_.nodes())),
       to_levels_(quadratic_interpolation(pore_pressure_.nodes(), levels)),
       streaming_(input.electrochemistry.valence * water_.streaming_coefficient /
                  water_.thermal_voltage),
@@ -93,8 +93,8 @@ void StreamingDrive::combine() {
   for (std::size_t i = 0; i < drive_.size(); ++i) {
     drive_[i] = streaming_ * pressure_[i] - dilution_ * (pressure_[i] - undrained_[i]);
   }
-  strain::apply_along(to_levels_, 1, drive_.size() / pore_pressure_.nodes().size(), drive_,
-                      at_levels_);
+  history::apply_along(to_levels_, 1, drive_.size() / pore_pressure_.nodes().size(), drive_,
+                       at_levels_);
 }
 
 } // namespace ionskin::poroelasticity

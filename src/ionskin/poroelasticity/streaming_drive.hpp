@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/history/core_history.hpp"
+#include "ionskin/history/strain_projection.hpp"
 #include "ionskin/poroelasticity/pore_pressure.hpp"
 #include "ionskin/poroelasticity/water_properties.hpp"
-#include "ionskin/strain/strain_history.hpp"
-#include "ionskin/strain/strain_projection.hpp"
 
 #include <span>
 #include <string>
@@ -29,8 +29,8 @@ public:
   ///   pressure is M_B times; both must outlive the drive
   /// @param x_edges, y_edges of the columns [m]
   /// @param levels where the drive is wanted, from 0 to the core's thickness [m]
-  StreamingDrive(const Case& input, const strain::StrainHistory& history,
-                 const strain::HistoryChannel& channel, const std::vector<double>& x_edges,
+  StreamingDrive(const Case& input, const history::CoreHistory& history,
+                 const history::HistoryChannel& channel, const std::vector<double>& x_edges,
                  const std::vector<double>& y_edges, const std::vector<double>& levels);
 
   /// Moves the water to the first instant: the undrained response.
@@ -61,8 +61,8 @@ private:
   WaterProperties water_;
   double pressure_of_channel_; ///< p_u over the channel's value
   PorePressure pore_pressure_;
-  strain::StrainProjection projection_;
-  strain::LineOperator to_levels_;
+  history::StrainProjection projection_;
+  history::LineOperator to_levels_;
   double streaming_ = 0; ///< v L_s/V_T [1/Pa]
   double dilution_ = 0;  ///< theta/M [1/Pa]
   double largest_ = 0;

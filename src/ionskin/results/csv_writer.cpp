@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/results/csv_writer.hpp"
 
-#include "ionskin/base/atomic_file.hpp"
+#include "ionskin/base/files/atomic_file.hpp"
 
 #include <fmt/format.h>
 

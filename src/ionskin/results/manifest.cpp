@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/results/manifest.hpp"
 
-#include "ionskin/base/atomic_file.hpp"
-#include "ionskin/base/own_build.hpp"
+#include "ionskin/base/files/atomic_file.hpp"
+#include "ionskin/base/system/own_build.hpp"
 #include "ionskin/results/build_info.hpp"
 
 #include <fmt/chrono.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/results/output_folder.hpp"
 
-#include "ionskin/base/atomic_file.hpp"
+#include "ionskin/base/files/atomic_file.hpp"
 #include "ionskin/results/file_list.hpp"
 #include "ionskin/results/manifest.hpp"
 

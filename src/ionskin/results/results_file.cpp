@@ -2,10 +2,10 @@
 #include "ionskin/results/results_file.hpp"
 
 #include "ionskin/base/error.hpp"
-#include "ionskin/base/sealed_file.hpp"
-#include "ionskin/results/foreign_hdf5_file.hpp"
-#include "ionskin/results/hdf5_messages.hpp"
-#include "ionskin/results/strain_file.hpp"
+#include "ionskin/base/files/sealed_file.hpp"
+#include "ionskin/results/hdf5/foreign_hdf5_file.hpp"
+#include "ionskin/results/hdf5/hdf5_messages.hpp"
+#include "ionskin/results/strain_file/strain_file.hpp"
 
 #include <fmt/format.h>
 
@@ -53,7 +53,7 @@ void ResultsFile::write_signals(const std::string& group, const readout::SignalT
   }
 }
 
-void ResultsFile::write_strain(const strain::StrainHistory& history) {
+void ResultsFile::write_strain(const history::CoreHistory& history) {
   file_.remove("/strain");
   results::write_strain(file_, "/strain", history);
 }

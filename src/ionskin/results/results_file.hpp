@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/base/atomic_file.hpp"
-#include "ionskin/electrochemistry/ion_solution.hpp"
+#include "ionskin/base/files/atomic_file.hpp"
+#include "ionskin/electrochemistry/output/ion_solution.hpp"
+#include "ionskin/history/core_history.hpp"
 #include "ionskin/readout/signals.hpp"
 #include "ionskin/results/contact_map.hpp"
-#include "ionskin/results/hdf5_file.hpp"
-#include "ionskin/strain/strain_history.hpp"
+#include "ionskin/results/hdf5/hdf5_file.hpp"
 
 #include <filesystem>
 #include <string>
@@ -27,7 +27,7 @@ public:
 
   /// @param group "signals", "sampled", "taxels", "circuit", or one of the latter with "sampled_"
   void write_signals(const std::string& group, const readout::SignalTable& table);
-  void write_strain(const strain::StrainHistory& history);
+  void write_strain(const history::CoreHistory& history);
   /// Concentration, potential and shear of every snapshot under /ions/TIME, the grid under
   /// /ions/grid.
   void write_ions(const electrochemistry::TransportGrid& grid,

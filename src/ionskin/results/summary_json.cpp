@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/results/summary_json.hpp"
 
-#include "ionskin/base/atomic_file.hpp"
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/files/atomic_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

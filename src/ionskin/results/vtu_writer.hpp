@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/electrochemistry/ion_solution.hpp"
+#include "ionskin/electrochemistry/output/ion_solution.hpp"
 #include "ionskin/results/output_folder.hpp"
 
 #include <vector>

@@ -2,7 +2,7 @@
 #include "temporary_case.hpp"
 
 #include "ionskin/base/error.hpp"
-#include "ionskin/case/read_case.hpp"
+#include "ionskin/case/reading/read_case.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

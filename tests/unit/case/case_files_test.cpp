@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/case/materials.hpp"
-#include "ionskin/case/read_case.hpp"
+#include "ionskin/case/document/materials.hpp"
+#include "ionskin/case/reading/read_case.hpp"
 
 #include <gtest/gtest.h>
 

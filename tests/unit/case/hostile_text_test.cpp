@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/base/error.hpp"
-#include "ionskin/case/check_sizes.hpp"
-#include "ionskin/case/read_case.hpp"
-#include "ionskin/case/read_text_file.hpp"
-#include "ionskin/case/schema.hpp"
+#include "ionskin/case/checks/check_sizes.hpp"
+#include "ionskin/case/reading/read_case.hpp"
+#include "ionskin/case/schema/schema.hpp"
+#include "ionskin/case/text/read_text_file.hpp"
 #include "temporary_case.hpp"
 
 #include <fmt/format.h>

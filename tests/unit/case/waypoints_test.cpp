@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/base/error.hpp"
-#include "ionskin/case/read_case.hpp"
+#include "ionskin/case/reading/read_case.hpp"
 #include "temporary_case.hpp"
 
 #include <gmock/gmock.h>

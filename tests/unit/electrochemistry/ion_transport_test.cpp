@@ -19,7 +19,7 @@ using verification::linear_step_history;
 using verification::model_case;
 using verification::sliding_contact_history;
 
-IonSolution solve(const Case& input, const strain::StrainHistory& history,
+IonSolution solve(const Case& input, const history::CoreHistory& history,
                   const IonOptions& options = {}) {
   base::Timers timers;
   return solve_ion_transport(input, history, options, timers);
@@ -32,8 +32,8 @@ Case coarse_case() {
 }
 
 /// The first 0.6 s of the sliding contact: touchdown and the onset of the slide.
-strain::StrainHistory onset_history() {
-  strain::StrainHistory history = sliding_contact_history(1);
+history::CoreHistory onset_history() {
+  history::CoreHistory history = sliding_contact_history(1);
   history.time[4] = 0.6;
   history.slider_x[4] = 4.8e-3;
   for (auto* series : {&history.time, &history.slider_x}) {
@@ -190,7 +190,8 @@ TEST(IonTransport, ElectrodePotentialsChargeTheGeometricCapacitanceAtOnce) {
 
 TEST(IonTransport, NegativeFixedChargeStopsTheRunAndHandsOverWhatItHas) {
   auto history = linear_step_history(0.0, 0.0, {0.0, 0.5, 1.0});
-  history.shear()[2] = std::make_shared<const strain::StrainField>(strain::StrainField{0.0, -20.0});
+  history.shear()[2] =
+      std::make_shared<const history::StrainField>(history::StrainField{0.0, -20.0});
   IonOptions options;
   std::size_t rows = 0;
   options.checkpoint = [&rows](const IonCheckpoint& checkpoint) {
@@ -254,7 +255,8 @@ TEST(IonTransport, DebyeLayersOfNanometresStayPositive) {
   for (const auto law : {"column-neutral", "pair-generation"}) {
     input.coupling.law = law;
     auto history = linear_step_history(0.0, 0.0, {0.0, 0.1, 0.1005, 0.2});
-    history.shear()[2] = std::make_shared<const strain::StrainField>(strain::StrainField{0.0, 0.1});
+    history.shear()[2] =
+        std::make_shared<const history::StrainField>(history::StrainField{0.0, 0.1});
     history.shear()[3] = history.shear()[2];
     history.event_time = {0.1, 0.1005};
     const auto solution = solve(input, history);

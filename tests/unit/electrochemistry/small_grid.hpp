@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/electrochemistry/ion_state.hpp"
-#include "ionskin/electrochemistry/scaled_grid.hpp"
+#include "ionskin/electrochemistry/grid/scaled_grid.hpp"
+#include "ionskin/electrochemistry/output/ion_state.hpp"
 
 #include <cmath>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/solve_contact.hpp"
 
-#include "ionskin/mechanics/condensed_position.hpp"
-#include "ionskin/mechanics/contact_plan.hpp"
-#include "ionskin/mechanics/core_strain.hpp"
-#include "ionskin/mechanics/interpolation_error.hpp"
-#include "ionskin/mechanics/interpolation_nodes.hpp"
-#include "ionskin/mechanics/slider_track.hpp"
+#include "ionskin/mechanics/elasticity/core_strain.hpp"
+#include "ionskin/mechanics/path/contact_plan.hpp"
+#include "ionskin/mechanics/path/slider_track.hpp"
+#include "ionskin/mechanics/position/condensed_position.hpp"
+#include "ionskin/mechanics/position/interpolation_error.hpp"
+#include "ionskin/mechanics/position/interpolation_nodes.hpp"
 #include "small_case.hpp"
 
 #include <gtest/gtest.h>

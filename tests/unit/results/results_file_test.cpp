@@ -72,7 +72,7 @@ TEST(ResultsFile, IsExtendedAndItsPartsReplaced) {
   const ScratchFolder folder;
   {
     ResultsFile first(folder / "results.h5", Start::extend);
-    first.write_strain(example_history(strain::Frame::skin));
+    first.write_strain(example_history(history::Frame::skin));
     first.write_text("manifest", "half");
     first.commit();
   }

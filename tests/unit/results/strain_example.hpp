@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ionskin/case/case.hpp"
-#include "ionskin/strain/strain_history.hpp"
+#include "ionskin/history/core_history.hpp"
 
 namespace ionskin::results {
 
@@ -18,8 +18,8 @@ inline Skin example_skin() {
 }
 
 /// Four samples on 3 x 1 columns and 2 nodes; the first and the last share their field.
-inline strain::StrainHistory example_history(strain::Frame frame) {
-  strain::StrainHistory history;
+inline history::CoreHistory example_history(history::Frame frame) {
+  history::CoreHistory history;
   history.frame = frame;
   history.measure = "off-diagonal";
   history.length = 3e-3;
@@ -27,7 +27,7 @@ inline strain::StrainHistory example_history(strain::Frame frame) {
   history.time = {0, 0.5, 0.75, 2};
   history.event_time = {0, 0.5};
   history.grid.z_nodes = {0, 2e-4};
-  if (frame == strain::Frame::skin) {
+  if (frame == history::Frame::skin) {
     history.grid.x_edges = {0, 1e-3, 2e-3, 3e-3};
     history.grid.y_edges = {0, 2e-3};
   } else {
@@ -35,10 +35,10 @@ inline strain::StrainHistory example_history(strain::Frame frame) {
     history.grid.y_edges = {-1e-3, 1e-3};
     history.slider_x = {1e-3, 1e-3, 1.5e-3, 2e-3};
   }
-  const auto rest = std::make_shared<strain::StrainField>(6, 0.0);
+  const auto rest = std::make_shared<history::StrainField>(6, 0.0);
   history.shear() = {
-      rest, std::make_shared<strain::StrainField>(strain::StrainField{1, 2, 3, 4, 5, 6}),
-      std::make_shared<strain::StrainField>(strain::StrainField{6, 5, 4, 3, 2, -1}), rest};
+      rest, std::make_shared<history::StrainField>(history::StrainField{1, 2, 3, 4, 5, 6}),
+      std::make_shared<history::StrainField>(history::StrainField{6, 5, 4, 3, 2, -1}), rest};
   return history;
 }
 

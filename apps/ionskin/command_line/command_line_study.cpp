@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_line/command_line_options.hpp"
+
+#include <memory>
+
+namespace ionskin::apps {
+namespace {
+
+void add_design_options(CLI::App& verb, SweepOptions& options) {
+  verb.add_option("--over", options.over,
+                  "Key to vary and its values: contact.friction=0.05:0.05:0.5 (first:step:last), "
+                  "\"motion.preload=1 um,2 um\"; several make a grid; with --samples an interval: "
+                  "contact.friction=0.05:0.5")
+      ->required()
+      ->type_name("KEY=VALUES")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->take_all();
+  CLI::Option* samples =
+      verb.add_option("--samples", options.samples, "Number of points within the intervals")
+          ->check(CLI::Range(1, 100000));
+  verb.add_option("--sampling", options.sampling, "How they fill the intervals")
+      ->check(CLI::IsMember({"sobol", "latin"}))
+      ->needs(samples)
+      ->capture_default_str();
+  verb.add_option("--seed", options.seed, "Seed of the design")
+      ->needs(samples)
+      ->capture_default_str();
+}
+
+void add_sweep(CLI::App& app, Command& command) {
+  auto options = std::make_shared<SweepOptions>();
+  CLI::App* verb = app.add_subcommand("sweep", "Run a case at many values of its keys");
+  add_case_option(*verb, options->case_path);
+  add_design_options(*verb, *options);
+  add_output_options(*verb, options->output, options->overwrite, options->resume);
+  add_set_option(*verb, options->set_edits);
+  add_threads_option(*verb, options->threads);
+  verb->add_option("--only", options->only, "Run the mechanics alone")
+      ->check(CLI::IsMember({"mechanics"}));
+  verb->add_flag("--explain", options->explain,
+                 "Say how many points it has, what they share and how long it takes, and stop");
+  add_report_option(*verb, options->no_report);
+  add_cache_option(*verb, options->use_cache);
+  add_log_options(*verb, options->log);
+  set_when_parsed(*verb, options, command);
+}
+
+void add_fit(CLI::App& app, Command& command) {
+  auto options = std::make_shared<FitOptions>();
+  CLI::App* verb = app.add_subcommand(
+      "fit", "Fit keys of a case to a measured current, charge or voltage: estimates with 95 % "
+             "intervals, the fitted case, a figure");
+  verb->add_option("case", options->case_path, "Case to start from")
+      ->required()
+      ->type_name("CASE.toml");
+  verb->add_option("--data", options->data_path,
+                   "Measurement with units in its header: time [s],current_difference [A]")
+      ->required()
+      ->type_name("DATA.csv");
+  verb->add_option("--free", options->free,
+                   "Keys to fit: coupling.coefficient,electrochemistry.diffusivity. Those that "
+                   "change the mechanics cost a contact solution at every trial")
+      ->required()
+      ->type_name("KEY,KEY")
+      ->delimiter(',')
+      ->expected(1)
+      ->take_all();
+  verb->add_option("--column", options->column, "Signal of the data, where it holds several");
+  add_output_options(*verb, options->output, options->overwrite, options->resume);
+  add_set_option(*verb, options->set_edits);
+  add_threads_option(*verb, options->threads);
+  add_cache_option(*verb, options->use_cache);
+  add_log_options(*verb, options->log);
+  set_when_parsed(*verb, options, command);
+}
+
+void add_report(CLI::App& app, Command& command) {
+  auto options = std::make_shared<ReportOptions>();
+  CLI::App* verb =
+      app.add_subcommand("report", "Draw all figures and the report of a run or a sweep");
+  verb->add_option("folder", options->folder, "Folder of a run or a sweep")
+      ->required()
+      ->type_name("DIR");
+  verb->add_option("--figure", options->figures, "Only this figure, such as fig05_shear")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->take_all();
+  verb->add_flag(
+      "--claims", options->claims,
+      "Judge the claims of the paper (ionskin cite names it) for a case that is not its own too");
+  set_when_parsed(*verb, options, command);
+}
+
+void add_compare(CLI::App& app, Command& command) {
+  auto options = std::make_shared<CompareOptions>();
+  CLI::App* verb = app.add_subcommand(
+      "compare", "Tell the parameters, metrics and signals in which two runs differ");
+  verb->add_option("first", options->first, "Folder of a run")->required()->type_name("A");
+  verb->add_option("second", options->second, "Folder of a run")->required()->type_name("B");
+  verb->add_option("--tolerance", options->tolerance, "Relative difference that counts as none")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  set_when_parsed(*verb, options, command);
+}
+
+void add_studio(CLI::App& app, Command& command) {
+  auto options = std::make_shared<StudioOptions>();
+  CLI::App* verb = app.add_subcommand(
+      "studio", "Open the Studio in the browser: cases, runs and results of a folder");
+  verb->add_option("folder", options->folder, "Folder with cases and results")
+      ->type_name("FOLDER")
+      ->capture_default_str();
+  verb->add_option("--port", options->port, "Port on this machine (default: any that is free)")
+      ->check(CLI::Range(0, 65535));
+  verb->add_flag("--no-browser", options->no_browser, "Only print the link");
+  set_when_parsed(*verb, options, command);
+}
+
+} // namespace
+
+void add_study_verbs(CLI::App& app, Command& command) {
+  add_sweep(app, command);
+  add_fit(app, command);
+  add_report(app, command);
+  add_compare(app, command);
+  add_studio(app, command);
+}
+
+} // namespace ionskin::apps

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "command_line/completion.hpp"
+#include "verbs/cache.hpp"
+#include "verbs/check.hpp"
+#include "verbs/init.hpp"
+#include "verbs/keys.hpp"
+
+namespace ionskin::apps {
+
+/// How progress is shown. `automatic`: a bar on a terminal and lines elsewhere. `quiet`: nothing,
+/// and no summary of the results either.
+enum class LogFormat { automatic, bar, lines, json, none, quiet };
+
+struct RunOptions {
+  std::string case_path;
+  std::string output;
+  std::vector<std::string> set_edits;
+  int threads = 0; ///< 0: all processors
+  bool overwrite = false;
+  bool resume = false;
+  bool no_report = false;
+  bool use_cache = true;
+  std::string only; ///< "mechanics", "electrochemistry" or empty for both
+  LogFormat log = LogFormat::automatic;
+};
+
+struct SweepOptions {
+  std::string case_path;
+  std::string output;
+  std::vector<std::string> over; ///< "KEY=first:step:last", "KEY=value,value" or "KEY=a:b"
+  std::vector<std::string> set_edits;
+  std::size_t samples = 0; ///< 0: a grid
+  std::string sampling = "sobol";
+  std::uint64_t seed = 1;
+  int threads = 0;
+  bool overwrite = false;
+  bool resume = false;
+  bool no_report = false;
+  bool use_cache = true;
+  std::string only;     ///< "mechanics" or empty for both studies
+  bool explain = false; ///< say what it costs, and stop
+  LogFormat log = LogFormat::automatic;
+};
+
+struct FitOptions {
+  std::string case_path, data_path, output;
+  std::vector<std::string> free; ///< keys, each a name or several with commas
+  std::string column;            ///< of the data; empty when only one can be fitted
+  std::vector<std::string> set_edits;
+  int threads = 0;
+  bool overwrite = false;
+  bool resume = false;
+  bool use_cache = true;
+  LogFormat log = LogFormat::automatic;
+};
+
+struct ReportOptions {
+  std::string folder;
+  std::vector<std::string> figures; ///< only these; empty for all
+  bool claims = false;              ///< judge the paper's claims whatever the case
+};
+
+struct CompareOptions {
+  std::string first, second; ///< run folders
+  double tolerance = 1e-9;   ///< relative differences up to here are no differences
+};
+
+struct StudioOptions {
+  std::string folder = "."; ///< with cases and results
+  int port = 0;             ///< 0: any that is free
+  bool no_browser = false;
+};
+
+struct DoctorOptions {};
+struct CiteOptions {};
+struct ManualOptions {};
+
+struct VerifyOptions {
+  std::string part; ///< "mechanics", "electrochemistry", "poroelasticity", "chain" or empty
+  std::string csv;  ///< file for the table; empty for none
+  int threads = 0;
+};
+
+struct ImpedanceOptions {
+  std::string case_path;
+  std::string output;
+  std::vector<std::string> set_edits;
+  std::string from, to; ///< frequencies with unit
+  int points = 10;      ///< per decade
+  bool overwrite = false;
+};
+
+using Command =
+    std::variant<InitOptions, CheckOptions, RunOptions, SweepOptions, FitOptions, ImpedanceOptions,
+                 ReportOptions, CompareOptions, VerifyOptions, StudioOptions, DoctorOptions,
+                 CiteOptions, KeysOptions, CompletionOptions, ManualOptions, CacheOptions>;
+
+} // namespace ionskin::apps

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "command_line/threads.hpp"
+#include "terminal/progress_display.hpp"
+
+#include <string>
+
+namespace ionskin::apps {
+
+/// What the settings of a run, a sweep and a fit take from the command line alike.
+/// @param display must outlive the settings
+template <class Settings, class Options>
+Settings study_settings(const Options& options, const std::string& command,
+                        ProgressDisplay& display) {
+  Settings settings;
+  settings.folder = options.output;
+  settings.threads = thread_count(options.threads);
+  settings.overwrite = options.overwrite;
+  settings.use_cache = options.use_cache;
+  settings.command = command;
+  settings.progress = display.callback();
+  return settings;
+}
+
+} // namespace ionskin::apps

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/data/case_check.hpp"
+
+#include "ionskin/base/files/atomic_file.hpp"
+#include "ionskin/case/schema/schema.hpp"
+#include "studio/jobs/process.hpp"
+#include "studio/server/limits.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <regex>
+#include <semaphore>
+#include <sstream>
+
+namespace ionskin::apps::studio {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::counting_semaphore<limits::checks_at_once> checks{limits::checks_at_once};
+
+/// Removes the file at the end.
+struct ScratchFile {
+  fs::path path;
+  ~ScratchFile() {
+    std::error_code error;
+    fs::remove(path, error);
+  }
+};
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
+  }
+}
+
+/// Keys of the schema that a message names.
+Json keys_in(const std::string& message) {
+  static const std::regex word(
+      R"(\b[A-Za-z_][\w-]*(\[\d+\])?(\.[A-Za-z_][\w-]*(\[\d+\])?)+|\btitle\b)");
+  Json keys = Json::array();
+  for (std::sregex_iterator match(message.begin(), message.end(), word), end; match != end;
+       ++match) {
+    const std::string key = match->str();
+    if (find_row(key_pattern(key)) != nullptr) {
+      keys.push_back(key);
+    }
+  }
+  return keys;
+}
+
+Json one_error(const std::string& text) {
+  std::string message, remedy;
+  Json line, column, length;
+  static const std::regex numbered(R"(^ *(\d+) \|.*)"), marks(R"(^ *\| ( *)(\^+).*)");
+  bool in_excerpt = false;
+  std::istringstream lines(text);
+  for (std::string row; std::getline(lines, row);) {
+    std::smatch match;
+    if (row.find("--> ") < 8) {
+      in_excerpt = true;
+    } else if (row.rfind("  = ", 0) == 0) {
+      remedy += (remedy.empty() ? "" : "\n") + row.substr(4);
+    } else if (in_excerpt && line.is_null() && std::regex_match(row, match, numbered)) {
+      line = std::stol(match[1].str().substr(0, 9));
+    } else if (in_excerpt && column.is_null() && std::regex_match(row, match, marks)) {
+      column = match[1].length() + 1;
+      length = match[2].length();
+    } else if (!in_excerpt) {
+      message += (message.empty() ? "" : "\n") + row;
+    }
+  }
+  while (!message.empty() && message.back() == '\n') {
+    message.pop_back();
+  }
+  return {{"message", message}, {"remedy", remedy}, {"line", line},
+          {"column", column},   {"length", length}, {"keys", keys_in(message)}};
+}
+
+/// A key of a case that names a file.
+bool names_file(const std::string& key) {
+  return key == "strain.file" || key == "slider.profile" || key == "motion.file";
+}
+
+/// Files that a valid case names outside the workspace.
+Json files_outside(const Workspace& workspace, const Json& values) {
+  Json errors = Json::array();
+  for (const Json& value : values) {
+    const std::string key = value.value("key", "");
+    const std::string name = value.value("text", "");
+    if (!names_file(key) || name.empty()) {
+      continue;
+    }
+    try {
+      workspace.inside(name);
+    } catch (const HttpError&) {
+      errors.push_back({{"message", key + " names a file outside the workspace"},
+                        {"remedy", "copy the file into the workspace and name it without a folder"},
+                        {"line", value.value("line", Json())},
+                        {"column", nullptr},
+                        {"length", nullptr},
+                        {"keys", {key}}});
+    }
+  }
+  return errors;
+}
+
+Json failure(const std::string& message) {
+  return {{"valid", false}, {"errors", split_errors(message)}};
+}
+
+} // namespace
+
+Json split_errors(const std::string& text) {
+  std::string rest = text.rfind("error: ", 0) == 0 ? text.substr(7) : text;
+  Json errors = Json::array();
+  static const std::regex heading(R"(^\((\d+)\) )", std::regex::multiline);
+  std::sregex_iterator match(rest.begin(), rest.end(), heading), end;
+  if (match == end) {
+    errors.push_back(one_error(rest));
+  }
+  while (match != end) {
+    const auto begin = static_cast<std::size_t>(match->position() + match->length());
+    ++match;
+    const auto stop = match == end ? rest.size() : static_cast<std::size_t>(match->position());
+    errors.push_back(one_error(rest.substr(begin, stop - begin)));
+  }
+  return errors;
+}
+
+Json check_case(const Workspace& workspace, const std::string& text) {
+  static std::atomic<unsigned> number = 0;
+  checks.acquire();
+  struct Release {
+    ~Release() { checks.release(); }
+  } release;
+  const ScratchFile scratch{workspace.root() / fmt::format(".studio-check-{}.toml", ++number)};
+  base::write_text_file(scratch.path, text);
+  Outcome outcome =
+      run_to_end({program().string(), "check", scratch.path.filename().string(), "--json"},
+                 workspace.root(), limits::check_time, limits::check_memory);
+  if (outcome.timed_out) {
+    return failure("the check takes too long: the case is too large to be estimated");
+  }
+  if (outcome.exit_code != 0) {
+    replace_all(outcome.errors, scratch.path.filename().string(), "the case");
+    return failure(outcome.errors.empty() ? "the check ended early: the case needs too much memory"
+                                          : outcome.errors);
+  }
+  Json verdict = Json::parse(outcome.output, nullptr, false);
+  if (!verdict.is_object()) {
+    return failure("the check's answer cannot be read");
+  }
+  const Json outside = files_outside(workspace, verdict["values"]);
+  return outside.empty() ? verdict : Json{{"valid", false}, {"errors", outside}};
+}
+
+} // namespace ionskin::apps::studio

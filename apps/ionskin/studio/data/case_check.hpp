@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "studio/data/workspace.hpp"
+#include "studio/server/json.hpp"
+
+#include <string>
+
+namespace ionskin::apps::studio {
+
+/// What `ionskin check --json` says of a case: {"valid": true, "values", "explanation", "warning",
+/// "cost"}, or {"valid": false, "errors": [{"message", "remedy", "line", "column", "length",
+/// "keys"}]}. The check runs in a process of its own, with bounded time and memory. Files that the
+/// case names are looked for in the workspace; others are errors.
+Json check_case(const Workspace& workspace, const std::string& text);
+
+/// The errors in the text of a UserError: one entry per problem.
+Json split_errors(const std::string& text);
+
+} // namespace ionskin::apps::studio

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/data/gallery.hpp"
+
+#include "ionskin/case/text/data_folder.hpp"
+#include "studio/jobs/job.hpp"
+#include "studio/jobs/process.hpp"
+#include "studio/server/limits.hpp"
+
+#include <array>
+
+namespace ionskin::apps::studio {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Starter {
+  const char* id; ///< file in the folder of cases, without .toml
+  const char* name;
+  const char* summary;
+};
+
+constexpr std::array<Starter, 6> starters{{
+    {"quick", "A first look", "The paper's skin, coarse and for one cycle: seconds to run."},
+    {"paper", "The paper's case", "Three cycles at standard accuracy."},
+    {"finger", "A fingertip", "A sphere presses with 1 N and strokes; neutral coupling."},
+    {"taxels", "Taxels", "The top electrode in four named parts with a current each."},
+    {"reciprocating", "Back and forth", "Four strokes in contact with a rest at each turn."},
+    {"strain_file", "A strain file", "Ion transport alone, driven by shear from a file."},
+}};
+
+} // namespace
+
+Json gallery() {
+  Json all = Json::array();
+  for (const Starter& starter : starters) {
+    const std::string text =
+        file_text(data_folder() / "cases" / (std::string(starter.id) + ".toml"), limits::body);
+    if (!text.empty()) {
+      all.push_back({{"id", starter.id},
+                     {"name", starter.name},
+                     {"summary", starter.summary},
+                     {"text", text}});
+    }
+  }
+  return all;
+}
+
+void prepare(const Workspace& workspace, const std::string& id) {
+  std::error_code error;
+  const fs::path target = workspace.root() / "strain.h5";
+  if (id != "strain_file" || fs::exists(fs::symlink_status(target, error))) {
+    return;
+  }
+  const Outcome outcome = run_to_end(
+      {IONSKIN_PYTHON, (data_folder() / "cases" / "make_strain.py").string(), target.string()},
+      workspace.root(), limits::check_time, 0);
+  if (outcome.exit_code != 0) {
+    throw HttpError(500, "the strain file cannot be written; ionskin doctor says what is missing");
+  }
+}
+
+} // namespace ionskin::apps::studio

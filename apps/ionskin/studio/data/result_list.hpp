@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "studio/data/workspace.hpp"
+#include "studio/server/json.hpp"
+
+namespace ionskin::apps::studio {
+
+/// What a folder holds: "run", "sweep", "fit", or "" for no results of ionskin.
+std::string result_kind(const std::filesystem::path& folder);
+
+/// Every folder of results in the workspace, the newest first: {"path", "kind", "title", "state",
+/// "started", "command", "warnings", "metrics"}. Links are not followed; points of sweeps belong to
+/// their sweep.
+Json list_results(const Workspace& workspace);
+
+/// Everything about one folder that is small: as in the list, with all metrics, error estimates,
+/// timing, the case's text, names of tables; points of a sweep, parameters of a fit.
+/// Throws HttpError 404 when it holds no results.
+Json describe_result(const Workspace& workspace, const std::filesystem::path& folder);
+
+} // namespace ionskin::apps::studio

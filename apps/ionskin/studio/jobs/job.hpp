@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "studio/jobs/process.hpp"
+#include "studio/server/json.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ionskin::apps::studio {
+
+/// How far a job is. `stopping` was told to end; `stopped` can be resumed.
+enum class JobState { queued, running, stopping, stopped, finished, failed };
+
+/// One command of ionskin that the Studio runs. Its folder among the Studio's records holds
+/// job.json, and while it runs `output` and `messages`, and end.json when it ended.
+struct Job {
+  std::string id;
+  std::string kind;               ///< "run", "sweep", "fit" or "report"
+  std::string folder;             ///< of the results, relative to the workspace
+  std::vector<std::string> words; ///< arguments of ionskin
+  std::string command, python;    ///< the same to copy
+  double memory = 0;              ///< that it needs [bytes]; 0 when not known
+  double seconds = 0;             ///< that it is expected to take; 0 when not known
+  JobState state = JobState::queued;
+  double created = 0, started = 0, ended = 0; ///< [s] since 1970
+  ProcessId keeper;                           ///< that watches the command
+  int exit_code = 0;
+  std::string message; ///< why it failed
+
+  bool open() const { return state <= JobState::stopping; }
+};
+
+std::string to_string(JobState state);
+Json to_json(const Job& job);
+/// Throws nlohmann exceptions for a record that is damaged.
+Job job_from_json(const Json& record);
+
+/// Reads a whole small file; empty when it is not there.
+std::string file_text(const std::filesystem::path& path, std::size_t last_bytes);
+
+} // namespace ionskin::apps::studio

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/jobs/job_request.hpp"
+
+#include "ionskin/base/files/atomic_file.hpp"
+#include "ionskin/case/schema/schema.hpp"
+#include "studio/data/case_check.hpp"
+#include "studio/server/limits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+
+namespace ionskin::apps::studio {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t most_values = 1000; // of one swept key
+constexpr std::size_t most_keys = 8;
+
+/// A text as Python writes it.
+std::string python_text(const std::string& text) {
+  return Json(text).dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+bool is_number(const std::string& text) {
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  return !text.empty() && *end == '\0' && std::isspace(static_cast<unsigned char>(text[0])) == 0;
+}
+
+/// A value that stands alone on a command line: no separator of the sweep's own grammar in it.
+void require_value(const std::string& text) {
+  const auto bad = [](char c) {
+    return c == ',' || c == ':' || static_cast<unsigned char>(c) < 32;
+  };
+  if (text.empty() || text.size() > 200 || std::any_of(text.begin(), text.end(), bad)) {
+    throw HttpError(400, "a swept value is a number, a quantity or a word");
+  }
+}
+
+std::string known_key(const std::string& key) {
+  if (find_row(key_pattern(key)) == nullptr) {
+    throw HttpError(400, fmt::format("{} is no key of a case", key));
+  }
+  return key;
+}
+
+Json list_in(const Json& request, const char* name, std::size_t most) {
+  const Json list = request.value(name, Json::array());
+  if (!list.is_array() || list.empty() || list.size() > most) {
+    throw HttpError(400, fmt::format("{} has 1 to {} entries", name, most));
+  }
+  return list;
+}
+
+/// The case file to run: the one it came from while its text is the same, or a new one.
+std::string case_file(const Workspace& workspace, const Json& request, const std::string& text,
+                      const std::string& name) {
+  const std::string source = text_of(request, "source");
+  if (!source.empty() && file_text(workspace.inside(source), limits::body) == text) {
+    return source;
+  }
+  const std::string file = name + ".toml";
+  if (!request.value("dry", false)) {
+    base::write_text_file(workspace.place(file), text);
+  }
+  return file;
+}
+
+void add_sweep(const Json& request, Job& job) {
+  std::string over_python;
+  for (const Json& axis : list_in(request, "over", most_keys)) {
+    const std::string key = known_key(text_of(axis, "key"));
+    std::string values, values_python;
+    for (const Json& value : list_in(axis, "values", most_values)) {
+      const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+      require_value(text);
+      values += (values.empty() ? "" : ",") + text;
+      values_python +=
+          (values_python.empty() ? "" : ", ") + (is_number(text) ? text : python_text(text));
+    }
+    job.words.insert(job.words.end(), {"--over", key + "=" + values});
+    over_python +=
+        (over_python.empty() ? "" : ", ") + python_text(key) + ": [" + values_python + "]";
+  }
+  job.python +=
+      fmt::format("result = ionskin.sweep(case, {{{}}}, {})", over_python, python_text(job.folder));
+}
+
+void add_fit(const Workspace& workspace, const Json& request, Job& job) {
+  const fs::path measured = workspace.inside(text_of(request, "data"));
+  if (!fs::is_regular_file(measured)) {
+    throw HttpError(400, "data is the name of a CSV file in the workspace");
+  }
+  const std::string data = workspace.relative(measured);
+  const std::string column = text_of(request, "column");
+  std::string keys, keys_python;
+  for (const Json& key : list_in(request, "free", most_keys)) {
+    const std::string name = known_key(key.is_string() ? key.get<std::string>() : "");
+    keys += (keys.empty() ? "" : ",") + name;
+    keys_python += (keys_python.empty() ? "" : ", ") + python_text(name);
+  }
+  job.words.insert(job.words.end(), {"--data", data, "--free", keys});
+  if (!column.empty()) {
+    job.words.insert(job.words.end(), {"--column", column});
+  }
+  job.python +=
+      fmt::format("result = ionskin.fit(case, {}, [{}], {}, column={})", python_text(data),
+                  keys_python, python_text(job.folder), python_text(column));
+}
+
+Job report_job(const Workspace& workspace, const Json& request) {
+  Job job;
+  job.kind = "report";
+  job.folder = workspace.relative(workspace.inside(text_of(request, "path")));
+  job.words = {"report", job.folder};
+  job.command = shell_text({"ionskin", "report", job.folder});
+  job.python =
+      fmt::format("import ionskin\nresult = ionskin.open_results({})", python_text(job.folder));
+  return job;
+}
+
+} // namespace
+
+std::string shell_text(const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& word : words) {
+    const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
+      return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+             std::string_view("_-./=,:+").find(c) != std::string_view::npos;
+    });
+    std::string quoted = word;
+    if (!plain) {
+      quoted = "'";
+      for (const char c : word) {
+        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+      }
+      quoted += "'";
+    }
+    line += (line.empty() ? "" : " ") + quoted;
+  }
+  return line;
+}
+
+Job job_of(const Workspace& workspace, const Json& request) {
+  Job job;
+  job.kind = text_of(request, "kind");
+  if (job.kind == "report") {
+    return report_job(workspace, request);
+  }
+  if (job.kind != "run" && job.kind != "sweep" && job.kind != "fit") {
+    throw HttpError(400, "a job is a run, a sweep, a fit or a report");
+  }
+  const std::string text = text_of(request, "case");
+  const Json verdict = check_case(workspace, text);
+  if (!verdict.value("valid", false)) {
+    throw HttpError(422, "the case has mistakes: " +
+                             verdict["errors"][0].value("message", std::string("see its check")));
+  }
+  if (const Json cost = verdict.value("cost", Json()); cost.is_object()) {
+    job.memory = cost.value("memory_bytes", 0.0);
+    job.seconds = cost.value("seconds", 0.0);
+  }
+  const std::string wanted = text_of(request, "name", job.kind);
+  job.folder = workspace.free_name(workspace.place(wanted).filename().string());
+  const std::string file = case_file(workspace, request, text, job.folder);
+  job.words = {job.kind, file, "-o", job.folder};
+  job.python =
+      fmt::format("import ionskin\ncase = ionskin.Case.from_file({})\n", python_text(file));
+  if (job.kind == "run") {
+    job.python += fmt::format("result = ionskin.run(case, {})", python_text(job.folder));
+  } else if (job.kind == "sweep") {
+    add_sweep(request, job);
+  } else {
+    add_fit(workspace, request, job);
+  }
+  if (job.kind != "fit") {
+    job.words.push_back("--no-report");
+  }
+  std::vector<std::string> shown{"ionskin"};
+  shown.insert(shown.end(), job.words.begin(), job.words.end());
+  job.command = shell_text(shown);
+  job.words.insert(job.words.end(), {"--log", "json"});
+  return job;
+}
+
+} // namespace ionskin::apps::studio

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/data/field_data.hpp"
+#include "studio/data/result_list.hpp"
+#include "studio/data/table_data.hpp"
+#include "studio/jobs/process.hpp"
+#include "studio/server/limits.hpp"
+#include "studio/server/server.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace ionskin::apps::studio {
+namespace {
+
+constexpr const char* numbers = "application/octet-stream";
+
+/// A file of a run that is no link out of its folder.
+std::filesystem::path file_of(const Workspace& workspace, const httplib::Request& request,
+                              const std::string& name) {
+  return workspace.inside(request.get_param_value("path") + "/" + name);
+}
+
+std::string compare(const Workspace& workspace, const httplib::Request& request) {
+  const auto first = workspace.relative(workspace.inside(request.get_param_value("first")));
+  const auto second = workspace.relative(workspace.inside(request.get_param_value("second")));
+  const Outcome outcome = run_to_end({program().string(), "compare", first, second},
+                                     workspace.root(), limits::compare_time, 0);
+  if (outcome.exit_code != 0) {
+    throw HttpError(422, outcome.errors.empty() ? "the comparison ended early" : outcome.errors);
+  }
+  return outcome.output;
+}
+
+} // namespace
+
+/// Results: the list, what a folder holds, tables and fields, differences.
+void Server::serve_result_calls() {
+  get("/api/runs", [this](const httplib::Request&, httplib::Response& response) {
+    send_json(response, list_results(workspace_));
+  });
+  get("/api/result", [this](const httplib::Request& request, httplib::Response& response) {
+    send_json(response,
+              describe_result(workspace_, workspace_.inside(request.get_param_value("path"))));
+  });
+  get("/api/table", [this](const httplib::Request& request, httplib::Response& response) {
+    constexpr std::array<const char*, 6> known{"signals", "sampled", "taxels",
+                                               "circuit", "fit",     "sweep"};
+    const std::string name = request.get_param_value("name");
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      throw HttpError(404, "there is no such table");
+    }
+    send(response, packed_table(file_of(workspace_, request, name + ".csv")), numbers);
+  });
+  get("/api/fields", [this](const httplib::Request& request, httplib::Response& response) {
+    send_json(response, list_fields(file_of(workspace_, request, "results.h5")));
+  });
+  get("/api/field", [this](const httplib::Request& request, httplib::Response& response) {
+    send(response,
+         packed_field(file_of(workspace_, request, "results.h5"), request.get_param_value("group"),
+                      request.get_param_value("frame"), request.get_param_value("name")),
+         numbers);
+  });
+  get("/api/compare", [this](const httplib::Request& request, httplib::Response& response) {
+    send_json(response, {{"text", compare(workspace_, request)}});
+  });
+}
+
+} // namespace ionskin::apps::studio

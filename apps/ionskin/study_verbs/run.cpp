@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study_verbs/run.hpp"
+
+#include "command_line/study_settings.hpp"
+#include "ionskin/base/error.hpp"
+#include "ionskin/base/system/interrupt.hpp"
+#include "ionskin/case/reading/read_case.hpp"
+#include "ionskin/results/output_folder.hpp"
+#include "ionskin/study/run/run_case.hpp"
+#include "terminal/terminal.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace ionskin::apps {
+namespace {
+
+constexpr std::array<std::string_view, 7> headline{
+    "normal_force_slide",       "mean_shear_slide",
+    "peak_sampled_current_top", "peak_sampled_current_difference",
+    "rms_current_difference",   "tail_current_difference",
+    "charge_identity_error"};
+
+study::Studies studies(const std::string& only) {
+  if (only == "mechanics") {
+    return study::Studies::mechanics;
+  }
+  return only == "electrochemistry" ? study::Studies::electrochemistry : study::Studies::both;
+}
+
+/// The first few; there may be one for every instant of a long motion.
+void print_warnings(const study::RunOutcome& outcome) {
+  constexpr std::size_t most = 6;
+  const std::size_t shown = std::min(most, outcome.warnings.size());
+  for (std::size_t i = 0; i < shown; ++i) {
+    fmt::print("{}", paragraph("warning: " + outcome.warnings[i], 2));
+  }
+  if (shown < outcome.warnings.size()) {
+    fmt::print("{} more warnings: {}\n", outcome.warnings.size() - shown,
+               (outcome.folder / results::file_names::summary).string());
+  }
+}
+
+void print_outcome(const study::RunOutcome& outcome) {
+  for (const auto& metric : outcome.metrics) {
+    if (std::find(headline.begin(), headline.end(), metric.name) != headline.end()) {
+      const auto error = outcome.errors.relative.find(metric.name);
+      fmt::print("{:<34} {:.6g} {}{}\n", metric.name, metric.value,
+                 metric.unit == "1" ? "" : metric.unit,
+                 error == outcome.errors.relative.end()
+                     ? ""
+                     : fmt::format("  (estimated error {:.2g} %)", 100 * error->second));
+    }
+  }
+  print_warnings(outcome);
+  fmt::print("{:.1f} s in all\n", outcome.seconds);
+  if (outcome.report.empty()) {
+    fmt::print("results: {}\n", outcome.folder.string());
+  } else {
+    fmt::print("report: {}\n", outcome.report.string());
+  }
+}
+
+} // namespace
+
+int run(const RunOptions& options, const std::string& command) {
+  base::install_interrupt_handler();
+  const Case input = read_case(options.case_path, options.set_edits);
+  study::RunOutcome outcome;
+  if (options.log != LogFormat::quiet) {
+    announce_cache(options.use_cache);
+  }
+  {
+    ProgressDisplay display(options.log);
+    auto settings = study_settings<study::RunOptions>(options, command, display);
+    settings.resume = options.resume;
+    settings.studies = studies(options.only);
+    settings.report = !options.no_report;
+    outcome = study::run_case(input, settings);
+  }
+  if (options.log != LogFormat::quiet) {
+    print_outcome(outcome);
+  }
+  return static_cast<int>(ExitCode::success);
+}
+
+} // namespace ionskin::apps

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study_verbs/sweep_cost.hpp"
+
+#include "ionskin/planning/cost_estimate.hpp"
+#include "ionskin/study/sweep/sweep_mechanics.hpp"
+
+#include <fmt/format.h>
+
+namespace ionskin::apps {
+namespace {
+
+// Measured on cases/quick.toml (0.08): what a further friction coefficient adds to a contact
+// solution, whose factorisations it shares.
+constexpr double further_friction = 0.1;
+constexpr double seconds_of_report = 10.0;
+
+std::string duration(double seconds) {
+  if (seconds < 90) {
+    return fmt::format("{:.2g} s", seconds);
+  }
+  return seconds < 5400 ? fmt::format("{:.2g} min", seconds / 60)
+                        : fmt::format("{:.2g} h", seconds / 3600);
+}
+
+std::string counted(std::size_t count, const std::string& thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+std::string solutions_in_words(const std::vector<study::MechanicsGroup>& groups) {
+  std::size_t solutions = 0;
+  for (const auto& group : groups) {
+    solutions += group.solutions;
+  }
+  const std::string words = counted(solutions, "contact solution");
+  return groups.size() < solutions
+             ? words + " that share " + counted(groups.size(), "set") + " of factorisations"
+             : words;
+}
+
+} // namespace
+
+std::string sweep_cost(const study::SweepPlan& plan, bool both_studies, int threads) {
+  const auto groups = study::mechanics_groups(plan.points);
+  const std::string points = counted(plan.points.size(), "point");
+  if (groups.empty()) {
+    return points + ", no contact to solve; the time follows from the strain file";
+  }
+  double seconds = seconds_of_report;
+  for (const auto& group : groups) {
+    const planning::CostEstimate cost =
+        planning::estimate_cost(plan.points[group.first_point].input, threads);
+    const double further = further_friction * static_cast<double>(group.solutions - 1);
+    seconds += cost.mechanics_seconds * (1 + further);
+  }
+  if (both_studies) {
+    seconds += planning::estimate_cost(plan.points.front().input, threads).ion_seconds *
+               static_cast<double>(plan.points.size());
+  }
+  return fmt::format("{}, {}; about {} with {}, less where the cache holds the mechanics", points,
+                     solutions_in_words(groups), duration(seconds),
+                     counted(static_cast<std::size_t>(threads), "thread"));
+}
+
+} // namespace ionskin::apps

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verbs/check.hpp"
+
+#include "command_line/threads.hpp"
+#include "terminal/terminal.hpp"
+#include "verbs/check_json.hpp"
+#include "verbs/explain.hpp"
+
+#include "ionskin/base/text.hpp"
+#include "ionskin/case/reading/read_case.hpp"
+#include "ionskin/mechanics/path/first_touch.hpp"
+#include "ionskin/mesh/skin_mesh.hpp"
+#include "ionskin/planning/resources.hpp"
+
+#include <fmt/format.h>
+
+namespace ionskin::apps {
+
+bool check(const CheckOptions& options) {
+  const CaseDocument document = read_case_document(options.case_path, options.set_edits);
+  if (document.input.strain.kind == StrainSourceKind::file) {
+    return false;
+  }
+  // The mesh has a say too: it refuses sliders that leave no room for an element at the skin's
+  // edge.
+  mesh::SkinMesh{document.input};
+  mechanics::require_touch(document.input);
+  const std::string shortage = planning::shortage(document.input, thread_count(0));
+  print_valid(options, document,
+              warning_of_ions(document.input) +
+                  (shortage.empty() ? "" : fmt::format("warning: {}\n", shortage)));
+  return true;
+}
+
+void print_valid(const CheckOptions& options, const CaseDocument& document,
+                 const std::string& warning) {
+  if (options.json) {
+    fmt::print("{}\n", check_json(document, warning));
+    return;
+  }
+  const std::string explanation = options.explain ? explain(document) : std::string();
+  std::string notes;
+  for (const std::string& note : document.input.notes) {
+    notes += paragraph("note: " + note, 2);
+  }
+  fmt::print("{} is valid.\n{}{}{}", base::shown(options.case_path), notes, warning, explanation);
+}
+
+} // namespace ionskin::apps

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/document/case_document.hpp"
+
+#include <string>
+#include <vector>
+
+namespace ionskin::apps {
+
+struct CheckOptions {
+  std::string case_path;
+  std::vector<std::string> set_edits; ///< "key=value"
+  bool explain = false;
+  bool json = false; ///< in place of text
+};
+
+/// Reads and checks a case and says that it is valid; explains it when asked. Throws UserError.
+/// False, with nothing said, when its strain comes from a file, which the solver reads.
+bool check(const CheckOptions& options);
+
+/// What `check` prints of a case without mistakes.
+/// @param warning a sentence or nothing
+void print_valid(const CheckOptions& options, const CaseDocument& document,
+                 const std::string& warning);
+
+} // namespace ionskin::apps

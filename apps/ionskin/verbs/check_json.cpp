@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verbs/check_json.hpp"
+
+#include "command_line/threads.hpp"
+#include "ionskin/planning/cost_estimate.hpp"
+#include "verbs/explain.hpp"
+
+#include "ionskin/units/dimension.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace ionskin::apps {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json value_json(const ValueRecord& record) {
+  const bool pure = record.value.dimension == units::Dimension::number;
+  return {{"key", record.key},
+          {"written", record.written},
+          {"si", record.si},
+          {"numbers", record.value.numbers},
+          {"unit", pure ? "" : units::dimension_info(record.value.dimension).si_unit},
+          {"text", record.value.text},
+          {"origin", to_string(record.origin)},
+          {"line", record.place ? Json(record.place->line) : Json()}};
+}
+
+Json cost_json(const Case& input) {
+  if (input.strain.kind == StrainSourceKind::file) {
+    return nullptr;
+  }
+  const int threads = thread_count(0);
+  const planning::CostEstimate cost = planning::estimate_cost(input, threads);
+  return {{"memory_bytes", cost.memory}, {"seconds", cost.seconds},
+          {"threads", threads},          {"mechanics_unknowns", cost.mechanics_unknowns},
+          {"positions", cost.positions}, {"ion_unknowns", cost.ion_unknowns},
+          {"ion_steps", cost.ion_steps}};
+}
+
+} // namespace
+
+std::string check_json(const CaseDocument& document, const std::string& warning) {
+  Json values = Json::array();
+  for (const ValueRecord& record : document.records) {
+    values.push_back(value_json(record));
+  }
+  const Json all = {{"valid", true},
+                    {"values", values},
+                    {"warning", warning},
+                    {"explanation", explain(document)},
+                    {"cost", cost_json(document.input)}};
+  return all.dump(1, ' ', false, Json::error_handler_t::replace);
+}
+
+} // namespace ionskin::apps

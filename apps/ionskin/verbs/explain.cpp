@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verbs/explain.hpp"
+
+#include "command_line/threads.hpp"
+
+#include "ionskin/base/text.hpp"
+#include "ionskin/case/slider_motion.hpp"
+#include "ionskin/electrochemistry/equations/steric_excess.hpp"
+#include "ionskin/electrochemistry/equations/wall_potential.hpp"
+#include "ionskin/electrochemistry/grid/derived_scales.hpp"
+#include "ionskin/mesh/footprint.hpp"
+#include "ionskin/planning/cost_estimate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace ionskin::apps {
+
+namespace {
+
+// Of a path of many waypoints the first and the last are told.
+constexpr std::size_t most_instants = 16, last_instants = 4;
+
+std::string row(const std::string& name, const std::string& value, const std::string& note = "") {
+  return note.empty() ? fmt::format("  {:<34} {}\n", name, value)
+                      : fmt::format("  {:<34} {:<14} {}\n", name, value, note);
+}
+
+std::string values(const CaseDocument& document) {
+  std::size_t key_width = 0, value_width = 0;
+  constexpr std::size_t widest = 60;
+  for (const ValueRecord& record : document.records) {
+    key_width = std::max(key_width, record.key.size());
+    value_width = std::max(value_width, base::shown(record.si, widest).size());
+  }
+  std::string text = "\nValues in SI units, and where they come from\n";
+  for (const ValueRecord& record : document.records)
+    text += fmt::format("  {:<{}}  {:<{}}  {}\n", record.key, key_width,
+                        base::shown(record.si, widest), value_width, to_string(record.origin));
+  return text;
+}
+
+/// Pressure and shear under the slider if the layers could not move sideways: an upper estimate.
+struct ConfinedEstimate {
+  double pressure = 0; ///< [Pa]
+  double shear = 0;    ///< of the core in full slip [1]
+};
+
+// Layers in series under the largest indentation d: p = d / sum(t / M), M = E (1 - nu) / ((1 +
+// nu)(1 - 2 nu)) the oedometric modulus; shear of the core mu p / G, G = E / (2 (1 + nu)).
+ConfinedEstimate confined_estimate(const Case& input) {
+  double compliance = 0;
+  for (const Layer& layer : input.skin.layers) {
+    const double nu = layer.material.poissons_ratio;
+    const double modulus = layer.material.youngs_modulus * (1 - nu) / ((1 + nu) * (1 - 2 * nu));
+    compliance += layer.thickness / modulus;
+  }
+  const Material& core = input.skin.layers[input.skin.core_index()].material;
+  const double shear_modulus = core.youngs_modulus / (2 * (1 + core.poissons_ratio));
+  const double area = input.slider.size[0] * input.slider.size[1];
+  double pressure = 0;
+  for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
+    const double value = leg.to_level.value;
+    pressure = std::max(pressure, leg.to_level.is_force ? value / area : -value / compliance);
+  }
+  return {pressure, input.contact.friction * pressure / shear_modulus};
+}
+
+std::string scales_of_ions(const Case& input) {
+  const double thickness = input.skin.core_thickness();
+  const auto scales = electrochemistry::derive_scales(input.electrochemistry, thickness);
+  std::string text = "\nScales of the ions\n";
+  const auto add = [&text](const std::string& name, const std::string& value,
+                           const std::string& note) { text += row(name, value, note); };
+  add("thermal voltage", fmt::format("{:.4g} mV", scales.thermal_voltage * 1e3), "R T / F");
+  add("Debye length", fmt::format("{:.4g} um", scales.debye_length * 1e6),
+      fmt::format("the core is {:.4g} Debye lengths thick", thickness / scales.debye_length));
+  add("relaxation time", fmt::format("{:.4g} ms", scales.relaxation_time * 1e3), "lambda^2 / D");
+  add("charging time", fmt::format("{:.4g} s", scales.slow_time),
+      "lambda h / (2 D), of both double layers through the core");
+  add("conductivity", fmt::format("{:.4g} S/m", scales.conductivity), "");
+  if (const auto excess = electrochemistry::steric_excess(input.electrochemistry))
+    add("thermodynamic factor", fmt::format("{:.4g}", 1 / excess->room(1.0)),
+        "of ions of finite size at rest: multiplies D, and lambda by its root");
+  add("charge scale", fmt::format("{:.4g} C/m2", scales.charge_density), "F c0 lambda");
+  return text;
+}
+
+/// Both diffuse layers in series, of which each holds permittivity over Debye length and area.
+std::string scales_of_readout(const Case& input) {
+  const auto scales =
+      electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness());
+  const auto excess = electrochemistry::steric_excess(input.electrochemistry);
+  const double screening = scales.debye_length * (excess ? std::sqrt(1 / excess->room(1.0)) : 1.0);
+  const double per_area = input.electrochemistry.permittivity / (2 * screening);
+  const Readout& readout = input.readout;
+  const double capacitance = per_area * input.skin.length * input.skin.width;
+  std::string text = "\nReadout\n";
+  text += row("capacitance of the cell C", fmt::format("{:.4g} F", capacitance),
+              "of both double layers in series, at low frequency and small voltage");
+  if (!readout.taxels.empty()) {
+    const Taxel& first = readout.taxels.front();
+    const double area = (first.upper[0] - first.lower[0]) * (first.upper[1] - first.lower[1]);
+    text += row(fmt::format("capacitance below taxel {}", first.name),
+                fmt::format("{:.4g} F", per_area * area),
+                fmt::format("the first of {}", readout.taxels.size()));
+  }
+  if (readout.circuit == ReadoutCircuit::load)
+    text += row("time constant R C", fmt::format("{:.4g} s", readout.load_resistance * capacitance),
+                fmt::format("through the load of {:.4g} ohm{}", readout.load_resistance,
+                            readout.taxels.empty() ? "" : ", which all taxels share"));
+  return text;
+}
+
+/// The contact of a round slider is not known before it is solved.
+std::string scales_of_round_contact(const Case& input) {
+  const mesh::Footprint largest = mesh::largest_footprint(input);
+  std::string text = "\nContact\n";
+  if (input.motion.force_controlled())
+    text += row("normal force", fmt::format("{:.3g} N", input.motion.preload_force));
+  return text + row("contact at most",
+                    fmt::format("{:.3g} mm x {:.3g} mm", 2e3 * largest.half_size[0],
+                                2e3 * largest.half_size[1]),
+                    "the mesh is fitted to the contact that a coarse solution finds");
+}
+
+std::string scales_of_contact(const Case& input) {
+  if (!input.slider.sharp())
+    return scales_of_round_contact(input);
+  const ConfinedEstimate estimate = confined_estimate(input);
+  const auto scales =
+      electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness());
+  const double nonlinearity =
+      electrochemistry::nonlinearity(scales, input.coupling.coefficient, estimate.shear);
+  const double area = input.slider.size[0] * input.slider.size[1];
+  std::string text = "\nContact, estimated from above (layers that cannot move sideways)\n";
+  text += row("mean pressure", fmt::format("{:.3g} MPa", estimate.pressure * 1e-6));
+  text += row("normal force", fmt::format("{:.3g} N", estimate.pressure * area));
+  text += row("shear under the sliding slider", fmt::format("{:.3g}", estimate.shear));
+  text += row("nonlinearity k gamma h/(2 lambda)", fmt::format("{:.3g}", nonlinearity),
+              "the ions respond linearly far below 1");
+  return text;
+}
+
+// What begins at each instant of a cycle.
+std::vector<std::pair<std::string, double>> instants(const std::vector<MotionLeg>& legs) {
+  std::vector<std::pair<std::string, double>> result;
+  for (const MotionLeg& leg : legs) {
+    const ContactPart part = contact_part(leg);
+    const bool known = !leg.from_level.is_force && !leg.to_level.is_force;
+    if (leg.lands() && known)
+      result.emplace_back("contact", leg.begin + part.begin);
+    if (leg.phase == Phase::slide)
+      result.emplace_back(leg.slides() ? "slide begins" : "hold begins", leg.begin);
+    if (leg.leaves())
+      result.emplace_back("lift-off begins", leg.begin);
+    if (leg.leaves() && known)
+      result.emplace_back("contact lost", leg.begin + part.begin + part.duration);
+    if (leg.phase == Phase::return_)
+      result.emplace_back("return begins", leg.begin);
+  }
+  return result;
+}
+
+/// "480 x slide begins, 3 x contact" of the instants [begin, end).
+std::string kinds(const std::vector<std::pair<std::string, double>>& all, std::size_t begin,
+                  std::size_t end) {
+  std::map<std::string, std::size_t> counts;
+  for (std::size_t i = begin; i < end; ++i)
+    ++counts[all[i].first];
+  std::string text;
+  for (const auto& [what, count] : counts)
+    text += fmt::format("{}{} x {}", text.empty() ? "" : ", ", count, what);
+  return text;
+}
+
+std::string events(const Case& input) {
+  const Motion& motion = input.motion;
+  std::string text = fmt::format(
+      "\nInstants of each cycle of {:.6g} s; the run has {} and lasts {:.6g} s\n",
+      motion.cycle_duration(), motion.cycles == 1 ? "one" : std::to_string(motion.cycles),
+      motion.cycles * motion.cycle_duration());
+  const auto all = instants(motion_legs(motion, input.slider));
+  const std::size_t left_out = all.size() > most_instants ? all.size() - most_instants : 0;
+  const std::size_t first_left_out = most_instants - last_instants;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (left_out > 0 && i == first_left_out) {
+      text += row("...", fmt::format("{} more", left_out), kinds(all, i, i + left_out));
+      i += left_out;
+    }
+    text += row(all[i].first, fmt::format("{:.8g} s", all[i].second));
+  }
+  return text;
+}
+
+std::string costs(const Case& input) {
+  std::string text = "\nSize and cost\n";
+  if (input.strain.kind == StrainSourceKind::file)
+    return text + row("Study 2", "", "its size follows from the strain file");
+  const int threads = thread_count(0);
+  const planning::CostEstimate cost = planning::estimate_cost(input, threads);
+  text += row("Study 1: unknowns", fmt::format("{}", cost.mechanics_unknowns),
+              fmt::format("displacements, factorised at {} positions", cost.positions));
+  text += row("Study 2: unknowns", fmt::format("{}", cost.ion_unknowns),
+              fmt::format("over about {} time steps", cost.ion_steps));
+  text += row("memory", fmt::format("{:.2g} GB", cost.memory * 1e-9),
+              "largest, estimated from the unknowns");
+  text +=
+      row("wall time", fmt::format("{:.2g} s", cost.seconds),
+          fmt::format("with {} threads, from costs per unknown measured on one machine", threads));
+  return text;
+}
+
+} // namespace
+
+std::string warning_of_ions(const Case& input) {
+  const double share =
+      input.slider.size[0] * input.slider.size[1] / (input.skin.length * input.skin.width);
+  const auto reason =
+      electrochemistry::no_sane_solution(input, confined_estimate(input).shear * share);
+  return reason ? fmt::format("warning: {}; the shear is estimated\n  = {}\n", *reason,
+                              electrochemistry::no_sane_solution_remedy())
+                : "";
+}
+
+std::string explain(const CaseDocument& document) {
+  const Case& input = document.input;
+  std::string text = values(document) + scales_of_ions(input) + scales_of_readout(input);
+  if (input.strain.kind == StrainSourceKind::contact)
+    text += scales_of_contact(input) + events(input);
+  return text + costs(input);
+}
+
+} // namespace ionskin::apps

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/document/case_document.hpp"
+
+#include <string>
+
+namespace ionskin::apps {
+
+/// What a case means before it runs: its values in SI units and where they come from, the scales
+/// that follow, the instants of contact, and the size and cost of both studies. Throws UserError
+/// when the mesh cannot be built.
+std::string explain(const CaseDocument& document);
+
+/// A warning where the ions have no sane solution, by an estimate of the shear under the slider;
+/// else empty.
+std::string warning_of_ions(const Case& input);
+
+} // namespace ionskin::apps

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/base/system/interrupt.hpp"
+
+#include "ionskin/base/error.hpp"
+
+#include <atomic>
+
+namespace ionskin::base {
+namespace {
+
+// Set by a signal or a thread, read by others.
+std::atomic<int> requested{0};
+static_assert(std::atomic<int>::is_always_lock_free);
+
+extern "C" void on_signal(int signal_number) {
+  if (requested) {
+    std::signal(signal_number, SIG_DFL);
+    std::raise(signal_number);
+  }
+  requested = true;
+}
+
+extern "C" void on_signal_to_host(int) {
+  requested = true;
+}
+
+} // namespace
+
+void install_interrupt_handler() {
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  // The terminal is gone; nohup has the run go on without one.
+  if (std::signal(SIGHUP, on_signal) == SIG_IGN) {
+    std::signal(SIGHUP, SIG_IGN);
+  }
+}
+
+void request_interrupt() {
+  requested = true;
+}
+
+InterruptScope::InterruptScope(bool take_signal) : taken_(take_signal) {
+  requested = false;
+  if (taken_) {
+    struct sigaction ours {};
+    ours.sa_handler = on_signal_to_host;
+    sigemptyset(&ours.sa_mask);
+    sigaction(SIGINT, &ours, &former_);
+  }
+}
+
+InterruptScope::~InterruptScope() {
+  if (taken_) {
+    sigaction(SIGINT, &former_, nullptr);
+  }
+  requested = false;
+}
+
+bool interrupt_requested() {
+  return requested;
+}
+
+void check_interrupt() {
+  if (interrupt_requested()) {
+    throw Interrupted();
+  }
+}
+
+} // namespace ionskin::base

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/checks/check_motion.hpp"
+
+#include "ionskin/case/schema/schema.hpp"
+#include "ionskin/case/slider_motion.hpp"
+#include "ionskin/case/text/read_text_file.hpp"
+#include "ionskin/units/quantity.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+namespace ionskin {
+
+namespace {
+
+bool same_position(const Waypoint& a, const Waypoint& b) {
+  return a.position == b.position;
+}
+
+/// Checks the path waypoint by waypoint.
+class WaypointCheck {
+public:
+  WaypointCheck(const CaseDocument& document, Problems& problems)
+      : document_(document), motion_(document.input.motion), problems_(problems) {}
+
+  bool run() {
+    const auto& waypoints = motion_.waypoints;
+    if (waypoints.size() < 2) {
+      add(fmt::format("a path needs at least two waypoints, and there {} {}",
+                      waypoints.size() == 1 ? "is" : "are", waypoints.size()),
+          document_.point_at(motion_.file.empty() ? "motion.kind" : "motion.file"),
+          "write sections [[motion.waypoints]], or name a file with motion.file");
+      return false;
+    }
+    constexpr std::size_t most_told = 10; // each reads the file's line again
+    for (std::size_t i = 0, told = 0; i < waypoints.size() && told < most_told; ++i) {
+      const bool was_sound = std::exchange(sound_, true);
+      check_one(i);
+      told += sound_ ? 0 : 1;
+      sound_ = sound_ && was_sound;
+    }
+    if (!sound_)
+      return false;
+    for (std::size_t i = 1, told = 0; i < waypoints.size() && told < most_told; ++i) {
+      const bool was_sound = std::exchange(sound_, true);
+      check_pair(i);
+      told += sound_ ? 0 : 1;
+      sound_ = sound_ && was_sound;
+    }
+    check_ends();
+    return sound_;
+  }
+
+private:
+  void add(const std::string& message, const std::vector<Pointer>& pointers,
+           const std::string& remedy) {
+    problems_.add(message, pointers, remedy);
+    sound_ = false;
+  }
+
+  /// Those of a case are checked as they are read, those of a file here.
+  void check_range(std::size_t i, const std::string& name, double value) {
+    const SchemaRow& row = *find_row("motion.waypoints[]." + name);
+    if (!row.range.contains(value))
+      add(fmt::format("waypoint {}: {} = {} is out of range", i + 1, name,
+                      units::format_si(value, row.dimension)),
+          point_at_waypoint(document_, i),
+          fmt::format("it must be {}", describe(row.range, row.dimension)));
+  }
+
+  void check_one(std::size_t i) {
+    const Waypoint& waypoint = motion_.waypoints[i];
+    check_range(i, "time", waypoint.time);
+    check_range(i, "position", waypoint.position[0]);
+    check_range(i, "position", waypoint.position[1]);
+    if (waypoint.height)
+      check_range(i, "height", *waypoint.height);
+    if (waypoint.force && *waypoint.force > 0)
+      check_range(i, "force", *waypoint.force);
+    if (waypoint.height.has_value() == waypoint.force.has_value())
+      add(fmt::format("waypoint {} has {}", i + 1,
+                      waypoint.force ? "both a height and a force" : "neither height nor force"),
+          point_at_waypoint(document_, i), "give it one of the two");
+    if (waypoint.force && *waypoint.force <= 0)
+      add(fmt::format("waypoint {} has a force of {:.6g} N", i + 1, *waypoint.force),
+          point_at_waypoint(document_, i),
+          "a force must be above 0 N; a detached slider has a height");
+    const double thickness = document_.input.skin.thickness();
+    if (waypoint.height && -*waypoint.height >= thickness)
+      add(fmt::format("waypoint {} reaches through the skin, which is {:.6g} mm thick: its height "
+                      "is {:.6g} mm",
+                      i + 1, thickness * 1e3, *waypoint.height * 1e3),
+          point_at_waypoint(document_, i),
+          fmt::format("the height must be above {:.6g} mm", -thickness * 1e3));
+  }
+
+  void check_pair(std::size_t i) {
+    const Waypoint &before = motion_.waypoints[i - 1], &here = motion_.waypoints[i];
+    if (here.time <= before.time)
+      add(fmt::format("waypoint {} at {:.6g} s does not come after waypoint {} at {:.6g} s", i + 1,
+                      here.time, i, before.time),
+          point_at_waypoint(document_, i), "the times of waypoints must ascend");
+    if (before.force.has_value() != here.force.has_value() && !same_position(before, here))
+      add(fmt::format("between waypoints {} and {} the slider moves along the skin while a height "
+                      "turns into a force",
+                      i, i + 1),
+          point_at_waypoint(document_, i),
+          "give both the same position: press first, then slide, then lift off");
+  }
+
+  void check_ends() {
+    const Waypoint &first = motion_.waypoints.front(), &last = motion_.waypoints.back();
+    if (first.time != 0)
+      add(fmt::format("the first waypoint is at {:.6g} s", first.time),
+          point_at_waypoint(document_, 0), "the first waypoint must be at 0 s");
+    if (first.height.value_or(-1) < 0)
+      add("the slider touches the skin from the start", point_at_waypoint(document_, 0),
+          "the first waypoint must have a height of at least 0 m");
+    if (motion_.cycles > 1 && (!same_position(first, last) || last.height.value_or(-1) < 0))
+      add(fmt::format("motion.cycles = {}, but the path does not end where it begins, detached",
+                      motion_.cycles),
+          point_at_waypoint(document_, motion_.waypoints.size() - 1, "last waypoint"),
+          "give the last waypoint the position of the first and a height of at least 0 m, or set "
+          "motion.cycles = 1");
+  }
+
+  const CaseDocument& document_;
+  const Motion& motion_;
+  Problems& problems_;
+  bool sound_ = true;
+};
+
+std::string kind_name(MotionKind kind) {
+  switch (kind) {
+  case MotionKind::touch_slide_lift:
+    return "touch-slide-lift";
+  case MotionKind::reciprocating:
+    return "reciprocating";
+  case MotionKind::waypoints:
+    break;
+  }
+  return "waypoints";
+}
+
+/// A key of another kind would be taken for one that matters.
+void check_kind(const CaseDocument& document, Problems& problems) {
+  for (const SchemaRow& row : schema()) {
+    const bool of_motion = row.key.starts_with("motion.") || row.key == "slider.start";
+    if (!of_motion || !row.applies || row.applies(document.input))
+      continue;
+    const std::size_t wildcard = row.key.find("[]");
+    const std::string key = wildcard == std::string::npos ? row.key
+                                                          : row.key.substr(0, wildcard) + "[0]" +
+                                                                row.key.substr(wildcard + 2);
+    const ValueRecord* record = document.find(key);
+    if (record != nullptr && record->origin != ValueOrigin::default_value)
+      problems.add(fmt::format("{} has no effect with motion.kind = \"{}\"", key,
+                               kind_name(document.input.motion.kind)),
+                   document.point_at(key), "remove it, or choose another motion.kind");
+  }
+}
+
+// A few of the same file's lines are asked for, each in a message.
+std::string line_of(const std::string& path, std::size_t number) {
+  std::istringstream stream(read_text_file(path, "waypoint"));
+  std::string line;
+  for (std::size_t i = 0; i < number; ++i)
+    std::getline(stream, line);
+  return line;
+}
+
+} // namespace
+
+std::vector<Pointer> point_at_waypoint(const CaseDocument& document, std::size_t index,
+                                       const std::string& note) {
+  const Motion& motion = document.input.motion;
+  const std::size_t line = motion.waypoints[index].line;
+  if (line == 0)
+    return document.point_at(fmt::format("motion.waypoints[{}].time", index), note);
+  const std::string text = line_of(motion.file, line);
+  return {{{motion.file, line, 1, text.size(), text}, note}};
+}
+
+bool check_motion(const CaseDocument& document, Problems& problems) {
+  check_kind(document, problems);
+  const Motion& motion = document.input.motion;
+  if (motion.kind != MotionKind::waypoints)
+    return true;
+  if (!motion.file.empty() && document.find("motion.waypoints[0].time") != nullptr) {
+    problems.add("the path is given twice", document.point_at("motion.file"),
+                 "keep either motion.file or the sections [[motion.waypoints]]");
+    return false;
+  }
+  return WaypointCheck(document, problems).run();
+}
+
+} // namespace ionskin

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/checks/check_readout.hpp"
+
+#include "ionskin/base/text.hpp"
+#include "ionskin/case/document/taxel_grid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace ionskin {
+
+namespace {
+
+/// Name of what no taxel covers.
+constexpr const char* rest_name = "rest";
+
+std::string taxel_key(std::size_t taxel, const std::string& property) {
+  return fmt::format("readout.taxels[{}].{}", taxel, property);
+}
+
+std::vector<Pointer> places(const CaseDocument& document, std::size_t first,
+                            const std::string& property, std::size_t second) {
+  std::vector<Pointer> all = document.point_at(taxel_key(first, property), "first");
+  for (const Pointer& pointer : document.point_at(taxel_key(second, property), "second"))
+    all.push_back(pointer);
+  return all;
+}
+
+bool is_column_name(const std::string& name) {
+  return !name.empty() && name != rest_name && std::ranges::all_of(name, [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-';
+  });
+}
+
+void check_rectangle(const CaseDocument& document, std::size_t index, Problems& problems) {
+  const Taxel& taxel = document.input.readout.taxels[index];
+  const std::array<double, 2> size{document.input.skin.length, document.input.skin.width};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double low = taxel.lower[axis] * 1e3, high = taxel.upper[axis] * 1e3;
+    const char* direction = axis == 0 ? "x" : "y";
+    if (low >= high)
+      problems.add(fmt::format("the taxel \"{}\" has no extent along {}: it reaches from {:.6g} mm "
+                               "to {:.6g} mm",
+                               base::shown(taxel.name), direction, low, high),
+                   document.point_at(taxel_key(index, "upper")),
+                   "upper must be greater than lower along x and along y");
+    else if (taxel.upper[axis] > size[axis] * (1 + 1e-12))
+      problems.add(
+          fmt::format("the taxel \"{}\" leaves the top face: it reaches to {:.6g} mm along "
+                      "{}, the skin to {:.6g} mm",
+                      base::shown(taxel.name), high, direction, size[axis] * 1e3),
+          document.point_at(taxel_key(index, "upper")),
+          fmt::format("it must be at most {:.6g} mm along {}", size[axis] * 1e3, direction));
+  }
+}
+
+bool overlap(const Taxel& first, const Taxel& second) {
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double rounding = 1e-9 * (first.upper[axis] - first.lower[axis]);
+    if (first.upper[axis] <= second.lower[axis] + rounding ||
+        second.upper[axis] <= first.lower[axis] + rounding)
+      return false;
+  }
+  return true;
+}
+
+/// The first of all pairs of taxels that conflict, and how many more do.
+struct Conflicts {
+  std::size_t first = 0, second = 0, count = 0;
+
+  void add(std::size_t one, std::size_t other) {
+    if (count++ == 0)
+      first = one, second = other;
+  }
+  std::string others() const {
+    return count < 2 ? "" : fmt::format("; so do {} more pairs", count - 1);
+  }
+};
+
+void check_pairs(const CaseDocument& document, Problems& problems) {
+  const std::vector<Taxel>& taxels = document.input.readout.taxels;
+  Conflicts names, places_taken;
+  for (std::size_t i = 0; i < taxels.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      if (taxels[i].name == taxels[j].name)
+        names.add(j, i);
+      if (overlap(taxels[j], taxels[i]))
+        places_taken.add(j, i);
+    }
+  if (names.count > 0)
+    problems.add(fmt::format("two taxels have the name \"{}\"{}",
+                             base::shown(taxels[names.first].name), names.others()),
+                 places(document, names.first, "name", names.second),
+                 "give every taxel a name of its own");
+  if (places_taken.count > 0)
+    problems.add(fmt::format("the taxels \"{}\" and \"{}\" overlap{}",
+                             base::shown(taxels[places_taken.first].name),
+                             base::shown(taxels[places_taken.second].name), places_taken.others()),
+                 places(document, places_taken.first, "lower", places_taken.second),
+                 "move their corners apart: charge belongs to one taxel only");
+}
+
+/// A key that only one circuit uses.
+struct CircuitKey {
+  const char* key;
+  ReadoutCircuit circuit;
+  const char* name;
+};
+constexpr std::array<CircuitKey, 5> circuit_keys{
+    {{"readout.load_resistance", ReadoutCircuit::load, "load"},
+     {"readout.amplifier_bandwidth", ReadoutCircuit::amplifier, "amplifier"},
+     {"readout.amplifier_noise_density", ReadoutCircuit::amplifier, "amplifier"},
+     {"readout.amplifier_range", ReadoutCircuit::amplifier, "amplifier"},
+     {"readout.noise_seed", ReadoutCircuit::amplifier, "amplifier"}}};
+
+/// Those that are given and not used.
+std::vector<CircuitKey> idle_keys(const CaseDocument& document) {
+  std::vector<CircuitKey> idle;
+  for (const CircuitKey& one : circuit_keys)
+    if (!document.point_at(one.key).empty() && document.input.readout.circuit != one.circuit)
+      idle.push_back(one);
+  return idle;
+}
+
+bool names_circuit(const CaseDocument& document) {
+  return !document.point_at("readout.circuit").empty();
+}
+
+/// A key of a circuit beside no word of a circuit is one that the user forgot to name.
+void check_circuit(const CaseDocument& document, Problems& problems) {
+  if (names_circuit(document))
+    return;
+  for (const CircuitKey& one : idle_keys(document))
+    problems.add(fmt::format("{} is given, but the circuit has none", one.key),
+                 document.point_at(one.key),
+                 fmt::format("set readout.circuit = \"{}\", or remove the key", one.name));
+}
+
+void check_grid(const CaseDocument& document, Problems& problems) {
+  const TaxelGrid& grid = document.input.readout.taxel_grid;
+  const std::string key = "readout.taxels.";
+  std::vector<Pointer> given;
+  for (const char* name : {"rows", "columns", "gap"})
+    for (const Pointer& pointer : document.point_at(key + name))
+      given.push_back(pointer);
+  if (given.empty())
+    return;
+  for (const char* name : {"rows", "columns"})
+    if (document.point_at(key + name).empty())
+      problems.add(fmt::format("missing key {}{} of the grid of taxels", key, name), given,
+                   "a grid has both: taxels = {rows = 2, columns = 4}");
+  if (grid.rows < 1 || grid.columns < 1)
+    return;
+  const Skin& skin = document.input.skin;
+  const std::array<double, 2> size = taxel_size(grid, skin), face{skin.length, skin.width};
+  const std::array<int, 2> count{grid.columns, grid.rows};
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    if (size[axis] <= 0)
+      problems.add(fmt::format("the gaps leave no room for the taxels along {}: {} of {:.6g} mm on "
+                               "{:.6g} mm",
+                               axis == 0 ? "x" : "y", count[axis] - 1, grid.gap * 1e3,
+                               face[axis] * 1e3),
+                   document.point_at(key + "gap"),
+                   fmt::format("it must be below {:.6g} mm, or the taxels fewer",
+                               face[axis] * 1e3 / (count[axis] - 1)));
+}
+
+} // namespace
+
+void check_readout(const CaseDocument& document, Problems& problems) {
+  check_circuit(document, problems);
+  check_grid(document, problems);
+  const std::vector<Taxel>& taxels = document.input.readout.taxels;
+  for (std::size_t i = 0; i < taxels.size(); ++i) {
+    if (!is_column_name(taxels[i].name))
+      problems.add(fmt::format("\"{}\" cannot name a taxel", base::shown(taxels[i].name)),
+                   document.point_at(taxel_key(i, "name")),
+                   "use letters, digits, _ and -; \"rest\" is what no taxel covers");
+    check_rectangle(document, i, problems);
+  }
+  check_pairs(document, problems);
+}
+
+std::vector<std::string> notes_on_readout(const CaseDocument& document) {
+  std::vector<std::string> notes;
+  for (const CircuitKey& one : idle_keys(document))
+    notes.push_back(
+        fmt::format("{} is given and not used: the circuit \"{}\" has none, \"{}\" has.", one.key,
+                    document.find("readout.circuit")->value.text, one.name));
+  const Readout& readout = document.input.readout;
+  if (!readout.taxels.empty() && readout.circuit == ReadoutCircuit::load)
+    notes.push_back(fmt::format(
+        "All {} taxels share one resistor of {:.4g} ohm and one voltage: with the circuit \"load\" "
+        "the top electrode is one conductor, and taxels.csv tells the part of the current that "
+        "enters each. Taxels read one by one are held at one potential: circuit \"short\".",
+        readout.taxels.size(), readout.load_resistance));
+  if (!readout.taxels.empty() && readout.circuit == ReadoutCircuit::open)
+    notes.push_back(
+        "All taxels share one voltage: with the circuit \"open\" the top electrode is one "
+        "conductor, and the currents of the taxels flow from one to another.");
+  return notes;
+}
+
+} // namespace ionskin

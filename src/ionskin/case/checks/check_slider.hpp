@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/document/case_document.hpp"
+
+namespace ionskin {
+
+/// Whether the keys of the slider go together: keys that its shape does not have, edges rounder
+/// than the slider is wide, a plan larger than the round body or the height map.
+void check_slider(const CaseDocument& document, Problems& problems);
+
+} // namespace ionskin

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/checks/check_water.hpp"
+
+#include "ionskin/base/constants.hpp"
+#include "ionskin/case/elastic_constants.hpp"
+#include "ionskin/case/schema/schema_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <initializer_list>
+
+namespace ionskin {
+
+namespace {
+
+/// How far two figures for the same quantity may be apart.
+constexpr double agreement = 0.01;
+
+/// Places of the keys that the user gave.
+std::vector<Pointer> given(const CaseDocument& document, std::initializer_list<const char*> keys) {
+  std::vector<Pointer> places;
+  for (const char* key : keys)
+    for (const Pointer& pointer : document.point_at(key))
+      places.push_back(pointer);
+  return places;
+}
+
+/// Keys without a meaning under the law of the case.
+void check_belonging(const CaseDocument& document, Problems& problems) {
+  if (moves_water(document.input)) {
+    for (const char* key : {"coupling.coefficient", "coupling.measure"})
+      if (const auto places = given(document, {key}); !places.empty())
+        problems.add(fmt::format("{} is given, but the law \"poroelastic\" has none: nothing of it "
+                                 "is fitted",
+                                 key),
+                     places, "remove the key, or choose another coupling.law");
+    return;
+  }
+  for (const ValueRecord& record : document.records)
+    if (record.key.starts_with("water.") && record.place &&
+        (record.origin == ValueOrigin::file || record.origin == ValueOrigin::set_edit))
+      problems.add(fmt::format("{} is given, but coupling.law = \"{}\" moves no water", record.key,
+                               document.input.coupling.law),
+                   {{*record.place, ""}},
+                   "set coupling.law = \"poroelastic\", or remove the section [water]");
+}
+
+void check_drained_stiffness(const CaseDocument& document, Problems& problems) {
+  const Water& water = document.input.water;
+  const auto places = given(document, {"water.drained_poissons_ratio", "water.drained_modulus"});
+  const bool ratio = water.drained_poissons_ratio > 0, modulus = water.drained_modulus > 0;
+  if (ratio == modulus) {
+    problems.add(ratio ? "water.drained_poissons_ratio and water.drained_modulus are both given"
+                       : "how stiff the core is once its water has moved is not given",
+                 places,
+                 ratio ? "give one of them: with the shear modulus, each follows from the other"
+                       : "give water.drained_poissons_ratio, such as 0.4, or "
+                         "water.drained_modulus, an oedometric modulus");
+    return;
+  }
+  const Material& core = document.input.skin.layers[document.input.skin.core_index()].material;
+  const double shear = shear_modulus(core), bulk = bulk_modulus(core);
+  if (ratio && water.drained_poissons_ratio >= core.poissons_ratio)
+    problems.add(fmt::format("water.drained_poissons_ratio = {:.6g} is not below {:.6g}, the "
+                             "core's own, which is the undrained one",
+                             water.drained_poissons_ratio, core.poissons_ratio),
+                 places, "water that leaves makes the core softer: choose a smaller ratio");
+  if (modulus && !(water.drained_modulus > 4.0 / 3.0 * shear &&
+                   water.drained_modulus < bulk + 4.0 / 3.0 * shear))
+    problems.add(
+        fmt::format("water.drained_modulus = {:.6g} MPa cannot belong to the core, whose "
+                    "shear modulus is {:.6g} MPa",
+                    water.drained_modulus / 1e6, shear / 1e6),
+        places,
+        fmt::format("it must be above {:.6g} MPa, 4/3 of the shear modulus, and below {:.6g} MPa, "
+                    "the undrained oedometric modulus",
+                    4.0 / 3.0 * shear / 1e6, (bulk + 4.0 / 3.0 * shear) / 1e6));
+}
+
+/// Mobility by each key that says something of it, which must be one figure.
+void check_mobility(const CaseDocument& document, Problems& problems) {
+  const Water& water = document.input.water;
+  const auto places =
+      given(document, {"water.permeability", "water.mobility", "water.consolidation_coefficient"});
+  if (places.empty()) {
+    problems.add("how fast water moves through the core is not given",
+                 given(document, {"coupling.law"}),
+                 "give water.permeability, water.mobility or water.consolidation_coefficient");
+    return;
+  }
+  const double storage = consolidation_modulus(document.input);
+  std::vector<double> mobilities;
+  if (water.permeability > 0)
+    mobilities.push_back(water.permeability / water.viscosity);
+  if (water.mobility > 0)
+    mobilities.push_back(water.mobility);
+  if (water.consolidation_coefficient > 0)
+    mobilities.push_back(water.consolidation_coefficient / storage);
+  for (const double other : mobilities)
+    if (!(std::abs(other - mobilities.front()) <= agreement * mobilities.front())) {
+      problems.add(fmt::format("the keys of the water's mobility disagree: {:.4g} and {:.4g} "
+                               "m2/(Pa s)",
+                               mobilities.front(), other),
+                   places,
+                   "give one of them; mobility = permeability / viscosity, and the consolidation "
+                   "coefficient is mobility times the drained modulus");
+      return;
+    }
+}
+
+void check_dilution(const CaseDocument& document, Problems& problems) {
+  const Case& input = document.input;
+  const Water& water = input.water;
+  if (water.dilution == WaterDilution::pore_water && water.volume_fraction == 0) {
+    problems.add("water.dilution = \"pore-water\" without water.volume_fraction",
+                 given(document, {"water.dilution"}),
+                 "give water.volume_fraction, the share of water in the core, such as 0.38");
+    return;
+  }
+  if (water.volume_fraction == 0)
+    return;
+  const double per_cation =
+      water.volume_fraction /
+      (constants::molar_volume_of_water * input.electrochemistry.resting_concentration());
+  if (water.drag_number > per_cation)
+    problems.add(
+        fmt::format("water.drag_number = {:.6g}, but the core has only {:.4g} molecules of "
+                    "water for each cation",
+                    water.drag_number, per_cation),
+        given(document, {"water.drag_number", "water.volume_fraction"}),
+        fmt::format("it must be at most {:.4g}", per_cation));
+}
+
+} // namespace
+
+void check_water(const CaseDocument& document, Problems& problems) {
+  check_belonging(document, problems);
+  if (!moves_water(document.input) || !problems.empty())
+    return;
+  check_drained_stiffness(document, problems);
+  if (problems.empty())
+    check_mobility(document, problems);
+  check_dilution(document, problems);
+}
+
+} // namespace ionskin

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/document/materials.hpp"
+
+#include "ionskin/base/nearest_name.hpp"
+#include "ionskin/base/text.hpp"
+#include "ionskin/case/text/data_folder.hpp"
+#include "ionskin/case/text/read_text_file.hpp"
+#include "ionskin/case/text/toml_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+namespace ionskin {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path materials_folder() {
+  return data_folder() / "materials";
+}
+
+std::string key_of(const std::string& material, const std::string& property) {
+  return fmt::format("materials.{}.{}", material, property);
+}
+
+// Values of a preset that the case does not give itself.
+void complete_from_preset(const std::string& name, TomlWalk& walk, Problems& problems) {
+  const fs::path file = materials_folder() / (name + ".toml");
+  const CaseText text(file.string(), read_text_file(file.string(), "material preset"));
+  TomlWalk preset(text, problems);
+  preset.visit(parse_toml(text.text(), text.file()));
+  walk.draft.materials[name]; // known from now on, whatever the preset leaves out
+  for (ValueRecord record : preset.records) {
+    if (!record.key.starts_with(key_of(name, "")) || walk.seen[record.key])
+      continue;
+    walk.seen[record.key] = true;
+    record.origin = ValueOrigin::preset;
+    find_row(key_pattern(record.key))->set(walk.draft, {0, name}, record.value);
+    walk.records.push_back(record);
+  }
+}
+
+// What the case does not say of its ions and the material of the core does.
+void take_ions(const std::string& material, TomlWalk& walk) {
+  for (const SchemaRow& row : schema()) {
+    if (!row.of_material || walk.seen[row.key])
+      continue;
+    const std::string source = key_of(material, row.key.substr(row.key.find('.') + 1));
+    walk.seen[row.key] = walk.seen[source];
+    const auto known = std::ranges::find(walk.records, source, &ValueRecord::key);
+    if (known == walk.records.end())
+      continue; // not given, or a bad value, which is reported
+    ValueRecord record = *known;
+    record.key = row.key;
+    row.set(walk.draft, {}, record.value);
+    walk.records.push_back(std::move(record));
+  }
+}
+
+std::string quoted_list(const std::set<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names)
+    list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", name);
+  return list;
+}
+
+void report_unknown(const std::string& name, const std::vector<Pointer>& where,
+                    const TomlWalk& walk, const std::vector<std::string>& presets,
+                    Problems& problems) {
+  std::set<std::string> known(presets.begin(), presets.end());
+  for (const auto& [defined, material] : walk.draft.materials)
+    known.insert(defined);
+  const std::string nearest = base::nearest_name(name, {known.begin(), known.end()});
+  const std::string hint = nearest.empty() ? "" : fmt::format("did you mean \"{}\"? ", nearest);
+  problems.add(fmt::format("unknown material \"{}\"", base::shown(name)), where,
+               fmt::format("{}known: {}; or define it in a section [materials.{}]", hint,
+                           quoted_list(known), base::shown(name)));
+}
+
+std::vector<Pointer> place_of_layer_material(const TomlWalk& walk, std::size_t layer) {
+  const std::string key = fmt::format("skin.layers[{}].material", layer);
+  for (const ValueRecord& record : walk.records)
+    if (record.key == key && record.place)
+      return {{*record.place, ""}};
+  return {};
+}
+
+void report_missing(const std::string& name, std::size_t layer, TomlWalk& walk,
+                    Problems& problems) {
+  for (const char* property : {"youngs_modulus", "poissons_ratio"}) {
+    const std::string key = key_of(name, property);
+    if (walk.seen[key])
+      continue;
+    const auto table = walk.tables.find("materials." + name);
+    const bool in_case = table != walk.tables.end();
+    problems.add(
+        "missing key " + key,
+        in_case ? std::vector<Pointer>{{table->second, ""}} : place_of_layer_material(walk, layer),
+        fmt::format("{}: {}", in_case ? "add it" : "the preset leaves it out; add it to the case",
+                    property[0] == 'y' ? "\"1 GPa\", say" : "a number below 0.5"));
+  }
+}
+
+} // namespace
+
+std::vector<std::string> installed_materials() {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(materials_folder(), error))
+    if (entry.path().extension() == ".toml")
+      names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void complete_materials(TomlWalk& walk, Problems& problems) {
+  const std::vector<std::string> presets = installed_materials();
+  std::set<std::string> done;
+  for (const Layer& layer : walk.draft.input.skin.layers) {
+    const std::string& name = layer.material.name;
+    if (std::ranges::find(presets, name) != presets.end() && done.insert(name).second)
+      complete_from_preset(name, walk, problems);
+    if (layer.role == LayerRole::core)
+      take_ions(name, walk);
+  }
+}
+
+void resolve_materials(TomlWalk& walk, Problems& problems) {
+  std::vector<Layer>& layers = walk.draft.input.skin.layers;
+  std::set<std::string> done;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const std::string name = layers[i].material.name;
+    if (name.empty())
+      continue; // reported as a missing or bad key
+    if (!walk.draft.materials.contains(name)) {
+      report_unknown(name, place_of_layer_material(walk, i), walk, installed_materials(), problems);
+      continue;
+    }
+    if (done.insert(name).second)
+      report_missing(name, i, walk, problems);
+    layers[i].material = walk.draft.materials[name];
+    layers[i].material.name = name;
+  }
+}
+
+} // namespace ionskin

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/document/toml_walk.hpp"
+
+#include "ionskin/base/nearest_name.hpp"
+#include "ionskin/base/text.hpp"
+#include "ionskin/case/document/read_value.hpp"
+#include "ionskin/case/document/waypoint_file.hpp"
+#include "ionskin/case/text/toml_limits.hpp"
+#include "ionskin/case/text/toml_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace ionskin {
+
+namespace {
+
+const std::string material_wildcard = "NAME";
+
+bool any_row_starts_with(const std::string& prefix) {
+  return std::any_of(schema().begin(), schema().end(),
+                     [&](const SchemaRow& row) { return row.key.starts_with(prefix); });
+}
+
+std::string joined(const std::string& parent, const std::string& name) {
+  return parent.empty() ? name : parent + "." + name;
+}
+
+std::string parent_of(const std::string& pattern) {
+  const std::size_t dot = pattern.rfind('.');
+  return dot == std::string::npos ? "" : pattern.substr(0, dot);
+}
+
+std::string last_of(const std::string& pattern) {
+  return pattern.substr(pattern.rfind('.') + 1);
+}
+
+// Names that may stand in a table: keys and sub-tables.
+std::vector<std::string> names_in(const std::string& parent) {
+  std::vector<std::string> names;
+  const std::string prefix = parent.empty() ? "" : parent + ".";
+  for (const SchemaRow& row : schema()) {
+    if (!row.key.starts_with(prefix))
+      continue;
+    const std::string rest = row.key.substr(prefix.size());
+    const std::string name = rest.substr(0, rest.find_first_of(".["));
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(name);
+  }
+  return names;
+}
+
+// A key of that name, or nearly, anywhere in the schema.
+std::string key_elsewhere(const std::string& name) {
+  std::vector<std::string> names;
+  for (const SchemaRow& row : schema())
+    names.push_back(last_of(row.key));
+  const std::string nearest = base::nearest_name(name, names);
+  for (const SchemaRow& row : schema())
+    if (!nearest.empty() && last_of(row.key) == nearest)
+      return row.key;
+  return "";
+}
+
+// The key that was probably meant, or an empty string.
+std::string probable_key(const std::string& key, const std::string& pattern) {
+  const std::string nearest = base::nearest_name(last_of(pattern), names_in(parent_of(pattern)));
+  return nearest.empty() ? key_elsewhere(last_of(pattern)) : joined(parent_of(key), nearest);
+}
+
+std::string list_of_siblings(const std::string& key, const std::string& pattern) {
+  std::string list;
+  for (const std::string& name : names_in(parent_of(pattern)))
+    list += (list.empty() ? "" : ", ") + name;
+  return parent_of(key).empty() ? "sections of a case: " + list
+                                : fmt::format("keys of {}: {}", parent_of(key), list);
+}
+
+constexpr std::size_t most_layers = 50, most_taxels = 2000;
+constexpr const char* layer_list = "skin.layers";
+constexpr const char* waypoint_list = "motion.waypoints";
+
+// What one table of a list stands for, for messages.
+std::string entry_name(const std::string& pattern) {
+  if (pattern == waypoint_list)
+    return "waypoint, in the order of time";
+  return pattern == layer_list ? "layer, from bottom to top" : "taxel";
+}
+
+void resize_list(Case& input, const std::string& pattern, std::size_t size) {
+  if (pattern == layer_list)
+    input.skin.layers.resize(size);
+  else if (pattern == waypoint_list)
+    input.motion.waypoints.resize(size);
+  else
+    input.readout.taxels.resize(size);
+}
+
+} // namespace
+
+Place TomlWalk::place_of(const toml::value& value) const {
+  const TextSpan span = value_span(text_.text(), value);
+  return text_.place(span.begin, span.length);
+}
+
+void TomlWalk::visit_value(const toml::value& value, const std::string& key,
+                           const std::string& pattern, const KeyIndex& index) {
+  seen[key] = true;
+  if (const SchemaRow* row = find_row(pattern))
+    read(*row, value, key, index);
+  else if (any_row_starts_with(pattern + "[].") &&
+           !(value.is_table() && any_row_starts_with(pattern + ".")))
+    visit_list(value, key, pattern);
+  else if (any_row_starts_with(pattern + "."))
+    visit_table(value, key, pattern, index);
+  else
+    report_unknown(value, key, pattern);
+}
+
+void TomlWalk::visit_table(const toml::value& value, const std::string& key,
+                           const std::string& pattern, const KeyIndex& index) {
+  if (!value.is_table()) {
+    problems_.add(fmt::format("{} must be a table", key), {{place_of(value), ""}},
+                  fmt::format("write a section [{}] with its keys below", key));
+    return;
+  }
+  if (!key.empty())
+    tables[key] = place_of(value);
+  for (const auto& [name, child] : children_in_order(text_.text(), value)) {
+    if (name.size() > toml_limits::name_bytes || base::shown(name, name.size()) != name) {
+      problems_.add(
+          fmt::format("\"{}\" cannot be a name", base::shown(name)), {{place_of(*child), ""}},
+          fmt::format("use at most {} bytes and no control characters", toml_limits::name_bytes));
+      continue;
+    }
+    KeyIndex child_index = index;
+    const bool is_material = pattern == "materials";
+    if (is_material) {
+      child_index.material = name;
+      draft.materials[name].name = name;
+    }
+    visit_value(*child, joined(key, name), joined(pattern, is_material ? material_wildcard : name),
+                child_index);
+  }
+}
+
+void TomlWalk::visit_list(const toml::value& value, const std::string& key,
+                          const std::string& pattern) {
+  if (!value.is_array() || (!value.as_array().empty() && !value.as_array().front().is_table())) {
+    problems_.add(fmt::format("{} must be a list of tables", key), {{place_of(value), ""}},
+                  fmt::format("write one section [[{}]] for each {}{}", key, entry_name(pattern),
+                              any_row_starts_with(pattern + ".")
+                                  ? ", or a grid such as {rows = 2, columns = 4}"
+                                  : ""));
+    return;
+  }
+  tables[key] = place_of(value);
+  const std::size_t most = pattern == layer_list      ? most_layers
+                           : pattern == waypoint_list ? most_waypoints
+                                                      : most_taxels;
+  if (value.as_array().size() > most) {
+    problems_.add(fmt::format("{} has {} entries", key, value.as_array().size()),
+                  {{place_of(value), ""}}, fmt::format("it may have at most {}", most));
+    return;
+  }
+  list_sizes[key] = value.as_array().size();
+  resize_list(draft.input, pattern, value.as_array().size());
+  for (std::size_t i = 0; i < value.as_array().size(); ++i)
+    visit_table(value.as_array()[i], fmt::format("{}[{}]", key, i), pattern + "[]", {i, ""});
+}
+
+void TomlWalk::read(const SchemaRow& row, const toml::value& value, const std::string& key,
+                    const KeyIndex& index) {
+  const auto result = read_value(row, key, value);
+  if (const BadValue* bad = std::get_if<BadValue>(&result)) {
+    problems_.add(bad->message, {{place_of(*bad->where), ""}}, bad->remedy);
+    return;
+  }
+  const Value& read = std::get<Value>(result);
+  row.set(draft, index, read);
+  const TextSpan span = value_span(text_.text(), value);
+  records.push_back({key, text_.text().substr(span.begin, span.length), format_value(row, read),
+                     text_.is_edited(span.begin) ? ValueOrigin::set_edit : ValueOrigin::file,
+                     place_of(value), read});
+}
+
+void TomlWalk::report_unknown(const toml::value& value, const std::string& key,
+                              const std::string& pattern) {
+  const TextSpan span = key_span(text_.text(), value);
+  const std::vector<Pointer> where = {{text_.place(span.begin, span.length), ""}};
+  const std::string meant = probable_key(key, pattern);
+  seen[meant] = true; // so that it is not reported as missing too
+  problems_.add(fmt::format("unknown {} {}", value.is_table() ? "section" : "key", key), where,
+                meant.empty() ? list_of_siblings(key, pattern)
+                              : fmt::format("did you mean {}?", meant));
+}
+
+} // namespace ionskin

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/document/case_document.hpp"
+#include "ionskin/case/schema/schema.hpp"
+#include "ionskin/case/text/case_text.hpp"
+
+#include <toml.hpp>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ionskin {
+
+/// Walks a TOML tree along the schema: reads every known key into a draft, records it, and collects
+/// unknown keys and bad values.
+class TomlWalk {
+public:
+  TomlWalk(const CaseText& text, Problems& problems) : text_(text), problems_(problems) {}
+
+  void visit(const toml::value& root) { visit_table(root, "", "", {}); }
+
+  CaseDraft draft;
+  std::vector<ValueRecord> records;
+  /// Where the tables stand: "skin", "skin.layers[0]", "materials.nafion".
+  std::map<std::string, Place> tables;
+  /// Number of tables in each list of them: "skin.layers".
+  std::map<std::string, std::size_t> list_sizes;
+  /// Keys and sections that were there, even misspelt or with a bad value.
+  std::map<std::string, bool> seen;
+
+private:
+  void visit_value(const toml::value& value, const std::string& key, const std::string& pattern,
+                   const KeyIndex& index);
+  void visit_table(const toml::value& value, const std::string& key, const std::string& pattern,
+                   const KeyIndex& index);
+  void visit_list(const toml::value& value, const std::string& key, const std::string& pattern);
+  void read(const SchemaRow& row, const toml::value& value, const std::string& key,
+            const KeyIndex& index);
+  void report_unknown(const toml::value& value, const std::string& key, const std::string& pattern);
+  Place place_of(const toml::value& value) const;
+
+  const CaseText& text_;
+  Problems& problems_;
+};
+
+} // namespace ionskin

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/document/waypoint_file.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/base/nearest_name.hpp"
+#include "ionskin/base/text.hpp"
+#include "ionskin/case/text/read_text_file.hpp"
+#include "ionskin/units/quantity.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <optional>
+#include <sstream>
+
+namespace ionskin {
+
+namespace {
+
+using units::Dimension;
+
+const std::map<std::string, Dimension>& known_columns() {
+  static const std::map<std::string, Dimension> columns = {{"time", Dimension::time},
+                                                           {"x", Dimension::length},
+                                                           {"y", Dimension::length},
+                                                           {"height", Dimension::length},
+                                                           {"force", Dimension::force}};
+  return columns;
+}
+
+constexpr const char* header_example = "time [s], x [mm], y [mm], height [mm]";
+
+/// Reads line by line; every mistake is told with its place.
+class WaypointReader {
+public:
+  explicit WaypointReader(const std::string& path) : path_(path) {}
+
+  std::vector<Waypoint> read() {
+    std::istringstream stream(read_text_file(path_, "waypoint"));
+    std::vector<Waypoint> waypoints;
+    for (std::string line; std::getline(stream, line);) {
+      ++line_;
+      const std::string text = base::trimmed(line, base::csv_blanks);
+      if (text.empty() || text.front() == '#')
+        continue;
+      if (columns_.empty())
+        read_header(line);
+      else
+        waypoints.push_back(read_row(line));
+      if (waypoints.size() > most_waypoints)
+        refuse(fmt::format("more than {} waypoints", most_waypoints),
+               "leave out those that lie on the way between their neighbours");
+    }
+    if (columns_.empty())
+      refuse("the file has no header", fmt::format("begin with \"{}\"", header_example));
+    return waypoints;
+  }
+
+private:
+  struct Column {
+    std::string name, unit;
+  };
+
+  [[noreturn]] void refuse(const std::string& message, const std::string& remedy) const {
+    throw UserError(
+        fmt::format("{}\n --> {}:{}\n  = {}", message, base::shown(path_), line_, remedy));
+  }
+
+  void read_header(const std::string& line) {
+    if (const std::string separator = base::foreign_separator(line); !separator.empty())
+      refuse("the columns are separated by " + separator, base::foreign_separator_remedy);
+    for (const std::string& cell : base::split(line, ',', base::csv_blanks)) {
+      const auto open = cell.find('['), close = cell.find(']');
+      if (open == std::string::npos || close == std::string::npos || close < open)
+        refuse(fmt::format("the column \"{}\" has no unit", base::shown(cell)),
+               fmt::format("write names with units, such as \"{}\"", header_example));
+      add_column({base::trimmed(cell.substr(0, open), base::csv_blanks),
+                  cell.substr(open + 1, close - open - 1)});
+    }
+    for (const char* name : {"time", "x", "y"})
+      if (!index_.contains(name))
+        refuse(fmt::format("the column \"{}\" is missing", name),
+               fmt::format("the columns are such as \"{}\"", header_example));
+    if (!index_.contains("height") && !index_.contains("force"))
+      refuse("neither a column \"height\" nor a column \"force\" is there",
+             fmt::format("the columns are such as \"{}\"", header_example));
+  }
+
+  void add_column(const Column& column) {
+    const auto known = known_columns().find(column.name);
+    if (known == known_columns().end()) {
+      std::vector<std::string> names;
+      for (const auto& [name, dimension] : known_columns())
+        names.push_back(name);
+      const std::string nearest = base::nearest_name(column.name, names);
+      refuse(fmt::format("the column \"{}\" is unknown", base::shown(column.name)),
+             nearest.empty() ? "columns: time, x, y, height, force"
+                             : fmt::format("did you mean \"{}\"?", nearest));
+    }
+    value("1", column.unit, known->second, column.name); // refuses a bad unit at once
+    if (!index_.emplace(column.name, columns_.size()).second)
+      refuse(fmt::format("the column \"{}\" stands twice", column.name), "keep one of them");
+    columns_.push_back(column);
+  }
+
+  double value(const std::string& number, const std::string& unit, Dimension dimension,
+               const std::string& column) const {
+    try {
+      return units::parse_quantity(number + " " + unit, dimension);
+    } catch (const UserError& error) {
+      refuse(fmt::format("{}: {}", column, error.what()),
+             fmt::format("{} needs a number, and in the header {}", column,
+                         units::dimension_info(dimension).name));
+    }
+  }
+
+  std::optional<double> entry(const std::vector<std::string>& cells,
+                              const std::string& name) const {
+    const auto column = index_.find(name);
+    if (column == index_.end() || cells[column->second].empty())
+      return std::nullopt;
+    return value(cells[column->second], columns_[column->second].unit, known_columns().at(name),
+                 name);
+  }
+
+  double required(const std::vector<std::string>& cells, const std::string& name) const {
+    const auto number = entry(cells, name);
+    if (!number)
+      refuse(fmt::format("{} is empty", name), "every line needs time, x and y");
+    return *number;
+  }
+
+  Waypoint read_row(const std::string& line) const {
+    const std::vector<std::string> cells = base::split(line, ',', base::csv_blanks);
+    if (cells.size() != columns_.size())
+      refuse(fmt::format("{} entries under {} columns", cells.size(), columns_.size()),
+             "give every line one entry a column; an empty one is nothing between commas");
+    const auto height = entry(cells, "height"), force = entry(cells, "force");
+    return {required(cells, "time"),
+            {required(cells, "x"), required(cells, "y")},
+            height,
+            force,
+            line_};
+  }
+
+  const std::string& path_;
+  std::size_t line_ = 0;
+  std::vector<Column> columns_;
+  std::map<std::string, std::size_t> index_;
+};
+
+} // namespace
+
+std::vector<Waypoint> read_waypoint_file(const std::string& path) {
+  return WaypointReader(path).read();
+}
+
+} // namespace ionskin

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/reading/read_case.hpp"
+
+#include "ionskin/case/checks/check_case.hpp"
+#include "ionskin/case/checks/check_readout.hpp"
+#include "ionskin/case/document/materials.hpp"
+#include "ionskin/case/document/missing_keys.hpp"
+#include "ionskin/case/document/set_edit.hpp"
+#include "ionskin/case/document/taxel_grid.hpp"
+#include "ionskin/case/document/toml_walk.hpp"
+#include "ionskin/case/document/waypoint_file.hpp"
+#include "ionskin/case/text/read_text_file.hpp"
+#include "ionskin/case/text/toml_limits.hpp"
+#include "ionskin/case/text/toml_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace ionskin {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+CaseText edited_text(CaseText text, const std::vector<std::string>& set_edits) {
+  parse_toml(text.text(), text.file()); // mistakes of the file are not to be blamed on an edit
+  for (const std::string& edit : set_edits)
+    apply_set_edit(text, edit);
+  return text;
+}
+
+// The written case must run from any folder, so a file that it names gets an absolute path.
+void anchor_file(const CaseDocument& document, const std::string& key, std::string& file,
+                 CaseText& text) {
+  if (file.empty() || fs::path(file).is_absolute())
+    return;
+  const fs::path folder = fs::absolute(document.file).parent_path();
+  file = (folder / file).lexically_normal().string();
+  apply_set_edit(text, key + "=" + file);
+}
+
+void take_waypoints(Case& input) {
+  Motion& motion = input.motion;
+  if (motion.kind != MotionKind::waypoints)
+    return;
+  if (!motion.file.empty() && motion.waypoints.empty())
+    motion.waypoints = read_waypoint_file(motion.file);
+  if (!motion.waypoints.empty())
+    input.slider.start = motion.waypoints.front().position;
+}
+
+void settle_slider(Slider& slider) {
+  if (slider.shape == SliderShape::sphere && slider.size[0] == 0)
+    slider.size = {2 * slider.radius, 2 * slider.radius};
+  if (slider.shape == SliderShape::profile)
+    slider.profile_heights = read_height_map(slider.profile);
+}
+
+// Place in the schema; the keys of one layer or material stay together, in the order of the file.
+std::size_t rank(const std::string& key) {
+  const std::size_t wildcard =
+      std::min(key.find('['), key.starts_with("materials.") ? 9 : key.size());
+  for (std::size_t i = 0; i < schema().size(); ++i)
+    if (wildcard < key.size() ? schema()[i].key.starts_with(key.substr(0, wildcard) + key[wildcard])
+                              : schema()[i].key == key)
+      return i;
+  return schema().size();
+}
+
+std::string values_text(const std::vector<ValueRecord>& records) {
+  std::string text;
+  for (const ValueRecord& record : records)
+    text += fmt::format("{} = {} {}\n", record.key, record.value.text,
+                        fmt::join(record.value.numbers, " "));
+  return text;
+}
+
+} // namespace
+
+CaseDocument read_case_document(const std::string& path,
+                                const std::vector<std::string>& set_edits) {
+  return read_case_text(read_text_file(path, "case", toml_limits::bytes), path, set_edits);
+}
+
+CaseDocument read_case_text(const std::string& original, const std::string& path,
+                            const std::vector<std::string>& set_edits) {
+  CaseText text = edited_text({path, original}, set_edits);
+  Problems problems;
+  TomlWalk walk(text, problems);
+  walk.visit(parse_toml(text.text(), text.file()));
+  complete_materials(walk, problems);
+  complete(walk, path, problems);
+  if (walk.draft.input.strain.kind == StrainSourceKind::contact)
+    resolve_materials(walk, problems);
+  problems.throw_if_any(path);
+
+  std::stable_sort(walk.records.begin(), walk.records.end(),
+                   [](const ValueRecord& first, const ValueRecord& second) {
+                     return rank(first.key) < rank(second.key);
+                   });
+  CaseDocument document{std::move(walk.draft.input), path, std::move(walk.records)};
+  anchor_file(document, "strain.file", document.input.strain.file, text);
+  anchor_file(document, "motion.file", document.input.motion.file, text);
+  anchor_file(document, "slider.profile", document.input.slider.profile, text);
+  if (document.input.strain.kind == StrainSourceKind::contact)
+    settle_slider(document.input.slider);
+  take_waypoints(document.input);
+  Readout& readout = document.input.readout;
+  if (readout.taxels.empty())
+    readout.taxels = taxels_of(readout.taxel_grid, document.input.skin);
+  document.input.text = text.text();
+  document.input.values = values_text(document.records);
+  check_case(document);
+  document.input.notes = notes_on_readout(document);
+  return document;
+}
+
+void check_values(const std::string& original, const std::string& name,
+                  const std::vector<std::string>& set_edits) {
+  const CaseText text = edited_text({name, original}, set_edits);
+  Problems problems;
+  TomlWalk(text, problems).visit(parse_toml(text.text(), text.file()));
+  problems.throw_if_any(name);
+}
+
+Case read_case(const std::string& path, const std::vector<std::string>& set_edits) {
+  return read_case_document(path, set_edits).input;
+}
+
+} // namespace ionskin

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/schema/schema_rows.hpp"
+
+#include "ionskin/case/schema/schema_setters.hpp"
+
+#include <cmath>
+
+namespace ionskin {
+
+using units::Dimension;
+
+namespace {
+
+// A direction without length stays so, for check_case to refuse.
+void into_direction(CaseDraft& draft, const KeyIndex&, const Value& value) {
+  constexpr double shortest = 1e-9;
+  const double length = std::hypot(value.numbers[0], value.numbers[1]);
+  const double scale = length > shortest ? 1 / length : 0;
+  draft.input.motion.direction = {value.numbers[0] * scale, value.numbers[1] * scale};
+}
+
+bool goes_through_waypoints(const Case& input) {
+  return input.motion.kind == MotionKind::waypoints;
+}
+bool reciprocates(const Case& input) {
+  return input.motion.kind == MotionKind::reciprocating;
+}
+
+// One duration of the motion.
+SchemaRow duration(const std::string& key, const std::string& help, double Motion::*member) {
+  return {.key = key,
+          .type = ValueType::quantity,
+          .dimension = Dimension::time,
+          .range = duration_range,
+          .need = Need::when_it_applies,
+          .applies = goes_in_strokes,
+          .help = help,
+          .set = into(&Case::motion, member)};
+}
+
+// One distance of the motion.
+SchemaRow distance(const std::string& key, const std::string& help, const Range& range,
+                   double Motion::*member) {
+  return {.key = key,
+          .type = ValueType::quantity,
+          .dimension = Dimension::length,
+          .range = range,
+          .need = Need::when_it_applies,
+          .applies = goes_in_strokes,
+          .help = help,
+          .set = into(&Case::motion, member)};
+}
+
+// An indentation or a force.
+void into_preload(CaseDraft& draft, const KeyIndex&, const Value& value) {
+  const bool force = value.dimension == Dimension::force;
+  draft.input.motion.preload = force ? 0 : value.numbers[0];
+  draft.input.motion.preload_force = force ? value.numbers[0] : 0;
+}
+
+Setter into_waypoint(const std::function<void(Waypoint&, const Value&)>& store_value) {
+  return [=](CaseDraft& draft, const KeyIndex& index, const Value& value) {
+    store_value(draft.input.motion.waypoints[index.entry], value);
+  };
+}
+
+void add_waypoints(SchemaRows& rows) {
+  const auto add = [&](const std::string& name, ValueType type, Dimension dimension,
+                       const std::string& help, const Setter& set) -> SchemaRow& {
+    rows.push_back({.key = "motion.waypoints[]." + name,
+                    .type = type,
+                    .dimension = dimension,
+                    .need = Need::one_of_several,
+                    .applies = goes_through_waypoints,
+                    .help = help,
+                    .set = set});
+    return rows.back();
+  };
+  SchemaRow& time = add("time", ValueType::quantity, Dimension::time,
+                        "Instant of the waypoint since the start of the cycle; the first is 0 s.",
+                        into_waypoint([](Waypoint& waypoint, const Value& value) {
+                          waypoint.time = value.numbers[0];
+                        }));
+  time.range = {0.0, 1e7, true, true};
+  time.need = Need::when_it_applies;
+  SchemaRow& position = add("position", ValueType::quantity_pair, Dimension::length,
+                            "Centre of the slider, x and y from the skin's corner.",
+                            into_waypoint([](Waypoint& waypoint, const Value& value) {
+                              store(value, waypoint.position);
+                            }));
+  position.range = {-10.0, 10.0, true, true};
+  position.need = Need::when_it_applies;
+  add("height", ValueType::quantity, Dimension::length,
+      "Height of the slider's underside above the undeformed top face; negative when it indents.",
+      into_waypoint(
+          [](Waypoint& waypoint, const Value& value) { waypoint.height = value.numbers[0]; }))
+      .range = {-0.1, 1.0, true, true};
+  add("force", ValueType::quantity, Dimension::force, "Normal force, in place of a height.",
+      into_waypoint(
+          [](Waypoint& waypoint, const Value& value) { waypoint.force = value.numbers[0]; }))
+      .range = {1e-9, 1e6, true, true};
+  rows.push_back({.key = "motion.file",
+                  .type = ValueType::text,
+                  .need = Need::one_of_several,
+                  .applies = goes_through_waypoints,
+                  .help = "File of waypoints in place of motion.waypoints: columns time, x, y, "
+                          "height or force, with units in the header.",
+                  .set = into(&Case::motion, &Motion::file)});
+}
+
+} // namespace
+
+void add_motion(SchemaRows& rows) {
+  rows.push_back(
+      {.key = "motion.kind",
+       .type = ValueType::choice,
+       .default_value = "\"touch-slide-lift\"",
+       .choices = {{"touch-slide-lift"}, {"reciprocating"}, {"waypoints"}},
+       .help = "Touchdown, slide in contact, lift-off, detached return; the same with strokes back "
+               "and forth; or any path through waypoints.",
+       .source = "the paper's cycle",
+       .set = into<Motion, MotionKind>(&Case::motion, &Motion::kind,
+                                       {{"touch-slide-lift", MotionKind::touch_slide_lift},
+                                        {"reciprocating", MotionKind::reciprocating},
+                                        {"waypoints", MotionKind::waypoints}})});
+  rows.push_back(distance("motion.gap",
+                          "Clearance between slider and skin at the start of a cycle.",
+                          {0.0, 1.0, true, true}, &Motion::gap));
+  rows.push_back({.key = "motion.preload",
+                  .type = ValueType::quantity,
+                  .dimension = Dimension::length,
+                  .other_dimension = Dimension::force,
+                  .range = {1e-12, 1e6, true, true},
+                  .need = Need::when_it_applies,
+                  .applies = goes_in_strokes,
+                  .help = "Indentation while sliding, or the normal force that is held instead.",
+                  .set = into_preload});
+  rows.push_back(distance("motion.stroke", "Length of the slide; zero is a press-and-hold.",
+                          {0.0, 10.0, true, true}, &Motion::stroke));
+  rows.push_back({.key = "motion.direction",
+                  .type = ValueType::number_pair,
+                  .range = {-1e6, 1e6, true, true},
+                  .applies = goes_in_strokes,
+                  .default_value = "[1, 0]",
+                  .help = "Direction of the slide in the x-y plane; any length, it is normalised.",
+                  .source = "the paper slides along the skin",
+                  .set = into_direction});
+  rows.push_back(duration("motion.touchdown", "Duration of the descent.", &Motion::touchdown));
+  rows.push_back(duration("motion.slide", "Duration of the slide, or of the hold; of one stroke.",
+                          &Motion::slide));
+  rows.push_back(duration("motion.lift", "Duration of the ascent.", &Motion::lift));
+  rows.push_back(duration("motion.return", "Duration of the detached return.", &Motion::return_));
+  rows.push_back({.key = "motion.strokes",
+                  .type = ValueType::integer,
+                  .range = {1, 1000, true, true},
+                  .applies = reciprocates,
+                  .default_value = "2",
+                  .help = "Number of strokes in contact, back and forth, one way each.",
+                  .source = "once there and back",
+                  .set = into(&Case::motion, &Motion::strokes)});
+  rows.push_back({.key = "motion.dwell",
+                  .type = ValueType::quantity,
+                  .dimension = Dimension::time,
+                  .range = {0.0, 1e7, true, true},
+                  .applies = reciprocates,
+                  .default_value = "\"0 s\"",
+                  .help = "Rest of the slider at each reversal.",
+                  .source = "no rest",
+                  .set = into(&Case::motion, &Motion::dwell)});
+  rows.push_back({.key = "motion.cycles",
+                  .type = ValueType::integer,
+                  .range = {1, 10000, true, true},
+                  .default_value = "1",
+                  .help = "Number of cycles.",
+                  .set = into(&Case::motion, &Motion::cycles)});
+  add_waypoints(rows);
+}
+
+void add_contact(SchemaRows& rows) {
+  rows.push_back({.key = "contact.law",
+                  .type = ValueType::choice,
+                  .default_value = "\"coulomb\"",
+                  .choices = {{"coulomb"}},
+                  .help = "Friction law.",
+                  .source = "the paper's law",
+                  .set = into(&Case::contact, &Contact::law)});
+  rows.push_back(
+      {.key = "contact.friction",
+       .type = ValueType::number,
+       .range = {0, 2, true, true},
+       .range_reason = "solutions of Coulomb's law need not be unique at large coefficients",
+       .need = Need::with_contact,
+       .help = "Coefficient of friction between slider and skin.",
+       .set = into(&Case::contact, &Contact::friction)});
+}
+
+} // namespace ionskin

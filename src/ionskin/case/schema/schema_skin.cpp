@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/schema/schema_rows.hpp"
+
+#include "ionskin/case/schema/schema_setters.hpp"
+
+namespace ionskin {
+
+using units::Dimension;
+
+namespace {
+
+void into_layer_material(CaseDraft& draft, const KeyIndex& index, const Value& value) {
+  draft.input.skin.layers[index.entry].material.name = value.text;
+}
+
+} // namespace
+
+void add_skin(SchemaRows& rows) {
+  rows.push_back({.key = "skin.length",
+                  .type = ValueType::quantity,
+                  .dimension = Dimension::length,
+                  .range = extent,
+                  .need = Need::always,
+                  .help = "Length of the skin along x.",
+                  .set = into(&Case::skin, &Skin::length)});
+  rows.push_back({.key = "skin.width",
+                  .type = ValueType::quantity,
+                  .dimension = Dimension::length,
+                  .range = extent,
+                  .need = Need::always,
+                  .help = "Width of the skin along y.",
+                  .set = into(&Case::skin, &Skin::width)});
+  rows.push_back({.key = "skin.sides",
+                  .type = ValueType::choice,
+                  .default_value = "\"free\"",
+                  .choices = {{"free"}, {"symmetry"}},
+                  .help = "The two faces normal to y: free of traction, or symmetry planes.",
+                  .source = "free sides are what a cut strip has",
+                  .set = into<Skin, SideCondition>(
+                      &Case::skin, &Skin::sides,
+                      {{"free", SideCondition::free}, {"symmetry", SideCondition::symmetry}})});
+}
+
+void add_layers(SchemaRows& rows) {
+  rows.push_back(
+      {.key = "skin.layers[].name",
+       .type = ValueType::text,
+       .need = Need::always,
+       .help = "Name of the layer, different from the others; layers stand from bottom to top.",
+       .set = into_layer(&Layer::name)});
+  rows.push_back(
+      {.key = "skin.layers[].role",
+       .type = ValueType::choice,
+       .need = Need::always,
+       .choices = {{"electrode"}, {"core"}},
+       .help = "What the layer does: exactly one core conducts ions, between electrodes.",
+       .set = into_layer<LayerRole>(
+           &Layer::role, {{"electrode", LayerRole::electrode}, {"core", LayerRole::core}})});
+  rows.push_back({.key = "skin.layers[].material",
+                  .type = ValueType::text,
+                  .need = Need::with_contact,
+                  .help = "Name of the material: a table of the case, or an installed preset.",
+                  .set = into_layer_material});
+  rows.push_back({.key = "skin.layers[].thickness",
+                  .type = ValueType::quantity,
+                  .dimension = Dimension::length,
+                  .range = film,
+                  .need = Need::always,
+                  .help = "Thickness of the layer.",
+                  .set = into_layer(&Layer::thickness)});
+}
+
+void add_materials(SchemaRows& rows) {
+  rows.push_back({.key = "materials.NAME.youngs_modulus",
+                  .type = ValueType::quantity,
+                  .dimension = Dimension::stress,
+                  .range = {1.0, 1e13, true, true},
+                  .need = Need::with_contact,
+                  .help = "Young's modulus.",
+                  .set = into_material(&Material::youngs_modulus)});
+  rows.push_back({.key = "materials.NAME.poissons_ratio",
+                  .type = ValueType::number,
+                  .range = {0.0, 0.49999, true, true},
+                  .range_reason = "0.5 is incompressible, which needs a mixed formulation with the "
+                                  "pressure as an unknown; 0.4999 works",
+                  .need = Need::with_contact,
+                  .help = "Poisson's ratio.",
+                  .set = into_material(&Material::poissons_ratio)});
+}
+
+} // namespace ionskin

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/electrochemistry/equations/exact_average.hpp"
+
+namespace ionskin::electrochemistry {
+namespace {
+
+/// Sum over the columns of the departure from a value.
+double level_sum(std::span<const double> field, std::size_t level, std::size_t columns,
+                 double origin) {
+  const double* values = field.data() + level * columns;
+  double sum = 0.0;
+#pragma omp simd reduction(+ : sum)
+  for (std::size_t i = 0; i < columns; ++i) {
+    sum += values[i] - origin;
+  }
+  return sum;
+}
+
+} // namespace
+
+ExactAverage::ExactAverage(const ScaledGrid& grid, std::optional<StericExcess> excess)
+    : grid_(grid), excess_(excess), voltage_(grid), mean_(grid.levels), charge_(grid.levels),
+      diagonal_(grid.levels), potential_(grid.levels) {}
+
+double ExactAverage::total(const ScaledGrid& grid, std::span<const double> field) {
+  double total = 0.0;
+  for (std::size_t k = 0; k < grid.levels; ++k) {
+    total += grid.height[k] * level_sum(field, k, grid.columns(), 0.0);
+  }
+  return total;
+}
+
+void ExactAverage::restore_amount(double ion_amount, std::span<double> concentration) const {
+  const double amount = total(grid_, concentration);
+  if (!excess_) {
+    const double factor = ion_amount / amount;
+    for (double& value : concentration) {
+      value *= factor;
+    }
+    return;
+  }
+  double weight = 0.0;
+  for (std::size_t i = 0; i < concentration.size(); ++i) {
+    weight +=
+        grid_.height[i / grid_.columns()] * concentration[i] * excess_->room(concentration[i]);
+  }
+  const double share = (ion_amount - amount) / weight;
+  for (double& value : concentration) {
+    value += share * value * excess_->room(value);
+  }
+}
+
+void ExactAverage::correct(const StageProblem& problem, IonState& state) {
+  restore_amount(problem.ion_amount, state.concentration());
+  const double potential_top = top_potential(problem, voltage_, state.concentration());
+  const std::size_t columns = grid_.columns(), top = grid_.levels - 1;
+  const auto count = static_cast<double>(columns);
+  for (std::size_t k = 0; k <= top; ++k) {
+    mean_[k] = level_sum(state.concentration(), k, columns, 1.0) / count;
+  }
+  // Elimination from the bottom wall up, then substitution from the top wall down.
+  potential_[0] = problem.potential_bottom;
+  diagonal_[0] = 1.0;
+  for (std::size_t k = 1; k < top; ++k) {
+    const double down = 1.0 / grid_.spacing[k - 1], up = 1.0 / grid_.spacing[k];
+    const double previous_upper = k == 1 ? 0.0 : -down;
+    const ChargeWeights weight = charge_weights(grid_, k);
+    charge_[k] = weight.below * mean_[k - 1] + weight.here * mean_[k] +
+                 weight.above * mean_[k + 1] -
+                 grid_.height[k] * level_sum(problem.fixed_charge, k, columns, 1.0) / count;
+    const double factor_below = -down / diagonal_[k - 1];
+    diagonal_[k] = up + down - factor_below * previous_upper;
+    potential_[k] = charge_[k] - factor_below * potential_[k - 1];
+  }
+  potential_[top] = potential_top;
+  for (std::size_t k = top; k-- > 1;) {
+    potential_[k] = (potential_[k] + potential_[k + 1] / grid_.spacing[k]) / diagonal_[k];
+  }
+  const auto phi = state.potential();
+  for (std::size_t i = 0; i < columns; ++i) {
+    phi[i] = problem.potential_bottom;
+    phi[top * columns + i] = potential_top;
+  }
+  for (std::size_t k = 1; k < top; ++k) {
+    const double shift = potential_[k] - level_sum(phi, k, columns, 0.0) / count;
+    for (double& value : phi.subspan(k * columns, columns)) {
+      value += shift;
+    }
+  }
+}
+
+} // namespace ionskin::electrochemistry

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/electrochemistry/circuit/terminal_voltage.hpp"
+#include "ionskin/electrochemistry/equations/ion_flux.hpp"
+#include "ionskin/electrochemistry/equations/lateral_flux.hpp"
+#include "ionskin/electrochemistry/equations/steric_excess.hpp"
+#include "ionskin/electrochemistry/grid/scaled_grid.hpp"
+#include "ionskin/electrochemistry/output/ion_state.hpp"
+#include "ionskin/parallel/worker_team.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ionskin::electrochemistry {
+
+/// What one implicit stage is given: find (c, phi) with c = start + step * (rate of change of c),
+/// and phi from Poisson's equation. Everything scaled.
+struct StageProblem {
+  std::span<const double> start;        ///< concentration the stage starts from [nodes]
+  double step = 0;                      ///< implicit part of the time step; 0 asks for phi alone
+  std::span<const double> fixed_charge; ///< cf / c0 at the instant of the stage [nodes]
+  double potential_bottom = 0, potential_top = 0; ///< of the electrodes
+  /// Ions in the core: sum over the control volumes of height times concentration.
+  double ion_amount = 0;
+  /// Replaces `potential_top` by the bottom's potential plus the voltage of the circuit.
+  std::optional<CircuitStage> circuit{};
+  /// Drives the cations beside the potential [nodes]; empty for none. Must outlive its use.
+  std::span<const double> drive{};
+};
+
+/// Potential of the top electrode: given, or what the circuit makes of the concentrations.
+double top_potential(const StageProblem& problem, const TerminalVoltage& voltage,
+                     std::span<const double> concentration);
+
+/// The Poisson-Nernst-Planck equations on finite volumes: the residual of a stage and its exact
+/// derivative, applied without forming a matrix. The fluxes are driven by the potential, plus the
+/// steric excess and the drive of the stage where there are any.
+class TransportEquations {
+public:
+  /// @param excess nothing for dilute ions
+  TransportEquations(const ScaledGrid& grid, parallel::WorkerTeam& team,
+                     std::optional<StericExcess> excess = std::nullopt);
+
+  /// Residual of ion balance, then of Poisson's equation, per control volume [2 nodes]. On the
+  /// walls the second one is phi minus the electrode's potential.
+  void residual(const StageProblem& problem, const IonState& state, std::span<double> out);
+
+  /// Fixes the state about which `apply_jacobian` is taken; the state must outlive its use.
+  void linearise(const StageProblem& problem, const IonState& state);
+
+  /// out = (derivative of the residual) direction.
+  void apply_jacobian(std::span<const double> direction, std::span<double> out);
+
+private:
+  /// Work space of one thread, one value per column each.
+  struct Workspace {
+    explicit Workspace(const ScaledGrid& grid);
+    ThicknessFlux thickness_flux;
+    LateralFlux lateral_flux;
+    std::vector<double> flux_below, flux_above, lateral_ions, lateral_field;
+    std::vector<double> drive_change; ///< of one level; used with an excess only
+  };
+
+  /// What drives the fluxes of a state: its potential, or the sum with the excess in `drive`.
+  std::span<const double> driving(const StageProblem& problem, const IonState& state,
+                                  std::vector<double>& drive);
+  /// Adds what the excess makes of the concentrations to the derivatives of the flux between the
+  /// levels `interface` and `interface` + 1.
+  void add_excess(std::size_t interface, std::span<const double> concentration);
+  /// @param potential_top of the electrode
+  /// @param drive of the fluxes
+  void residual_levels(const StageProblem& problem, double potential_top, const IonState& state,
+                       std::span<const double> drive, std::size_t begin, std::size_t end,
+                       Workspace& work, std::span<double> out) const;
+  /// @param potential_change of the top electrode
+  void jacobian_levels(std::span<const double> direction, double potential_change,
+                       std::size_t begin, std::size_t end, Workspace& work,
+                       std::span<double> out) const;
+  void flux_change(std::size_t interface, std::span<const double> direction,
+                   std::span<double> flux) const;
+
+  const ScaledGrid& grid_;
+  parallel::WorkerTeam& team_;
+  std::optional<StericExcess> excess_;
+  TerminalVoltage voltage_;
+  std::vector<Workspace> workspaces_;
+  const IonState* state_ = nullptr;
+  double step_ = 0;
+  std::optional<CircuitStage> circuit_;
+  std::span<const double> state_drive_;    ///< of the fluxes of `state_`
+  std::vector<double> drive_, kept_drive_; ///< of a residual and of `state_`; empty until needed
+  std::vector<double> by_lower_, by_upper_, by_difference_; ///< flux derivatives per interface
+};
+
+} // namespace ionskin::electrochemistry

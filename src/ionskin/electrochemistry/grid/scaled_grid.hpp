@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/electrochemistry/output/ion_solution.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace ionskin::electrochemistry {
+
+/// The transport grid in Debye lengths. Fields on it are [z][y][x] with x fastest; one z level is
+/// contiguous. Columns are uniform in x and in y.
+struct ScaledGrid {
+  std::size_t columns_x = 1, columns_y = 1, levels = 0;
+  std::vector<double> spacing; ///< between neighbouring levels [levels - 1]
+  std::vector<double> height;  ///< of the control volume of each level; they add up to `thickness`
+  /// Share of the difference in charge density between neighbouring levels that their control
+  /// volumes exchange [levels - 1]; see `charge_weights`.
+  std::vector<double> charge_exchange;
+  std::vector<double> position; ///< zeta / h of each level, 0 at the bottom and 1 at the top
+  double thickness = 0;         ///< h / lambda
+  double coupling_x = 0, coupling_y = 0; ///< 1 / (column width)^2; 0 where there is one column
+
+  std::size_t columns() const { return columns_x * columns_y; }
+  std::size_t nodes() const { return columns() * levels; }
+};
+
+/// Coefficients by which the ions in the control volume of level k, as Poisson's equation sees
+/// them, follow from the concentrations of the levels k - 1, k and k + 1.
+struct ChargeWeights {
+  double below = 0, here = 0, above = 0;
+};
+
+/// Ion charge in the control volume of a level:
+///   height c_k + e_k (c_{k+1} - c_k) - e_{k-1} (c_k - c_{k-1}),   e = (d/4) / (1 + (s/6)^8),
+/// with d the spacing of an interval and s the distance of its middle from the nearer wall.
+/// In the double layers e = d/4 gives each interval the mean density of its ends, half of it to
+/// either control volume (box scheme, Keller 1971). With a two-point field this keeps the first
+/// integral E^2 - rho^2 of the linear double layer on any grid, and with it the layer's capacitance
+/// and the slow time of the core: at 49 levels the latter is 0.03 % off, against 0.7 % with e = 0.
+/// Outside the layers e fades. The exchange conserves charge.
+ChargeWeights charge_weights(const ScaledGrid& grid, std::size_t level);
+
+ScaledGrid scale_grid(const TransportGrid& grid, double debye_length);
+
+} // namespace ionskin::electrochemistry

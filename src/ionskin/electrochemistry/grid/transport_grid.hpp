@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/electrochemistry/output/ion_solution.hpp"
+#include "ionskin/history/core_history.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace ionskin::electrochemistry {
+
+/// How fine the transport grid is.
+struct GridResolution {
+  double wall_cell = 0;    ///< first spacing at each wall [Debye lengths]
+  double layer_growth = 0; ///< ratio of neighbouring spacings within a Debye length of the walls
+  double acceleration = 0; ///< factor on the excess of that ratio over 1 from level to level behind
+  double bulk_growth = 0;  ///< where the ratio stops to grow
+  double column_width = 0; ///< lateral columns [core thicknesses]
+};
+
+/// The presets grade the levels alike: each is the standard one refined.
+GridResolution grid_resolution(Preset preset);
+
+/// The same grading with every spacing divided by a factor.
+GridResolution refined(const GridResolution& resolution, double refinement);
+
+/// Nodes from 0 to `thickness` [m], symmetric: spacings grow slowly within a Debye length of both
+/// walls, where currents change fastest after an event, and faster and faster behind; uniform where
+/// the core is but a few wall cells thick.
+std::vector<double> graded_nodes(double thickness, double debye_length,
+                                 const GridResolution& resolution);
+
+/// Columns along one side of the core: about `width` wide [m], within bounds that keep short sides
+/// resolved and long ones affordable.
+std::size_t column_count(double length, double width, std::size_t fewest, std::size_t most);
+
+/// The grid of a case. A direction in which the history has a single cell at rest needs, and gets,
+/// a single column. Across the width their number is even otherwise, so that half of them do where
+/// the shear is its own mirror image.
+TransportGrid make_transport_grid(const Case& input, const history::CoreHistory& history);
+
+} // namespace ionskin::electrochemistry

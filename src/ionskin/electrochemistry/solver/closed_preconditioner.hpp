@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/electrochemistry/circuit/terminal_voltage.hpp"
+#include "ionskin/electrochemistry/solver/preconditioner.hpp"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ionskin::electrochemistry {
+
+/// The preconditioner closed by the circuit between the electrodes. The voltage is a linear
+/// function of the concentrations, which adds a matrix of rank one to the Jacobian: its inverse
+/// follows from the answer to a unit voltage, the same in every column (Sherman and Morrison 1950,
+/// doi 10.1214/aoms/1177729893).
+class ClosedPreconditioner {
+public:
+  /// @param excess nothing for dilute ions
+  ClosedPreconditioner(const ScaledGrid& grid, parallel::WorkerTeam& team,
+                       std::optional<StericExcess> excess = std::nullopt);
+
+  void factorise(const IonState& state, double step);
+
+  /// out = (approximate Jacobian)^-1 residual; both [2 nodes].
+  void apply(const std::optional<CircuitStage>& circuit, std::span<const double> residual,
+             std::span<double> out);
+
+  /// Of an open circuit, see FastDiagonalisation.
+  std::array<std::vector<double>, 2>
+  damped_sums(std::span<const double> concentration,
+              const std::array<std::vector<double>, 2>& weights) {
+    return open_.damped_sums(concentration, weights);
+  }
+
+private:
+  void answer_to_unit_voltage();
+
+  const ScaledGrid& grid_;
+  FastDiagonalisation open_;
+  TerminalVoltage voltage_;
+  bool answer_is_known_ = false;
+  std::vector<double> source_, answer_; ///< [2 nodes]; used with circuits only
+};
+
+} // namespace ionskin::electrochemistry

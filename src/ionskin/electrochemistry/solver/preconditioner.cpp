@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/electrochemistry/solver/preconditioner.hpp"
+
+#include "ionskin/electrochemistry/equations/ion_flux.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ionskin::electrochemistry {
+namespace {
+
+/// Modes that one thread works on in a row; a multiple of the vector length.
+constexpr std::size_t mode_granularity = 16;
+
+/// Modes whose systems are solved together, so that what the way down wrote is in the cache on the
+/// way up.
+constexpr std::size_t modes_at_once = 128;
+
+/// Levels that are transformed together.
+constexpr std::size_t tile_levels = 8;
+
+/// Flux between two levels of the averaged state, differentiated.
+struct FluxDerivatives {
+  double by_lower = 0, by_upper = 0, by_difference = 0;
+};
+
+FluxDerivatives flux_derivatives(double c_lower, double c_upper, double u, double spacing) {
+  const Bernoulli b = bernoulli(u);
+  return {b.value / spacing, (b.value + u) / spacing,
+          (b.derivative * c_lower - (b.derivative + 1.0) * c_upper) / spacing};
+}
+
+/// With the part of the difference that the concentrations make by the excess.
+FluxDerivatives with_excess(const FluxDerivatives& flux, double slope_lower, double slope_upper) {
+  return {flux.by_lower - flux.by_difference * slope_lower,
+          flux.by_upper - flux.by_difference * slope_upper, flux.by_difference};
+}
+
+} // namespace
+
+FastDiagonalisation::FastDiagonalisation(const ScaledGrid& grid, parallel::WorkerTeam& team,
+                                         std::optional<StericExcess> excess)
+    : grid_(grid), team_(team), excess_(excess), transform_(grid), mean_concentration_(grid.levels),
+      mean_drive_(grid.levels), slope_(grid.levels, 0.0), lower_(grid.levels), upper_(grid.levels),
+      inverse_00_(grid.nodes()), inverse_01_(grid.nodes()), inverse_10_(grid.nodes()),
+      inverse_11_(grid.nodes()), balance_(grid.nodes()), poisson_(grid.nodes()),
+      sums_(2 * grid.columns()),
+      scratch_(team.size(), std::vector<float>(tile_levels * grid.columns())) {}
+
+void FastDiagonalisation::average(const IonState& state) {
+  const std::size_t columns = grid_.columns();
+  const auto mean = [columns](std::span<const double> field, std::size_t k) {
+    const double* values = field.data() + k * columns;
+    double sum = 0.0;
+#pragma omp simd reduction(+ : sum)
+    for (std::size_t i = 0; i < columns; ++i) {
+      sum += values[i];
+    }
+    return sum / static_cast<double>(columns);
+  };
+  team_.for_blocks(grid_.levels, 1, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t k = begin; k < end; ++k) {
+      mean_concentration_[k] = mean(state.concentration(), k);
+      mean_drive_[k] = mean(state.potential(), k);
+      if (excess_) {
+        mean_drive_[k] += excess_->excess(mean_concentration_[k]);
+        slope_[k] = excess_->slope(mean_concentration_[k]);
+      }
+    }
+  });
+}
+
+void FastDiagonalisation::factorise(const IonState& state, double step) {
+  average(state);
+  team_.for_blocks(grid_.columns(), mode_granularity,
+                   [&](std::size_t begin, std::size_t end, std::size_t) {
+                     factorise_modes(step, begin, end, begin == 0);
+                   });
+}
+
+/// Block elimination from the bottom; the off-diagonal blocks are kept by whoever owns them.
+void FastDiagonalisation::factorise_modes(double step, std::size_t begin, std::size_t end,
+                                          bool keep_off_diagonals) {
+  const std::size_t columns = grid_.columns(), top = grid_.levels - 1;
+  std::vector<double> w00(end - begin, 0.0), w01(w00), w10(w00), w11(w00);
+  FluxDerivatives below;
+  double u00 = 0.0, u01 = 0.0, u10 = 0.0, u11 = 0.0; // upper block of the level below
+  for (std::size_t k = 0; k <= top; ++k) {
+    FluxDerivatives above;
+    if (k < top) {
+      above = flux_derivatives(mean_concentration_[k], mean_concentration_[k + 1],
+                               mean_drive_[k + 1] - mean_drive_[k], grid_.spacing[k]);
+      if (excess_) {
+        above = with_excess(above, slope_[k], slope_[k + 1]);
+      }
+    }
+    const bool wall = k == 0 || k == top;
+    const double height = grid_.height[k], concentration = mean_concentration_[k];
+    const double up = k < top ? 1.0 / grid_.spacing[k] : 0.0;
+    const double down = k > 0 ? 1.0 / grid_.spacing[k - 1] : 0.0;
+    const double l00 = -step * below.by_lower, l01 = step * below.by_difference;
+    const ChargeWeights charge = wall ? ChargeWeights{} : charge_weights(grid_, k);
+    const double l10 = -charge.below, l11 = wall ? 0.0 : -down;
+    const double flux_diagonal = above.by_lower + below.by_upper;
+    // Lateral diffusion is enhanced by the thermodynamic factor 1 + c dmu/dc.
+    const double diffusion = 1.0 + concentration * slope_[k];
+    const double flux_potential = -above.by_difference - below.by_difference;
+    const double* lambda = transform_.eigenvalues().data() + begin;
+    const std::size_t offset = k * columns + begin;
+#pragma omp simd
+    for (std::size_t i = 0; i < end - begin; ++i) {
+      const double x00 = l00 * w00[i] + l01 * w10[i], x01 = l00 * w01[i] + l01 * w11[i];
+      const double x10 = l10 * w00[i] + l11 * w10[i], x11 = l10 * w01[i] + l11 * w11[i];
+      const double lateral = height * lambda[i];
+      const double d00 =
+          height + step * (flux_diagonal + lateral * diffusion) - x00 * u00 - x01 * u10;
+      const double d01 = step * (flux_potential + lateral * concentration) - x00 * u01 - x01 * u11;
+      const double d10 = -charge.here - x10 * u00 - x11 * u10;
+      const double d11 = (wall ? 1.0 : up + down + lateral) - x10 * u01 - x11 * u11;
+      const double inverse_determinant = 1.0 / (d00 * d11 - d01 * d10);
+      w00[i] = d11 * inverse_determinant;
+      w01[i] = -d01 * inverse_determinant;
+      w10[i] = -d10 * inverse_determinant;
+      w11[i] = d00 * inverse_determinant;
+      inverse_00_[offset + i] = static_cast<float>(w00[i]);
+      inverse_01_[offset + i] = static_cast<float>(w01[i]);
+      inverse_10_[offset + i] = static_cast<float>(w10[i]);
+      inverse_11_[offset + i] = static_cast<float>(w11[i]);
+    }
+    u00 = -step * above.by_upper;
+    u01 = step * above.by_difference;
+    u10 = -charge.above;
+    u11 = wall ? 0.0 : -up;
+    if (keep_off_diagonals) {
+      lower_[k] = {static_cast<float>(l00), static_cast<float>(l01), static_cast<float>(l10),
+                   static_cast<float>(l11)};
+      upper_[k] = {static_cast<float>(u00), static_cast<float>(u01), static_cast<float>(u10),
+                   static_cast<float>(u11)};
+    }
+    below = above;
+  }
+}
+
+/// Calls `body(first node, number of nodes, scratch)` on tiles of levels that are the same for any
+/// number of threads, because the rounding of a matrix product depends on its size.
+template <class Body> void FastDiagonalisation::for_tiles(const Body& body) {
+  const std::size_t columns = grid_.columns();
+  team_.for_blocks(grid_.levels, tile_levels,
+                   [&](std::size_t begin, std::size_t end, std::size_t worker) {
+                     for (std::size_t k = begin; k < end; k += tile_levels) {
+                       const std::size_t levels = std::min(tile_levels, end - k);
+                       body(k * columns, levels * columns, std::span(scratch_[worker]));
+                     }
+                   });
+}
+
+/// Calls `body(begin, end)` on groups of modes.
+template <class Body> void FastDiagonalisation::for_modes(const Body& body) {
+  team_.for_blocks(grid_.columns(), mode_granularity,
+                   [&](std::size_t begin, std::size_t end, std::size_t) {
+                     for (std::size_t mode = begin; mode < end; mode += modes_at_once) {
+                       body(mode, std::min(mode + modes_at_once, end));
+                     }
+                   });
+}
+
+void FastDiagonalisation::apply(std::span<const double> residual, std::span<double> out) {
+  const std::size_t nodes = grid_.nodes();
+  const std::span balance(balance_), poisson(poisson_);
+  for_tiles([&](std::size_t first, std::size_t count, std::span<float> scratch) {
+    transform_.forward(residual.subspan(first, count), balance.subspan(first, count), scratch);
+    transform_.forward(residual.subspan(nodes + first, count), poisson.subspan(first, count),
+                       scratch);
+  });
+  for_modes([&](std::size_t begin, std::size_t end) { solve_modes(begin, end); });
+  for_tiles([&](std::size_t first, std::size_t count, std::span<float> scratch) {
+    transform_.backward(balance.subspan(first, count), out.subspan(first, count), scratch);
+    transform_.backward(poisson.subspan(first, count), out.subspan(nodes + first, count), scratch);
+  });
+}
+
+// The sums and the transform commute: only two levels go back.
+std::array<std::vector<double>, 2>
+FastDiagonalisation::damped_sums(std::span<const double> concentration,
+                                 const std::array<std::vector<double>, 2>& weights) {
+  const std::size_t columns = grid_.columns();
+  for_tiles([&](std::size_t first, std::size_t count, std::span<float> scratch) {
+    const std::span balance = std::span(balance_).subspan(first, count),
+                    poisson = std::span(poisson_).subspan(first, count);
+    transform_.forward(concentration.subspan(first, count), balance, scratch);
+    for (std::size_t level = 0; level < count; level += columns) {
+      const auto height = static_cast<float>(grid_.height[(first + level) / columns]);
+      for (std::size_t i = level; i < level + columns; ++i) {
+        balance[i] *= height;
+      }
+    }
+    std::ranges::fill(poisson, 0.0F);
+  });
+  for_modes([&](std::size_t begin, std::size_t end) {
+    solve_modes(begin, end);
+    for (std::size_t w = 0; w < 2; ++w) {
+      sum_levels(weights[w], w, begin, end);
+    }
+  });
+  std::array<std::vector<double>, 2> sums;
+  for (std::size_t w = 0; w < 2; ++w) {
+    sums[w].resize(columns);
+    transform_.backward(std::span(sums_).subspan(w * columns, columns), sums[w], scratch_.front());
+  }
+  return sums;
+}
+
+void FastDiagonalisation::sum_levels(std::span<const double> weights, std::size_t row,
+                                     std::size_t begin, std::size_t end) {
+  const std::size_t columns = grid_.columns();
+  float* sum = sums_.data() + row * columns;
+  std::fill(sum + begin, sum + end, 0.0F);
+  for (std::size_t k = 0; k < grid_.levels; ++k) {
+    const auto weight = static_cast<float>(weights[k]);
+    const float* level = balance_.data() + k * columns;
+#pragma omp simd
+    for (std::size_t i = begin; i < end; ++i) {
+      sum[i] += weight * level[i];
+    }
+  }
+}
+
+void FastDiagonalisation::solve_modes(std::size_t begin, std::size_t end) {
+  const std::size_t columns = grid_.columns(), levels = grid_.levels;
+  for (std::size_t k = 0; k < levels; ++k) {
+    const std::size_t offset = k * columns;
+    float* x = balance_.data() + offset;
+    float* y = poisson_.data() + offset;
+    const float* w00 = inverse_00_.data() + offset;
+    const float* w01 = inverse_01_.data() + offset;
+    const float* w10 = inverse_10_.data() + offset;
+    const float* w11 = inverse_11_.data() + offset;
+    const OffDiagonal l = lower_[k];
+    const float* x_below = k > 0 ? x - columns : x;
+    const float* y_below = k > 0 ? y - columns : y;
+#pragma omp simd
+    for (std::size_t i = begin; i < end; ++i) {
+      const float r =
+          x[i] - l.balance_concentration * x_below[i] - l.balance_potential * y_below[i];
+      const float s =
+          y[i] - l.poisson_concentration * x_below[i] - l.poisson_potential * y_below[i];
+      x[i] = w00[i] * r + w01[i] * s;
+      y[i] = w10[i] * r + w11[i] * s;
+    }
+  }
+  for (std::size_t k = levels - 1; k-- > 0;) {
+    const std::size_t offset = k * columns;
+    float* x = balance_.data() + offset;
+    float* y = poisson_.data() + offset;
+    const float* w00 = inverse_00_.data() + offset;
+    const float* w01 = inverse_01_.data() + offset;
+    const float* w10 = inverse_10_.data() + offset;
+    const float* w11 = inverse_11_.data() + offset;
+    const OffDiagonal u = upper_[k];
+    const float* x_above = x + columns;
+    const float* y_above = y + columns;
+#pragma omp simd
+    for (std::size_t i = begin; i < end; ++i) {
+      const float r = u.balance_concentration * x_above[i] + u.balance_potential * y_above[i];
+      const float s = u.poisson_concentration * x_above[i] + u.poisson_potential * y_above[i];
+      x[i] -= w00[i] * r + w01[i] * s;
+      y[i] -= w10[i] * r + w11[i] * s;
+    }
+  }
+}
+
+} // namespace ionskin::electrochemistry

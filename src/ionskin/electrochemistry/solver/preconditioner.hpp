@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/electrochemistry/equations/steric_excess.hpp"
+#include "ionskin/electrochemistry/grid/scaled_grid.hpp"
+#include "ionskin/electrochemistry/output/ion_state.hpp"
+#include "ionskin/electrochemistry/solver/cosine_transform.hpp"
+#include "ionskin/parallel/worker_team.hpp"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ionskin::electrochemistry {
+
+/// Nearly exact inverse of the Jacobian: the equations are linearised about the laterally averaged
+/// state, which a cosine transform along x and y turns into one block-tridiagonal system of 2x2
+/// blocks through the thickness per lateral mode (fast diagonalisation: Lynch, Rice and Thomas
+/// 1964, doi 10.1007/BF01386067). Single precision suffices inside a Krylov method in double
+/// precision.
+class FastDiagonalisation {
+public:
+  /// @param excess nothing for dilute ions
+  FastDiagonalisation(const ScaledGrid& grid, parallel::WorkerTeam& team,
+                      std::optional<StericExcess> excess = std::nullopt);
+
+  /// Factorises for the lateral average of a state and the implicit part of a step.
+  void factorise(const IonState& state, double step);
+
+  /// out = (approximate Jacobian)^-1 residual; both [2 nodes].
+  void apply(std::span<const double> residual, std::span<double> out);
+
+  /// Sums over the levels of the concentrations that answer to an amount of ions in every cell,
+  /// with weights [levels] each. Transforms little more than half of what `apply` does.
+  /// @param concentration of the amounts, [nodes]
+  /// @returns one sum per column for each of the weights
+  std::array<std::vector<double>, 2> damped_sums(std::span<const double> concentration,
+                                                 const std::array<std::vector<double>, 2>& weights);
+
+private:
+  /// Row k of the system of one mode: `lower` x[k-1] + diagonal x[k] + `upper` x[k+1]. The
+  /// off-diagonal blocks are the same for every mode.
+  struct OffDiagonal {
+    float balance_concentration = 0, balance_potential = 0;
+    float poisson_concentration = 0, poisson_potential = 0;
+  };
+
+  void average(const IonState& state);
+  void factorise_modes(double step, std::size_t begin, std::size_t end, bool keep_off_diagonals);
+  template <class Body> void for_tiles(const Body& body);
+  template <class Body> void for_modes(const Body& body);
+  void solve_modes(std::size_t begin, std::size_t end);
+  void sum_levels(std::span<const double> weights, std::size_t row, std::size_t begin,
+                  std::size_t end);
+
+  const ScaledGrid& grid_;
+  parallel::WorkerTeam& team_;
+  std::optional<StericExcess> excess_;
+  CosineTransform transform_;
+  std::vector<double> mean_concentration_, mean_drive_; ///< per level; of the fluxes
+  /// Slope of the excess by the concentration per level; 0 for dilute ions.
+  std::vector<double> slope_;
+  std::vector<OffDiagonal> lower_, upper_; ///< per level
+  /// Inverse of the eliminated diagonal block, row-major entries, each [level][mode].
+  std::vector<float> inverse_00_, inverse_01_, inverse_10_, inverse_11_;
+  std::vector<float> balance_, poisson_;    ///< right-hand side and solution, [level][mode]
+  std::vector<float> sums_;                 ///< of `damped_sums`, two rows of modes
+  std::vector<std::vector<float>> scratch_; ///< of a tile, per thread
+};
+
+} // namespace ionskin::electrochemistry

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/electrochemistry/time/solution_rows.hpp"
+
+#include "ionskin/electrochemistry/equations/exact_average.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ionskin::electrochemistry {
+namespace {
+
+double column_area(const TransportGrid& grid) {
+  return (grid.x_edges.back() - grid.x_edges.front()) *
+         (grid.y_edges.back() - grid.y_edges.front()) /
+         static_cast<double>((grid.x_edges.size() - 1) * (grid.y_edges.size() - 1));
+}
+
+/// The member of `times` nearest to an instant.
+double nearest(const std::vector<double>& times, double instant) {
+  return *std::min_element(times.begin(), times.end(), [instant](double a, double b) {
+    return std::abs(a - instant) < std::abs(b - instant);
+  });
+}
+
+std::vector<double> scaled_copy(std::span<const double> values, double unit) {
+  std::vector<double> copy(values.begin(), values.end());
+  for (double& value : copy) {
+    value *= unit;
+  }
+  return copy;
+}
+
+} // namespace
+
+SolutionRows::SolutionRows(const Case& input, const DerivedScales& scales,
+                           const TransportGrid& grid, const MidWidthMirror& mirror,
+                           const ScaledGrid& scaled, const FixedCharge& fixed_charge,
+                           const std::vector<double>& landings,
+                           const std::vector<double>& snapshot_times)
+    : mirror_(mirror), scaled_(scaled), fixed_charge_(fixed_charge),
+      charge_unit_(scales.charge_density * column_area(grid)),
+      mean_unit_(mirror.copies() * static_cast<double>(scaled.columns()) * charge_unit_),
+      time_unit_(scales.relaxation_time), volume_unit_(scales.debye_length * column_area(grid)),
+      concentration_unit_(input.electrochemistry.fixed_charge_concentration /
+                          input.electrochemistry.valence),
+      potential_unit_(scales.potential_scale),
+      segments_(make_electrode_segments(input.readout.taxels, grid)) {
+  for (const double instant : snapshot_times) {
+    snapshot_times_.push_back(nearest(landings, instant));
+  }
+}
+
+void SolutionRows::append(double time, const IonState& state, const Relaxation& relaxation,
+                          IonSolution& solution) {
+  wall_charges(scaled_, state, fixed_charge_.ratio(), charges_);
+  mirror_.complete(charges_);
+  const auto c = state.concentration();
+  const auto [low, high] = std::ranges::minmax(state.potential());
+  solution.time.push_back(time);
+  solution.charge_top.push_back(charge_unit_ * charges_.total_top);
+  solution.charge_bottom.push_back(charge_unit_ * charges_.total_bottom);
+  append_segments(solution);
+  solution.ramo_charge_top.push_back(mirror_.copies() * charge_unit_ *
+                                     ramo_charge_top(scaled_, state, fixed_charge_.ratio()));
+  solution.relaxation_charge.push_back(mean_unit_ * relaxation.charge);
+  solution.relaxation_current.push_back(mean_unit_ / time_unit_ * relaxation.rate);
+  solution.voltage.push_back(potential_unit_ *
+                             (state.potential().back() - state.potential().front()));
+  solution.ion_amount.push_back(mirror_.copies() * volume_unit_ * concentration_unit_ *
+                                ExactAverage::total(scaled_, c));
+  solution.min_concentration.push_back(concentration_unit_ * std::ranges::min(c));
+  solution.max_potential.push_back(potential_unit_ * std::max(high, -low));
+  solution.shear_integral.push_back(mirror_.copies() * volume_unit_ *
+                                    ExactAverage::total(scaled_, fixed_charge_.shear()));
+  if (std::ranges::find(snapshot_times_, time) != snapshot_times_.end()) {
+    solution.snapshots.push_back(snapshot(time, state));
+  }
+}
+
+void SolutionRows::append_segments(IonSolution& solution) const {
+  const std::vector<double> charges = segments_.charges(charges_.top);
+  solution.top_segments.resize(charges.size());
+  for (std::size_t i = 0; i < charges.size(); ++i) {
+    solution.top_segments[i].name = segments_.names[i];
+    solution.top_segments[i].charge.push_back(charge_unit_ * charges[i]);
+  }
+}
+
+void SolutionRows::finish(const IonState& state, IonSolution& solution) {
+  wall_charges(scaled_, state, fixed_charge_.ratio(), charges_);
+  mirror_.complete(charges_);
+  solution.column_charge_top = scaled_copy(charges_.top, charge_unit_);
+}
+
+IonSnapshot SolutionRows::snapshot(double time, const IonState& state) const {
+  return {time, scaled_copy(mirror_.whole(state.concentration()), concentration_unit_),
+          scaled_copy(mirror_.whole(state.potential()), potential_unit_),
+          mirror_.whole(fixed_charge_.shear())};
+}
+
+} // namespace ionskin::electrochemistry

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/electrochemistry/circuit/electrode_segments.hpp"
+#include "ionskin/electrochemistry/equations/space_charge.hpp"
+#include "ionskin/electrochemistry/grid/charges.hpp"
+#include "ionskin/electrochemistry/grid/derived_scales.hpp"
+#include "ionskin/electrochemistry/grid/mid_width_mirror.hpp"
+#include "ionskin/electrochemistry/grid/scaled_grid.hpp"
+#include "ionskin/electrochemistry/output/ion_solution.hpp"
+#include "ionskin/electrochemistry/output/ion_state.hpp"
+#include "ionskin/electrochemistry/time/time_integrator.hpp"
+
+#include <vector>
+
+namespace ionskin::electrochemistry {
+
+/// Turns scaled states into rows and snapshots of an IonSolution in SI units. The fixed charge must
+/// stand at the instant of the state.
+class SolutionRows {
+public:
+  /// @param grid the whole one
+  /// @param mirror says which part of it `scaled` is
+  /// @param landings instants on which steps end [s]
+  /// @param snapshot_times wanted instants [s]; each is kept at the nearest of them
+  SolutionRows(const Case& input, const DerivedScales& scales, const TransportGrid& grid,
+               const MidWidthMirror& mirror, const ScaledGrid& scaled,
+               const FixedCharge& fixed_charge, const std::vector<double>& landings,
+               const std::vector<double>& snapshot_times);
+
+  void append(double time, const IonState& state, const Relaxation& relaxation,
+              IonSolution& solution);
+  /// Adds what is kept for the last row only.
+  void finish(const IonState& state, IonSolution& solution);
+
+private:
+  void append_segments(IonSolution& solution) const;
+  IonSnapshot snapshot(double time, const IonState& state) const;
+
+  const MidWidthMirror& mirror_;
+  const ScaledGrid& scaled_;
+  const FixedCharge& fixed_charge_;
+  double charge_unit_;        ///< F c0 lambda times the area of a column [C]
+  double mean_unit_;          ///< the same times the number of columns [C]
+  double time_unit_;          ///< relaxation time [s]
+  double volume_unit_;        ///< lambda times the area of a column [m3]
+  double concentration_unit_; ///< c0 / v [mol/m3]
+  double potential_unit_;     ///< R T / (v F) [V]
+  std::vector<double> snapshot_times_;
+  WallCharges charges_;
+  ElectrodeSegments segments_;
+};
+
+} // namespace ionskin::electrochemistry

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/electrochemistry/time/step_control.hpp"
+
+#include "ionskin/base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ionskin::electrochemistry {
+namespace {
+
+/// Share of the length at which the error would be just allowed.
+constexpr double safety = 0.85;
+constexpr double smallest_shrinkage = 0.1;
+
+/// Factor on a step's length that brings its error of third order to what is allowed.
+double ideal_factor(double error) {
+  if (std::isnan(error)) {
+    return smallest_shrinkage;
+  }
+  return safety / std::cbrt(std::max(error, 1e-12));
+}
+
+/// Resolves what is left late in a decay, when it is small beside the charge that the error is
+/// measured against.
+constexpr double longest_step = 0.15; // [s]
+
+// Of the estimates of steps, see relaxation_step and crossing_step.
+constexpr double error_constant = 0.0404, kink_constant = 0.055;
+
+/// Of an estimate between two landings; far more than any run takes.
+constexpr double most_steps = 1e12;
+
+// Shares of the errors of single columns where they are to be resolved, and elsewhere.
+constexpr double resolved_share = 0.01, overall_share = 0.001;
+
+/// Growth of the steps behind an event, where the first currents are small beside the charge that
+/// the error is measured against: it, not the error, resolves them.
+double growth(Preset preset) {
+  switch (preset) {
+  case Preset::coarse:
+    return 3.0;
+  case Preset::standard:
+    return 2.0;
+  case Preset::fine:
+    return 1.4;
+  }
+  throw InternalError("unknown preset");
+}
+
+} // namespace
+
+double preset_tolerance(Preset preset) {
+  switch (preset) {
+  case Preset::coarse:
+    return 3e-4;
+  case Preset::standard:
+    return 5e-5;
+  case Preset::fine:
+    return 1.5e-6;
+  }
+  throw InternalError("unknown preset");
+}
+
+StepRule step_rule(const Numerics& numerics, const Readout& readout, const DerivedScales& scales) {
+  const double refinement = numerics.time_refinement;
+  const double tolerance =
+      numerics.time_tolerance > 0.0 ? numerics.time_tolerance : preset_tolerance(numerics.preset);
+  return {tolerance / (refinement * refinement * refinement),
+          std::min(1e-5, scales.slow_time / 1000.0) / refinement,
+          longest_step / refinement,
+          1e-9 * scales.relaxation_time,
+          std::pow(growth(numerics.preset), 1.0 / refinement),
+          readout.taxels.empty() ? overall_share : resolved_share};
+}
+
+bool StepControl::has_landed(const std::vector<double>& ends) const {
+  if (ends.empty() || ends.front() != landings_.time.front()) {
+    return false;
+  }
+  const auto passed =
+      landings_.time.begin() + static_cast<std::ptrdiff_t>(landings_.behind(ends.back()));
+  return std::includes(ends.begin(), ends.end(), landings_.time.begin(), passed);
+}
+
+double StepControl::step_end(double time, double wanted) const {
+  const std::size_t next = landings_.behind(time);
+  const double landing = landings_.time[next], rest = landing - time;
+  // From landing to landing one step whose error is likely to be just allowed beats two short ones.
+  const double stretch = landings_.time[next - 1] == time ? 0.9 : 0.999;
+  if (std::min(wanted / stretch, rule_.longest) >= rest) {
+    return landing;
+  }
+  const double length = std::min(wanted, rule_.longest);
+  // Two equal steps rather than a long one and a sliver.
+  return time + (2.0 * length > rest ? 0.5 * rest : length);
+}
+
+double StepControl::after_success(double begin, double end, double wanted, double error) const {
+  const std::size_t landing = landings_.behind(end) - 1;
+  if (landings_.time[landing] == end && landings_.is_event[landing]) {
+    return rule_.first;
+  }
+  const double length = end - begin;
+  const double next = length * std::clamp(ideal_factor(error), smallest_shrinkage, rule_.growth);
+  // A step cut short by a landing says little against a longer one.
+  return next >= length ? std::max(next, std::min(wanted, rule_.longest)) : next;
+}
+
+double StepControl::after_rejection(double begin, double end, double error) const {
+  return (end - begin) * std::clamp(ideal_factor(error), smallest_shrinkage, 0.7);
+}
+
+double StepControl::column_share(double begin) const {
+  return landings_.is_field[landings_.behind(begin)] ? resolved_share : rule_.column_share;
+}
+
+double relaxation_step(const StepRule& rule, const DerivedScales& scales) {
+  return safety * scales.slow_time * std::cbrt(rule.tolerance / error_constant);
+}
+
+double crossing_step(const StepRule& rule, double crossing_time) {
+  return safety * crossing_time * std::sqrt(rule.tolerance / (kink_constant * rule.column_share));
+}
+
+std::size_t estimate_steps(const StepLandings& landings, const StepRule& rule,
+                           const std::vector<double>& longest) {
+  std::size_t steps = 0;
+  double step = rule.first;
+  for (std::size_t i = 1; i < landings.time.size(); ++i) {
+    const double most = std::min(rule.longest, longest[i - 1]);
+    double rest = landings.time[i] - landings.time[i - 1];
+    step = std::min(step, most);
+    while (rest > 0.0 && step < most) {
+      rest -= step;
+      step = std::min(step * rule.growth, most);
+      ++steps;
+    }
+    if (rest > 0.0) { // the rest in steps of one length, however many
+      const double count = std::ceil(rest / most * (1.0 - 1e-12));
+      steps += static_cast<std::size_t>(std::min(count, most_steps));
+    }
+    if (landings.is_event[i]) {
+      step = rule.first;
+    }
+  }
+  return steps;
+}
+
+} // namespace ionskin::electrochemistry

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/history/core_history.hpp"
+
+#include <vector>
+
+namespace ionskin::electrochemistry {
+
+/// Instants on which time steps must end: the kinks of the strain history, that is its samples and
+/// events, and those at which the fields are kept.
+struct StepLandings {
+  std::vector<double> time;   ///< [s], ascending, first to last sample of the history
+  std::vector<bool> is_event; ///< the response has a fresh fast transient after it
+  std::vector<bool> is_field; ///< the fields are kept there
+
+  /// Index of the first landing behind an instant.
+  std::size_t behind(double instant) const;
+};
+
+/// @param field_times where the fields are kept [s]; instants outside the history move to its ends
+StepLandings make_step_landings(const history::CoreHistory& history,
+                                const std::vector<double>& field_times);
+
+} // namespace ionskin::electrochemistry

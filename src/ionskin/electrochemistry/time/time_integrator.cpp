@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/electrochemistry/time/time_integrator.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/base/largest.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace ionskin::electrochemistry {
+namespace {
+
+// Weights of the rates at the begin, at the stage (a share 2 d of the step) and at the end.
+constexpr double diagonal = 1.0 - 0.5 * std::numbers::sqrt2; // d
+constexpr double stage_fraction = 2.0 * diagonal;
+constexpr double weight = 0.25 * std::numbers::sqrt2; // w; the formula of order 2 is (w, w, d)
+/// (w, w, d) minus the embedded formula ((1 - w)/3, (3 w + 1)/3, d/3) of order 3.
+constexpr double error_of_begin = (4.0 * weight - 1.0) / 3.0, error_of_stage = -1.0 / 3.0,
+                 error_of_end = 2.0 * diagonal / 3.0;
+
+/// Rounding of a concentration, in the charge of a core of many Debye lengths.
+constexpr double rounding = 2e-16;
+
+/// Share of a concentration, and of the room beside it, that a guess must leave.
+constexpr double depletion_limit = 0.3;
+
+constexpr std::size_t nodes_per_block = 1024;
+
+} // namespace
+
+TimeIntegrator::TimeIntegrator(const ScaledGrid& grid, const DerivedScales& scales,
+                               FixedCharge& fixed_charge, ElectrodePotentials potentials,
+                               NewtonKrylov& solver, parallel::WorkerTeam& team,
+                               std::optional<double> conductance)
+    : grid_(grid), scales_(scales), fixed_charge_(fixed_charge), potentials_(std::move(potentials)),
+      solver_(solver), team_(team), conductance_(conductance), terminals_(grid), charge_norm_(grid),
+      resting_amount_(ExactAverage::total(grid, std::vector<double>(grid.nodes(), 1.0))),
+      settled_(grid.nodes()), start_(grid.nodes()), stage_rate_(grid.nodes()),
+      end_rate_(grid.nodes()), stage_(grid.nodes()), end_(grid.nodes()) {}
+
+template <class Body> void TimeIntegrator::for_nodes(const Body& body) const {
+  const bool releases = fixed_charge_.releases_ions();
+  const auto& ratio = fixed_charge_.ratio();
+  team_.for_blocks(grid_.nodes(), nodes_per_block,
+                   [&](std::size_t begin, std::size_t end, std::size_t) {
+                     for (std::size_t i = begin; i < end; ++i) {
+                       body(i, releases ? ratio[i] - 1.0 : 0.0);
+                     }
+                   });
+}
+
+void TimeIntegrator::settle(const IonState& ions) {
+  for_nodes([&](std::size_t i, double released) { settled_[i] = ions.values[i] - released; });
+  settled_charge_ = terminals_.polarisation(ions.concentration(), fixed_charge_.ratio()) +
+                    voltage(ions) / grid_.thickness;
+}
+
+double TimeIntegrator::voltage(const IonState& ions) const {
+  return ions.potential().back() - ions.potential().front();
+}
+
+double TimeIntegrator::charge_rate(const IonState& ions) const {
+  return -conductance_.value_or(0.0) * voltage(ions);
+}
+
+void TimeIntegrator::note_charge(TransportState& state) {
+  state.charge_scale =
+      std::max(state.charge_scale, charge_norm_.of_state(state.ions, fixed_charge_.ratio()));
+}
+
+/// Evaluates what is given at an instant and adds the ions released until then to `start_`.
+StageProblem TimeIntegrator::problem_at(double time) {
+  fixed_charge_.evaluate(time);
+  double ion_amount = resting_amount_;
+  if (fixed_charge_.releases_ions()) {
+    for_nodes([&](std::size_t i, double released) { start_[i] += released; });
+    ion_amount = ExactAverage::total(grid_, fixed_charge_.ratio());
+  }
+  return {start_,
+          implicit_,
+          fixed_charge_.ratio(),
+          potentials_.bottom(time) / scales_.potential_scale,
+          potentials_.top(time) / scales_.potential_scale,
+          ion_amount,
+          conductance_ ? std::optional(CircuitStage{start_charge_, implicit_ * *conductance_})
+                       : std::nullopt,
+          fixed_charge_.drive()};
+}
+
+void TimeIntegrator::initialise(double time, TransportState& state) {
+  state = {IonState(grid_.nodes()), std::vector<double>(2 * grid_.nodes(), 0.0), 0.0, 0.0, {}};
+  fixed_charge_.start(time);
+  std::ranges::fill(start_, 1.0);
+  implicit_ = 0.0;
+  start_charge_ = 0.0;
+  const StageProblem problem = problem_at(time);
+  std::ranges::copy(start_, state.ions.values.begin());
+  solver_.prepare(state.ions, 0.0);
+  if (!solver_.solve(problem, state.ions)) {
+    throw SolverError("Poisson's equation of the initial state could not be solved",
+                      "check the shear and the electrode potentials at the first instant");
+  }
+  solver_.rate(problem, state.ions, std::span(state.rate).first(grid_.nodes()));
+  state.memory = fixed_charge_.memory();
+  settle(state.ions);
+  note_charge(state);
+}
+
+void TimeIntegrator::take_up(double time, const TransportState& state) {
+  fixed_charge_.restore(state.memory);
+  fixed_charge_.evaluate(time);
+  settle(state.ions);
+}
+
+std::optional<double> TimeIntegrator::try_step(double begin, double end,
+                                               const TransportState& state, double column_share) {
+  length_ = (end - begin) / scales_.relaxation_time;
+  implicit_ = diagonal * length_;
+  solver_.prepare(state.ions, implicit_);
+  for_nodes([&](std::size_t i, double) { start_[i] = settled_[i] + implicit_ * state.rate[i]; });
+  start_charge_ = settled_charge_ + implicit_ * charge_rate(state.ions);
+  const StageProblem at_stage = problem_at(begin + stage_fraction * (end - begin));
+  guess_stage(state);
+  if (!solver_.solve(at_stage, stage_)) {
+    return std::nullopt;
+  }
+  for_nodes([&](std::size_t i, double) {
+    stage_rate_[i] = (stage_.values[i] - start_[i]) / implicit_;
+    start_[i] = settled_[i] + weight * length_ * (state.rate[i] + stage_rate_[i]);
+  });
+  start_charge_ =
+      settled_charge_ + weight * length_ * (charge_rate(state.ions) + charge_rate(stage_));
+  const StageProblem at_end = problem_at(end);
+  guess_end(state);
+  if (!solver_.solve(at_end, end_)) {
+    return std::nullopt;
+  }
+  for_nodes(
+      [&](std::size_t i, double) { end_rate_[i] = (end_.values[i] - start_[i]) / implicit_; });
+  const double error = charge_error(state, column_share);
+  return std::isfinite(error) ? std::optional(error) : std::nullopt;
+}
+
+/// From the begin along its rate.
+void TimeIntegrator::guess_stage(const TransportState& state) {
+  const std::size_t nodes = grid_.nodes();
+  const double ahead = stage_fraction * length_;
+  for_nodes([&](std::size_t i, double released) {
+    const std::size_t p = nodes + i;
+    stage_.values[i] = settled_[i] + released + ahead * state.rate[i];
+    stage_.values[p] = state.ions.values[p] + ahead * state.rate[p];
+  });
+  keep_in_bounds(state.ions, stage_);
+}
+
+/// Concentrations on the parabola through begin and stage with the rate at the begin; potentials,
+/// whose rate jumps at kinks of the shear, on the line.
+void TimeIntegrator::guess_end(const TransportState& state) {
+  const std::size_t nodes = grid_.nodes();
+  constexpr double ratio = 1.0 / stage_fraction;
+  for_nodes([&](std::size_t i, double released) {
+    const std::size_t p = nodes + i;
+    const double slope = length_ * state.rate[i];
+    const double change = implicit_ * (state.rate[i] + stage_rate_[i]); // until the stage
+    end_.values[i] =
+        settled_[i] + released + slope + ratio * ratio * (change - stage_fraction * slope);
+    end_.values[p] = state.ions.values[p] + ratio * (stage_.values[p] - state.ions.values[p]);
+  });
+  keep_in_bounds(stage_, end_);
+}
+
+void TimeIntegrator::keep_in_bounds(const IonState& safe, IonState& guess) const {
+  std::atomic<bool> depleted = false;
+  team_.for_blocks(guess.nodes(), nodes_per_block,
+                   [&](std::size_t begin, std::size_t end, std::size_t) {
+                     std::size_t count = 0;
+                     for (std::size_t i = begin; i < end; ++i) {
+                       count += guess.values[i] > depletion_limit * safe.values[i] ? 0 : 1;
+                     }
+                     if (count > 0) {
+                       depleted = true;
+                     }
+                   });
+  const auto& excess = solver_.excess();
+  if (depleted || (excess && !excess->leaves_room(safe.concentration(), guess.concentration(),
+                                                  depletion_limit))) {
+    guess.values = safe.values;
+  }
+}
+
+double TimeIntegrator::charge_error(const TransportState& state, double column_share) {
+  for_nodes([&](std::size_t i, double) {
+    start_[i] = length_ * (error_of_begin * state.rate[i] + error_of_stage * stage_rate_[i] +
+                           error_of_end * end_rate_[i]);
+  });
+  const double passed =
+      length_ * (error_of_begin * charge_rate(state.ions) + error_of_stage * charge_rate(stage_) +
+                 error_of_end * charge_rate(end_));
+  const auto charges = solver_.damped_sums(start_, charge_norm_.weights());
+  const double moved =
+      base::larger(charge_norm_.of_change(charges, column_share), std::abs(passed));
+  const double error = base::larger(0.0, moved - rounding * grid_.thickness);
+  const double scale =
+      std::max(state.charge_scale, charge_norm_.of_state(end_, fixed_charge_.ratio()));
+  return error == 0.0 ? 0.0 : error / scale;
+}
+
+void TimeIntegrator::accept(TransportState& state) {
+  const std::size_t nodes = grid_.nodes();
+  // Slope of the parabola through begin, stage and end.
+  constexpr double rest = 1.0 - stage_fraction;
+  for_nodes([&](std::size_t i, double) {
+    const std::size_t p = nodes + i;
+    const double late = (end_.values[p] - stage_.values[p]) / (rest * length_);
+    const double early = (stage_.values[p] - state.ions.values[p]) / (stage_fraction * length_);
+    state.rate[i] = end_rate_[i];
+    state.rate[p] = late + rest * (late - early);
+  });
+  std::swap(state.ions.values, end_.values);
+  fixed_charge_.accept();
+  state.memory = fixed_charge_.memory();
+  settle(state.ions);
+  note_charge(state);
+}
+
+Relaxation TimeIntegrator::relaxation(const TransportState& state) const {
+  if (conductance_) {
+    return {settled_charge_, charge_rate(state.ions)};
+  }
+  return {terminals_.of_ions(settled_, 1.0),
+          terminals_.of_ions(std::span(state.rate).first(settled_.size()), 0.0)};
+}
+
+} // namespace ionskin::electrochemistry

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/electrochemistry/equations/space_charge.hpp"
+#include "ionskin/electrochemistry/grid/derived_scales.hpp"
+#include "ionskin/electrochemistry/output/electrode_potentials.hpp"
+#include "ionskin/electrochemistry/output/ion_state.hpp"
+#include "ionskin/electrochemistry/solver/charge_norm.hpp"
+#include "ionskin/electrochemistry/solver/newton_krylov.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace ionskin::electrochemistry {
+
+/// Part of the charge that changes smoothly at kinks of the shear, see IonSolution, and its rate;
+/// per area and scaled.
+struct Relaxation {
+  double charge = 0, rate = 0;
+};
+
+/// TR-BDF2 as a diagonally implicit Runge-Kutta method with an explicit first stage: of order 2,
+/// L-stable and stiffly accurate, so that double layers faster than a step stay quiet and Poisson's
+/// equation holds at the end of every step; both implicit stages have the same implicit part of the
+/// step, and the embedded formula of order 3 estimates the error (Bank et al. 1985, IEEE
+/// Transactions on Electron Devices 32, 1992; Hosea and Shampine 1996, Applied Numerical
+/// Mathematics 20, 21). Ions that the coupling law releases enter exactly: the method advances
+/// concentration minus released ions.
+class TimeIntegrator {
+public:
+  /// @param conductance of the circuit between the electrodes, see `circuit_conductance`; without
+  ///   it the potentials are given
+  TimeIntegrator(const ScaledGrid& grid, const DerivedScales& scales, FixedCharge& fixed_charge,
+                 ElectrodePotentials potentials, NewtonKrylov& solver, parallel::WorkerTeam& team,
+                 std::optional<double> conductance = std::nullopt);
+
+  /// The response at the first instant: ions where they were, phi from Poisson's equation.
+  /// Throws SolverError.
+  void initialise(double time, TransportState& state);
+  /// Takes up a state that a run has left at an instant.
+  void take_up(double time, const TransportState& state);
+
+  /// Tries the step from `begin`, where the state stands, to `end` [s], and leaves the fixed charge
+  /// at `end`.
+  /// @param column_share of the errors of single columns, see `ChargeNorm::of_change`
+  /// @returns the estimated error of the charge, over the largest charge so far; nothing where
+  ///   Newton's method found no solution
+  std::optional<double> try_step(double begin, double end, const TransportState& state,
+                                 double column_share);
+  /// Makes the end of the step tried last the new state.
+  void accept(TransportState& state);
+
+  /// Of the state that was accepted or taken up last.
+  Relaxation relaxation(const TransportState& state) const;
+
+private:
+  void note_charge(TransportState& state);
+  double voltage(const IonState& ions) const;
+  /// Rate of half the difference of the electrodes' charges through the circuit.
+  double charge_rate(const IonState& ions) const;
+  /// Keeps the concentration that a step starts from, without the released ions.
+  void settle(const IonState& ions);
+  /// Calls `body(node, released)` for every node, with the ions released there so far.
+  template <class Body> void for_nodes(const Body& body) const;
+  StageProblem problem_at(double time);
+  void guess_stage(const TransportState& state);
+  void guess_end(const TransportState& state);
+  /// Takes `safe` instead of a guess that would deplete a concentration or the room beside it.
+  void keep_in_bounds(const IonState& safe, IonState& guess) const;
+  double charge_error(const TransportState& state, double column_share);
+
+  const ScaledGrid& grid_;
+  DerivedScales scales_;
+  FixedCharge& fixed_charge_;
+  ElectrodePotentials potentials_;
+  NewtonKrylov& solver_;
+  parallel::WorkerTeam& team_;
+  std::optional<double> conductance_;
+  TerminalVoltage terminals_;
+  ChargeNorm charge_norm_;
+  double resting_amount_;       ///< ions in the core at rest, scaled
+  double length_ = 0;           ///< of the step at hand [relaxation times]
+  double implicit_ = 0;         ///< its implicit part
+  std::vector<double> settled_; ///< concentration minus released ions where the step begins
+  std::vector<double> start_;   ///< concentration a stage starts from
+  double settled_charge_ = 0;   ///< half the difference of the charges where the step begins
+  double start_charge_ = 0;     ///< the same that a stage starts from
+  std::vector<double> stage_rate_, end_rate_; ///< of concentration minus released ions
+  IonState stage_, end_;
+};
+
+} // namespace ionskin::electrochemistry

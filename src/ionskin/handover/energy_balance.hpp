@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/handover/contact_timeline.hpp"
+
+namespace ionskin::handover {
+
+/// Where the work goes that the slider does on the skin in one cycle.
+struct EnergyBalance {
+  double external_work = 0;  ///< of the slider: forces times its displacement [J]
+  double friction_work = 0;  ///< dissipated: tangential tractions times slip [J]
+  double elastic_energy = 0; ///< left at the end of the cycle [J]
+  /// What is missing, over the sum of the magnitudes of the slider's work. It holds the error of
+  /// the load steps, where cells open and close within one, and the work against the skin's change
+  /// along the track, which goes with the convective part of the slip that the model leaves out.
+  double relative_error = 0;
+};
+
+/// Sums over the samples of the timeline by the trapezoidal rule, by which the elastic energy
+/// f.C.f/2 is balanced exactly at a fixed position.
+EnergyBalance energy_balance(const ContactTimeline& timeline,
+                             const mechanics::ContactSolution& contact);
+
+} // namespace ionskin::handover

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/handover/handover.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/case/coupling.hpp"
+#include "ionskin/handover/measures/compressive_dilation.hpp"
+#include "ionskin/handover/measures/shear_measure.hpp"
+#include "ionskin/history/line_operators.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
+
+namespace ionskin::handover {
+namespace {
+
+constexpr double outer_cell_growth = 1.4;
+constexpr double outer_cell_limit = 0.2e-3; // [m]; coarser cells cost 0.1 % in the current
+
+/// Cell edges outward from an edge at 0 to `extent`, growing from `first`.
+std::vector<double> graded_cells(double first, double extent) {
+  std::vector<double> edges;
+  double size = first;
+  double at = 0;
+  while (at + 1.5 * size < extent) {
+    at += size;
+    edges.push_back(at);
+    size = std::min(size * outer_cell_growth, outer_cell_limit);
+  }
+  edges.push_back(extent);
+  return edges;
+}
+
+/// Cell edges that ride with the slider in a direction in which it moves: the footprint's mesh
+/// lines, and outside them graded cells that cover the core from every position on the track.
+std::vector<double> riding_edges(const std::vector<double>& footprint, double low, double high) {
+  std::vector<double> edges;
+  const double first_low = footprint[1] - footprint[0];
+  for (const double distance : graded_cells(first_low, footprint.front() - low)) {
+    edges.push_back(footprint.front() - distance);
+  }
+  std::reverse(edges.begin(), edges.end());
+  edges.insert(edges.end(), footprint.begin(), footprint.end());
+  const double first_high = footprint.back() - footprint[footprint.size() - 2];
+  for (const double distance : graded_cells(first_high, high - footprint.back())) {
+    edges.push_back(footprint.back() + distance);
+  }
+  return edges;
+}
+
+std::vector<double> relative(const std::vector<double>& lines, std::size_t begin, std::size_t end,
+                             double centre) {
+  std::vector<double> result(lines.begin() + static_cast<std::ptrdiff_t>(begin),
+                             lines.begin() + static_cast<std::ptrdiff_t>(end));
+  for (double& line : result) {
+    line -= centre;
+  }
+  return result;
+}
+
+std::vector<double> core_lines(const mesh::SkinMesh& mesh, const mesh::MeshLines& lines) {
+  const auto rows = mesh.core_z();
+  return relative(lines.z, rows[0], rows[1] + 1, lines.z[rows[0]]);
+}
+
+/// Edges along one direction; the half model keeps its half only.
+std::vector<double> direction_edges(const std::vector<double>& lines,
+                                    const std::array<std::size_t, 2>& footprint, double extent,
+                                    double start, double lowest, double highest) {
+  if (lowest == highest) {
+    return relative(lines, 0, lines.size(), start);
+  }
+  const auto inner = relative(lines, footprint[0], footprint[1] + 1, start);
+  return riding_edges(inner, -highest, extent - lowest);
+}
+
+/// Values and edges of the half y <= 0 continued by reflection to the whole width.
+std::vector<double> reflected_edges(std::vector<double> half) {
+  for (std::size_t i = half.size() - 1; i-- > 0;) {
+    half.push_back(-half[i]);
+  }
+  return half;
+}
+
+history::StrainField reflected_field(const history::StrainField& half, std::size_t levels,
+                                     std::size_t rows, std::size_t columns) {
+  history::StrainField full(2 * half.size());
+  for (std::size_t k = 0; k < levels; ++k) {
+    for (std::size_t j = 0; j < rows; ++j) {
+      const auto from = half.begin() + static_cast<std::ptrdiff_t>((k * rows + j) * columns);
+      const std::size_t mirror = 2 * rows - 1 - j;
+      std::copy_n(from, columns,
+                  full.begin() + static_cast<std::ptrdiff_t>((2 * k * rows + j) * columns));
+      std::copy_n(from, columns,
+                  full.begin() + static_cast<std::ptrdiff_t>((2 * k * rows + mirror) * columns));
+    }
+  }
+  return full;
+}
+
+/// Six components of the strain at the Gauss points of a combination of states, each [z][y][x].
+std::array<std::vector<double>, 6> gauss_strain(const StateCombination& combination) {
+  std::array<std::vector<double>, 6> strain;
+  for (std::size_t c = 0; c < 6; ++c) {
+    strain[c].assign(combination.terms.front().state->strain.component[c].size(), 0.0);
+    for (const auto& term : combination.terms) {
+      const auto& component = term.state->strain.component[c];
+      for (std::size_t i = 0; i < component.size(); ++i) {
+        strain[c][i] += term.weight * component[i];
+      }
+    }
+  }
+  return strain;
+}
+
+/// Shear at the Gauss points of a combination of states, [z][y][x].
+std::vector<double> gauss_shear(ShearMeasure measure, const StateCombination& combination) {
+  std::vector<double> shear;
+  evaluate_shear(measure, gauss_strain(combination), shear);
+  return shear;
+}
+
+/// A channel that the handover makes, by its value at the Gauss points.
+struct ChannelRule {
+  const char* name;
+  std::function<std::vector<double>(const StateCombination&)> at_points;
+};
+
+std::vector<ChannelRule> channel_rules(const Case& input) {
+  std::vector<ChannelRule> rules{
+      {history::channel_name::shear, [&input](const StateCombination& combination) {
+         return gauss_shear(input.coupling.measure, combination);
+       }}};
+  if (moves_water(input)) {
+    rules.push_back({history::channel_name::dilation, [](const StateCombination& combination) {
+                       return compressive_dilation(gauss_strain(combination));
+                     }});
+  }
+  return rules;
+}
+
+/// What a field depends on: the states with their weights, and the slider's place. Detached, only
+/// the former.
+using FieldKey = std::pair<std::vector<std::pair<const mechanics::ContactState*, double>>,
+                           std::array<double, 2>>;
+
+FieldKey field_key(const StateCombination& combination) {
+  FieldKey key;
+  for (const auto& term : combination.terms) {
+    key.first.emplace_back(term.state, term.weight);
+  }
+  if (!combination.terms.empty()) {
+    key.second = combination.centre;
+  }
+  return key;
+}
+
+/// A NaN of the contact would otherwise be found by the ion transport, far from its cause.
+void require_finite(const history::StrainField& field, const Case& input, double time) {
+  const auto bad = static_cast<std::size_t>(std::count_if(
+      field.begin(), field.end(), [](double value) { return !std::isfinite(value); }));
+  if (bad > 0) {
+    throw SolverError(
+        fmt::format(
+            "the contact under the friction law \"{}\" (contact.friction = {:.4g}) ended in a "
+            "shear that is no finite number, in {} of {} cells at t = {:.4g} s",
+            input.contact.law, input.contact.friction, bad, field.size(), time),
+        "check the friction law and the materials, or change numerics.mesh_refinement");
+  }
+}
+
+} // namespace
+
+history::CoreHistory build_strain_history(const Case& input,
+                                          const mechanics::ContactSolution& contact) {
+  const ContactTimeline timeline(input, contact);
+  const mesh::SkinMesh& mesh = contact.mesh;
+  const MotionBox box = motion_box(input.motion, input.slider);
+  const auto start_lines = mesh.lines(box.low);
+  const auto z_lines = core_lines(mesh, start_lines);
+  const auto x_edges = direction_edges(start_lines.x, mesh.footprint_x(), input.skin.length,
+                                       box.low[0], box.low[0], box.high[0]);
+  const auto y_edges = direction_edges(start_lines.y, mesh.footprint_y(), input.skin.width,
+                                       box.low[1], box.low[1], box.high[1]);
+
+  history::CoreHistory history;
+  history.frame = history::Frame::slider;
+  history.measure = name(input.coupling.measure);
+  history.length = input.skin.length;
+  history.width = input.skin.width;
+  const auto z_nodes = moves_water(input) ? history::halved(z_lines) : z_lines;
+  history.grid = {x_edges, mesh.half_model() ? reflected_edges(y_edges) : y_edges, z_nodes};
+
+  const history::LineOperator along_z = moves_water(input) ? history::halved_projection(z_lines)
+                                                           : history::linear_projection(z_lines);
+  const auto field_at = [&](const ChannelRule& rule, const StateCombination& combination) {
+    const auto& centre = combination.centre;
+    const auto lines = mesh.lines(centre);
+    const auto along = [](const std::vector<double>& line, std::vector<double> edges,
+                          double shift) {
+      for (double& edge : edges) {
+        edge += shift;
+      }
+      return history::compose(history::cell_averages(line, edges),
+                              history::linear_projection(line));
+    };
+    const history::LineOperator along_x = along(lines.x, x_edges, centre[0]);
+    const history::LineOperator along_y = along(lines.y, y_edges, centre[1]);
+    const auto& points = combination.terms.front().state->strain.points;
+    history::StrainField a = rule.at_points(combination);
+    history::StrainField b;
+    history::apply_along(along_z, 1, points[1] * points[0], a, b);
+    history::apply_along(along_x, z_nodes.size() * points[1], 1, b, a);
+    history::apply_along(along_y, z_nodes.size(), along_x.rows(), a, b);
+    return mesh.half_model() ? reflected_field(b, z_nodes.size(), along_y.rows(), along_x.rows())
+                             : b;
+  };
+
+  // Legs that repeat each other share their fields.
+  const std::vector<ChannelRule> rules = channel_rules(input);
+  using Fields = std::vector<std::shared_ptr<const history::StrainField>>; // one per channel
+  const auto nothing = std::make_shared<const history::StrainField>(
+      history::StrainField(history.grid.values(), 0.0));
+  std::map<FieldKey, Fields> known;
+  std::vector<const Fields*> cycle_fields;
+  std::vector<std::array<double, 2>> cycle_centres;
+  for (std::size_t i = 0; i < timeline.sample_times().size(); ++i) {
+    const StateCombination combination = timeline.at_sample(i);
+    Fields& fields = known[field_key(combination)];
+    for (std::size_t channel = fields.size(); channel < rules.size(); ++channel) {
+      fields.push_back(combination.terms.empty() ? nothing
+                                                 : std::make_shared<const history::StrainField>(
+                                                       field_at(rules[channel], combination)));
+      require_finite(*fields.back(), input, timeline.sample_times()[i]);
+    }
+    cycle_centres.push_back(combination.centre);
+    cycle_fields.push_back(&fields);
+  }
+  for (const ChannelRule& rule : rules) {
+    history.add_channel(rule.name, *history::unit_of_channel(rule.name));
+  }
+  const double middle = 0.5 * input.skin.width;
+  const bool off_centre = box.low[1] != middle || box.high[1] != middle;
+  const double duration = timeline.sample_times().back();
+  for (int cycle = 0; cycle < input.motion.cycles; ++cycle) {
+    const double offset = cycle * duration;
+    for (std::size_t i = cycle == 0 ? 0 : 1; i < cycle_fields.size(); ++i) {
+      history.time.push_back(offset + timeline.sample_times()[i]);
+      history.slider_x.push_back(cycle_centres[i][0]);
+      if (off_centre) {
+        history.slider_y.push_back(cycle_centres[i][1]);
+      }
+      for (std::size_t channel = 0; channel < rules.size(); ++channel) {
+        history.channels[channel].samples.push_back((*cycle_fields[i])[channel]);
+      }
+    }
+    for (const double event : timeline.event_times()) {
+      // Event times are sample times, up to coinciding ones: take the sample itself.
+      const auto sample = std::lower_bound(history.time.begin(), history.time.end(),
+                                           offset + event - 1e-12 * duration);
+      history.event_time.push_back(*sample);
+    }
+  }
+  return history;
+}
+
+double mechanics_shear_integral(const Case& input, const mesh::SkinMesh& mesh,
+                                const StateCombination& combination) {
+  if (combination.terms.empty()) {
+    return 0.0;
+  }
+  const auto lines = mesh.lines(combination.centre);
+  const auto z_lines = core_lines(mesh, lines);
+  const auto shear = gauss_shear(input.coupling.measure, combination);
+  const auto& points = combination.terms.front().state->strain.points;
+  const auto weight = [](const std::vector<double>& line, std::size_t point) {
+    return 0.5 * (line[point / 2 + 1] - line[point / 2]);
+  };
+  double integral = 0;
+  for (std::size_t k = 0; k < points[2]; ++k) {
+    for (std::size_t j = 0; j < points[1]; ++j) {
+      double row = 0;
+      for (std::size_t i = 0; i < points[0]; ++i) {
+        row += weight(lines.x, i) * shear[(k * points[1] + j) * points[0] + i];
+      }
+      integral += weight(z_lines, k) * weight(lines.y, j) * row;
+    }
+  }
+  return mesh.half_model() ? 2 * integral : integral;
+}
+
+} // namespace ionskin::handover

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/handover/contact_timeline.hpp"
+#include "ionskin/history/core_history.hpp"
+#include "ionskin/mechanics/output/contact_solution.hpp"
+
+namespace ionskin::handover {
+
+/// Turns Study 1 into the history of the whole run, in the slider's frame: interpolates the strain
+/// at fixed mesh index, takes a scalar of it for every channel, smooths that by an L2 projection in
+/// the core (its integral is conserved) and averages it over cells that ride with the slider. Takes
+/// about a second and cannot be interrupted, so that finished mechanics is never lost. Throws
+/// SolverError where a channel is not finite, so that the ion transport never sees it.
+/// The channels are the shear by the case's measure and, where the coupling law of the case moves
+/// water, the dilation, with twice the z nodes: its values at the walls are what drives the ions.
+history::CoreHistory build_strain_history(const Case& input,
+                                          const mechanics::ContactSolution& contact);
+
+/// Integral of the shear over the core straight from the Gauss points of the mechanics [m3]; the
+/// reference for what the history must conserve.
+double mechanics_shear_integral(const Case& input, const mesh::SkinMesh& mesh,
+                                const StateCombination& combination);
+
+} // namespace ionskin::handover

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/path/first_touch.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/mechanics/surface/slider_shape.hpp"
+#include "ionskin/mesh/skin_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace ionskin::mechanics {
+
+void require_touch(const Case& input, const mesh::Footprint& footprint) {
+  const mesh::HeaviestLoad load = mesh::heaviest_load(input);
+  if (load.force > 0) { // presses until cells touch
+    return;
+  }
+  if (load.indentation <= 0) {
+    throw UserError(
+        "the slider never touches the skin\n  = give a waypoint a height below 0 m, or a force");
+  }
+  if (input.slider.sharp()) {
+    return;
+  }
+  const mesh::SkinMesh mesh(input, footprint);
+  const std::vector<double> gap =
+      mean_gap(input.slider, mesh.footprint_lines_x(), mesh.footprint_lines_y(), {false, false});
+  const double least = std::ranges::min(gap);
+  if (load.indentation > least) {
+    return;
+  }
+  throw UserError(fmt::format(
+      "the slider touches no cell of the contact's mesh: it indents by at most {:.3g} um, and its "
+      "underside stands {:.3g} um above its lowest point in the mean over the lowest cell\n  = "
+      "indent by more than {:.3g} um (motion.preload, or the waypoints' height), raise "
+      "numerics.mesh_refinement, or bring the lowest point of the profile to the slider's centre",
+      load.indentation * 1e6, least * 1e6, least * 1e6));
+}
+
+void require_touch(const Case& input) {
+  require_touch(input, mesh::largest_footprint(input));
+}
+
+} // namespace ionskin::mechanics

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/base/files/disk_cache.hpp"
+#include "ionskin/mechanics/elasticity/core_lattice.hpp"
+#include "ionskin/mechanics/elasticity/electrode_membrane.hpp"
+#include "ionskin/mechanics/output/contact_solution.hpp"
+#include "ionskin/mechanics/position/skin_model.hpp"
+#include "ionskin/mechanics/position/unit_response.hpp"
+#include "ionskin/mechanics/surface/contact_problem.hpp"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace ionskin::mechanics {
+
+/// What a condensed position is asked for, and where it is looked up and kept.
+struct PositionUse {
+  base::DiskCache* cache = nullptr;         ///< none when null
+  ForceDirections forces{true, true, true}; ///< that `respond` gets
+};
+
+/// The skin under one slider position: the compliance of the contact cells, and the strain and base
+/// reactions under any cell forces. From the response to unit forces, made once and kept in the
+/// cache, wherever `responses_fit`; on larger meshes from a factor that lasts as long as this
+/// object. Which of both depends on the mesh alone, so that the same forces make the same bits
+/// whatever is in the cache and whatever else is solved.
+class CondensedPosition {
+public:
+  /// @param model outlives the position
+  /// @param centre of the slider [m]
+  CondensedPosition(const SkinModel& model, const std::array<double, 2>& centre,
+                    const PositionUse& use = {});
+  ~CondensedPosition();
+
+  /// Compliance of the contact components [m/N].
+  const linear_algebra::DenseMatrix& compliance() const { return compliance_; }
+
+  /// True when it keeps a factor in memory, false when it needs none.
+  bool holds_factor() const { return factorised_ != nullptr; }
+
+  /// What the skin does under cell forces.
+  struct Response {
+    CoreStrain strain;
+    /// Largest membrane stress of each electrode layer, bottom to top [Pa].
+    std::vector<double> electrode_stress;
+    double equilibrium_residual = 0; ///< loads against base reactions over the largest load sum
+  };
+  /// Responses to many states at once. Without a factor each is the same bits in any company.
+  /// @param forces each [3 cells] [N]
+  std::vector<Response> respond(const std::vector<CellVector>& forces) const;
+
+private:
+  class Factorised;
+  void factorise();
+  DirectionResponse unit_response(int direction) const;
+  /// Responses to the columns of a block [3 cells, any].
+  void respond_by_products(const linear_algebra::DenseMatrix& forces,
+                           std::vector<Response>& responses) const;
+  void respond_by_factor(const linear_algebra::DenseMatrix& forces,
+                         std::vector<Response>& responses) const;
+  Response response(const double* lattice, const double* membrane,
+                    const std::array<double, 3>& reaction, const double* force) const;
+
+  const SkinModel& model_;
+  mesh::MeshLines lines_;
+  CoreLattice lattice_;
+  ElectrodeMembrane membrane_;
+  linear_algebra::DenseMatrix compliance_;
+  std::unique_ptr<Factorised> factorised_;
+  UnitResponse response_;
+};
+
+} // namespace ionskin::mechanics

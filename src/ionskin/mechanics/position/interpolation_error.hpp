@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/mechanics/output/contact_solution.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace ionskin::mechanics {
+
+/// Norms of the Chebyshev coefficients of the polynomial through the nodes of a leg, from order 0
+/// on: of the strain in the core, over that of the largest state [1].
+/// @param steady at distinct instants; null states count as zero strain
+std::vector<double> chebyshev_norms(const std::vector<PathState>& steady);
+
+/// How far the polynomial through the nodes of a leg is from steady sliding between them.
+struct InterpolationError {
+  double estimate = 0; ///< of the strain in the core, over its largest norm on the leg [1]
+  double decay = 0;    ///< of the coefficients, from one order to the next [1]
+};
+
+/// From the decay of the Chebyshev coefficients, which is geometric for a smooth function: those
+/// that the polynomial lacks go on as those that it has, and each errs by at most twice its norm
+/// (Trefethen, Approximation Theory and Approximation Practice, 2013, chapters 4 and 8).
+/// @param norms at least two, as of chebyshev_norms
+InterpolationError interpolation_error(const std::vector<double>& norms);
+
+/// Largest interpolation error that is left where more nodes can mend it [1].
+double interpolation_tolerance(Preset preset);
+
+/// Number of nodes that is expected to keep the tolerance: `count` itself when the error does, else
+/// a larger even one, at most `most_interpolation_nodes`.
+std::size_t wanted_node_count(std::size_t count, const InterpolationError& error, double tolerance);
+
+} // namespace ionskin::mechanics

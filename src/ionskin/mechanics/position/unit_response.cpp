@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/position/unit_response.hpp"
+
+#include "ionskin/linear_algebra/dense_kernels.hpp"
+
+#include <cstring>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace ionskin::mechanics {
+namespace {
+
+using linear_algebra::DenseMatrix;
+using linear_algebra::FixedPointMatrix;
+
+/// To be raised whenever the numbers of a condensed position change for the same input: elements,
+/// assembly, contact cells, lattice, rounding, or the layout of an entry.
+constexpr std::uint32_t numerical_version = 2;
+
+constexpr double positions_of_a_slide = 4;
+
+struct Sizes {
+  std::int32_t cells = 0, core_rows = 0, membrane_rows = 0;
+  std::array<std::int32_t, 3> held{}; ///< whether the response in each direction follows
+};
+
+template <class T> std::span<const std::byte> bytes_of(const std::vector<T>& values) {
+  return std::as_bytes(std::span(values));
+}
+
+/// Takes vectors of known length from the content of an entry, one behind the other.
+class EntryReader {
+public:
+  explicit EntryReader(std::span<const std::byte> content) : rest_(content) {}
+  bool take(void* to, std::size_t bytes) {
+    if (rest_.size() < bytes) {
+      return false;
+    }
+    std::memcpy(to, rest_.data(), bytes);
+    rest_ = rest_.subspan(bytes);
+    return true;
+  }
+  template <class T> bool take(std::vector<T>& values) {
+    return take(values.data(), values.size() * sizeof(T));
+  }
+  bool at_end() const { return rest_.empty(); }
+
+private:
+  std::span<const std::byte> rest_;
+};
+
+} // namespace
+
+bool responses_fit(int core_rows, int membrane_rows, int components) {
+  const double rows = static_cast<double>(core_rows) + membrane_rows;
+  return positions_of_a_slide * rows * components * sizeof(std::int32_t) <
+         static_cast<double>(base::default_cache_limit);
+}
+
+base::Digest position_key(const SkinModel& model, const mesh::MeshLines& lines) {
+  base::DigestBuilder builder;
+  builder.add("condensed position").add(numerical_version).add(linear_algebra::kernel_name());
+  builder.add(lines.x).add(lines.y).add(lines.z);
+  for (const ElasticLaw& law : model.law_of_row) {
+    builder.add(law.lame_lambda).add(law.shear_modulus);
+  }
+  builder.add(model.mesh.layer_of_row()).add(model.mesh.core_z()[0]).add(model.mesh.core_z()[1]);
+  for (std::size_t node = 0; node < model.space.node_count(); ++node) {
+    for (const int unknown : model.space.unknown(static_cast<int>(node))) {
+      builder.add(unknown);
+    }
+  }
+  builder.add(model.cells.nodes).add(model.cells.lines_x).add(model.cells.lines_y);
+  builder.add(model.cells.unit_load.values);
+  return builder.finish();
+}
+
+std::optional<StoredPosition> read_position(base::DiskCache& cache, const base::Digest& key,
+                                            int core_rows, int membrane_rows, int cells) {
+  const auto content = cache.read(key);
+  if (!content) {
+    return std::nullopt;
+  }
+  EntryReader reader(*content);
+  Sizes sizes;
+  StoredPosition result;
+  result.compliance = DenseMatrix(3 * cells, 3 * cells);
+  if (!reader.take(&sizes, sizeof(sizes)) || sizes.cells != cells || sizes.core_rows != core_rows ||
+      sizes.membrane_rows != membrane_rows || !reader.take(result.compliance.values)) {
+    return std::nullopt;
+  }
+  for (std::size_t d = 0; d < result.response.size(); ++d) {
+    if (sizes.held[d] == 0) {
+      continue;
+    }
+    DirectionResponse& response = result.response[d].emplace(
+        DirectionResponse{FixedPointMatrix(core_rows, cells),
+                          FixedPointMatrix(membrane_rows, cells), DenseMatrix(3, cells)});
+    if (!reader.take(response.base_reaction.values) || !reader.take(response.core.unit) ||
+        !reader.take(response.core.values) || !reader.take(response.membrane.unit) ||
+        !reader.take(response.membrane.values)) {
+      return std::nullopt;
+    }
+  }
+  return reader.at_end() ? std::optional(std::move(result)) : std::nullopt;
+}
+
+void write_position(base::DiskCache& cache, const base::Digest& key, const DenseMatrix& compliance,
+                    const UnitResponse& response) {
+  Sizes sizes{compliance.columns / 3, 0, 0, {}};
+  std::vector<std::span<const std::byte>> parts{std::as_bytes(std::span(&sizes, 1)),
+                                                bytes_of(compliance.values)};
+  std::size_t bytes = 0;
+  for (std::size_t d = 0; d < response.size(); ++d) {
+    if (!response[d]) {
+      continue;
+    }
+    const auto& [core, membrane, base_reaction] = *response[d];
+    sizes.core_rows = core.rows;
+    sizes.membrane_rows = membrane.rows;
+    sizes.held[d] = 1;
+    for (const auto part :
+         {bytes_of(base_reaction.values), bytes_of(core.unit), bytes_of(core.values),
+          bytes_of(membrane.unit), bytes_of(membrane.values)}) {
+      parts.push_back(part);
+      bytes += part.size();
+    }
+  }
+  if (positions_of_a_slide * static_cast<double>(bytes) < static_cast<double>(cache.most_bytes())) {
+    cache.write(key, parts);
+  }
+}
+
+} // namespace ionskin::mechanics

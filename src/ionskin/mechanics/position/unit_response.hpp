@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/base/digest.hpp"
+#include "ionskin/base/files/disk_cache.hpp"
+#include "ionskin/linear_algebra/fixed_point_matrix.hpp"
+#include "ionskin/mechanics/position/skin_model.hpp"
+
+#include <array>
+#include <optional>
+
+namespace ionskin::mechanics {
+
+/// Directions of a cell's force: normal, x, y.
+using ForceDirections = std::array<bool, 3>;
+
+/// What the skin does under a unit force on each contact cell in one direction.
+struct DirectionResponse {
+  linear_algebra::FixedPointMatrix core;     ///< CoreLattice by cell [m/N]
+  linear_algebra::FixedPointMatrix membrane; ///< ElectrodeMembrane by cell [1/N]
+  linear_algebra::DenseMatrix base_reaction; ///< x, y, z by cell [1]
+};
+/// Normal, x, y; empty where no force is asked for. Every state at this position is a product with
+/// it, at any friction and load, without a factorisation.
+using UnitResponse = std::array<std::optional<DirectionResponse>, 3>;
+
+/// Whether the responses of a slide, at least four positions, fit into the default bound of the
+/// cache. The mesh alone decides: states by a response are rounded otherwise than by the factor.
+bool responses_fit(int core_rows, int membrane_rows, int components);
+
+/// What is kept of a condensed position.
+struct StoredPosition {
+  linear_algebra::DenseMatrix compliance; ///< of the contact components [m/N]
+  UnitResponse response;
+};
+
+/// Digest of everything a condensed position depends on: mesh, materials, boundary conditions,
+/// contact cells, kernels of BLAS, and the version of the numerical method.
+base::Digest position_key(const SkinModel& model, const mesh::MeshLines& lines);
+
+/// @param core_rows,membrane_rows sizes that an entry of this model must have
+std::optional<StoredPosition> read_position(base::DiskCache& cache, const base::Digest& key,
+                                            int core_rows, int membrane_rows, int cells);
+/// Keeps nothing where the responses of a slide exceed the bound of the cache.
+void write_position(base::DiskCache& cache, const base::Digest& key,
+                    const linear_algebra::DenseMatrix& compliance, const UnitResponse& response);
+
+} // namespace ionskin::mechanics

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/surface/contact_diagnostics.hpp"
+
+#include "ionskin/base/largest.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ionskin::mechanics {
+
+namespace {
+
+/// Without a contact there is nothing to compare with, and nothing to compare.
+double share(double part, double whole) {
+  return part == 0 ? 0 : part / whole;
+}
+
+} // namespace
+
+double ContactViolations::largest() const {
+  return base::larger(base::larger(tension, penetration), base::larger(cone, slip_law));
+}
+
+ContactViolations contact_violations(const ContactProblem& problem, const SurfaceState& state,
+                                     double reference_force, double preload) {
+  const SliderStep& step = state.step;
+  ContactViolations worst;
+  for (int cell = 0; cell < problem.cells(); ++cell) {
+    const std::size_t at = 3 * static_cast<std::size_t>(cell);
+    const double normal = state.force[at];
+    const double gap = share(state.surface[at] - state.indentation + problem.gap[cell], preload);
+    worst.tension = base::larger(worst.tension, share(-normal, reference_force));
+    worst.penetration = base::larger(worst.penetration, normal > 0 ? std::abs(gap) : -gap);
+
+    const auto slip = slip_increment(step, state.surface, cell);
+    const double limit =
+        problem.friction_limit(cell, normal, std::hypot(slip[0], slip[1]), step.time_step);
+    const std::array<double, 2> force{state.force[at + 1], state.force[at + 2]};
+    worst.cone =
+        base::larger(worst.cone, share(std::hypot(force[0], force[1]) - limit, reference_force));
+    const double compliance = problem.own_compliance(cell, 1);
+    const auto allowed =
+        project_on_disc({force[0] + slip[0] / compliance, force[1] + slip[1] / compliance}, limit);
+    worst.slip_law =
+        base::larger(worst.slip_law, share(std::hypot(force[0] - allowed[0], force[1] - allowed[1]),
+                                           reference_force));
+  }
+  return worst;
+}
+
+std::vector<double> stick_reserve(const ContactProblem& problem, const CellVector& force) {
+  std::vector<double> reserve(problem.area.size(), 0.0);
+  for (int cell = 0; cell < problem.cells(); ++cell) {
+    const std::size_t at = 3 * static_cast<std::size_t>(cell);
+    if (force[at] > 0) {
+      const double limit = problem.friction_limit(cell, force[at], 0, 0);
+      const double left = limit - std::hypot(force[at + 1], force[at + 2]);
+      reserve[cell] = left > limit * 1e-9 ? left / problem.area[cell] : 0.0;
+    }
+  }
+  return reserve;
+}
+
+double stick_fraction(const ContactProblem& problem, const CellVector& force) {
+  const std::vector<double> reserve = stick_reserve(problem, force);
+  double touching = 0, sticking = 0;
+  for (std::size_t cell = 0; cell < reserve.size(); ++cell) {
+    touching += force[3 * cell] > 0 ? problem.area[cell] : 0.0;
+    sticking += reserve[cell] > 0 ? problem.area[cell] : 0.0;
+  }
+  return touching > 0 ? sticking / touching : 0.0;
+}
+
+} // namespace ionskin::mechanics

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/linear_algebra/sparse_matrix.hpp"
+#include "ionskin/mechanics/friction/friction_law.hpp"
+
+#include <array>
+#include <vector>
+
+namespace ionskin::mechanics {
+
+/// Forces on, or mean displacements of, the contact cells: [3 cells], per cell normal (pressing
+/// down), along x, along y.
+using CellVector = std::vector<double>;
+
+/// Dense contact problem of one slider position: find cell forces f with surface displacement w = C
+/// f such that no cell is penetrated (w >= indentation - gap) or pulled, only touching cells carry
+/// force, and every cell obeys the friction law.
+struct ContactProblem {
+  linear_algebra::DenseMatrix compliance; ///< C, symmetric [m/N]
+  std::vector<double> area;               ///< of the cells [m2]
+  /// Mean height of the slider's underside over each cell above its lowest point [m]; 0 for a flat
+  /// slider.
+  std::vector<double> gap;
+  Friction friction;
+
+  int cells() const { return static_cast<int>(area.size()); }
+  /// Compliance of one component against its own force; in a direction in which the skin is held
+  /// (plane strain) that of the other tangential direction.
+  double own_compliance(int cell, int component) const;
+  /// C f.
+  CellVector surface_displacement(const CellVector& force) const;
+  /// Largest tangential force of a cell under a normal force, and its derivative [N], [1].
+  double friction_limit(int cell, double normal_force, double slip, double time_step) const;
+  double friction_limit_slope(int cell, double normal_force, double slip, double time_step) const;
+};
+
+/// What presses the slider on the skin: a given indentation, or a given force that the indentation
+/// has to carry.
+enum class LoadKind { indentation, force };
+struct SliderLoad {
+  LoadKind kind = LoadKind::indentation;
+  double value = 0; ///< [m], or [N] on the meshed part of the skin
+};
+
+/// One increment of the slider's motion.
+struct SliderStep {
+  SliderLoad load;                ///< at the end of the step
+  std::array<double, 2> travel{}; ///< during the step, x and y [m]
+  double time_step = 0;           ///< [s]
+  CellVector surface_before;      ///< surface displacement at its start [m]
+};
+
+/// Sum of the normal forces [N].
+double total_normal_force(const CellVector& force);
+/// True when no cell is pulled.
+bool free_of_tension(const CellVector& force);
+
+/// How far the slider moves relative to the skin at one cell during a step [m].
+std::array<double, 2> slip_increment(const SliderStep& step, const CellVector& surface, int cell);
+
+} // namespace ionskin::mechanics

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/surface/covered_area.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ionskin::mechanics {
+namespace {
+
+/// Mean of sqrt(border - x) over an interval that may reach beyond the border.
+double mean_root(double from, double to, double border) {
+  const auto power = [&](double x) { return std::pow(std::max(0.0, border - x), 1.5); };
+  return 2.0 / 3 * (power(from) - power(to)) / (to - from);
+}
+
+/// Where a field like sqrt(border - x) ends that has given means over its last positive cell, which
+/// begins at 0, and over the cell before it.
+/// @param width,width_before of these cells; @param width_beyond of the open cell behind them, of
+/// which at most half is covered; @param ratio of their means
+double border_of(double width, double width_before, double width_beyond, double ratio) {
+  double low = 0, high = width + 0.5 * width_beyond;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = (low + high) / 2;
+    const double at_middle = mean_root(0, width, middle) / mean_root(-width_before, 0, middle);
+    (at_middle < ratio ? low : high) = middle;
+  }
+  return low;
+}
+
+/// A cell field with its squares, which fall linearly to a border.
+class CellField {
+public:
+  CellField(const ContactCells& cells, const std::vector<double>& field)
+      : cells_(cells), field_(field), count_{cells.columns(), cells.rows()} {}
+
+  double area() const {
+    double sum = 0;
+    for (std::size_t cell = 0; cell < cells_.count(); ++cell) {
+      if (field_[cell] <= 0) {
+        continue;
+      }
+      sum += cells_.area[cell];
+      for (std::size_t d = 0; d < 2; ++d) {
+        for (const bool upwards : {false, true}) {
+          sum += beyond_face(cell, d, upwards);
+        }
+      }
+    }
+    return sum;
+  }
+
+private:
+  std::size_t stride(std::size_t d) const { return d == 0 ? 1 : count_[0]; }
+  std::size_t place(std::size_t cell, std::size_t d) const {
+    return d == 0 ? cell % count_[0] : cell / count_[0];
+  }
+  bool has_neighbour(std::size_t cell, std::size_t d, bool upwards) const {
+    return upwards ? place(cell, d) + 1 < count_[d] : place(cell, d) > 0;
+  }
+  std::size_t neighbour(std::size_t cell, std::size_t d, bool upwards) const {
+    return upwards ? cell + stride(d) : cell - stride(d);
+  }
+  double width(std::size_t cell, std::size_t d) const {
+    const std::vector<double>& lines = d == 0 ? cells_.lines_x : cells_.lines_y;
+    return lines[place(cell, d) + 1] - lines[place(cell, d)];
+  }
+  double square(std::size_t cell) const { return field_[cell] * field_[cell]; }
+
+  /// Slope of the square along a direction.
+  double slope(std::size_t cell, std::size_t d) const {
+    double rise = 0, distance = 0;
+    for (const bool upwards : {false, true}) {
+      if (has_neighbour(cell, d, upwards)) {
+        const std::size_t next = neighbour(cell, d, upwards);
+        rise += (upwards ? 1 : -1) * (square(next) - square(cell));
+        distance += (width(cell, d) + width(next, d)) / 2;
+      }
+    }
+    return distance > 0 ? rise / distance : 0.0;
+  }
+
+  /// Area between the face of a positive cell towards an open one and the border, negative when the
+  /// border lies within the cell. An oblique border is seen along both directions, each with its
+  /// part of the border's normal.
+  double beyond_face(std::size_t cell, std::size_t d, bool upwards) const {
+    if (!has_neighbour(cell, d, upwards) || !has_neighbour(cell, d, !upwards) ||
+        field_[neighbour(cell, d, upwards)] > 0) {
+      return 0;
+    }
+    const std::size_t before = neighbour(cell, d, !upwards);
+    if (field_[before] <= 0) {
+      return 0;
+    }
+    const double along = slope(before, d), across = slope(before, 1 - d);
+    const double steepness = along * along + across * across;
+    const double weight = steepness > 0 ? along * along / steepness : 0.0;
+    const double width_beyond = width(neighbour(cell, d, upwards), d);
+    const double border =
+        border_of(width(cell, d), width(before, d), width_beyond, field_[cell] / field_[before]);
+    const double beyond = border - width(cell, d);
+    return weight * beyond * width(cell, 1 - d);
+  }
+
+  const ContactCells& cells_;
+  const std::vector<double>& field_;
+  std::array<std::size_t, 2> count_;
+};
+
+} // namespace
+
+double covered_area(const ContactCells& cells, const std::vector<double>& field) {
+  return CellField(cells, field).area();
+}
+
+double contact_area(const ContactCells& cells, const CellVector& force) {
+  std::vector<double> pressure(cells.count());
+  for (std::size_t cell = 0; cell < cells.count(); ++cell) {
+    pressure[cell] = std::max(0.0, force[3 * cell]) / cells.area[cell];
+  }
+  return covered_area(cells, pressure);
+}
+
+} // namespace ionskin::mechanics

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/planning/cost_estimate.hpp"
+
+#include "ionskin/electrochemistry/time/problem_size.hpp"
+#include "ionskin/mechanics/path/contact_plan.hpp"
+#include "ionskin/mechanics/position/memory_estimate.hpp"
+#include "ionskin/mesh/skin_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ionskin::planning {
+
+namespace {
+
+// Measured on cases/paper.toml at 45e3, 54e3 and 114e3 unknowns (coarse, standard with
+// mesh_refinement 0.7, standard) on two cores with AVX2; the power fits the three within 10 %.
+// Other work on the machine raised the times by up to a half.
+constexpr double reference_unknowns = 1e5;
+constexpr double seconds_per_position = 4.0; // processor time, factorisation and contact
+constexpr double seconds_power = 1.55;
+constexpr double bytes_at_rest = 0.15e9; // the program and its libraries
+// Processor time per unknown of the whole core and time step, with the error estimate.
+constexpr double seconds_per_ion_step = 7e-8;
+// A round slider under a force: the search for its contact, and for the indentation at every step.
+constexpr double solves_of_round_force = 2.5;
+constexpr double companion_share = 0.1;   // of the mechanics, on twice the mesh sizes
+constexpr double seconds_of_output = 4.0; // files, figures and report
+
+/// The mesh fits the contact that a coarse solution will find. Under a force the largest contact,
+/// which follows from the softest layer, may be far too large, and the mesh too small: a contact
+/// smaller than its layer feels that layer alone, the highest.
+mesh::SkinMesh expected_mesh(const Case& input) {
+  mesh::SkinMesh largest(input);
+  if (input.slider.sharp() || mesh::heaviest_load(input).force <= 0) {
+    return largest;
+  }
+  Case of_highest = input;
+  for (Layer& layer : of_highest.skin.layers) {
+    layer.material = input.skin.layers.back().material;
+  }
+  mesh::SkinMesh smaller(input, mesh::largest_footprint(of_highest));
+  return smaller.unknowns() > largest.unknowns() ? smaller : largest;
+}
+
+/// States of the contact that are kept until the history is made, and the dense matrices of the
+/// contact at the positions that are solved at once [bytes].
+double contact_memory(const mesh::SkinMesh& mesh, const CostEstimate& cost, int at_once) {
+  constexpr double chain_states = 40; // usual load steps of one touchdown, onset or lift-off
+  constexpr double points = 8, strains = 6, matrices = 3; // compliance, Newton's and its factor
+  const auto [nx, ny, nz] = mesh.elements();
+  const auto [bottom, top] = mesh.core_z();
+  const double core = static_cast<double>(nx * ny * (top - bottom));
+  const double states = static_cast<double>(cost.positions) + 3 * chain_states;
+  const double components = 3.0 * static_cast<double>(mesh.footprint_lines_x().size() - 1) *
+                            static_cast<double>(mesh.footprint_lines_y().size() - 1);
+  return sizeof(double) *
+         (states * core * points * strains + at_once * matrices * components * components);
+}
+
+} // namespace
+
+CostEstimate estimate_cost(const Case& input, int threads) {
+  CostEstimate cost;
+  const mesh::SkinMesh mesh = expected_mesh(input);
+  cost.mechanics_unknowns = mesh.unknowns();
+  cost.positions =
+      mechanics::plan_contact(input, mechanics::expected_node_counts(input)).positions.size();
+  const auto ions = electrochemistry::estimate_problem_size(input);
+  cost.ion_unknowns = ions.unknowns;
+  cost.ion_steps = ions.steps;
+
+  const double scale = static_cast<double>(cost.mechanics_unknowns) / reference_unknowns;
+  const int at_once = std::min(threads, static_cast<int>(cost.positions));
+  const double rounds = std::ceil(static_cast<double>(cost.positions) / at_once);
+  const double solves =
+      mesh::heaviest_load(input).force > 0 && !input.slider.sharp() ? solves_of_round_force : 1;
+  cost.seconds = (1 + companion_share) * solves * rounds * seconds_per_position *
+                     std::pow(scale, seconds_power) +
+                 seconds_per_ion_step * static_cast<double>(ions.unknowns) *
+                     static_cast<double>(ions.steps) / threads +
+                 seconds_of_output;
+  const double factors = mechanics::factorisations_memory(cost.mechanics_unknowns, at_once);
+  cost.memory =
+      bytes_at_rest + std::max(factors + contact_memory(mesh, cost, at_once), ions.memory);
+  return cost;
+}
+
+} // namespace ionskin::planning

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+
+#include <cstddef>
+
+namespace ionskin::planning {
+
+/// Size of both studies of a contact case, and what they will cost.
+struct CostEstimate {
+  std::size_t mechanics_unknowns = 0; ///< of one position of the slider
+  std::size_t positions = 0;          ///< that are factorised; mirrored positions share one
+  std::size_t ion_unknowns = 0;
+  std::size_t ion_steps = 0;    ///< estimated
+  double memory = 0;            ///< largest resident [bytes]
+  double mechanics_seconds = 0; ///< wall time of Study 1
+  double ion_seconds = 0;       ///< wall time of Study 2
+  double seconds = 0;           ///< wall time of both, with files and report
+};
+
+/// @param threads that will run
+/// Throws UserError when the mesh cannot be built.
+CostEstimate estimate_cost(const Case& input, int threads);
+
+} // namespace ionskin::planning

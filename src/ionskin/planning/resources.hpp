@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+
+#include <string>
+
+namespace ionskin::planning {
+
+/// Judges a contact case by its estimated size before any of it is built.
+/// Throws UserError when it needs more memory than there is (base::available_memory), more unknowns
+/// than can be counted, or more time steps than ever end; with the numbers and the remedy.
+void require_resources(const Case& input, int threads);
+
+/// The same as a sentence, empty where all is well. For checks on a machine that need not be the
+/// one that runs the case. Throws UserError for what no machine can do.
+std::string shortage(const Case& input, int threads);
+
+} // namespace ionskin::planning

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/base/files/file_copy.hpp"
+#include "ionskin/base/system/child_program.hpp"
+#include "ionskin/results/hdf5/hdf5_file.hpp"
+#include "ionskin/results/hdf5/hdf5_protocol.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ionskin::results {
+
+/// An HDF5 file that a user gives, or that anybody may have changed since it was written. The HDF5
+/// library crashes and loops on damaged files; so a process apart reads it, with bounds on memory
+/// and time, and only names, texts and numbers come back. Answers as Hdf5File does; values that
+/// stand in other files are refused.
+///
+/// Errors: UserError naming the file and the object, as of Hdf5File; also when the file is no
+/// regular file, damage crashes the library or keeps it busy without end, or an array is larger
+/// than half of the available memory, judged before any of it is read.
+class ForeignHdf5File {
+public:
+  using Shape = Hdf5File::Shape;
+
+  explicit ForeignHdf5File(const std::filesystem::path& path);
+
+  const std::filesystem::path& path() const { return path_; }
+  /// Of the bytes that are read.
+  const base::Digest& digest() const { return copy_.digest(); }
+
+  bool has(const std::string& object) const;
+  bool has_numbers(const std::string& object) const;
+  std::vector<std::string> members(const std::string& group) const;
+  Shape shape(const std::string& dataset) const;
+  /// Opens every object, so that a file which is written on has no damage of its structure.
+  void require_plain() const;
+  std::vector<double> read(const std::string& dataset) const;
+  std::string read_text(const std::string& dataset) const;
+  std::vector<std::string> read_texts(const std::string& dataset) const;
+  /// @param values is resized to one frame
+  void read_frame(const std::string& dataset, std::size_t frame, std::vector<double>& values) const;
+  std::optional<std::string> text_attribute(const std::string& object,
+                                            const std::string& name) const;
+  std::optional<double> number_attribute(const std::string& object, const std::string& name) const;
+
+private:
+  /// The size of what was found, which is then received; nothing where nothing is.
+  std::optional<std::uint64_t> ask(Hdf5Question question, const std::string& object,
+                                   const std::string& name = "", std::uint64_t expected_bytes = 0,
+                                   std::uint64_t frame = 0) const;
+  void receive(void* bytes, std::size_t count) const;
+  void receive_numbers(std::uint64_t bytes, const std::string& object,
+                       std::vector<double>& values) const;
+  std::string receive_text(std::uint64_t bytes, const std::string& object) const;
+  bool receive_truth(std::uint64_t bytes, const std::string& object) const;
+  void require_memory(double bytes, const std::string& object) const;
+  [[noreturn]] void lost(base::ChildProgram::Transfer how) const;
+  [[noreturn]] void contradicted(const std::string& object) const;
+
+  std::filesystem::path path_;
+  base::FileCopy copy_;
+  mutable base::ChildProgram reader_;
+  mutable double seconds_ = 0; ///< that the answer may take
+};
+
+} // namespace ionskin::results

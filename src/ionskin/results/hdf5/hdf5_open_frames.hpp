@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/results/hdf5/hdf5_file.hpp"
+#include "ionskin/results/hdf5/hdf5_handle.hpp"
+
+namespace ionskin::results {
+
+/// A dataset that stays open between its frames: its cache holds the pieces that they share.
+struct Hdf5File::OpenFrames {
+  OpenFrames(std::string its_name, Hdf5Handle its_dataset)
+      : name(std::move(its_name)), dataset(std::move(its_dataset)) {}
+  std::string name;
+  Hdf5Handle dataset;
+};
+
+} // namespace ionskin::results

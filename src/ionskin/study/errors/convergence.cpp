@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/errors/convergence.hpp"
+
+#include "ionskin/readout/metrics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace ionskin::study {
+namespace {
+
+/// Edges that the skin bends around: none of a slider that covers its width between symmetry planes
+/// along y.
+bool has_sharp_edge(const Case& input) {
+  const Slider& slider = input.slider;
+  const auto flat = slider.flat_half_size();
+  const bool along_y = flat[1] > 0 && !covers_width(input);
+  return input.strain.kind == StrainSourceKind::contact && slider.edge_radius == 0 &&
+         (flat[0] > 0 || along_y);
+}
+
+/// Whether the largest magnitude stands alone: the steps on either side hold less than half of it,
+/// so that it is the mean of a spike over one step.
+bool is_single_step(const std::vector<double>& current) {
+  std::size_t peak = 0;
+  for (std::size_t row = 1; row < current.size(); ++row) {
+    if (std::abs(current[row]) > std::abs(current[peak])) {
+      peak = row;
+    }
+  }
+  const double half = 0.5 * std::abs(current[peak]);
+  const bool before = peak == 0 || std::abs(current[peak - 1]) < half;
+  const bool behind = peak + 1 == current.size() || std::abs(current[peak + 1]) < half;
+  return half > 0 && before && behind;
+}
+
+} // namespace
+
+std::map<std::string, std::string> not_converging(const Case& input, const Signals& signals) {
+  std::map<std::string, std::string> reasons;
+  const auto mark = [&](const std::string& name, const std::string& reason) {
+    if (std::ranges::find(signals.metrics, name, &readout::Metric::name) != signals.metrics.end()) {
+      reasons[name] = reason;
+    }
+  };
+  if (has_sharp_edge(input)) {
+    for (const char* name : {"element_max_shear_slide", "electrode_membrane_stress",
+                             "max_potential", "min_concentration_ratio"}) {
+      mark(name, "extreme under a sharp edge, where finer meshes raise the strain");
+    }
+  }
+  for (const char* name :
+       {"current_top", "current_bottom", "current_difference", "current_common"}) {
+    if (is_single_step(signals.resolved.column(name).values)) {
+      mark(std::string("peak_") + name,
+           "spike shorter than the time step, which finer steps raise");
+    }
+  }
+  return reasons;
+}
+
+} // namespace ionskin::study

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/errors/error_estimate.hpp"
+
+#include "ionskin/electrochemistry/coupling/coupling_law.hpp"
+#include "ionskin/electrochemistry/ion_transport.hpp"
+#include "ionskin/history/merged_cells.hpp"
+#include "ionskin/history/shear_statistics.hpp"
+#include "ionskin/parallel/task_pool.hpp"
+#include "ionskin/readout/tail_current.hpp"
+#include "ionskin/study/errors/companions.hpp"
+#include "ionskin/study/errors/convergence.hpp"
+#include "ionskin/study/errors/signal_difference.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ionskin::study {
+namespace {
+
+namespace parts = error_parts;
+
+/// Part of the largest charge that the shear can move which rounding may leave in a charge.
+constexpr double charge_rounding = 5e-11;
+
+// Names of the runs beside those of the companions.
+constexpr const char* run = "run";
+constexpr const char* grid = "grid";           ///< twice the mesh sizes of Study 2
+constexpr const char* reference = "reference"; ///< with up to twice the time steps too
+constexpr const char* cells = "cells";         ///< as reference, shear on cells twice as wide
+
+MechanicsRecord on_wider_cells(const MechanicsRecord& mechanics) {
+  MechanicsRecord result = mechanics;
+  result.maps = {};
+  result.companions.clear();
+  result.history = history::merge_cells(mechanics.history);
+  return result;
+}
+
+bool has_companions(const MechanicsRecord& mechanics) {
+  return mechanics.companions.contains(companions::mesh);
+}
+
+/// Largest charge that the history can move [C].
+double charge_scale(const Case& input, const history::CoreHistory& history) {
+  const history::HistoryChannel& channel =
+      electrochemistry::coupling_law(input.coupling.law).channel(history);
+  double largest = 0;
+  for (const double time : history.time) {
+    largest = std::max(largest, history::channel_integrals(history, channel, time).magnitude);
+  }
+  return std::abs(electrochemistry::charge_density_of_channel(input, channel)) * largest;
+}
+
+double path_floor(const MechanicsRecord& mechanics) {
+  return mechanics.has_contact()
+             ? mechanics.worst_interpolation_error + mechanics.worst_equilibrium_residual +
+                   mechanics.worst_complementarity_residual
+             : 0.0;
+}
+
+/// One coarser run of Study 2.
+struct Coarser {
+  std::string name;
+  const MechanicsRecord* mechanics = nullptr;
+  double time_refinement = 0.5;
+};
+
+/// Noise of an instrument is no error of the program.
+Case without_noise(const Case& input) {
+  Case result = input;
+  result.readout.amplifier.noise_density = 0;
+  return result;
+}
+
+/// The coarser runs that tell the parts of a run of both studies.
+struct CoarserRuns {
+  MechanicsRecord wider; ///< of `cells`; the other runs have the run's own mechanics, or companions
+  std::vector<Coarser> runs;
+
+  explicit CoarserRuns(const MechanicsRecord& mechanics)
+      : runs{{grid, &mechanics, 1.0}, {reference, &mechanics, 0.5}} {
+    if (mechanics.has_contact()) {
+      wider = on_wider_cells(mechanics);
+      runs.push_back({cells, &wider});
+      for (const auto& [name, companion] : mechanics.companions) {
+        runs.push_back({name, companion.get()});
+      }
+    }
+  }
+  CoarserRuns(const CoarserRuns&) = delete;
+  CoarserRuns& operator=(const CoarserRuns&) = delete;
+};
+
+/// What `of_run` makes of each, side by side.
+template <class Result, class OfRun>
+std::map<std::string, Result> run_coarser(const Case& input, const std::vector<Coarser>& runs,
+                                          int threads, const OfRun& of_run) {
+  std::vector<Result> results(runs.size());
+  parallel::run_tasks(runs.size(), threads, [&](std::size_t i) {
+    Case coarser = input;
+    coarser.numerics.mesh_refinement *= 0.5;
+    coarser.numerics.time_refinement *= runs[i].time_refinement;
+    base::Timers own;
+    results[i] =
+        of_run(coarser, *runs[i].mechanics,
+               electrochemistry::solve_ion_transport(coarser, runs[i].mechanics->history, {}, own));
+  });
+  std::map<std::string, Result> by_name;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    by_name.emplace(runs[i].name, std::move(results[i]));
+  }
+  return by_name;
+}
+
+struct NamedPair {
+  const char* part;
+  const char* finer;
+  const char* coarser;
+};
+
+/// The pairs of Study 1 among results by name.
+std::vector<NamedPair> mechanics_pairs(const MechanicsRecord& mechanics) {
+  if (!mechanics.has_contact()) {
+    return {};
+  }
+  std::vector<NamedPair> pairs{{parts::mechanics_mesh, reference, companions::mesh},
+                               {parts::path, companions::mesh, companions::path},
+                               {parts::handover, reference, cells}};
+  if (mechanics.companions.contains(companions::thickness)) {
+    pairs.push_back({parts::mechanics_mesh, companions::thickness, companions::mesh});
+  }
+  return pairs;
+}
+
+/// The same with those of Study 2; `run` is the run itself.
+std::vector<NamedPair> all_pairs(const MechanicsRecord& mechanics) {
+  std::vector<NamedPair> pairs = mechanics_pairs(mechanics);
+  pairs.push_back({parts::transport_grid, run, grid});
+  pairs.push_back({parts::time_steps, grid, reference});
+  return pairs;
+}
+
+std::vector<ErrorPair> pairs_of(const std::vector<NamedPair>& names,
+                                const std::map<std::string, Signals>& results) {
+  std::vector<ErrorPair> pairs;
+  for (const NamedPair& pair : names) {
+    pairs.push_back({pair.part, &results.at(pair.finer), &results.at(pair.coarser)});
+  }
+  return pairs;
+}
+
+/// Nothing is stated rather than a part for the whole.
+ErrorEstimate no_estimate(const Signals& signals) {
+  ErrorEstimate estimate;
+  for (const readout::Metric& metric : signals.metrics) {
+    estimate.not_estimated[metric.name] = "Study 1 has no solution on a coarser mesh";
+  }
+  return estimate;
+}
+
+} // namespace
+
+ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanics,
+                              const electrochemistry::IonSolution& ions, const Signals& signals,
+                              int threads, base::Timers& timers) {
+  const base::Timers::Scope timer(timers, "error estimate");
+  if (mechanics.has_contact() && !has_companions(mechanics)) {
+    return no_estimate(signals);
+  }
+  const Case quiet = without_noise(input);
+  const CoarserRuns coarser(mechanics);
+  auto results = run_coarser<Signals>(
+      quiet, coarser.runs, threads,
+      [](const Case& own, const MechanicsRecord& record, const electrochemistry::IonSolution& its) {
+        return read_out(own, record, its, 1);
+      });
+  const bool noisy = input.readout.amplifier.noise_density > 0;
+  const Signals& base =
+      results.emplace(run, noisy ? read_out(quiet, mechanics, ions, threads) : signals)
+          .first->second;
+  const ErrorFloors floors{
+      path_floor(mechanics), charge_rounding * charge_scale(input, mechanics.history),
+      input.readout.sample_interval,
+      readout::in_tail(base.sampled, input.readout.sample_interval, mechanics.history.event_time)};
+  ErrorEstimate estimate = combine_errors(base, pairs_of(all_pairs(mechanics), results), floors);
+  estimate.not_converging = not_converging(input, signals);
+  return estimate;
+}
+
+std::vector<double> estimate_data_errors(const Case& input, const MechanicsRecord& mechanics,
+                                         const electrochemistry::IonSolution& ions,
+                                         const FitData& data, int threads) {
+  if (mechanics.has_contact() && !has_companions(mechanics)) {
+    return {};
+  }
+  const CoarserRuns coarser(mechanics);
+  auto results = run_coarser<std::vector<double>>(
+      input, coarser.runs, threads,
+      [&data](const Case&, const MechanicsRecord&, const electrochemistry::IonSolution& its) {
+        return predict(data, its);
+      });
+  results.emplace(run, predict(data, ions));
+  readout::SignalTable base;
+  base.columns = {{"time", "s", data.time}, {data.column, data.unit, results.at(run)}};
+  const auto table = [&](const char* name) {
+    readout::SignalTable other = base;
+    other.columns.back().values = results.at(name);
+    return other;
+  };
+  std::vector<double> errors(data.time.size(), 0.0);
+  for (const NamedPair& pair : all_pairs(mechanics)) {
+    const auto band = pair_band(base.columns.back().values, pair.part,
+                                table_difference(base, table(pair.finer), table(pair.coarser)),
+                                data.column, path_floor(mechanics));
+    for (std::size_t row = 0; row < errors.size(); ++row) {
+      errors[row] += band[row];
+    }
+  }
+  return errors;
+}
+
+ErrorEstimate estimate_mechanics_errors(const Case& input, const MechanicsRecord& mechanics,
+                                        const Signals& signals, int threads) {
+  if (!has_companions(mechanics)) {
+    return no_estimate(signals);
+  }
+  std::map<std::string, Signals> results{
+      {reference, signals}, {cells, read_out_mechanics(input, on_wider_cells(mechanics), threads)}};
+  for (const auto& [name, companion] : mechanics.companions) {
+    results.emplace(name, read_out_mechanics(input, *companion, threads));
+  }
+  ErrorEstimate estimate = combine_errors(signals, pairs_of(mechanics_pairs(mechanics), results),
+                                          {path_floor(mechanics)});
+  estimate.not_converging = not_converging(input, signals);
+  return estimate;
+}
+
+} // namespace ionskin::study

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/errors/error_parts.hpp"
+
+#include "ionskin/readout/metrics.hpp"
+#include "ionskin/readout/tail_current.hpp"
+#include "ionskin/study/errors/metric_neighbours.hpp"
+#include "ionskin/study/errors/signal_difference.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace ionskin::study {
+namespace {
+
+using readout::Metric;
+using readout::Signal;
+using readout::SignalTable;
+
+/// Rows on either side whose differences count for a row of a band: between two coarse solutions
+/// they change sign from row to row.
+constexpr std::ptrdiff_t band_reach = 2;
+
+// See `safety`.
+constexpr double mesh_safety = 1.3, verified_order = 1.8, richardson_safety = 2.0;
+
+const Metric* find_metric(const Signals& signals, const std::string& name) {
+  const auto found = std::ranges::find(signals.metrics, name, &Metric::name);
+  return found == signals.metrics.end() ? nullptr : &*found;
+}
+
+double value_of(const Signals& signals, const std::string& name) {
+  const Metric* metric = find_metric(signals, name);
+  return metric == nullptr ? std::nan("") : metric->value;
+}
+
+/// One pair on the rows of the run.
+struct PairDifference {
+  const ErrorPair* pair;
+  TableDifference resolved, sampled;
+  std::optional<TableDifference> taxels, circuit;
+};
+
+PairDifference difference_of(const Signals& base, const ErrorPair& pair) {
+  PairDifference result{&pair, resolved_difference(base.resolved, *pair.finer, *pair.coarser),
+                        table_difference(base.sampled, pair.finer->sampled, pair.coarser->sampled),
+                        std::nullopt, std::nullopt};
+  const auto optional_table = [&](std::optional<SignalTable> Signals::*table) {
+    const bool all = base.*table && pair.finer->*table && pair.coarser->*table;
+    return all ? std::optional(table_difference(*(base.*table), *(pair.finer->*table),
+                                                *(pair.coarser->*table)))
+               : std::nullopt;
+  };
+  result.taxels = optional_table(&Signals::taxels);
+  result.circuit = optional_table(&Signals::circuit);
+  return result;
+}
+
+/// Norm of the difference of a signal over that of the signal; 0 for one that no table has.
+double relative_norm(const PairDifference& difference, const std::string& signal) {
+  for (const TableDifference* table : {&difference.sampled, &difference.resolved,
+                                       difference.circuit ? &*difference.circuit : nullptr}) {
+    if (table != nullptr && table->relative_norm.contains(signal)) {
+      return table->relative_norm.at(signal);
+    }
+  }
+  return 0;
+}
+
+class MetricErrors {
+public:
+  MetricErrors(const Signals& base, const std::vector<PairDifference>& differences,
+               const ErrorFloors& floors)
+      : base_(base), differences_(differences), floors_(floors) {}
+
+  /// Absolute, by part.
+  std::map<std::string, double> parts(const Metric& metric) const {
+    std::map<std::string, double> result;
+    for (const PairDifference& difference : differences_) {
+      result[difference.pair->part] += part(metric, difference);
+    }
+    if (const auto path = result.find(error_parts::path); path != result.end()) {
+      path->second = std::max(path->second, floors_.path * std::abs(metric.value));
+    }
+    if (const double left = rounding(metric); left > 0) {
+      result[error_parts::rounding] = left;
+    }
+    return result;
+  }
+
+  /// What rounding of the charges may leave in a current: over a readout interval, or over the
+  /// shortest step for what is resolved.
+  double rounding(const Metric& metric) const {
+    if (metric.unit == "C") {
+      return floors_.charge;
+    }
+    if (metric.unit != "A") {
+      return 0;
+    }
+    const std::vector<double>& time = base_.resolved.column("time").values;
+    double shortest = floors_.sample_interval;
+    for (std::size_t row = 1; row < time.size(); ++row) {
+      shortest = std::min(shortest, time[row] - time[row - 1]);
+    }
+    if (metric.name.starts_with("peak_sampled") || metric.name.starts_with("tail")) {
+      return floors_.charge / floors_.sample_interval;
+    }
+    const double span = metric.name.starts_with("rms")
+                            ? std::sqrt(shortest * (time.back() - time.front()))
+                            : shortest;
+    return floors_.charge / span;
+  }
+
+private:
+  double own(const std::string& name, const PairDifference& difference) const {
+    if (name == "tail_current_difference") {
+      return readout::tail_rms(difference.sampled.table.column("current_difference").values,
+                               floors_.tail);
+    }
+    return std::abs(value_of(*difference.pair->coarser, name) -
+                    value_of(*difference.pair->finer, name));
+  }
+
+  double part(const Metric& metric, const PairDifference& difference) const {
+    double largest = own(metric.name, difference);
+    const auto at_least = [&largest](double other) {
+      largest = std::isnan(largest) || std::isnan(other) ? std::nan("") : std::max(largest, other);
+    };
+    const double value = std::abs(metric.value);
+    for (const std::string& signal : related_signals(metric.name)) {
+      at_least(value * relative_norm(difference, signal));
+    }
+    for (const std::string& name : related_metrics(metric.name)) {
+      const double other = std::abs(value_of(base_, name));
+      if (other > 0) {
+        at_least(value * own(name, difference) / other);
+      }
+    }
+    return safety(difference.pair->part) * largest;
+  }
+
+  const Signals& base_;
+  const std::vector<PairDifference>& differences_;
+  const ErrorFloors& floors_;
+};
+
+/// Largest magnitude within the reach of a row.
+double largest_nearby(const std::vector<double>& values, std::size_t row) {
+  double largest = 0;
+  const auto at = static_cast<std::ptrdiff_t>(row);
+  const auto count = static_cast<std::ptrdiff_t>(values.size());
+  for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, at - band_reach);
+       i < std::min(count, at + band_reach + 1); ++i) {
+    largest = std::fmax(largest, std::abs(values[static_cast<std::size_t>(i)]));
+  }
+  return largest;
+}
+
+/// Half a width of each column's band per row; `time` stays.
+SignalTable band(const SignalTable& base, const std::vector<PairDifference>& differences,
+                 const std::function<const TableDifference*(const PairDifference&)>& table_of,
+                 double path_floor) {
+  SignalTable result = base;
+  for (Signal& column : result.columns) {
+    if (column.name == "time") {
+      continue;
+    }
+    const std::vector<double> values =
+        std::exchange(column.values, std::vector<double>(column.values.size(), 0.0));
+    for (const PairDifference& pair : differences) {
+      if (const TableDifference* table = table_of(pair)) {
+        const auto part = pair_band(values, pair.pair->part, *table, column.name, path_floor);
+        for (std::size_t row = 0; row < values.size(); ++row) {
+          column.values[row] += part[row];
+        }
+      }
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+double safety(const std::string& part) {
+  if (part == error_parts::transport_grid || part == error_parts::time_steps) {
+    return richardson_safety / (std::pow(2.0, verified_order) - 1);
+  }
+  return part == error_parts::mechanics_mesh ? mesh_safety : 1;
+}
+
+std::vector<double> pair_band(const std::vector<double>& values, const std::string& part,
+                              const TableDifference& difference, const std::string& column,
+                              double path_floor) {
+  const std::vector<double>& gaps = difference.table.column(column).values;
+  const double norm = difference.relative_norm.at(column), factor = safety(part);
+  const double least = part == error_parts::path ? path_floor : 0.0;
+  std::vector<double> result;
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    const double size = std::abs(values[row]);
+    result.push_back(
+        std::isnan(size)
+            ? size
+            : std::max(factor * std::max(largest_nearby(gaps, row), norm * size), least * size));
+  }
+  return result;
+}
+
+ErrorEstimate combine_errors(const Signals& base, const std::vector<ErrorPair>& pairs,
+                             const ErrorFloors& floors) {
+  std::vector<PairDifference> differences;
+  for (const ErrorPair& pair : pairs) {
+    differences.push_back(difference_of(base, pair));
+  }
+  const MetricErrors errors(base, differences, floors);
+  ErrorEstimate estimate;
+  for (const Metric& metric : base.metrics) {
+    if (is_audit(metric.name)) {
+      estimate.not_estimated[metric.name] =
+          "it is an audit of the solution, no quantity of the skin";
+      continue;
+    }
+    const auto parts = errors.parts(metric);
+    double sum = 0;
+    for (const auto& [part, error] : parts) {
+      sum += error;
+    }
+    if (!std::isfinite(sum) || !std::isfinite(metric.value)) {
+      estimate.not_estimated[metric.name] = not_a_number;
+    } else if (metric.unit == "A" && std::abs(metric.value) <= errors.rounding(metric)) {
+      estimate.not_estimated[metric.name] = "rounding alone makes it";
+    } else {
+      estimate.parts[metric.name] = parts;
+      if (metric.value != 0) {
+        estimate.relative[metric.name] = sum / std::abs(metric.value);
+      }
+    }
+  }
+  estimate.signals = band(
+      base.resolved, differences, [](const auto& pair) { return &pair.resolved; }, floors.path);
+  estimate.sampled = band(
+      base.sampled, differences, [](const auto& pair) { return &pair.sampled; }, floors.path);
+  const auto optional_band = [&](const std::optional<SignalTable>& table,
+                                 std::optional<TableDifference> PairDifference::*of) {
+    return table
+               ? std::optional(band(
+                     *table, differences,
+                     [of](const PairDifference& pair) { return pair.*of ? &*(pair.*of) : nullptr; },
+                     floors.path))
+               : std::nullopt;
+  };
+  estimate.taxels = optional_band(base.taxels, &PairDifference::taxels);
+  estimate.circuit = optional_band(base.circuit, &PairDifference::circuit);
+  return estimate;
+}
+
+} // namespace ionskin::study

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/readout/signals.hpp"
+#include "ionskin/study/errors/signal_difference.hpp"
+#include "ionskin/study/errors/stated_errors.hpp"
+#include "ionskin/study/stations/read_out.hpp"
+
+#include <string>
+#include <vector>
+
+namespace ionskin::study {
+
+/// Names of the parts of a stated error.
+namespace error_parts {
+inline constexpr const char* mechanics_mesh = "mechanics_mesh";
+inline constexpr const char* path = "path";
+inline constexpr const char* handover = "handover";
+inline constexpr const char* transport_grid = "transport_grid";
+inline constexpr const char* time_steps = "time_steps";
+inline constexpr const char* rounding = "rounding";
+} // namespace error_parts
+
+/// What the differences of a part are multiplied with: 1; 0.8 for grid and time steps of the ion
+/// transport, which is twice what Richardson's extrapolation makes of them at the order of 1.8 that
+/// `ionskin verify` asserts (E3); and 1.3 for the mesh of the mechanics.
+/// Two meshes cannot tell their order of convergence: the difference is the error when it is 1, and
+/// too little when it is less. 1.3 is measured (benchmarks/error_coverage.py, preset coarse).
+double safety(const std::string& part);
+
+/// Reason that a metric whose estimate is NaN or infinite has none.
+inline constexpr const char* not_a_number = "its estimate is no number";
+
+/// Results at two degrees of one numerical choice, all else alike: what it leaves is their
+/// difference.
+struct ErrorPair {
+  std::string part;
+  const Signals* finer = nullptr;
+  const Signals* coarser = nullptr;
+};
+
+/// What beside the pairs decides the errors.
+struct ErrorFloors {
+  double path = 0;            ///< of interpolation and residuals of the contact, relative [1]
+  double charge = 0;          ///< what rounding may leave in a charge [C]; 0 without currents
+  double sample_interval = 0; ///< of the readout [s]
+  std::vector<bool> tail;     ///< rows of the sampled table outside the contact spikes
+};
+
+/// Half the width of the band that one pair makes about the values of a column, per row; NaN where
+/// there is no value.
+/// @param path_floor least width of the part `path` over the value [1]
+std::vector<double> pair_band(const std::vector<double>& values, const std::string& part,
+                              const TableDifference& difference, const std::string& column,
+                              double path_floor);
+
+/// Sums the pairs up. A part of a metric is the largest of its own difference, that of its
+/// neighbours and the norm of the difference of its signal over the run, so that a difference that
+/// happens to vanish is not taken for none. What is no number is not estimated.
+ErrorEstimate combine_errors(const Signals& base, const std::vector<ErrorPair>& pairs,
+                             const ErrorFloors& floors);
+
+} // namespace ionskin::study

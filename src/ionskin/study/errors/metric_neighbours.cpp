@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/errors/metric_neighbours.hpp"
+
+#include "ionskin/study/errors/error_parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace ionskin::study {
+namespace {
+
+/// A metric whose name holds the first goes with the signal of the second; the first that fits.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 16> signal_of{{
+    {"current_top", "current_top"},
+    {"current_bottom", "current_bottom"},
+    {"current_difference", "current_difference"},
+    {"current_common", "current_common"},
+    {"amplifier", "current_difference"},
+    {"charge_top", "charge_top"},
+    {"charge_bottom", "charge_bottom"},
+    {"voltage", "voltage"},
+    {"tangential_force", "tangential_force"},
+    {"normal_force", "normal_force"},
+    {"first_moment", "shear_first_moment"},
+    {"p99_shear", "p99_shear"},
+    {"p95_shear", "rms_shear"},
+    {"element_max_shear", "p99_shear"},
+    {"electrode_membrane_stress", "p99_shear"},
+    {"nonlinearity", "p99_shear"},
+}};
+
+struct Neighbours {
+  std::string_view metric;
+  std::vector<std::string> others;
+};
+
+/// What happens at one place and instant errs together; an upper percentile errs as what lies below
+/// and above it.
+const std::array<Neighbours, 7> neighbours{{
+    {"contact_area_slide", {"mean_pressure_slide"}},
+    {"mean_pressure_slide", {"contact_area_slide"}},
+    {"external_work", {"friction_work"}},
+    {"friction_work", {"external_work"}},
+    {"p95_shear_slide", {"p99_shear_slide"}},
+    {"p99_shear_slide", {"p95_shear_slide", "element_max_shear_slide"}},
+    {"nonlinearity", {"p95_shear_slide", "element_max_shear_slide"}},
+}};
+
+} // namespace
+
+bool is_audit(const std::string& metric) {
+  return metric.ends_with("_residual") || metric.ends_with("_error");
+}
+
+std::vector<std::string> related_signals(const std::string& metric) {
+  const auto found = std::ranges::find_if(
+      signal_of, [&](const auto& entry) { return metric.find(entry.first) != std::string::npos; });
+  return {found == signal_of.end() ? "mean_shear" : std::string(found->second)};
+}
+
+std::vector<std::string> related_metrics(const std::string& metric) {
+  const auto found = std::ranges::find(neighbours, metric, &Neighbours::metric);
+  return found == neighbours.end() ? std::vector<std::string>{} : found->others;
+}
+
+} // namespace ionskin::study

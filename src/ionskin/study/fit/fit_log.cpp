@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/fit/fit_log.hpp"
+
+#include "ionskin/base/digest.hpp"
+#include "ionskin/base/error.hpp"
+#include "ionskin/base/files/atomic_file.hpp"
+#include "ionskin/base/files/sealed_file.hpp"
+#include "ionskin/results/hdf5/foreign_hdf5_file.hpp"
+
+#include <utility>
+
+namespace ionskin::study {
+namespace {
+
+constexpr const char* extension = ".h5";
+constexpr const char* failure_name = "failure";
+const std::string place = std::string(results::file_names::evaluations) + "/";
+
+bool is_evaluation(const std::string& name) {
+  return name.starts_with(place) && name.ends_with(extension);
+}
+
+FitAnswer read_answer(const results::ForeignHdf5File& file) {
+  if (const auto failure = file.text_attribute("/", failure_name)) {
+    return {std::nullopt, *failure};
+  }
+  return {file.read("/answer"), ""};
+}
+
+} // namespace
+
+FitLog::FitLog(results::OutputFolder& folder) : folder_(folder) {
+  for (const std::string& name : folder_.owned()) {
+    if (is_evaluation(name)) {
+      take_up(folder_.file(name));
+    }
+  }
+  taken_up_ = answers_.size();
+}
+
+void FitLog::take_up(const std::filesystem::path& path) {
+  if (base::check_seal(path) != base::SealState::whole) {
+    return; // Damaged, as by a power cut, or of another build: it is solved again.
+  }
+  try {
+    const results::ForeignHdf5File file(path);
+    answers_[file.read("/point")] = read_answer(file);
+  } catch (const UserError&) {
+    // Not what it seems: it is solved again.
+  }
+}
+
+std::optional<FitAnswer> FitLog::find(const std::vector<double>& point) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = answers_.find(point);
+  return found == answers_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void FitLog::add(const std::vector<double>& point, const FitAnswer& answer) {
+  const std::lock_guard lock(mutex_);
+  answers_[point] = answer;
+  const std::string name = place + base::DigestBuilder().add(point).finish().hex() + extension;
+  base::PendingFile pending(folder_.own(name));
+  results::Hdf5File file(pending.path(), results::Hdf5File::Access::create);
+  file.write("/point", point);
+  if (answer.values) {
+    file.write("/answer", *answer.values);
+  } else {
+    file.set_attribute("/", failure_name, answer.failure);
+  }
+  file.close();
+  base::seal(pending.path());
+  pending.commit();
+}
+
+void FitLog::remove() {
+  for (const std::string& name : folder_.owned()) {
+    if (is_evaluation(name)) {
+      folder_.remove(name);
+    }
+  }
+  std::error_code ignored; // only an empty folder goes
+  std::filesystem::remove(folder_.file(results::file_names::evaluations), ignored);
+}
+
+} // namespace ionskin::study

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/fit/fit_model.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/case/reading/read_case.hpp"
+#include "ionskin/case/schema/schema.hpp"
+#include "ionskin/case/schema/suggest_key.hpp"
+#include "ionskin/electrochemistry/equations/space_charge.hpp"
+#include "ionskin/electrochemistry/equations/wall_potential.hpp"
+#include "ionskin/electrochemistry/ion_transport.hpp"
+#include "ionskin/mechanics/solve_contact.hpp"
+#include "ionskin/parallel/task_pool.hpp"
+#include "ionskin/results/strain_file/strain_file.hpp"
+#include "ionskin/study/errors/error_estimate.hpp"
+#include "ionskin/study/run/run_folder.hpp"
+#include "ionskin/study/run/solve_mechanics.hpp"
+#include "ionskin/study/run/user_cache.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ionskin::study {
+namespace {
+
+[[noreturn]] void refuse(const std::string& key, const std::string& problem,
+                         const std::string& remedy) {
+  throw UserError(fmt::format("--free {}: {}\n  = {}", key, problem, remedy));
+}
+
+[[noreturn]] void refuse_unknown(const std::string& key) {
+  const std::string nearest = suggest_key(key);
+  refuse(key, "unknown key",
+         nearest.empty() ? "ionskin check CASE.toml --explain lists the keys of a case"
+                         : fmt::format("did you mean {}?", nearest));
+}
+
+/// The magnitudes that a key's range allows to the sign of its value.
+void set_bounds(const Range& range, FitParameter& parameter) {
+  const bool positive = parameter.start > 0;
+  const double near = positive ? range.lower : -range.upper;
+  const double far = positive ? range.upper : -range.lower;
+  parameter.lowest = std::max(0.0, near);
+  parameter.highest = far;
+}
+
+FitParameter make_parameter(const CaseDocument& document, const std::string& key) {
+  const SchemaRow* row = find_row(key_pattern(key));
+  if (row == nullptr) {
+    refuse_unknown(key);
+  }
+  if (row->type != ValueType::number && row->type != ValueType::quantity) {
+    refuse(key, "only single real numbers can be fitted", "leave it out");
+  }
+  if (key == "readout.sample_interval" || key.starts_with("numerics.")) {
+    refuse(key, "it says how to compute, not what", "leave it out");
+  }
+  const ValueRecord* record = document.find(key);
+  if (record == nullptr) {
+    refuse(key, "it has no value in this case", "give it one to start from");
+  }
+  FitParameter parameter{key, units::dimension_info(record->value.dimension).si_unit,
+                         record->value.numbers.front()};
+  if (parameter.start == 0) {
+    refuse(key, "a fit cannot start from 0", "give it a value of the sign and size to expect");
+  }
+  set_bounds(row->range, parameter);
+  return parameter;
+}
+
+} // namespace
+
+FitModel::FitModel(std::string text, std::string path, std::vector<std::string> set_edits,
+                   const std::vector<std::string>& free, FitModelOptions options)
+    : path_(std::move(path)), text_(std::move(text)), set_edits_(std::move(set_edits)),
+      options_(std::move(options)) {
+  const CaseDocument document = read_case_text(text_, path_, set_edits_);
+  start_case_ = document.input;
+  start_case_.output.fields.clear();
+  if (free.empty()) {
+    throw UserError("the fit has no free key\n  = write --free KEY,KEY such as --free "
+                    "coupling.coefficient,electrochemistry.diffusivity");
+  }
+  for (const std::string& key : free) {
+    if (std::ranges::any_of(parameters_, [&](const auto& one) { return one.key == key; })) {
+      refuse(key, "it is named twice", "name it once");
+    }
+    parameters_.push_back(make_parameter(document, key));
+  }
+  RunOptions cache_options;
+  cache_options.use_cache = options_.use_cache;
+  cache_ = open_user_cache(cache_options);
+}
+
+Case FitModel::case_at(const std::vector<double>& values) const {
+  std::vector<std::string> edits = set_edits_;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const FitParameter& parameter = parameters_[i];
+    edits.push_back(parameter.unit == "1"
+                        ? fmt::format("{}={}", parameter.key, values[i])
+                        : fmt::format("{}={} {}", parameter.key, values[i], parameter.unit));
+  }
+  return read_case_text(text_, path_, edits).input;
+}
+
+FitModel::Mechanics FitModel::mechanics_of(const Case& input) {
+  const std::lock_guard lock(mechanics_mutex_);
+  const bool from_file = input.strain.kind == StrainSourceKind::file;
+  Mechanics& known = mechanics_[from_file ? input.strain.file : mechanics_hash(input)];
+  if (known) {
+    return known;
+  }
+  MechanicsRecord record;
+  if (from_file) {
+    record.history = results::read_strain_file(input.strain.file, input.skin);
+  } else {
+    base::Timers timers;
+    mechanics::ContactOptions contact_options;
+    contact_options.threads = options_.threads;
+    contact_options.cache = cache_.get();
+    contact_options.progress = options_.progress;
+    record = make_mechanics_record(input, mechanics::solve_contact(input, contact_options, timers));
+    ++mechanics_solves_;
+  }
+  known = std::make_shared<const MechanicsRecord>(std::move(record));
+  return known;
+}
+
+std::pair<double, double> FitModel::span() {
+  if (start_case_.strain.kind == StrainSourceKind::contact) {
+    return {0.0, start_case_.motion.cycles * start_case_.motion.cycle_duration()};
+  }
+  const std::vector<double>& time = mechanics_of(start_case_)->history.time;
+  return {time.front(), time.back()};
+}
+
+FitModel::Ions FitModel::solve(const std::vector<double>& values, int threads) {
+  Case input = case_at(values);
+  input.output.fields.clear();
+  const Mechanics mechanics = mechanics_of(input);
+  electrochemistry::check_fixed_charge(input, mechanics->history);
+  electrochemistry::check_net_charge(input, mechanics->history);
+  base::Timers timers;
+  electrochemistry::IonOptions ion_options;
+  ion_options.threads = threads;
+  return std::make_shared<const electrochemistry::IonSolution>(
+      electrochemistry::solve_ion_transport(input, mechanics->history, ion_options, timers));
+}
+
+std::vector<double> FitModel::errors(const FitData& data, const std::vector<double>& point) {
+  Case input = case_at(point);
+  input.output.fields.clear();
+  MechanicsRecord mechanics = *mechanics_of(input);
+  if (mechanics.has_contact()) {
+    mechanics::ContactOptions contact_options;
+    contact_options.threads = options_.threads;
+    contact_options.cache = cache_.get();
+    add_companions(input, contact_options, mechanics);
+  }
+  return estimate_data_errors(input, mechanics, *solve(point, options_.threads), data,
+                              options_.threads);
+}
+
+std::optional<FitAnswer> FitModel::known_answer(const FitData& data,
+                                                const std::vector<double>& point) const {
+  if (log_ != nullptr) {
+    return log_->find(point);
+  }
+  if (const auto failed = failures_.find(point); failed != failures_.end()) {
+    return FitAnswer{std::nullopt, failed->second};
+  }
+  const auto solved = solutions_.find(point);
+  return solved == solutions_.end() ? std::nullopt
+                                    : std::optional(FitAnswer{predict(data, *solved->second), ""});
+}
+
+void FitModel::find_answer(const FitData& data, const std::vector<double>& point, int threads) {
+  FitAnswer answer;
+  Ions ions;
+  try {
+    ions = solve(point, threads);
+    answer.values = predict(data, *ions);
+  } catch (const SolverError& error) {
+    answer.failure = fmt::format("{}; {}", error.what(), error.remedy());
+  } catch (const UserError& error) { // the start was checked: these values do not fit together
+    answer.failure = error.what();
+  }
+  if (log_ != nullptr) { // holds what the data need; other data have another log
+    log_->add(point, answer);
+    return;
+  }
+  const std::lock_guard lock(answers_mutex_);
+  if (ions) {
+    solutions_[point] = ions;
+  } else {
+    failures_[point] = answer.failure;
+  }
+}
+
+std::vector<std::optional<std::vector<double>>>
+FitModel::answers(const FitData& data, const std::vector<std::vector<double>>& points) {
+  std::vector<std::vector<double>> missing;
+  for (const auto& point : points) {
+    if (!known_answer(data, point) && std::ranges::find(missing, point) == missing.end()) {
+      missing.push_back(point);
+    }
+  }
+  // Of all points: whichever are known already, a solution is worked the same way.
+  const int each = std::max(1, options_.threads / std::max(1, static_cast<int>(points.size())));
+  parallel::run_tasks(missing.size(), options_.threads,
+                      [&](std::size_t i) { find_answer(data, missing[i], each); });
+  ion_solves_ += missing.size();
+  std::vector<std::optional<std::vector<double>>> result;
+  for (const auto& point : points) {
+    FitAnswer answer = known_answer(data, point).value();
+    if (!answer.values) {
+      last_failure_ = answer.failure;
+    }
+    result.push_back(std::move(answer.values));
+  }
+  return result;
+}
+
+} // namespace ionskin::study

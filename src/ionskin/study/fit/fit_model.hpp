@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/base/files/disk_cache.hpp"
+#include "ionskin/base/progress.hpp"
+#include "ionskin/case/case.hpp"
+#include "ionskin/study/fit/fit_log.hpp"
+#include "ionskin/study/store/fit_data.hpp"
+#include "ionskin/study/store/mechanics_record.hpp"
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ionskin::study {
+
+/// One key that a fit varies, in SI units. It keeps its sign: the fit works on the logarithm of its
+/// magnitude.
+struct FitParameter {
+  std::string key, unit;
+  double start = 0;
+  double lowest = 0, highest = 0; ///< of the magnitude, within the key's range
+};
+
+struct FitModelOptions {
+  int threads = 1;
+  bool use_cache = true; ///< of condensed slider positions
+  base::ProgressCallback progress = base::no_progress;
+};
+
+/// A case as a function of a few of its numbers. Study 1 is solved once for all values that leave
+/// it the same; every answer is kept. For one thread at a time, which works with several.
+class FitModel {
+public:
+  /// @param text, path, set_edits the case; the path names it and anchors the files it names
+  /// @param free keys of single real numbers that are not 0
+  /// Throws UserError for another key, and for everything that is wrong with the case.
+  FitModel(std::string text, std::string path, std::vector<std::string> set_edits,
+           const std::vector<std::string>& free, FitModelOptions options);
+
+  const std::vector<FitParameter>& parameters() const { return parameters_; }
+  const Case& start_case() const { return start_case_; }
+  /// The case at other values of the parameters.
+  Case case_at(const std::vector<double>& values) const;
+
+  /// First and last instant of the run [s].
+  std::pair<double, double> span();
+
+  /// Every answer from now on goes into the log, and what stands there is not solved again.
+  /// @param log of one and the same data; must outlive the model's answers
+  void keep_answers_in(FitLog& log) { log_ = &log; }
+
+  /// What the data would be, for each point; empty where there is no solution.
+  /// @param points one value per parameter each, in SI units
+  /// Throws Interrupted.
+  std::vector<std::optional<std::vector<double>>>
+  answers(const FitData& data, const std::vector<std::vector<double>>& points);
+
+  /// Half the width of the band of numerical errors about an answer, one entry per row of the data;
+  /// empty where they are not estimated. Solves the companions of Study 1: for the end of a fit.
+  /// Throws SolverError, Interrupted.
+  std::vector<double> errors(const FitData& data, const std::vector<double>& point);
+
+  std::size_t ion_solves() const { return ion_solves_; }
+  std::size_t evaluations_taken_up() const { return log_ != nullptr ? log_->taken_up() : 0; }
+  std::size_t mechanics_solves() const { return mechanics_solves_; }
+  /// Why there was none at last; empty when there always was.
+  const std::string& last_failure() const { return last_failure_; }
+
+private:
+  using Mechanics = std::shared_ptr<const MechanicsRecord>;
+  using Ions = std::shared_ptr<const electrochemistry::IonSolution>;
+
+  Mechanics mechanics_of(const Case& input);
+  Ions solve(const std::vector<double>& values, int threads);
+  std::optional<FitAnswer> known_answer(const FitData& data,
+                                        const std::vector<double>& point) const;
+  void find_answer(const FitData& data, const std::vector<double>& point, int threads);
+
+  std::string path_, text_;
+  std::vector<std::string> set_edits_;
+  FitModelOptions options_;
+  Case start_case_;
+  std::vector<FitParameter> parameters_;
+  std::unique_ptr<base::DiskCache> cache_;
+  std::mutex mechanics_mutex_;
+  std::map<std::string, Mechanics> mechanics_;          ///< by `mechanics_hash`
+  std::map<std::vector<double>, Ions> solutions_;       ///< by the parameters
+  std::map<std::vector<double>, std::string> failures_; ///< likewise
+  std::mutex answers_mutex_;
+  FitLog* log_ = nullptr;
+  std::size_t ion_solves_ = 0, mechanics_solves_ = 0;
+  std::string last_failure_;
+};
+
+} // namespace ionskin::study

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/run/report.hpp"
+
+#include "ionskin/study/run/python_module.hpp"
+
+#include <fmt/core.h>
+
+namespace ionskin::study {
+namespace {
+
+std::string reason_of(const PythonOutcome& outcome) {
+  if (outcome.message.empty()) {
+    return outcome.exit_code < 0 ? python_interpreter() + " cannot be started or was ended"
+                                 : fmt::format("its script ended with {}", outcome.exit_code);
+  }
+  return outcome.message;
+}
+
+/// @param product, again what the module makes and how to ask for it again, for messages
+std::optional<std::string> draw(const std::string& module, const std::filesystem::path& folder,
+                                const std::string& product, const std::string& again) {
+  const PythonOutcome outcome =
+      run_python_module(module, {folder.string()}, PythonErrors::captured);
+  if (outcome.exit_code == 0) {
+    return std::nullopt;
+  }
+  const bool not_installed = outcome.lacks_library() || outcome.exit_code < 0;
+  return fmt::format(
+      "No {} was made: {}. The results do not depend on it. Remedy: {}, then {}", product,
+      reason_of(outcome),
+      not_installed ? "install python3-numpy, python3-h5py, python3-matplotlib and python3-jinja2 "
+                      "(ionskin doctor says what is missing)"
+                    : "mend what the reason names",
+      again);
+}
+
+} // namespace
+
+std::optional<std::string> make_report(const std::filesystem::path& folder) {
+  return draw("ionskin.report", folder, "report", "run: ionskin report " + folder.string());
+}
+
+std::optional<std::string> draw_impedance(const std::filesystem::path& folder) {
+  return draw("ionskin.impedance", folder, "figure", "give the command again with --overwrite");
+}
+
+std::optional<std::string> draw_fit(const std::filesystem::path& folder) {
+  return draw("ionskin.fit_figure", folder, "figure", "give the command again with --overwrite");
+}
+
+} // namespace ionskin::study

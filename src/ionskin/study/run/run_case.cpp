@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/run/run_case.hpp"
+
+#include "ionskin/base/digest.hpp"
+#include "ionskin/base/error.hpp"
+#include "ionskin/base/largest.hpp"
+#include "ionskin/base/timers.hpp"
+#include "ionskin/case/checks/check_sizes.hpp"
+#include "ionskin/electrochemistry/equations/space_charge.hpp"
+#include "ionskin/electrochemistry/equations/wall_potential.hpp"
+#include "ionskin/electrochemistry/ion_transport.hpp"
+#include "ionskin/planning/resources.hpp"
+#include "ionskin/results/output_folder.hpp"
+#include "ionskin/study/errors/error_estimate.hpp"
+#include "ionskin/study/run/run_folder.hpp"
+#include "ionskin/study/run/solve_mechanics.hpp"
+#include "ionskin/study/run/user_cache.hpp"
+#include "ionskin/study/run/warnings.hpp"
+#include "ionskin/study/run/write_outputs.hpp"
+#include "ionskin/study/stations/audits.hpp"
+#include "ionskin/study/stations/given_strain.hpp"
+#include "ionskin/study/stations/read_out.hpp"
+#include "ionskin/study/store/checkpoint_file.hpp"
+#include "ionskin/study/store/mechanics_cache.hpp"
+#include "ionskin/study/store/mechanics_file.hpp"
+#include "ionskin/study/store/mechanics_record.hpp"
+
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace ionskin::study {
+namespace {
+
+using electrochemistry::IonSolution;
+
+std::optional<GivenStrain> strain_from_file(const Case& input, const RunOptions& options) {
+  if (input.strain.kind != StrainSourceKind::file) {
+    return std::nullopt;
+  }
+  if (options.studies == Studies::mechanics) {
+    throw UserError(
+        "--only mechanics has nothing to do: strain.source = \"file\" gives the strain\n"
+        "  = leave out --only, or set strain.source = \"contact\"");
+  }
+  return read_given_strain(input);
+}
+
+MechanicsRecord record_of(GivenStrain given) {
+  MechanicsRecord record;
+  record.history = std::move(given.history);
+  return record;
+}
+
+/// What an earlier run left of Study 1 in its folder; damage that its seal does not tell, as of a
+/// write that failed unnoticed, is solved again.
+std::optional<MechanicsRecord> left_mechanics(const Case& input, const std::string& hash,
+                                              const std::filesystem::path& path,
+                                              RunFolder& folder) {
+  if (!folder.holds(results::file_names::results)) {
+    return std::nullopt;
+  }
+  try {
+    return read_mechanics(path, hash, input.skin);
+  } catch (const UserError& error) {
+    folder.note(std::string("The mechanics is solved again: ") + error.what());
+    return std::nullopt;
+  }
+}
+
+/// Case -> SkinMesh -> ContactSolution -> CoreHistory, or what an earlier run left of it in its
+/// folder or in the cache.
+MechanicsRecord study_1(const Case& input, const RunOptions& options, base::DiskCache* cache,
+                        RunFolder& folder, base::Timers& timers) {
+  const auto results_path = folder.own(results::file_names::results);
+  const std::string hash = mechanics_hash(input);
+  if (auto record = left_mechanics(input, hash, results_path, folder)) {
+    folder.keep_finished("strain");
+    return *record;
+  }
+  if (options.studies == Studies::electrochemistry) {
+    throw UserError(folder.path().string() +
+                    " holds no finished mechanics of this case, which "
+                    "--only electrochemistry takes up: run without --only, or with "
+                    "--only mechanics, first");
+  }
+  if (cache != nullptr) {
+    const double begin = base::wall_time();
+    if (auto record = recall_mechanics(*cache, hash, input.skin, results_path)) {
+      folder.add_finished("strain", base::wall_time() - begin);
+      return *record;
+    }
+  }
+  const auto solved = folder.stage("mechanics", [&] {
+    mechanics::ContactOptions contact_options;
+    contact_options.threads = options.threads;
+    contact_options.progress = options.progress;
+    contact_options.cache = cache;
+    return std::move(
+        solve_mechanics(input, {input.contact.friction}, contact_options, timers).front());
+  });
+  return folder.stage("strain", [&] {
+    options.progress("strain history", 0.0);
+    MechanicsRecord record = record_mechanics(input, solved);
+    const std::size_t own_warnings = record.warnings.size();
+    if (cache != nullptr) {
+      for (std::string& note : cache->take_notes()) {
+        record.warnings.push_back(std::move(note));
+      }
+    }
+    write_mechanics(results_path, hash, record);
+    if (cache != nullptr && record.warnings.size() == own_warnings) {
+      keep_mechanics(*cache, hash, results_path);
+    }
+    options.progress("strain history", 1.0);
+    return record;
+  });
+}
+
+/// Of everything that decides Study 2: another strain, as of mechanics that were solved again,
+/// makes what was computed from the first one worthless.
+std::string transport_hash(const std::string& input_hash, const history::CoreHistory& history) {
+  base::DigestBuilder builder;
+  builder.add(std::string_view(input_hash)).add(history.time).add(history.slider_x);
+  for (const history::HistoryChannel& channel : history.channels) {
+    builder.add(std::string_view(channel.name));
+    const history::StrainField* last = nullptr;
+    for (const auto& field : channel.samples) {
+      builder.add(field.get() == last);
+      if (field.get() != last) {
+        builder.add(*field);
+      }
+      last = field.get();
+    }
+  }
+  return builder.finish().hex();
+}
+
+/// CoreHistory -> IonSolution, from the beginning or from a checkpoint; the last checkpoint is
+/// the end, and stays until the whole run is finished.
+IonSolution study_2(const Case& input, const RunOptions& options, RunFolder& folder,
+                    const history::CoreHistory& history, base::Timers& timers) {
+  const auto checkpoint_path = folder.own(results::file_names::checkpoint);
+  const std::string hash = transport_hash(folder.manifest().input_hash, history);
+  electrochemistry::IonOptions ion_options;
+  ion_options.threads = options.threads;
+  ion_options.progress = options.progress;
+  ion_options.snapshot_times = input.output.fields;
+  ion_options.checkpoint = [&](const electrochemistry::IonCheckpoint& checkpoint) {
+    write_checkpoint(checkpoint_path, hash, checkpoint);
+  };
+  if (options.resume && folder.holds(results::file_names::checkpoint)) {
+    ion_options.resume = read_checkpoint(checkpoint_path, hash);
+  }
+  return folder.stage("electrochemistry", [&] {
+    electrochemistry::check_fixed_charge(input, history);
+    electrochemistry::check_net_charge(input, history);
+    return electrochemistry::solve_ion_transport(input, history, ion_options, timers);
+  });
+}
+
+/// A run keeps its results where their error cannot be estimated.
+void add_errors(const Case& input, const MechanicsRecord& mechanics, const RunOptions& options,
+                base::Timers& timers, RunOutputs& outputs) {
+  options.progress("error estimate", 0.0);
+  try {
+    outputs.errors = outputs.ions ? estimate_errors(input, mechanics, *outputs.ions,
+                                                    outputs.signals, options.threads, timers)
+                                  : estimate_mechanics_errors(input, mechanics, outputs.signals,
+                                                              options.threads);
+    for (std::string& warning : error_warnings(input, outputs.errors)) {
+      outputs.warnings.push_back(std::move(warning));
+    }
+  } catch (const SolverError& error) {
+    outputs.warnings.push_back(
+        std::string("The error of the currents is not estimated: on a mesh of twice the size ") +
+        error.what() + ".");
+    outputs.errors = estimate_mechanics_errors(input, mechanics, outputs.signals, options.threads);
+  }
+  options.progress("error estimate", 1.0);
+}
+
+/// Strains are taken as small by the contact problem; those of a file are as they are.
+std::vector<readout::Metric> audited_metrics(const MechanicsRecord& mechanics,
+                                             const Signals& signals) {
+  std::vector<readout::Metric> metrics = signals.metrics;
+  if (mechanics.has_contact()) {
+    double largest = 0;
+    for (const double shear : signals.resolved.column("p99_shear").values) {
+      largest = base::larger(largest, std::abs(shear));
+    }
+    metrics.push_back({"largest_p99_shear", largest, "1"});
+  }
+  return metrics;
+}
+
+/// Nothing is missing of what these studies give, but for the report perhaps.
+bool has_finished(const RunFolder& folder, const RunOptions& options) {
+  return options.resume && folder.is_complete() &&
+         (options.studies == Studies::mechanics || folder.was_finished("electrochemistry"));
+}
+
+} // namespace
+
+RunOutcome run_case(const Case& input, const RunOptions& options) {
+  const double start = base::wall_time();
+  auto given_strain = strain_from_file(input, options);
+  planning::require_resources(input, options.threads);
+  const auto cache = open_user_cache(options);
+  RunFolder folder(input, options);
+  if (has_finished(folder, options)) {
+    return complete_report(options, start, folder);
+  }
+  base::Timers timers;
+  if (given_strain) {
+    require_unchanged(input, *given_strain);
+  }
+
+  const MechanicsRecord mechanics = given_strain
+                                        ? record_of(std::move(*given_strain))
+                                        : study_1(input, options, cache.get(), folder, timers);
+  RunOutputs outputs;
+  if (options.studies == Studies::mechanics) {
+    outputs.signals = read_out_mechanics(input, mechanics, options.threads);
+    outputs.warnings = mechanics_warnings(input, mechanics);
+  } else {
+    outputs.ions = study_2(input, options, folder, mechanics.history, timers);
+    outputs.signals = read_out(input, mechanics, *outputs.ions, options.threads);
+    outputs.warnings = collect_warnings(input, mechanics, *outputs.ions, outputs.signals.resolved);
+    outputs.warnings.insert(outputs.warnings.end(), outputs.signals.warnings.begin(),
+                            outputs.signals.warnings.end());
+  }
+  outputs.warnings.insert(outputs.warnings.end(), folder.notes().begin(), folder.notes().end());
+  add_errors(input, mechanics, options, timers, outputs);
+  outputs.stage_seconds = timers.seconds();
+  outputs.audits = audit(audited_metrics(mechanics, outputs.signals));
+  for (std::string& warning : audit_warnings(outputs.audits)) {
+    outputs.warnings.push_back(std::move(warning));
+  }
+  RunOutcome outcome = write_outputs(input, options, mechanics, outputs, start, folder);
+  folder.output().remove(results::file_names::checkpoint);
+  require_sound(outputs.audits, folder.path().string());
+  return outcome;
+}
+
+} // namespace ionskin::study

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/base/progress.hpp"
+#include "ionskin/case/case.hpp"
+#include "ionskin/readout/metrics.hpp"
+#include "ionskin/study/errors/stated_errors.hpp"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ionskin::study {
+
+enum class Studies { both, mechanics, electrochemistry };
+
+struct RunOptions {
+  std::filesystem::path folder; ///< of the results
+  int threads = 1;
+  bool overwrite = false; ///< replace the results of an earlier run
+  bool resume = false;    ///< take up the finished parts of an interrupted run of the same case
+  /// `electrochemistry` alone takes up the finished mechanics in the folder.
+  Studies studies = Studies::both;
+  bool report = true;    ///< draw the figures and the page
+  bool paraview = true;  ///< write the kept fields for ParaView, beside those in results.h5
+  bool use_cache = true; ///< look up and keep condensed slider positions in the user's cache
+  std::string command;   ///< for the manifest
+  base::ProgressCallback progress = base::no_progress;
+};
+
+struct RunOutcome {
+  std::filesystem::path folder;
+  std::filesystem::path report; ///< empty when no report was made
+  std::vector<readout::Metric> metrics;
+  ErrorEstimate errors;
+  std::vector<std::string> warnings;
+  double seconds = 0;
+};
+
+/// Runs one case and writes its results. What is finished is on disk before the next part starts.
+/// Throws UserError before any work, SolverError and Interrupted with the finished parts kept.
+RunOutcome run_case(const Case& input, const RunOptions& options);
+
+} // namespace ionskin::study

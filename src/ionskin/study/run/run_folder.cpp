@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/run/run_folder.hpp"
+
+#include "ionskin/base/files/atomic_file.hpp"
+#include "ionskin/base/files/file_copy.hpp"
+#include "ionskin/base/files/sealed_file.hpp"
+#include "ionskin/base/system/own_build.hpp"
+#include "ionskin/case/text/read_text_file.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+namespace ionskin::study {
+namespace {
+
+std::string waypoints_text(const Motion& motion) {
+  std::string text;
+  for (const Waypoint& waypoint : motion.waypoints) {
+    text += fmt::format(" waypoint {} {} {} {}", waypoint.time, waypoint.position,
+                        waypoint.height ? fmt::format("height {}", *waypoint.height) : "",
+                        waypoint.force ? fmt::format("force {}", *waypoint.force) : "");
+  }
+  return text;
+}
+
+std::string heights_text(const HeightMap& map) {
+  return fmt::format(" heights {} {} {}", map.x, map.y, map.height);
+}
+
+results::ExistingFolder existing_folder(const RunOptions& options) {
+  if (options.overwrite) {
+    return results::ExistingFolder::overwrite;
+  }
+  const bool takes_up = options.resume || options.studies == Studies::electrochemistry;
+  return takes_up ? results::ExistingFolder::resume : results::ExistingFolder::refuse;
+}
+
+/// Finished by this build, with all results as they were written.
+bool is_whole(const results::Manifest& manifest, const std::string& hash,
+              const std::filesystem::path& folder) {
+  const auto& files = manifest.files;
+  return manifest.state == "finished" && manifest.input_hash == hash && base::own_build() &&
+         manifest.build == base::own_build()->hex() && !files.empty() &&
+         std::all_of(files.begin(), files.end(), [&](const auto& entry) {
+           const auto digest = base::digest_if_readable(folder / entry.first);
+           return digest && digest->hex() == entry.second;
+         });
+}
+
+} // namespace
+
+RunFolder::RunFolder(const Case& input, const RunOptions& options)
+    : folder_(options.folder, existing_folder(options)) {
+  manifest_ = results::new_manifest(options.command, options.threads, input_hash(input));
+  if (options.resume || options.studies == Studies::electrochemistry) {
+    take_up(input);
+  }
+  if (options.resume && !earlier_.input_hash.empty() &&
+      earlier_.input_hash != manifest_.input_hash) {
+    throw UserError(
+        fmt::format("{} holds the results of another case than the one to resume (it may differ "
+                    "in a --set edit or in a material preset only): give the same case and edits, "
+                    "choose another folder, or replace its results with --overwrite",
+                    path().string()));
+  }
+  if (earlier_.input_hash != manifest_.input_hash) {
+    earlier_.stages.erase("electrochemistry");
+  }
+  manifest_.stages = earlier_.stages;
+  base::write_text_file(own(results::file_names::case_text), input.text);
+  complete_ = has_all_results();
+  if (complete_) {
+    manifest_ = earlier_;
+  }
+  write_manifest();
+}
+
+void RunFolder::take_up(const Case& input) {
+  const auto manifest_path = file(results::file_names::manifest);
+  if (!std::filesystem::exists(manifest_path)) {
+    return;
+  }
+  try {
+    earlier_ = results::read_manifest(manifest_path);
+  } catch (const UserError&) {
+    // Without its hash the text alone tells which case was here.
+    const auto text_path = file(results::file_names::case_text);
+    if (std::filesystem::exists(text_path) &&
+        read_text_file(text_path.string(), "case") != input.text) {
+      throw;
+    }
+    note("manifest.json was damaged or is of an earlier version: only what proves to be whole is "
+         "taken up.");
+    earlier_.input_hash = manifest_.input_hash;
+    return;
+  }
+  if (earlier_.build != manifest_.build || manifest_.build.empty()) {
+    note("Another build of ionskin began this run: everything is done again.");
+    earlier_.stages.clear();
+    earlier_.files.clear();
+  }
+}
+
+bool RunFolder::was_finished(const std::string& stage) const {
+  const auto found = earlier_.stages.find(stage);
+  return found != earlier_.stages.end() && found->second.state == "finished";
+}
+
+bool RunFolder::holds(const char* name) {
+  const base::SealState state = base::check_seal(file(name));
+  if (state == base::SealState::damaged) {
+    note(fmt::format("{} was damaged: what it held is done again.", name));
+  }
+  return state == base::SealState::whole;
+}
+
+bool RunFolder::has_all_results() const {
+  return is_whole(earlier_, manifest_.input_hash, path());
+}
+
+bool holds_finished_run(const std::filesystem::path& folder, const Case& input, Studies studies) {
+  const auto path = folder / results::file_names::manifest;
+  if (!results::is_ionskin_manifest(path)) {
+    return false;
+  }
+  try {
+    const results::Manifest manifest = results::read_manifest(path);
+    const auto ions = manifest.stages.find("electrochemistry");
+    const bool both = ions != manifest.stages.end() && ions->second.state == "finished";
+    return (both || studies == Studies::mechanics) && is_whole(manifest, input_hash(input), folder);
+  } catch (const UserError&) {
+    return false; // damaged: the run itself tells
+  }
+}
+
+void RunFolder::note(const std::string& text) {
+  notes_.push_back(text);
+}
+
+void RunFolder::begin(const std::string& stage) {
+  manifest_.state = "running";
+  manifest_.files.clear();
+  manifest_.stages[stage] = {"running", 0.0, 0.0};
+  write_manifest();
+}
+
+void RunFolder::end(const std::string& stage, const std::string& state, double seconds) {
+  manifest_.stages[stage] = {state, seconds, base::peak_memory()};
+  if (state != "finished") {
+    manifest_.state = state;
+  }
+  write_manifest();
+}
+
+void RunFolder::give_up(const std::string& stage, const std::string& state, double seconds) {
+  try {
+    end(stage, state, seconds);
+  } catch (const base::UnwritableFile&) {
+  }
+}
+
+void RunFolder::finish(bool sound) {
+  // What Python draws it draws again at any time; the checkpoint goes.
+  namespace names = results::file_names;
+  const std::set<std::string> others{names::manifest, names::report, names::checkpoint};
+  for (const std::string& name : folder_.owned()) {
+    const auto digest = base::digest_if_readable(folder_.file(name));
+    if (digest && others.count(name) == 0 && !name.starts_with(names::figures)) {
+      manifest_.files[name] = digest->hex();
+    }
+  }
+  manifest_.state = sound ? "finished" : "failed";
+  write_manifest();
+}
+
+void RunFolder::write_manifest() {
+  results::write_manifest(own(results::file_names::manifest), manifest_);
+}
+
+std::string input_hash(const Case& input) {
+  std::string text = input.text + input.values;
+  if (!input.motion.file.empty()) {
+    text += waypoints_text(input.motion);
+  }
+  if (!input.slider.profile.empty()) {
+    text += heights_text(input.slider.profile_heights);
+  }
+  if (input.strain.kind == StrainSourceKind::file) {
+    text += base::file_digest(input.strain.file).hex();
+  }
+  return results::content_hash(text);
+}
+
+std::string mechanics_hash(const Case& input) {
+  // The record holds the companions of the errors; without them it is another one.
+  std::string text = "companions mesh path thickness ";
+  text += fmt::format("skin {} {} {}", input.skin.length, input.skin.width,
+                      static_cast<int>(input.skin.sides));
+  for (const Layer& layer : input.skin.layers) {
+    text += fmt::format(" layer {} {} {} {}", static_cast<int>(layer.role), layer.thickness,
+                        layer.material.youngs_modulus, layer.material.poissons_ratio);
+  }
+  const Motion& motion = input.motion;
+  const Slider& slider = input.slider;
+  text += fmt::format(" slider {} {} {} {} {}", static_cast<int>(slider.shape), slider.size,
+                      slider.start, slider.edge_radius, slider.radius);
+  text += heights_text(slider.profile_heights);
+  text += fmt::format(" motion {} {} {} {} {} {} {} {} {} {}", static_cast<int>(motion.kind),
+                      motion.gap, motion.preload, motion.stroke, motion.direction, motion.touchdown,
+                      motion.slide, motion.lift, motion.return_, motion.cycles);
+  text +=
+      fmt::format(" force {} strokes {} {}", motion.preload_force, motion.strokes, motion.dwell);
+  text += waypoints_text(motion);
+  text += fmt::format(" contact {} {} measure {}", input.contact.law, input.contact.friction,
+                      static_cast<int>(input.coupling.measure));
+  text += fmt::format(" numerics {} {} {}", static_cast<int>(input.numerics.preset),
+                      input.numerics.mesh_refinement, input.numerics.time_refinement);
+  // Field instants within the slide are samples of the strain history.
+  text += fmt::format(" fields {}", fmt::join(input.output.fields, " "));
+  return results::content_hash(text);
+}
+
+} // namespace ionskin::study

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/base/timers.hpp"
+#include "ionskin/mechanics/solve_contact.hpp"
+#include "ionskin/study/store/mechanics_record.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ionskin::study {
+
+/// Study 1 and its companions, which tell the error.
+struct SolvedMechanics {
+  mechanics::ContactSolution contact;
+  /// By name, see study/errors/companions.hpp; empty where their mesh has no solution.
+  std::map<std::string, mechanics::ContactSolution> companions;
+};
+
+/// Solves a case for several friction coefficients together, which share one footprint: that of the
+/// options, or that of the first (`mechanics::footprint_friction`).
+/// Throws SolverError, Interrupted.
+std::vector<SolvedMechanics> solve_mechanics(const Case& input,
+                                             const std::vector<double>& frictions,
+                                             const mechanics::ContactOptions& options,
+                                             base::Timers& timers);
+
+/// Solves and adds the companions of a record that has none; none where they have no
+/// solution.
+void add_companions(const Case& input, const mechanics::ContactOptions& options,
+                    MechanicsRecord& record);
+
+/// Condenses all of them into what the rest of the run needs.
+MechanicsRecord record_mechanics(const Case& input, const SolvedMechanics& solved);
+
+} // namespace ionskin::study

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/run/warnings.hpp"
+
+#include "ionskin/electrochemistry/coupling/coupling_law.hpp"
+#include "ionskin/electrochemistry/grid/derived_scales.hpp"
+#include "ionskin/readout/metrics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace ionskin::study {
+namespace {
+
+// Above these the reader must be told.
+constexpr double linear_limit = 0.3;    // k gamma h / (2 lambda)
+constexpr double depletion_limit = 0.1; // min c / c0
+constexpr double error_limit = 0.05;    // estimated, of the current between the spikes
+constexpr double large_error = 0.2;     // stated, of any metric
+constexpr std::size_t most_named = 4;   // of them in the warning, the largest
+constexpr double pressure_limit = 1e6;  // [Pa]; a fingertip presses with some 10 kPa
+
+void warn_about_common_current(const Case& input, const readout::SignalTable& signals,
+                               std::vector<std::string>& warnings) {
+  const auto& time = signals.column("time").values;
+  const double common = readout::rms_of_step_means(time, signals.column("current_common").values);
+  const double difference =
+      readout::rms_of_step_means(time, signals.column("current_difference").values);
+  if (electrochemistry::coupling_law(input.coupling.law).makes_net_charge && common > difference) {
+    warnings.push_back(fmt::format(
+        "The common part of the electrode currents dominates: its rms is {:.3g} times that of the "
+        "difference. The law \"{}\" creates net charge in the core; an ammeter between "
+        "the two "
+        "electrodes of an otherwise isolated cell measures current_difference only.",
+        common / difference, input.coupling.law));
+  }
+}
+
+/// The difference current during onset is a small remainder of large terms.
+void warn_about_onset_peak(const MechanicsRecord& mechanics, const readout::SignalTable& signals,
+                           const Motion& motion, std::vector<std::string>& warnings) {
+  const auto& time = signals.column("time").values;
+  const auto& current = signals.column("current_difference").values;
+  const auto peak = std::max_element(current.begin(), current.end(),
+                                     [](double a, double b) { return std::abs(a) < std::abs(b); });
+  const double at = time[static_cast<std::size_t>(peak - current.begin())];
+  const double local = std::fmod(at, motion.cycle_duration());
+  const bool in_onset =
+      std::any_of(mechanics.onsets.begin(), mechanics.onsets.end(),
+                  [local](const auto& onset) { return local > onset[0] && local <= onset[1]; });
+  if (*peak != 0 && in_onset) {
+    warnings.push_back(fmt::format(
+        "The peak of current_difference, {:.3g} A at {:.6g} s, falls within the onset of sliding, "
+        "where it is "
+        "a small remainder of large terms (5 to 30 % uncertain). Use the sampled current.",
+        std::abs(*peak), at));
+  }
+}
+
+void warn_about_large_errors(const ErrorEstimate& errors, std::vector<std::string>& warnings) {
+  std::vector<std::pair<double, std::string>> large;
+  for (const auto& [name, error] : errors.relative) {
+    if (error > large_error && name != "tail_current_difference" &&
+        !errors.not_converging.contains(name)) {
+      large.emplace_back(error, name);
+    }
+  }
+  if (large.empty()) {
+    return;
+  }
+  std::ranges::sort(large, std::greater<>{});
+  std::string named;
+  for (std::size_t i = 0; i < std::min(large.size(), most_named); ++i) {
+    named +=
+        fmt::format("{}{} ({:.0f} %)", i > 0 ? ", " : "", large[i].second, 100 * large[i].first);
+  }
+  warnings.push_back(fmt::format(
+      "The stated error exceeds {:.0f} % for {}{}: see error_estimate in summary.json. Choose a "
+      "finer numerics.preset, or raise numerics.mesh_refinement.",
+      100 * large_error, named,
+      large.size() > most_named ? fmt::format(" and {} more", large.size() - most_named) : ""));
+}
+
+void warn_about_missing_errors(const ErrorEstimate& errors, std::vector<std::string>& warnings) {
+  std::vector<std::string> names;
+  for (const auto& [name, reason] : errors.not_estimated) {
+    if (reason == not_a_number) {
+      names.push_back(name);
+    }
+  }
+  if (!names.empty()) {
+    warnings.push_back(fmt::format("The error of {} is not estimated: a coarser solution gives no "
+                                   "number for it.",
+                                   fmt::join(names, ", ")));
+  }
+}
+
+} // namespace
+
+std::vector<std::string> mechanics_warnings(const Case& input, const MechanicsRecord& mechanics) {
+  std::vector<std::string> warnings = mechanics.warnings;
+  if (mechanics.has_contact() && input.slider.sharp()) {
+    const double force =
+        *std::max_element(mechanics.normal_force.begin(), mechanics.normal_force.end());
+    const double pressure = force / (input.slider.size[0] * input.slider.size[1]);
+    if (pressure > pressure_limit) {
+      warnings.push_back(
+          fmt::format("The slider presses with up to {:.3g} N, a mean pressure of {:.3g} MPa. "
+                      "Pressure under its sharp edges depends on the mesh and is no result.",
+                      force, pressure / 1e6));
+    }
+  }
+  return warnings;
+}
+
+std::vector<std::string> collect_warnings(const Case& input, const MechanicsRecord& mechanics,
+                                          const electrochemistry::IonSolution& ions,
+                                          const readout::SignalTable& signals) {
+  std::vector<std::string> warnings = mechanics_warnings(input, mechanics);
+  warnings.insert(warnings.end(), input.notes.begin(), input.notes.end());
+  if (input.coupling.coefficient != 0) {
+    warnings.push_back(fmt::format(
+        "The coupling coefficient k = {:.4g} is not calibrated by any measurement: currents are in "
+        "proportion to it while the response is linear.",
+        input.coupling.coefficient));
+  }
+  warn_about_common_current(input, signals, warnings);
+  if (mechanics.has_contact()) {
+    warn_about_onset_peak(mechanics, signals, input.motion, warnings);
+  }
+  const auto scales =
+      electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness());
+  const auto& p99 = signals.column("p99_shear").values;
+  const double shear = *std::max_element(p99.begin(), p99.end());
+  const double strength = electrochemistry::nonlinearity(scales, input.coupling.coefficient, shear);
+  if (strength > linear_limit) {
+    warnings.push_back(fmt::format("The response is nonlinear: k gamma h/(2 lambda) reaches {:.3g} "
+                                   "at the 99th percentile of shear.",
+                                   strength));
+  }
+  const double initial =
+      input.electrochemistry.fixed_charge_concentration / input.electrochemistry.valence;
+  const double least =
+      *std::min_element(ions.min_concentration.begin(), ions.min_concentration.end()) / initial;
+  if (least < depletion_limit) {
+    warnings.push_back(fmt::format("Cations are depleted down to {:.3g} of their initial "
+                                   "concentration at an electrode; "
+                                   "the transport model is at its limit there.",
+                                   least));
+  }
+  return warnings;
+}
+
+std::vector<std::string> error_warnings(const Case& input, const ErrorEstimate& errors) {
+  std::vector<std::string> warnings;
+  const auto tail = errors.relative.find("tail_current_difference");
+  const ReadoutCircuit circuit = input.readout.circuit;
+  if (circuit != ReadoutCircuit::open && circuit != ReadoutCircuit::load &&
+      tail != errors.relative.end() && tail->second > error_limit) {
+    warnings.push_back(fmt::format(
+        "The error of the difference current between the contact spikes is estimated at {:.0f} %. "
+        "Choose a finer numerics.preset, or raise numerics.mesh_refinement.",
+        100 * tail->second));
+  }
+  warn_about_large_errors(errors, warnings);
+  warn_about_missing_errors(errors, warnings);
+  return warnings;
+}
+
+} // namespace ionskin::study

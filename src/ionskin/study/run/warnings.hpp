@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/electrochemistry/output/ion_solution.hpp"
+#include "ionskin/readout/signals.hpp"
+#include "ionskin/study/errors/error_parts.hpp"
+#include "ionskin/study/store/mechanics_record.hpp"
+
+#include <string>
+#include <vector>
+
+namespace ionskin::study {
+
+/// What a reader of the results must know: sentences, each with its number.
+std::vector<std::string> collect_warnings(const Case& input, const MechanicsRecord& mechanics,
+                                          const electrochemistry::IonSolution& ions,
+                                          const readout::SignalTable& signals);
+
+/// The part of them that Study 1 alone allows.
+std::vector<std::string> mechanics_warnings(const Case& input, const MechanicsRecord& mechanics);
+
+/// Sentences where stated errors are large, or missing for another reason than rounding. The
+/// current between the contact spikes is named by itself, but behind an open circuit or a load,
+/// where little current flows.
+std::vector<std::string> error_warnings(const Case& input, const ErrorEstimate& errors);
+
+} // namespace ionskin::study

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/run/write_outputs.hpp"
+
+#include "ionskin/results/csv_writer.hpp"
+#include "ionskin/results/output_folder.hpp"
+#include "ionskin/results/results_file.hpp"
+#include "ionskin/results/summary_json.hpp"
+#include "ionskin/results/vtu_writer.hpp"
+#include "ionskin/study/run/report.hpp"
+
+#include <algorithm>
+
+namespace ionskin::study {
+namespace {
+
+namespace names = results::file_names;
+
+/// A table that only some readouts have; an earlier run's is removed.
+void write_optional(results::ResultsFile& file, const std::string& group,
+                    const std::optional<readout::SignalTable>& table) {
+  file.file().remove("/" + group);
+  if (table) {
+    file.write_signals(group, *table);
+  }
+}
+
+void write_optional(RunFolder& folder, const char* name,
+                    const std::optional<readout::SignalTable>& table) {
+  folder.output().remove(name);
+  if (table) {
+    results::write_csv(folder.own(name), *table);
+  }
+}
+
+/// Nothing for a table without rows, which a run without estimates has.
+std::optional<readout::SignalTable> present(const readout::SignalTable& table) {
+  return table.columns.empty() ? std::nullopt : std::optional(table);
+}
+
+void write_results_file(const Case& input, const MechanicsRecord& mechanics,
+                        const RunOutputs& outputs, RunFolder& folder) {
+  using Start = results::ResultsFile::Start;
+  results::ResultsFile file(folder.own(names::results),
+                            mechanics.has_contact() ? Start::extend : Start::empty);
+  file.write_signals("signals", outputs.signals.resolved);
+  file.write_signals("sampled", outputs.signals.sampled);
+  write_optional(file, "taxels", outputs.signals.taxels);
+  write_optional(file, "circuit", outputs.signals.circuit);
+  write_optional(file, "sampled_taxels", outputs.signals.sampled_taxels);
+  write_optional(file, "sampled_circuit", outputs.signals.sampled_circuit);
+  write_optional(file, "signals_error", present(outputs.errors.signals));
+  write_optional(file, "sampled_error", present(outputs.errors.sampled));
+  write_optional(file, "taxels_error", outputs.errors.taxels);
+  write_optional(file, "circuit_error", outputs.errors.circuit);
+  if (!mechanics.has_contact()) {
+    file.write_strain(mechanics.history);
+  }
+  if (outputs.ions) {
+    file.write_ions(outputs.ions->grid, outputs.ions->snapshots);
+  }
+  file.write_text("case", input.text);
+  file.write_text("manifest", results::manifest_text(folder.manifest()));
+  file.commit();
+}
+
+void set_counters(const MechanicsRecord& mechanics, const RunOutputs& outputs, RunFolder& folder) {
+  if (mechanics.has_contact()) {
+    folder.set_counter("contact_solves", mechanics.contact_solves);
+  }
+  if (outputs.ions) {
+    folder.set_counter("time_steps", static_cast<double>(outputs.ions->steps));
+    folder.set_counter("rejected_steps", static_cast<double>(outputs.ions->rejected_steps));
+    folder.set_counter("residual_evaluations",
+                       static_cast<double>(outputs.ions->residual_evaluations));
+    folder.set_counter("krylov_iterations", static_cast<double>(outputs.ions->krylov_iterations));
+    folder.set_counter("preconditioner_setups",
+                       static_cast<double>(outputs.ions->preconditioner_setups));
+  }
+  for (const auto& [stage, seconds] : outputs.stage_seconds) {
+    folder.set_counter("seconds_" + stage, seconds);
+  }
+}
+
+/// Wall time per stage, from the manifest: a resumed run counts what the interrupted one took [s].
+std::map<std::string, double> timing(const RunFolder& folder, double start) {
+  std::map<std::string, double> result;
+  for (const char* stage : {"mechanics", "strain", "electrochemistry", "output"}) {
+    const auto found = folder.manifest().stages.find(stage);
+    result[stage] = found == folder.manifest().stages.end() ? 0.0 : found->second.wall_time;
+  }
+  result["total"] = base::wall_time() - start;
+  return result;
+}
+
+std::optional<std::string> draw_report(const RunOptions& options, RunFolder& folder) {
+  return options.report ? make_report(folder.path()) : std::nullopt;
+}
+
+} // namespace
+
+RunOutcome complete_report(const RunOptions& options, double start, RunFolder& folder) {
+  const bool missing = options.report && !std::filesystem::exists(folder.file(names::report));
+  const auto problem = missing ? draw_report(options, folder) : std::nullopt;
+  results::Summary summary = results::read_summary(folder.file(names::summary));
+  if (problem) {
+    summary.warnings.push_back(*problem);
+  }
+  const bool reported = std::filesystem::exists(folder.file(names::report));
+  ErrorEstimate errors;
+  errors.relative = summary.error_estimate;
+  errors.parts = summary.error_parts;
+  errors.not_converging = summary.not_converging;
+  errors.not_estimated = summary.not_estimated;
+  return {folder.path(),    reported ? folder.file(names::report) : std::filesystem::path{},
+          summary.metrics,  std::move(errors),
+          summary.warnings, base::wall_time() - start};
+}
+
+RunOutcome write_outputs(const Case& input, const RunOptions& options,
+                         const MechanicsRecord& mechanics, const RunOutputs& outputs, double start,
+                         RunFolder& folder) {
+  set_counters(mechanics, outputs, folder);
+  results::Summary summary;
+  summary.metrics = outputs.signals.metrics;
+  summary.warnings = outputs.warnings;
+  for (const Audit& one : outputs.audits) {
+    summary.audits.push_back(
+        {one.rule->metric, one.value, one.rule->warn, one.rule->fail, to_string(one.verdict)});
+  }
+  summary.error_estimate = outputs.errors.relative;
+  summary.error_parts = outputs.errors.parts;
+  summary.not_converging = outputs.errors.not_converging;
+  summary.not_estimated = outputs.errors.not_estimated;
+  const auto write_summary = [&] {
+    summary.timing = timing(folder, start);
+    results::write_summary(folder.own(names::summary), summary);
+  };
+  const auto report_problem = folder.stage("output", [&] {
+    options.progress("results and report", 0.0);
+    results::write_csv(folder.own(names::signals), outputs.signals.resolved);
+    results::write_csv(folder.own(names::sampled), outputs.signals.sampled);
+    write_optional(folder, names::taxels, outputs.signals.taxels);
+    write_optional(folder, names::circuit, outputs.signals.circuit);
+    write_optional(folder, names::sampled_taxels, outputs.signals.sampled_taxels);
+    write_optional(folder, names::sampled_circuit, outputs.signals.sampled_circuit);
+    write_optional(folder, names::signals_error, present(outputs.errors.signals));
+    write_optional(folder, names::sampled_error, present(outputs.errors.sampled));
+    write_optional(folder, names::taxels_error, outputs.errors.taxels);
+    write_optional(folder, names::circuit_error, outputs.errors.circuit);
+    if (options.paraview && outputs.ions && !outputs.ions->snapshots.empty()) {
+      results::write_fields(folder.output(), outputs.ions->grid, input.skin.core_bottom(),
+                            outputs.ions->snapshots);
+    }
+    write_results_file(input, mechanics, outputs, folder);
+    // The report reads the summary; its own time is added below.
+    write_summary();
+    options.progress("results and report", 0.5);
+    auto problem = draw_report(options, folder);
+    options.progress("results and report", 1.0);
+    return problem;
+  });
+  if (report_problem) {
+    summary.warnings.push_back(*report_problem);
+  }
+  write_summary();
+  const bool sound = std::ranges::none_of(
+      outputs.audits, [](const Audit& one) { return one.verdict == Verdict::failed; });
+  folder.finish(sound);
+  const bool reported = options.report && !report_problem;
+  return {folder.path(),    reported ? folder.file(names::report) : std::filesystem::path{},
+          summary.metrics,  outputs.errors,
+          summary.warnings, base::wall_time() - start};
+}
+
+} // namespace ionskin::study

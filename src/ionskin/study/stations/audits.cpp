@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/stations/audits.hpp"
+
+#include "ionskin/base/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace ionskin::study {
+namespace {
+
+std::string sentence(const Audit& audit) {
+  return fmt::format("{} is {:.2g}", audit.rule->what, audit.value);
+}
+
+} // namespace
+
+const std::vector<AuditRule>& audit_rules() {
+  static const std::vector<AuditRule> rules{
+      {"equilibrium_residual", 1e-6, 1e-3,
+       "the imbalance between the contact's forces and the base's reactions (equilibrium_residual)",
+       "bring the moduli and thicknesses of the layers closer to each other, or change "
+       "numerics.mesh_refinement"},
+      {"complementarity_residual", 1e-6, 1e-2,
+       "the violation of the contact's and friction's conditions (complementarity_residual)",
+       "lower contact.friction, or change numerics.mesh_refinement"},
+      {"interpolation_error", 0.02, 0.2,
+       "the error of steady sliding between the solved positions (interpolation_error)",
+       "choose a finer numerics.preset, or a longer distance to the skin's edges"},
+      {"energy_balance_error", 0.02, 0.2,
+       "the energy that the steps of contact gain or lose (energy_balance_error)",
+       "choose a finer numerics.preset, or raise numerics.time_refinement"},
+      {"largest_p99_shear", 0.1, 1.0,
+       "the largest 99th percentile of the core's shear (largest_p99_shear), for which strains are "
+       "taken as small,",
+       "lower motion.preload or contact.friction, or choose stiffer layers: the model holds for "
+       "small "
+       "strains"},
+      {"charge_identity_error", 1e-6, 1e-2,
+       "the electrodes' charge beyond that of the shear (charge_identity_error)",
+       "raise numerics.mesh_refinement, or lower numerics.time_tolerance"}};
+  return rules;
+}
+
+std::vector<Audit> audit(const std::vector<readout::Metric>& metrics) {
+  std::vector<Audit> audits;
+  for (const AuditRule& rule : audit_rules()) {
+    const auto metric = std::ranges::find(metrics, rule.metric, &readout::Metric::name);
+    if (metric == metrics.end()) {
+      continue;
+    }
+    // Comparisons with NaN are false.
+    const Verdict verdict = metric->value <= rule.warn   ? Verdict::passed
+                            : metric->value <= rule.fail ? Verdict::warned
+                                                         : Verdict::failed;
+    audits.push_back({&rule, metric->value, verdict});
+  }
+  return audits;
+}
+
+std::vector<std::string> audit_warnings(const std::vector<Audit>& audits) {
+  std::vector<std::string> warnings;
+  for (const Audit& one : audits) {
+    if (one.verdict == Verdict::warned) {
+      warnings.push_back(fmt::format("Audit: {}, above {:.2g}. To mend it, {}.", sentence(one),
+                                     one.rule->warn, one.rule->remedy));
+    } else if (one.verdict == Verdict::failed) {
+      warnings.push_back(fmt::format("FAILED AUDIT: {}, above {:.2g}: these results are not to be "
+                                     "used. To mend it, {}.",
+                                     sentence(one), one.rule->fail, one.rule->remedy));
+    }
+  }
+  return warnings;
+}
+
+void require_sound(const std::vector<Audit>& audits, const std::string& folder) {
+  std::string problems, remedy;
+  for (const Audit& one : audits) {
+    if (one.verdict == Verdict::failed) {
+      problems += fmt::format("{}{}, above {:.2g}", problems.empty() ? "" : "; ", sentence(one),
+                              one.rule->fail);
+      remedy += (remedy.empty() ? "" : "; ") + std::string(one.rule->remedy);
+    }
+  }
+  if (!problems.empty()) {
+    throw SolverError(fmt::format("the results do not pass their audits: {}; they are kept in {}, "
+                                  "marked as failed",
+                                  problems, folder),
+                      remedy);
+  }
+}
+
+std::string to_string(Verdict verdict) {
+  return verdict == Verdict::passed ? "passed" : verdict == Verdict::warned ? "warned" : "failed";
+}
+
+} // namespace ionskin::study

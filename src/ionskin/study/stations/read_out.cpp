@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/stations/read_out.hpp"
+
+#include "ionskin/electrochemistry/coupling/coupling_law.hpp"
+#include "ionskin/electrochemistry/grid/derived_scales.hpp"
+#include "ionskin/history/shear_statistics.hpp"
+#include "ionskin/parallel/task_pool.hpp"
+#include "ionskin/readout/amplifier.hpp"
+#include "ionskin/readout/circuit.hpp"
+#include "ionskin/readout/phases.hpp"
+#include "ionskin/readout/sampling.hpp"
+#include "ionskin/readout/signal_table.hpp"
+#include "ionskin/readout/tail_current.hpp"
+#include "ionskin/readout/taxels.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace ionskin::study {
+namespace {
+
+using electrochemistry::IonSolution;
+
+/// Motion, forces and shear at the rows' instants; charges are left to the caller.
+readout::SignalInputs mechanical_inputs(const Case& input, const MechanicsRecord& mechanics,
+                                        const std::vector<double>& time, int threads) {
+  readout::SignalInputs inputs;
+  inputs.time = time;
+  if (mechanics.has_contact()) {
+    readout::add_motion(inputs, input.motion, input.slider);
+    for (const double t : time) {
+      inputs.slider_z.push_back(readout::value_at(mechanics.history.time, mechanics.slider_z, t));
+      inputs.normal_force.push_back(
+          readout::value_at(mechanics.history.time, mechanics.normal_force, t));
+      inputs.tangential_force.push_back(
+          readout::value_at(mechanics.history.time, mechanics.tangential_force, t));
+    }
+  } else {
+    inputs.cycle.assign(time.size(), 1);
+    inputs.phase.assign(time.size(), "");
+  }
+  std::vector<history::ShearStatistics> statistics(time.size());
+  parallel::run_tasks(time.size(), threads, [&](std::size_t row) {
+    statistics[row] = history::shear_statistics(mechanics.history, time[row]);
+  });
+  for (const auto& row : statistics) {
+    inputs.mean_shear.push_back(row.mean);
+    inputs.rms_shear.push_back(row.rms);
+    inputs.p99_shear.push_back(row.p99);
+    inputs.shear_first_moment.push_back(row.first_moment);
+  }
+  return inputs;
+}
+
+std::optional<readout::NamedInstants> named_instants(const Case& input,
+                                                     const MechanicsRecord& mechanics) {
+  if (!mechanics.has_contact()) {
+    return std::nullopt;
+  }
+  return readout::NamedInstants{readout::end_of_touchdown(input.motion, input.slider),
+                                readout::middle_of_slide(input.motion, input.slider)};
+}
+
+void add_slide_metrics(const Case& input, const MechanicsRecord& mechanics,
+                       std::vector<readout::Metric>& metrics) {
+  if (!mechanics.has_contact()) {
+    return;
+  }
+  const auto slide = history::shear_statistics(
+      mechanics.history, readout::middle_of_slide(input.motion, input.slider));
+  metrics.push_back({"p95_shear_slide", slide.p95, "1"});
+  metrics.push_back({"element_max_shear_slide", slide.element_max, "1"});
+  metrics.insert(metrics.end(), mechanics.metrics.begin(), mechanics.metrics.end());
+  if (!mechanics.electrode_stress.empty()) {
+    metrics.push_back(
+        {"electrode_membrane_stress",
+         *std::max_element(mechanics.electrode_stress.begin(), mechanics.electrode_stress.end()),
+         "Pa"});
+  }
+  metrics.push_back({"equilibrium_residual", mechanics.worst_equilibrium_residual, "1"});
+  metrics.push_back({"complementarity_residual", mechanics.worst_complementarity_residual, "1"});
+  metrics.push_back({"interpolation_error", mechanics.worst_interpolation_error, "1"});
+}
+
+void add_tail_metric(const Case& input, const MechanicsRecord& mechanics, Signals& signals) {
+  const std::vector<bool> tail = readout::in_tail(signals.sampled, input.readout.sample_interval,
+                                                  mechanics.history.event_time);
+  signals.metrics.push_back(
+      {"tail_current_difference",
+       readout::tail_rms(signals.sampled.column("current_difference").values, tail), "A"});
+}
+
+/// Gauss' law against the integral of the channel that drives the ions as the strain folder takes
+/// it: what that is under another law that makes net charge is not known here, and such a run has
+/// no figure of it.
+std::optional<readout::Metric> charge_identity(const Case& input, const MechanicsRecord& mechanics,
+                                               const IonSolution& ions, int threads) {
+  const bool makes_net_charge = electrochemistry::coupling_law(input.coupling.law).makes_net_charge;
+  if (makes_net_charge && input.coupling.law != "fixed-charge") {
+    return std::nullopt;
+  }
+  const electrochemistry::CouplingLaw& law = electrochemistry::coupling_law(input.coupling.law);
+  const history::HistoryChannel& channel = law.channel(mechanics.history);
+  const double factor = electrochemistry::charge_density_of_channel(input, channel);
+  std::vector<double> expected(ions.time.size()), magnitude(ions.time.size());
+  parallel::run_tasks(expected.size(), threads, [&](std::size_t row) {
+    const history::ChannelIntegrals drive =
+        history::channel_integrals(mechanics.history, channel, ions.time[row]);
+    expected[row] = factor * drive.value;
+    magnitude[row] = factor * drive.magnitude;
+  });
+  const double scale = readout::peak_magnitude(magnitude);
+  if (!makes_net_charge) {
+    expected.assign(expected.size(), 0.0);
+  }
+  return readout::Metric{
+      "charge_identity_error",
+      readout::charge_identity_error(ions.charge_top, ions.charge_bottom, expected, scale), "1"};
+}
+
+void add_ion_metrics(const Case& input, const IonSolution& ions,
+                     const readout::SignalTable& signals, std::vector<readout::Metric>& metrics) {
+  const double shear = readout::peak_magnitude(signals.column("p99_shear").values);
+  const auto scales =
+      electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness());
+  // A law that moves water has no k, and a 0 would say that it is linear.
+  if (!electrochemistry::coupling_law(input.coupling.law).moves_water) {
+    metrics.push_back({"nonlinearity",
+                       electrochemistry::nonlinearity(scales, input.coupling.coefficient, shear),
+                       "1"});
+  }
+  const double initial =
+      input.electrochemistry.fixed_charge_concentration / input.electrochemistry.valence;
+  metrics.push_back(
+      {"min_concentration_ratio",
+       *std::min_element(ions.min_concentration.begin(), ions.min_concentration.end()) / initial,
+       "1"});
+  metrics.push_back({"max_potential", readout::peak_magnitude(ions.max_potential), "V"});
+}
+
+void add_taxels(const IonSolution& ions, Signals& signals) {
+  if (ions.top_segments.empty()) {
+    return;
+  }
+  std::vector<readout::TaxelCharge> charges;
+  for (const auto& segment : ions.top_segments) {
+    charges.push_back({segment.name, segment.charge});
+  }
+  signals.taxels = readout::taxel_signals(ions.time, charges);
+  signals.metrics.push_back(
+      {"taxel_balance_error",
+       readout::taxel_balance_error(*signals.taxels, signals.resolved.column("current_top").values),
+       "1"});
+}
+
+void add_amplifier(const Amplifier& amplifier, const IonSolution& ions, Signals& signals) {
+  const auto reading = readout::amplify(
+      amplifier, ions.time, readout::charge_difference(ions.charge_top, ions.charge_bottom));
+  signals.circuit = readout::amplifier_signals(ions.time, reading);
+  signals.metrics.push_back(
+      {"peak_amplifier_current", readout::peak_magnitude(reading.current), "A"});
+  signals.metrics.push_back({"amplifier_clipped_time", reading.clipped_time, "s"});
+  if (reading.clipped_time > 0) {
+    signals.warnings.push_back(fmt::format(
+        "The amplifier clips: the current reaches {:.3g} A, its range {:.3g} A, for {:.3g} s in "
+        "all. Raise readout.amplifier_range.",
+        reading.largest, amplifier.range, reading.clipped_time));
+  }
+}
+
+void add_terminals(const IonSolution& ions, Signals& signals) {
+  signals.circuit = readout::terminal_signals(
+      ions.time, ions.voltage, readout::charge_difference(ions.charge_top, ions.charge_bottom));
+  signals.metrics.push_back({"peak_voltage", readout::peak_magnitude(ions.voltage), "V"});
+  signals.metrics.push_back({"rms_voltage", readout::rms_linear(ions.time, ions.voltage), "V"});
+}
+
+void add_circuit(const Case& input, const IonSolution& ions, Signals& signals) {
+  switch (input.readout.circuit) {
+  case ReadoutCircuit::short_circuit:
+    return;
+  case ReadoutCircuit::open:
+  case ReadoutCircuit::load:
+    return add_terminals(ions, signals);
+  case ReadoutCircuit::amplifier:
+    return add_amplifier(input.readout.amplifier, ions, signals);
+  }
+}
+
+} // namespace
+
+Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonSolution& ions,
+                 int threads) {
+  auto inputs = mechanical_inputs(input, mechanics, ions.time, threads);
+  inputs.charge_top = ions.charge_top;
+  inputs.charge_bottom = ions.charge_bottom;
+  Signals signals;
+  signals.resolved = readout::build_signal_table(inputs);
+  signals.sampled = readout::sample_currents(signals.resolved, input.readout.sample_interval,
+                                             {ions.relaxation_charge, ions.relaxation_current});
+  signals.metrics =
+      readout::signal_metrics(signals.resolved, signals.sampled, named_instants(input, mechanics));
+  add_tail_metric(input, mechanics, signals);
+  add_slide_metrics(input, mechanics, signals.metrics);
+  if (const auto identity = charge_identity(input, mechanics, ions, threads)) {
+    signals.metrics.push_back(*identity);
+  }
+  add_ion_metrics(input, ions, signals.resolved, signals.metrics);
+  add_taxels(ions, signals);
+  add_circuit(input, ions, signals);
+  const double interval = input.readout.sample_interval;
+  if (signals.taxels) {
+    signals.sampled_taxels = readout::sample_table(*signals.taxels, interval);
+  }
+  if (signals.circuit) {
+    signals.sampled_circuit = readout::sample_table(*signals.circuit, interval);
+  }
+  return signals;
+}
+
+Signals read_out_mechanics(const Case& input, const MechanicsRecord& mechanics, int threads) {
+  const auto& time = mechanics.history.time;
+  auto inputs = mechanical_inputs(input, mechanics, time, threads);
+  inputs.charge_top.assign(time.size(), std::numeric_limits<double>::quiet_NaN());
+  inputs.charge_bottom = inputs.charge_top;
+  Signals signals;
+  signals.resolved = readout::build_signal_table(inputs);
+  signals.sampled = readout::sample_currents(signals.resolved, input.readout.sample_interval);
+  for (const auto& metric : readout::signal_metrics(signals.resolved, signals.sampled,
+                                                    named_instants(input, mechanics))) {
+    if (metric.name.find("current") == std::string::npos &&
+        metric.name.find("charge") == std::string::npos) {
+      signals.metrics.push_back(metric);
+    }
+  }
+  add_slide_metrics(input, mechanics, signals.metrics);
+  return signals;
+}
+
+} // namespace ionskin::study

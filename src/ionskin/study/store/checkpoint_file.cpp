@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/store/checkpoint_file.hpp"
+
+#include "ionskin/base/files/atomic_file.hpp"
+#include "ionskin/base/files/sealed_file.hpp"
+#include "ionskin/results/hdf5/foreign_hdf5_file.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ionskin::study {
+namespace {
+
+using electrochemistry::IonCheckpoint;
+using electrochemistry::IonSnapshot;
+using electrochemistry::IonSolution;
+
+struct Row {
+  const char* name;
+  std::vector<double> IonSolution::*values;
+};
+constexpr std::array rows{Row{"time", &IonSolution::time},
+                          Row{"charge_top", &IonSolution::charge_top},
+                          Row{"charge_bottom", &IonSolution::charge_bottom},
+                          Row{"ramo_charge_top", &IonSolution::ramo_charge_top},
+                          Row{"relaxation_charge", &IonSolution::relaxation_charge},
+                          Row{"relaxation_current", &IonSolution::relaxation_current},
+                          Row{"voltage", &IonSolution::voltage},
+                          Row{"ion_amount", &IonSolution::ion_amount},
+                          Row{"min_concentration", &IonSolution::min_concentration},
+                          Row{"max_potential", &IonSolution::max_potential},
+                          Row{"shear_integral", &IonSolution::shear_integral},
+                          Row{"column_charge_top", &IonSolution::column_charge_top}};
+
+struct Counter {
+  const char* name;
+  std::size_t IonSolution::*value;
+};
+constexpr std::array counters{
+    Counter{"steps", &IonSolution::steps}, Counter{"rejected_steps", &IonSolution::rejected_steps},
+    Counter{"residual_evaluations", &IonSolution::residual_evaluations},
+    Counter{"krylov_iterations", &IonSolution::krylov_iterations},
+    Counter{"preconditioner_setups", &IonSolution::preconditioner_setups}};
+
+/// A state that no run can have left must not lead the time steps astray.
+bool is_consistent(const IonCheckpoint& checkpoint) {
+  const auto finite = [](const std::vector<double>& values) {
+    return std::all_of(values.begin(), values.end(),
+                       [](double value) { return std::isfinite(value); });
+  };
+  const electrochemistry::TransportState& state = checkpoint.state;
+  const IonSolution& solution = checkpoint.solution;
+  return state.next_step > 0 && std::isfinite(state.next_step) &&
+         std::isfinite(state.charge_scale) && !state.ions.values.empty() &&
+         state.rate.size() == state.ions.values.size() && finite(state.ions.values) &&
+         finite(state.rate) && solution.time.size() == checkpoint.step + 1 &&
+         finite(solution.time) && std::is_sorted(solution.time.begin(), solution.time.end());
+}
+
+} // namespace
+
+void write_checkpoint(const std::filesystem::path& path, const std::string& input_hash,
+                      const IonCheckpoint& checkpoint) {
+  base::PendingFile pending(path);
+  results::Hdf5File file(pending.path(), results::Hdf5File::Access::create);
+  file.set_attribute("/", "input_hash", input_hash);
+  file.set_attribute("/", "step", static_cast<double>(checkpoint.step));
+  file.write("/state/ions", checkpoint.state.ions.values);
+  file.write("/state/rate", checkpoint.state.rate);
+  file.set_attribute("/state", "next_step", checkpoint.state.next_step);
+  file.set_attribute("/state", "charge_scale", checkpoint.state.charge_scale);
+  const IonSolution& solution = checkpoint.solution;
+  file.write("/grid/x", solution.grid.x_edges);
+  file.write("/grid/y", solution.grid.y_edges);
+  file.write("/grid/z", solution.grid.z_nodes);
+  for (const Row& row : rows) {
+    file.write(fmt::format("/rows/{}", row.name), solution.*row.values);
+  }
+  for (const Counter& counter : counters) {
+    file.set_attribute("/rows", counter.name, static_cast<double>(solution.*counter.value));
+  }
+  for (std::size_t i = 0; i < solution.top_segments.size(); ++i) {
+    const std::string dataset = fmt::format("/segments/{:06}", i);
+    file.write(dataset, solution.top_segments[i].charge);
+    file.set_attribute(dataset, "name", solution.top_segments[i].name);
+  }
+  for (std::size_t i = 0; i < solution.snapshots.size(); ++i) {
+    const IonSnapshot& snapshot = solution.snapshots[i];
+    const std::string group = fmt::format("/snapshots/{:06}", i);
+    file.write(group + "/concentration", snapshot.concentration);
+    file.write(group + "/potential", snapshot.potential);
+    file.write(group + "/shear", snapshot.shear);
+    file.set_attribute(group, "time", snapshot.time);
+  }
+  file.close();
+  base::seal(pending.path());
+  pending.commit();
+}
+
+std::optional<IonCheckpoint> read_checkpoint(const std::filesystem::path& path,
+                                             const std::string& input_hash) {
+  if (base::check_seal(path) != base::SealState::whole) {
+    return std::nullopt;
+  }
+  const results::ForeignHdf5File file(path);
+  if (file.text_attribute("/", "input_hash") != input_hash) {
+    return std::nullopt;
+  }
+  IonCheckpoint checkpoint;
+  checkpoint.step = static_cast<std::size_t>(file.number_attribute("/", "step").value_or(0));
+  checkpoint.state.ions.values = file.read("/state/ions");
+  checkpoint.state.rate = file.read("/state/rate");
+  checkpoint.state.next_step = file.number_attribute("/state", "next_step").value_or(0);
+  checkpoint.state.charge_scale = file.number_attribute("/state", "charge_scale").value_or(0);
+  IonSolution& solution = checkpoint.solution;
+  solution.grid = {file.read("/grid/x"), file.read("/grid/y"), file.read("/grid/z")};
+  for (const Row& row : rows) {
+    solution.*row.values = file.read(fmt::format("/rows/{}", row.name));
+  }
+  for (const Counter& counter : counters) {
+    solution.*counter.value =
+        static_cast<std::size_t>(file.number_attribute("/rows", counter.name).value_or(0));
+  }
+  if (file.has("/segments")) {
+    for (const std::string& name : file.members("/segments")) {
+      const std::string dataset = "/segments/" + name;
+      solution.top_segments.push_back(
+          {file.text_attribute(dataset, "name").value_or(""), file.read(dataset)});
+    }
+  }
+  if (file.has("/snapshots")) {
+    for (const std::string& name : file.members("/snapshots")) {
+      const std::string group = "/snapshots/" + name;
+      solution.snapshots.push_back({file.number_attribute(group, "time").value_or(0),
+                                    file.read(group + "/concentration"),
+                                    file.read(group + "/potential"), file.read(group + "/shear")});
+    }
+  }
+  return is_consistent(checkpoint) ? std::optional(std::move(checkpoint)) : std::nullopt;
+}
+
+} // namespace ionskin::study

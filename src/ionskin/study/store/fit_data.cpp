@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/store/fit_data.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/base/nearest_name.hpp"
+#include "ionskin/base/text.hpp"
+#include "ionskin/case/text/read_text_file.hpp"
+#include "ionskin/readout/charge_relaxation.hpp"
+#include "ionskin/readout/sampling.hpp"
+#include "ionskin/units/unit_system.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+namespace ionskin::study {
+
+const std::map<std::string, std::string>& fit_columns() {
+  static const std::map<std::string, std::string> columns = {
+      {"charge_bottom", "C"},  {"charge_top", "C"},         {"current_bottom", "A"},
+      {"current_common", "A"}, {"current_difference", "A"}, {"current_top", "A"},
+      {"voltage", "V"}};
+  return columns;
+}
+
+namespace {
+
+std::vector<std::string> known_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, unit] : fit_columns()) {
+    names.push_back(name);
+  }
+  return names;
+}
+
+struct Title {
+  std::string name, unit;
+};
+
+Title title(const std::string& cell) {
+  const std::size_t bracket = cell.find('[');
+  if (bracket == std::string::npos || cell.back() != ']') {
+    return {cell, ""};
+  }
+  return {base::trimmed(cell.substr(0, bracket), base::csv_blanks),
+          base::trimmed(cell.substr(bracket + 1, cell.size() - bracket - 2), base::csv_blanks)};
+}
+
+/// Reads one file, knowing where it stands in it.
+class Reader {
+public:
+  explicit Reader(const std::filesystem::path& path)
+      : path_(base::shown(path.string())), stream_(read_text_file(path.string(), "data")) {}
+
+  FitData read(const std::string& column) {
+    std::string line;
+    next(line);
+    if (const std::string separator = base::foreign_separator(line); !separator.empty()) {
+      refuse("the columns are separated by " + separator, base::foreign_separator_remedy);
+    }
+    for (const std::string& cell : base::split(line, ',', base::csv_blanks)) {
+      titles_.push_back(title(cell));
+    }
+    const std::size_t time = find("time"), value = find(choose(column));
+    FitData data{titles_[value].name, fit_columns().at(titles_[value].name), {}, {}};
+    require_unit(titles_[time], "s");
+    require_unit(titles_[value], data.unit);
+    while (next(line)) {
+      take_row(base::split(line, ',', base::csv_blanks), time, value, data);
+    }
+    return data;
+  }
+
+private:
+  bool next(std::string& line) {
+    ++line_;
+    return static_cast<bool>(std::getline(stream_, line));
+  }
+
+  [[noreturn]] void refuse(const std::string& problem, const std::string& remedy) const {
+    throw UserError(fmt::format("{}:{}: {}\n  = {}", path_, line_, problem, remedy));
+  }
+
+  std::size_t find(const std::string& name) const {
+    const auto found =
+        std::ranges::find_if(titles_, [&](const Title& one) { return one.name == name; });
+    if (found == titles_.end()) {
+      refuse(fmt::format("there is no column {}", name),
+             "write a header with units, such as: time [s],current_difference [A]");
+    }
+    return static_cast<std::size_t>(found - titles_.begin());
+  }
+
+  std::string choose(const std::string& column) const {
+    const std::string known = fmt::format("known: {}", fmt::join(known_names(), ", "));
+    if (!column.empty()) {
+      if (fit_columns().count(column) == 0) {
+        const std::string nearest = base::nearest_name(column, known_names());
+        throw UserError(
+            fmt::format("--column {} is no signal to fit\n  = {}{}", base::shown(column),
+                        nearest.empty() ? "" : "did you mean " + nearest + "? ", known));
+      }
+      return column;
+    }
+    std::vector<std::string> found;
+    for (const Title& one : titles_) {
+      if (fit_columns().count(one.name) > 0) {
+        found.push_back(one.name);
+      }
+    }
+    if (found.empty()) {
+      refuse("no column is a signal to fit", known);
+    }
+    if (found.size() > 1) {
+      refuse(fmt::format("several columns are signals to fit: {}", fmt::join(found, ", ")),
+             "choose one with --column");
+    }
+    return found.front();
+  }
+
+  void require_unit(const Title& column, const std::string& si) const {
+    if (!units::convert_unit(1.0, column.unit, si)) {
+      refuse(fmt::format("the unit [{}] of {} does not convert to {}", base::shown(column.unit),
+                         column.name, si),
+             fmt::format("write the header {} [{}]", column.name, si));
+    }
+  }
+
+  double number(const std::string& text, const Title& column, const std::string& si) const {
+    double value = 0;
+    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (status != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+      refuse(fmt::format("\"{}\" in column {} is no number", base::shown(text), column.name),
+             "leave the entry empty where nothing was measured");
+    }
+    const double converted = *units::convert_unit(value, column.unit, si);
+    if (!std::isfinite(converted)) {
+      refuse(fmt::format("\"{}\" in column {} is too large", base::shown(text), column.name),
+             "check the number and the unit in the header");
+    }
+    return converted;
+  }
+
+  void take_row(const std::vector<std::string>& row, std::size_t time, std::size_t value,
+                FitData& data) {
+    if (row.size() == 1 && row.front().empty()) {
+      return;
+    }
+    if (row.size() != titles_.size()) {
+      refuse(fmt::format("{} entries below a header of {}", row.size(), titles_.size()),
+             "write one entry a column");
+    }
+    if (row[value].empty()) {
+      return;
+    }
+    const double instant = number(row[time], titles_[time], "s");
+    if (!data.time.empty() && instant <= data.time.back()) {
+      refuse(fmt::format("the time {} s does not ascend", instant), "sort the rows by time");
+    }
+    data.time.push_back(instant);
+    data.values.push_back(number(row[value], titles_[value], data.unit));
+  }
+
+  std::string path_;
+  std::istringstream stream_;
+  std::size_t line_ = 0;
+  std::vector<Title> titles_;
+};
+
+bool is_current(const FitData& data) {
+  return data.column.starts_with("current_");
+}
+
+/// Beginning of the interval that ends at the first row [s].
+double first_begin(const FitData& data, double start) {
+  const double interval = data.time.size() > 1 ? data.time[1] - data.time[0] : data.time[0] - start;
+  return std::max(start, data.time[0] - interval);
+}
+
+/// Parts of the charges of the two electrodes that a column is made of.
+struct Weights {
+  double top = 0, bottom = 0;
+};
+
+Weights weights(const std::string& column) {
+  if (column == "current_difference") {
+    return {0.5, -0.5};
+  }
+  if (column == "current_common") {
+    return {0.5, 0.5};
+  }
+  return column.ends_with("_bottom") ? Weights{0, 1} : Weights{1, 0};
+}
+
+/// The charge behind a column, or the voltage, at an instant.
+double value_at(const std::string& column, const electrochemistry::IonSolution& ions,
+                double instant) {
+  if (column == "voltage") {
+    return readout::value_at(ions.time, ions.voltage, instant);
+  }
+  const auto [top, bottom] = weights(column);
+  const double relaxed = readout::departure_from_line(
+      ions.time, {ions.relaxation_charge, ions.relaxation_current}, instant);
+  return top * readout::value_at(ions.time, ions.charge_top, instant) +
+         bottom * readout::value_at(ions.time, ions.charge_bottom, instant) +
+         (top - bottom) * relaxed;
+}
+
+} // namespace
+
+FitData read_fit_data(const std::filesystem::path& path, const std::string& column) {
+  return Reader(path).read(column);
+}
+
+void restrict_to_run(FitData& data, double start, double end) {
+  const double slack = 1e-9 * (end - start);
+  if (!data.time.empty() && data.time.back() > end + slack) {
+    throw UserError(fmt::format("the data reach to t = {:.6g} s, the run ends at {:.6g} s\n  = cut "
+                                "the data, or let the run last longer (motion.cycles)",
+                                data.time.back(), end));
+  }
+  const auto early = [&](double instant) {
+    return is_current(data) ? instant <= start + slack : instant < start - slack;
+  };
+  const auto dropped = std::ranges::find_if_not(data.time, early) - data.time.begin();
+  data.time.erase(data.time.begin(), data.time.begin() + dropped);
+  data.values.erase(data.values.begin(), data.values.begin() + dropped);
+  if (data.time.empty()) {
+    throw UserError(fmt::format("the data hold no row of {} that the run from {:.6g} s to {:.6g} s "
+                                "can answer\n  = the time counts from the beginning of the run",
+                                data.column, start, end));
+  }
+}
+
+std::vector<double> predict(const FitData& data, const electrochemistry::IonSolution& ions) {
+  const auto at = [&](double instant) { return value_at(data.column, ions, instant); };
+  std::vector<double> result(data.time.size());
+  if (!is_current(data)) {
+    std::ranges::transform(data.time, result.begin(), at);
+    return result;
+  }
+  double begin = first_begin(data, ions.time.front());
+  for (std::size_t row = 0; row < result.size(); ++row) {
+    result[row] = (at(data.time[row]) - at(begin)) / (data.time[row] - begin);
+    begin = data.time[row];
+  }
+  return result;
+}
+
+} // namespace ionskin::study

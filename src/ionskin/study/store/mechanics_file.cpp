@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/store/mechanics_file.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/results/hdf5/foreign_hdf5_file.hpp"
+#include "ionskin/results/hdf5/hdf5_messages.hpp"
+#include "ionskin/results/results_file.hpp"
+#include "ionskin/results/strain_file/strain_file.hpp"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <utility>
+
+namespace ionskin::study {
+
+namespace {
+
+/// Holds a group per companion, each with a path and a strain like those of the run.
+constexpr const char* companions_group = "/companions";
+constexpr double most_solves = 1e9;
+
+std::vector<double> onset_column(const MechanicsRecord& record, std::size_t column) {
+  std::vector<double> values;
+  for (const auto& onset : record.onsets) {
+    values.push_back(onset[column]);
+  }
+  return values;
+}
+
+void write_metrics(results::Hdf5File& file, const std::string& group,
+                   const std::vector<readout::Metric>& metrics) {
+  std::vector<std::string> names, units;
+  std::vector<double> values;
+  for (const readout::Metric& metric : metrics) {
+    names.push_back(metric.name);
+    units.push_back(metric.unit);
+    values.push_back(metric.value);
+  }
+  file.write(group + "/value", values);
+  file.write_texts(group + "/name", names);
+  file.write_texts(group + "/unit", units);
+}
+
+/// What belongs together was written with one length.
+void require_length(const results::ForeignHdf5File& file, const std::string& dataset,
+                    std::size_t actual, std::size_t expected) {
+  if (actual != expected) {
+    throw UserError(results::read_failure(file.path(), dataset));
+  }
+}
+
+std::vector<readout::Metric> read_metrics(const results::ForeignHdf5File& file,
+                                          const std::string& group) {
+  const auto names = file.read_texts(group + "/name");
+  const auto units = file.read_texts(group + "/unit");
+  const auto values = file.read(group + "/value");
+  require_length(file, group + "/unit", units.size(), names.size());
+  require_length(file, group + "/value", values.size(), names.size());
+  std::vector<readout::Metric> metrics;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    metrics.push_back({names[i], values[i], units[i]});
+  }
+  return metrics;
+}
+
+/// Below `root` what a run, or a companion of it, leaves beside the strain.
+void write_path(results::Hdf5File& file, const std::string& root, const MechanicsRecord& record) {
+  file.write_with_unit(root + "/time", record.history.time, "s");
+  file.write_with_unit(root + "/slider_z", record.slider_z, "m");
+  file.write_with_unit(root + "/normal_force", record.normal_force, "N");
+  file.write_with_unit(root + "/tangential_force", record.tangential_force, "N");
+  file.write_with_unit(root + "/onset_begin", onset_column(record, 0), "s");
+  file.write_with_unit(root + "/onset_end", onset_column(record, 1), "s");
+  file.write_with_unit(root + "/electrode_stress", record.electrode_stress, "Pa");
+  file.write_texts(root + "/warnings", record.warnings);
+  write_metrics(file, root + "/metrics", record.metrics);
+  file.set_attribute(root, "join_time", record.join_time);
+  file.set_attribute(root, "worst_equilibrium_residual", record.worst_equilibrium_residual);
+  file.set_attribute(root, "worst_complementarity_residual", record.worst_complementarity_residual);
+  file.set_attribute(root, "worst_interpolation_error", record.worst_interpolation_error);
+  file.set_attribute(root, "contact_solves", record.contact_solves);
+}
+
+/// One entry of each list for every sample of the history.
+void require_samples(const results::ForeignHdf5File& file, const std::string& root,
+                     const MechanicsRecord& record) {
+  const std::size_t samples = record.history.time.size();
+  require_length(file, root + "/slider_z", record.slider_z.size(), samples);
+  require_length(file, root + "/normal_force", record.normal_force.size(), samples);
+  require_length(file, root + "/tangential_force", record.tangential_force.size(), samples);
+}
+
+MechanicsRecord read_path(const results::ForeignHdf5File& file, const std::string& root) {
+  MechanicsRecord record;
+  const auto number = [&](const char* name) {
+    return file.number_attribute(root, name).value_or(0);
+  };
+  record.slider_z = file.read(root + "/slider_z");
+  record.normal_force = file.read(root + "/normal_force");
+  record.tangential_force = file.read(root + "/tangential_force");
+  const auto begins = file.read(root + "/onset_begin"), ends = file.read(root + "/onset_end");
+  require_length(file, root + "/onset_end", ends.size(), begins.size());
+  for (std::size_t i = 0; i < begins.size(); ++i) {
+    record.onsets.push_back({begins[i], ends[i]});
+  }
+  record.metrics = read_metrics(file, root + "/metrics");
+  record.electrode_stress = file.read(root + "/electrode_stress");
+  record.warnings = file.read_texts(root + "/warnings");
+  record.join_time = number("join_time");
+  record.worst_equilibrium_residual = number("worst_equilibrium_residual");
+  record.worst_complementarity_residual = number("worst_complementarity_residual");
+  record.worst_interpolation_error = number("worst_interpolation_error");
+  record.contact_solves = static_cast<int>(std::clamp(number("contact_solves"), 0.0, most_solves));
+  return record;
+}
+
+} // namespace
+
+void write_mechanics(const std::filesystem::path& path, const std::string& hash,
+                     const MechanicsRecord& record) {
+  results::ResultsFile results(path, results::ResultsFile::Start::empty);
+  results.write_strain(record.history);
+  results.write_contact(record.maps);
+  results::Hdf5File& file = results.file();
+  write_path(file, "/path", record);
+  file.set_attribute("/path", "mechanics_hash", hash);
+  for (const auto& [name, companion] : record.companions) {
+    const std::string group = companions_group + ("/" + name);
+    write_path(file, group + "/path", *companion);
+    results::write_strain(file, group + "/strain", companion->history);
+  }
+  results.commit();
+}
+
+std::optional<MechanicsRecord> read_mechanics(const std::filesystem::path& path,
+                                              const std::string& hash, const Skin& skin) {
+  if (!std::filesystem::exists(path)) {
+    return std::nullopt;
+  }
+  MechanicsRecord record;
+  {
+    const results::ForeignHdf5File file(path);
+    if (!file.has("/path") || file.text_attribute("/path", "mechanics_hash") != hash) {
+      return std::nullopt;
+    }
+    record = read_path(file, "/path");
+    record.history = results::read_strain_file(file, skin);
+    require_samples(file, "/path", record);
+    if (file.has(companions_group)) {
+      for (const std::string& name : file.members(companions_group)) {
+        const std::string group = companions_group + ("/" + name);
+        MechanicsRecord companion = read_path(file, group + "/path");
+        companion.history = results::read_strain_file(file, skin, group + "/strain");
+        require_samples(file, group + "/path", companion);
+        record.companions[name] = std::make_shared<const MechanicsRecord>(std::move(companion));
+      }
+    }
+  }
+  return record;
+}
+
+} // namespace ionskin::study

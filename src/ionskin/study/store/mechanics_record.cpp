@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/store/mechanics_record.hpp"
+
+#include "ionskin/case/slider_motion.hpp"
+#include "ionskin/handover/contact_timeline.hpp"
+#include "ionskin/handover/energy_balance.hpp"
+#include "ionskin/handover/handover.hpp"
+#include "ionskin/readout/phases.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include <set>
+#include <utility>
+
+namespace ionskin::study {
+namespace {
+
+/// Names the states of a cycle and collects their maps, each state once.
+class MapCollector {
+public:
+  explicit MapCollector(const std::vector<MotionLeg>& legs) : legs_(legs) {}
+
+  void add_leg(std::size_t index, const mechanics::LegSolution& leg) {
+    const MotionLeg& motion = legs_[index];
+    if (motion.slides()) {
+      const std::string prefix = numbered(slides_);
+      add_path(index, leg, prefix + "onset");
+      for (std::size_t i = 0; i < leg.steady.size(); ++i) {
+        add(fmt::format("{}steady_{}", prefix, i), index, leg.steady[i]);
+      }
+    } else if (motion.lands()) {
+      const std::string prefix = numbered(touchdowns_);
+      add_path(index, leg, prefix + "touchdown");
+      if (leg.path.size() == 2 && !maps_.empty()) {
+        maps_.back().state = prefix + "touchdown"; // one increment is the whole touchdown
+      }
+    } else if (motion.leaves()) {
+      add_path(index, leg, numbered(lifts_) + "lift_off");
+    } else {
+      add_path(index, leg, numbered(changes_) + "load_change");
+    }
+  }
+  std::vector<results::ContactMap> take() { return std::move(maps_); }
+
+private:
+  /// "" for the first of its kind, "2_" for the second.
+  static std::string numbered(int& count) {
+    return ++count == 1 ? "" : std::to_string(count) + "_";
+  }
+
+  void add_path(std::size_t leg, const mechanics::LegSolution& solution, const std::string& name) {
+    // The first state of a path is the last of the leg before.
+    for (std::size_t i = 1; i < solution.path.size(); ++i) {
+      add(fmt::format("{}_{:02}", name, i), leg, solution.path[i]);
+    }
+  }
+
+  void add(std::string name, std::size_t leg, const mechanics::PathState& point) {
+    if (!point.state || !known_.insert(point.state.get()).second) {
+      return;
+    }
+    const mechanics::ContactState& state = *point.state;
+    maps_.push_back({std::move(name), legs_[leg].begin + point.time, state.normal_traction,
+                     state.tangential_traction_x, state.tangential_traction_y, state.slip});
+  }
+
+  const std::vector<MotionLeg>& legs_;
+  int touchdowns_ = 0, slides_ = 0, lifts_ = 0, changes_ = 0;
+  std::set<const mechanics::ContactState*> known_;
+  std::vector<results::ContactMap> maps_;
+};
+
+std::vector<results::ContactMap> make_maps(const std::vector<MotionLeg>& legs,
+                                           const mechanics::ContactSolution& contact) {
+  MapCollector collector(legs);
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    if (legs[i].touches()) {
+      collector.add_leg(i, contact.legs[i]);
+    }
+  }
+  return collector.take();
+}
+
+/// Of a combination of states, an area of each [m2].
+double combined_area(const handover::StateCombination& combination,
+                     double mechanics::ContactState::*area) {
+  double sum = 0;
+  for (const auto& term : combination.terms) {
+    sum += term.weight * term.state->*area;
+  }
+  return sum;
+}
+
+std::vector<readout::Metric> contact_metrics(const Case& input,
+                                             const mechanics::ContactSolution& contact,
+                                             const handover::ContactTimeline& timeline) {
+  const auto slide = timeline.at(readout::middle_of_slide(input.motion, input.slider));
+  const double area = combined_area(slide, &mechanics::ContactState::contact_area);
+  const handover::EnergyBalance energy = handover::energy_balance(timeline, contact);
+  std::vector<readout::Metric> metrics{
+      {"contact_area_slide", area, "m2"},
+      {"mean_pressure_slide", area > 0 ? slide.normal_force() / area : 0.0, "Pa"},
+      {"external_work", energy.external_work, "J"},
+      {"friction_work", energy.friction_work, "J"},
+      {"energy_balance_error", energy.relative_error, "1"}};
+  const auto pressed = timeline.at(readout::end_of_touchdown(input.motion, input.slider));
+  if (!pressed.terms.empty()) {
+    metrics.push_back(
+        {"stick_fraction_touchdown", pressed.terms.front().state->stick_fraction, "1"});
+  }
+  return metrics;
+}
+
+/// Per electrode layer, over all states of the motion.
+std::vector<double> largest_electrode_stress(const mechanics::ContactSolution& contact) {
+  std::vector<double> largest;
+  for (const mechanics::LegSolution& leg : contact.legs) {
+    for (const auto* points : {&leg.path, &leg.steady}) {
+      for (const mechanics::PathState& point : *points) {
+        if (point.state) {
+          const std::vector<double>& stress = point.state->electrode_stress;
+          largest.resize(std::max(largest.size(), stress.size()));
+          for (std::size_t i = 0; i < stress.size(); ++i) {
+            largest[i] = std::max(largest[i], stress[i]);
+          }
+        }
+      }
+    }
+  }
+  return largest;
+}
+
+} // namespace
+
+MechanicsRecord make_mechanics_record(const Case& input,
+                                      const mechanics::ContactSolution& contact) {
+  MechanicsRecord record;
+  record.history = handover::build_strain_history(input, contact);
+  const handover::ContactTimeline timeline(input, contact);
+  const std::vector<MotionLeg> legs = motion_legs(input.motion, input.slider);
+  const auto direction = first_slide(legs).direction();
+  for (int cycle = 0; cycle < input.motion.cycles; ++cycle) {
+    for (std::size_t i = cycle == 0 ? 0 : 1; i < timeline.sample_times().size(); ++i) {
+      const auto combination = timeline.at_sample(i);
+      const auto tangential = combination.tangential_force();
+      record.slider_z.push_back(combination.height);
+      record.normal_force.push_back(combination.normal_force());
+      record.tangential_force.push_back(tangential[0] * direction[0] +
+                                        tangential[1] * direction[1]);
+    }
+  }
+  record.join_time = timeline.join_time();
+  record.onsets = timeline.onsets();
+  record.maps = {contact.cell_lines_x, contact.cell_lines_y, make_maps(legs, contact)};
+  record.worst_equilibrium_residual = contact.worst_equilibrium_residual;
+  record.worst_complementarity_residual = contact.worst_complementarity_residual;
+  record.worst_interpolation_error = contact.worst_interpolation_error;
+  record.contact_solves = contact.contact_solves;
+  record.electrode_stress = largest_electrode_stress(contact);
+  record.warnings = contact.warnings;
+  record.metrics = contact_metrics(input, contact, timeline);
+  return record;
+}
+
+} // namespace ionskin::study

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/history/core_history.hpp"
+#include "ionskin/mechanics/output/contact_solution.hpp"
+#include "ionskin/readout/metrics.hpp"
+#include "ionskin/results/contact_map.hpp"
+
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ionskin::study {
+
+/// What Study 1 leaves to everything after it. It is written when Study 1 ends and read back by a
+/// resumed run, so that Study 1 never runs twice.
+struct MechanicsRecord {
+  history::CoreHistory history;
+  // One entry per sample of the history; empty in runs from a strain file.
+  std::vector<double> slider_z;         ///< underside above the undeformed top face [m]
+  std::vector<double> normal_force;     ///< [N]
+  std::vector<double> tangential_force; ///< along the first slide [N]
+  double join_time = 0;                 ///< onset of the first slide has joined steady sliding [s]
+  /// Begin of each slide of a cycle, and where its onset has joined steady sliding [s].
+  std::vector<std::array<double, 2>> onsets;
+  results::ContactMaps maps; ///< half models hold y <= 0 only
+  double worst_equilibrium_residual = 0;
+  double worst_complementarity_residual = 0;
+  double worst_interpolation_error = 0;
+  int contact_solves = 0;
+  std::vector<readout::Metric> metrics; ///< of the contact, for summary.json
+  /// Largest membrane stress of each electrode layer over all states, bottom to top [Pa].
+  std::vector<double> electrode_stress;
+  std::vector<std::string> warnings;
+  /// The same without maps on coarser meshes, by name (study/errors/companions.hpp): they tell the
+  /// errors. Empty where those have no solution, and with a given strain.
+  std::map<std::string, std::shared_ptr<const MechanicsRecord>> companions;
+
+  bool has_contact() const { return !normal_force.empty(); }
+};
+
+/// Condenses the contact states into forces, maps and the shear history of the whole run.
+MechanicsRecord make_mechanics_record(const Case& input, const mechanics::ContactSolution& contact);
+
+} // namespace ionskin::study

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/sweep/sweep_points.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/base/text.hpp"
+#include "ionskin/case/reading/read_case.hpp"
+#include "ionskin/mesh/skin_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace ionskin::study {
+namespace {
+
+constexpr std::size_t longest_name = 100;
+
+std::vector<SweepAxis> parse_axes(const std::vector<std::string>& over) {
+  std::vector<SweepAxis> axes;
+  for (const std::string& argument : over) {
+    SweepAxis axis = parse_axis(argument);
+    for (const SweepAxis& other : axes) {
+      if (other.key == axis.key) {
+        throw UserError(fmt::format("--over names {} twice\n  = give all its values at once: "
+                                    "--over {}=value,value,...",
+                                    axis.key, axis.key));
+      }
+    }
+    axes.push_back(std::move(axis));
+  }
+  return axes;
+}
+
+/// The last part of a key and its value, fit for the name of a folder.
+std::string name_part(const std::string& key, const std::string& value) {
+  std::string text = fmt::format("_{}=", key.substr(key.rfind('.') + 1));
+  for (const char letter : value) {
+    if (std::isalnum(static_cast<unsigned char>(letter)) ||
+        std::string_view("+-.").find(letter) != std::string_view::npos) {
+      text += letter;
+    } else if (letter == ',' || letter == '/') {
+      text += '_';
+    }
+  }
+  return text;
+}
+
+SweptValue swept_value(const CaseDocument& document, const std::string& key,
+                       const std::string& written) {
+  if (const auto number = document.number(key)) {
+    return {key, written, fmt::format("{:.12g}", number->value),
+            units::dimension_info(number->dimension).si_unit};
+  }
+  const ValueRecord* record = document.find(key);
+  return {key, written, record != nullptr ? record->si : written, ""};
+}
+
+SweepPoint read_point(const SweepRequest& request, const std::vector<SweepAxis>& axes,
+                      const std::vector<std::string>& values, std::size_t number) {
+  std::vector<std::string> edits = request.set_edits;
+  std::string name = fmt::format("{:04}", number);
+  std::string where;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    edits.push_back(axes[i].key + "=" + values[i]);
+    where += (i > 0 ? ", " : "") + edits.back();
+    name += name_part(axes[i].key, values[i]);
+  }
+  SweepPoint point;
+  point.name = name.substr(0, longest_name);
+  try {
+    const CaseDocument document = request.case_text
+                                      ? read_case_text(*request.case_text, request.case_path, edits)
+                                      : read_case_document(request.case_path, edits);
+    if (document.input.strain.kind == StrainSourceKind::contact) {
+      mesh::SkinMesh{document.input};
+    }
+    point.input = document.input;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      point.values.push_back(swept_value(document, axes[i].key, values[i]));
+    }
+  } catch (const UserError& error) {
+    throw UserError(
+        fmt::format("point {} of the sweep ({}): {}", number, base::shown(where), error.what()));
+  }
+  return point;
+}
+
+/// A key whose values are of several kinds (an indentation here, a force there) becomes a text.
+void unify_units(std::vector<SweepPoint>& points) {
+  for (std::size_t k = 0; k < points.front().values.size(); ++k) {
+    const std::string unit = points.front().values[k].unit;
+    const bool same = std::all_of(points.begin(), points.end(), [&](const SweepPoint& point) {
+      return point.values[k].unit == unit;
+    });
+    for (SweepPoint& point : points) {
+      SweptValue& value = point.values[k];
+      value = same ? value : SweptValue{value.key, value.written, value.written, ""};
+    }
+  }
+}
+
+/// The design as a comment at the end of the base case: the text then tells one sweep from another.
+std::string design_comment(const SweepRequest& request) {
+  std::string text = "\n# Swept:\n";
+  for (const std::string& argument : request.over) {
+    text += fmt::format("#   --over {}\n", base::shown(argument, argument.size()));
+  }
+  if (request.samples > 0) {
+    text += fmt::format("#   --samples {} --sampling {} --seed {}\n", request.samples,
+                        request.sampling == Sampling::sobol ? "sobol" : "latin", request.seed);
+  }
+  return text;
+}
+
+} // namespace
+
+SweepPlan plan_sweep(const SweepRequest& request) {
+  const std::vector<SweepAxis> axes = parse_axes(request.over);
+  const auto design = request.samples > 0
+                          ? sampled_design(axes, request.sampling, request.samples, request.seed)
+                          : grid_design(axes);
+  SweepPlan plan;
+  for (std::size_t i = 0; i < design.size(); ++i) {
+    plan.points.push_back(read_point(request, axes, design[i], i + 1));
+  }
+  unify_units(plan.points);
+  // The swept keys may be missing in the file: the first point gives the base its values.
+  plan.base = plan.points.front().input;
+  plan.base.text += design_comment(request);
+  return plan;
+}
+
+} // namespace ionskin::study

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/study/sweep/sweep_design.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ionskin::study {
+
+/// What the user asks of a sweep: a base case and the keys to vary.
+struct SweepRequest {
+  std::string case_path;
+  std::optional<std::string> case_text; ///< instead of the file's
+  std::vector<std::string> set_edits;   ///< of the base case
+  std::vector<std::string> over;        ///< one `KEY=...` per axis, see `parse_axis`
+  std::size_t samples = 0;              ///< 0: the grid of all values
+  Sampling sampling = Sampling::sobol;
+  std::uint64_t seed = 1;
+};
+
+/// A key's value at one point: as written, and in SI units ("1e-06", "m"; unit "1" for pure
+/// numbers, empty for texts).
+struct SweptValue {
+  std::string key, written, si, unit;
+};
+
+/// One point of a sweep: a whole case.
+struct SweepPoint {
+  std::string name; ///< of its folder: "0003_friction=0.15"
+  std::vector<SweptValue> values;
+  Case input;
+};
+
+struct SweepPlan {
+  Case base; ///< its text names the axes, so that it identifies the sweep
+  std::vector<SweepPoint> points;
+};
+
+/// Reads and checks the case of every point. Throws UserError with the point that is wrong.
+SweepPlan plan_sweep(const SweepRequest& request);
+
+} // namespace ionskin::study

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/electrochemistry/time/step_control.hpp"
+
+#include "model_cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace ionskin::electrochemistry {
+namespace {
+
+const StepControl control{{{0.0, 1.0, 3.0}, {true, true, false}, {true, false, true}},
+                          {1e-4, 1e-5, 0.5, 1e-12, 4.0, 1e-3}};
+
+TEST(StepControl, LandsWithoutSlivers) {
+  EXPECT_DOUBLE_EQ(control.step_end(0.2, 0.1), 0.3);
+  EXPECT_EQ(control.step_end(0.9, 0.2), 1.0);
+  EXPECT_DOUBLE_EQ(control.step_end(0.85, 0.1), 0.925);
+  EXPECT_EQ(control.step_end(1.0, 9.0), 1.5);
+  EXPECT_TRUE(control.finished(3.0));
+  EXPECT_FALSE(control.finished(2.9));
+}
+
+TEST(StepControl, StretchesAStepFromLandingToLanding) {
+  const StepControl regular{{{0.0, 1.0, 2.0}, {false, false, false}, {false, false, false}},
+                            {1e-4, 1e-5, 1.0, 1e-12, 4.0, 1e-3}};
+  EXPECT_EQ(regular.step_end(1.0, 0.95), 2.0);
+  EXPECT_DOUBLE_EQ(regular.step_end(1.0, 0.85), 1.5);
+  EXPECT_DOUBLE_EQ(regular.step_end(1.05, 0.9), 1.525);
+}
+
+TEST(StepControl, ErrorOfThirdOrderSetsTheLength) {
+  EXPECT_NEAR(control.after_success(0.1, 0.2, 0.1, 0.1), 0.1 * 0.85 * std::cbrt(10.0), 1e-12);
+  EXPECT_NEAR(control.after_success(0.1, 0.2, 0.1, 0.9), 0.1 * 0.85 / std::cbrt(0.9), 1e-12);
+  EXPECT_NEAR(control.after_success(0.1, 0.2, 0.1, 0.0), 0.4, 1e-12);
+  EXPECT_LT(control.after_rejection(0.1, 0.2, 1.01), 0.071);
+  EXPECT_NEAR(control.after_rejection(0.1, 0.2, 1e9), 0.01, 1e-12);
+  EXPECT_NEAR(control.after_failure(0.1, 0.2), 0.025, 1e-12);
+}
+
+TEST(StepControl, RestartsBehindEventsAndRemembersLongerStepsElsewhere) {
+  EXPECT_EQ(control.after_success(0.9, 1.0, 0.5, 0.0), 1e-5);
+  EXPECT_EQ(control.after_success(2.99, 3.0, 0.5, 0.1), 0.5);
+}
+
+TEST(StepControl, LooksAtColumnsOnTheWayToKeptFields) {
+  EXPECT_EQ(control.column_share(0.0), 1e-3);
+  EXPECT_GT(control.column_share(1.0), 1e-3);
+  EXPECT_GT(control.column_share(2.5), 1e-3);
+}
+
+TEST(StepControl, KnowsTheLandingsOfAnEarlierRun) {
+  EXPECT_TRUE(control.has_landed({0.0, 0.4, 1.0, 1.7}));
+  EXPECT_FALSE(control.has_landed({0.0, 0.4, 1.7}));
+  EXPECT_FALSE(control.has_landed({0.1, 1.0}));
+}
+
+TEST(StepRule, RefinementDividesStepsOfThirdOrder) {
+  const DerivedScales scales = derive_scales(verification::model_case().electrochemistry, 180e-6);
+  const StepRule once = step_rule({Preset::standard, 1.0, 1.0}, {}, scales);
+  const StepRule twice = step_rule({Preset::standard, 1.0, 2.0}, {}, scales);
+  EXPECT_DOUBLE_EQ(once.tolerance, preset_tolerance(Preset::standard));
+  EXPECT_DOUBLE_EQ(twice.tolerance, once.tolerance / 8.0);
+  EXPECT_DOUBLE_EQ(twice.first, 0.5 * once.first);
+  EXPECT_DOUBLE_EQ(twice.longest, 0.5 * once.longest);
+  EXPECT_DOUBLE_EQ(twice.growth, std::sqrt(once.growth));
+  EXPECT_DOUBLE_EQ(
+      step_rule({.preset = Preset::fine, .time_tolerance = 0.01}, {}, scales).tolerance, 0.01);
+}
+
+TEST(StepRule, TaxelsAskForSingleColumns) {
+  const DerivedScales scales = derive_scales(verification::model_case().electrochemistry, 180e-6);
+  Readout readout;
+  const StepRule whole = step_rule({}, readout, scales);
+  readout.taxels.emplace_back();
+  EXPECT_DOUBLE_EQ(step_rule({}, readout, scales).column_share, 10.0 * whole.column_share);
+}
+
+TEST(EstimatedSteps, FollowTheToleranceAndTheLandings) {
+  const DerivedScales scales = derive_scales(verification::model_case().electrochemistry, 180e-6);
+  const StepRule rule = step_rule({Preset::standard, 1.0, 1.0}, {}, scales);
+  // On the tail of the baseline the steps are 0.08 s long at first.
+  EXPECT_NEAR(relaxation_step(rule, scales), 0.08, 0.005);
+  // While the slider passes columns of 0.2 mm at 3 mm/s they are 0.054 s long.
+  EXPECT_NEAR(crossing_step(rule, 0.2 / 3.0), 0.054, 0.001);
+  const StepLandings landings{{0.0, 1.0, 3.0}, {true, true, false}, {false, false, false}};
+  const StepRule doubling{1e-4, 0.1, 0.5, 1e-12, 2.0, 1e-3};
+  // 0.1, 0.2, 0.4 and 0.5; again 0.1 and 0.2, then seven of 0.25.
+  EXPECT_EQ(estimate_steps(landings, doubling, {1.0, 0.25}), 4U + 9U);
+}
+
+TEST(EstimatedSteps, AreCountedAtOnceHoweverMany) {
+  const StepLandings landings{{0.0, 1e7}, {true, true}, {false, false}};
+  const StepRule rule{1e-4, 1e-15, 0.5, 1e-12, 2.0, 1e-3};
+  EXPECT_GE(estimate_steps(landings, rule, {1e-15}), 1'000'000'000'000U);
+}
+
+} // namespace
+} // namespace ionskin::electrochemistry

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/handover/handover.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/handover/contact_timeline.hpp"
+#include "ionskin/history/shear_statistics.hpp"
+#include "synthetic_contact.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ionskin::handover {
+namespace {
+
+void expect_conserved(const Case& input) {
+  const auto contact = synthetic_contact(input);
+  const auto history = build_strain_history(input, contact);
+  const ContactTimeline timeline(input, contact);
+  const auto& times = timeline.sample_times();
+  for (std::size_t i = 0; i < times.size(); i += 5) {
+    const double expected = mechanics_shear_integral(input, contact.mesh, timeline.at(times[i]));
+    EXPECT_NEAR(history::shear_integral(history, times[i]), expected, 1e-12 * expected)
+        << "at " << times[i];
+  }
+}
+
+TEST(Handover, ConservesTheIntegralOfTheHalfModel) {
+  expect_conserved(small_case());
+}
+
+TEST(Handover, ConservesTheIntegralOfAnOffCentreTrack) {
+  Case input = small_case();
+  input.slider.start[1] = 0.9e-3;
+  expect_conserved(input);
+}
+
+TEST(Handover, ConservesTheIntegralOfAnObliqueTrack) {
+  Case input = small_case();
+  input.slider.size = {3e-3, 1e-3};
+  input.motion.stroke = 1e-3;
+  input.motion.direction = {0.96, 0.28};
+  expect_conserved(input);
+}
+
+TEST(Handover, RepeatsTheCycleWithoutCopies) {
+  const Case input = small_case();
+  const auto contact = synthetic_contact(input);
+  const auto history = build_strain_history(input, contact);
+  const std::size_t one_cycle = ContactTimeline(input, contact).sample_times().size();
+  ASSERT_EQ(history.time.size(), 2 * one_cycle - 1);
+  EXPECT_EQ(history.shear()[5].get(), history.shear()[one_cycle + 4].get());
+  EXPECT_DOUBLE_EQ(history.time.back(), 8.0);
+  EXPECT_EQ(history.event_time.size(), 8u);
+  EXPECT_NEAR(history.event_time[4], 4 + history.event_time[0], 1e-12);
+}
+
+TEST(Handover, TouchdownIsProportionalToTheIndentation) {
+  const Case input = small_case();
+  const auto contact = synthetic_contact(input);
+  const auto history = build_strain_history(input, contact);
+  const double contact_time = 0.5 * 1000.0 / 1001.0;
+  const double half = history::shear_integral(history, 0.5 * (contact_time + 0.5));
+  EXPECT_NEAR(half, 0.5 * history::shear_integral(history, 0.5), 1e-12 * half);
+  EXPECT_EQ(history::shear_integral(history, contact_time), 0.0);
+}
+
+TEST(Handover, RefusesShearThatIsNoNumberAndNamesTheContact) {
+  const Case input = small_case();
+  auto contact = synthetic_contact(input);
+  mechanics::ContactState broken = *contact.legs[1].steady[3].state;
+  broken.strain.component[4][17] = std::nan("");
+  contact.legs[1].steady[3].state =
+      std::make_shared<const mechanics::ContactState>(std::move(broken));
+  try {
+    build_strain_history(input, contact);
+    FAIL() << "a NaN passed the handover";
+  } catch (const SolverError& error) {
+    EXPECT_NE(std::string(error.what()).find("friction law \"coulomb\""), std::string::npos)
+        << error.what();
+  }
+}
+
+} // namespace
+} // namespace ionskin::handover

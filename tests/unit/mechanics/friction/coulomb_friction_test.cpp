@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/schema/schema.hpp"
+#include "ionskin/mechanics/friction/coulomb_friction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace ionskin::mechanics {
+namespace {
+
+TEST(CoulombFriction, limit_is_proportional_to_pressure_and_zero_in_tension) {
+  const CoulombFriction law{0.3};
+  EXPECT_DOUBLE_EQ(law.limit({2e6, 1e-6, 0.1}), 0.6e6);
+  EXPECT_EQ(law.limit({-2e6, 1e-6, 0.1}), 0.0);
+  EXPECT_DOUBLE_EQ(law.limit({2e6, 5e-6, 0.01}), law.limit({2e6, 1e-6, 0.1})); // rate-independent
+}
+
+TEST(CoulombFriction, slope_agrees_with_finite_differences) {
+  const CoulombFriction law{0.3};
+  for (const double traction : {-1e6, 1e6}) {
+    const double difference =
+        (law.limit({traction + 1, 0, 0}) - law.limit({traction - 1, 0, 0})) / 2;
+    EXPECT_NEAR(law.limit_slope({traction, 0, 0}), difference, 1e-9);
+  }
+}
+
+TEST(FrictionLaws, EveryNameOfTheSchemaHasOne) {
+  for (const Choice& choice : find_row("contact.law")->choices) {
+    EXPECT_EQ(friction_law(choice.name).name, choice.name);
+  }
+}
+
+TEST(CoulombFriction, projection_shortens_but_does_not_turn) {
+  const auto inside = project_on_disc({0.3, 0.4}, 0.6);
+  EXPECT_EQ(inside[0], 0.3);
+  EXPECT_EQ(inside[1], 0.4);
+  const auto outside = project_on_disc({3, 4}, 2);
+  EXPECT_NEAR(std::hypot(outside[0], outside[1]), 2, 1e-15);
+  EXPECT_NEAR(outside[0] * 4 - outside[1] * 3, 0, 1e-15);
+}
+
+} // namespace
+} // namespace ionskin::mechanics

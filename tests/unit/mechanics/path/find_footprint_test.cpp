@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/path/find_footprint.hpp"
+#include "ionskin/mechanics/path/first_touch.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "small_case.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ionskin::mechanics {
+namespace {
+
+Case small_finger() {
+  Case input = small_case();
+  input.slider.shape = SliderShape::sphere;
+  input.slider.radius = 4e-3;
+  input.slider.size = {8e-3, 8e-3};
+  input.motion.stroke = 0;
+  return input;
+}
+
+TEST(FindFootprint, of_a_sharp_slider_is_its_plan) {
+  const mesh::Footprint footprint = find_footprint(small_case(), 0.3, 1);
+  EXPECT_EQ(footprint.half_size, (std::array<double, 2>{0.5e-3, 0.4e-3}));
+  EXPECT_TRUE(footprint.sharp(0) && footprint.sharp(1));
+}
+
+TEST(FindFootprint, of_a_sphere_holds_its_contact_closely) {
+  const mesh::Footprint footprint = find_footprint(small_finger(), 0.3, 1);
+  EXPECT_TRUE(footprint.round(0) && footprint.round(1));
+  const mesh::Footprint largest = mesh::largest_footprint(small_finger());
+  for (std::size_t d = 0; d < 2; ++d) {
+    EXPECT_LT(footprint.half_size[d], 1.2 * largest.half_size[d]);
+    EXPECT_GT(footprint.half_size[d], 0.25 * largest.half_size[d]);
+  }
+}
+
+TEST(FindFootprint, of_a_barely_pressed_rounded_slider_ends_close_to_its_flat_part) {
+  Case input = small_case();
+  input.slider.edge_radius = 0.2e-3;
+  input.motion.preload = 0;
+  input.motion.preload_force = 0.1;
+  const mesh::Footprint footprint = find_footprint(input, 0.3, 1);
+  for (std::size_t d = 0; d < 2; ++d) {
+    EXPECT_NEAR(footprint.half_size[d] - footprint.rim[d], input.slider.flat_half_size()[d], 1e-15);
+    EXPECT_GT(footprint.rim[d], 0);
+    EXPECT_LT(footprint.rim[d], 0.06e-3);
+  }
+}
+
+TEST(FindFootprint, does_not_depend_on_the_number_of_threads) {
+  Case input = small_finger();
+  input.motion.stroke = 1e-3;
+  const mesh::Footprint one = find_footprint(input, 0.3, 1), two = find_footprint(input, 0.3, 2);
+  EXPECT_EQ(one.half_size, two.half_size);
+  EXPECT_EQ(one.rim, two.rim);
+}
+
+TEST(FindFootprint, is_shared_by_all_coefficients_up_to_the_next_step) {
+  EXPECT_EQ(footprint_friction(0), 0);
+  EXPECT_EQ(footprint_friction(0.05), 0.5);
+  EXPECT_EQ(footprint_friction(0.5), 0.5);
+  EXPECT_EQ(footprint_friction(0.51), 1);
+  EXPECT_EQ(footprint_friction(2), 2);
+  const Case input = small_finger();
+  EXPECT_EQ(find_footprint(input, 0.1, 1).half_size, find_footprint(input, 0.45, 1).half_size);
+}
+
+TEST(FindFootprint, refuses_a_contact_over_the_edge_of_the_skin) {
+  Case input = small_finger();
+  input.slider.start[0] = 20e-6;
+  EXPECT_THROW(find_footprint(input, 0.3, 1), UserError);
+}
+
+/// A wedge with its ridge along y at the given place.
+Case small_wedge(double ridge) {
+  Case input = small_case();
+  input.slider.shape = SliderShape::profile;
+  input.slider.profile_heights = {
+      {-0.5e-3, ridge, 0.5e-3}, {-0.4e-3, 0.4e-3}, {0.1e-3, 0, 0.1e-3, 0.1e-3, 0, 0.1e-3}};
+  return input;
+}
+
+TEST(FindFootprint, of_a_wedge_follows_its_ridge) {
+  const mesh::Footprint largest = mesh::largest_footprint(small_wedge(0));
+  // It indents by 1 um and rises by 0.1 mm over half its size.
+  EXPECT_NEAR(largest.half_size[0], 1.15 * 5e-6, 1e-9);
+  EXPECT_NEAR(largest.half_size[1], 0.4e-3, 1e-9);
+}
+
+TEST(FirstTouch, refuses_a_slider_that_touches_no_cell) {
+  EXPECT_NO_THROW(require_touch(small_wedge(0)));
+  Case input = small_wedge(0.3e-3); // far from the centre, where cells are wide
+  input.motion.preload = 1e-9;
+  EXPECT_THROW(require_touch(input), UserError);
+  EXPECT_THROW(find_footprint(input, 0.3, 1), UserError);
+}
+
+TEST(FirstTouch, refuses_a_path_above_the_skin) {
+  Case input = small_case();
+  input.motion.kind = MotionKind::waypoints;
+  input.motion.waypoints = {{0, {1.5e-3, 1e-3}, 1e-3, {}, 0}, {1, {2e-3, 1e-3}, 1e-4, {}, 0}};
+  EXPECT_THROW(require_touch(input), UserError);
+}
+
+} // namespace
+} // namespace ionskin::mechanics

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/errors/convergence.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ionskin::study {
+namespace {
+
+Signals with_current(const std::vector<double>& current) {
+  Signals signals;
+  for (const char* name :
+       {"current_top", "current_bottom", "current_difference", "current_common"}) {
+    signals.resolved.columns.push_back({name, "A", current});
+    signals.metrics.push_back({std::string("peak_") + name, 1, "A"});
+  }
+  signals.metrics.push_back({"element_max_shear_slide", 0.1, "1"});
+  return signals;
+}
+
+TEST(Convergence, largest_values_under_sharp_edges_have_no_limit) {
+  Case input;
+  input.skin.width = 2e-3;
+  input.slider.size = {1e-3, 1e-3};
+  const Signals signals = with_current({0, 1, 1, 1});
+  EXPECT_TRUE(not_converging(input, signals).contains("element_max_shear_slide"));
+  input.slider.edge_radius = 1e-4;
+  EXPECT_FALSE(not_converging(input, signals).contains("element_max_shear_slide"));
+}
+
+TEST(Convergence, a_spike_of_one_step_has_no_peak) {
+  Case input;
+  input.slider.edge_radius = 1e-4;
+  EXPECT_EQ(not_converging(input, with_current({0, 0, -5, 1, 0})).size(), 4u);
+  EXPECT_TRUE(not_converging(input, with_current({0, 3, -5, 1, 0})).empty());
+}
+
+} // namespace
+} // namespace ionskin::study

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/errors/error_parts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace ionskin::study {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Signals of three rows in which the mean shear and the force of a run are multiplied.
+Signals scaled_signals(double shear, double force) {
+  Signals signals;
+  const std::vector<double> zero(3, 0.0);
+  signals.resolved.columns = {{"time", "s", {0, 1, 2}},
+                              {"normal_force", "N", {0, 10 * force, 20 * force}},
+                              {"mean_shear", "1", {0, 1e-3 * shear, 2e-3 * shear}},
+                              {"mean_shear_rate", "1/s", {0, 1e-3 * shear, 1e-3 * shear}},
+                              {"charge_top", "C", zero},
+                              {"charge_bottom", "C", zero},
+                              {"current_top", "A", zero},
+                              {"current_bottom", "A", zero},
+                              {"current_difference", "A", zero},
+                              {"current_common", "A", zero}};
+  signals.sampled.columns = {{"time", "s", {1, 2}},
+                             {"current_top", "A", {0, 0}},
+                             {"current_bottom", "A", {0, 0}},
+                             {"current_difference", "A", {0, 0}},
+                             {"current_common", "A", {0, 0}}};
+  signals.metrics = {{"normal_force_slide", 20 * force, "N"},
+                     {"mean_shear_slide", 2e-3 * shear, "1"}};
+  return signals;
+}
+
+TEST(ErrorParts, add_up_to_the_error) {
+  const Signals base = scaled_signals(1, 1), mesh = scaled_signals(1.01, 1.02),
+                path = scaled_signals(1.011, 1.02);
+  const auto estimate = combine_errors(
+      base, {{error_parts::mechanics_mesh, &base, &mesh}, {error_parts::path, &mesh, &path}}, {});
+  const auto& parts = estimate.parts.at("mean_shear_slide");
+  EXPECT_NEAR(parts.at("mechanics_mesh"), 1.3 * 2e-5, 1e-12);
+  EXPECT_GT(parts.at("path"), 1.9e-6);
+  EXPECT_NEAR(estimate.relative.at("mean_shear_slide"),
+              (parts.at("mechanics_mesh") + parts.at("path")) / 2e-3, 1e-12);
+  EXPECT_NEAR(estimate.parts.at("normal_force_slide").at("mechanics_mesh"), 1.3 * 0.4, 1e-9);
+}
+
+TEST(ErrorParts, a_difference_that_happens_to_vanish_is_no_small_error) {
+  const Signals base = scaled_signals(1, 1);
+  Signals mesh = scaled_signals(1.01, 1);
+  mesh.metrics[1].value = base.metrics[1].value; // the mean shear is off at every other instant
+  const auto estimate = combine_errors(base, {{error_parts::mechanics_mesh, &base, &mesh}}, {});
+  EXPECT_GE(estimate.relative.at("mean_shear_slide"), 0.0099);
+}
+
+TEST(ErrorParts, an_upper_percentile_errs_as_its_neighbours) {
+  Signals base = scaled_signals(1, 1), mesh = scaled_signals(1, 1);
+  base.resolved.columns.push_back({"p99_shear", "1", {0, 0.02, 0.02}});
+  mesh.resolved.columns.push_back(base.resolved.columns.back());
+  base.metrics.push_back({"p99_shear_slide", 0.02, "1"});
+  base.metrics.push_back({"p95_shear_slide", 0.01, "1"});
+  base.metrics.push_back({"element_max_shear_slide", 0.04, "1"});
+  mesh.metrics = base.metrics;
+  mesh.metrics.back().value = 0.05;
+  const auto estimate = combine_errors(base, {{error_parts::mechanics_mesh, &base, &mesh}}, {});
+  EXPECT_NEAR(estimate.relative.at("p99_shear_slide"), 1.3 * 0.25, 1e-12);
+}
+
+TEST(ErrorParts, what_is_no_number_is_not_estimated) {
+  const Signals base = scaled_signals(1, 1);
+  Signals mesh = scaled_signals(1.01, 1.01);
+  mesh.metrics[0].value = nan;
+  const auto estimate = combine_errors(base, {{error_parts::mechanics_mesh, &base, &mesh}}, {});
+  EXPECT_FALSE(estimate.relative.contains("normal_force_slide"));
+  EXPECT_EQ(estimate.not_estimated.at("normal_force_slide"), not_a_number);
+  EXPECT_TRUE(estimate.relative.contains("mean_shear_slide"));
+}
+
+TEST(ErrorParts, audits_and_what_rounding_makes_have_none) {
+  Signals base = scaled_signals(1, 1);
+  base.metrics.push_back({"equilibrium_residual", 1e-12, "1"});
+  base.metrics.push_back({"peak_sampled_current_top", 1e-16, "A"});
+  const Signals mesh = base;
+  const auto estimate = combine_errors(base, {{error_parts::mechanics_mesh, &base, &mesh}},
+                                       {.charge = 1e-16, .sample_interval = 0.01});
+  EXPECT_TRUE(estimate.not_estimated.contains("equilibrium_residual"));
+  EXPECT_EQ(estimate.not_estimated.at("peak_sampled_current_top"), "rounding alone makes it");
+}
+
+TEST(ErrorParts, the_path_leaves_no_less_than_its_interpolation) {
+  const Signals base = scaled_signals(1, 1);
+  const auto estimate = combine_errors(base, {{error_parts::path, &base, &base}}, {.path = 1e-4});
+  EXPECT_DOUBLE_EQ(estimate.parts.at("normal_force_slide").at("path"), 20e-4);
+}
+
+TEST(ErrorParts, bands_hold_the_difference_of_the_rows_nearby) {
+  const Signals base = scaled_signals(1, 1), mesh = scaled_signals(1.01, 1);
+  const auto estimate = combine_errors(base, {{error_parts::mechanics_mesh, &base, &mesh}}, {});
+  EXPECT_EQ(estimate.signals.column("time").values, base.resolved.column("time").values);
+  const auto& band = estimate.signals.column("mean_shear").values;
+  for (const double half_width : band) {
+    EXPECT_NEAR(half_width, 1.3 * 2e-5, 1e-12);
+  }
+}
+
+} // namespace
+} // namespace ionskin::study

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/run/warnings.hpp"
+
+#include "synthetic_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace ionskin::study {
+namespace {
+
+bool any_holds(const std::vector<std::string>& warnings, const std::string& words) {
+  return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& warning) {
+    return warning.find(words) != std::string::npos;
+  });
+}
+
+class WarningsTest : public testing::Test {
+protected:
+  WarningsTest() {
+    input.electrochemistry = {293.15, 7e-11, 2e-3, 1200, 1};
+    input.coupling.coefficient = 0.1;
+    ions.min_concentration = {1200, 900};
+    signals.columns = {{"time", "s", {0, 1, 2}},
+                       {"p99_shear", "1", {0, 1e-4, 1e-4}},
+                       {"current_common", "A", {0, 5e-3, -5e-3}},
+                       {"current_difference", "A", {0, 1e-4, 1e-4}}};
+  }
+  Case input = handover::small_case();
+  MechanicsRecord mechanics;
+  electrochemistry::IonSolution ions;
+  readout::SignalTable signals;
+};
+
+TEST_F(WarningsTest, SaysThatTheCouplingIsUncalibrated) {
+  EXPECT_TRUE(any_holds(collect_warnings(input, mechanics, ions, signals), "not calibrated"));
+  input.coupling.coefficient = 0;
+  EXPECT_FALSE(any_holds(collect_warnings(input, mechanics, ions, signals), "not calibrated"));
+}
+
+TEST_F(WarningsTest, SaysThatTheCommonPartDominates) {
+  EXPECT_TRUE(any_holds(collect_warnings(input, mechanics, ions, signals), "50 times"));
+  input.coupling.law = "column-neutral";
+  EXPECT_FALSE(any_holds(collect_warnings(input, mechanics, ions, signals), "common part"));
+}
+
+TEST_F(WarningsTest, SaysHowNonlinearTheResponseIs) {
+  EXPECT_FALSE(any_holds(collect_warnings(input, mechanics, ions, signals), "nonlinear"));
+  signals.columns[1].values[1] = 0.05;
+  EXPECT_TRUE(any_holds(collect_warnings(input, mechanics, ions, signals), "nonlinear"));
+}
+
+TEST_F(WarningsTest, SaysThatCationsAreDepleted) {
+  EXPECT_FALSE(any_holds(collect_warnings(input, mechanics, ions, signals), "depleted"));
+  ions.min_concentration[1] = 60;
+  EXPECT_TRUE(any_holds(collect_warnings(input, mechanics, ions, signals), "depleted"));
+}
+
+TEST_F(WarningsTest, SaysThatTheCurrentIsUncertain) {
+  ErrorEstimate errors;
+  EXPECT_TRUE(error_warnings(input, errors).empty());
+  errors.relative = {{"tail_current_difference", 0.01}};
+  EXPECT_TRUE(error_warnings(input, errors).empty());
+  errors.relative = {{"tail_current_difference", 0.12}};
+  EXPECT_TRUE(any_holds(error_warnings(input, errors), "12 %"));
+  input.readout.circuit = ReadoutCircuit::open;
+  EXPECT_TRUE(error_warnings(input, errors).empty());
+}
+
+TEST_F(WarningsTest, NamesLargeAndMissingErrors) {
+  ErrorEstimate errors;
+  errors.relative = {{"stick_fraction_touchdown", 4.81}, {"mean_shear_slide", 0.01}};
+  EXPECT_TRUE(any_holds(error_warnings(input, errors), "stick_fraction_touchdown (481 %)"));
+  errors.not_converging = {{"stick_fraction_touchdown", "a reason"}};
+  EXPECT_TRUE(error_warnings(input, errors).empty());
+  errors.not_estimated = {{"max_potential", not_a_number}, {"energy_balance_error", "an audit"}};
+  ASSERT_EQ(error_warnings(input, errors).size(), 1u);
+  EXPECT_TRUE(any_holds(error_warnings(input, errors), "max_potential is not estimated"));
+}
+
+TEST_F(WarningsTest, SaysHowHardTheSliderPresses) {
+  mechanics.normal_force = {0, 68};
+  EXPECT_TRUE(any_holds(mechanics_warnings(input, mechanics), "15.1 MPa"));
+  mechanics.normal_force = {0, 1};
+  EXPECT_FALSE(any_holds(mechanics_warnings(input, mechanics), "MPa"));
+}
+
+} // namespace
+} // namespace ionskin::study

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/stations/audits.hpp"
+
+#include "ionskin/base/error.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace ionskin::study {
+namespace {
+
+std::vector<Audit> audit_of(double residual) {
+  return audit({{"normal_force_slide", 3, "N"}, {"equilibrium_residual", residual, "1"}});
+}
+
+TEST(Audits, PassWarnAndFail) {
+  EXPECT_EQ(audit_of(1e-12).size(), 1u);
+  EXPECT_EQ(audit_of(1e-12).front().verdict, Verdict::passed);
+  EXPECT_EQ(audit_of(1e-5).front().verdict, Verdict::warned);
+  EXPECT_EQ(audit_of(0.33).front().verdict, Verdict::failed);
+  EXPECT_EQ(audit_of(std::numeric_limits<double>::quiet_NaN()).front().verdict, Verdict::failed);
+}
+
+TEST(Audits, SayValueLimitAndRemedy) {
+  EXPECT_TRUE(audit_warnings(audit_of(1e-12)).empty());
+  const auto warnings = audit_warnings(audit_of(0.33));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings.front(), testing::HasSubstr("FAILED AUDIT"));
+  EXPECT_THAT(warnings.front(), testing::HasSubstr("0.33"));
+  EXPECT_NO_THROW(require_sound(audit_of(1e-5), "out"));
+  EXPECT_THROW(require_sound(audit_of(0.33), "out"), SolverError);
+}
+
+TEST(Audits, EveryRuleWarnsBeforeItFails) {
+  for (const AuditRule& rule : audit_rules()) {
+    EXPECT_LT(rule.warn, rule.fail) << rule.metric;
+  }
+}
+
+} // namespace
+} // namespace ionskin::study

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/store/fit_data.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "scratch_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace ionskin::study {
+namespace {
+
+class FitDataFile : public testing::Test {
+protected:
+  std::filesystem::path write(const std::string& text) {
+    const auto path = folder_.path() / "data.csv";
+    std::ofstream(path) << text;
+    return path;
+  }
+  std::string refusal(const std::string& text, const std::string& column = "") {
+    try {
+      read_fit_data(write(text), column);
+    } catch (const UserError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+private:
+  results::ScratchFolder folder_;
+};
+
+TEST_F(FitDataFile, UnitsConvertAndEmptyEntriesArePassedOver) {
+  const FitData data = read_fit_data(
+      write("time [ms],note,current_difference [uA]\r\n1,a,2\r\n2,b,\r\n3,c,-4e-1\r\n\r\n"));
+  EXPECT_EQ(data.column, "current_difference");
+  EXPECT_EQ(data.unit, "A");
+  ASSERT_EQ(data.time.size(), 2u);
+  EXPECT_NEAR(data.time[1], 3e-3, 1e-15);
+  EXPECT_NEAR(data.values[0], 2e-6, 1e-18);
+  EXPECT_NEAR(data.values[1], -0.4e-6, 1e-18);
+}
+
+TEST_F(FitDataFile, MistakesAreNamedWithTheirLine) {
+  EXPECT_NE(refusal("t,current_top [A]\n1,2\n").find("no column time"), std::string::npos);
+  EXPECT_NE(refusal("time [s],force [N]\n1,2\n").find("known:"), std::string::npos);
+  EXPECT_NE(refusal("time [s],current_top\n1,2\n").find("unit [] of current_top"),
+            std::string::npos);
+  EXPECT_NE(refusal("time [s],current_top [V]\n1,2\n").find("convert to A"), std::string::npos);
+  EXPECT_NE(refusal("time [s],current_top [A]\n1,2\n2,x\n").find(":3: \"x\""), std::string::npos);
+  EXPECT_NE(refusal("time [s],current_top [A]\n1,2\n1,2\n").find("does not ascend"),
+            std::string::npos);
+  EXPECT_NE(refusal("time [s],current_top [A]\n1\n").find("1 entries below a header of 2"),
+            std::string::npos);
+  const std::string two = "time [s],current_top [A],charge_top [C]\n1,2,3\n";
+  EXPECT_NE(refusal(two).find("--column"), std::string::npos);
+  EXPECT_NE(refusal(two, "charge_tip").find("charge_top"), std::string::npos);
+  EXPECT_EQ(refusal(two, "charge_top"), "accepted");
+  EXPECT_THROW(read_fit_data("no/such/file.csv"), UserError);
+}
+
+electrochemistry::IonSolution solution() {
+  electrochemistry::IonSolution ions;
+  ions.time = {0, 1, 3};
+  ions.charge_top = {5, 7, 3};
+  ions.charge_bottom = {1, 1, 5};
+  return ions;
+}
+
+TEST(FitPrediction, CurrentsAreMeansSinceTheRowBefore) {
+  const auto ions = solution();
+  EXPECT_EQ(predict({"current_top", "A", {1, 2, 3}, {}}, ions), (std::vector<double>{2, -2, -2}));
+  EXPECT_EQ(predict({"current_bottom", "A", {1, 3}, {}}, ions), (std::vector<double>{0, 2}));
+  EXPECT_EQ(predict({"current_difference", "A", {1, 3}, {}}, ions), (std::vector<double>{1, -2}));
+  EXPECT_EQ(predict({"current_common", "A", {1, 3}, {}}, ions), (std::vector<double>{1, 0}));
+  // The first interval is as long as the second: from 1.5 s on.
+  EXPECT_EQ(predict({"current_top", "A", {2, 2.5}, {}}, ions), (std::vector<double>{-2, -2}));
+  EXPECT_EQ(predict({"charge_top", "C", {0, 2}, {}}, ions), (std::vector<double>{5, 5}));
+}
+
+TEST(FitPrediction, RowsOutsideTheRun) {
+  FitData data{"current_top", "A", {0, 1, 2}, {7, 8, 9}};
+  restrict_to_run(data, 0, 2);
+  EXPECT_EQ(data.values, (std::vector<double>{8, 9}));
+  EXPECT_THROW(restrict_to_run(data, 0, 1.5), UserError);
+  EXPECT_THROW(restrict_to_run(data, 2, 3), UserError);
+}
+
+} // namespace
+} // namespace ionskin::study

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/store/mechanics_file.hpp"
+
+#include "corruption.hpp"
+#include "ionskin/base/error.hpp"
+#include "ionskin/history/shear_statistics.hpp"
+#include "ionskin/results/hdf5/hdf5_file.hpp"
+#include "scratch_folder.hpp"
+#include "synthetic_contact.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ionskin::study {
+namespace {
+
+/// On one cell, with its tractions.
+mechanics::ContactSolution small_contact(const Case& input) {
+  auto contact = handover::synthetic_contact(input);
+  contact.cell_lines_x = {-1e-3, 1e-3};
+  contact.cell_lines_y = {-1e-3, 0};
+  const auto give_cell = [](const mechanics::PathState& point) {
+    if (auto state = std::const_pointer_cast<mechanics::ContactState>(point.state)) {
+      state->normal_traction = {2e6};
+      state->tangential_traction_x = state->tangential_traction_y = {1e5};
+      state->slip = {1e-6};
+      state->surface = {1e-6, 0, 0};
+      state->electrode_stress = {3e6, 4e6};
+    }
+  };
+  for (const auto& leg : contact.legs) {
+    std::for_each(leg.path.begin(), leg.path.end(), give_cell);
+    std::for_each(leg.steady.begin(), leg.steady.end(), give_cell);
+  }
+  return contact;
+}
+
+TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
+  const results::ScratchFolder folder;
+  const Case input = handover::small_case();
+  auto contact = small_contact(input);
+  contact.warnings = {"a warning"};
+  auto record = make_mechanics_record(input, contact);
+  const auto companion =
+      std::make_shared<const MechanicsRecord>(make_mechanics_record(input, contact));
+  record.companions["mesh"] = companion;
+  EXPECT_EQ(record.electrode_stress, (std::vector<double>{3e6, 4e6}));
+  ASSERT_EQ(record.normal_force.size(), record.history.time.size());
+  ASSERT_EQ(record.maps.maps.size(), 1u + 2 + 9 + 2);
+
+  const auto path = folder.path() / "results.h5";
+  write_mechanics(path, "hash", record);
+  const auto read = read_mechanics(path, "hash", input.skin);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->slider_z, record.slider_z);
+  EXPECT_EQ(read->onsets, record.onsets);
+  EXPECT_EQ(read->normal_force, record.normal_force);
+  EXPECT_EQ(read->tangential_force, record.tangential_force);
+  ASSERT_EQ(read->metrics.size(), record.metrics.size());
+  EXPECT_EQ(read->metrics[0].name, "contact_area_slide");
+  EXPECT_EQ(read->metrics[0].value, record.metrics[0].value);
+  EXPECT_EQ(read->metrics[0].unit, "m2");
+  ASSERT_EQ(read->companions.size(), 1u);
+  const MechanicsRecord& companion_read = *read->companions.at("mesh");
+  EXPECT_EQ(companion_read.normal_force, companion->normal_force);
+  EXPECT_EQ(companion_read.metrics.size(), companion->metrics.size());
+  EXPECT_EQ(companion_read.history.time, companion->history.time);
+  EXPECT_EQ(*companion_read.history.shear()[20], *companion->history.shear()[20]);
+  EXPECT_EQ(read->join_time, record.join_time);
+  EXPECT_EQ(read->warnings, record.warnings);
+  EXPECT_EQ(read->electrode_stress, record.electrode_stress);
+  EXPECT_EQ(read->history.time, record.history.time);
+  EXPECT_EQ(read->history.event_time, record.history.event_time);
+  EXPECT_EQ(*read->history.shear()[20], *record.history.shear()[20]);
+  EXPECT_EQ(history::shear_integral(read->history, 1.2345),
+            history::shear_integral(record.history, 1.2345));
+  EXPECT_FALSE(read_mechanics(path, "other", input.skin));
+}
+
+TEST(MechanicsFile, ListsOfUnlikeLengthsAreDamage) {
+  const results::ScratchFolder folder;
+  const Case input = handover::small_case();
+  const auto record = make_mechanics_record(input, small_contact(input));
+  const std::vector<std::string> datasets{"/path/slider_z", "/path/onset_end",
+                                          "/path/metrics/value"};
+  for (const std::string& dataset : datasets) {
+    SCOPED_TRACE(dataset);
+    write_mechanics(folder / "results.h5", "hash", record);
+    {
+      results::Hdf5File file(folder / "results.h5", results::Hdf5File::Access::modify);
+      file.remove(dataset);
+      file.write(dataset, std::vector<double>(1000, 1.0));
+    }
+    EXPECT_NE(results::message_of<UserError>([&] {
+                read_mechanics(folder / "results.h5", "hash", input.skin);
+              }).find(dataset),
+              std::string::npos);
+  }
+}
+
+TEST(MechanicsFile, DamageIsAnErrorOrFindsNothingWrong) {
+  const results::ScratchFolder folder;
+  const Case input = handover::small_case();
+  write_mechanics(folder / "whole.h5", "hash", make_mechanics_record(input, small_contact(input)));
+  const std::string whole = results::read_all(folder / "whole.h5");
+  const std::uint32_t count = results::corruptions(40);
+  for (std::uint32_t seed = 0; seed < count; ++seed) {
+    SCOPED_TRACE(seed);
+    results::write_all(folder / "results.h5", results::corrupted(whole, seed));
+    try {
+      read_mechanics(folder / "results.h5", "hash", input.skin);
+    } catch (const UserError& error) {
+      EXPECT_NE(std::string(error.what()).find("results.h5"), std::string::npos) << error.what();
+    }
+  }
+}
+
+} // namespace
+} // namespace ionskin::study
