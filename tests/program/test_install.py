@@ -4,6 +4,7 @@
 import gzip
 import json
 import os
+import re
 import subprocess
 import unittest
 
@@ -48,6 +49,10 @@ class Install(ProgramTest):
             self.assertIn(str(self.prefix / part), doctor)
         self.assertNotIn(str(ROOT), doctor)
         self.assertIn("Nothing is missing", doctor)
+        modules = re.findall(r"Python module (\w+)", doctor)
+        self.assertIn("numpy", modules)
+        dependencies = re.search('CPACK_DEBIAN_PACKAGE_DEPENDS "(.*)"', (BUILD / "CPackConfig.cmake").read_text())[1]
+        self.assertLessEqual({f"python3-{module}" for module in modules}, set(dependencies.split(", ")))
         self.command(program, "init", "case.toml", "--from", "quick")
         self.command(program, "run", "case.toml", "-o", "out", *SMALL)
         self.assertTrue((self.folder / "out" / "report.html").exists())
