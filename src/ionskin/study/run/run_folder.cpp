@@ -5,6 +5,7 @@
 #include "ionskin/base/files/file_copy.hpp"
 #include "ionskin/base/files/sealed_file.hpp"
 #include "ionskin/base/system/own_build.hpp"
+#include "ionskin/case/coupling.hpp"
 #include "ionskin/case/text/read_text_file.hpp"
 
 #include <fmt/core.h>
@@ -216,6 +217,10 @@ std::string mechanics_hash(const Case& input) {
   text += waypoints_text(motion);
   text += fmt::format(" contact {} {} measure {}", input.contact.law, input.contact.friction,
                       static_cast<int>(input.coupling.measure));
+  // The history then has another grid and more channels.
+  if (moves_water(input)) {
+    text += " water";
+  }
   text += fmt::format(" numerics {} {} {}", static_cast<int>(input.numerics.preset),
                       input.numerics.mesh_refinement, input.numerics.time_refinement);
   // Field instants within the slide are samples of the strain history.

@@ -74,22 +74,5 @@ TEST(RunFolder, InputHashKnowsWhatStandsInTheFilesOfACase) {
   EXPECT_NE(input_hash(input), first);
 }
 
-TEST(RunFolder, MechanicsHashKnowsWhatDecidesStudyOne) {
-  const Case input = handover::small_case();
-  Case other = input;
-  other.coupling.coefficient = 0.7;
-  other.electrochemistry.diffusivity = 1e-9;
-  EXPECT_EQ(mechanics_hash(input), mechanics_hash(other));
-  other.contact.friction = 0.31;
-  EXPECT_NE(mechanics_hash(input), mechanics_hash(other));
-  other = input;
-  other.skin.layers[1].material.poissons_ratio = 0.48;
-  EXPECT_NE(mechanics_hash(input), mechanics_hash(other));
-  other = input;
-  other.output.fields = {1.1};
-  EXPECT_NE(mechanics_hash(input), mechanics_hash(other))
-      << "field instants are samples of the history";
-}
-
 } // namespace
 } // namespace ionskin::study
