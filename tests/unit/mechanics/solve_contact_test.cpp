@@ -293,8 +293,18 @@ TEST(SolveContact, a_force_is_held_with_the_indentation_free) {
     }
   }
   EXPECT_GT(touchdown(solution).indentation, 1e-9);
-  EXPECT_NEAR(slide(solution).last()->indentation,
-              lift_off(solution).path.front().state->indentation, 0);
+  // Held at the indentation that the slide ends with, the slider presses with the same force; the
+  // lift-off starts from there.
+  const double indentation = slide(solution).last()->indentation;
+  Case held = input;
+  held.motion.preload_force = 0;
+  held.motion.preload = indentation;
+  base::Timers timers;
+  EXPECT_NEAR(
+      solve_steady_sliding(held, {held.motion.stroke}, options, timers).front().normal_force, 1,
+      1e-8);
+  EXPECT_NEAR(lift_off(solution).path[10].state->indentation, 0.5 * indentation,
+              1e-12 * indentation);
   EXPECT_NEAR(lift_off(solution).last()->normal_force, 0, 1e-12);
 }
 
