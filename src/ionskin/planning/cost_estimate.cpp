@@ -75,11 +75,11 @@ CostEstimate estimate_cost(const Case& input, int threads) {
   const double rounds = std::ceil(static_cast<double>(cost.positions) / at_once);
   const double solves =
       mesh::heaviest_load(input).force > 0 && !input.slider.sharp() ? solves_of_round_force : 1;
-  cost.seconds = (1 + companion_share) * solves * rounds * seconds_per_position *
-                     std::pow(scale, seconds_power) +
-                 seconds_per_ion_step * static_cast<double>(ions.unknowns) *
-                     static_cast<double>(ions.steps) / threads +
-                 seconds_of_output;
+  cost.mechanics_seconds = (1 + companion_share) * solves * rounds * seconds_per_position *
+                           std::pow(scale, seconds_power);
+  cost.ion_seconds = seconds_per_ion_step * static_cast<double>(ions.unknowns) *
+                     static_cast<double>(ions.steps) / threads;
+  cost.seconds = cost.mechanics_seconds + cost.ion_seconds + seconds_of_output;
   const double factors = mechanics::factorisations_memory(cost.mechanics_unknowns, at_once);
   cost.memory =
       bytes_at_rest + std::max(factors + contact_memory(mesh, cost, at_once), ions.memory);
