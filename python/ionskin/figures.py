@@ -4,7 +4,7 @@ run would need for it."""
 
 from typing import Callable, NamedTuple
 
-from . import derived, figures_contact, figures_fields, figures_model, figures_readout, style
+from . import derived, figures_contact, figures_fields, figures_model, figures_readout, report_text, style
 from .panels import (STEP, error_band, first_cycle_names, motion_panels, name_phases, peak_of, rows_within, sampled_label,
                      scaled, shade_phases, signed_log_axis, slide_start, time_axis)
 from .sweep_results import Study
@@ -30,7 +30,8 @@ def shear(results):
     figure, axes = style.stacked(3, heights=[0.8, 0.8, 0.8])
     mean_unit = scaled(axes[0], "mean shear", "1", peak_of(signals["mean_shear"]))
     axes[0].plot(time, signals["mean_shear"] / mean_unit, color=style.BLUE)
-    style.title(axes[0], "Volume mean: predicts the common charge")
+    predicts = report_text.law(results) == "fixed-charge"
+    style.title(axes[0], "Volume mean" + ": predicts the common charge" * predicts)
     spread = scaled(axes[1], "shear", "1", peak_of(signals["p99_shear"], signals["rms_shear"]))
     axes[1].plot(time, signals["p99_shear"] / spread, color=style.ORANGE, label="99th percentile by volume")
     axes[1].plot(time, signals["rms_shear"] / spread, color=style.GREEN, label="rms")
@@ -38,7 +39,8 @@ def shear(results):
     style.legend(axes[1])
     moment = scaled(axes[2], "first moment", "1", peak_of(signals["shear_first_moment"]))
     axes[2].plot(time, signals["shear_first_moment"] / moment, color=style.PURPLE)
-    style.title(axes[2], "Mean of γ (ζ/h − ½): predicts the jumps of the difference charge")
+    moves_water = report_text.law(results) == "poroelastic"
+    style.title(axes[2], "Mean of γ (ζ/h − ½)" + ": predicts the jumps of the difference charge" * (not moves_water))
     time_axis(results, axes)
     return figure
 
@@ -190,8 +192,12 @@ class Entry(NamedTuple):
 
     name: str
     heading: str
-    caption: str
+    caption: str | Callable  # of the results, where it follows the case
     draw: Callable
+
+    def words(self, results):
+        """The caption."""
+        return self.caption(results) if callable(self.caption) else self.caption
 
 
 def of_run(draw):
@@ -213,11 +219,8 @@ FIGURES = [
     Entry("model", "Skin and slider", "Before touchdown.", of_run(figures_model.model)),
     Entry("motion", "Motion", "Prescribed motion of the slider. Bands, here and below: pale where slider and skin touch, darker "
           "while it slides.", motion),
-    Entry("contact", "Contact", "Under the slider and in its frame, seen from above; last row: section through the core at "
-          "mid-width. Under sharp edges the peaks depend on the mesh: there the colours end where 95 % of the area "
-          "(tractions) and 99 % of the section lie below.", of_run(figures_contact.contact_maps)),
-    Entry("shear", "Shear of the core", "Scalar shear γ in the ion-conducting layer. The pointwise maximum depends on "
-          "the mesh wherever a slider has sharp edges and is not shown.", shear),
+    Entry("contact", "Contact", report_text.contact_caption, of_run(figures_contact.contact_maps)),
+    Entry("shear", "Shear of the core", report_text.shear_caption, shear),
     Entry("currents", "Electrode currents", "Currents on a symmetric logarithmic axis, linear around zero. A resolved "
           "current is the mean over one time step: its spikes are as high as the events are short. The sampled current "
           "is the charge gained over each readout interval divided by it, which an integrating instrument sees.",
@@ -232,8 +235,7 @@ FIGURES = [
           "output.fields; the outer panels enlarge the double layers.", ions),
     Entry("forces", "Forces", "Contact forces; under full slip the tangential force is the friction coefficient times "
           "the normal force.", forces),
-    Entry("charge", "Electrode charge", "Charge on the metal. The common part follows the net fixed charge that the "
-          "shear creates; the difference relaxes as the ions redistribute.", charge),
+    Entry("charge", "Electrode charge", report_text.charge_caption, charge),
     Entry("join", "From the onset to steady sliding", "Difference current, one mark per time step. A jump of the shear "
           "between the two parts of the contact path would show as a spike at the dashed line.", join),
     Entry("relaxation", "Relaxation between cycles", "The contact repeats exactly, the ions do not: what has not "

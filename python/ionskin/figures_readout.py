@@ -61,11 +61,25 @@ def taxel_names(results):
     return [name.removeprefix(TAXEL) for name in results.taxels if name.startswith(TAXEL)]
 
 
+def grid_rectangles(grid, skin):
+    """Corners of a grid of equal taxels over the whole skin by name, as ionskin lays them [m]."""
+    count = numpy.array([int(grid["columns"]), int(grid["rows"])])
+    gap = si(grid.get("gap", "0 m"))
+    size = (numpy.array([si(skin["length"]), si(skin["width"])]) - (count - 1) * gap) / count
+    corner = {(row, column): numpy.array([column, row]) * (size + gap) for row in range(count[1]) for column in range(count[0])}
+    return {f"r{row + 1}c{column + 1}": numpy.array([low, low + size]) for (row, column), low in corner.items()}
+
+
 def rectangles(results):
-    """Lower and upper corner of each named taxel [m]; of those that the case lists one by one."""
+    """Lower and upper corner of each named taxel [m]; without those whose unit is not known here."""
     found = {}
-    listed = results.case.get("readout", {}).get("taxels", [])
-    for taxel in listed if isinstance(listed, list) else []:
+    taxels = results.case.get("readout", {}).get("taxels", [])
+    if isinstance(taxels, dict):
+        try:
+            return grid_rectangles(taxels, results.case["skin"])
+        except (KeyError, ValueError, TypeError):
+            return found
+    for taxel in taxels:
         try:
             found[taxel["name"]] = numpy.array([si(taxel["lower"]), si(taxel["upper"])])
         except (KeyError, ValueError):
@@ -87,7 +101,7 @@ def taxel_map(results):
     extent = numpy.array([skin_size(results, "length", corners[:, 1, 0].max()),
                           skin_size(results, "width", corners[:, 1, 1].max())])
     height = float(numpy.clip(5.6 * extent[1] / extent[0], 1.0, 4.5)) + 0.75
-    figure = style.canvas(height=height, left=0.085, right=0.97, top=1 - 0.30 / height, bottom=0.42 / height)
+    figure = style.canvas(height=height, left=0.085, right=0.91, top=1 - 0.30 / height, bottom=0.42 / height)
     axes = figure.add_subplot()
     top = max(moved.values()) / divisor or 1.0
     colours = style.matplotlib.cm.ScalarMappable(style.matplotlib.colors.Normalize(0, top), style.SEQUENCE)
@@ -135,6 +149,9 @@ def taxel_charges(results):
         return None
     names = taxel_names(results)[:MOST_TAXELS]
     columns = taxel_columns(results, names)
+    places = rectangles(results)
+    if all(name in places for name in names):  # as on the map, y upwards
+        names.sort(key=lambda name: (-round(float(places[name][0][1]), 9), float(places[name][0][0])))
     rows = -(-len(names) // columns)
     height = 0.78 * rows + 0.85
     figure = style.canvas(height=height, left=0.095, right=0.985, top=1 - 0.26 / height, bottom=0.42 / height,

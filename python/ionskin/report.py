@@ -42,7 +42,7 @@ def save_figures(results):
         page = io.StringIO()
         figure.savefig(page, format="svg", metadata={"Date": None}, transparent=True)
         svg = page.getvalue()
-        picture = pages.Picture(entry.name, entry.heading, entry.caption, Markup(inline_svg(svg, entry.name)))
+        picture = pages.Picture(entry.name, entry.heading, entry.words(results), Markup(inline_svg(svg, entry.name)))
         yield pages.Section(entry.name, entry.heading, "figure", picture)
         # A file of its own is seen on any background.
         output_folder.write_text(folder / f"{entry.name}.svg", white_background(svg))

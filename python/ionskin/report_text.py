@@ -25,11 +25,13 @@ LIMITS = [
     "Linear elasticity with small strain, quasi-static. The slip direction neglects the convective part of the slip "
     "rate, which is of the order of the strain, and the drift of the footprint during the onset of sliding.",
     "Transport of one mobile cation against a fixed charge, as a dilute or a lattice solution, with constant diffusivity "
-    "and permittivity. Both electrodes block; there is no flow of water and no reaction, and the ions do not act back on "
-    "the mechanics.",
+    "and permittivity. Both electrodes block; there is no reaction, and the ions do not act back on the mechanics.",
     "The difference current during the onset of sliding is a small remainder of large terms; its instantaneous peak "
     "there is 5 to 30 % uncertain.",
 ]
+NO_WATER = "No water flows."
+UNCALIBRATED = ("No measurement calibrates the coupling coefficient k: while the response is linear the currents are in "
+                "proportion to it, and their absolute size is not a prediction.")
 
 SHARP = ("The slider is rigid and its edges are sharp: stress and shear at the edges grow as the mesh is refined. Mean, rms "
          "and percentiles converge; a pointwise maximum does not, and the peak pressure is no result.")
@@ -44,6 +46,8 @@ LAW_LIMITS = {
     "neutral as a whole while single columns do not.",
     "column-neutral": "The coupling law “column-neutral” subtracts the mean over the thickness, so that every column of "
     "the core stays neutral.",
+    "poroelastic": "The coupling law “poroelastic” moves water through the core, which drags the cations. The strain is that "
+    "of the core whose water has not moved yet, and does not follow the water.",
 }
 
 
@@ -159,13 +163,42 @@ def has_sharp_edges(slider):
 
 def limits(results):
     """What the model leaves out, as far as it concerns this case."""
-    coupling = results.case.get("coupling", {})
     texts = list(LIMITS)
     slider = results.case.get("slider")
     if slider:
         texts.insert(1, SHARP if has_sharp_edges(slider) else ROUND)
-    if coupling.get("law") in LAW_LIMITS:
-        texts.append(LAW_LIMITS[coupling["law"]])
-    texts.append("No measurement calibrates the coupling coefficient k: while the response is linear the currents are in "
-                 "proportion to it, and their absolute size is not a prediction.")
+    if law(results) in LAW_LIMITS:
+        texts.append(LAW_LIMITS[law(results)])
+    if law(results) != "poroelastic":
+        texts += [NO_WATER, UNCALIBRATED]
     return texts
+
+
+def law(results):
+    """The coupling law of the case."""
+    return results.case.get("coupling", {}).get("law", "fixed-charge")
+
+
+def contact_caption(results):
+    """Of the contact maps; what it says of their colours follows the slider."""
+    where = "Under the slider and in its frame, seen from above; last row: section through the core at mid-width."
+    if not has_sharp_edges(results.case.get("slider", {})):
+        return where
+    return (where + " Under sharp edges the peaks depend on the mesh: the colours end where 95 % of the area (tractions) and "
+            "99 % of the section lie below.")
+
+
+def shear_caption(results):
+    """Of the shear over time."""
+    text = "Scalar shear γ in the ion-conducting layer."
+    if has_sharp_edges(results.case.get("slider", {})):
+        text += " The pointwise maximum depends on the mesh under the slider's sharp edges and is not shown."
+    return text
+
+
+def charge_caption(results):
+    """Of the electrodes' charge; its common part exists under some laws alone."""
+    text = "Charge on the metal."
+    if law(results) == "fixed-charge":
+        text += " The common part follows the net fixed charge that the shear creates."
+    return text + " The difference relaxes as the ions redistribute."

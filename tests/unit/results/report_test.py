@@ -10,7 +10,9 @@ import tomllib
 import types
 import unittest
 
-from ionskin import Results, figures_model, panels, paper, report_text
+import numpy
+
+from ionskin import Results, figures_model, figures_readout, panels, paper, report_text
 from ionskin.figures import draw_all
 from ionskin.report import make_gallery, make_report
 from ionskin.style import THEMED_COLOURS
@@ -196,6 +198,28 @@ class Words(unittest.TestCase):
                 self.assertIn(words, " ".join(report_text.limits(case)))
         self.assertEqual(figures_model.wall_potentials({"circuit": "load"})["top"], "φ = U = R I")
         self.assertEqual(figures_model.wall_potentials({})["top"], "φ = 0")
+
+    def test_captions_and_limits_follow_slider_and_law(self):
+        sharp = types.SimpleNamespace(case={"slider": {"size": []}, "coupling": {"law": "fixed-charge"}})
+        finger = types.SimpleNamespace(case={"slider": {"shape": "sphere"}, "coupling": {"law": "column-neutral"}})
+        water = types.SimpleNamespace(case={"slider": {"size": []}, "coupling": {"law": "poroelastic"}})
+        for caption, word in ((report_text.contact_caption, "sharp"), (report_text.shear_caption, "sharp"),
+                              (report_text.charge_caption, "common part")):
+            self.assertIn(word, caption(sharp))
+            self.assertNotIn(word, caption(finger))
+        self.assertIn("coefficient k", " ".join(report_text.limits(finger)))
+        self.assertIn("No water flows", " ".join(report_text.limits(finger)))
+        self.assertNotIn("coefficient k", " ".join(report_text.limits(water)))
+        self.assertNotIn("No water flows", " ".join(report_text.limits(water)))
+
+    def test_a_grid_of_taxels_lies_as_the_program_lays_it(self):
+        case = {"skin": {"length": "15 mm", "width": "6 mm"}, "readout": {"taxels": {"rows": 2, "columns": 4, "gap": "1 mm"}}}
+        places = figures_readout.rectangles(types.SimpleNamespace(case=case))
+        self.assertEqual(len(places), 8)
+        numpy.testing.assert_allclose(places["r1c1"], [[0, 0], [3e-3, 2.5e-3]], atol=1e-15)
+        numpy.testing.assert_allclose(places["r2c4"], [[12e-3, 3.5e-3], [15e-3, 6e-3]], atol=1e-15)
+        for odd in ({"rows": 2}, {"rows": 2, "columns": 4, "gap": "1 furlong"}):
+            self.assertEqual(figures_readout.rectangles(types.SimpleNamespace(case={**case, "readout": {"taxels": odd}})), {})
 
     def test_the_articles_claims_stand_with_its_own_case(self):
         for name, own in (("paper.toml", True), ("quick.toml", True), ("finger.toml", False)):
