@@ -40,6 +40,7 @@ def family_grid(study, row_height, columns):
     for i, (member, cell) in enumerate(zip(shown, rows)):
         for k, row in enumerate(cell):
             finish_row(member, row, enlarged, rows[0][k], last=i + beside >= len(shown))
+            row.panels[0].tick_params(labelleft=i % beside == 0)
     return figure, list(zip(shown, rows))
 
 
@@ -69,7 +70,7 @@ def shear(study):
     for member, (row,) in cells:
         signals = member.results.signals
         row.plot(signals["time"], signals["mean_shear"] / divisor, color=style.BLUE, lw=1.0)
-        row.panels[0].set_title(short(study.label(member), 44), loc="left", fontsize=7.5, pad=2)
+        row.panels[0].set_title(short(study.panel_label(member), 36), loc="left", fontsize=7.5, pad=2)
     cells[0][1][0].set_ylim(min(0, *(1.08 * numpy.nanmin(member.results.signals["mean_shear"]) / divisor
                                      for member in study.members)), 1.08 * peak / divisor or 1)
     figure.supylabel(label, fontsize=8, x=0.005)
@@ -91,7 +92,7 @@ def currents(study):
                       drawstyle="steps-pre", ls="-" if name == "top" else (0, (4, 1.5)))
         right.plot(sampled["time"], sampled["current_difference"] / difference, color=style.GREEN, lw=0.9,
                    drawstyle="steps-pre", label="difference (top − bottom)/2")
-        left.panels[0].set_title(short(study.label(member), 44), loc="left", fontsize=7, pad=2)
+        left.panels[0].set_title(short(study.panel_label(member), 26), loc="left", fontsize=7, pad=2)
         for row, signal in ((left, "current_top"), (right, "current_difference")):
             row.panels[-1].set_title(f"resolved peak {significant(peak_of(member.results.signals[signal]))}", loc="right",
                                      fontsize=6, pad=2, color=style.QUIET)
@@ -232,7 +233,8 @@ def shear_panel(study, metric, label, title):
     panel, free = figure.subplots(1, 2)
     divisor = scaled(panel, label, "1", peak_of(study.metric(metric)))
     plot_metric(study, panel, metric, divisor, color=style.BLUE, marker="o", markersize=3.5)
-    panel.set_ylim(0, 1.08 * peak_of(study.metric(metric)) / divisor or 1)
+    upper = numpy.array(study.metric(metric)) * (1 + numpy.nan_to_num(numpy.array(study.errors(metric))))
+    panel.set_ylim(0, 1.08 * peak_of(upper) / divisor or 1)
     panel.set_xlabel(study.axis_label())
     mark_regimes(study, panel, metric, divisor)
     style.title(panel, title)

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Figures 21 and 22: the metrics of a sampled sweep against its keys, and how much each key matters."""
 
+import textwrap
+
 import numpy
+from matplotlib.ticker import MaxNLocator
 
 from . import sensitivity as measures
 from . import style
@@ -13,6 +16,7 @@ METRICS = {"peak_mean_shear": "peak mean shear", "time_mean_shear": "time mean o
            "normal_force_slide": "normal force, mid-slide", "peak_sampled_current_top": "peak current, top",
            "peak_sampled_current_difference": "peak difference current", "rms_current_difference": "rms difference current"}
 SHOWN = 4  # metrics in the scatter
+LABEL_WIDTH = 13  # letters in a line beside a panel of it
 
 
 def scatter(study):
@@ -27,13 +31,15 @@ def scatter(study):
     panels = figure.subplots(len(names), len(keys), sharex="col", sharey="row", squeeze=False)
     for row, name in zip(panels, names):
         values = numpy.array(study.metric(name))
-        divisor = scaled(row[0], METRICS[name].replace(", ", ",\n"), study.typical.results.metrics[name].unit, peak_of(values))
+        divisor = scaled(row[0], textwrap.fill(METRICS[name], LABEL_WIDTH), study.typical.results.metrics[name].unit, peak_of(values))
         for panel, key in zip(row, keys):
             unit = study.sweep.keys[key]
             places = numpy.array([member.values[key] for member in study.members])
             scale, prefix = si_scale(numpy.abs(places).max()) if unit != "1" else (1.0, "")
             panel.plot(places / scale, values / divisor, ls="", marker="o", markersize=3.2, color=style.BLUE)
             if name == names[-1]:
+                # Ticks at the ends would touch those of the panel beside.
+                panel.xaxis.set_major_locator(MaxNLocator(4, prune="both"))
                 panel.set_xlabel(study.axis_label(key).split(" [")[0] + (f" [{prefix}{unit}]" if unit != "1" else ""))
         row[0].set_ylim(min(0, 1.08 * values.min() / divisor), 1.08 * max(0, values.max()) / divisor or 1)
         row[0].yaxis.label.set_fontsize(7)
@@ -45,8 +51,10 @@ def sensitivity(study):
     found = measures.of_study(study, METRICS) if study.scattered else None
     if found is None:
         return NO_DESIGN if not study.scattered else f"it needs {measures.FEWEST} finished points or more"
-    height = 0.32 * len(found.metrics) + 1.0
-    figure = style.canvas(height=height, left=0.21, right=0.97, top=1 - 0.30 / height, bottom=0.45 / height, wspace=0.12)
+    names = [study.axis_label(key).split(" [")[0] for key in found.keys]
+    foot = 0.25 + 0.042 * max(map(len, names))  # of slanted names of keys [inch]
+    height = 0.32 * len(found.metrics) + 0.4 + foot
+    figure = style.canvas(height=height, left=0.21, right=0.97, top=1 - 0.30 / height, bottom=foot / height, wspace=0.12)
     panels = figure.subplots(1, 2, sharey=True)
     for panel, values, look, words in ((panels[0], found.rank, {"vmin": -1, "vmax": 1, "cmap": style.DIVERGING},
                                         "Rank correlation"),
@@ -56,7 +64,7 @@ def sensitivity(study):
         for (row, column), value in numpy.ndenumerate(values):
             panel.text(column, row, "–" if numpy.isnan(value) else f"{value:.2f}", ha="center", va="center", fontsize=7.5,
                        color="white" if abs(value) > 0.75 else "black")
-        panel.set_xticks(range(len(found.keys)), [study.axis_label(key).split(" [")[0] for key in found.keys])
+        panel.set_xticks(range(len(names)), names, rotation=35, ha="right", rotation_mode="anchor")
         panel.set_yticks(range(len(found.metrics)), [METRICS[name] for name in found.metrics])
         panel.tick_params(length=0)
         panel.grid(False)

@@ -8,6 +8,8 @@ import shutil
 import tempfile
 import unittest
 
+import matplotlib.text
+import matplotlib.transforms
 import numpy
 
 from browser import browser_page, chromium
@@ -37,6 +39,21 @@ def write_sweep(folder, frictions=tuple(FRICTIONS)):
         rows.append(f"{number},points/{number:04},{friction},finished,,{shear}")
     rows.append(f'{len(frictions) + 1},points/none,0.9,failed,"it broke, badly",')
     (folder / "sweep.csv").write_text("\n".join(rows) + "\n")
+
+
+def overlapping_texts(figure):
+    """Pairs of texts of a figure that lie over one another; slanted ones are told apart by where they begin."""
+    figure.canvas.draw()
+    texts = [text for text in figure.findobj(matplotlib.text.Text) if text.get_text().strip() and text.get_visible()]
+    boxes = []
+    for text in texts:
+        box = text.get_window_extent()
+        if text.axes is not None and not text.axes.get_visible() or box.width == 0:
+            continue
+        if text.get_rotation() % 90:
+            box = matplotlib.transforms.Bbox.from_extents(box.x1 - text.get_fontsize(), box.y0, box.x1, box.y1)
+        boxes.append((text.get_text(), box.padded(-1)))
+    return [(a, b) for i, (a, p) in enumerate(boxes) for b, q in boxes[i + 1:] if p.overlaps(q) and a != b]
 
 
 class SweepTest(unittest.TestCase):
@@ -293,6 +310,24 @@ class SampledSweep(SweepTest):
         drawn = dict(make_gallery(self.folder, ["fig07_peaks", "fig10_current_map", "fig21_scatter", "fig22_sensitivity"]))
         self.assertEqual(set(drawn), {"fig10_current_map"})
         self.assertIn("vary at once", drawn["fig10_current_map"])
+
+    def test_texts_of_figures_of_three_keys_stand_apart(self):
+        table = self.folder / "sweep.csv"
+        head, *rows = table.read_text().splitlines()
+        rows = [row.replace(",finished,", f",{0.05 + 0.01 * i},finished,") for i, row in enumerate(rows)]
+        table.write_text("\n".join([head.replace(",status,", ",coupling.coefficient [1],status,"), *rows]) + "\n")
+        for number in range(1, 13):
+            path = self.folder / "points" / f"{number:04}" / "summary.json"
+            summary = json.loads(path.read_text())
+            summary["metrics"] |= {"time_mean_shear": {"value": 1e-3 * number, "unit": "1"},
+                                   "peak_sampled_current_top": {"value": 1e-3 * number, "unit": "A"}}
+            path.write_text(json.dumps(summary | {"error_estimate": {"peak_mean_shear": 0.5}}))
+        names = ["fig05_shear", "fig07_peaks", "fig09_currents", "fig21_scatter", "fig22_sensitivity"]
+        for entry, figure in gallery.draw(Study(self.folder), names):
+            with self.subTest(entry.name):
+                self.assertEqual(overlapping_texts(figure), [])
+            if entry.name == "fig07_peaks":  # the longest error bar ends within its panel
+                self.assertGreater(figure.axes[0].get_ylim()[1], 1.5 * figure.axes[0].lines[0].get_ydata().max())
 
     def test_rising_is_judged_by_ranks(self):
         verdict = next(entry for entry in claims.judge(Study(self.folder)) if "peak of the mean shear rises" in entry.claim)
