@@ -67,7 +67,7 @@ class LawsPage(ProgramTest):
         for command, expected in console_blocks(PAGE.read_text()):
             self.assertIsNone(first_difference(expected, self.shell(tree, command)), command)
         self.assertIn('law = "saturating"', (tree / "out" / "case.toml").read_text())
-        self.assertIn('law = "squared-shear"', (tree / "out" / "case.toml").read_text())
+        self.assertIn('law = "yielding-charge"', (tree / "out" / "case.toml").read_text())
         self.laws_act(tree)
 
     def laws_act(self, tree):

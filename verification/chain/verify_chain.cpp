@@ -11,7 +11,7 @@ std::vector<Row> verify_chain(const Options& options) {
   Case input = baseline_case();
   input.motion.cycles = 1;
   input.electrochemistry = model_case().electrochemistry;
-  input.coupling = {"fixed-charge", 0.1, ShearMeasure::off_diagonal};
+  input.coupling = {.law = "fixed-charge", .coefficient = 0.1};
   mechanics::ContactOptions contact_options;
   contact_options.threads = options.threads;
   contact_options.progress = options.progress;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ionskin/case/height_map.hpp"
+#include "ionskin/laws/law_parameter.hpp"
 
 #include <array>
 #include <cstddef>
@@ -104,8 +105,9 @@ struct Motion {
 };
 
 struct Contact {
-  std::string law = "coulomb"; ///< a name from the table in mechanics/friction/friction_law.cpp
+  std::string law = "coulomb"; ///< a name from the table in laws/friction/friction_law.cpp
   double friction = 0;         ///< coefficient [1]
+  laws::LawValues parameters;  ///< the law's own
 };
 
 /// Ions without size, or ions that take room from one another.
@@ -127,9 +129,9 @@ struct Electrochemistry {
 enum class ShearMeasure { off_diagonal, deviatoric, signed_xz };
 
 struct Coupling {
-  std::string law =
-      "fixed-charge";     ///< a name from the table in electrochemistry/coupling/coupling_law.cpp
-  double coefficient = 0; ///< k [1]
+  std::string law = "fixed-charge"; ///< a name from the table in laws/coupling/coupling_law.cpp
+  double coefficient = 0;           ///< k [1]
+  laws::LawValues parameters;       ///< the law's own
   ShearMeasure measure = ShearMeasure::off_diagonal;
 };
 

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "ionskin/case/case.hpp"
+#include "ionskin/laws/coupling/coupling_law.hpp"
 
 namespace ionskin {
 
 /// Whether the coupling law of a case moves water, by the constants of [water], instead of having
 /// a coefficient k and a measure of shear.
 inline bool moves_water(const Case& input) {
-  return input.coupling.law == "poroelastic";
+  return laws::coupling_law(input.coupling.law).traits.moves_water;
 }
 
 } // namespace ionskin

@@ -45,8 +45,9 @@ PositionStates contact_at(const SharedSetting& setting, const CondensedPosition&
                           const SharedPosition::Work& work, FrictionSolve& solve) {
   base::check_interrupt();
   const base::Timers::Scope contact(setting.timers, "mechanics: contact");
-  PositionSolver solver(setting.model, solve.plan, solve.steps, setting.options.surface_before,
-                        condensed, {solve.friction, setting.law});
+  PositionSolver solver(
+      setting.model, solve.plan, solve.steps, setting.options.surface_before, condensed,
+      laws::friction(setting.contact.law, solve.friction, setting.contact.parameters));
   solver.solve(*work.task, solve.pieces);
   setting.progress.finish_unit();
   return solver.take_states();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/mechanics/friction/friction_law.hpp"
+#include "ionskin/case/case.hpp"
 #include "ionskin/mechanics/path/contact_plan.hpp"
 #include "ionskin/mechanics/path/shared_progress.hpp"
 #include "ionskin/mechanics/path/solved_pieces.hpp"
@@ -28,7 +28,7 @@ struct SharedSetting {
   const ContactOptions& options;
   base::Timers& timers;
   SharedProgress& progress;
-  const FrictionLaw* law = nullptr;
+  const Contact& contact; ///< its coefficient is that of each solve
 };
 
 /// Solves what is open of all friction coefficients: each position is factorised once for all of

@@ -92,7 +92,7 @@ std::vector<ContactSolution> solve_on_footprint(const Case& input, const mesh::F
   }
   progress.begin_pass(plan_contact(input, expected).positions.size() * (1 + variants.size()),
                       input.slider.sharp() ? 1.0 : share_of_uncertain_pass);
-  const SharedSetting setting{model, options, timers, progress, &friction_law(input.contact.law)};
+  const SharedSetting setting{model, options, timers, progress, input.contact};
   const double tolerance = interpolation_tolerance(input.numerics.preset);
   std::vector<ContactSolution> solutions;
   for (bool settled = false; !settled;) {
@@ -217,10 +217,9 @@ std::vector<ContactState> solve_steady_sliding(const Case& input,
     base::check_interrupt();
     const CanonicalPosition position{track.centre(arc_lengths[i]), {false, false}};
     const CondensedPosition condensed(model, position.centre, {options.cache});
-    const ContactProblem problem{condensed.compliance(),
-                                 model.cells.area,
-                                 model.gap,
-                                 {input.contact.friction, &friction_law(input.contact.law)}};
+    const ContactProblem problem{
+        condensed.compliance(), model.cells.area, model.gap,
+        laws::friction(input.contact.law, input.contact.friction, input.contact.parameters)};
     const SurfaceState steady = steady_sliding(problem, load, track.direction, 0);
     PositionStates states(model);
     states.add(result[i], steady, problem, position, largest_normal_force(steady.force),

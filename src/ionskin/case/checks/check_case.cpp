@@ -2,6 +2,7 @@
 #include "ionskin/case/checks/check_case.hpp"
 
 #include "ionskin/case/checks/check_electrochemistry.hpp"
+#include "ionskin/case/checks/check_laws.hpp"
 #include "ionskin/case/checks/check_motion.hpp"
 #include "ionskin/case/checks/check_readout.hpp"
 #include "ionskin/case/checks/check_sizes.hpp"
@@ -123,6 +124,7 @@ void check_case(const CaseDocument& document) {
   check_layer_names(document, problems);
   check_core(document, problems);
   check_electrochemistry(document, problems);
+  check_laws(document, problems);
   check_water(document, problems);
   check_readout(document, problems);
   if (document.input.strain.kind == StrainSourceKind::contact) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/schema/schema_rows.hpp"
 
+#include "ionskin/case/schema/schema_laws.hpp"
 #include "ionskin/case/schema/schema_setters.hpp"
+#include "ionskin/laws/coupling/coupling_law.hpp"
 
 #include <utility>
 
@@ -109,11 +111,7 @@ void add_coupling(SchemaRows& rows) {
       {.key = "coupling.law",
        .type = ValueType::choice,
        .default_value = "\"fixed-charge\"",
-       .choices = {{"fixed-charge"},
-                   {"volume-neutral"},
-                   {"column-neutral"},
-                   {"pair-generation"},
-                   {"poroelastic"}},
+       .choices = choices_of(laws::coupling_laws()),
        .help =
            "How shear changes the fixed charge: cf = c0 (1 + k gamma), or with the "
            "mean of gamma over "
@@ -142,6 +140,7 @@ void add_coupling(SchemaRows& rows) {
                                            {{"off-diagonal", ShearMeasure::off_diagonal},
                                             {"deviatoric", ShearMeasure::deviatoric},
                                             {"signed-xz", ShearMeasure::signed_xz}})});
+  add_law_parameters(rows, "coupling", laws::coupling_laws(), &Case::coupling, Need::always);
 }
 
 } // namespace ionskin

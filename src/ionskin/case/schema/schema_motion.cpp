@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/schema/schema_rows.hpp"
 
+#include "ionskin/case/schema/schema_laws.hpp"
 #include "ionskin/case/schema/schema_setters.hpp"
+#include "ionskin/laws/friction/friction_law.hpp"
 
 #include <cmath>
 
@@ -180,7 +182,7 @@ void add_contact(SchemaRows& rows) {
   rows.push_back({.key = "contact.law",
                   .type = ValueType::choice,
                   .default_value = "\"coulomb\"",
-                  .choices = {{"coulomb"}},
+                  .choices = choices_of(laws::friction_laws()),
                   .help = "Friction law.",
                   .source = "the paper's law",
                   .set = into(&Case::contact, &Contact::law)});
@@ -192,6 +194,7 @@ void add_contact(SchemaRows& rows) {
        .need = Need::with_contact,
        .help = "Coefficient of friction between slider and skin.",
        .set = into(&Case::contact, &Contact::friction)});
+  add_law_parameters(rows, "contact", laws::friction_laws(), &Case::contact, Need::when_it_applies);
 }
 
 } // namespace ionskin

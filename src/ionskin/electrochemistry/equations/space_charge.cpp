@@ -2,6 +2,7 @@
 #include "ionskin/electrochemistry/equations/space_charge.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/electrochemistry/coupling/driving_channel.hpp"
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "ionskin/electrochemistry/grid/transport_grid.hpp"
 
@@ -29,7 +30,9 @@ std::size_t first_at(const std::vector<double>& values, double extreme) {
 
 FixedCharge::FixedCharge(const Case& input, const history::CoreHistory& history,
                          const TransportGrid& grid, const ScaledGrid& scaled)
-    : coupling_(input.coupling), law_(coupling_law(input.coupling.law)),
+    : coupling_(input.coupling), traits_(laws::coupling_law(input.coupling.law).traits),
+      law_(laws::coupling_law(input.coupling.law)
+               .with(input.coupling.coefficient, input.coupling.parameters)),
       reference_concentration_(input.electrochemistry.fixed_charge_concentration),
       excess_(steric_excess(input.electrochemistry)), grid_(grid), scaled_(scaled),
       shear_(scaled.nodes(), 0.0), ratio_(scaled.nodes(), 1.0) {
@@ -38,8 +41,9 @@ FixedCharge::FixedCharge(const Case& input, const history::CoreHistory& history,
                         history::hat_averages(history.grid.z_nodes, grid.z_nodes));
     largest_coupling_ = std::abs(coupling_.coefficient) * largest_magnitude(*shear);
   }
-  if (law_.moves_water) {
-    water_.emplace(input, history, law_.channel(history), grid.x_edges, grid.y_edges, grid.z_nodes);
+  if (traits_.moves_water) {
+    water_.emplace(input, history, driving_channel(input, history), grid.x_edges, grid.y_edges,
+                   grid.z_nodes);
     largest_coupling_ = water_->largest();
   }
 }
@@ -73,10 +77,10 @@ void FixedCharge::evaluate(double time) {
   if (water_) {
     drive_ = water_->evaluate(time);
   }
-  if (law_.apply == nullptr) {
+  if (!law_) {
     return;
   }
-  law_.apply(coupling_.coefficient, scaled_, shear_, ratio_);
+  law_({scaled_.columns(), scaled_.levels, scaled_.height, scaled_.thickness}, shear_, ratio_);
   check_sign(time);
   check_room(time);
 }
@@ -110,7 +114,7 @@ void FixedCharge::check_room(double time) const {
   throw SolverError(
       fmt::format("the law \"{}\" releases more cations than there is room for, with a fixed "
                   "charge of {}",
-                  law_.name, describe(first_at(ratio_, largest), time)),
+                  coupling_.law, describe(first_at(ratio_, largest), time)),
       fmt::format("make coupling.coefficient smaller in magnitude (now {:.4g}), or "
                   "electrochemistry.largest_concentration larger",
                   coupling_.coefficient));

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "ionskin/case/case.hpp"
-#include "ionskin/electrochemistry/coupling/coupling_law.hpp"
 #include "ionskin/electrochemistry/equations/steric_excess.hpp"
 #include "ionskin/electrochemistry/grid/scaled_grid.hpp"
 #include "ionskin/history/core_history.hpp"
 #include "ionskin/history/strain_projection.hpp"
+#include "ionskin/laws/coupling/coupling_law.hpp"
 #include "ionskin/poroelasticity/streaming_drive.hpp"
 
 #include <cstddef>
@@ -42,7 +42,7 @@ public:
   /// Largest departure of cf / c0 from 1, or largest drive, that the history can make [1].
   double largest_coupling() const { return largest_coupling_; }
   /// Whether the law adds a mobile ion for every fixed charge it adds.
-  bool releases_ions() const { return law_.releases_ions; }
+  bool releases_ions() const { return traits_.releases_ions; }
 
 private:
   void check_sign(double time) const;
@@ -51,7 +51,8 @@ private:
   std::string describe(std::size_t node, double time) const;
 
   Coupling coupling_;
-  const CouplingLaw& law_;
+  laws::CouplingTraits traits_;
+  laws::Coupling law_;
   double reference_concentration_;
   std::optional<StericExcess> excess_;
   TransportGrid grid_;

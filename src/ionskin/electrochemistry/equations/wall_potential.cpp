@@ -24,7 +24,7 @@ double depletion_potential(const DerivedScales& scales, double excess) {
 }
 
 std::optional<std::string> no_sane_solution(const Case& input, double mean_shear) {
-  if (input.coupling.law != "fixed-charge") {
+  if (!laws::coupling_law(input.coupling.law).traits.net_charge_is_linear) {
     return std::nullopt;
   }
   const DerivedScales scales = derive_scales(input.electrochemistry, input.skin.core_thickness());
@@ -33,12 +33,11 @@ std::optional<std::string> no_sane_solution(const Case& input, double mean_shear
     return std::nullopt;
   }
   return fmt::format(
-      "the law \"fixed-charge\" has no sane solution here: a mean shear of {:.3g} puts a net "
-      "charge "
+      "the law \"{}\" has no sane solution here: a mean shear of {:.3g} puts a net charge "
       "of F c0 k integral(gamma) = {:.3g} C into the core, which depletes the electrodes of ions "
       "and needs at least {:.3g} V between core and electrodes (the Debye length is {:.3g} um, the "
       "core {:.4g} of them thick)",
-      mean_shear,
+      input.coupling.law, mean_shear,
       scales.charge_density / scales.debye_length * input.coupling.coefficient * mean_shear *
           input.skin.core_volume(),
       potential, scales.debye_length * 1e6, 2.0 * scales.half_thickness);

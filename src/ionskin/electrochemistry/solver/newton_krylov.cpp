@@ -11,7 +11,7 @@ namespace ionskin::electrochemistry {
 namespace {
 
 /// Rounding of the scaled unknowns, which are of order 1.
-constexpr double rounding = 1e-14;
+constexpr double residual_rounding = 1e-14;
 constexpr int newton_limit = 40;
 constexpr int krylov_limit = 80;
 constexpr double smallest_step_length = 1.0 / 256.0;
@@ -64,7 +64,7 @@ double NewtonKrylov::allowed_error(const StageProblem& problem, const IonState& 
   for (std::size_t i = 0; i < problem.fixed_charge.size(); ++i) {
     scale = std::max(scale, std::abs(fixed_charge[i] - 1.0));
   }
-  return std::isnan(scale) ? scale : tolerance_ * std::min(scale, 1.0) + rounding;
+  return std::isnan(scale) ? scale : tolerance_ * std::min(scale, 1.0) + residual_rounding;
 }
 
 bool NewtonKrylov::solve(const StageProblem& problem, IonState& state) {

@@ -69,10 +69,9 @@ Reach reach_at(const Case& input, const SkinModel& model, const std::array<doubl
                double friction) {
   base::check_interrupt();
   const CondensedPosition condensed(model, centre, {.forces = {false, false, false}});
-  const ContactProblem problem{condensed.compliance(),
-                               model.cells.area,
-                               model.gap,
-                               {friction, &friction_law(input.contact.law)}};
+  const ContactProblem problem{
+      condensed.compliance(), model.cells.area, model.gap,
+      laws::friction(input.contact.law, friction, input.contact.parameters)};
   const CellVector none(3 * model.cells.count(), 0.0);
   Reach reach;
   for (const SliderLoad& load : heaviest_loads(input, model.mesh.half_model())) {

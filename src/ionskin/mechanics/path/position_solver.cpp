@@ -12,7 +12,7 @@ namespace ionskin::mechanics {
 
 PositionSolver::PositionSolver(const SkinModel& model, const ContactPlan& plan,
                                const PathSteps& steps, const std::vector<double>& surface_before,
-                               const CondensedPosition& condensed, const Friction& friction)
+                               const CondensedPosition& condensed, const laws::Friction& friction)
     : model_(model), plan_(plan), steps_(steps), surface_before_(surface_before),
       meshed_share_(model.mesh.half_model() ? 0.5 : 1.0), problem_{condensed.compliance(),
                                                                    model.cells.area, model.gap,

@@ -18,7 +18,7 @@ public:
   /// empty for none
   PositionSolver(const SkinModel& model, const ContactPlan& plan, const PathSteps& steps,
                  const std::vector<double>& surface_before, const CondensedPosition& condensed,
-                 const Friction& friction);
+                 const laws::Friction& friction);
 
   /// Contact of everything that a position is planned for, without strains.
   void solve(const PositionTask& task, SolvedPieces& pieces);

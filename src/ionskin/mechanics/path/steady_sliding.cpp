@@ -36,7 +36,7 @@ LimitLine tangent(const ContactProblem& problem, int cell, double normal_force) 
             "the friction law \"{}\" gives no finite number in steady sliding: its limit is "
             "{} Pa with the slope {} at a normal traction of {:.3g} Pa, where slip increment "
             "and time step are 0",
-            problem.friction.law->name, limit / problem.area[cell], slope,
+            problem.friction.law, limit / problem.area[cell], slope,
             normal_force / problem.area[cell]),
         "choose another contact.law, or let the law return what it tends to for a time step of 0");
   }

@@ -39,8 +39,8 @@ ContactViolations contact_violations(const ContactProblem& problem, const Surfac
     worst.cone =
         base::larger(worst.cone, share(std::hypot(force[0], force[1]) - limit, reference_force));
     const double compliance = problem.own_compliance(cell, 1);
-    const auto allowed =
-        project_on_disc({force[0] + slip[0] / compliance, force[1] + slip[1] / compliance}, limit);
+    const auto allowed = laws::project_on_disc(
+        {force[0] + slip[0] / compliance, force[1] + slip[1] / compliance}, limit);
     worst.slip_law =
         base::larger(worst.slip_law, share(std::hypot(force[0] - allowed[0], force[1] - allowed[1]),
                                            reference_force));

@@ -50,7 +50,7 @@ CellPredictor predict(const ContactProblem& problem, const SliderStep& step, con
   const double limit = problem.friction_limit(cell, normal, result.slip, step.time_step);
   const bool sticks = limit > 0 && std::hypot(result.tangential[0], result.tangential[1]) <= limit;
   result.status = sticks ? CellStatus::sticking : CellStatus::slipping;
-  const auto allowed = project_on_disc(result.tangential, limit);
+  const auto allowed = laws::project_on_disc(result.tangential, limit);
   result.residual =
       base::larger(result.residual, base::larger(std::abs(force[at + 1] - allowed[0]),
                                                  std::abs(force[at + 2] - allowed[1])));

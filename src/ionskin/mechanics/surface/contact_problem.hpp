@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/laws/friction/friction_law.hpp"
 #include "ionskin/linear_algebra/sparse_matrix.hpp"
-#include "ionskin/mechanics/friction/friction_law.hpp"
 
 #include <array>
 #include <vector>
@@ -22,7 +22,7 @@ struct ContactProblem {
   /// Mean height of the slider's underside over each cell above its lowest point [m]; 0 for a flat
   /// slider.
   std::vector<double> gap;
-  Friction friction;
+  laws::Friction friction;
 
   int cells() const { return static_cast<int>(area.size()); }
   /// Compliance of one component against its own force; in a direction in which the skin is held

@@ -22,7 +22,7 @@ std::array<double, 3> relaxed(const ContactProblem& problem, const SliderStep& s
       std::max(problem.own_compliance(cell, 1), problem.own_compliance(cell, 2));
   const double limit =
       problem.friction_limit(cell, normal, std::hypot(slip[0], slip[1]), step.time_step);
-  const auto tangential = project_on_disc(
+  const auto tangential = laws::project_on_disc(
       {force[at + 1] + slip[0] / compliance, force[at + 2] + slip[1] / compliance}, limit);
   return {normal, tangential[0], tangential[1]};
 }

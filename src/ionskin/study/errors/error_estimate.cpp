@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/errors/error_estimate.hpp"
 
-#include "ionskin/electrochemistry/coupling/coupling_law.hpp"
+#include "ionskin/electrochemistry/coupling/driving_channel.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
 #include "ionskin/history/merged_cells.hpp"
 #include "ionskin/history/shear_statistics.hpp"
@@ -46,8 +46,7 @@ bool has_companions(const MechanicsRecord& mechanics) {
 
 /// Largest charge that the history can move [C].
 double charge_scale(const Case& input, const history::CoreHistory& history) {
-  const history::HistoryChannel& channel =
-      electrochemistry::coupling_law(input.coupling.law).channel(history);
+  const history::HistoryChannel& channel = electrochemistry::driving_channel(input, history);
   double largest = 0;
   for (const double time : history.time) {
     largest = std::max(largest, history::channel_integrals(history, channel, time).magnitude);

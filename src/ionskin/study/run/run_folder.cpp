@@ -217,6 +217,9 @@ std::string mechanics_hash(const Case& input) {
   text += waypoints_text(motion);
   text += fmt::format(" contact {} {} measure {}", input.contact.law, input.contact.friction,
                       static_cast<int>(input.coupling.measure));
+  for (const auto& [name, value] : input.contact.parameters) {
+    text += fmt::format(" {} {}", name, value);
+  }
   // The history then has another grid and more channels.
   if (moves_water(input)) {
     text += " water";

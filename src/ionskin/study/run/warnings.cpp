@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/run/warnings.hpp"
 
-#include "ionskin/electrochemistry/coupling/coupling_law.hpp"
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
+#include "ionskin/laws/coupling/coupling_law.hpp"
 #include "ionskin/readout/metrics.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ void warn_about_common_current(const Case& input, const readout::SignalTable& si
   const double common = readout::rms_of_step_means(time, signals.column("current_common").values);
   const double difference =
       readout::rms_of_step_means(time, signals.column("current_difference").values);
-  if (electrochemistry::coupling_law(input.coupling.law).makes_net_charge && common > difference) {
+  if (laws::coupling_law(input.coupling.law).traits.makes_net_charge && common > difference) {
     warnings.push_back(fmt::format(
         "The common part of the electrode currents dominates: its rms is {:.3g} times that of the "
         "difference. The law \"{}\" creates net charge in the core; an ammeter between "

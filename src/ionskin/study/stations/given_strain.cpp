@@ -5,7 +5,7 @@
 #include "ionskin/base/files/file_copy.hpp"
 #include "ionskin/base/system/available_memory.hpp"
 #include "ionskin/case/checks/check_sizes.hpp"
-#include "ionskin/electrochemistry/coupling/coupling_law.hpp"
+#include "ionskin/electrochemistry/coupling/driving_channel.hpp"
 #include "ionskin/electrochemistry/equations/space_charge.hpp"
 #include "ionskin/electrochemistry/time/problem_size.hpp"
 #include "ionskin/results/strain_file/strain_file.hpp"
@@ -43,21 +43,22 @@ void require_instants(const Case& input, const history::CoreHistory& history) {
 }
 
 void require_channel(const Case& input, const history::CoreHistory& history) {
-  const auto& law = electrochemistry::coupling_law(input.coupling.law);
+  const std::vector<std::string> needed =
+      electrochemistry::channels_for(laws::coupling_law(input.coupling.law));
   std::vector<std::string> present;
   for (const history::HistoryChannel& channel : history.channels) {
     present.push_back(channel.name);
   }
-  for (const std::string& name : law.channels()) {
+  for (const std::string& name : needed) {
     if (history.find(name) != nullptr) {
       return;
     }
   }
-  fail(input,
-       fmt::format("the law \"{}\" needs the channel {}, and the file has only: {}",
-                   input.coupling.law, listed(law.channels()), listed(present)),
-       fmt::format("write the dataset channels/{}, or choose another coupling.law",
-                   law.channels().front()));
+  fail(
+      input,
+      fmt::format("the law \"{}\" needs the channel {}, and the file has only: {}",
+                  input.coupling.law, listed(needed), listed(present)),
+      fmt::format("write the dataset channels/{}, or choose another coupling.law", needed.front()));
 }
 
 void require_memory(const Case& input, const history::CoreHistory& history) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/stations/read_out.hpp"
 
-#include "ionskin/electrochemistry/coupling/coupling_law.hpp"
+#include "ionskin/case/coupling.hpp"
+#include "ionskin/electrochemistry/coupling/driving_channel.hpp"
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "ionskin/history/shear_statistics.hpp"
 #include "ionskin/parallel/task_pool.hpp"
@@ -99,12 +100,12 @@ void add_tail_metric(const Case& input, const MechanicsRecord& mechanics, Signal
 /// no figure of it.
 std::optional<readout::Metric> charge_identity(const Case& input, const MechanicsRecord& mechanics,
                                                const IonSolution& ions, int threads) {
-  const bool makes_net_charge = electrochemistry::coupling_law(input.coupling.law).makes_net_charge;
-  if (makes_net_charge && input.coupling.law != "fixed-charge") {
+  const laws::CouplingTraits traits = laws::coupling_law(input.coupling.law).traits;
+  if (traits.makes_net_charge && !traits.net_charge_is_linear) {
     return std::nullopt;
   }
-  const electrochemistry::CouplingLaw& law = electrochemistry::coupling_law(input.coupling.law);
-  const history::HistoryChannel& channel = law.channel(mechanics.history);
+  const history::HistoryChannel& channel =
+      electrochemistry::driving_channel(input, mechanics.history);
   const double factor = electrochemistry::charge_density_of_channel(input, channel);
   std::vector<double> expected(ions.time.size()), magnitude(ions.time.size());
   parallel::run_tasks(expected.size(), threads, [&](std::size_t row) {
@@ -114,7 +115,7 @@ std::optional<readout::Metric> charge_identity(const Case& input, const Mechanic
     magnitude[row] = factor * drive.magnitude;
   });
   const double scale = readout::peak_magnitude(magnitude);
-  if (!makes_net_charge) {
+  if (!traits.makes_net_charge) {
     expected.assign(expected.size(), 0.0);
   }
   return readout::Metric{
@@ -128,7 +129,7 @@ void add_ion_metrics(const Case& input, const IonSolution& ions,
   const auto scales =
       electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness());
   // A law that moves water has no k, and a 0 would say that it is linear.
-  if (!electrochemistry::coupling_law(input.coupling.law).moves_water) {
+  if (!moves_water(input)) {
     metrics.push_back({"nonlinearity",
                        electrochemistry::nonlinearity(scales, input.coupling.coefficient, shear),
                        "1"});

@@ -20,7 +20,7 @@ namespace {
 /// and tangential motion coupled with opposite signs on the two sides.
 ContactProblem line_of_cells(int cells, double friction) {
   ContactProblem problem;
-  problem.friction = {friction};
+  problem.friction = laws::friction("coulomb", friction, {});
   problem.area.assign(static_cast<std::size_t>(cells), 1e-8);
   problem.gap.assign(static_cast<std::size_t>(cells), 0.0);
   problem.compliance = linear_algebra::DenseMatrix(3 * cells, 3 * cells);
@@ -140,16 +140,17 @@ TEST(SteadySliding, is_the_limit_of_a_long_slide) {
 
 TEST(SteadySliding, finds_limits_that_are_not_in_proportion_to_the_pressure) {
   constexpr double strength = 3e7; // [Pa]; Coulomb's limit is several times that here
-  const FrictionLaw saturating{
-      "saturating",
-      [](double mu, const FrictionArguments& at) {
+  constexpr double mu = 0.4;
+  const laws::Friction saturating{
+      mu, "saturating",
+      [](const laws::FrictionArguments& at) {
         return strength * std::tanh(mu * std::max(0.0, at.normal_traction) / strength);
       },
-      [](double mu, const FrictionArguments& at) {
+      [](const laws::FrictionArguments& at) {
         return mu / std::pow(std::cosh(mu * at.normal_traction / strength), 2);
       }};
-  ContactProblem problem = line_of_cells(15, 0.4);
-  problem.friction.law = &saturating;
+  ContactProblem problem = line_of_cells(15, mu);
+  problem.friction = saturating;
   for (const SliderLoad& load :
        {SliderLoad{LoadKind::indentation, 1e-6}, SliderLoad{LoadKind::force, 30.0}}) {
     const SurfaceState steady = steady_sliding(problem, load, {0.6, 0.8}, 1e-3);
@@ -160,14 +161,14 @@ TEST(SteadySliding, finds_limits_that_are_not_in_proportion_to_the_pressure) {
 }
 
 TEST(SteadySliding, NamesALawThatGivesNoNumberThere) {
-  const FrictionLaw viscous{
-      "viscous",
-      [](double mu, const FrictionArguments& at) {
-        return mu * at.normal_traction * at.slip_increment / at.time_step; // 0 / 0
+  const laws::Friction viscous{
+      0.4, "viscous",
+      [](const laws::FrictionArguments& at) {
+        return 0.4 * at.normal_traction * at.slip_increment / at.time_step; // 0 / 0
       },
-      [](double mu, const FrictionArguments& at) { return mu * at.slip_increment / at.time_step; }};
+      [](const laws::FrictionArguments& at) { return 0.4 * at.slip_increment / at.time_step; }};
   ContactProblem problem = line_of_cells(5, 0.4);
-  problem.friction.law = &viscous;
+  problem.friction = viscous;
   try {
     steady_sliding(problem, {LoadKind::indentation, 1e-6}, {1, 0}, 1e-3);
     FAIL() << "0 / 0 passed for a friction limit";

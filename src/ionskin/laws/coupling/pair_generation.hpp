@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <span>
+#include "ionskin/laws/coupling/coupling_law.hpp"
 
-namespace ionskin::electrochemistry {
+namespace ionskin::laws {
 
 /// Coupling law `pair-generation`: shear dissociates pairs, so that every fixed charge comes with a
 /// mobile ion released at the same place,
@@ -12,10 +12,13 @@ namespace ionskin::electrochemistry {
 /// integral of v c follows that of cf exactly. What drives the current is the diffusion of the
 /// released ions away from their fixed partners. Where shear recedes, pairs recombine. Source: the
 /// `fixed-charge` law made to conserve charge, as a dissociation reaction demands.
-/// @param coefficient k [1]
-/// @param shear gamma on the transport grid [1]
-/// @param ratio receives cf / c0, of which the departure from 1 is also what has been released [1]
-void apply_pair_generation(double coefficient, std::span<const double> shear,
-                           std::span<double> ratio);
+struct PairGeneration {
+  double coefficient = 0; ///< k [1]
 
-} // namespace ionskin::electrochemistry
+  static constexpr CouplingTraits traits{.releases_ions = true};
+  static constexpr auto parameters() { return no_parameters<PairGeneration>; }
+  /// cf / c0 [1] of the shear gamma [1]; its departure from 1 is also what has been released.
+  double ratio(double shear) const { return 1.0 + coefficient * shear; }
+};
+
+} // namespace ionskin::laws

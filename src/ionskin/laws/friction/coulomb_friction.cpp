@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/mechanics/friction/coulomb_friction.hpp"
+#include "ionskin/laws/friction/coulomb_friction.hpp"
 
 #include <algorithm>
 
-namespace ionskin::mechanics {
+namespace ionskin::laws {
 
 double CoulombFriction::limit(const FrictionArguments& at) const {
   return coefficient * std::max(0.0, at.normal_traction);
@@ -13,4 +13,4 @@ double CoulombFriction::limit_slope(const FrictionArguments& at) const {
   return at.normal_traction > 0 ? coefficient : 0.0;
 }
 
-} // namespace ionskin::mechanics
+} // namespace ionskin::laws

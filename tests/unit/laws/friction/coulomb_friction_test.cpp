@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/case/schema/schema.hpp"
-#include "ionskin/mechanics/friction/coulomb_friction.hpp"
+#include "ionskin/laws/friction/coulomb_friction.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace ionskin::mechanics {
+namespace ionskin::laws {
 namespace {
 
 TEST(CoulombFriction, limit_is_proportional_to_pressure_and_zero_in_tension) {
@@ -25,10 +24,12 @@ TEST(CoulombFriction, slope_agrees_with_finite_differences) {
   }
 }
 
-TEST(FrictionLaws, EveryNameOfTheSchemaHasOne) {
-  for (const Choice& choice : find_row("contact.law")->choices) {
-    EXPECT_EQ(friction_law(choice.name).name, choice.name);
-  }
+TEST(FrictionLaws, KeepTheirNameCoefficientAndLimit) {
+  const Friction coulomb = friction("coulomb", 0.3, {});
+  EXPECT_EQ(coulomb.law, "coulomb");
+  EXPECT_EQ(coulomb.coefficient, 0.3);
+  EXPECT_DOUBLE_EQ(coulomb.limit({2e6, 1e-6, 0.1}), 0.6e6);
+  EXPECT_DOUBLE_EQ(coulomb.limit_slope({2e6, 1e-6, 0.1}), 0.3);
 }
 
 TEST(CoulombFriction, projection_shortens_but_does_not_turn) {
@@ -41,4 +42,4 @@ TEST(CoulombFriction, projection_shortens_but_does_not_turn) {
 }
 
 } // namespace
-} // namespace ionskin::mechanics
+} // namespace ionskin::laws

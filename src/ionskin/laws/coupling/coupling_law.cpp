@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/laws/coupling/coupling_law.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/laws/coupling/column_neutral.hpp"
+#include "ionskin/laws/coupling/fixed_charge.hpp"
+#include "ionskin/laws/coupling/pair_generation.hpp"
+#include "ionskin/laws/coupling/poroelastic.hpp"
+#include "ionskin/laws/coupling/volume_neutral.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace ionskin::laws {
+namespace {
+
+/// A law that gives the ratio of one place, or of the whole core, or none.
+template <class Law> Coupling coupling_with(double coefficient, const LawValues& values) {
+  const Law law = law_with<Law>(coefficient, values);
+  if constexpr (requires { law.ratio(0.0); }) {
+    return [law](const CoreLayout&, std::span<const double> shear, std::span<double> ratio) {
+      for (std::size_t i = 0; i < shear.size(); ++i) {
+        ratio[i] = law.ratio(shear[i]);
+      }
+    };
+  } else if constexpr (requires { &Law::apply; }) {
+    return [law](const CoreLayout& core, std::span<const double> shear, std::span<double> ratio) {
+      law.apply(core, shear, ratio);
+    };
+  } else {
+    return {};
+  }
+}
+
+template <class Law> CouplingLaw coupling_row(std::string_view name) {
+  return {name, Law::traits, declared_parameters<Law>(), coupling_with<Law>};
+}
+
+} // namespace
+
+std::span<const CouplingLaw> coupling_laws() {
+  static const std::array laws{
+      coupling_row<FixedCharge>("fixed-charge"),     coupling_row<VolumeNeutral>("volume-neutral"),
+      coupling_row<ColumnNeutral>("column-neutral"), coupling_row<PairGeneration>("pair-generation"),
+      coupling_row<Poroelastic>("poroelastic"),
+  };
+  return laws;
+}
+
+const CouplingLaw& coupling_law(std::string_view name) {
+  const auto laws = coupling_laws();
+  const auto found = std::ranges::find(laws, name, &CouplingLaw::name);
+  if (found == laws.end()) {
+    throw InternalError("no coupling law is named " + std::string(name));
+  }
+  return *found;
+}
+
+} // namespace ionskin::laws
