@@ -69,6 +69,22 @@ class LawsPage(ProgramTest):
         self.assertIn('law = "saturating"', (tree / "out" / "case.toml").read_text())
         self.assertIn('law = "yielding-charge"', (tree / "out" / "case.toml").read_text())
         self.laws_act(tree)
+        self.parameters_belong_to_their_law(tree)
+
+    def parameters_belong_to_their_law(self, tree):
+        """A parameter of another law is refused, a missing one asked for, the stored case says both laws' own."""
+        stored = (tree / "out" / "case.toml").read_text()
+        self.assertRegex(stored, r'strength = "4 MPa"')
+        self.assertRegex(stored, r"saturation = 0.01")
+        for edits, expected in ((["contact.strength='\"4 MPa\"'"], "has no such parameter"),
+                                (["contact.law=saturating"], "missing key contact.strength"),
+                                (["contact.law=saturating", "contact.strength='\"4 MPa\"'", "contact.sharpness=0.5"],
+                                 "must be")):
+            command = " ".join(["build/ionskin check cases/quick.toml", *(f"--set {edit}" for edit in edits)])
+            process = subprocess.run(["bash", "-c", command], cwd=tree, capture_output=True, text=True, check=False,
+                                     env={**os.environ, "IONSKIN_DATA": str(tree)})
+            self.assertEqual(process.returncode, 2, command)
+            self.assertIn(expected, process.stderr)
 
     def laws_act(self, tree):
         """Friction stays below the strength of the interface; the coupling makes the charge of its formula."""
