@@ -3,6 +3,7 @@
 
 #include "ionskin/base/nearest_name.hpp"
 #include "ionskin/base/text.hpp"
+#include "ionskin/case/coupling.hpp"
 #include "ionskin/case/text/data_folder.hpp"
 #include "ionskin/case/text/read_text_file.hpp"
 #include "ionskin/case/text/toml_text.hpp"
@@ -106,6 +107,11 @@ void report_missing(const std::string& name, std::size_t layer, TomlWalk& walk,
   }
 }
 
+bool needs_stiffness(const Case& input, const Layer& layer) {
+  return input.strain.kind == StrainSourceKind::contact ||
+         (moves_water(input) && layer.role == LayerRole::core);
+}
+
 } // namespace
 
 std::vector<std::string> installed_materials() {
@@ -134,9 +140,18 @@ void resolve_materials(TomlWalk& walk, Problems& problems) {
   std::vector<Layer>& layers = walk.draft.input.skin.layers;
   std::set<std::string> done;
   for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (!needs_stiffness(walk.draft.input, layers[i]))
+      continue;
     const std::string name = layers[i].material.name;
-    if (name.empty())
-      continue; // reported as a missing or bad key
+    const std::string key = fmt::format("skin.layers[{}].material", i);
+    if (name.empty()) {
+      if (!walk.seen[key] && walk.draft.input.strain.kind != StrainSourceKind::contact)
+        problems.add("missing key " + key +
+                         ": the law \"poroelastic\" takes the elastic constants "
+                         "of the core from it",
+                     {}, "add it: \"nafion\", say");
+      continue; // otherwise reported as a missing or bad key
+    }
     if (!walk.draft.materials.contains(name)) {
       report_unknown(name, place_of_layer_material(walk, i), walk, installed_materials(), problems);
       continue;

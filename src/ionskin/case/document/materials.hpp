@@ -16,7 +16,8 @@ std::vector<std::string> installed_materials();
 /// from the material of the core: whatever the case does not give itself. Records are appended.
 void complete_materials(TomlWalk& walk, Problems& problems);
 
-/// Gives every layer its material. Unknown materials and missing values are collected.
+/// Gives every layer whose stiffness the case needs its material: all of them with contact, the
+/// core where water moves through it. Unknown materials and missing values are collected.
 void resolve_materials(TomlWalk& walk, Problems& problems);
 
 } // namespace ionskin

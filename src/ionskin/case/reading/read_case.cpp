@@ -93,8 +93,7 @@ CaseDocument read_case_text(const std::string& original, const std::string& path
   walk.visit(parse_toml(text.text(), text.file()));
   complete_materials(walk, problems);
   complete(walk, path, problems);
-  if (walk.draft.input.strain.kind == StrainSourceKind::contact)
-    resolve_materials(walk, problems);
+  resolve_materials(walk, problems);
   problems.throw_if_any(path);
 
   std::stable_sort(walk.records.begin(), walk.records.end(),

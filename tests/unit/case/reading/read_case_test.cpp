@@ -239,6 +239,22 @@ TEST(ReadCase, StrainFileNeedsNoContact) {
   EXPECT_THAT(input.text, testing::HasSubstr("file = \"" + file.folder() + "/s.h5\""));
 }
 
+TEST(ReadCase, StrainFileNeedsTheCoreWhereWaterMoves) {
+  std::string text =
+      valid_case("coefficient = 0.1", "law = \"poroelastic\"\n[water]\ndrag_number = 2.5\n"
+                                      "drained_poissons_ratio = 0.4\n"
+                                      "mobility = \"2e-19 m2/(Pa s)\"\n"
+                                      "[strain]\nsource = \"file\"\nfile = \"s.h5\"\n");
+  const TemporaryCase file(text);
+  std::ofstream(file.folder() + "/s.h5") << "any";
+  const Skin skin = read_case(file.path()).skin;
+  EXPECT_GT(skin.layers[skin.core_index()].material.poissons_ratio, 0.4);
+  for (std::size_t line = text.find("material ="); line != std::string::npos;
+       line = text.find("material ="))
+    text.erase(line, text.find('\n', line) + 1 - line);
+  EXPECT_THAT(error_of(text), testing::HasSubstr("missing key skin.layers[1].material"));
+}
+
 TEST(ReadCase, ReadsWindowsLineEnds) {
   std::string text;
   for (const char letter : valid_case())
