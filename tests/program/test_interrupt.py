@@ -12,13 +12,16 @@ from program import QUICK, ProgramTest, signals
 
 
 class Interrupt(ProgramTest):
-    def stage_finished(self, stage):
-        """True once the manifest in `out` says that a stage is finished."""
+    def stage(self, name):
+        """The state of a stage by the manifest in `out`."""
         try:
             manifest = json.loads((self.folder / "out" / "manifest.json").read_text())
         except (OSError, ValueError):
-            return False
-        return manifest.get("stages", {}).get(stage, {}).get("state") == "finished"
+            return None
+        return manifest.get("stages", {}).get(name, {}).get("state")
+
+    def stage_finished(self, stage):
+        return self.stage(stage) == "finished"
 
     def assert_resumes_to_the_same(self):
         self.run_case(QUICK, "-o", "out", "--resume")
@@ -39,6 +42,35 @@ class Interrupt(ProgramTest):
             self.assertTrue(numpy.isfinite(file["strain/gamma"][...]).all())
         self.assertEqual(list((self.folder / "out").glob("*.ionskin-pending")), [])
         self.assert_resumes_to_the_same()
+
+    def test_while_water_moves(self):
+        """The law `poroelastic` remembers: where its water stands is part of what a run goes on from."""
+        time = numpy.linspace(0, 4, 401)
+        wave = numpy.sin(40 * time)[:, None] * numpy.linspace(0, 1, 60)
+        with h5py.File(self.folder / "pressure.h5", "w") as file:
+            file["grid/x"], file["grid/y"] = numpy.linspace(0, 15e-3, 61), [0, 2e-3]
+            file["grid/z"], file["time"] = [0, 180e-6], time
+            pressure = numpy.stack([wave, 0 * wave], axis=1)[:, :, None, :]
+            file["channels/undrained_pressure"] = 1e5 * pressure
+            file["channels/undrained_pressure"].attrs["unit"] = "Pa"
+            file.attrs.update({"format": "ionskin-strain", "version": 2, "measure": "given", "frame": "skin"})
+        case = self.write("wet.toml", QUICK.read_text().replace("coefficient = 0.1", 'law = "poroelastic"') + """
+[strain]
+source = "file"
+file = "pressure.h5"
+[water]
+drag_number = 2.5
+drained_poissons_ratio = 0.4
+mobility = "5e-17 m2/(Pa s)"
+""")
+        self.interrupt_program("run", case, "--no-report", "-o", "out",
+                               when=lambda: self.stage("electrochemistry") == "running")
+        with h5py.File(self.folder / "out" / "checkpoint.h5") as file:
+            self.assertIn("water/pressure", file)
+        self.run_case(case, "-o", "out", "--resume")
+        self.run_case(case, "-o", "whole")
+        numpy.testing.assert_array_equal(signals(self.folder / "out")["charge_top"],
+                                         signals(self.folder / "whole")["charge_top"])
 
     def test_one_study_after_the_other(self):
         self.run_case(QUICK, "-o", "apart", "--only", "electrochemistry", expect=2)

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace ionskin::study {
 namespace {
@@ -53,11 +54,29 @@ bool is_consistent(const IonCheckpoint& checkpoint) {
   };
   const electrochemistry::TransportState& state = checkpoint.state;
   const IonSolution& solution = checkpoint.solution;
+  if (state.memory &&
+      !(std::isfinite(state.memory->time) &&
+        state.memory->pressure.pressure.size() == state.memory->pressure.undrained.size() &&
+        finite(state.memory->pressure.pressure) && finite(state.memory->pressure.undrained))) {
+    return false;
+  }
   return state.next_step > 0 && std::isfinite(state.next_step) &&
          std::isfinite(state.charge_scale) && !state.ions.values.empty() &&
          state.rate.size() == state.ions.values.size() && finite(state.ions.values) &&
          finite(state.rate) && solution.time.size() == checkpoint.step + 1 &&
          finite(solution.time) && std::is_sorted(solution.time.begin(), solution.time.end());
+}
+
+void write_water(results::Hdf5File& file, const poroelasticity::WaterState& water) {
+  file.write("/water/pressure", water.pressure.pressure);
+  file.write("/water/undrained", water.pressure.undrained);
+  file.set_attribute("/water", "time", water.time);
+}
+
+poroelasticity::WaterState read_water(const results::ForeignHdf5File& file) {
+  constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+  return {file.number_attribute("/water", "time").value_or(missing),
+          {file.read("/water/pressure"), file.read("/water/undrained")}};
 }
 
 } // namespace
@@ -72,6 +91,9 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& inpu
   file.write("/state/rate", checkpoint.state.rate);
   file.set_attribute("/state", "next_step", checkpoint.state.next_step);
   file.set_attribute("/state", "charge_scale", checkpoint.state.charge_scale);
+  if (checkpoint.state.memory) {
+    write_water(file, *checkpoint.state.memory);
+  }
   const IonSolution& solution = checkpoint.solution;
   file.write("/grid/x", solution.grid.x_edges);
   file.write("/grid/y", solution.grid.y_edges);
@@ -115,6 +137,9 @@ std::optional<IonCheckpoint> read_checkpoint(const std::filesystem::path& path,
   checkpoint.state.rate = file.read("/state/rate");
   checkpoint.state.next_step = file.number_attribute("/state", "next_step").value_or(0);
   checkpoint.state.charge_scale = file.number_attribute("/state", "charge_scale").value_or(0);
+  if (file.has("/water")) {
+    checkpoint.state.memory = read_water(file);
+  }
   IonSolution& solution = checkpoint.solution;
   solution.grid = {file.read("/grid/x"), file.read("/grid/y"), file.read("/grid/z")};
   for (const Row& row : rows) {

@@ -49,6 +49,20 @@ TEST(CheckpointFile, GivesBackEveryBit) {
   EXPECT_EQ(read->solution.snapshots[0].potential, written.solution.snapshots[0].potential);
 }
 
+TEST(CheckpointFile, GivesBackTheWater) {
+  const results::ScratchFolder folder;
+  auto written = example();
+  write_checkpoint(folder.path() / "checkpoint.h5", "hash", written);
+  EXPECT_FALSE(read_checkpoint(folder.path() / "checkpoint.h5", "hash")->state.memory);
+  written.state.memory = {0.1, {{1.0 / 3, -2e5}, {1e-300, 7.0 / 9}}};
+  write_checkpoint(folder.path() / "checkpoint.h5", "hash", written);
+  const auto read = read_checkpoint(folder.path() / "checkpoint.h5", "hash");
+  ASSERT_TRUE(read && read->state.memory);
+  EXPECT_EQ(read->state.memory->time, 0.1);
+  EXPECT_EQ(read->state.memory->pressure.pressure, written.state.memory->pressure.pressure);
+  EXPECT_EQ(read->state.memory->pressure.undrained, written.state.memory->pressure.undrained);
+}
+
 TEST(CheckpointFile, IsNotTakenForAnotherCase) {
   const results::ScratchFolder folder;
   EXPECT_FALSE(read_checkpoint(folder.path() / "checkpoint.h5", "hash"));
@@ -84,6 +98,11 @@ TEST(CheckpointFile, IsNotTakenWhenItCannotBeContinued) {
   EXPECT_FALSE(is_taken(spoilt));
   spoilt = example();
   spoilt.state.rate.pop_back();
+  EXPECT_FALSE(is_taken(spoilt));
+  spoilt = example();
+  spoilt.state.memory = {0.1, {{1.0}, {std::numeric_limits<double>::infinity()}}};
+  EXPECT_FALSE(is_taken(spoilt));
+  spoilt.state.memory = {0.1, {{1.0}, {1.0, 2.0}}};
   EXPECT_FALSE(is_taken(spoilt));
   spoilt = example();
   spoilt.solution.time = {0};
