@@ -173,6 +173,16 @@ def transient(study):
     return Verdict(claim, HOLDS if min(shares) > 0.8 else CONDITION if max(shares) > 0.8 else FAILS, "; ".join(number))
 
 
+def shear_signals(study):
+    """Shear itself makes the signal: what the coupling law of the runs says of it."""
+    claim = "shear itself makes the signal"
+    law = study.typical.results.case.get("coupling", {}).get("law", "fixed-charge")
+    if law == "poroelastic":
+        return Verdict(claim, FAILS, "pure shear changes no volume: at linear order it gives exactly none (ionskin verify "
+                                     "poroelasticity, P6); pressure that differs between the walls does")
+    return Verdict(claim, CONDITION, f"it is the assumption of the law {law}: its coefficient k is fitted to no measurement")
+
+
 def judge(study):
     """All claims in the order of the article."""
     return [
@@ -188,4 +198,5 @@ def judge(study):
         follows_rate(study, "common", "common current"),
         follows_rate(study, "difference", "difference current, which an ammeter sees,"),
         opposite(study),
+        shear_signals(study),
     ]

@@ -14,8 +14,8 @@ HEADLINE = [
 ]
 
 CASE_GROUPS = {"skin": "Skin", "slider": "Slider", "motion": "Motion", "contact": "Contact",
-               "electrochemistry": "Ions", "coupling": "Coupling", "strain": "Strain", "readout": "Readout",
-               "numerics": "Numerics"}
+               "electrochemistry": "Ions", "coupling": "Coupling", "water": "Water", "strain": "Strain",
+               "readout": "Readout", "numerics": "Numerics"}
 
 NUMBERS_NOTE = ("“touchdown” is the end of touchdown and “slide” the middle of the slide, both in the first cycle. "
                 "Peaks are of the magnitude; rms is weighted by time over the whole run. Peaks of resolved currents are "
@@ -38,6 +38,10 @@ SHARP = ("The slider is rigid and its edges are sharp: stress and shear at the e
 ROUND = ("The slider is rigid: what it touches gives way, it does not. Without sharp edges pressure and shear are finite, "
          "but the rim of the contact is known to one cell of the mesh only, and the pressure of that cell is uncertain.")
 
+WET = ("The coupling law “poroelastic” has no fitted coefficient. Pressure drives water, which drags cations and dilutes "
+       "them. The strain is that of the undrained skin and does not follow the water; the convention of the dilution "
+       "(water.dilution) is a choice with a range; electro-osmosis does not move the water back.")
+
 LAW_LIMITS = {
     "fixed-charge": "The coupling law “fixed-charge” creates net charge in the core, which both electrodes image: it "
     "drives the common current. Between the electrodes of an otherwise isolated cell an ammeter carries the difference "
@@ -46,8 +50,6 @@ LAW_LIMITS = {
     "neutral as a whole while single columns do not.",
     "column-neutral": "The coupling law “column-neutral” subtracts the mean over the thickness, so that every column of "
     "the core stays neutral.",
-    "poroelastic": "The coupling law “poroelastic” moves water through the core, which drags the cations. The strain is that "
-    "of the core whose water has not moved yet, and does not follow the water.",
 }
 
 
@@ -169,8 +171,7 @@ def limits(results):
         texts.insert(1, SHARP if has_sharp_edges(slider) else ROUND)
     if law(results) in LAW_LIMITS:
         texts.append(LAW_LIMITS[law(results)])
-    if law(results) != "poroelastic":
-        texts += [NO_WATER, UNCALIBRATED]
+    texts.extend([WET] if law(results) == "poroelastic" else [NO_WATER, UNCALIBRATED])
     return texts
 
 

@@ -83,6 +83,18 @@ INSTANTIATE_TEST_SUITE_P(
                 "sealed"}),
     [](const auto& refusal) { return refusal.param.name; });
 
+TEST(Water, NamesAllThatIsMissingAtOnce) {
+  const std::string bare =
+      error_of(valid_case("coefficient = 0.1", "law = \"poroelastic\"\ncoefficient = 0.1"));
+  for (const char* words :
+       {"missing section [water]", "drag_number", "drained_poissons_ratio or drained_modulus",
+        "permeability or mobility or consolidation_coefficient", "coupling.coefficient is given"})
+    EXPECT_THAT(bare, HasSubstr(words));
+  const std::string begun = error_of(wet("[water]\ndilution = \"mixture\"\n"));
+  for (const char* words : {"missing key water.drag_number", "how stiff the core is", "how fast"})
+    EXPECT_THAT(begun, HasSubstr(words));
+}
+
 TEST(Water, IsRefusedBesideALawThatMovesNone) {
   const std::string message =
       error_of(valid_case("coefficient = 0.1", "coefficient = 0.1\n" + water));

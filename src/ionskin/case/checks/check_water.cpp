@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 
@@ -46,19 +47,40 @@ void check_belonging(const CaseDocument& document, Problems& problems) {
                    "set coupling.law = \"poroelastic\", or remove the section [water]");
 }
 
+/// Exactly one key tells the drained stiffness.
+void check_drained_keys(const CaseDocument& document, Problems& problems) {
+  const Water& water = document.input.water;
+  const bool ratio = water.drained_poissons_ratio > 0, modulus = water.drained_modulus > 0;
+  if (ratio != modulus)
+    return;
+  problems.add(ratio ? "water.drained_poissons_ratio and water.drained_modulus are both given"
+                     : "how stiff the core is once its water has moved is not given",
+               given(document, {"water.drained_poissons_ratio", "water.drained_modulus"}),
+               ratio ? "give one of them: with the shear modulus, each follows from the other"
+                     : "give water.drained_poissons_ratio, such as 0.4, or "
+                       "water.drained_modulus, an oedometric modulus");
+}
+
+/// One key at least tells how fast water moves.
+void check_mobility_keys(const CaseDocument& document, Problems& problems) {
+  const Water& water = document.input.water;
+  if (water.permeability == 0 && water.mobility == 0 && water.consolidation_coefficient == 0)
+    problems.add("how fast water moves through the core is not given",
+                 given(document, {"coupling.law"}),
+                 "give water.permeability, water.mobility or water.consolidation_coefficient");
+}
+
+/// Without any key of [water] its section is missing, which is told with all its keys.
+bool has_water_section(const CaseDocument& document) {
+  return std::ranges::any_of(document.records, [](const ValueRecord& record) {
+    return record.key.starts_with("water.") && record.origin != ValueOrigin::default_value;
+  });
+}
+
 void check_drained_stiffness(const CaseDocument& document, Problems& problems) {
   const Water& water = document.input.water;
   const auto places = given(document, {"water.drained_poissons_ratio", "water.drained_modulus"});
   const bool ratio = water.drained_poissons_ratio > 0, modulus = water.drained_modulus > 0;
-  if (ratio == modulus) {
-    problems.add(ratio ? "water.drained_poissons_ratio and water.drained_modulus are both given"
-                       : "how stiff the core is once its water has moved is not given",
-                 places,
-                 ratio ? "give one of them: with the shear modulus, each follows from the other"
-                       : "give water.drained_poissons_ratio, such as 0.4, or "
-                         "water.drained_modulus, an oedometric modulus");
-    return;
-  }
   const Material& core = document.input.skin.layers[document.input.skin.core_index()].material;
   const double shear = shear_modulus(core), bulk = bulk_modulus(core);
   if (ratio && water.drained_poissons_ratio >= core.poissons_ratio)
@@ -83,12 +105,6 @@ void check_mobility(const CaseDocument& document, Problems& problems) {
   const Water& water = document.input.water;
   const auto places =
       given(document, {"water.permeability", "water.mobility", "water.consolidation_coefficient"});
-  if (places.empty()) {
-    problems.add("how fast water moves through the core is not given",
-                 given(document, {"coupling.law"}),
-                 "give water.permeability, water.mobility or water.consolidation_coefficient");
-    return;
-  }
   const double storage = consolidation_modulus(document.input);
   std::vector<double> mobilities;
   if (water.permeability > 0)
@@ -134,8 +150,15 @@ void check_dilution(const CaseDocument& document, Problems& problems) {
 
 } // namespace
 
-void check_water(const CaseDocument& document, Problems& problems) {
+void check_water_keys(const CaseDocument& document, Problems& problems) {
   check_belonging(document, problems);
+  if (moves_water(document.input) && has_water_section(document)) {
+    check_drained_keys(document, problems);
+    check_mobility_keys(document, problems);
+  }
+}
+
+void check_water(const CaseDocument& document, Problems& problems) {
   if (!moves_water(document.input) || !problems.empty())
     return;
   check_drained_stiffness(document, problems);

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <set>
 
 namespace ionskin {
@@ -118,9 +119,18 @@ private:
 
   std::string needed_keys(const std::string& section) const {
     std::string list;
-    for (const SchemaRow& row : schema())
-      if (section_of(row.key) == section && is_needed(row))
-        list += (list.empty() ? "" : ", ") + row.key.substr(section.size() + 1);
+    std::map<std::string, std::string> alternatives; // by their purpose
+    for (const SchemaRow& row : schema()) {
+      if (section_of(row.key) != section)
+        continue;
+      const std::string name = row.key.substr(section.size() + 1);
+      if (is_needed(row))
+        list += (list.empty() ? "" : ", ") + name;
+      else if (!row.purpose.empty() && applies(row))
+        alternatives[row.purpose] += (alternatives[row.purpose].empty() ? "" : " or ") + name;
+    }
+    for (const auto& [purpose, names] : alternatives)
+      list += fmt::format("; for the {} {}", purpose, names);
     return list;
   }
 

@@ -3,6 +3,7 @@
 
 #include "ionskin/case/checks/check_case.hpp"
 #include "ionskin/case/checks/check_readout.hpp"
+#include "ionskin/case/checks/check_water.hpp"
 #include "ionskin/case/document/materials.hpp"
 #include "ionskin/case/document/missing_keys.hpp"
 #include "ionskin/case/document/set_edit.hpp"
@@ -94,13 +95,14 @@ CaseDocument read_case_text(const std::string& original, const std::string& path
   complete_materials(walk, problems);
   complete(walk, path, problems);
   resolve_materials(walk, problems);
-  problems.throw_if_any(path);
 
   std::stable_sort(walk.records.begin(), walk.records.end(),
                    [](const ValueRecord& first, const ValueRecord& second) {
                      return rank(first.key) < rank(second.key);
                    });
   CaseDocument document{std::move(walk.draft.input), path, std::move(walk.records)};
+  check_water_keys(document, problems);
+  problems.throw_if_any(path);
   anchor_file(document, "strain.file", document.input.strain.file, text);
   anchor_file(document, "motion.file", document.input.motion.file, text);
   anchor_file(document, "slider.profile", document.input.slider.profile, text);

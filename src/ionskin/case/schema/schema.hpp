@@ -91,6 +91,8 @@ struct SchemaRow {
   Range range{};
   std::string range_reason{}; ///< why the range ends where it does, when that is not plain
   Need need = Need::optional;
+  /// What the keys of `one_of_several` that stand in for one another tell, for messages.
+  std::string purpose{};
   /// Whether the key has a meaning in a case; empty for always.
   std::function<bool(const Case&)> applies{};
   std::string default_value{};   ///< TOML; used when an optional key is missing

@@ -13,13 +13,17 @@ namespace {
 
 const Names<WaterWall> walls{{"sealed", WaterWall::sealed}, {"open", WaterWall::open}};
 
-SchemaRow quantity(const char* key, Dimension dimension, const Range& range, double Water::*member,
-                   const char* help) {
+constexpr const char* stiffness = "stiffness without water pressure";
+constexpr const char* speed = "speed of the water";
+
+SchemaRow quantity(const char* key, Dimension dimension, const Range& range, const char* purpose,
+                   double Water::*member, const char* help) {
   return {.key = key,
           .type = ValueType::quantity,
           .dimension = dimension,
           .range = range,
           .need = Need::one_of_several,
+          .purpose = purpose,
           .applies = moves_water,
           .help = help,
           .set = into(&Case::water, member)};
@@ -53,17 +57,19 @@ void add_water(SchemaRows& rows) {
                   .type = ValueType::number,
                   .range = {0.0, 0.5, false, false},
                   .need = Need::one_of_several,
+                  .purpose = stiffness,
                   .applies = moves_water,
                   .help =
                       "Poisson's ratio of the core at constant water potential, after its water "
                       "has moved; that of the material is the undrained one. Or give "
                       "water.drained_modulus.",
                   .set = into(&Case::water, &Water::drained_poissons_ratio)});
-  rows.push_back(quantity(
-      "water.drained_modulus", Dimension::stress, {1e3, 1e12, true, true}, &Water::drained_modulus,
-      "Oedometric modulus M of the core at constant water potential, instead of "
-      "water.drained_poissons_ratio."));
-  rows.push_back(quantity("water.permeability", Dimension::area, {1e-30, 1e-9, true, true},
+  rows.push_back(
+      quantity("water.drained_modulus", Dimension::stress, {1e3, 1e12, true, true}, stiffness,
+               &Water::drained_modulus,
+               "Oedometric modulus M of the core at constant water potential, instead of "
+               "water.drained_poissons_ratio."));
+  rows.push_back(quantity("water.permeability", Dimension::area, {1e-30, 1e-9, true, true}, speed,
                           &Water::permeability,
                           "Hydraulic permeability of the core at zero current, with "
                           "water.viscosity; or give water.mobility or "
@@ -78,11 +84,11 @@ void add_water(SchemaRows& rows) {
                   .source = "water at 25 degC (Kestin et al. 1978, doi 10.1063/1.555581)",
                   .set = into(&Case::water, &Water::viscosity)});
   rows.push_back(quantity("water.mobility", Dimension::hydraulic_mobility,
-                          {1e-27, 1e-6, true, true}, &Water::mobility,
+                          {1e-27, 1e-6, true, true}, speed, &Water::mobility,
                           "Hydraulic mobility of the core at zero current, permeability over "
                           "viscosity."));
   rows.push_back(quantity("water.consolidation_coefficient", Dimension::diffusivity,
-                          {1e-20, 1e-2, true, true}, &Water::consolidation_coefficient,
+                          {1e-20, 1e-2, true, true}, speed, &Water::consolidation_coefficient,
                           "Diffusivity of water pressure in the core, instead of "
                           "water.permeability or water.mobility."));
   rows.push_back({.key = "water.dilution",

@@ -40,6 +40,9 @@ protected:
 
 TEST_F(CouplingLaws, DoWhatTheirTraitsSay) {
   for (const CouplingLaw& law : coupling_laws()) {
+    if (!law.parameters.empty()) {
+      continue; // its own test knows what values show its traits
+    }
     EXPECT_EQ(!law.with(0.1, {}), law.traits.moves_water) << law.name;
     if (law.traits.moves_water) {
       continue; // shear leaves its fixed charge as it is
