@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "electrochemistry/model_run.hpp"
-#include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "ionskin/poroelasticity/water_properties.hpp"
 #include "poroelasticity/rows.hpp"
 #include "poroelasticity/wet_cell.hpp"
@@ -80,14 +79,6 @@ double open_voltage(Case input, double time, const Options& options) {
       input, pressure_step_history(-0.5 * small_pressure, 0.5 * small_pressure, {0.0, time}),
       options);
   return per_megapascal * solution.voltage.back();
-}
-
-/// 1 - (2 lambda/h) tanh(h/(2 lambda)): the double layers' share of the thickness is missing.
-double layer_factor(const Case& input) {
-  const double a =
-      electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness())
-          .half_thickness;
-  return 1 - std::tanh(a) / a;
 }
 
 } // namespace

@@ -16,5 +16,8 @@ std::vector<Row> pressure_step_rows(const Options& options);
 std::vector<Row> lateral_wave_rows(const Options& options);
 /// P6, P7: what must vanish, change its sign or be conserved.
 std::vector<Row> symmetry_rows(const Options& options);
+/// P8: bench loads of strain.source = "prescribed", a bent strip and a pressed core, against closed
+/// forms.
+std::vector<Row> prescribed_load_rows(const Options& options);
 
 } // namespace ionskin::verification

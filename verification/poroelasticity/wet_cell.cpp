@@ -2,7 +2,9 @@
 #include "poroelasticity/wet_cell.hpp"
 
 #include "electrochemistry/model_cases.hpp"
+#include "ionskin/electrochemistry/grid/derived_scales.hpp"
 
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -17,6 +19,13 @@ Case wet_case() {
   input.water.drained_modulus = 3.9e8;
   input.water.mobility = 2e-19;
   return input;
+}
+
+double layer_factor(const Case& input) {
+  const double a =
+      electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness())
+          .half_thickness;
+  return 1 - std::tanh(a) / a;
 }
 
 history::CoreHistory held_pressure_history(double length, std::size_t columns,

@@ -18,6 +18,10 @@ inline constexpr double small_pressure = 1e4, per_megapascal = 1e6 / small_press
 /// undrained core is all but incompressible, so that closed forms hold.
 Case wet_case();
 
+/// 1 - (2 lambda/h) tanh(h/(2 lambda)): of the open-circuit voltage of a thick core, the double
+/// layers' share of the thickness is missing.
+double layer_factor(const Case& input);
+
 /// One column at rest whose undrained pressure is linear through the thickness from `bottom` to
 /// `top` [Pa], switched on at the first instant and held.
 /// @param time samples [s]

@@ -43,7 +43,9 @@ std::string sweep_cost(const study::SweepPlan& plan, bool both_studies, int thre
   const auto groups = study::mechanics_groups(plan.points);
   const std::string points = counted(plan.points.size(), "point");
   if (groups.empty()) {
-    return points + ", no contact to solve; the time follows from the strain file";
+    return points + (plan.points.front().input.strain.kind == StrainSourceKind::prescribed
+                         ? ", no contact to solve"
+                         : ", no contact to solve; the time follows from the strain file");
   }
   double seconds = seconds_of_report;
   for (const auto& group : groups) {

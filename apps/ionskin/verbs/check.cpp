@@ -21,13 +21,16 @@ bool check(const CheckOptions& options) {
   if (document.input.strain.kind == StrainSourceKind::file) {
     return false;
   }
-  // The mesh has a say too: it refuses sliders that leave no room for an element at the skin's
-  // edge.
-  mesh::SkinMesh{document.input};
-  mechanics::require_touch(document.input);
+  const bool contact = document.input.strain.kind == StrainSourceKind::contact;
+  if (contact) {
+    // The mesh has a say too: it refuses sliders that leave no room for an element at the skin's
+    // edge.
+    mesh::SkinMesh{document.input};
+    mechanics::require_touch(document.input);
+  }
   const std::string shortage = planning::shortage(document.input, thread_count(0));
   print_valid(options, document,
-              warning_of_ions(document.input) +
+              (contact ? warning_of_ions(document.input) : "") +
                   (shortage.empty() ? "" : fmt::format("warning: {}\n", shortage)));
   return true;
 }

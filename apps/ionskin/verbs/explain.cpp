@@ -204,8 +204,9 @@ std::string costs(const Case& input) {
     return text + row("Study 2", "", "its size follows from the strain file");
   const int threads = thread_count(0);
   const planning::CostEstimate cost = planning::estimate_cost(input, threads);
-  text += row("Study 1: unknowns", fmt::format("{}", cost.mechanics_unknowns),
-              fmt::format("displacements, factorised at {} positions", cost.positions));
+  if (input.strain.kind == StrainSourceKind::contact)
+    text += row("Study 1: unknowns", fmt::format("{}", cost.mechanics_unknowns),
+                fmt::format("displacements, factorised at {} positions", cost.positions));
   text += row("Study 2: unknowns", fmt::format("{}", cost.ion_unknowns),
               fmt::format("over about {} time steps", cost.ion_steps));
   text += row("memory", fmt::format("{:.2g} GB", cost.memory * 1e-9),

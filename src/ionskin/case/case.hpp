@@ -155,11 +155,21 @@ struct Water {
   WaterWall bottom_wall = WaterWall::sealed, top_wall = WaterWall::sealed;
 };
 
-enum class StrainSourceKind { contact, file };
+enum class StrainSourceKind { contact, file, prescribed };
+
+/// How a prescribed load goes over time: from the first instant on, growing evenly, or swinging.
+enum class LoadWaveform { step, ramp, sine };
 
 struct StrainSource {
   StrainSourceKind kind = StrainSourceKind::contact;
-  std::string file; ///< absolute path; empty for contact
+  std::string file; ///< absolute path; empty without one
+  // prescribed: a load that is uniform along the skin, one of the two; 0 is not given
+  double pressure = 0;  ///< on both faces, positive in compression [Pa]
+  double curvature = 0; ///< of the skin along x, positive with the top face stretched [1/m]
+  LoadWaveform waveform = LoadWaveform::step;
+  double rise = 0;      ///< of `ramp`: after it the load is held [s]
+  double frequency = 0; ///< of `sine` [Hz]
+  double duration = 0;  ///< of the run [s]
 };
 
 /// A rectangle of the top electrode with a lead of its own.

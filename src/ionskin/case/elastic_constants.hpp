@@ -25,16 +25,33 @@ inline double drained_oedometric_modulus(const Case& input) {
              ? input.water.drained_modulus
              : oedometric_modulus(shear_modulus(core), input.water.drained_poissons_ratio);
 }
+/// Whether a prescribed curvature bends a strip that is free to curve across: its sides then carry
+/// no stress, where a wide one, between symmetry planes, keeps its width.
+inline bool bends_freely(const Case& input) {
+  return input.strain.kind == StrainSourceKind::prescribed && input.strain.curvature != 0 &&
+         input.skin.sides == SideCondition::free;
+}
+/// Pressure over the swelling that it makes at constant water potential, under what the load of the
+/// case holds: the strain along the skin (M), or, of a strip that bends freely, its curvature
+/// alone, M - G = G/(1 - 2 nu).
+inline double swelling_modulus(const Case& input) {
+  const Material& core = input.skin.layers[input.skin.core_index()].material;
+  return drained_oedometric_modulus(input) - (bends_freely(input) ? shear_modulus(core) : 0.0);
+}
 /// M_B = K_u - K_d: the undrained pore pressure over the compression that makes it (B M_B = p_u;
 /// Biot's coefficient is 1, as polymer and water are incompressible).
 inline double storage_modulus(const Case& input) {
   const Material& core = input.skin.layers[input.skin.core_index()].material;
   return bulk_modulus(core) - (drained_oedometric_modulus(input) - 4.0 / 3.0 * shear_modulus(core));
 }
-/// c_v / K = M M_B/(M + M_B).
+/// c_v / K = M M_B/(M + M_B), of a swelling modulus M.
+inline double consolidation_modulus(const Case& input, double swelling) {
+  const double storage = storage_modulus(input);
+  return swelling * storage / (swelling + storage);
+}
+/// The same of a core that keeps its extent along the skin, in which c_v is measured.
 inline double consolidation_modulus(const Case& input) {
-  const double drained = drained_oedometric_modulus(input), storage = storage_modulus(input);
-  return drained * storage / (drained + storage);
+  return consolidation_modulus(input, drained_oedometric_modulus(input));
 }
 
 } // namespace ionskin

@@ -58,9 +58,25 @@ double contact_memory(const mesh::SkinMesh& mesh, const CostEstimate& cost, int 
          (states * core * points * strains + at_once * matrices * components * components);
 }
 
+/// Of a case without contact.
+CostEstimate estimate_ion_cost(const Case& input, int threads) {
+  const auto ions = electrochemistry::estimate_problem_size(input);
+  CostEstimate cost;
+  cost.ion_unknowns = ions.unknowns;
+  cost.ion_steps = ions.steps;
+  cost.memory = bytes_at_rest + ions.memory;
+  cost.seconds = seconds_per_ion_step * static_cast<double>(ions.unknowns) *
+                     static_cast<double>(ions.steps) / threads +
+                 seconds_of_output;
+  return cost;
+}
+
 } // namespace
 
 CostEstimate estimate_cost(const Case& input, int threads) {
+  if (input.strain.kind == StrainSourceKind::prescribed) {
+    return estimate_ion_cost(input, threads);
+  }
   CostEstimate cost;
   const mesh::SkinMesh mesh = expected_mesh(input);
   cost.mechanics_unknowns = mesh.unknowns();

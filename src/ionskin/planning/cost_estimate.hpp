@@ -7,7 +7,8 @@
 
 namespace ionskin::planning {
 
-/// Size of both studies of a contact case, and what they will cost.
+/// Size of both studies of a case, and what they will cost; of Study 2 alone where the load is
+/// prescribed. Not for strain files.
 struct CostEstimate {
   std::size_t mechanics_unknowns = 0; ///< of one position of the slider
   std::size_t positions = 0;          ///< that are factorised; mirrored positions share one

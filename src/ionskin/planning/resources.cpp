@@ -43,7 +43,7 @@ void require_countable(const CostEstimate& cost) {
 } // namespace
 
 std::string shortage(const Case& input, int threads) {
-  if (input.strain.kind != StrainSourceKind::contact) {
+  if (input.strain.kind == StrainSourceKind::file) {
     return "";
   }
   const CostEstimate cost = estimate_cost(input, threads);

@@ -32,10 +32,11 @@ WaterProperties derive_water_properties(const Case& input) {
   WaterProperties water;
   water.streaming_coefficient =
       input.water.drag_number * molar_volume_of_water / (input.electrochemistry.valence * faraday);
-  water.drained_modulus = drained_oedometric_modulus(input);
+  water.drained_modulus = swelling_modulus(input);
   water.storage_modulus = storage_modulus(input);
   water.mobility = mobility(input);
-  water.consolidation_coefficient = water.mobility * consolidation_modulus(input);
+  water.consolidation_coefficient =
+      water.mobility * consolidation_modulus(input, water.drained_modulus);
   water.dilution =
       input.water.dilution == WaterDilution::mixture ? 1.0 : 1.0 / input.water.volume_fraction;
   water.skempton_coefficient = water.storage_modulus / bulk_modulus(core);

@@ -8,7 +8,7 @@ namespace ionskin::poroelasticity {
 /// Constants of the water in the core, derived from a case (docs/model.md, poroelastic law).
 struct WaterProperties {
   double streaming_coefficient = 0; ///< L_s = n_d V_w/(v F) [V/Pa]
-  double drained_modulus = 0;       ///< M, oedometric, at constant water potential [Pa]
+  double drained_modulus = 0;       ///< M: `swelling_modulus` of the case [Pa]
   double storage_modulus = 0;       ///< M_B = K_u - K_d: undrained pressure over compression [Pa]
   double mobility = 0;              ///< K, at zero current [m2/(Pa s)]
   double consolidation_coefficient = 0; ///< c_v = K M M_B/(M + M_B) [m2/s]

@@ -94,9 +94,12 @@ std::vector<Metric> signal_metrics(const SignalTable& signals, const SignalTable
     add_motion_metrics(list, *instants);
   }
   const std::vector<double>& shear = signals.column("mean_shear").values;
-  list.peak("peak_", signals, "mean_shear");
-  list.add("time_mean_shear", time_mean(list.time(), shear), "1");
-  list.add("rms_mean_shear", rms_linear(list.time(), shear), "1");
+  // A history of pressure alone has none, and a 0 would say that nothing is sheared.
+  if (!std::ranges::all_of(shear, [](double value) { return std::isnan(value); })) {
+    list.peak("peak_", signals, "mean_shear");
+    list.add("time_mean_shear", time_mean(list.time(), shear), "1");
+    list.add("rms_mean_shear", rms_linear(list.time(), shear), "1");
+  }
   for (const char* electrode : {"top", "bottom", "difference", "common"}) {
     const std::string current = std::string("current_") + electrode;
     list.peak("peak_", signals, current);

@@ -28,6 +28,7 @@ const std::map<Dimension, DimensionInfo>& table() {
       {Dimension::viscosity, {"a viscosity", "Pa s", {"mPa s", "Pa s"}}},
       {Dimension::hydraulic_mobility,
        {"a hydraulic mobility", "m2/(Pa s)", {"m2/(Pa s)", "um2/(Pa s)"}}},
+      {Dimension::curvature, {"a curvature", "1/m", {"1/m", "1/mm", "1/cm"}}},
   };
   return rows;
 }

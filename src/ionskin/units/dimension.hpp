@@ -23,7 +23,8 @@ enum class Dimension {
   current_noise_density,
   area,
   viscosity,
-  hydraulic_mobility
+  hydraulic_mobility,
+  curvature
 };
 
 struct DimensionInfo {

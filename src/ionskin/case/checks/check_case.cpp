@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/checks/check_case.hpp"
 
+#include "ionskin/case/check_prescribed.hpp"
 #include "ionskin/case/checks/check_electrochemistry.hpp"
 #include "ionskin/case/checks/check_laws.hpp"
 #include "ionskin/case/checks/check_motion.hpp"
@@ -9,6 +10,7 @@
 #include "ionskin/case/checks/check_slider.hpp"
 #include "ionskin/case/checks/check_track.hpp"
 #include "ionskin/case/checks/check_water.hpp"
+#include "ionskin/case/run_duration.hpp"
 
 #include "ionskin/base/text.hpp"
 
@@ -81,19 +83,17 @@ void check_preload(const CaseDocument& document, Problems& problems) {
                   thickness * 1e3));
 }
 
-double run_duration(const Motion& motion) {
-  return motion.cycles * motion.cycle_duration();
-}
-
 void check_instants(const CaseDocument& document, Problems& problems) {
-  const double duration = run_duration(document.input.motion);
+  const double duration = run_duration(document.input).value();
   const double interval = document.input.readout.sample_interval;
   if (interval > duration)
     problems.add(
         fmt::format("readout.sample_interval = {:.6g} s is longer than the run of {:.6g} s",
                     interval, duration),
         joined(document.point_at("readout.sample_interval"),
-               document.point_at("motion.cycles", "cycles of touchdown, slide, lift and return")),
+               joined(document.point_at("motion.cycles",
+                                        "cycles of touchdown, slide, lift and return"),
+                      document.point_at("strain.duration"))),
         fmt::format("it must be at most {:.6g} s", duration));
   for (const double instant : document.input.output.fields)
     if (instant > duration) {
@@ -135,8 +135,12 @@ void check_case(const CaseDocument& document) {
       check_sizes(document, problems);
     }
     check_preload(document, problems);
-  } else {
+  } else if (document.input.strain.kind == StrainSourceKind::file) {
     check_strain_file(document, problems);
+  } else {
+    check_prescribed_load(document, problems);
+    check_instants(document, problems);
+    check_sizes(document, problems);
   }
   problems.throw_if_any(document.file);
 }

@@ -2,8 +2,11 @@
 #include "ionskin/case/checks/check_sizes.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/case/run_duration.hpp"
 
 #include <fmt/format.h>
+
+#include <optional>
 
 namespace ionskin {
 
@@ -49,9 +52,12 @@ void check_sizes(const CaseDocument& document, Problems& problems) {
     problems.add(fmt::format("output.fields has {} instants", fields),
                  document.point_at("output.fields"),
                  fmt::format("it may have at most {}", most_fields));
-  if (input.strain.kind != StrainSourceKind::contact)
+  const std::optional<double> duration = run_duration(input);
+  if (!duration)
     return;
-  const double legs = legs_of_cycle(input.motion) * input.motion.cycles;
+  const double legs = input.strain.kind == StrainSourceKind::contact
+                          ? legs_of_cycle(input.motion) * input.motion.cycles
+                          : 0.0;
   if (legs > most_legs)
     problems.add(
         fmt::format("the run has {:.0f} legs of motion in {} cycles, more than {:.0f}", legs,
@@ -60,10 +66,9 @@ void check_sizes(const CaseDocument& document, Problems& problems) {
         fmt::format("motion.cycles may be at most {:.0f} here: the response repeats itself "
                     "after a few cycles",
                     most_legs / legs_of_cycle(input.motion)));
-  const double duration = input.motion.cycles * input.motion.cycle_duration();
-  if (!(duration / input.readout.sample_interval <= most_readings))
-    problems.add(too_many_readings(input.readout, duration),
-                 document.point_at("readout.sample_interval"), remedy_of_readings(duration));
+  if (!(*duration / input.readout.sample_interval <= most_readings))
+    problems.add(too_many_readings(input.readout, *duration),
+                 document.point_at("readout.sample_interval"), remedy_of_readings(*duration));
 }
 
 void require_sampling(const Readout& readout, double duration) {

@@ -78,12 +78,13 @@ private:
   }
 
   bool is_needed(const SchemaRow& row) const {
-    const bool contact = walk_.draft.input.strain.kind == StrainSourceKind::contact;
+    const StrainSourceKind source = walk_.draft.input.strain.kind;
+    const bool contact = source == StrainSourceKind::contact;
     if (row.need == Need::when_it_applies)
       return contact && applies(row);
     return (row.need == Need::always && applies(row)) ||
            (row.need == Need::with_contact && contact) ||
-           (row.need == Need::with_strain_file && !contact);
+           (row.need == Need::with_strain_file && source == StrainSourceKind::file);
   }
 
   void set_default(const SchemaRow& row, const std::string& key, const KeyIndex& index) {

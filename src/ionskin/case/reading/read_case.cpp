@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/reading/read_case.hpp"
 
+#include "ionskin/case/check_prescribed.hpp"
 #include "ionskin/case/checks/check_case.hpp"
 #include "ionskin/case/checks/check_readout.hpp"
 #include "ionskin/case/checks/check_water.hpp"
@@ -102,6 +103,7 @@ CaseDocument read_case_text(const std::string& original, const std::string& path
                    });
   CaseDocument document{std::move(walk.draft.input), path, std::move(walk.records)};
   check_water_keys(document, problems);
+  check_prescribed_keys(document, problems);
   problems.throw_if_any(path);
   anchor_file(document, "strain.file", document.input.strain.file, text);
   anchor_file(document, "motion.file", document.input.motion.file, text);

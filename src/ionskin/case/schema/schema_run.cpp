@@ -7,22 +7,6 @@ namespace ionskin {
 
 using units::Dimension;
 
-void add_strain(SchemaRows& rows) {
-  rows.push_back({.key = "strain.source",
-                  .type = ValueType::choice,
-                  .default_value = "\"contact\"",
-                  .choices = {{"contact"}, {"file"}},
-                  .help = "Where the shear comes from: the contact problem, or a strain file.",
-                  .set = into<StrainSource, StrainSourceKind>(
-                      &Case::strain, &StrainSource::kind,
-                      {{"contact", StrainSourceKind::contact}, {"file", StrainSourceKind::file}})});
-  rows.push_back({.key = "strain.file",
-                  .type = ValueType::text,
-                  .need = Need::with_strain_file,
-                  .help = "Strain file (HDF5), relative to the folder of the case file.",
-                  .set = into(&Case::strain, &StrainSource::file)});
-}
-
 void add_run_control(SchemaRows& rows) {
   rows.push_back(
       {.key = "numerics.preset",

@@ -6,6 +6,7 @@
 #include "ionskin/electrochemistry/grid/transport_grid.hpp"
 #include "ionskin/electrochemistry/time/step_control.hpp"
 #include "ionskin/history/samples_per_slide.hpp"
+#include "ionskin/poroelasticity/prescribed_load.hpp"
 
 #include <algorithm>
 #include <array>
@@ -120,7 +121,7 @@ std::vector<double> longest_steps(const Case& input, const StepLandings& landing
                                   const StepRule& rule, const DerivedScales& scales,
                                   const ProblemSize& size) {
   std::vector<double> longest(landings.time.size() - 1, relaxation_step(rule, scales));
-  if (input.strain.kind == StrainSourceKind::file) {
+  if (input.strain.kind != StrainSourceKind::contact) {
     return longest;
   }
   const std::vector<MotionLeg> legs = motion_legs(input.motion, input.slider);
@@ -155,7 +156,9 @@ ProblemSize problem_size(const Case& input, const history::CoreHistory& history)
 }
 
 ProblemSize estimate_problem_size(const Case& input) {
-  return problem_size(input, outline(input));
+  return problem_size(input, input.strain.kind == StrainSourceKind::prescribed
+                                 ? poroelasticity::prescribed_history(input)
+                                 : outline(input));
 }
 
 } // namespace ionskin::electrochemistry

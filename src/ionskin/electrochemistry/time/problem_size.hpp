@@ -18,8 +18,8 @@ struct ProblemSize {
 /// Size for a given history.
 ProblemSize problem_size(const Case& input, const history::CoreHistory& history);
 
-/// Estimate from the motion alone, before Study 1: the grid is exact, the steps are those that
-/// probable samples, events and the tolerance make.
+/// Estimate from the case alone, without a strain file and before Study 1: the grid is exact, the
+/// steps are those that probable samples, events and the tolerance make.
 ProblemSize estimate_problem_size(const Case& input);
 
 } // namespace ionskin::electrochemistry

@@ -10,6 +10,7 @@
 #include "ionskin/electrochemistry/ion_transport.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
 #include "ionskin/parallel/task_pool.hpp"
+#include "ionskin/poroelasticity/prescribed_load.hpp"
 #include "ionskin/results/strain_file/strain_file.hpp"
 #include "ionskin/study/errors/error_estimate.hpp"
 #include "ionskin/study/run/run_folder.hpp"
@@ -106,6 +107,11 @@ Case FitModel::case_at(const std::vector<double>& values) const {
 }
 
 FitModel::Mechanics FitModel::mechanics_of(const Case& input) {
+  if (input.strain.kind == StrainSourceKind::prescribed) {
+    MechanicsRecord record;
+    record.history = poroelasticity::prescribed_history(input);
+    return std::make_shared<const MechanicsRecord>(std::move(record));
+  }
   const std::lock_guard lock(mechanics_mutex_);
   const bool from_file = input.strain.kind == StrainSourceKind::file;
   Mechanics& known = mechanics_[from_file ? input.strain.file : mechanics_hash(input)];

@@ -10,6 +10,7 @@
 #include "ionskin/electrochemistry/equations/wall_potential.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
 #include "ionskin/planning/resources.hpp"
+#include "ionskin/poroelasticity/prescribed_load.hpp"
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/study/errors/error_estimate.hpp"
 #include "ionskin/study/run/run_folder.hpp"
@@ -25,6 +26,8 @@
 #include "ionskin/study/store/mechanics_file.hpp"
 #include "ionskin/study/store/mechanics_record.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -35,14 +38,18 @@ namespace {
 
 using electrochemistry::IonSolution;
 
-std::optional<GivenStrain> strain_from_file(const Case& input, const RunOptions& options) {
-  if (input.strain.kind != StrainSourceKind::file) {
+std::optional<GivenStrain> strain_without_contact(const Case& input, const RunOptions& options) {
+  if (input.strain.kind == StrainSourceKind::contact) {
     return std::nullopt;
   }
   if (options.studies == Studies::mechanics) {
     throw UserError(
-        "--only mechanics has nothing to do: strain.source = \"file\" gives the strain\n"
-        "  = leave out --only, or set strain.source = \"contact\"");
+        fmt::format("--only mechanics has nothing to do: strain.source = \"{}\" gives the strain\n"
+                    "  = leave out --only, or set strain.source = \"contact\"",
+                    input.strain.kind == StrainSourceKind::file ? "file" : "prescribed"));
+  }
+  if (input.strain.kind == StrainSourceKind::prescribed) {
+    return GivenStrain{poroelasticity::prescribed_history(input), {}};
   }
   return read_given_strain(input);
 }
@@ -205,7 +212,7 @@ bool has_finished(const RunFolder& folder, const RunOptions& options) {
 
 RunOutcome run_case(const Case& input, const RunOptions& options) {
   const double start = base::wall_time();
-  auto given_strain = strain_from_file(input, options);
+  auto given_strain = strain_without_contact(input, options);
   planning::require_resources(input, options.threads);
   const auto cache = open_user_cache(options);
   RunFolder folder(input, options);
@@ -213,7 +220,7 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
     return complete_report(options, start, folder);
   }
   base::Timers timers;
-  if (given_strain) {
+  if (input.strain.kind == StrainSourceKind::file) {
     require_unchanged(input, *given_strain);
   }
 

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/history/core_history.hpp"
+
+namespace ionskin::poroelasticity {
+
+/// The undrained pore pressure of a load that is uniform along the skin, of a checked case with
+/// strain.source = "prescribed": one column, linear through the core, over strain.duration.
+/// - pressure p, the strain along the skin held at 0 by the electrodes: p_u = p M_B/(M + M_B);
+/// - curvature k about the middle of the core, with e_xx = k (z - h/2) and faces free of stress:
+///   p_u = -M_B tr(e), tr(e) = (1 - 2 nu_u) e_xx of a strip with free sides, and that over
+///   1 - nu_u between symmetry planes (nu_u: Poisson's ratio of the core, the undrained one).
+history::CoreHistory prescribed_history(const Case& input);
+
+} // namespace ionskin::poroelasticity

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Bench loads without a slider: a prescribed pressure or curvature under the law `poroelastic`."""
+
+import unittest
+
+import numpy
+
+from program import ROOT, ProgramTest, signals, summary
+
+BENDING = ROOT / "cases" / "bending.toml"
+COARSE = ["--set", "numerics.preset=coarse"]
+
+
+class Prescribed(ProgramTest):
+    def test_bent_strip_runs_without_a_slider(self):
+        self.run_case(BENDING, "-o", "out", *COARSE)
+        voltage = signals(self.folder / "out", "circuit")["voltage"]
+        # L_s (1 - 2 nu_u) M_B k h of streaming is 63 uV, of which water takes a quarter while the double layers relax;
+        # (p_u/M of the walls) theta V_T is left (docs/model.md).
+        self.assertGreater(voltage.max(), 45e-6)
+        self.assertLess(voltage.max(), 63e-6)
+        self.assertAlmostEqual(voltage[-1] / 8.13e-6, 1, delta=0.01)
+        self.assertNotIn("peak_mean_shear", summary(self.folder / "out")["metrics"])
+
+    def test_the_sign_of_the_curvature_is_that_of_the_voltage(self):
+        for name, curvature in (("up", "10 1/m"), ("down", "-10 1/m")):
+            self.run_case(BENDING, "-o", name, *COARSE, "--set", f"strain.curvature={curvature}",
+                          "--set", "strain.waveform=sine", "--set", "strain.frequency=2 Hz", "--set", "strain.duration=1 s")
+        up, down = (signals(self.folder / name, "circuit")["voltage"] for name in ("up", "down"))
+        self.assertGreater(abs(up).max(), 1e-5)
+        numpy.testing.assert_allclose(up, -down, atol=1e-3 * abs(up).max())
+
+    def test_even_pressure_needs_an_open_wall(self):
+        pressed = ["--set", "strain.curvature=0 1/m", "--set", "strain.pressure=100 kPa"]
+        self.run_case(BENDING, "-o", "sealed", *COARSE, *pressed)
+        self.run_case(BENDING, "-o", "open", *COARSE, *pressed, "--set", "water.top_wall=open")
+        sealed, drained = (abs(signals(self.folder / name, "circuit")["voltage"]).max() for name in ("sealed", "open"))
+        self.assertGreater(drained, 3e-5)
+        self.assertLess(sealed, 1e-6 * drained)
+
+    def test_only_mechanics_has_nothing_to_do(self):
+        process = self.run_case(BENDING, "-o", "out", "--only", "mechanics", expect=2)
+        self.assertIn('strain.source = "prescribed"', process.stderr)
+
+    def test_sweeps(self):
+        self.run_program("sweep", BENDING, "-o", "sweep", *COARSE, "--over", "strain.curvature=5 1/m,10 1/m", "--no-report")
+        table = (self.folder / "sweep" / "sweep.csv").read_text().splitlines()
+        self.assertEqual(len(table), 3)
+
+
+if __name__ == "__main__":
+    unittest.main()
