@@ -2,6 +2,10 @@
 #include "ionskin/poroelasticity/streaming_drive.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/largest.hpp"
+
+#include <cmath>
+#include <numeric>
 
 namespace ionskin::poroelasticity {
 namespace {
@@ -13,6 +17,18 @@ using history::LineOperator;
 /// Quadratic elements through the core: 12 leave 2e-5 of a pressure difference (PorePressure's
 /// tests).
 constexpr std::size_t elements_through_core = 12;
+
+double mean(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double largest_of(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double value : values) {
+    largest = base::larger(largest, std::abs(value));
+  }
+  return largest;
+}
 
 double width_of(const std::vector<double>& edges) {
   return (edges.back() - edges.front()) / static_cast<double>(edges.size() - 1);
@@ -55,6 +71,7 @@ StreamingDrive::StreamingDrive(const Case& input, const CoreHistory& history,
       streaming_(input.electrochemistry.valence * water_.streaming_coefficient /
                  water_.thermal_voltage),
       dilution_(water_.dilution / water_.drained_modulus),
+      volts_(water_.thermal_voltage / input.electrochemistry.valence),
       largest_(streaming_ * pressure_of_channel_ * largest_magnitude(channel)) {}
 
 void StreamingDrive::load(double time) {
@@ -95,6 +112,49 @@ void StreamingDrive::combine() {
   }
   history::apply_along(to_levels_, 1, drive_.size() / pore_pressure_.nodes().size(), drive_,
                        at_levels_);
+}
+
+double StreamingDrive::pressure_at_bottom() const {
+  return mean(std::span(pressure_).first(columns()));
+}
+
+double StreamingDrive::pressure_at_top() const {
+  return mean(std::span(pressure_).last(columns()));
+}
+
+double StreamingDrive::wall_difference(const std::vector<double>& field) const {
+  return mean(std::span(field).last(columns())) - mean(std::span(field).first(columns()));
+}
+
+double StreamingDrive::streaming_voltage() const {
+  return -volts_ * streaming_ * wall_difference(pressure_);
+}
+
+double StreamingDrive::dilution_voltage() const {
+  return volts_ * dilution_ * (wall_difference(pressure_) - wall_difference(undrained_));
+}
+
+std::vector<double> StreamingDrive::pressure_at_levels() const {
+  std::vector<double> levels;
+  history::apply_along(to_levels_, 1, columns(), pressure_, levels);
+  return levels;
+}
+
+std::vector<double> StreamingDrive::swelling_at_levels() const {
+  std::vector<double> swelling(pressure_.size()), levels;
+  for (std::size_t i = 0; i < swelling.size(); ++i) {
+    swelling[i] = (pressure_[i] - undrained_[i]) / water_.drained_modulus;
+  }
+  history::apply_along(to_levels_, 1, columns(), swelling, levels);
+  return levels;
+}
+
+double StreamingDrive::largest_pressure() const {
+  return largest_of(pressure_);
+}
+
+double StreamingDrive::largest_drive() const {
+  return largest_of(drive_);
 }
 
 } // namespace ionskin::poroelasticity

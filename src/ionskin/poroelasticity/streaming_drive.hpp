@@ -49,6 +49,20 @@ public:
   double largest() const { return largest_; }
   const WaterProperties& properties() const { return water_; }
 
+  /// Parts of the voltage between the walls that balances the drive of the instant that was
+  /// evaluated last, means over the columns: -L_s (P_top - P_bottom), and the dilution [V].
+  double streaming_voltage() const;
+  double dilution_voltage() const;
+  /// Mean of P over the columns at a wall [Pa].
+  double pressure_at_bottom() const;
+  double pressure_at_top() const;
+  /// P [Pa] and the swelling (P - p_u)/M [1] at the levels of the drive, [levels][y][x].
+  std::vector<double> pressure_at_levels() const;
+  std::vector<double> swelling_at_levels() const;
+  /// Largest |P| [Pa] and |g| [1] of the instant that was evaluated last.
+  double largest_pressure() const;
+  double largest_drive() const;
+
   /// Of the instant that was evaluated last, at the nodes of every column [z][y][x] [Pa].
   std::span<const double> pressure() const { return pressure_; }
   std::span<const double> undrained() const { return undrained_; }
@@ -57,6 +71,9 @@ public:
 private:
   void load(double time);
   void combine();
+  std::size_t columns() const { return pressure_.size() / pore_pressure_.nodes().size(); }
+  /// Mean over the columns of a field at the top wall minus that at the bottom one.
+  double wall_difference(const std::vector<double>& field) const;
 
   WaterProperties water_;
   double pressure_of_channel_; ///< p_u over the channel's value
@@ -65,6 +82,7 @@ private:
   history::LineOperator to_levels_;
   double streaming_ = 0; ///< v L_s/V_T [1/Pa]
   double dilution_ = 0;  ///< theta/M [1/Pa]
+  double volts_ = 0;     ///< V_T/v: what g counts in [V]
   double largest_ = 0;
   WaterState accepted_, tried_;
   std::vector<double> undrained_, pressure_, drive_, at_levels_;

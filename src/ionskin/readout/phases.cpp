@@ -44,4 +44,9 @@ double middle_of_slide(const Motion& motion, const Slider& slider) {
   return slide.begin + 0.5 * slide.duration;
 }
 
+double end_of_slide(const Motion& motion, const Slider& slider) {
+  const std::vector<MotionLeg> legs = motion_legs(motion, slider);
+  return first_slide(legs).end();
+}
+
 } // namespace ionskin::readout

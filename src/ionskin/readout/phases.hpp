@@ -36,5 +36,7 @@ private:
 /// first touchdown, and the middle of the first slide, or of the hold where nothing slides.
 double end_of_touchdown(const Motion& motion, const Slider& slider);
 double middle_of_slide(const Motion& motion, const Slider& slider);
+/// Of the same slide or hold.
+double end_of_slide(const Motion& motion, const Slider& slider);
 
 } // namespace ionskin::readout

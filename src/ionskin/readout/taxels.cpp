@@ -6,11 +6,32 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace ionskin::readout {
 namespace {
 
 constexpr const char* current_prefix = "current_top_";
+
+/// Half of the top charges plus `sign` times the bottom ones.
+void add_part(const std::vector<double>& time, const std::vector<TaxelCharge>& taxels,
+              const std::string& part, double sign, SignalTable& table) {
+  std::vector<Signal> charges;
+  for (const TaxelCharge& taxel : taxels) {
+    if (taxel.bottom_charge.empty()) {
+      continue;
+    }
+    std::vector<double> charge = taxel.charge;
+    for (std::size_t row = 0; row < charge.size(); ++row) {
+      charge[row] = 0.5 * (charge[row] + sign * taxel.bottom_charge[row]);
+    }
+    table.columns.push_back({"current_" + part + "_" + taxel.name, "A", step_rates(time, charge)});
+    charges.push_back({"charge_" + part + "_" + taxel.name, "C", std::move(charge)});
+  }
+  for (Signal& charge : charges) {
+    table.columns.push_back(std::move(charge));
+  }
+}
 
 } // namespace
 
@@ -22,6 +43,9 @@ SignalTable taxel_signals(const std::vector<double>& time, const std::vector<Tax
   }
   for (const TaxelCharge& taxel : taxels) {
     table.columns.push_back({"charge_top_" + taxel.name, "C", taxel.charge});
+  }
+  for (const auto& [part, sign] : {std::pair{"odd", -1.0}, {"even", 1.0}}) {
+    add_part(time, taxels, part, sign, table);
   }
   return table;
 }

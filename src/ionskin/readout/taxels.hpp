@@ -12,11 +12,14 @@ namespace ionskin::readout {
 struct TaxelCharge {
   std::string name;
   std::vector<double> charge;
+  /// Of the bottom electrode below it: where given, the odd and the even part are told.
+  std::vector<double> bottom_charge{};
 };
 
 /// Columns of taxels.csv: time, then current_top_NAME of every taxel (mean over the step that ends
-/// at the row), then charge_top_NAME. Every taxel is held at the potential of the whole electrode,
-/// as a virtual ground of its own does.
+/// at the row), then charge_top_NAME; then of each with a bottom charge current_odd_NAME, half of
+/// top minus bottom, and current_even_NAME, half of their sum, and their charges. Every taxel is
+/// held at the potential of the whole electrode, as a virtual ground of its own does.
 SignalTable taxel_signals(const std::vector<double>& time, const std::vector<TaxelCharge>& taxels);
 
 /// Largest |sum of the taxels' currents - current of the whole electrode| over the peak of the

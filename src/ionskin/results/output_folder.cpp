@@ -29,7 +29,7 @@ constexpr std::array top_files{
     file_names::circuit,        file_names::impedance,       file_names::fit,
     file_names::fit_table,      file_names::fitted_case,     file_names::results,
     file_names::checkpoint,     file_names::report,          file_names::sweep_table,
-    file_names::sweep_signals};
+    file_names::sweep_signals,  file_names::water,           file_names::water_error};
 
 /// Of the entry itself; a link is a link.
 fs::file_status status_of(const fs::path& path) {

@@ -62,6 +62,7 @@ inline constexpr const char* signals = "signals.csv";
 inline constexpr const char* sampled = "sampled.csv";
 inline constexpr const char* taxels = "taxels.csv";   ///< of a segmented top electrode
 inline constexpr const char* circuit = "circuit.csv"; ///< of a circuit other than the short one
+inline constexpr const char* water = "water.csv";     ///< of a law that moves it
 inline constexpr const char* sampled_taxels = "sampled_taxels.csv";
 inline constexpr const char* sampled_circuit = "sampled_circuit.csv";
 // Errors of the signals, with the same columns.
@@ -69,6 +70,7 @@ inline constexpr const char* signals_error = "signals_error.csv";
 inline constexpr const char* sampled_error = "sampled_error.csv";
 inline constexpr const char* taxels_error = "taxels_error.csv";
 inline constexpr const char* circuit_error = "circuit_error.csv";
+inline constexpr const char* water_error = "water_error.csv";
 inline constexpr const char* impedance = "impedance.csv"; ///< of a spectrum
 inline constexpr const char* fit = "fit.json";            ///< of a fit to measured data
 inline constexpr const char* fit_table = "fit.csv";       ///< likewise

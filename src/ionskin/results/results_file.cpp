@@ -71,6 +71,10 @@ void ResultsFile::write_ions(const electrochemistry::TransportGrid& grid,
     write_field(file_, group + "/concentration", snapshot.concentration, "mol/m3", shape);
     write_field(file_, group + "/potential", snapshot.potential, "V", shape);
     write_field(file_, group + "/shear", snapshot.shear, "1", shape);
+    if (!snapshot.pore_pressure.empty()) {
+      write_field(file_, group + "/pore_pressure", snapshot.pore_pressure, "Pa", shape);
+      write_field(file_, group + "/swelling", snapshot.swelling, "1", shape);
+    }
     file_.set_attribute(group, "time", snapshot.time);
   }
 }

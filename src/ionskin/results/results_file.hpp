@@ -28,8 +28,8 @@ public:
   /// @param group "signals", "sampled", "taxels", "circuit", or one of the latter with "sampled_"
   void write_signals(const std::string& group, const readout::SignalTable& table);
   void write_strain(const history::CoreHistory& history);
-  /// Concentration, potential and shear of every snapshot under /ions/TIME, the grid under
-  /// /ions/grid.
+  /// Concentration, potential and shear, and pore pressure and swelling where water moves, of every
+  /// snapshot under /ions/TIME, the grid under /ions/grid.
   void write_ions(const electrochemistry::TransportGrid& grid,
                   const std::vector<electrochemistry::IonSnapshot>& snapshots);
   void write_contact(const ContactMaps& contact);

@@ -19,6 +19,13 @@ TEST(Taxels, CurrentsAreMeansOverTheStepsAndChargesFollow) {
   EXPECT_EQ(table.column("charge_top_rest").values, (std::vector<double>{0, -3, -3}));
 }
 
+TEST(Taxels, WithABottomChargeTheOddAndTheEvenPartAreTold) {
+  const SignalTable table = taxel_signals({0, 1}, {{"left", {0, 4}, {0, -2}}});
+  EXPECT_EQ(table.column("charge_odd_left").values, (std::vector<double>{0, 3}));
+  EXPECT_EQ(table.column("current_even_left").values, (std::vector<double>{0, 1}));
+  EXPECT_EQ(taxel_balance_error(table, {0, 4}), 0);
+}
+
 TEST(Taxels, BalanceIsAgainstTheWholeElectrode) {
   const SignalTable table =
       taxel_signals({0, 0.5, 1.5}, {{"left", {1, 2, 4}}, {"rest", {0, -3, -3}}});

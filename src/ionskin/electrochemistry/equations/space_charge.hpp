@@ -39,6 +39,8 @@ public:
   std::span<const double> ratio() const { return ratio_; } ///< cf / c0 [1]
   /// Added to the scaled potential wherever that drives the cations [nodes]; empty for none.
   std::span<const double> drive() const { return drive_; }
+  /// Of a law that moves water, at the instant evaluated last; nullptr otherwise.
+  const poroelasticity::StreamingDrive* water() const { return water_ ? &*water_ : nullptr; }
   /// Largest departure of cf / c0 from 1, or largest drive, that the history can make [1].
   double largest_coupling() const { return largest_coupling_; }
   /// Whether the law adds a mobile ion for every fixed charge it adds.

@@ -19,12 +19,26 @@ struct IonSnapshot {
   std::vector<double> concentration; ///< [mol/m3]
   std::vector<double> potential;     ///< [V]
   std::vector<double> shear;         ///< on the transport grid [1]
+  // Of laws that move water, empty otherwise.
+  std::vector<double> pore_pressure; ///< P [Pa]
+  std::vector<double> swelling;      ///< (P - p_u)/M, of the water that has come [1]
 };
 
-/// Charge on the metal of one part of the top electrode, one entry per row [C].
+/// Charge on the metal of one part of the top electrode, and of the bottom one below it, one entry
+/// per row [C].
 struct SegmentCharge {
   std::string name;
-  std::vector<double> charge;
+  std::vector<double> charge, bottom_charge;
+};
+
+/// Where the water stands, of laws that move it: one entry per row, empty otherwise.
+struct WaterRows {
+  std::vector<double> pressure_top, pressure_bottom; ///< P at the walls, means over the area [Pa]
+  /// Parts of the voltage that the open cell would have at once, were its core many Debye lengths
+  /// thick: by water that drags cations, and by their dilution [V].
+  std::vector<double> streaming_voltage, dilution_voltage;
+  std::vector<double> largest_pressure; ///< largest |P| in the core [Pa]
+  std::vector<double> largest_drive;    ///< largest |g| in the core [thermal voltages over v]
 };
 
 /// All of Study 2. Row 0 is the initial state with the response to a shear that does not start at
@@ -41,11 +55,12 @@ struct IonSolution {
   /// and its rate [C], [A]: the ions' part at given potentials, all of it behind a circuit. The
   /// rest follows the shear linearly between the rows.
   std::vector<double> relaxation_charge, relaxation_current;
-  std::vector<double> voltage;             ///< of the top electrode against the bottom one [V]
-  std::vector<double> ion_amount;          ///< integral of c [mol]
-  std::vector<double> min_concentration;   ///< [mol/m3]
-  std::vector<double> max_potential;       ///< largest |phi| [V]
-  std::vector<double> shear_integral;      ///< of gamma on the transport grid [m3]
+  std::vector<double> voltage;           ///< of the top electrode against the bottom one [V]
+  std::vector<double> ion_amount;        ///< integral of c [mol]
+  std::vector<double> min_concentration; ///< [mol/m3]
+  std::vector<double> max_potential;     ///< largest |phi| [V]
+  std::vector<double> shear_integral;    ///< of gamma on the transport grid [m3]
+  WaterRows water;
   std::vector<SegmentCharge> top_segments; ///< the taxels and the rest; empty without taxels
   /// Charge of the top wall per column at the last row [C], [y][x].
   std::vector<double> column_charge_top;

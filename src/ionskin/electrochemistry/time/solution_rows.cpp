@@ -60,6 +60,7 @@ void SolutionRows::append(double time, const IonState& state, const Relaxation& 
   solution.charge_top.push_back(charge_unit_ * charges_.total_top);
   solution.charge_bottom.push_back(charge_unit_ * charges_.total_bottom);
   append_segments(solution);
+  append_water(solution.water);
   solution.ramo_charge_top.push_back(mirror_.copies() * charge_unit_ *
                                      ramo_charge_top(scaled_, state, fixed_charge_.ratio()));
   solution.relaxation_charge.push_back(mean_unit_ * relaxation.charge);
@@ -78,11 +79,24 @@ void SolutionRows::append(double time, const IonState& state, const Relaxation& 
 }
 
 void SolutionRows::append_segments(IonSolution& solution) const {
-  const std::vector<double> charges = segments_.charges(charges_.top);
-  solution.top_segments.resize(charges.size());
-  for (std::size_t i = 0; i < charges.size(); ++i) {
+  const std::vector<double> top = segments_.charges(charges_.top);
+  const std::vector<double> bottom = segments_.charges(charges_.bottom);
+  solution.top_segments.resize(top.size());
+  for (std::size_t i = 0; i < top.size(); ++i) {
     solution.top_segments[i].name = segments_.names[i];
-    solution.top_segments[i].charge.push_back(charge_unit_ * charges[i]);
+    solution.top_segments[i].charge.push_back(charge_unit_ * top[i]);
+    solution.top_segments[i].bottom_charge.push_back(charge_unit_ * bottom[i]);
+  }
+}
+
+void SolutionRows::append_water(WaterRows& rows) const {
+  if (const poroelasticity::StreamingDrive* water = fixed_charge_.water()) {
+    rows.pressure_top.push_back(water->pressure_at_top());
+    rows.pressure_bottom.push_back(water->pressure_at_bottom());
+    rows.streaming_voltage.push_back(water->streaming_voltage());
+    rows.dilution_voltage.push_back(water->dilution_voltage());
+    rows.largest_pressure.push_back(water->largest_pressure());
+    rows.largest_drive.push_back(water->largest_drive());
   }
 }
 
@@ -93,9 +107,17 @@ void SolutionRows::finish(const IonState& state, IonSolution& solution) {
 }
 
 IonSnapshot SolutionRows::snapshot(double time, const IonState& state) const {
-  return {time, scaled_copy(mirror_.whole(state.concentration()), concentration_unit_),
-          scaled_copy(mirror_.whole(state.potential()), potential_unit_),
-          mirror_.whole(fixed_charge_.shear())};
+  IonSnapshot snapshot{time,
+                       scaled_copy(mirror_.whole(state.concentration()), concentration_unit_),
+                       scaled_copy(mirror_.whole(state.potential()), potential_unit_),
+                       mirror_.whole(fixed_charge_.shear()),
+                       {},
+                       {}};
+  if (const poroelasticity::StreamingDrive* water = fixed_charge_.water()) {
+    snapshot.pore_pressure = mirror_.whole(water->pressure_at_levels());
+    snapshot.swelling = mirror_.whole(water->swelling_at_levels());
+  }
+  return snapshot;
 }
 
 } // namespace ionskin::electrochemistry

@@ -36,6 +36,7 @@ public:
 
 private:
   void append_segments(IonSolution& solution) const;
+  void append_water(WaterRows& water) const;
   IonSnapshot snapshot(double time, const IonState& state) const;
 
   const MidWidthMirror& mirror_;

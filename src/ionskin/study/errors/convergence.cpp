@@ -46,8 +46,9 @@ std::map<std::string, std::string> not_converging(const Case& input, const Signa
     }
   };
   if (has_sharp_edge(input)) {
-    for (const char* name : {"element_max_shear_slide", "electrode_membrane_stress",
-                             "max_potential", "min_concentration_ratio"}) {
+    for (const char* name :
+         {"element_max_shear_slide", "electrode_membrane_stress", "max_potential",
+          "min_concentration_ratio", "peak_pore_pressure", "peak_drive"}) {
       mark(name, "extreme under a sharp edge, where finer meshes raise the strain");
     }
   }

@@ -39,13 +39,16 @@ double value_of(const Signals& signals, const std::string& name) {
 struct PairDifference {
   const ErrorPair* pair;
   TableDifference resolved, sampled;
-  std::optional<TableDifference> taxels, circuit;
+  std::optional<TableDifference> taxels, circuit, water;
 };
 
 PairDifference difference_of(const Signals& base, const ErrorPair& pair) {
-  PairDifference result{&pair, resolved_difference(base.resolved, *pair.finer, *pair.coarser),
+  PairDifference result{&pair,
+                        resolved_difference(base.resolved, *pair.finer, *pair.coarser),
                         table_difference(base.sampled, pair.finer->sampled, pair.coarser->sampled),
-                        std::nullopt, std::nullopt};
+                        std::nullopt,
+                        std::nullopt,
+                        std::nullopt};
   const auto optional_table = [&](std::optional<SignalTable> Signals::*table) {
     const bool all = base.*table && pair.finer->*table && pair.coarser->*table;
     return all ? std::optional(table_difference(*(base.*table), *(pair.finer->*table),
@@ -54,13 +57,15 @@ PairDifference difference_of(const Signals& base, const ErrorPair& pair) {
   };
   result.taxels = optional_table(&Signals::taxels);
   result.circuit = optional_table(&Signals::circuit);
+  result.water = optional_table(&Signals::water);
   return result;
 }
 
 /// Norm of the difference of a signal over that of the signal; 0 for one that no table has.
 double relative_norm(const PairDifference& difference, const std::string& signal) {
   for (const TableDifference* table : {&difference.sampled, &difference.resolved,
-                                       difference.circuit ? &*difference.circuit : nullptr}) {
+                                       difference.circuit ? &*difference.circuit : nullptr,
+                                       difference.water ? &*difference.water : nullptr}) {
     if (table != nullptr && table->relative_norm.contains(signal)) {
       return table->relative_norm.at(signal);
     }
@@ -251,6 +256,7 @@ ErrorEstimate combine_errors(const Signals& base, const std::vector<ErrorPair>& 
   };
   estimate.taxels = optional_band(base.taxels, &PairDifference::taxels);
   estimate.circuit = optional_band(base.circuit, &PairDifference::circuit);
+  estimate.water = optional_band(base.water, &PairDifference::water);
   return estimate;
 }
 

@@ -12,12 +12,21 @@ namespace ionskin::study {
 namespace {
 
 /// A metric whose name holds the first goes with the signal of the second; the first that fits.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 16> signal_of{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 25> signal_of{{
+    {"open_circuit_voltage", "open_circuit_voltage"},
+    {"streaming_voltage", "streaming_voltage"},
+    {"dilution_voltage", "dilution_voltage"},
+    {"streaming_share", "open_circuit_voltage"},
+    {"pressure_difference", "pressure_difference"},
+    {"pressure_asymmetry", "pressure_difference"},
+    {"peak_pore_pressure", "largest_pore_pressure"},
+    {"peak_drive", "largest_drive"},
     {"current_top", "current_top"},
     {"current_bottom", "current_bottom"},
     {"current_difference", "current_difference"},
     {"current_common", "current_common"},
     {"amplifier", "current_difference"},
+    {"charge_difference", "charge_top"},
     {"charge_top", "charge_top"},
     {"charge_bottom", "charge_bottom"},
     {"voltage", "voltage"},

@@ -18,7 +18,7 @@ struct ErrorEstimate {
   std::map<std::string, std::string> not_estimated;  ///< why, by metric
   /// Bands about the signals: the same columns, half a width per row [unit of the signal].
   readout::SignalTable signals, sampled;
-  std::optional<readout::SignalTable> taxels, circuit;
+  std::optional<readout::SignalTable> taxels, circuit, water;
 };
 
 } // namespace ionskin::study

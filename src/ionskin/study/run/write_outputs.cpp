@@ -46,12 +46,14 @@ void write_results_file(const Case& input, const MechanicsRecord& mechanics,
   file.write_signals("sampled", outputs.signals.sampled);
   write_optional(file, "taxels", outputs.signals.taxels);
   write_optional(file, "circuit", outputs.signals.circuit);
+  write_optional(file, "water", outputs.signals.water);
   write_optional(file, "sampled_taxels", outputs.signals.sampled_taxels);
   write_optional(file, "sampled_circuit", outputs.signals.sampled_circuit);
   write_optional(file, "signals_error", present(outputs.errors.signals));
   write_optional(file, "sampled_error", present(outputs.errors.sampled));
   write_optional(file, "taxels_error", outputs.errors.taxels);
   write_optional(file, "circuit_error", outputs.errors.circuit);
+  write_optional(file, "water_error", outputs.errors.water);
   if (!mechanics.has_contact()) {
     file.write_strain(mechanics.history);
   }
@@ -141,12 +143,14 @@ RunOutcome write_outputs(const Case& input, const RunOptions& options,
     results::write_csv(folder.own(names::sampled), outputs.signals.sampled);
     write_optional(folder, names::taxels, outputs.signals.taxels);
     write_optional(folder, names::circuit, outputs.signals.circuit);
+    write_optional(folder, names::water, outputs.signals.water);
     write_optional(folder, names::sampled_taxels, outputs.signals.sampled_taxels);
     write_optional(folder, names::sampled_circuit, outputs.signals.sampled_circuit);
     write_optional(folder, names::signals_error, present(outputs.errors.signals));
     write_optional(folder, names::sampled_error, present(outputs.errors.sampled));
     write_optional(folder, names::taxels_error, outputs.errors.taxels);
     write_optional(folder, names::circuit_error, outputs.errors.circuit);
+    write_optional(folder, names::water_error, outputs.errors.water);
     if (options.paraview && outputs.ions && !outputs.ions->snapshots.empty()) {
       results::write_fields(folder.output(), outputs.ions->grid, input.skin.core_bottom(),
                             outputs.ions->snapshots);

@@ -13,6 +13,7 @@
 #include "ionskin/readout/signal_table.hpp"
 #include "ionskin/readout/tail_current.hpp"
 #include "ionskin/readout/taxels.hpp"
+#include "ionskin/readout/water_signals.hpp"
 
 #include <fmt/core.h>
 
@@ -143,19 +144,43 @@ void add_ion_metrics(const Case& input, const IonSolution& ions,
   metrics.push_back({"max_potential", readout::peak_magnitude(ions.max_potential), "V"});
 }
 
-void add_taxels(const IonSolution& ions, Signals& signals) {
+void add_taxels(const IonSolution& ions, bool moves_water, Signals& signals) {
   if (ions.top_segments.empty()) {
     return;
   }
   std::vector<readout::TaxelCharge> charges;
   for (const auto& segment : ions.top_segments) {
-    charges.push_back({segment.name, segment.charge});
+    charges.push_back({segment.name, segment.charge,
+                       moves_water ? segment.bottom_charge : std::vector<double>{}});
   }
   signals.taxels = readout::taxel_signals(ions.time, charges);
   signals.metrics.push_back(
       {"taxel_balance_error",
        readout::taxel_balance_error(*signals.taxels, signals.resolved.column("current_top").values),
        "1"});
+}
+
+/// Charge at the end of the run and of the first slide, and what the water does.
+void add_water(const Case& input, const MechanicsRecord& mechanics, const IonSolution& ions,
+               Signals& signals) {
+  signals.water = readout::water_signals(
+      {ions.time, ions.water.pressure_top, ions.water.pressure_bottom, ions.water.streaming_voltage,
+       ions.water.dilution_voltage, ions.water.largest_pressure, ions.water.largest_drive});
+  std::optional<double> force;
+  if (mechanics.has_contact()) {
+    force = readout::peak_magnitude(mechanics.normal_force);
+  }
+  const auto metrics =
+      readout::water_metrics(*signals.water, force, input.skin.length * input.skin.width);
+  signals.metrics.insert(signals.metrics.end(), metrics.begin(), metrics.end());
+  const auto charge = readout::charge_difference(ions.charge_top, ions.charge_bottom);
+  signals.metrics.push_back({"charge_difference_end", charge.back(), "C"});
+  if (mechanics.has_contact()) {
+    signals.metrics.push_back(
+        {"charge_difference_slide_end",
+         readout::value_at(ions.time, charge, readout::end_of_slide(input.motion, input.slider)),
+         "C"});
+  }
 }
 
 void add_amplifier(const Amplifier& amplifier, const IonSolution& ions, Signals& signals) {
@@ -211,7 +236,11 @@ Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonS
     signals.metrics.push_back(*identity);
   }
   add_ion_metrics(input, ions, signals.resolved, signals.metrics);
-  add_taxels(ions, signals);
+  const bool moves_water = electrochemistry::coupling_law(input.coupling.law).moves_water;
+  add_taxels(ions, moves_water, signals);
+  if (moves_water) {
+    add_water(input, mechanics, ions, signals);
+  }
   add_circuit(input, ions, signals);
   const double interval = input.readout.sample_interval;
   if (signals.taxels) {

@@ -18,7 +18,8 @@ struct Signals {
   readout::SignalTable resolved, sampled;
   std::optional<readout::SignalTable> taxels;  ///< of a segmented top electrode
   std::optional<readout::SignalTable> circuit; ///< at the terminals, unless they are shorted
-  /// The same two as the instrument samples them.
+  std::optional<readout::SignalTable> water;   ///< of a law that moves it
+  /// Taxels and circuit as the instrument samples them.
   std::optional<readout::SignalTable> sampled_taxels, sampled_circuit;
   std::vector<std::string> warnings; ///< of the readout
   std::vector<readout::Metric> metrics;

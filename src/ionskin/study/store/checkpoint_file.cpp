@@ -36,6 +36,18 @@ constexpr std::array rows{Row{"time", &IonSolution::time},
                           Row{"shear_integral", &IonSolution::shear_integral},
                           Row{"column_charge_top", &IonSolution::column_charge_top}};
 
+struct WaterRow {
+  const char* name;
+  std::vector<double> electrochemistry::WaterRows::*values;
+};
+using electrochemistry::WaterRows;
+constexpr std::array water_rows{WaterRow{"pressure_top", &WaterRows::pressure_top},
+                                WaterRow{"pressure_bottom", &WaterRows::pressure_bottom},
+                                WaterRow{"streaming_voltage", &WaterRows::streaming_voltage},
+                                WaterRow{"dilution_voltage", &WaterRows::dilution_voltage},
+                                WaterRow{"largest_pressure", &WaterRows::largest_pressure},
+                                WaterRow{"largest_drive", &WaterRows::largest_drive}};
+
 struct Counter {
   const char* name;
   std::size_t IonSolution::*value;
@@ -101,6 +113,9 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& inpu
   for (const Row& row : rows) {
     file.write(fmt::format("/rows/{}", row.name), solution.*row.values);
   }
+  for (const WaterRow& row : water_rows) {
+    file.write(fmt::format("/rows/water_{}", row.name), solution.water.*row.values);
+  }
   for (const Counter& counter : counters) {
     file.set_attribute("/rows", counter.name, static_cast<double>(solution.*counter.value));
   }
@@ -108,6 +123,7 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& inpu
     const std::string dataset = fmt::format("/segments/{:06}", i);
     file.write(dataset, solution.top_segments[i].charge);
     file.set_attribute(dataset, "name", solution.top_segments[i].name);
+    file.write(fmt::format("/bottom_segments/{:06}", i), solution.top_segments[i].bottom_charge);
   }
   for (std::size_t i = 0; i < solution.snapshots.size(); ++i) {
     const IonSnapshot& snapshot = solution.snapshots[i];
@@ -115,6 +131,8 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& inpu
     file.write(group + "/concentration", snapshot.concentration);
     file.write(group + "/potential", snapshot.potential);
     file.write(group + "/shear", snapshot.shear);
+    file.write(group + "/pore_pressure", snapshot.pore_pressure);
+    file.write(group + "/swelling", snapshot.swelling);
     file.set_attribute(group, "time", snapshot.time);
   }
   file.close();
@@ -145,6 +163,9 @@ std::optional<IonCheckpoint> read_checkpoint(const std::filesystem::path& path,
   for (const Row& row : rows) {
     solution.*row.values = file.read(fmt::format("/rows/{}", row.name));
   }
+  for (const WaterRow& row : water_rows) {
+    solution.water.*row.values = file.read(fmt::format("/rows/water_{}", row.name));
+  }
   for (const Counter& counter : counters) {
     solution.*counter.value =
         static_cast<std::size_t>(file.number_attribute("/rows", counter.name).value_or(0));
@@ -152,16 +173,17 @@ std::optional<IonCheckpoint> read_checkpoint(const std::filesystem::path& path,
   if (file.has("/segments")) {
     for (const std::string& name : file.members("/segments")) {
       const std::string dataset = "/segments/" + name;
-      solution.top_segments.push_back(
-          {file.text_attribute(dataset, "name").value_or(""), file.read(dataset)});
+      solution.top_segments.push_back({file.text_attribute(dataset, "name").value_or(""),
+                                       file.read(dataset), file.read("/bottom_segments/" + name)});
     }
   }
   if (file.has("/snapshots")) {
     for (const std::string& name : file.members("/snapshots")) {
       const std::string group = "/snapshots/" + name;
-      solution.snapshots.push_back({file.number_attribute(group, "time").value_or(0),
-                                    file.read(group + "/concentration"),
-                                    file.read(group + "/potential"), file.read(group + "/shear")});
+      solution.snapshots.push_back(
+          {file.number_attribute(group, "time").value_or(0), file.read(group + "/concentration"),
+           file.read(group + "/potential"), file.read(group + "/shear"),
+           file.read(group + "/pore_pressure"), file.read(group + "/swelling")});
     }
   }
   return is_consistent(checkpoint) ? std::optional(std::move(checkpoint)) : std::nullopt;

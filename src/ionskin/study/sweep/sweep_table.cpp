@@ -141,8 +141,8 @@ void write_sweep_signals(const std::filesystem::path& folder, const std::filesys
     const std::string group = "/points/" + points[i].name;
     const results::ForeignHdf5File source(folder / results::file_names::points / points[i].name /
                                           results::file_names::results);
-    for (const char* table :
-         {"signals", "sampled", "taxels", "circuit", "sampled_taxels", "sampled_circuit"}) {
+    for (const char* table : {"signals", "sampled", "taxels", "circuit", "water", "sampled_taxels",
+                              "sampled_circuit"}) {
       copy_group(source, table, file, group);
     }
     for (const SweptValue& value : points[i].values) {

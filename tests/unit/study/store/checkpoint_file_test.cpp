@@ -23,8 +23,10 @@ electrochemistry::IonCheckpoint example() {
   checkpoint.solution.charge_top = {0, 1e-9 / 7};
   checkpoint.solution.relaxation_current = {0, 2e-9 / 7};
   checkpoint.solution.krylov_iterations = 1234;
-  checkpoint.solution.top_segments = {{"left", {1e-9, 2e-9}}, {"rest", {3e-9, 1e-9 / 3}}};
-  checkpoint.solution.snapshots = {{0.1, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}}};
+  checkpoint.solution.top_segments = {{"left", {1e-9, 2e-9}, {0, 0}},
+                                      {"rest", {3e-9, 1e-9 / 3}, {1e-9 / 7, 2e-9}}};
+  checkpoint.solution.snapshots = {{0.1, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {1.0 / 3}, {2.0 / 3}}};
+  checkpoint.solution.water.dilution_voltage = {0, 1e-6 / 3};
   return checkpoint;
 }
 
@@ -47,6 +49,11 @@ TEST(CheckpointFile, GivesBackEveryBit) {
   ASSERT_EQ(read->solution.snapshots.size(), 1u);
   EXPECT_EQ(read->solution.snapshots[0].time, 0.1);
   EXPECT_EQ(read->solution.snapshots[0].potential, written.solution.snapshots[0].potential);
+  EXPECT_EQ(read->solution.snapshots[0].swelling, written.solution.snapshots[0].swelling);
+  EXPECT_EQ(read->solution.top_segments[1].bottom_charge,
+            written.solution.top_segments[1].bottom_charge);
+  EXPECT_EQ(read->solution.water.dilution_voltage, written.solution.water.dilution_voltage);
+  EXPECT_TRUE(read->solution.water.largest_drive.empty());
 }
 
 TEST(CheckpointFile, GivesBackTheWater) {

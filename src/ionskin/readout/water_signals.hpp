@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/readout/metrics.hpp"
+#include "ionskin/readout/signals.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace ionskin::readout {
+
+/// What the water does, one entry per row.
+struct WaterInputs {
+  std::vector<double> time;                                ///< [s]
+  std::vector<double> pressure_top, pressure_bottom;       ///< means over the walls [Pa]
+  std::vector<double> streaming_voltage, dilution_voltage; ///< of the open cell [V]
+  std::vector<double> largest_pressure;                    ///< in the core [Pa]
+  std::vector<double> largest_drive;                       ///< in the core [1]
+};
+
+/// Columns of water.csv: time, pore_pressure_top, pore_pressure_bottom, pressure_difference (top
+/// minus bottom), streaming_voltage, dilution_voltage, open_circuit_voltage (their sum),
+/// largest_pore_pressure and largest_drive.
+SignalTable water_signals(const WaterInputs& inputs);
+
+/// Peaks of them, and the share of streaming where the open-circuit voltage is largest; with a
+/// force also pressure and voltage over it.
+/// @param largest_force normal, over the run [N]; empty without contact
+/// @param area of the skin [m2]
+std::vector<Metric> water_metrics(const SignalTable& water, std::optional<double> largest_force,
+                                  double area);
+
+} // namespace ionskin::readout
