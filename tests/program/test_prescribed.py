@@ -42,6 +42,13 @@ class Prescribed(ProgramTest):
         process = self.run_case(BENDING, "-o", "out", "--only", "mechanics", expect=2)
         self.assertIn('strain.source = "prescribed"', process.stderr)
 
+    def test_check_says_which_poissons_ratio_is_which_and_what_is_unsound(self):
+        process = self.run_program("check", ROOT / "cases" / "poroelastic.toml", "--explain",
+                                   "--set", "water.mobility=1.3e-17 m2/(Pa s)")
+        for words in ("undrained Poisson's ratio          0.49", "drained Poisson's ratio            0.4",
+                      "holds an indentation", "motion.preload_force"):
+            self.assertIn(words, process.stdout)
+
     def test_sweeps(self):
         self.run_program("sweep", BENDING, "-o", "sweep", *COARSE, "--over", "strain.curvature=5 1/m,10 1/m", "--no-report")
         table = (self.folder / "sweep" / "sweep.csv").read_text().splitlines()

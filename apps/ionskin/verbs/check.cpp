@@ -30,7 +30,7 @@ bool check(const CheckOptions& options) {
   }
   const std::string shortage = planning::shortage(document.input, thread_count(0));
   print_valid(options, document,
-              (contact ? warning_of_ions(document.input) : "") +
+              (contact ? warning_of_ions(document.input) : "") + warnings_of_water(document.input) +
                   (shortage.empty() ? "" : fmt::format("warning: {}\n", shortage)));
   return true;
 }

@@ -2,14 +2,19 @@
 #include "verbs/explain.hpp"
 
 #include "command_line/threads.hpp"
+#include "terminal/terminal.hpp"
 
 #include "ionskin/base/text.hpp"
+#include "ionskin/case/coupling.hpp"
+#include "ionskin/case/elastic_constants.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/electrochemistry/equations/steric_excess.hpp"
 #include "ionskin/electrochemistry/equations/wall_potential.hpp"
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "ionskin/mesh/footprint.hpp"
 #include "ionskin/planning/cost_estimate.hpp"
+#include "ionskin/poroelasticity/validity.hpp"
+#include "ionskin/poroelasticity/water_properties.hpp"
 
 #include <fmt/format.h>
 
@@ -88,6 +93,41 @@ std::string scales_of_ions(const Case& input) {
     add("thermodynamic factor", fmt::format("{:.4g}", 1 / excess->room(1.0)),
         "of ions of finite size at rest: multiplies D, and lambda by its root");
   add("charge scale", fmt::format("{:.4g} C/m2", scales.charge_density), "F c0 lambda");
+  return text;
+}
+
+std::string scales_of_water(const Case& input) {
+  const auto water = poroelasticity::derive_water_properties(input);
+  const double thickness = input.skin.core_thickness();
+  const Material& core = input.skin.layers[input.skin.core_index()].material;
+  std::string text = "\nScales of the water\n";
+  const auto add = [&text](const std::string& name, const std::string& value,
+                           const std::string& note) { text += row(name, value, note); };
+  add("undrained Poisson's ratio", fmt::format("{:.5g}", core.poissons_ratio),
+      fmt::format("materials.{}.poissons_ratio: of the core before its water moves", core.name));
+  const double oedometric = drained_oedometric_modulus(input), shear = shear_modulus(core);
+  add("drained Poisson's ratio",
+      fmt::format("{:.5g}", (oedometric - 2 * shear) / (2 * (oedometric - shear))),
+      "of the core once its water has moved");
+  add("swelling modulus M", fmt::format("{:.4g} MPa", water.drained_modulus / 1e6),
+      bends_freely(input) ? "G / (1 - 2 nu), drained, of a strip that bends freely"
+                          : "oedometric, drained");
+  add("Skempton's coefficient B", fmt::format("{:.4g}", water.skempton_coefficient),
+      "1 - K_d / K_u: nearer to 1 the nearer the undrained ratio is to 0.5");
+  add("streaming coefficient L_s", fmt::format("{:.4g} V/Pa", water.streaming_coefficient),
+      "n_d V_w / (v F)");
+  add("mobility K", fmt::format("{:.4g} m2/(Pa s)", water.mobility), "at zero current");
+  add("consolidation coefficient c_v", fmt::format("{:.4g} m2/s", water.consolidation_coefficient),
+      "K M M_B / (M + M_B)");
+  add("consolidation time", fmt::format("{:.4g} s", water.consolidation_time(thickness)),
+      "h^2 / (pi^2 c_v), between sealed walls");
+  add("streaming over dilution S", fmt::format("{:.4g}", water.streaming_number()),
+      "L_s M / (theta V_T)");
+  const auto hold = poroelasticity::holding(input);
+  if (hold.time > 0)
+    add("water's share of a touch", fmt::format("{:.4g}", hold.number),
+        fmt::format("c_v t / h^2 of {:.4g} s in contact, by {}", hold.time,
+                    hold.by_force ? "a force" : "an indentation, sound up to 0.03"));
   return text;
 }
 
@@ -229,9 +269,18 @@ std::string warning_of_ions(const Case& input) {
                 : "";
 }
 
+std::string warnings_of_water(const Case& input) {
+  std::string text;
+  if (moves_water(input))
+    for (const std::string& warning : poroelasticity::validity_warnings(input))
+      text += paragraph("warning: " + warning, 2);
+  return text;
+}
+
 std::string explain(const CaseDocument& document) {
   const Case& input = document.input;
-  std::string text = values(document) + scales_of_ions(input) + scales_of_readout(input);
+  std::string text = values(document) + scales_of_ions(input) +
+                     (moves_water(input) ? scales_of_water(input) : "") + scales_of_readout(input);
   if (input.strain.kind == StrainSourceKind::contact)
     text += scales_of_contact(input) + events(input);
   return text + costs(input);

@@ -16,4 +16,7 @@ std::string explain(const CaseDocument& document);
 /// else empty.
 std::string warning_of_ions(const Case& input);
 
+/// Warnings where a case leaves what the law of the water holds for; else empty.
+std::string warnings_of_water(const Case& input);
+
 } // namespace ionskin::apps

@@ -6,6 +6,7 @@
 #include "ionskin/history/merged_cells.hpp"
 #include "ionskin/history/shear_statistics.hpp"
 #include "ionskin/parallel/task_pool.hpp"
+#include "ionskin/poroelasticity/validity.hpp"
 #include "ionskin/readout/tail_current.hpp"
 #include "ionskin/study/errors/companions.hpp"
 #include "ionskin/study/errors/convergence.hpp"
@@ -58,6 +59,12 @@ double path_floor(const MechanicsRecord& mechanics) {
   return mechanics.has_contact()
              ? mechanics.worst_interpolation_error + mechanics.worst_equilibrium_residual +
                    mechanics.worst_complementarity_residual
+             : 0.0;
+}
+
+double decoupling(const Case& input) {
+  return electrochemistry::coupling_law(input.coupling.law).moves_water
+             ? poroelasticity::decoupling_error(input)
              : 0.0;
 }
 
@@ -182,8 +189,8 @@ ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanic
       results.emplace(run, noisy ? read_out(quiet, mechanics, ions, threads) : signals)
           .first->second;
   const ErrorFloors floors{
-      path_floor(mechanics), charge_rounding * charge_scale(input, mechanics.history),
-      input.readout.sample_interval,
+      path_floor(mechanics), decoupling(input),
+      charge_rounding * charge_scale(input, mechanics.history), input.readout.sample_interval,
       readout::in_tail(base.sampled, input.readout.sample_interval, mechanics.history.event_time)};
   ErrorEstimate estimate = combine_errors(base, pairs_of(all_pairs(mechanics), results), floors);
   estimate.not_converging = not_converging(input, signals);

@@ -73,6 +73,13 @@ double relative_norm(const PairDifference& difference, const std::string& signal
   return 0;
 }
 
+/// Whether pressure makes a quantity under a law that moves water: currents, charges and voltages.
+bool is_of_water(const std::string& name, const std::string& unit) {
+  return unit == "A" || unit == "C" || unit == "V" || unit == "V/N" ||
+         name.find("pressure_difference") != std::string::npos ||
+         name.find("pore_pressure") != std::string::npos || name == "pressure_asymmetry";
+}
+
 class MetricErrors {
 public:
   MetricErrors(const Signals& base, const std::vector<PairDifference>& differences,
@@ -87,6 +94,9 @@ public:
     }
     if (const auto path = result.find(error_parts::path); path != result.end()) {
       path->second = std::max(path->second, floors_.path * std::abs(metric.value));
+    }
+    if (floors_.decoupling > 0 && is_of_water(metric.name, metric.unit)) {
+      result[error_parts::decoupling] = floors_.decoupling * std::abs(metric.value);
     }
     if (const double left = rounding(metric); left > 0) {
       result[error_parts::rounding] = left;
@@ -165,7 +175,7 @@ double largest_nearby(const std::vector<double>& values, std::size_t row) {
 /// Half a width of each column's band per row; `time` stays.
 SignalTable band(const SignalTable& base, const std::vector<PairDifference>& differences,
                  const std::function<const TableDifference*(const PairDifference&)>& table_of,
-                 double path_floor) {
+                 const ErrorFloors& floors) {
   SignalTable result = base;
   for (Signal& column : result.columns) {
     if (column.name == "time") {
@@ -175,10 +185,15 @@ SignalTable band(const SignalTable& base, const std::vector<PairDifference>& dif
         std::exchange(column.values, std::vector<double>(column.values.size(), 0.0));
     for (const PairDifference& pair : differences) {
       if (const TableDifference* table = table_of(pair)) {
-        const auto part = pair_band(values, pair.pair->part, *table, column.name, path_floor);
+        const auto part = pair_band(values, pair.pair->part, *table, column.name, floors.path);
         for (std::size_t row = 0; row < values.size(); ++row) {
           column.values[row] += part[row];
         }
+      }
+    }
+    if (floors.decoupling > 0 && is_of_water(column.name, column.unit)) {
+      for (std::size_t row = 0; row < values.size(); ++row) {
+        column.values[row] += floors.decoupling * std::abs(values[row]);
       }
     }
   }
@@ -242,16 +257,16 @@ ErrorEstimate combine_errors(const Signals& base, const std::vector<ErrorPair>& 
     }
   }
   estimate.signals = band(
-      base.resolved, differences, [](const auto& pair) { return &pair.resolved; }, floors.path);
+      base.resolved, differences, [](const auto& pair) { return &pair.resolved; }, floors);
   estimate.sampled = band(
-      base.sampled, differences, [](const auto& pair) { return &pair.sampled; }, floors.path);
+      base.sampled, differences, [](const auto& pair) { return &pair.sampled; }, floors);
   const auto optional_band = [&](const std::optional<SignalTable>& table,
                                  std::optional<TableDifference> PairDifference::*of) {
     return table
                ? std::optional(band(
                      *table, differences,
                      [of](const PairDifference& pair) { return pair.*of ? &*(pair.*of) : nullptr; },
-                     floors.path))
+                     floors))
                : std::nullopt;
   };
   estimate.taxels = optional_band(base.taxels, &PairDifference::taxels);

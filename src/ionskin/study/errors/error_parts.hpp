@@ -18,6 +18,7 @@ inline constexpr const char* path = "path";
 inline constexpr const char* handover = "handover";
 inline constexpr const char* transport_grid = "transport_grid";
 inline constexpr const char* time_steps = "time_steps";
+inline constexpr const char* decoupling = "decoupling"; ///< of the strain from the water
 inline constexpr const char* rounding = "rounding";
 } // namespace error_parts
 
@@ -41,7 +42,10 @@ struct ErrorPair {
 
 /// What beside the pairs decides the errors.
 struct ErrorFloors {
-  double path = 0;            ///< of interpolation and residuals of the contact, relative [1]
+  double path = 0; ///< of interpolation and residuals of the contact, relative [1]
+  /// What the strain, which does not follow the water, leaves in signals that it makes, relative
+  /// [1]; 0 under other laws.
+  double decoupling = 0;
   double charge = 0;          ///< what rounding may leave in a charge [C]; 0 without currents
   double sample_interval = 0; ///< of the readout [s]
   std::vector<bool> tail;     ///< rows of the sampled table outside the contact spikes

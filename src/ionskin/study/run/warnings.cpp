@@ -3,6 +3,7 @@
 
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "ionskin/laws/coupling/coupling_law.hpp"
+#include "ionskin/poroelasticity/validity.hpp"
 #include "ionskin/readout/metrics.hpp"
 
 #include <fmt/format.h>
@@ -57,6 +58,26 @@ void warn_about_onset_peak(const MechanicsRecord& mechanics, const readout::Sign
         "where it is "
         "a small remainder of large terms (5 to 30 % uncertain). Use the sampled current.",
         std::abs(*peak), at));
+  }
+}
+
+void warn_about_water(const Case& input, const electrochemistry::IonSolution& ions,
+                      std::vector<std::string>& warnings) {
+  if (!electrochemistry::coupling_law(input.coupling.law).moves_water) {
+    return;
+  }
+  for (std::string& warning : poroelasticity::validity_warnings(input)) {
+    warnings.push_back(std::move(warning));
+  }
+  const auto& drive = ions.water.largest_drive;
+  const double largest = drive.empty() ? 0.0 : *std::max_element(drive.begin(), drive.end());
+  if (largest > poroelasticity::largest_sound_drive) {
+    warnings.push_back(fmt::format(
+        "The drive g of the water on the cations reaches {:.3g} (thermal voltages over the "
+        "valence): above {:.2g} the core's constants, taken at rest, no longer serve, and the "
+        "voltages in water.csv, which are linear, are off. Press with less, or round sharp edges "
+        "(slider.edge_radius).",
+        largest, poroelasticity::largest_sound_drive));
   }
 }
 
@@ -131,6 +152,7 @@ std::vector<std::string> collect_warnings(const Case& input, const MechanicsReco
   if (mechanics.has_contact()) {
     warn_about_onset_peak(mechanics, signals, input.motion, warnings);
   }
+  warn_about_water(input, ions, warnings);
   const auto scales =
       electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness());
   const auto& p99 = signals.column("p99_shear").values;

@@ -51,6 +51,19 @@ TEST_F(WarningsTest, SaysHowNonlinearTheResponseIs) {
   EXPECT_TRUE(any_holds(collect_warnings(input, mechanics, ions, signals), "nonlinear"));
 }
 
+TEST_F(WarningsTest, SaysWhereTheLawOfTheWaterEnds) {
+  input.coupling = {};
+  input.coupling.law = "poroelastic";
+  input.water.drag_number = 2.5;
+  input.water.drained_poissons_ratio = 0.1;
+  input.water.mobility = 1e-20;
+  ions.water.largest_drive = {0, 0.4};
+  EXPECT_TRUE(any_holds(collect_warnings(input, mechanics, ions, signals), "self-diffusivity"));
+  EXPECT_FALSE(any_holds(collect_warnings(input, mechanics, ions, signals), "Press with less"));
+  ions.water.largest_drive = {0, 0.6};
+  EXPECT_TRUE(any_holds(collect_warnings(input, mechanics, ions, signals), "reaches 0.6"));
+}
+
 TEST_F(WarningsTest, SaysThatCationsAreDepleted) {
   EXPECT_FALSE(any_holds(collect_warnings(input, mechanics, ions, signals), "depleted"));
   ions.min_concentration[1] = 60;
