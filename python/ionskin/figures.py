@@ -4,7 +4,8 @@ run would need for it."""
 
 from typing import Callable, NamedTuple
 
-from . import derived, figures_contact, figures_fields, figures_model, figures_readout, report_text, style
+from . import (derived, figures_contact, figures_fields, figures_model, figures_readout, figures_water, report_text,
+               style)
 from .panels import (STEP, error_band, first_cycle_names, motion_panels, name_phases, peak_of, rows_within, sampled_label,
                      scaled, shade_phases, signed_log_axis, slide_start, time_axis)
 from .sweep_results import Study
@@ -227,6 +228,13 @@ FIGURES = [
           currents),
     Entry("circuit", "Readout circuit", "The top electrode's potential against the bottom one's, or what the amplifier reads; "
           "circuit.csv holds the numbers.", figures_readout.circuit),
+    Entry("water_voltage", "What the water drives", "Voltage that the open cell would have at once, whatever the circuit of the "
+          "run: water drags cations (streaming) and thins them where it gathers (dilution). water.csv holds the numbers.",
+          figures_water.voltage),
+    Entry("water_section", "Water in the core", "Section along the skin at mid-width at instants of output.fields; each panel "
+          "has its own colours.", figures_water.section),
+    Entry("water_walls", "Pressure between the walls", "Water pressure at the top wall minus that at the bottom one, from above: "
+          "its mean is what the whole electrode sees, its map what taxels see.", figures_water.wall_difference),
     Entry("taxel_map", "Taxels", "The skin from above: largest magnitude of each taxel's charge during the run.",
           figures_readout.taxel_map),
     Entry("taxels", "Taxel signals", "Charge of each taxel over time on common axes; taxels.csv holds the currents too.",

@@ -132,6 +132,7 @@ class Results:
 
     signals, sampled  Table; see the documentation of the columns
     taxels, circuit   Table, or None in runs without; sampled_taxels and sampled_circuit likewise
+    water             Table of what the water does under the law poroelastic, or None
     errors            dict of table name to Table: stated errors of the signals, same columns; empty without
     metrics           dict of name to Metric
     summary, manifest dict, as in the files; empty when the file is missing
@@ -160,7 +161,9 @@ class Results:
         self.taxels, self.circuit, self.sampled_taxels, self.sampled_circuit = (
             read_table(path) if path.exists() else None for path in (
                 self.folder / f"{name}.csv" for name in ("taxels", "circuit", "sampled_taxels", "sampled_circuit")))
-        self.errors = {name: read_table(path) for name in ("signals", "sampled", "taxels", "circuit")
+        water = self.folder / "water.csv"
+        self.water = read_table(water) if water.exists() else None
+        self.errors = {name: read_table(path) for name in ("signals", "sampled", "taxels", "circuit", "water")
                        if (path := self.folder / f"{name}_error.csv").exists()}
         self.summary = read_json(self.folder / "summary.json")
         if self.complete:

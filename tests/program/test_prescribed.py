@@ -3,6 +3,7 @@
 
 import unittest
 
+import h5py
 import numpy
 
 from program import ROOT, ProgramTest, signals, summary
@@ -48,6 +49,34 @@ class Prescribed(ProgramTest):
         for words in ("undrained Poisson's ratio          0.49", "drained Poisson's ratio            0.4",
                       "holds an indentation", "motion.preload_force"):
             self.assertIn(words, process.stdout)
+
+    def test_figures_of_the_water_are_drawn(self):
+        x, y, z = numpy.linspace(0, 30e-3, 13), [0, 2e-3, 5e-3], [0, 180e-6]
+        with h5py.File(self.folder / "pressure.h5", "w") as file:
+            file["grid/x"], file["grid/y"], file["grid/z"], file["time"] = x, y, z, [0.0, 0.1, 0.3]
+            pressure = numpy.zeros((3, 2, 2, 12))
+            pressure[1:, 1, 0, 4:7] = 1e5
+            file["channels/undrained_pressure"] = pressure
+            file["channels/undrained_pressure"].attrs["unit"] = "Pa"
+            file.attrs.update({"format": "ionskin-strain", "version": 2, "measure": "given", "frame": "skin"})
+        text = BENDING.read_text()
+        start = text.index("[strain]")
+        case = self.write("wet.toml", text[:start] + """[strain]
+source = "file"
+file = "pressure.h5"
+[numerics]
+preset = "coarse"
+mesh_refinement = 0.5
+[output]
+fields = ["0.1 s", "0.3 s"]
+""")
+        self.run_program("run", case, "-o", "out")
+        for name in ("water_voltage", "water_section", "water_walls"):
+            self.assertTrue((self.folder / "out" / "figures" / f"{name}.png").exists(), name)
+        with h5py.File(self.folder / "out" / "results.h5") as file:
+            self.assertEqual(file["ions/0.3/pore_pressure"].attrs["unit"], "Pa")
+            self.assertGreater(abs(file["ions/0.3/swelling"][...]).max(), 0)
+            self.assertIn("water", file)
 
     def test_sweeps(self):
         self.run_program("sweep", BENDING, "-o", "sweep", *COARSE, "--over", "strain.curvature=5 1/m,10 1/m", "--no-report")

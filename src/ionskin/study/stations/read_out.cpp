@@ -173,6 +173,9 @@ void add_water(const Case& input, const MechanicsRecord& mechanics, const IonSol
   const auto metrics =
       readout::water_metrics(*signals.water, force, input.skin.length * input.skin.width);
   signals.metrics.insert(signals.metrics.end(), metrics.begin(), metrics.end());
+  if (input.readout.circuit == ReadoutCircuit::open) {
+    return; // no charge flows
+  }
   const auto charge = readout::charge_difference(ions.charge_top, ions.charge_bottom);
   signals.metrics.push_back({"charge_difference_end", charge.back(), "C"});
   if (mechanics.has_contact()) {
