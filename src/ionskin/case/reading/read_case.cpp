@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/reading/read_case.hpp"
 
-#include "ionskin/case/check_prescribed.hpp"
+#include "ionskin/case/checks/check_prescribed.hpp"
 #include "ionskin/case/checks/check_case.hpp"
 #include "ionskin/case/checks/check_readout.hpp"
 #include "ionskin/case/checks/check_water.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/case/check_prescribed.hpp"
+#include "ionskin/case/checks/check_prescribed.hpp"
 
 #include "ionskin/case/coupling.hpp"
 
