@@ -8,14 +8,17 @@ from .hdf5 import open_hdf5
 
 # Columns by their places in results.h5.
 PLACES = {"time": "path/time", "slider_x": "strain/slider_x", "slider_z": "path/slider_z",
-          "normal_force": "path/normal_force", "tangential_force": "path/tangential_force"}
+          "normal_force": "path/normal_force", "tangential_force": "path/tangential_force",
+          "contact_area": "path/contact_area", "stick_share": "path/stick_share", "slip": "path/slip"}
 
 
 def mechanics(path):
     """Columns and units by name, and metrics as (name, value, unit); None where the file does not hold Study 1."""
     with contextlib.suppress(OSError, KeyError, CaseError), open_hdf5(path) as file:
-        columns = {name: file[place][:] for name, place in PLACES.items()}
-        units = {name: str(file[place].attrs["unit"]) for name, place in PLACES.items()}
+        # A run of an earlier version lacks the later columns.
+        places = {name: place for name, place in PLACES.items() if place in file or name == "time"}
+        columns = {name: file[place][:] for name, place in places.items()}
+        units = {name: str(file[place].attrs["unit"]) for name, place in places.items()}
         names, texts = (file[f"path/metrics/{part}"].asstr()[:] for part in ("name", "unit"))
         return columns, units, list(zip(names, file["path/metrics/value"][:].tolist(), texts))
     return None

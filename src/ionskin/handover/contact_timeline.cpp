@@ -90,12 +90,24 @@ void StateCombination::add(const mechanics::SharedState& state, double weight) {
   }
 }
 
-double StateCombination::normal_force() const {
-  double force = 0;
+double StateCombination::sum(double mechanics::ContactState::*quantity) const {
+  double result = 0;
   for (const Term& term : terms) {
-    force += term.weight * term.state->normal_force;
+    result += term.weight * term.state->*quantity;
   }
-  return force;
+  return result;
+}
+
+double StateCombination::normal_force() const {
+  return sum(&mechanics::ContactState::normal_force);
+}
+
+double StateCombination::contact_area() const {
+  return sum(&mechanics::ContactState::contact_area);
+}
+
+double StateCombination::stick_area() const {
+  return sum(&mechanics::ContactState::stick_area);
 }
 
 std::array<double, 2> StateCombination::tangential_force() const {

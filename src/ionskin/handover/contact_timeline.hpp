@@ -25,6 +25,11 @@ struct StateCombination {
 
   double normal_force() const;                    ///< of the full skin [N]
   std::array<double, 2> tangential_force() const; ///< on the skin [N]
+  double contact_area() const;                    ///< of the full skin [m2]
+  double stick_area() const;                      ///< of it, where nothing slips [m2]
+
+private:
+  double sum(double mechanics::ContactState::*quantity) const;
 };
 
 /// Puts the path of Study 1 on the time axis of one cycle: linear between the load steps of a path,

@@ -21,11 +21,12 @@ MotionInstant MotionPhases::at(double time) const {
   MotionInstant at;
   at.cycle = std::clamp(static_cast<int>(cycles_passed), 1, cycles_);
   const double local = time - (at.cycle - 1) * duration_;
-  const auto leg = std::find_if(legs_.begin(), legs_.end() - 1, [&](const MotionLeg& candidate) {
-    return local <= candidate.end() + rounding;
-  });
+  const auto leg =
+      std::partition_point(legs_.begin(), legs_.end() - 1, [&](const MotionLeg& candidate) {
+        return candidate.end() + rounding < local;
+      });
   at.phase = name(leg->phase);
-  at.slider_x = leg->centre(local - leg->begin)[0];
+  at.centre = leg->centre(local - leg->begin);
   return at;
 }
 

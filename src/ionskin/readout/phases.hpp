@@ -3,6 +3,7 @@
 
 #include "ionskin/case/slider_motion.hpp"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -10,9 +11,9 @@ namespace ionskin::readout {
 
 /// Where the prescribed motion stands at an instant (design equations 5 to 8).
 struct MotionInstant {
-  int cycle = 1;       ///< from 1
-  std::string phase;   ///< touchdown, slide, lift or return
-  double slider_x = 0; ///< centre of the slider [m]
+  int cycle = 1;                  ///< from 1
+  std::string phase;              ///< touchdown, slide, lift or return
+  std::array<double, 2> centre{}; ///< of the slider [m]
 };
 
 /// The cycles of a run on its time axis.

@@ -50,7 +50,8 @@ void add_motion(SignalInputs& inputs, const Motion& motion, const Slider& slider
     const MotionInstant at = phases.at(time);
     inputs.cycle.push_back(at.cycle);
     inputs.phase.push_back(at.phase);
-    inputs.slider_x.push_back(at.slider_x);
+    inputs.slider_x.push_back(at.centre[0]);
+    inputs.slider_y.push_back(at.centre[1]);
   }
 }
 
@@ -76,6 +77,11 @@ SignalTable build_signal_table(const SignalInputs& inputs) {
       required("charge_bottom", "C", inputs.charge_bottom, rows),
   };
   add_currents(table, inputs);
+  // Behind those that came first, whose places scripts may know.
+  table.columns.push_back(optional("slider_y", "m", inputs.slider_y, rows));
+  table.columns.push_back(optional("contact_area", "m2", inputs.contact_area, rows));
+  table.columns.push_back(optional("stick_share", "1", inputs.stick_share, rows));
+  table.columns.push_back(optional("slip", "m", inputs.slip, rows));
   return table;
 }
 

@@ -16,9 +16,13 @@ struct SignalInputs {
   std::vector<int> cycle;                 ///< from 1
   std::vector<std::string> phase;         ///< touchdown, slide, lift, return
   std::vector<double> slider_x;           ///< centre [m]
+  std::vector<double> slider_y;           ///< centre [m]
   std::vector<double> slider_z;           ///< underside above the undeformed top face [m]
   std::vector<double> normal_force;       ///< of the full skin [N]
   std::vector<double> tangential_force;   ///< of the full skin, along the first slide [N]
+  std::vector<double> contact_area;       ///< of the full skin [m2]
+  std::vector<double> stick_share;        ///< of that area, where nothing slips, 0 to 1
+  std::vector<double> slip;               ///< mean over the contact since it began [m]
   std::vector<double> mean_shear;         ///< volume mean over the core [1]
   std::vector<double> rms_shear;          ///< [1]
   std::vector<double> p99_shear;          ///< percentile by volume [1]
@@ -27,7 +31,8 @@ struct SignalInputs {
   std::vector<double> charge_bottom;      ///< on the metal [C]
 };
 
-/// Fills cycle, phase and slider_x at the rows of `inputs.time` from the prescribed motion.
+/// Fills cycle, phase, slider_x and slider_y at the rows of `inputs.time` from the prescribed
+/// motion.
 void add_motion(SignalInputs& inputs, const Motion& motion, const Slider& slider);
 
 /// The columns of signals.csv in their order, with rates and currents as means over the step that

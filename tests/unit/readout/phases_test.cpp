@@ -60,24 +60,24 @@ TEST(Phases, RoundingOfEventTimesDoesNotMoveThemIntoTheNextPhase) {
 
 TEST(Phases, SliderFollowsThePrescribedMotionInEveryCycle) {
   for (double start : {0.0, 4.0, 8.0}) {
-    EXPECT_NEAR(at(start + 0.25).slider_x, 4.5e-3, 1e-12);
-    EXPECT_NEAR(at(start + 1.5).slider_x, 7.5e-3, 1e-12);
-    EXPECT_NEAR(at(start + 2.75).slider_x, 10.5e-3, 1e-12);
-    EXPECT_NEAR(at(start + 3.5).slider_x, 7.5e-3, 1e-12);
-    EXPECT_NEAR(at(start + 4.0).slider_x, 4.5e-3, 1e-12);
+    EXPECT_NEAR(at(start + 0.25).centre[0], 4.5e-3, 1e-12);
+    EXPECT_NEAR(at(start + 1.5).centre[0], 7.5e-3, 1e-12);
+    EXPECT_NEAR(at(start + 2.75).centre[0], 10.5e-3, 1e-12);
+    EXPECT_NEAR(at(start + 3.5).centre[0], 7.5e-3, 1e-12);
+    EXPECT_NEAR(at(start + 4.0).centre[0], 4.5e-3, 1e-12);
   }
 }
 
 TEST(Phases, SlideAcrossTheTrackKeepsX) {
   Motion motion = paper_motion();
   motion.direction = {0, 1};
-  EXPECT_EQ(MotionPhases(motion, paper_slider()).at(1.5).slider_x, 4.5e-3);
+  EXPECT_EQ(MotionPhases(motion, paper_slider()).at(1.5).centre[0], 4.5e-3);
 }
 
 TEST(Phases, APhaseWithoutDurationIsPassedAtOnce) {
   Motion motion = paper_motion();
   motion.return_ = 0;
-  EXPECT_NEAR(MotionPhases(motion, paper_slider()).at(1.5).slider_x, 7.5e-3, 1e-12);
+  EXPECT_NEAR(MotionPhases(motion, paper_slider()).at(1.5).centre[0], 7.5e-3, 1e-12);
   EXPECT_EQ(MotionPhases(motion, paper_slider()).at(3.0).phase, "lift");
   EXPECT_EQ(MotionPhases(motion, paper_slider()).at(3.1).cycle, 2);
 }

@@ -27,12 +27,26 @@ TEST(SignalTable, HasTheColumnsOfSignalsCsvInOrder) {
     names.push_back(column.name + " [" + column.unit + "]");
     EXPECT_EQ(column.values.size(), 3u) << column.name;
   }
-  EXPECT_EQ(names, (std::vector<std::string>{
-                       "time [s]", "slider_x [m]", "slider_z [m]", "normal_force [N]",
-                       "tangential_force [N]", "mean_shear [1]", "rms_shear [1]", "p99_shear [1]",
-                       "shear_first_moment [1]", "mean_shear_rate [1/s]", "charge_top [C]",
-                       "charge_bottom [C]", "current_top [A]", "current_bottom [A]",
-                       "current_difference [A]", "current_common [A]"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"time [s]",
+                                             "slider_x [m]",
+                                             "slider_z [m]",
+                                             "normal_force [N]",
+                                             "tangential_force [N]",
+                                             "mean_shear [1]",
+                                             "rms_shear [1]",
+                                             "p99_shear [1]",
+                                             "shear_first_moment [1]",
+                                             "mean_shear_rate [1/s]",
+                                             "charge_top [C]",
+                                             "charge_bottom [C]",
+                                             "current_top [A]",
+                                             "current_bottom [A]",
+                                             "current_difference [A]",
+                                             "current_common [A]",
+                                             "slider_y [m]",
+                                             "contact_area [m2]",
+                                             "stick_share [1]",
+                                             "slip [m]"}));
 }
 
 TEST(SignalTable, RatesAndCurrentsAreMeansOverTheStepThatEndsAtTheRow) {
@@ -43,7 +57,8 @@ TEST(SignalTable, RatesAndCurrentsAreMeansOverTheStepThatEndsAtTheRow) {
 
 TEST(SignalTable, LeavesMotionAndForcesEmptyInRunsFromAStrainFile) {
   const SignalTable table = build_signal_table(three_rows());
-  for (const char* name : {"slider_x", "slider_z", "normal_force", "tangential_force"}) {
+  for (const char* name : {"slider_x", "slider_y", "slider_z", "normal_force", "tangential_force",
+                           "contact_area", "stick_share", "slip"}) {
     EXPECT_TRUE(std::isnan(table.column(name).values[1])) << name;
   }
   EXPECT_EQ(table.cycle, (std::vector<int>{0, 0, 0}));
@@ -58,11 +73,12 @@ TEST(SignalTable, TakesTheMotionAtEveryRow) {
   motion.slide = 4;
   motion.stroke = 8;
   Slider slider;
-  slider.start = {2, 0};
+  slider.start = {2, 0.5};
   add_motion(inputs, motion, slider);
   const SignalTable table = build_signal_table(inputs);
   EXPECT_EQ(table.phase, (std::vector<std::string>{"touchdown", "touchdown", "slide"}));
   EXPECT_EQ(table.column("slider_x").values, (std::vector<double>{2, 2, 6}));
+  EXPECT_EQ(table.column("slider_y").values, (std::vector<double>{0.5, 0.5, 0.5}));
 }
 
 TEST(SignalTable, RefusesColumnsOfAnotherLength) {

@@ -34,13 +34,20 @@ readout::SignalInputs mechanical_inputs(const Case& input, const MechanicsRecord
   inputs.time = time;
   if (mechanics.has_contact()) {
     readout::add_motion(inputs, input.motion, input.slider);
-    for (const double t : time) {
-      inputs.slider_z.push_back(readout::value_at(mechanics.history.time, mechanics.slider_z, t));
-      inputs.normal_force.push_back(
-          readout::value_at(mechanics.history.time, mechanics.normal_force, t));
-      inputs.tangential_force.push_back(
-          readout::value_at(mechanics.history.time, mechanics.tangential_force, t));
-    }
+    const auto at_rows = [&](const std::vector<double>& samples) {
+      std::vector<double> values;
+      values.reserve(time.size());
+      for (const double t : time) {
+        values.push_back(readout::value_at(mechanics.history.time, samples, t));
+      }
+      return values;
+    };
+    inputs.slider_z = at_rows(mechanics.slider_z);
+    inputs.normal_force = at_rows(mechanics.normal_force);
+    inputs.tangential_force = at_rows(mechanics.tangential_force);
+    inputs.contact_area = at_rows(mechanics.contact_area);
+    inputs.stick_share = at_rows(mechanics.stick_share);
+    inputs.slip = at_rows(mechanics.slip);
   } else {
     inputs.cycle.assign(time.size(), 1);
     inputs.phase.assign(time.size(), "");

@@ -2,6 +2,7 @@
 #include "ionskin/study/store/mechanics_record.hpp"
 
 #include "ionskin/case/slider_motion.hpp"
+#include "ionskin/handover/contact_signals.hpp"
 #include "ionskin/handover/contact_timeline.hpp"
 #include "ionskin/handover/energy_balance.hpp"
 #include "ionskin/handover/handover.hpp"
@@ -83,21 +84,11 @@ std::vector<results::ContactMap> make_maps(const std::vector<MotionLeg>& legs,
   return collector.take();
 }
 
-/// Of a combination of states, an area of each [m2].
-double combined_area(const handover::StateCombination& combination,
-                     double mechanics::ContactState::*area) {
-  double sum = 0;
-  for (const auto& term : combination.terms) {
-    sum += term.weight * term.state->*area;
-  }
-  return sum;
-}
-
 std::vector<readout::Metric> contact_metrics(const Case& input,
                                              const mechanics::ContactSolution& contact,
                                              const handover::ContactTimeline& timeline) {
   const auto slide = timeline.at(readout::middle_of_slide(input.motion, input.slider));
-  const double area = combined_area(slide, &mechanics::ContactState::contact_area);
+  const double area = slide.contact_area();
   const handover::EnergyBalance energy = handover::energy_balance(timeline, contact);
   std::vector<readout::Metric> metrics{
       {"contact_area_slide", area, "m2"},
@@ -141,6 +132,7 @@ MechanicsRecord make_mechanics_record(const Case& input,
   const handover::ContactTimeline timeline(input, contact);
   const std::vector<MotionLeg> legs = motion_legs(input.motion, input.slider);
   const auto direction = first_slide(legs).direction();
+  const handover::ContactSignals signals = handover::contact_signals(timeline, contact);
   for (int cycle = 0; cycle < input.motion.cycles; ++cycle) {
     for (std::size_t i = cycle == 0 ? 0 : 1; i < timeline.sample_times().size(); ++i) {
       const auto combination = timeline.at_sample(i);
@@ -149,6 +141,9 @@ MechanicsRecord make_mechanics_record(const Case& input,
       record.normal_force.push_back(combination.normal_force());
       record.tangential_force.push_back(tangential[0] * direction[0] +
                                         tangential[1] * direction[1]);
+      record.contact_area.push_back(signals.area[i]);
+      record.stick_share.push_back(signals.stick_share[i]);
+      record.slip.push_back(signals.slip[i]);
     }
   }
   record.join_time = timeline.join_time();

@@ -23,6 +23,9 @@ struct MechanicsRecord {
   std::vector<double> slider_z;         ///< underside above the undeformed top face [m]
   std::vector<double> normal_force;     ///< [N]
   std::vector<double> tangential_force; ///< along the first slide [N]
+  std::vector<double> contact_area;     ///< [m2]
+  std::vector<double> stick_share;      ///< of that area, 0 to 1
+  std::vector<double> slip;             ///< mean over the contact since it began [m]
   double join_time = 0;                 ///< onset of the first slide has joined steady sliding [s]
   /// Begin of each slide of a cycle, and where its onset has joined steady sliding [s].
   std::vector<std::array<double, 2>> onsets;

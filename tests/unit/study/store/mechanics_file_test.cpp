@@ -55,6 +55,9 @@ TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
   EXPECT_EQ(read->onsets, record.onsets);
   EXPECT_EQ(read->normal_force, record.normal_force);
   EXPECT_EQ(read->tangential_force, record.tangential_force);
+  EXPECT_EQ(read->contact_area, record.contact_area);
+  EXPECT_EQ(read->stick_share, record.stick_share);
+  EXPECT_EQ(read->slip, record.slip);
   ASSERT_EQ(read->metrics.size(), record.metrics.size());
   EXPECT_EQ(read->metrics[0].name, "contact_area_slide");
   EXPECT_EQ(read->metrics[0].value, record.metrics[0].value);
@@ -80,7 +83,7 @@ TEST(MechanicsFile, ListsOfUnlikeLengthsAreDamage) {
   const results::ScratchFolder folder;
   const Case input = handover::small_case();
   const auto record = make_mechanics_record(input, small_contact(input));
-  const std::vector<std::string> datasets{"/path/slider_z", "/path/onset_end",
+  const std::vector<std::string> datasets{"/path/slider_z", "/path/slip", "/path/onset_end",
                                           "/path/metrics/value"};
   for (const std::string& dataset : datasets) {
     SCOPED_TRACE(dataset);

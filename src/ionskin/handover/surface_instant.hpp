@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/handover/contact_timeline.hpp"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace ionskin::handover {
+
+/// Slider and surface of the skin at one instant. Vectors are normal downwards, along x, along y.
+struct SurfaceInstant {
+  using Vector = std::array<double, 3>;
+  Vector slider{};             ///< place of the slider [m]
+  std::vector<Vector> force;   ///< on each cell [N]
+  std::vector<Vector> surface; ///< displacement of each cell [m]
+
+  /// How far the slider moved since an earlier instant [m].
+  Vector moved(const SurfaceInstant& before) const;
+  /// The same relative to the skin at one cell: its slip along x and y [m].
+  Vector slip(const SurfaceInstant& before, std::size_t cell) const;
+};
+
+/// Areas of the contact cells [m2].
+std::vector<double> cell_areas(const mechanics::ContactSolution& contact);
+
+/// @param areas of the cells [m2]
+SurfaceInstant surface_instant(const StateCombination& combination,
+                               const std::vector<double>& areas);
+
+} // namespace ionskin::handover
