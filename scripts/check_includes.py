@@ -18,7 +18,7 @@ ROOMS = {
     "mesh": ["."],
     "linear_algebra": ["."],
     "history": ["."],
-    "mechanics": ["output", "elasticity", "surface", "position", "path", "."],
+    "mechanics": ["output", "elasticity", "surface", "position", "path", "engine", "."],
     "handover": ["measures", "."],
     "poroelasticity": ["."],
     "electrochemistry": ["output", "grid", "coupling", "circuit", "equations", "solver", "time", "."],

@@ -183,4 +183,45 @@ const MotionLeg& first_slide(const std::vector<MotionLeg>& legs) {
   return found == legs.end() ? legs.front() : *found;
 }
 
+namespace {
+
+/// One past the last leg that carries on the first slide.
+std::size_t end_of_slide(const std::vector<MotionLeg>& legs, std::size_t first) {
+  constexpr double least_cosine = 0.995; // of a tenth of a radian
+  std::size_t next = first + 1;
+  while (legs[first].slides() && next < legs.size() && legs[next].slides()) {
+    const Point before = legs[next - 1].direction(), here = legs[next].direction();
+    if (before[0] * here[0] + before[1] * here[1] < least_cosine)
+      break;
+    ++next;
+  }
+  return next;
+}
+
+} // namespace
+
+MotionLeg whole_slide(const std::vector<MotionLeg>& legs) {
+  const MotionLeg& first = first_slide(legs);
+  const auto index = static_cast<std::size_t>(&first - legs.data());
+  const MotionLeg& last = legs[end_of_slide(legs, index) - 1];
+  MotionLeg slide = first;
+  if (&last != &first) {
+    slide.duration = last.end() - first.begin;
+    slide.to = last.to;
+    slide.to_level = last.to_level;
+  }
+  return slide;
+}
+
+Point slide_direction(const std::vector<MotionLeg>& legs) {
+  constexpr double least_lead = 0.5; // of the way, for it to lead somewhere
+  const MotionLeg& first = first_slide(legs);
+  const auto index = static_cast<std::size_t>(&first - legs.data());
+  double way = 0;
+  for (std::size_t i = index; i < end_of_slide(legs, index); ++i)
+    way += legs[i].length();
+  const MotionLeg whole = whole_slide(legs);
+  return whole.length() >= least_lead * way ? whole.direction() : first.direction();
+}
+
 } // namespace ionskin

@@ -122,6 +122,13 @@ std::array<double, 2> StateCombination::tangential_force() const {
 ContactTimeline::ContactTimeline(const Case& input, const mechanics::ContactSolution& contact)
     : contact_(contact), legs_(motion_legs(input.motion, input.slider)),
       duration_(legs_.back().end()) {
+  if (!contact_.stepped.empty()) {
+    for (const mechanics::SteppedInstant& instant : contact_.stepped) {
+      sample_times_.push_back(instant.time);
+    }
+    event_times_ = contact_.stepped_events;
+    return;
+  }
   add_sample(0, 0.0);
   for (std::size_t i = 0; i < legs_.size(); ++i) {
     add_leg_samples(input, i);
@@ -212,12 +219,34 @@ std::size_t ContactTimeline::leg_at(double local_time) const {
   return leg;
 }
 
+StateCombination ContactTimeline::between_steps(double local_time) const {
+  const auto after =
+      std::upper_bound(sample_times_.begin() + 1, sample_times_.end() - 1, local_time);
+  const auto next = static_cast<std::size_t>(after - sample_times_.begin());
+  const mechanics::SteppedInstant &from = contact_.stepped[next - 1], &to = contact_.stepped[next];
+  const double weight = std::clamp((local_time - from.time) / (to.time - from.time), 0.0, 1.0);
+  StateCombination result;
+  result.add(from.state, 1 - weight);
+  result.add(to.state, weight);
+  for (const std::size_t d : {0, 1}) {
+    result.centre[d] = from.centre[d] + weight * (to.centre[d] - from.centre[d]);
+  }
+  result.height = from.height + weight * (to.height - from.height);
+  return result;
+}
+
 StateCombination ContactTimeline::at(double local_time) const {
+  if (!contact_.stepped.empty()) {
+    return between_steps(local_time);
+  }
   const std::size_t leg = leg_at(local_time);
   return combination(leg, local_time - legs_[leg].begin);
 }
 
 StateCombination ContactTimeline::at_sample(std::size_t index) const {
+  if (!contact_.stepped.empty()) {
+    return between_steps(sample_times_[index]);
+  }
   return combination(samples_[index].leg, samples_[index].since_begin);
 }
 
@@ -271,10 +300,17 @@ double ContactTimeline::joined_at(std::size_t index) const {
 }
 
 double ContactTimeline::join_time() const {
+  if (!contact_.stepped.empty()) {
+    return contact_.stepped_onsets.empty() ? first_slide(legs_).begin
+                                           : contact_.stepped_onsets.front()[1];
+  }
   return joined_at(static_cast<std::size_t>(&first_slide(legs_) - legs_.data()));
 }
 
 std::vector<std::array<double, 2>> ContactTimeline::onsets() const {
+  if (!contact_.stepped.empty()) {
+    return contact_.stepped_onsets;
+  }
   std::vector<std::array<double, 2>> result;
   for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
     if (legs_[leg].slides()) {

@@ -33,7 +33,8 @@ private:
 };
 
 /// Puts the path of Study 1 on the time axis of one cycle: linear between the load steps of a path,
-/// polynomial through the nodes of steady sliding (see mechanics::LegSolution).
+/// polynomial through the nodes of steady sliding (see mechanics::LegSolution); linear throughout
+/// where the motion is stepped.
 class ContactTimeline {
 public:
   /// @param input, contact must outlive the timeline
@@ -61,6 +62,8 @@ private:
     std::size_t leg = 0;
     double since_begin = 0; ///< [s]
   };
+  /// Of a motion that is stepped.
+  StateCombination between_steps(double local_time) const;
   void add_leg_samples(const Case& input, std::size_t leg);
   void add_sample(std::size_t leg, double since_begin);
   /// The middle of the slide and the instants of field output become samples: figures are read

@@ -105,12 +105,12 @@ history::StrainField reflected_field(const history::StrainField& half, std::size
 /// Six components of the strain at the Gauss points of a combination of states, each [z][y][x].
 std::array<std::vector<double>, 6> gauss_strain(const StateCombination& combination) {
   std::array<std::vector<double>, 6> strain;
-  for (std::size_t c = 0; c < 6; ++c) {
-    strain[c].assign(combination.terms.front().state->strain.component[c].size(), 0.0);
-    for (const auto& term : combination.terms) {
-      const auto& component = term.state->strain.component[c];
-      for (std::size_t i = 0; i < component.size(); ++i) {
-        strain[c][i] += term.weight * component[i];
+  for (const auto& term : combination.terms) {
+    const mechanics::CoreStrain& own = mechanics::core_strain(*term.state);
+    for (std::size_t c = 0; c < 6; ++c) {
+      strain[c].resize(own.component[c].size(), 0.0);
+      for (std::size_t i = 0; i < own.component[c].size(); ++i) {
+        strain[c][i] += term.weight * own.component[c][i];
       }
     }
   }
@@ -210,7 +210,7 @@ history::CoreHistory build_strain_history(const Case& input,
     };
     const history::LineOperator along_x = along(lines.x, x_edges, centre[0]);
     const history::LineOperator along_y = along(lines.y, y_edges, centre[1]);
-    const auto& points = combination.terms.front().state->strain.points;
+    const auto points = core_strain(*combination.terms.front().state).points;
     history::StrainField a = rule.at_points(combination);
     history::StrainField b;
     history::apply_along(along_z, 1, points[1] * points[0], a, b);
@@ -276,7 +276,7 @@ double mechanics_shear_integral(const Case& input, const mesh::SkinMesh& mesh,
   const auto lines = mesh.lines(combination.centre);
   const auto z_lines = core_lines(mesh, lines);
   const auto shear = gauss_shear(input.coupling.measure, combination);
-  const auto& points = combination.terms.front().state->strain.points;
+  const auto points = core_strain(*combination.terms.front().state).points;
   const auto weight = [](const std::vector<double>& line, std::size_t point) {
     return 0.5 * (line[point / 2 + 1] - line[point / 2]);
   };

@@ -2,6 +2,7 @@
 #include "ionskin/mechanics/solve_contact.hpp"
 
 #include "ionskin/base/system/interrupt.hpp"
+#include "ionskin/mechanics/engine/solve_stepped.hpp"
 #include "ionskin/mechanics/path/contact_plan.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/path/position_states.hpp"
@@ -74,10 +75,10 @@ void warn_of_interpolation(double tolerance, ContactSolution& solution) {
   }
 }
 
-std::vector<ContactSolution> solve_on_footprint(const Case& input, const mesh::Footprint& footprint,
-                                                const std::vector<ContactVariant>& variants,
-                                                const ContactOptions& options, base::Timers& timers,
-                                                SharedProgress& progress) {
+std::vector<ContactSolution> solve_legs(const Case& input, const mesh::Footprint& footprint,
+                                        const std::vector<ContactVariant>& variants,
+                                        const ContactOptions& options, base::Timers& timers,
+                                        SharedProgress& progress) {
   auto analysis = std::make_unique<base::Timers::Scope>(timers, "mechanics: analysis");
   const SkinModel model(input, footprint, whole(options));
   analysis.reset();
@@ -119,6 +120,14 @@ std::vector<ContactSolution> solve_on_footprint(const Case& input, const mesh::F
     }
   }
   return solutions;
+}
+
+std::vector<ContactSolution> solve_on_footprint(const Case& input, const mesh::Footprint& footprint,
+                                                const std::vector<ContactVariant>& variants,
+                                                const ContactOptions& options, base::Timers& timers,
+                                                SharedProgress& progress) {
+  const auto solve = is_stepped(input) ? solve_stepped : solve_legs;
+  return solve(input, footprint, variants, options, timers, progress);
 }
 
 /// Variants that share a footprint are solved together.

@@ -2,6 +2,7 @@
 #include "ionskin/planning/cost_estimate.hpp"
 
 #include "ionskin/electrochemistry/time/problem_size.hpp"
+#include "ionskin/mechanics/engine/solve_stepped.hpp"
 #include "ionskin/mechanics/path/contact_plan.hpp"
 #include "ionskin/mechanics/position/memory_estimate.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
@@ -81,7 +82,9 @@ CostEstimate estimate_cost(const Case& input, int threads) {
   const mesh::SkinMesh mesh = expected_mesh(input);
   cost.mechanics_unknowns = mesh.unknowns();
   cost.positions =
-      mechanics::plan_contact(input, mechanics::expected_node_counts(input)).positions.size();
+      mechanics::is_stepped(input)
+          ? std::max<std::size_t>(1, mechanics::expected_positions(input))
+          : mechanics::plan_contact(input, mechanics::expected_node_counts(input)).positions.size();
   const auto ions = electrochemistry::estimate_problem_size(input);
   cost.ion_unknowns = ions.unknowns;
   cost.ion_steps = ions.steps;

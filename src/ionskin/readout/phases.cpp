@@ -40,8 +40,7 @@ double end_of_touchdown(const Motion& motion, const Slider& slider) {
 }
 
 double middle_of_slide(const Motion& motion, const Slider& slider) {
-  const std::vector<MotionLeg> legs = motion_legs(motion, slider);
-  const MotionLeg& slide = first_slide(legs);
+  const MotionLeg slide = whole_slide(motion_legs(motion, slider));
   return slide.begin + 0.5 * slide.duration;
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace ionskin {
 namespace {
 
@@ -81,6 +83,34 @@ TEST(SliderMotion, FiguresAreTakenFromTheFirstSlide) {
   hold.stroke = 0;
   const auto held = motion_legs(hold, slider());
   EXPECT_EQ(&first_slide(held), &held[1]);
+}
+
+TEST(SliderMotion, RowsOfARecordedPathAreOneSlide) {
+  Motion motion;
+  motion.kind = MotionKind::waypoints;
+  motion.waypoints = {{0, {0, 0}, 1e-3, {}},          {1, {0, 0}, -1e-6, {}},
+                      {2, {1e-3, 0}, -1e-6, {}},      {3, {2e-3, 0.05e-3}, -1e-6, {}},
+                      {5, {4e-3, 0.1e-3}, -1e-6, {}}, {6, {4e-3, 1e-3}, -1e-6, {}}};
+  const auto legs = motion_legs(motion, {});
+  EXPECT_EQ(&first_slide(legs), &legs[1]);
+  const MotionLeg slide = whole_slide(legs);
+  EXPECT_EQ(slide.begin, 1);
+  EXPECT_EQ(slide.end(), 5);
+  EXPECT_EQ(slide.to, legs[3].to);
+  EXPECT_NEAR(slide_direction(legs)[1], 0.1 / std::hypot(4, 0.1), 1e-12);
+  // One that leads back to where it began is told by its first leg.
+  std::vector<MotionLeg> turn;
+  for (int i = 0; i <= 100; ++i) {
+    const double from = 2 * M_PI * i / 100, to = 2 * M_PI * (i + 1) / 100;
+    turn.push_back({Phase::slide,
+                    0.1 * i,
+                    0.1,
+                    {std::cos(from), std::sin(from)},
+                    {std::cos(to), std::sin(to)},
+                    {false, -1e-6},
+                    {false, -1e-6}});
+  }
+  EXPECT_EQ(slide_direction(turn), turn.front().direction());
 }
 
 } // namespace

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -318,14 +319,23 @@ TEST(SolveContact, a_path_may_land_and_leave_on_the_way) {
   ContactOptions options;
   options.nodes = 3;
   const ContactSolution solution = solve(input, options);
-  const LegSolution &landing = solution.legs[0], &leaving = solution.legs[2];
-  EXPECT_DOUBLE_EQ(landing.path.front().time, 0.5);
-  EXPECT_EQ(landing.steady.front().state, nullptr);
-  EXPECT_NEAR(landing.last()->normal_force, slide(solution).steady.front().state->normal_force,
-              1e-9 * landing.last()->normal_force);
-  EXPECT_TRUE(slide(solution).path.empty()); // slides on in the same direction
-  EXPECT_DOUBLE_EQ(leaving.steady.back().time, 0.5);
-  EXPECT_EQ(leaving.last(), nullptr);
+  const auto at = [&](double time) {
+    return std::ranges::find_if(solution.stepped, [&](const SteppedInstant& instant) {
+      return std::abs(instant.time - time) < 1e-12;
+    });
+  };
+  ASSERT_NE(at(0.5), solution.stepped.end());
+  EXPECT_EQ(at(0.5)->state, nullptr);
+  ASSERT_NE(at(1.0), solution.stepped.end());
+  // Slides from the first, and on in the same direction.
+  EXPECT_EQ(at(1.0)->state->stick_fraction, 0);
+  EXPECT_NEAR(at(1.0)->state->tangential_force[0], 0.3 * at(1.0)->state->normal_force,
+              1e-8 * at(1.0)->state->normal_force);
+  ASSERT_NE(at(2.5), solution.stepped.end());
+  EXPECT_EQ(at(2.5)->state, nullptr);
+  EXPECT_EQ(solution.stepped.back().state, nullptr);
+  EXPECT_EQ(solution.stepped_events.front(), 0.5);
+  EXPECT_EQ(solution.stepped_events.back(), 2.5);
 }
 
 TEST(SolveContact, plane_strain_with_symmetric_sides) {

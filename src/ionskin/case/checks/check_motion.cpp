@@ -103,12 +103,6 @@ private:
       add(fmt::format("waypoint {} at {:.6g} s does not come after waypoint {} at {:.6g} s", i + 1,
                       here.time, i, before.time),
           point_at_waypoint(document_, i), "the times of waypoints must ascend");
-    if (before.force.has_value() != here.force.has_value() && !same_position(before, here))
-      add(fmt::format("between waypoints {} and {} the slider moves along the skin while a height "
-                      "turns into a force",
-                      i, i + 1),
-          point_at_waypoint(document_, i),
-          "give both the same position: press first, then slide, then lift off");
   }
 
   void check_ends() {

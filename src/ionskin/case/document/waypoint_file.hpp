@@ -10,7 +10,7 @@
 namespace ionskin {
 
 /// Most waypoints of one path, in a case or in a file.
-inline constexpr std::size_t most_waypoints = 10'000;
+inline constexpr std::size_t most_waypoints = 1'000'000;
 
 /// Reads a path of the slider from a text file of comma-separated columns. The first line names
 /// them with their units, in any order: "time [s], x [mm], y [mm], height [um], force [N]". One of

@@ -128,9 +128,10 @@ std::vector<double> longest_steps(const Case& input, const StepLandings& landing
   for (std::size_t i = 0; i < longest.size(); ++i) {
     const double middle = 0.5 * (landings.time[i] + landings.time[i + 1]);
     const double since_begin = std::fmod(middle, legs.back().end());
-    const auto leg = std::find_if(legs.begin(), legs.end(), [since_begin](const MotionLeg& other) {
-      return since_begin < other.end();
-    });
+    const auto leg =
+        std::partition_point(legs.begin(), legs.end(), [since_begin](const MotionLeg& other) {
+          return other.end() <= since_begin;
+        });
     if (leg != legs.end() && leg->slides()) {
       longest[i] = std::min(longest[i], crossing_step(rule, crossing_time(*leg, input.skin, size)));
     }

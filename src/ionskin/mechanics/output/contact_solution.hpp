@@ -20,6 +20,17 @@ struct CoreStrain {
   std::array<std::vector<double>, 6> component;
 };
 
+/// Strains that are recovered when they are asked for: those of a long path would fill the memory.
+class StrainSource {
+public:
+  virtual ~StrainSource() = default;
+  /// Of a state by its place; valid until the next call. Fast when places ascend.
+  virtual const CoreStrain& at(std::size_t place) = 0;
+  /// Over all states that were asked for: of each electrode layer [Pa], and relative.
+  virtual const std::vector<double>& largest_electrode_stress() const = 0;
+  virtual double worst_equilibrium_residual() const = 0;
+};
+
 /// One converged equilibrium of slider and skin.
 struct ContactState {
   double indentation = 0;                   ///< of the slider's lowest point [m]
@@ -33,7 +44,9 @@ struct ContactState {
   /// Length of the slip since the state before on the path [m]; in steady sliding the way of the
   /// leg.
   std::vector<double> slip;
-  CoreStrain strain;
+  CoreStrain strain;                    ///< empty where `source` recovers it
+  std::shared_ptr<StrainSource> source; ///< null where the strain is held
+  std::size_t place = 0;                ///< in the source
   /// Largest von Mises stress of each electrode layer as a membrane, averaged through its thickness
   /// and over each column of elements; bottom to top [Pa].
   std::vector<double> electrode_stress;
@@ -46,6 +59,11 @@ struct ContactState {
   double stick_fraction = 0; ///< stuck area over contact area
   int iterations = 0;
 };
+
+/// Its strain, held or recovered; of the latter valid until the next call.
+inline const CoreStrain& core_strain(const ContactState& state) {
+  return state.source ? state.source->at(state.place) : state.strain;
+}
 
 using SharedState = std::shared_ptr<const ContactState>;
 
@@ -80,13 +98,28 @@ struct LegSolution {
   }
 };
 
+/// An instant of a motion that is stepped.
+struct SteppedInstant {
+  double time = 0;                ///< since the begin of the cycle [s]
+  std::array<double, 2> centre{}; ///< of the slider [m]
+  double height = 0;              ///< of its underside above the undeformed top face [m]
+  SharedState state;              ///< null: detached
+};
+
 /// All of Study 1 for one friction coefficient. One cycle stands for all: after complete lift-off
 /// no stress remains.
 struct ContactSolution {
   mesh::SkinMesh mesh;
   std::vector<double> cell_lines_x,
       cell_lines_y;              ///< footprint cell edges from the slider's centre [m]
-  std::vector<LegSolution> legs; ///< of one cycle, as motion_legs has them
+  std::vector<LegSolution> legs; ///< of one cycle, as motion_legs has them; empty where stepped
+  /// The instants of one cycle between which all is linear, where the motion is stepped
+  /// (engine/solve_stepped.hpp); empty else.
+  std::vector<SteppedInstant> stepped;
+  /// Of a stepped motion: instants at which the slider lands, leaves or begins to slide, and from
+  /// each begin of sliding to where all of the contact slips [s].
+  std::vector<double> stepped_events;
+  std::vector<std::array<double, 2>> stepped_onsets;
   /// Surface displacement per cell left after the first lift-off [m]: normal, x, y; zero to
   /// rounding.
   std::vector<double> final_surface;

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace ionskin::mechanics {
 namespace {
@@ -64,6 +65,22 @@ std::vector<SliderLoad> heaviest_loads(const Case& input, bool half_model) {
   return loads;
 }
 
+/// Directions of the slides; of a path with many, some that stand for all.
+std::vector<std::array<double, 2>> slide_directions(const Case& input) {
+  constexpr std::size_t most = 8;
+  std::set<std::array<double, 2>> directions;
+  for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
+    if (leg.slides() && directions.size() <= most) {
+      directions.insert(leg.direction());
+    }
+  }
+  if (directions.size() > most) {
+    const double diagonal = std::sqrt(0.5);
+    return {{1, 0}, {0, 1}, {diagonal, diagonal}, {diagonal, -diagonal}};
+  }
+  return {directions.begin(), directions.end()};
+}
+
 /// Touchdown without history and steady sliding, to and fro, at one position.
 Reach reach_at(const Case& input, const SkinModel& model, const std::array<double, 2>& centre,
                double friction) {
@@ -76,13 +93,10 @@ Reach reach_at(const Case& input, const SkinModel& model, const std::array<doubl
   Reach reach;
   for (const SliderLoad& load : heaviest_loads(input, model.mesh.half_model())) {
     extend(reach, model.cells, solve_contact_step(problem, {load, {0, 0}, 0, none}, none).force);
-    for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
-      const std::array<double, 2> way = leg.direction();
+    for (const auto& way : slide_directions(input)) {
       for (const double sign : {1.0, -1.0}) {
-        if (leg.slides()) {
-          extend(reach, model.cells,
-                 steady_sliding(problem, load, {sign * way[0], sign * way[1]}, 0).force);
-        }
+        extend(reach, model.cells,
+               steady_sliding(problem, load, {sign * way[0], sign * way[1]}, 0).force);
       }
     }
   }
@@ -239,24 +253,30 @@ std::optional<mesh::Footprint> widened_footprint(const Case& input,
                                                  const ContactSolution& solution) {
   const mesh::Footprint limit = mesh::footprint_limit(input);
   mesh::Footprint wider = footprint;
+  const auto widen = [&](const SharedState& state) {
+    if (!state) {
+      return;
+    }
+    const auto touched =
+        border_touched(*state, solution.cell_lines_x.size() - 1, solution.mesh.half_model());
+    for (std::size_t d = 0; d < 2; ++d) {
+      if (touched[d] && !footprint.sharp(d)) {
+        if (ends_at_skin(input, footprint, limit, d)) {
+          refuse_edge(d);
+        }
+        set_rim(wider, d, growth * footprint.rim[d], limit);
+      }
+    }
+  };
   for (const LegSolution& leg : solution.legs) {
     for (const auto* states : {&leg.path, &leg.steady}) {
       for (const PathState& point : *states) {
-        if (!point.state) {
-          continue;
-        }
-        const auto touched = border_touched(*point.state, solution.cell_lines_x.size() - 1,
-                                            solution.mesh.half_model());
-        for (std::size_t d = 0; d < 2; ++d) {
-          if (touched[d] && !footprint.sharp(d)) {
-            if (ends_at_skin(input, footprint, limit, d)) {
-              refuse_edge(d);
-            }
-            set_rim(wider, d, growth * footprint.rim[d], limit);
-          }
-        }
+        widen(point.state);
       }
     }
+  }
+  for (const SteppedInstant& instant : solution.stepped) {
+    widen(instant.state);
   }
   return wider.half_size == footprint.half_size ? std::nullopt : std::optional(wider);
 }

@@ -59,24 +59,30 @@ CellVector reflected(const ContactCells& cells, const CellVector& vector,
   return result;
 }
 
-void PositionStates::add(ContactState& destination, SurfaceState state,
-                         const ContactProblem& problem, const CanonicalPosition& position,
-                         double reference_force, double reference_indentation) {
-  const CellVector force = reflected(model_->cells, state.force, position.reflect);
-  store_tractions(model_->cells, force, destination);
-  destination.surface = reflected(model_->cells, state.surface, position.reflect);
-  store_sums(force, model_->mesh.half_model(), destination);
-  for (std::size_t cell = 0; cell < model_->cells.count(); ++cell) {
-    destination.slip.push_back(state.slip[reflected_cell(model_->cells, cell, position.reflect)]);
+void describe(const SkinModel& model, const SurfaceState& state, const ContactProblem& problem,
+              const CanonicalPosition& position, double reference_force,
+              double reference_indentation, ContactState& destination) {
+  const CellVector force = reflected(model.cells, state.force, position.reflect);
+  store_tractions(model.cells, force, destination);
+  destination.surface = reflected(model.cells, state.surface, position.reflect);
+  store_sums(force, model.mesh.half_model(), destination);
+  for (std::size_t cell = 0; cell < model.cells.count(); ++cell) {
+    destination.slip.push_back(state.slip[reflected_cell(model.cells, cell, position.reflect)]);
   }
   destination.indentation = state.indentation;
-  const double parts = model_->mesh.half_model() ? 2 : 1;
-  destination.contact_area = parts * contact_area(model_->cells, state.force);
-  destination.stick_area = parts * covered_area(model_->cells, stick_reserve(problem, state.force));
+  const double parts = model.mesh.half_model() ? 2 : 1;
+  destination.contact_area = parts * contact_area(model.cells, state.force);
+  destination.stick_area = parts * covered_area(model.cells, stick_reserve(problem, state.force));
   destination.complementarity_residual =
       contact_violations(problem, state, reference_force, reference_indentation).largest();
   destination.stick_fraction = stick_fraction(problem, state.force);
   destination.iterations = state.iterations;
+}
+
+void PositionStates::add(ContactState& destination, SurfaceState state,
+                         const ContactProblem& problem, const CanonicalPosition& position,
+                         double reference_force, double reference_indentation) {
+  describe(*model_, state, problem, position, reference_force, reference_indentation, destination);
   pending_.push_back({&destination, std::move(state.force), position.reflect});
 }
 

@@ -10,6 +10,13 @@
 
 namespace ionskin::mechanics {
 
+/// Everything of a state but its strain and what goes with that: forces of the full skin, tractions
+/// and diagnostics, reflected back from the canonical position.
+/// @param reference_force, reference_indentation scales of the diagnostics [N], [m]
+void describe(const SkinModel& model, const SurfaceState& state, const ContactProblem& problem,
+              const CanonicalPosition& position, double reference_force,
+              double reference_indentation, ContactState& destination);
+
 /// Collects equilibria at one condensed position and completes them together: forces of the full
 /// skin, tractions, strains and diagnostics, all reflected back from the canonical position.
 class PositionStates {

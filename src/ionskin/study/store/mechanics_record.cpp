@@ -77,11 +77,23 @@ std::vector<results::ContactMap> make_maps(const std::vector<MotionLeg>& legs,
                                            const mechanics::ContactSolution& contact) {
   MapCollector collector(legs);
   for (std::size_t i = 0; i < legs.size(); ++i) {
-    if (legs[i].touches()) {
+    if (!contact.legs.empty() && legs[i].touches()) {
       collector.add_leg(i, contact.legs[i]);
     }
   }
-  return collector.take();
+  std::vector<results::ContactMap> maps = collector.take();
+  // A long path passes more instants than anybody looks at.
+  constexpr std::size_t most_stepped = 200;
+  const std::size_t stride = contact.stepped.size() / most_stepped + 1;
+  for (std::size_t i = 0; i < contact.stepped.size(); i += stride) {
+    const mechanics::SteppedInstant& instant = contact.stepped[i];
+    if (instant.state) {
+      maps.push_back({fmt::format("step_{:05}", i), instant.time, instant.state->normal_traction,
+                      instant.state->tangential_traction_x, instant.state->tangential_traction_y,
+                      instant.state->slip});
+    }
+  }
+  return maps;
 }
 
 std::vector<readout::Metric> contact_metrics(const Case& input,
@@ -104,9 +116,22 @@ std::vector<readout::Metric> contact_metrics(const Case& input,
   return metrics;
 }
 
+/// From which the strains of a stepped path came; null when there is none.
+const mechanics::StrainSource* strain_source(const mechanics::ContactSolution& contact) {
+  for (const mechanics::SteppedInstant& instant : contact.stepped) {
+    if (instant.state) {
+      return instant.state->source.get();
+    }
+  }
+  return nullptr;
+}
+
 /// Per electrode layer, over all states of the motion.
 std::vector<double> largest_electrode_stress(const mechanics::ContactSolution& contact) {
   std::vector<double> largest;
+  if (const mechanics::StrainSource* source = strain_source(contact)) {
+    largest = source->largest_electrode_stress();
+  }
   for (const mechanics::LegSolution& leg : contact.legs) {
     for (const auto* points : {&leg.path, &leg.steady}) {
       for (const mechanics::PathState& point : *points) {
@@ -131,7 +156,7 @@ MechanicsRecord make_mechanics_record(const Case& input,
   record.history = handover::build_strain_history(input, contact);
   const handover::ContactTimeline timeline(input, contact);
   const std::vector<MotionLeg> legs = motion_legs(input.motion, input.slider);
-  const auto direction = first_slide(legs).direction();
+  const auto direction = slide_direction(legs);
   const handover::ContactSignals signals = handover::contact_signals(timeline, contact);
   for (int cycle = 0; cycle < input.motion.cycles; ++cycle) {
     for (std::size_t i = cycle == 0 ? 0 : 1; i < timeline.sample_times().size(); ++i) {
@@ -150,6 +175,9 @@ MechanicsRecord make_mechanics_record(const Case& input,
   record.onsets = timeline.onsets();
   record.maps = {contact.cell_lines_x, contact.cell_lines_y, make_maps(legs, contact)};
   record.worst_equilibrium_residual = contact.worst_equilibrium_residual;
+  if (const mechanics::StrainSource* source = strain_source(contact)) {
+    record.worst_equilibrium_residual = source->worst_equilibrium_residual();
+  }
   record.worst_complementarity_residual = contact.worst_complementarity_residual;
   record.worst_interpolation_error = contact.worst_interpolation_error;
   record.contact_solves = contact.contact_solves;

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/linear_algebra/sparse_matrix.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace ionskin::mechanics {
+
+/// Lines of interpolation nodes along x and y; the nodes are where they cross, x fastest [m].
+using NodeLines = std::array<std::vector<double>, 2>;
+
+/// By which the values at the nodes give that at a place: products of Lagrange polynomials.
+std::vector<double> node_weights(const NodeLines& lines, const std::array<double, 2>& place);
+
+/// The compliance of the contact cells as a polynomial of the slider's place. Along a slide it
+/// varies by less than a per cent, so that some of its principal modes over the nodes stand for all
+/// of them: what they leave is below 1e-8 of its norm.
+class ComplianceMap {
+public:
+  /// @param nodes one compliance per crossing of the lines, x fastest [m/N]
+  ComplianceMap(NodeLines lines, std::vector<linear_algebra::DenseMatrix> nodes);
+
+  /// @param result resized [m/N]
+  void at(const std::array<double, 2>& place, linear_algebra::DenseMatrix& result) const;
+  std::size_t modes() const { return modes_.size(); }
+
+private:
+  NodeLines lines_;
+  linear_algebra::DenseMatrix mean_;
+  std::vector<linear_algebra::DenseMatrix> modes_;
+  Eigen::MatrixXd amplitude_; ///< [nodes, modes]
+};
+
+} // namespace ionskin::mechanics

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/engine/kept_newton.hpp"
+
+#include "ionskin/base/largest.hpp"
+#include "ionskin/mechanics/surface/projected_gauss_seidel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace ionskin::mechanics {
+namespace {
+
+constexpr double tolerance = 1e-8;
+constexpr int most_iterations = 30;
+/// A residual that falls more slowly has outgrown the factorisation.
+constexpr double least_contraction = 0.2;
+/// Gauss-Seidel goes before a change of pattern as long as the residual is large.
+constexpr double rough_residual = 1e-4;
+constexpr int sweeps_between = 10;
+constexpr int most_rounds = 6;
+
+std::array<double, 2> unit(const std::array<double, 2>& vector) {
+  const double length =
+      std::max(std::hypot(vector[0], vector[1]), std::numeric_limits<double>::min());
+  return {vector[0] / length, vector[1] / length};
+}
+
+} // namespace
+
+KeptNewton::Standing KeptNewton::standing(const ContactProblem& problem, const SliderStep& step,
+                                          const Iterate& iterate) {
+  const CellVector surface = problem.surface_displacement(iterate.force);
+  Standing at;
+  if (step.load.kind == LoadKind::force) {
+    at.residual = std::abs(total_normal_force(iterate.force) - step.load.value);
+  }
+  for (int cell = 0; cell < problem.cells(); ++cell) {
+    at.predictors.push_back(predict(problem, step, iterate, surface, cell));
+    const CellPredictor& now = at.predictors.back();
+    at.status.push_back(now.status);
+    at.residual = base::larger(at.residual, now.residual);
+    at.scale = std::max(at.scale, iterate.force[3 * static_cast<std::size_t>(cell)]);
+    if (now.status != CellStatus::separated) {
+      at.touching.push_back(cell);
+    }
+  }
+  return at;
+}
+
+void KeptNewton::factorise(const ContactProblem& problem, const SliderStep& step,
+                           const Iterate& iterate, const Standing& at) {
+  LinearSystem system(problem, step, at.touching);
+  system.add_normal_rows();
+  for (std::size_t i = 0; i < at.touching.size(); ++i) {
+    const int cell = at.touching[i];
+    if (at.status[cell] == CellStatus::sticking) {
+      system.add_stick_rows(static_cast<int>(i));
+    } else {
+      system.add_slip_rows(static_cast<int>(i), at.predictors[cell],
+                           std::max(0.0, iterate.force[3 * static_cast<std::size_t>(cell)]));
+    }
+  }
+  factor_.compute(system.matrix());
+  factor_size_ = system.matrix().rows();
+  factorised_ = at.status;
+  ++factorisations_;
+}
+
+void KeptNewton::correct(const ContactProblem& problem, const SliderStep& step, const Standing& at,
+                         Iterate& iterate) const {
+  for (int cell = 0; cell < problem.cells(); ++cell) {
+    if (at.status[cell] == CellStatus::separated) {
+      std::fill_n(iterate.force.begin() + 3 * static_cast<std::ptrdiff_t>(cell), 3, 0.0);
+    }
+  }
+  const CellVector surface = problem.surface_displacement(iterate.force);
+  Eigen::VectorXd residual(factor_size_);
+  for (std::size_t i = 0; i < at.touching.size(); ++i) {
+    const int cell = at.touching[i];
+    const std::size_t from = 3 * static_cast<std::size_t>(cell);
+    const auto row = static_cast<Eigen::Index>(3 * i);
+    const std::array<double, 2> tangential{iterate.force[from + 1], iterate.force[from + 2]};
+    residual[row] =
+        (surface[from] + problem.gap[cell] - iterate.indentation) / problem.own_compliance(cell, 0);
+    const auto slip = slip_increment(step, surface, cell);
+    const double compliance = problem.own_compliance(cell, 1);
+    std::array<double, 2> rest{};
+    if (at.status[cell] == CellStatus::sticking) {
+      for (std::size_t c = 0; c < 2; ++c) {
+        const int own = static_cast<int>(from + c) + 1;
+        rest[c] = problem.compliance(own, own) > 0 ? -slip[c] / compliance : tangential[c];
+      }
+    } else {
+      const CellPredictor& predictor = at.predictors[cell];
+      const auto e = unit(predictor.tangential);
+      const double limit = problem.friction_limit(cell, std::max(0.0, iterate.force[from]),
+                                                  predictor.slip, step.time_step);
+      const double turning = std::min(
+          1.0, limit / std::max(std::hypot(predictor.tangential[0], predictor.tangential[1]),
+                                std::numeric_limits<double>::min()));
+      const std::array<double, 2> trial{tangential[0] + slip[0] / compliance,
+                                        tangential[1] + slip[1] / compliance};
+      const double along = trial[0] * e[0] + trial[1] * e[1];
+      for (std::size_t c = 0; c < 2; ++c) {
+        rest[c] = tangential[c] - limit * e[c] - turning * (trial[c] - along * e[c]);
+      }
+    }
+    residual[row + 1] = rest[0];
+    residual[row + 2] = rest[1];
+  }
+  const bool force_given = step.load.kind == LoadKind::force;
+  if (force_given) {
+    residual[factor_size_ - 1] = total_normal_force(iterate.force) - step.load.value;
+  }
+  const Eigen::VectorXd change = factor_.solve(residual);
+  for (std::size_t i = 0; i < at.touching.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      iterate.force[3 * static_cast<std::size_t>(at.touching[i]) + c] -=
+          change[static_cast<Eigen::Index>(3 * i + c)];
+    }
+  }
+  if (force_given) {
+    iterate.indentation -= change[factor_size_ - 1];
+  }
+}
+
+/// Moves forces within the tolerance to where their cells stand: open ones carry nothing, slipping
+/// ones their limit.
+void KeptNewton::settle(const ContactProblem& problem, const SliderStep& step, const Standing& at,
+                        Iterate& iterate) {
+  for (int cell = 0; cell < problem.cells(); ++cell) {
+    double* force = iterate.force.data() + 3 * static_cast<std::ptrdiff_t>(cell);
+    const CellPredictor& predictor = at.predictors[cell];
+    force[0] = at.status[cell] == CellStatus::separated ? 0.0 : std::max(0.0, force[0]);
+    if (at.status[cell] == CellStatus::separated) {
+      force[1] = force[2] = 0;
+    } else if (at.status[cell] == CellStatus::slipping) {
+      const auto e = unit(predictor.tangential);
+      const double limit = problem.friction_limit(cell, force[0], predictor.slip, step.time_step);
+      force[1] = limit * e[0];
+      force[2] = limit * e[1];
+    }
+  }
+}
+
+bool KeptNewton::solve(const ContactProblem& problem, const SliderStep& step, Iterate& iterate) {
+  const bool force_given = step.load.kind == LoadKind::force;
+  if (!force_given) {
+    iterate.indentation = step.load.value;
+  }
+  Iterate now = iterate;
+  double last = std::numeric_limits<double>::infinity();
+  for (int rounds = 0, i = 0; i < most_iterations; ++i) {
+    iterations_ = i;
+    const Standing at = standing(problem, step, now);
+    if (!std::isfinite(at.residual)) {
+      return false;
+    }
+    if (at.residual <= tolerance * at.scale) {
+      settle(problem, step, at, now);
+      iterate = std::move(now);
+      return true;
+    }
+    if (at.touching.empty()) {
+      if (force_given) {
+        return false;
+      }
+      std::fill(now.force.begin(), now.force.end(), 0.0);
+      iterate = std::move(now);
+      return true;
+    }
+    const auto size = static_cast<Eigen::Index>(3 * at.touching.size() + (force_given ? 1 : 0));
+    const bool known = factor_size_ == size && factorised_ == at.status;
+    if (!known && i > 0 && !force_given && rounds < most_rounds &&
+        at.residual > rough_residual * at.scale) {
+      ++rounds;
+      projected_gauss_seidel(problem, step, now.indentation, now.force, rough_residual,
+                             sweeps_between);
+      last = std::numeric_limits<double>::infinity();
+      continue;
+    }
+    if (!known || at.residual > least_contraction * last) {
+      factorise(problem, step, now, at);
+    }
+    last = at.residual;
+    correct(problem, step, at, now);
+  }
+  return false;
+}
+
+} // namespace ionskin::mechanics

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/engine/motion_stepper.hpp"
+
+#include "ionskin/base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace ionskin::mechanics {
+namespace {
+
+/// Of the surface's displacement in full slip: with less than this left, nothing sticks any more.
+constexpr double negligible_onset = 1e-6;
+/// A turn by more than this is a new onset [rad].
+constexpr double sharp_turn = 0.1;
+/// Behind an onset steps lengthen faster.
+constexpr double growth_of_full_slip = 1.3;
+/// A row shorter than the onset is cut into at most so many steps.
+constexpr int most_cuts_of_short_leg = 8;
+/// A step without a solution is halved so often before the motion is given up.
+constexpr int most_halvings = 6;
+constexpr double instant_tolerance = 1e-12; // of the time itself
+
+} // namespace
+
+/// Fractions of the leg between which the slider touches, and its level there.
+struct MotionStepper::Levels {
+  double begin = 0, end = 1;
+  bool by_force = false;   ///< all along
+  double from = 0, to = 0; ///< force of the whole skin [N], or height at the ends of the leg [m]
+  std::optional<double> at_end; ///< force that the leg ends with though it goes by height [N]
+
+  double at(double fraction) const { return fraction == 1 ? to : from + fraction * (to - from); }
+};
+
+MotionStepper::MotionStepper(SlidingContact& contact, StepperOptions options, Sink sink)
+    : contact_(contact), options_(std::move(options)), sink_(std::move(sink)) {}
+
+MotionStepper::Levels MotionStepper::levels(const MotionLeg& leg) const {
+  Levels levels;
+  levels.by_force = leg.from_level.is_force && leg.to_level.is_force;
+  if (levels.by_force) {
+    levels.from = leg.from_level.value;
+    levels.to = leg.to_level.value;
+    return levels;
+  }
+  levels.from = leg.from_level.is_force ? -contact_.state().indentation : leg.from_level.value;
+  levels.to = leg.to_level.value;
+  if (leg.to_level.is_force) {
+    // The height at which the force will be carried: tried out, then taken back.
+    SlidingContact trial = contact_;
+    levels.at_end = leg.to_level.value;
+    levels.to = -trial
+                     .step(leg.duration, leg.to,
+                           {LoadKind::force, leg.to_level.value * options_.meshed_share})
+                     .indentation;
+  }
+  if (levels.from > 0) {
+    levels.begin = levels.from / (levels.from - levels.to);
+  }
+  if (levels.to > 0) {
+    levels.end = levels.from / (levels.from - levels.to);
+  }
+  return levels;
+}
+
+void MotionStepper::note_event(double time) {
+  if (events_.empty() || events_.back() < time) {
+    events_.push_back(time);
+  }
+}
+
+bool MotionStepper::asked_for(double time) const {
+  const double tolerance = instant_tolerance * std::abs(time);
+  const auto next =
+      std::lower_bound(options_.instants.begin(), options_.instants.end(), time - tolerance);
+  return next != options_.instants.end() && *next <= time + tolerance;
+}
+
+void MotionStepper::emit(const MotionLeg& leg, double fraction, double height, bool required) {
+  const double time = fraction == 1 ? leg.end() : leg.begin + fraction * leg.duration;
+  const bool touches = contact_.in_contact();
+  sink_({time, leg.centre(fraction * leg.duration),
+         touches ? -contact_.state().indentation : height, touches, required || asked_for(time)},
+        contact_);
+}
+
+void MotionStepper::follow(const MotionLeg& leg) {
+  if (!leg.touches()) {
+    direction_ = {};
+    emit(leg, 1, leg.to_level.value, false);
+    return;
+  }
+  touch(leg);
+}
+
+void MotionStepper::begin_travel(const MotionLeg& leg) {
+  const auto direction = leg.direction();
+  const double turn =
+      std::acos(std::clamp(direction[0] * direction_[0] + direction[1] * direction_[1], -1.0, 1.0));
+  const bool goes_on = direction_ != std::array<double, 2>{} && turn <= sharp_turn;
+  direction_ = direction;
+  if (goes_on) {
+    return;
+  }
+  const auto distance = contact_.onset_distance(direction, options_.meshed_share < 1);
+  const double whole = options_.steps.onset_travel_ratio * distance.left;
+  if (distance.left <= negligible_onset * distance.whole) {
+    increment_ = std::numeric_limits<double>::infinity();
+    return;
+  }
+  const double total = (std::pow(options_.steps.onset_growth, options_.steps.onset) - 1) /
+                       (options_.steps.onset_growth - 1); // of all increments over the first
+  increment_ = whole / total;
+  if (leg.length() < distance.left) {
+    increment_ = std::max(increment_, leg.length() / most_cuts_of_short_leg);
+  }
+  if (!onset_open_) {
+    onsets_.push_back({leg.begin, leg.begin});
+    onset_open_ = true;
+    note_event(leg.begin);
+  }
+}
+
+double MotionStepper::next_fraction(const MotionLeg& leg, const Levels& levels, double at) const {
+  double next = levels.end;
+  if (const double travel = leg.length(); travel > 0) {
+    next = std::min(next, at + std::min(increment_, options_.longest_travel) / travel);
+  }
+  const double heaviest = levels.by_force ? options_.heaviest_force / options_.meshed_share
+                                          : options_.heaviest_indentation;
+  const double scale = std::max({heaviest, levels.by_force ? levels.from : -levels.from,
+                                 levels.by_force ? levels.to : -levels.to});
+  const bool loads = levels.by_force ? levels.to > levels.from : levels.to < levels.from;
+  const int count = loads ? options_.steps.touchdown : options_.steps.lift_off;
+  if (const double change = std::abs(levels.to - levels.from); change > 0) {
+    next = std::min(next, at + scale / count / change);
+  }
+  const double time = leg.begin + at * leg.duration;
+  const auto instant = std::upper_bound(options_.instants.begin(), options_.instants.end(),
+                                        time * (1 + instant_tolerance));
+  if (instant != options_.instants.end() && leg.duration > 0) {
+    next = std::min(next, (*instant - leg.begin) / leg.duration);
+  }
+  // No sliver is left behind.
+  return next > levels.end - 1e-3 * (next - at) ? levels.end : next;
+}
+
+void MotionStepper::advance(const MotionLeg& leg, const Levels& levels, double from, double to,
+                            int depth) {
+  // Where it leaves no rounding must hold it back.
+  SliderLoad load{LoadKind::indentation, to == levels.end && levels.end < 1 ? 0.0 : -levels.at(to)};
+  if (levels.by_force) {
+    load = {LoadKind::force, levels.at(to) * options_.meshed_share};
+  } else if (to == 1 && levels.at_end) {
+    load = {LoadKind::force, *levels.at_end * options_.meshed_share};
+  }
+  try {
+    contact_.step((to - from) * leg.duration, leg.centre(to * leg.duration), load);
+    ++steps_taken_;
+  } catch (const SolverError&) {
+    if (depth == most_halvings) {
+      throw;
+    }
+    advance(leg, levels, from, 0.5 * (from + to), depth + 1);
+    advance(leg, levels, 0.5 * (from + to), to, depth + 1);
+  }
+}
+
+void MotionStepper::touch(const MotionLeg& leg) {
+  const Levels levels = this->levels(leg);
+  const double travel = leg.length();
+  if (levels.begin > 0) {
+    contact_.step(levels.begin * leg.duration, leg.centre(levels.begin * leg.duration),
+                  {LoadKind::indentation, 0});
+    emit(leg, levels.begin, 0, true);
+  }
+  const bool lands = !contact_.in_contact();
+  if (lands) {
+    note_event(leg.begin + levels.begin * leg.duration);
+    direction_ = {};
+  }
+  if (travel == 0) {
+    direction_ = {};
+    if (levels.from == levels.to) { // nothing happens while the slider rests
+      emit(leg, 1, levels.to, false);
+      return;
+    }
+  } else if (!lands) {
+    begin_travel(leg);
+  } else {
+    // Whatever touches on the way slips from the first.
+    direction_ = leg.direction();
+    increment_ = std::numeric_limits<double>::infinity();
+  }
+  double at = levels.begin;
+  bool first_of_travel = travel > 0 && onset_open_ && onsets_.back()[0] == leg.begin;
+  while (at < levels.end) {
+    if (first_of_travel) {
+      emit(leg, at, -contact_.state().indentation, true);
+      first_of_travel = false;
+    }
+    const double next = next_fraction(leg, levels, at);
+    advance(leg, levels, at, next, 0);
+    at = next;
+    const double time = leg.begin + at * leg.duration;
+    const bool leaves = at == levels.end && levels.end < 1;
+    if (onset_open_ && (!contact_.sticks() || leaves)) {
+      onsets_.back()[1] = time;
+      onset_open_ = false;
+    } else if (onset_open_) {
+      onsets_.back()[1] = time;
+    }
+    if (travel > 0) {
+      increment_ *= contact_.sticks() ? options_.steps.onset_growth : growth_of_full_slip;
+    }
+    emit(leg, at, levels.by_force ? 0 : levels.at(at), leaves);
+    if (leaves) {
+      note_event(time);
+      direction_ = {};
+    }
+  }
+  if (levels.end < 1) {
+    emit(leg, 1, levels.to, false);
+  }
+}
+
+} // namespace ionskin::mechanics

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/slider_motion.hpp"
+#include "ionskin/mechanics/engine/sliding_contact.hpp"
+#include "ionskin/mechanics/path/contact_path.hpp"
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace ionskin::mechanics {
+
+/// An instant that the stepper passes.
+struct StepPoint {
+  double time = 0;                ///< since the begin of the cycle [s]
+  std::array<double, 2> centre{}; ///< [m]
+  double height = 0;              ///< of the underside above the undeformed top face [m]
+  bool touches = false;           ///< whether the contact carries load
+  bool required = false; ///< an instant that must stay: an event, or one that was asked for
+};
+
+/// How a motion is cut into steps.
+struct StepperOptions {
+  PathSteps steps;
+  double longest_travel = 0;       ///< of a step [m]
+  double heaviest_indentation = 0; ///< [m]
+  double heaviest_force = 0;       ///< on the meshed part [N]
+  double meshed_share = 1;         ///< part of the force that the mesh carries
+  std::vector<double> instants;    ///< that must be passed, ascending [s]
+};
+
+/// Moves a slider through the legs of a cycle. A leg is cut where the slider lands and leaves, so
+/// that its load changes by a small part of the heaviest in each step, and so that its travel grows
+/// geometrically from a small part of the surface's displacement for as long as cells stick: after
+/// landing, a rest or a turn.
+class MotionStepper {
+public:
+  using Sink = std::function<void(const StepPoint&, const SlidingContact&)>;
+
+  /// @param sink called at every instant passed, in order; an instant may come twice, once for what
+  /// ends and once for what begins there
+  MotionStepper(SlidingContact& contact, StepperOptions options, Sink sink);
+
+  void follow(const MotionLeg& leg);
+
+  const std::vector<double>& events() const { return events_; }
+  const std::vector<std::array<double, 2>>& onsets() const { return onsets_; }
+  int steps() const { return steps_taken_; }
+
+private:
+  struct Levels; ///< of a leg's contact, along its fraction
+  Levels levels(const MotionLeg& leg) const;
+  void touch(const MotionLeg& leg);
+  double next_fraction(const MotionLeg& leg, const Levels& levels, double at) const;
+  void begin_travel(const MotionLeg& leg);
+  void advance(const MotionLeg& leg, const Levels& levels, double from, double to, int depth);
+  void emit(const MotionLeg& leg, double fraction, double height, bool required);
+  bool asked_for(double time) const;
+  void note_event(double time);
+
+  SlidingContact& contact_;
+  StepperOptions options_;
+  Sink sink_;
+  std::array<double, 2> direction_{}; ///< of the last travel; 0 after landing or a rest
+  double increment_ = 0;              ///< longest travel of the next step [m]
+  bool onset_open_ = false;
+  std::vector<double> events_;
+  std::vector<std::array<double, 2>> onsets_;
+  int steps_taken_ = 0;
+};
+
+} // namespace ionskin::mechanics

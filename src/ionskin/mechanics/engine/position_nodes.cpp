@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/engine/position_nodes.hpp"
+
+#include "ionskin/base/system/interrupt.hpp"
+#include "ionskin/mechanics/elasticity/core_strain.hpp"
+#include "ionskin/mechanics/path/position_states.hpp"
+#include "ionskin/mechanics/position/interpolation_error.hpp"
+#include "ionskin/mechanics/position/interpolation_nodes.hpp"
+#include "ionskin/parallel/task_pool.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ionskin::mechanics {
+namespace {
+
+using linear_algebra::DenseMatrix;
+
+/// A rectangle narrower than this part of the skin is a line, or a point: the compliance changes
+/// there by less than any tolerance.
+constexpr double narrow = 1e-5;
+constexpr std::size_t first_count = 4;
+/// Electrode stress and residual are those of nodes with at least this weight.
+constexpr double counting_weight = 0.3;
+
+std::size_t expected_count(const Case& input, const MotionBox& box, std::size_t axis) {
+  const double size = axis == 0 ? input.skin.length : input.skin.width;
+  if (box.high[axis] - box.low[axis] <= narrow * size) {
+    return 1;
+  }
+  std::array<double, 2> to = box.low;
+  to[axis] = box.high[axis];
+  return expected_node_count(input, box.low, to);
+}
+
+/// Uniform pressure with usual drag in the directions in which the mesh lets the slider go.
+CellVector test_load(const SkinModel& model) {
+  constexpr double friction = 0.3;
+  CellVector force(3 * model.cells.count());
+  for (std::size_t cell = 0; cell < model.cells.count(); ++cell) {
+    force[3 * cell] = model.cells.area[cell];
+    force[3 * cell + 1] = friction * model.cells.area[cell];
+    force[3 * cell + 2] = model.mesh.half_model() ? 0 : friction * model.cells.area[cell];
+  }
+  return force;
+}
+
+void add_scaled(const CoreStrain& strain, double weight, CoreStrain& sum) {
+  sum.points = strain.points;
+  for (std::size_t c = 0; c < sum.component.size(); ++c) {
+    sum.component[c].resize(strain.component[c].size());
+    for (std::size_t i = 0; i < strain.component[c].size(); ++i) {
+      sum.component[c][i] += weight * strain.component[c][i];
+    }
+  }
+}
+
+} // namespace
+
+std::optional<MotionBox> contact_box(const Case& input) {
+  std::optional<MotionBox> box;
+  const auto include = [&](const std::array<double, 2>& place) {
+    if (!box) {
+      box = MotionBox{place, place};
+    }
+    for (std::size_t d = 0; d < 2; ++d) {
+      box->low[d] = std::min(box->low[d], place[d]);
+      box->high[d] = std::max(box->high[d], place[d]);
+    }
+  };
+  for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
+    if (leg.touches()) {
+      // Where a height turns into a force the whole leg may touch.
+      const ContactPart part = contact_part(leg);
+      include(part.from);
+      include(part.to);
+    }
+  }
+  return box;
+}
+
+std::array<std::size_t, 2> expected_counts(const Case& input, const MotionBox& box) {
+  return {expected_count(input, box, 0), expected_count(input, box, 1)};
+}
+
+double node_tolerance(const Case& input, const MotionBox& box) {
+  constexpr double looser = 10; // positions along both axes multiply
+  const auto counts = expected_counts(input, box);
+  return interpolation_tolerance(input.numerics.preset) *
+         (counts[0] > 1 && counts[1] > 1 ? looser : 1);
+}
+
+PositionNodes::PositionNodes(const Case& input, std::shared_ptr<const SkinModel> model,
+                             const MotionBox& box, const NodeOptions& options,
+                             SharedProgress& progress)
+    : model_(std::move(model)), skin_(input.skin), box_(box), options_(options) {
+  const double tolerance = node_tolerance(input, box);
+  std::array<std::size_t, 2> counts{};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const std::size_t expected = expected_counts(input, box)[axis];
+    counts[axis] = expected == 1       ? 1
+                   : options.count > 0 ? options.count
+                                       : std::min(expected, first_count);
+  }
+  for (bool settled = false; !settled;) {
+    condense(lines(counts), progress);
+    const auto wanted = wanted_counts(tolerance);
+    settled = options.count > 0 || wanted == counts;
+    counts = wanted;
+  }
+  std::vector<DenseMatrix> compliances;
+  for (const Node& node : nodes_) {
+    compliances.push_back(reflected_compliance(node));
+  }
+  compliance_ = std::make_unique<const ComplianceMap>(lines_, std::move(compliances));
+  for (Place& place : places_) {
+    place.compliance = {};
+    place.test = nullptr;
+  }
+}
+
+NodeLines PositionNodes::lines(const std::array<std::size_t, 2>& counts) const {
+  NodeLines lines;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double extent = box_.high[axis] - box_.low[axis];
+    if (counts[axis] == 1) {
+      lines[axis] = {box_.low[axis] + extent / 2};
+      continue;
+    }
+    for (const double way : interpolation_nodes(extent, counts[axis])) {
+      lines[axis].push_back(box_.low[axis] + way);
+    }
+  }
+  return lines;
+}
+
+PositionNodes::Condensed PositionNodes::condensed_at(std::size_t index) const {
+  const Place& place = places_[index];
+  return place.condensed ? place.condensed
+                         : std::make_shared<const CondensedPosition>(*model_, place.centre,
+                                                                     PositionUse{options_.cache});
+}
+
+void PositionNodes::condense(const NodeLines& lines, SharedProgress& progress) {
+  lines_ = lines;
+  nodes_.clear();
+  const std::size_t known = places_.size();
+  for (const double y : lines[1]) {
+    for (const double x : lines[0]) {
+      const CanonicalPosition position = canonical_position(skin_, {x, y});
+      const auto same = std::ranges::find_if(places_, [&](const Place& place) {
+        return std::abs(place.centre[0] - position.centre[0]) <= 1e-10 * skin_.length &&
+               std::abs(place.centre[1] - position.centre[1]) <= 1e-10 * skin_.width;
+      });
+      nodes_.push_back({position, static_cast<std::size_t>(same - places_.begin())});
+      if (same == places_.end()) {
+        places_.push_back({position.centre, {}, nullptr, nullptr});
+      }
+    }
+  }
+  progress.add_units(places_.size() - known);
+  const CellVector load = test_load(*model_);
+  parallel::run_tasks(places_.size() - known, options_.threads, [&](std::size_t i) {
+    base::check_interrupt();
+    Place& place = places_[known + i];
+    const Condensed condensed = condensed_at(known + i);
+    place.compliance = condensed->compliance();
+    auto test = std::make_shared<ContactState>();
+    test->strain = std::move(condensed->respond({load}).front().strain);
+    place.test = std::move(test);
+    place.condensed = condensed->holds_factor() ? nullptr : condensed;
+    progress.finish_unit();
+  });
+}
+
+std::array<std::size_t, 2> PositionNodes::wanted_counts(double tolerance) {
+  const std::array<std::size_t, 2> counts{lines_[0].size(), lines_[1].size()};
+  std::array<std::size_t, 2> wanted = counts;
+  error_ = 0;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    for (std::size_t line = 0; line < counts[1 - axis] && counts[axis] > 1; ++line) {
+      std::vector<PathState> along;
+      for (std::size_t i = 0; i < counts[axis]; ++i) {
+        const Node& node = nodes_[axis == 0 ? i + counts[0] * line : line + counts[0] * i];
+        SharedState test = places_[node.condensed].test;
+        if (node.position.reflect[0] || node.position.reflect[1]) {
+          // The load's mirror image, whose pressure is the same and whose drag is not.
+          auto mirror = std::make_shared<ContactState>();
+          const CellVector load =
+              reflected(model_->cells, test_load(*model_), node.position.reflect);
+          mirror->strain = mirrored(condensed_at(node.condensed)->respond({load}).front().strain,
+                                    node.position.reflect);
+          test = std::move(mirror);
+        }
+        along.push_back({lines_[axis][i], std::move(test)});
+      }
+      const InterpolationError error = interpolation_error(chebyshev_norms(along));
+      error_ = std::max(error_, error.estimate);
+      wanted[axis] = std::max(wanted[axis], wanted_node_count(counts[axis], error, tolerance));
+    }
+  }
+  return wanted;
+}
+
+DenseMatrix PositionNodes::reflected_compliance(const Node& node) const {
+  const DenseMatrix& canonical = places_[node.condensed].compliance;
+  DenseMatrix rows(canonical.rows, canonical.columns), result = rows;
+  CellVector column(static_cast<std::size_t>(canonical.rows));
+  const auto reflect_columns = [&](const DenseMatrix& from, DenseMatrix& to) {
+    for (int j = 0; j < from.columns; ++j) {
+      std::copy(from.column(j), from.column(j) + from.rows, column.begin());
+      const CellVector turned = reflected(model_->cells, column, node.position.reflect);
+      for (int i = 0; i < from.rows; ++i) {
+        to(j, i) = turned[static_cast<std::size_t>(i)]; // transposed: twice is the matrix again
+      }
+    }
+  };
+  reflect_columns(canonical, rows);
+  reflect_columns(rows, result);
+  return result;
+}
+
+std::vector<CondensedPosition::Response>
+PositionNodes::respond(const std::vector<std::array<double, 2>>& places,
+                       const std::vector<CellVector>& forces) const {
+  std::vector<CondensedPosition::Response> sums(places.size());
+  std::vector<std::vector<double>> weights;
+  for (const auto& place : places) {
+    weights.push_back(node_weights(lines_, place));
+  }
+  const auto parts =
+      std::min(places.size(), static_cast<std::size_t>(std::max(1, options_.threads)));
+  for (std::size_t n = 0; n < nodes_.size(); ++n) {
+    base::check_interrupt();
+    const Node& node = nodes_[n];
+    const Condensed condensed = condensed_at(node.condensed);
+    parallel::run_tasks(parts, options_.threads, [&](std::size_t part) {
+      const std::size_t begin = places.size() * part / parts,
+                        end = places.size() * (part + 1) / parts;
+      std::vector<CellVector> turned;
+      for (std::size_t i = begin; i < end; ++i) {
+        turned.push_back(reflected(model_->cells, forces[i], node.position.reflect));
+      }
+      std::vector<CondensedPosition::Response> responses = condensed->respond(turned);
+      for (std::size_t i = begin; i < end; ++i) {
+        CondensedPosition::Response& own = responses[i - begin];
+        CondensedPosition::Response& sum = sums[i];
+        const bool reflect = node.position.reflect[0] || node.position.reflect[1];
+        add_scaled(reflect ? mirrored(std::move(own.strain), node.position.reflect) : own.strain,
+                   weights[i][n], sum.strain);
+        if (std::abs(weights[i][n]) >= counting_weight) {
+          sum.electrode_stress.resize(own.electrode_stress.size());
+          for (std::size_t layer = 0; layer < own.electrode_stress.size(); ++layer) {
+            sum.electrode_stress[layer] =
+                std::max(sum.electrode_stress[layer], own.electrode_stress[layer]);
+          }
+          sum.equilibrium_residual = std::max(sum.equilibrium_residual, own.equilibrium_residual);
+        }
+      }
+    });
+  }
+  return sums;
+}
+
+} // namespace ionskin::mechanics

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/base/files/disk_cache.hpp"
+#include "ionskin/case/slider_motion.hpp"
+#include "ionskin/mechanics/engine/compliance_map.hpp"
+#include "ionskin/mechanics/path/shared_progress.hpp"
+#include "ionskin/mechanics/path/slider_track.hpp"
+#include "ionskin/mechanics/position/condensed_position.hpp"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace ionskin::mechanics {
+
+/// The smallest rectangle that holds the slider's centre while it touches [m]; empty when it never
+/// does.
+std::optional<MotionBox> contact_box(const Case& input);
+
+/// Nodes that a rectangle is expected to need along x and y.
+std::array<std::size_t, 2> expected_counts(const Case& input, const MotionBox& box);
+
+/// Of the strain between the nodes over its largest norm: `interpolation_tolerance` along a line,
+/// ten times that over a rectangle.
+double node_tolerance(const Case& input, const MotionBox& box);
+
+struct NodeOptions {
+  int threads = 1;
+  base::DiskCache* cache = nullptr; ///< of condensed positions; none when null
+  std::size_t count = 0;            ///< of lines each way; 0 for as many as keep the tolerance
+};
+
+/// The skin condensed at the nodes of a rectangle of slider positions, and what it does in between.
+/// As many lines along x and along y as the polynomials through them need: the strain under a test
+/// load is interpolated to `node_tolerance`. Places that mirror each other in the skin's
+/// middle are factorised once. Positions that hold a factor are not kept but made again.
+class PositionNodes {
+public:
+  /// Throws Interrupted on request.
+  PositionNodes(const Case& input, std::shared_ptr<const SkinModel> model, const MotionBox& box,
+                const NodeOptions& options, SharedProgress& progress);
+
+  const SkinModel& model() const { return *model_; }
+  const ComplianceMap& compliance() const { return *compliance_; }
+  std::size_t count() const { return lines_[0].size() * lines_[1].size(); }
+  /// Estimated error of the strain between the nodes over its largest norm.
+  double error() const { return error_; }
+
+  /// Strains, stresses and residuals under cell forces at any places in the rectangle. Strains are
+  /// interpolated, stresses and residuals the largest over the nodes that count most.
+  std::vector<CondensedPosition::Response> respond(const std::vector<std::array<double, 2>>& places,
+                                                   const std::vector<CellVector>& forces) const;
+
+private:
+  struct Node {
+    CanonicalPosition position;
+    std::size_t condensed = 0; ///< index
+  };
+  using Condensed = std::shared_ptr<const CondensedPosition>;
+
+  NodeLines lines(const std::array<std::size_t, 2>& counts) const;
+  void condense(const NodeLines& lines, SharedProgress& progress);
+  Condensed condensed_at(std::size_t index) const;
+  /// Of the strain under the test load along each axis: error and lines that would keep it.
+  std::array<std::size_t, 2> wanted_counts(double tolerance);
+  linear_algebra::DenseMatrix reflected_compliance(const Node& node) const;
+
+  std::shared_ptr<const SkinModel> model_;
+  Skin skin_;
+  MotionBox box_;
+  NodeOptions options_;
+  NodeLines lines_;
+  std::vector<Node> nodes_; ///< x fastest
+  struct Place {
+    std::array<double, 2> centre{};         ///< canonical [m]
+    linear_algebra::DenseMatrix compliance; ///< as there [m/N]
+    Condensed condensed;                    ///< null where it holds a factor
+    SharedState test;                       ///< its strain under the test load
+  };
+  std::vector<Place> places_;
+  std::unique_ptr<const ComplianceMap> compliance_;
+  double error_ = 0;
+};
+
+} // namespace ionskin::mechanics

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/mechanics/engine/compliance_map.hpp"
+#include "ionskin/mechanics/engine/kept_newton.hpp"
+#include "ionskin/mechanics/surface/contact_solver.hpp"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace ionskin::mechanics {
+
+/// A slider on the skin, moved step by step to any place, height or force. Each step is the exact
+/// incremental problem of contact and friction on the compliance at its end; it starts from the
+/// forces of the step before and keeps their factorisation.
+class SlidingContact {
+public:
+  /// @param map outlives this
+  /// @param area,gap of the cells, as in ContactProblem
+  SlidingContact(const ComplianceMap& map, std::vector<double> area, std::vector<double> gap,
+                 const laws::Friction& friction);
+
+  /// Moves the slider. A load that does not reach the skin leaves it unloaded.
+  /// @param time_step [s]
+  /// @param place of the slider's centre at the end [m]
+  /// @param load at the end, on the meshed part; an indentation below 0 is a height
+  /// Throws SolverError when the contact has no solution; then nothing has moved.
+  const SurfaceState& step(double time_step, const std::array<double, 2>& place,
+                           const SliderLoad& load);
+
+  const SurfaceState& state() const { return state_; }
+  /// At the present place.
+  const ContactProblem& problem() const { return problem_; }
+  bool in_contact() const;
+  /// Whether a cell that touches does not slip.
+  bool sticks() const;
+  /// Length of the mean tangential displacement that the surface has to make before all of it
+  /// slips along a direction under the present normal forces, and all of that displacement [m].
+  struct OnsetDistance {
+    double left = 0, whole = 0;
+  };
+  OnsetDistance onset_distance(const std::array<double, 2>& direction, bool half_model) const;
+
+  int factorisations() const { return newton_.factorisations(); }
+  int fallbacks() const { return fallbacks_; } ///< steps that the kept method did not solve
+
+private:
+  void detach(const SliderStep& step);
+
+  const ComplianceMap& map_;
+  ContactProblem problem_;
+  KeptNewton newton_;
+  SurfaceState state_;
+  std::optional<std::array<double, 2>> place_;
+  int fallbacks_ = 0;
+};
+
+} // namespace ionskin::mechanics

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/engine/stepped_strains.hpp"
+
+#include "ionskin/base/largest.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace ionskin::mechanics {
+namespace {
+
+/// Enough for an efficient product, and little beside what the nodes take.
+constexpr std::size_t states_per_block = 48;
+
+} // namespace
+
+std::size_t SteppedStrains::add(const std::array<double, 2>& centre, CellVector force) {
+  centres_.push_back(centre);
+  forces_.push_back(std::move(force));
+  return centres_.size() - 1;
+}
+
+const CoreStrain& SteppedStrains::at(std::size_t place) {
+  if (place < first_ || place >= first_ + block_.size()) {
+    first_ = place / states_per_block * states_per_block;
+    const auto begin = static_cast<std::ptrdiff_t>(first_),
+               end = static_cast<std::ptrdiff_t>(
+                   std::min(centres_.size(), first_ + states_per_block));
+    block_ = nodes_->respond({centres_.begin() + begin, centres_.begin() + end},
+                             {forces_.begin() + begin, forces_.begin() + end});
+    for (const CondensedPosition::Response& response : block_) {
+      residual_ = base::larger(residual_, response.equilibrium_residual);
+      stress_.resize(std::max(stress_.size(), response.electrode_stress.size()));
+      for (std::size_t layer = 0; layer < response.electrode_stress.size(); ++layer) {
+        stress_[layer] = std::max(stress_[layer], response.electrode_stress[layer]);
+      }
+    }
+  }
+  return block_[place - first_].strain;
+}
+
+} // namespace ionskin::mechanics

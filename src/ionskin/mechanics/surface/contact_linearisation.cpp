@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/surface/contact_linearisation.hpp"
+
+#include "ionskin/base/largest.hpp"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ionskin::mechanics {
+
+CellPredictor predict(const ContactProblem& problem, const SliderStep& step, const Iterate& iterate,
+                      const CellVector& surface, int cell) {
+  const std::size_t at = 3 * static_cast<std::size_t>(cell);
+  const CellVector& force = iterate.force;
+  CellPredictor result;
+  const double normal = force[at] + (iterate.indentation - problem.gap[cell] - surface[at]) /
+                                        problem.own_compliance(cell, 0);
+  result.residual = std::abs(force[at] - base::larger(0.0, normal));
+  if (normal <= 0) {
+    result.residual = base::larger(result.residual,
+                                   base::larger(std::abs(force[at + 1]), std::abs(force[at + 2])));
+    return result;
+  }
+  const auto slip = slip_increment(step, surface, cell);
+  const double compliance = problem.own_compliance(cell, 1);
+  result.slip = std::hypot(slip[0], slip[1]);
+  result.tangential = {force[at + 1] + slip[0] / compliance, force[at + 2] + slip[1] / compliance};
+  const double limit = problem.friction_limit(cell, normal, result.slip, step.time_step);
+  const bool sticks = limit > 0 && std::hypot(result.tangential[0], result.tangential[1]) <= limit;
+  result.status = sticks ? CellStatus::sticking : CellStatus::slipping;
+  const auto allowed = laws::project_on_disc(result.tangential, limit);
+  result.residual =
+      base::larger(result.residual, base::larger(std::abs(force[at + 1] - allowed[0]),
+                                                 std::abs(force[at + 2] - allowed[1])));
+  return result;
+}
+
+LinearSystem::LinearSystem(const ContactProblem& problem, const SliderStep& step,
+                           const std::vector<int>& touching)
+    : problem_(problem), step_(step), touching_(touching),
+      matrix_(Eigen::MatrixXd::Zero(size(), size())), right_(Eigen::VectorXd::Zero(size())) {}
+
+void LinearSystem::add_normal_rows() {
+  for (int i = 0; i < count(); ++i) {
+    const double scale = 1 / problem_.own_compliance(touching_[i], 0);
+    add_displacement(3 * i, 3 * touching_[i], scale);
+    right_[3 * i] = -scale * problem_.gap[touching_[i]];
+    if (force_given()) {
+      matrix_(3 * i, size() - 1) = -scale;
+      matrix_(size() - 1, 3 * i) = 1;
+    } else {
+      right_[3 * i] += scale * step_.load.value;
+    }
+  }
+  if (force_given()) {
+    right_[size() - 1] = step_.load.value;
+  }
+}
+
+void LinearSystem::add_stick_rows(int i) {
+  const int cell = touching_[i];
+  const double scale = 1 / problem_.own_compliance(cell, 1);
+  for (int c = 1; c < 3; ++c) {
+    if (problem_.compliance(3 * cell + c, 3 * cell + c) > 0) {
+      add_displacement(3 * i + c, 3 * cell + c, scale);
+      right_[3 * i + c] = scale * free_displacement(cell, c);
+    } else { // held by the skin itself: no tangential force arises
+      matrix_(3 * i + c, 3 * i + c) = 1;
+    }
+  }
+}
+
+void LinearSystem::add_slip_rows(int i, const CellPredictor& predictor, double normal_force) {
+  const int cell = touching_[i];
+  const double length = std::max(std::hypot(predictor.tangential[0], predictor.tangential[1]),
+                                 std::numeric_limits<double>::min());
+  const std::array<double, 2> e{predictor.tangential[0] / length, predictor.tangential[1] / length};
+  const double limit = problem_.friction_limit(cell, normal_force, predictor.slip, step_.time_step);
+  const double slope =
+      problem_.friction_limit_slope(cell, normal_force, predictor.slip, step_.time_step);
+  const double turning = std::min(1.0, limit / length);
+  const double scale = 1 / problem_.own_compliance(cell, 1);
+  for (int r = 0; r < 2; ++r) {
+    const int row = 3 * i + 1 + r;
+    matrix_(row, row) += 1;
+    matrix_(row, 3 * i) -= slope * e[r];
+    right_[row] += (limit - slope * normal_force) * e[r];
+    for (int s = 0; s < 2; ++s) {
+      const double weight = turning * ((r == s ? 1.0 : 0.0) - e[r] * e[s]);
+      add_displacement(row, 3 * cell + 1 + s, weight * scale);
+      matrix_(row, 3 * i + 1 + s) -= weight;
+      right_[row] += weight * scale * free_displacement(cell, 1 + s);
+    }
+  }
+}
+
+void LinearSystem::solve(Iterate& iterate) const {
+  const Eigen::VectorXd solution = matrix_.partialPivLu().solve(right_);
+  std::fill(iterate.force.begin(), iterate.force.end(), 0.0);
+  for (int i = 0; i < count(); ++i) {
+    for (int c = 0; c < 3; ++c) {
+      iterate.force[3 * touching_[i] + c] = solution[3 * i + c];
+    }
+  }
+  if (force_given()) {
+    iterate.indentation = solution[size() - 1];
+  }
+}
+
+void LinearSystem::add_displacement(int row, int component, double scale) {
+  const double* column = problem_.compliance.column(component); // symmetric
+  for (int j = 0; j < count(); ++j) {
+    for (int c = 0; c < 3; ++c) {
+      matrix_(row, 3 * j + c) += scale * column[3 * touching_[j] + c];
+    }
+  }
+}
+
+double LinearSystem::free_displacement(int cell, int c) const {
+  return step_.travel[c - 1] + step_.surface_before[3 * cell + c];
+}
+
+} // namespace ionskin::mechanics

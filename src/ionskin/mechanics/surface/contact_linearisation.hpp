@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/mechanics/surface/contact_problem.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
+
+namespace ionskin::mechanics {
+
+enum class CellStatus { separated, sticking, slipping };
+
+/// Where one cell stands: the forces that contact and friction would allow in its present motion.
+struct CellPredictor {
+  CellStatus status = CellStatus::separated;
+  std::array<double, 2> tangential{}; ///< trial force t + slip / compliance [N]
+  double slip = 0;                    ///< length of the slip increment [m]
+  double residual = 0;                ///< of the projection equations [N]
+};
+
+/// Where an iteration stands.
+struct Iterate {
+  CellVector force;       ///< [N]
+  double indentation = 0; ///< [m]
+};
+
+/// @param surface displacement under the iterate's forces [m]
+CellPredictor predict(const ContactProblem& problem, const SliderStep& step, const Iterate& iterate,
+                      const CellVector& surface, int cell);
+
+/// The linearised equations of the touching cells; unknowns are their forces and, under a given
+/// force, the indentation at the end.
+class LinearSystem {
+public:
+  LinearSystem(const ContactProblem& problem, const SliderStep& step,
+               const std::vector<int>& touching);
+
+  void add_normal_rows();
+  /// @param i place of the cell among those that touch
+  void add_stick_rows(int i);
+  /// t = limit(n) e + (limit / |z|) (I - e e^T) dz with the trial force z and e = z / |z|.
+  void add_slip_rows(int i, const CellPredictor& predictor, double normal_force);
+  /// Puts the solution in the iterate's place.
+  void solve(Iterate& iterate) const;
+  const Eigen::MatrixXd& matrix() const { return matrix_; }
+
+private:
+  int count() const { return static_cast<int>(touching_.size()); }
+  bool force_given() const { return step_.load.kind == LoadKind::force; }
+  int size() const { return 3 * count() + (force_given() ? 1 : 0); }
+  /// Adds scale times the displacement of a component to a row.
+  void add_displacement(int row, int component, double scale);
+  /// Displacement at which a cell does not slip.
+  double free_displacement(int cell, int c) const;
+
+  const ContactProblem& problem_;
+  const SliderStep& step_;
+  const std::vector<int>& touching_;
+  Eigen::MatrixXd matrix_;
+  Eigen::VectorXd right_;
+};
+
+} // namespace ionskin::mechanics

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/engine/motion_stepper.hpp"
+#include "ionskin/mechanics/engine/path_thinning.hpp"
+#include "ionskin/mechanics/engine/position_nodes.hpp"
+#include "ionskin/mechanics/engine/solve_stepped.hpp"
+#include "ionskin/mechanics/solve_contact.hpp"
+#include "ionskin/mechanics/surface/contact_diagnostics.hpp"
+#include "small_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+
+namespace ionskin::mechanics {
+namespace {
+
+/// The skin of the small case condensed for a line of slider positions, once for all tests.
+struct Line {
+  Case input = small_case();
+  std::shared_ptr<const SkinModel> model;
+  std::unique_ptr<const PositionNodes> nodes;
+
+  Line() {
+    input.skin.length = 7.3e-3; // no place mirrors another
+    model = std::make_shared<const SkinModel>(input, mesh::largest_footprint(input));
+    SharedProgress progress("mechanics", base::no_progress);
+    nodes = std::make_unique<const PositionNodes>(input, model,
+                                                  MotionBox{{1.5e-3, 1e-3}, {3.5e-3, 1e-3}},
+                                                  NodeOptions{.threads = 2}, progress);
+  }
+  SlidingContact slider() const {
+    return {nodes->compliance(), model->cells.area, model->gap, {0.3, &friction_law("coulomb")}};
+  }
+};
+
+const Line& line() {
+  static const Line line;
+  return line;
+}
+
+double difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double worst = 0, scale = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    worst = std::max(worst, std::abs(a[i] - b[i]));
+    scale = std::max(scale, std::abs(b[i]));
+  }
+  return worst / scale;
+}
+
+TEST(PositionNodes, give_the_skin_at_places_that_were_not_solved) {
+  const double tolerance = node_tolerance(line().input, {{1.5e-3, 1e-3}, {3.5e-3, 1e-3}});
+  EXPECT_LE(line().nodes->error(), tolerance);
+  EXPECT_LT(line().nodes->compliance().modes(), line().nodes->count());
+  CellVector force(3 * line().model->cells.count());
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    force[i] = i % 3 == 0 ? 1 : i % 3 == 1 ? 0.3 : 0;
+  }
+  for (const double x : {1.63e-3, 2.2e-3, 3.41e-3}) {
+    const CondensedPosition direct(*line().model, {x, 1e-3});
+    linear_algebra::DenseMatrix compliance;
+    line().nodes->compliance().at({x, 1e-3}, compliance);
+    EXPECT_LT(difference(compliance.values, direct.compliance().values), tolerance) << x;
+    const auto strain = line().nodes->respond({{x, 1e-3}}, {force}).front().strain;
+    const auto expected = direct.respond({force}).front().strain;
+    ASSERT_EQ(strain.points, expected.points);
+    EXPECT_LT(difference(strain.component[4], expected.component[4]), tolerance) << x;
+  }
+}
+
+TEST(PositionNodes, share_places_that_mirror_each_other) {
+  Case input = small_case(); // 5 mm long
+  const auto model = std::make_shared<const SkinModel>(input, mesh::largest_footprint(input));
+  SharedProgress progress("mechanics", base::no_progress);
+  const PositionNodes nodes(input, model, {{1.5e-3, 1e-3}, {3.5e-3, 1e-3}},
+                            NodeOptions{.threads = 2, .cache = nullptr, .count = 2}, progress);
+  linear_algebra::DenseMatrix compliance;
+  nodes.compliance().at({3.5e-3, 1e-3}, compliance);
+  EXPECT_LT(
+      difference(compliance.values, CondensedPosition(*model, {3.5e-3, 1e-3}).compliance().values),
+      1e-9);
+}
+
+TEST(SlidingContact, is_the_contact_of_single_steps) {
+  SlidingContact slider = line().slider();
+  slider.step(0.1, {2e-3, 1e-3}, {LoadKind::indentation, 1e-6});
+  EXPECT_TRUE(slider.sticks());
+  double before = 0;
+  for (const double travel : {0.1e-6, 0.4e-6, 1e-6, 4e-6, 3.8e-6, 2e-6}) {
+    const SurfaceState start = slider.state();
+    slider.step(0.01, {2e-3 + travel, 1e-3}, {LoadKind::indentation, 1e-6});
+    const SliderStep step{{LoadKind::indentation, 1e-6}, {travel - before, 0}, 0.01, start.surface};
+    const SurfaceState direct = solve_contact_step(slider.problem(), step, start.force);
+    EXPECT_LT(difference(slider.state().force, direct.force), 1e-7) << travel;
+    before = travel;
+  }
+  EXPECT_EQ(slider.fallbacks(), 0);
+}
+
+TEST(SlidingContact, holds_a_force_and_leaves_without_a_trace) {
+  SlidingContact slider = line().slider();
+  slider.step(0.1, {2e-3, 1e-3}, {LoadKind::force, 5});
+  EXPECT_NEAR(total_normal_force(slider.state().force), 5, 1e-7);
+  for (int i = 1; i <= 20; ++i) {
+    slider.step(0.01, {2e-3 + 5e-6 * i, 1e-3}, {LoadKind::force, 5.0 - 0.1 * i});
+    EXPECT_NEAR(total_normal_force(slider.state().force), 5 - 0.1 * i, 1e-7);
+  }
+  EXPECT_FALSE(slider.sticks());
+  EXPECT_LT(slider.factorisations(), 20); // kept while the pattern stays
+  slider.step(0.01, {2.2e-3, 1e-3}, {LoadKind::indentation, -1e-6});
+  EXPECT_FALSE(slider.in_contact());
+  EXPECT_EQ(slider.state().surface, CellVector(slider.state().surface.size(), 0.0));
+}
+
+TEST(SlidingContact, takes_any_step_of_a_random_walk) {
+  for (const bool by_force : {false, true}) {
+    SlidingContact slider = line().slider();
+    std::mt19937 random(by_force ? 2 : 1);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    double x = 2.5e-3, worst = 0;
+    for (int i = 0; i < 300; ++i) {
+      const double size = std::pow(10, -3 - 3 * std::abs(unit(random))); // 1 um to 1 mm
+      x = std::clamp(x + size * unit(random), 1.5e-3, 3.5e-3);
+      const double level = 0.5 + unit(random);
+      const SliderLoad load = by_force ? SliderLoad{LoadKind::force, 10 * level}
+                                       : SliderLoad{LoadKind::indentation, 1e-6 * level};
+      const SurfaceState& state = slider.step(0.01, {x, 1e-3}, load);
+      if (slider.in_contact()) {
+        double largest = 0;
+        for (std::size_t at = 0; at < state.force.size(); at += 3) {
+          largest = std::max(largest, state.force[at]);
+        }
+        worst =
+            std::max(worst, contact_violations(slider.problem(), state, largest, 1e-6).largest());
+      }
+    }
+    EXPECT_LT(worst, 1e-5);
+  }
+}
+
+TEST(PathThinning, keeps_what_straight_lines_miss) {
+  std::vector<double> kept;
+  PathThinning thinning({1e-2, 1, 1, 1},
+                        [&](PathThinning::Instant&& instant) { kept.push_back(instant.time); });
+  for (int i = 0; i <= 100; ++i) {
+    const double time = 0.01 * i;
+    thinning.add({time, {0, 0}, 0, i == 20, 0, 0, {1 + std::max(0.0, time - 0.5), 0, 0}, nullptr});
+  }
+  thinning.finish();
+  ASSERT_EQ(kept.size(), 4u); // begin, required, before the bend, end
+  EXPECT_EQ(kept[1], 0.2);
+  EXPECT_NEAR(kept[2], 0.51, 0.02);
+  EXPECT_EQ(kept.back(), 1);
+}
+
+/// The motion of the small case as waypoints, each leg in so many rows.
+Case in_rows(int rows) {
+  Case input = small_case();
+  input.motion.kind = MotionKind::waypoints;
+  input.motion.waypoints = {{0, {1.5e-3, 1e-3}, 1e-3, {}}, {0.5, {1.5e-3, 1e-3}, -1e-6, {}}};
+  for (int i = 1; i <= rows; ++i) {
+    const double part = static_cast<double>(i) / rows;
+    input.motion.waypoints.push_back({0.5 + 2 * part, {1.5e-3 + 2e-3 * part, 1e-3}, -1e-6, {}});
+  }
+  input.motion.waypoints.push_back({3, {3.5e-3, 1e-3}, 1e-3, {}});
+  return input;
+}
+
+const SteppedInstant& nearest(const ContactSolution& solution, double time) {
+  return *std::ranges::min_element(solution.stepped, {}, [&](const SteppedInstant& instant) {
+    return std::abs(instant.time - time);
+  });
+}
+
+TEST(SteppedMotion, is_the_motion_of_the_legs_in_any_number_of_rows) {
+  base::Timers timers;
+  ContactOptions options;
+  options.threads = 2;
+  const ContactSolution legs = solve_contact(small_case(), options, timers);
+  const ContactState& landed = *legs.legs[0].last();
+  const ContactState& end = *legs.legs[1].steady.back().state;
+  for (const int rows : {1, 500}) {
+    const ContactSolution stepped = solve_contact(in_rows(rows), options, timers);
+    EXPECT_LT(stepped.stepped.size(), 200u);
+    EXPECT_LT(stepped.worst_complementarity_residual, 1e-6);
+    const SteppedInstant &pressed = nearest(stepped, 0.5), &slid = nearest(stepped, 2.5);
+    EXPECT_EQ(pressed.time, 0.5);
+    EXPECT_NEAR(pressed.state->normal_force, landed.normal_force, 1e-6 * landed.normal_force);
+    EXPECT_EQ(slid.time, 2.5);
+    EXPECT_NEAR(slid.state->normal_force, end.normal_force, 1e-5 * end.normal_force);
+    EXPECT_LT(difference(core_strain(*slid.state).component[4], end.strain.component[4]), 1e-4);
+    EXPECT_EQ(stepped.stepped_events.size(), 3u); // lands, slides, leaves
+    EXPECT_EQ(stepped.stepped_onsets.size(), 1u);
+    EXPECT_EQ(stepped.stepped.back().state, nullptr);
+    EXPECT_NEAR(stepped.stepped_events.back(), 2.5 + 0.5 / 1001, 1e-12);
+  }
+}
+
+TEST(SteppedMotion, lands_and_leaves_by_force_on_the_way) {
+  Case input = small_case();
+  input.motion.kind = MotionKind::waypoints;
+  input.motion.waypoints = {{0, {1.5e-3, 1e-3}, 1e-6, {}},
+                            {1, {2.0e-3, 1e-3}, {}, 5.0},
+                            {2, {3.0e-3, 1e-3}, {}, 8.0},
+                            {3, {3.5e-3, 1e-3}, 1e-6, {}}};
+  base::Timers timers;
+  ContactOptions options;
+  options.nodes = 3;
+  const ContactSolution solution = solve_contact(input, options, timers);
+  EXPECT_NEAR(nearest(solution, 1).state->normal_force, 5, 1e-6);
+  EXPECT_NEAR(nearest(solution, 2).state->normal_force, 8, 1e-6);
+  EXPECT_NEAR(nearest(solution, 2).height, -nearest(solution, 2).state->indentation, 1e-12);
+  EXPECT_GT(solution.stepped_events.front(), 0);
+  EXPECT_LT(solution.stepped_events.front(), 1);
+  EXPECT_EQ(solution.stepped.back().state, nullptr);
+}
+
+TEST(SteppedMotion, rubs_by_a_fifth_of_a_micrometre_in_closed_loops) {
+  Case input = small_case();
+  input.motion.kind = MotionKind::waypoints;
+  input.motion.waypoints = {{0, {2e-3, 1e-3}, 1e-6, {}}, {0.1, {2e-3, 1e-3}, -1e-6, {}}};
+  for (int i = 1; i <= 120; ++i) {
+    input.motion.waypoints.push_back(
+        {0.1 + 0.01 * i, {2e-3 + 0.2e-6 * std::sin(2 * M_PI * i / 40), 1e-3}, -1e-6, {}});
+  }
+  input.output.fields = {0.6, 0.8, 1.0}; // are passed
+  base::Timers timers;
+  ContactOptions options;
+  options.threads = 2;
+  const ContactSolution solution = solve_contact(input, options, timers);
+  // After the first rise every turn is as the one before.
+  const auto force = [&](double time) {
+    return nearest(solution, time).state->tangential_force[0];
+  };
+  EXPECT_NEAR(force(0.6), force(1.0), 1e-3 * std::abs(force(0.6)));
+  EXPECT_NEAR(force(0.8), -force(1.0), 0.1 * std::abs(force(0.6)));
+  EXPECT_GT(nearest(solution, 0.6).state->stick_fraction, 0);
+}
+
+} // namespace
+} // namespace ionskin::mechanics
