@@ -198,19 +198,32 @@ std::size_t end_of_slide(const std::vector<MotionLeg>& legs, std::size_t first) 
   return next;
 }
 
+/// The legs [first, end) as one.
+MotionLeg joined(const std::vector<MotionLeg>& legs, std::size_t first, std::size_t end) {
+  MotionLeg slide = legs[first];
+  if (end - first > 1) {
+    slide.duration = legs[end - 1].end() - slide.begin;
+    slide.to = legs[end - 1].to;
+    slide.to_level = legs[end - 1].to_level;
+  }
+  return slide;
+}
+
 } // namespace
 
 MotionLeg whole_slide(const std::vector<MotionLeg>& legs) {
-  const MotionLeg& first = first_slide(legs);
-  const auto index = static_cast<std::size_t>(&first - legs.data());
-  const MotionLeg& last = legs[end_of_slide(legs, index) - 1];
-  MotionLeg slide = first;
-  if (&last != &first) {
-    slide.duration = last.end() - first.begin;
-    slide.to = last.to;
-    slide.to_level = last.to_level;
+  const auto first = static_cast<std::size_t>(&first_slide(legs) - legs.data());
+  return joined(legs, first, end_of_slide(legs, first));
+}
+
+std::vector<MotionLeg> joined_slides(const std::vector<MotionLeg>& legs) {
+  std::vector<MotionLeg> result;
+  for (std::size_t first = 0; first < legs.size();) {
+    const std::size_t end = end_of_slide(legs, first);
+    result.push_back(joined(legs, first, end));
+    first = end;
   }
-  return slide;
+  return result;
 }
 
 Point slide_direction(const std::vector<MotionLeg>& legs) {

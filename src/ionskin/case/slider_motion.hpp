@@ -70,5 +70,7 @@ const MotionLeg& first_slide(const std::vector<MotionLeg>& legs);
 /// direction is theirs together, or the first one's where they lead back.
 MotionLeg whole_slide(const std::vector<MotionLeg>& legs);
 std::array<double, 2> slide_direction(const std::vector<MotionLeg>& legs);
+/// All legs, those that carry on a slide made one with it.
+std::vector<MotionLeg> joined_slides(const std::vector<MotionLeg>& legs);
 
 } // namespace ionskin

@@ -98,6 +98,8 @@ TEST(SliderMotion, RowsOfARecordedPathAreOneSlide) {
   EXPECT_EQ(slide.end(), 5);
   EXPECT_EQ(slide.to, legs[3].to);
   EXPECT_NEAR(slide_direction(legs)[1], 0.1 / std::hypot(4, 0.1), 1e-12);
+  EXPECT_EQ(joined_slides(legs).size(), 3u);
+  EXPECT_EQ(joined_slides(legs)[1].to, slide.to);
   // One that leads back to where it began is told by its first leg.
   std::vector<MotionLeg> turn;
   for (int i = 0; i <= 100; ++i) {

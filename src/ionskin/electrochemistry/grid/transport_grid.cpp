@@ -121,6 +121,33 @@ std::size_t column_count(double length, double width, std::size_t fewest, std::s
   return static_cast<std::size_t>(std::lround(count));
 }
 
+std::size_t aligned_column_count(std::size_t count, std::size_t step,
+                                 const std::vector<double>& fractions) {
+  constexpr double rounding = 1e-9;                   // of the length
+  constexpr double most_exact = 2.0, most_near = 1.5; // times the columns
+  const auto misfit = [&](std::size_t columns) {
+    double worst = 0;
+    for (const double fraction : fractions) {
+      const double at = fraction * static_cast<double>(columns);
+      worst = std::max(worst, std::abs(at - std::round(at)) / static_cast<double>(columns));
+    }
+    return worst;
+  };
+  std::size_t nearest = count;
+  for (std::size_t columns = count;
+       static_cast<double>(columns) <= most_exact * static_cast<double>(count); columns += step) {
+    const double worst = misfit(columns);
+    if (worst <= rounding) {
+      return columns;
+    }
+    if (worst < misfit(nearest) &&
+        static_cast<double>(columns) <= most_near * static_cast<double>(count)) {
+      nearest = columns;
+    }
+  }
+  return misfit(nearest) < 0.5 * misfit(count) ? nearest : count;
+}
+
 TransportGrid make_transport_grid(const Case& input, const history::CoreHistory& history) {
   const double refinement = input.numerics.mesh_refinement;
   const GridResolution resolution = refined(grid_resolution(input.numerics.preset), refinement);
@@ -135,8 +162,17 @@ TransportGrid make_transport_grid(const Case& input, const history::CoreHistory&
       uniform_x ? 1 : column_count(history.length, width, bound(fewest_x), bound(most_x));
   const std::size_t across = column_count(history.width, width, bound(fewest_y), bound(most_y));
   const std::size_t columns_y = uniform_y ? 1 : across + across % 2;
+  const auto aligned = [&](std::size_t count, std::size_t step, std::size_t axis, double length) {
+    std::vector<double> fractions;
+    for (const Taxel& taxel : input.readout.taxels) {
+      fractions.push_back(taxel.lower[axis] / length);
+      fractions.push_back(taxel.upper[axis] / length);
+    }
+    return count == 1 ? count : aligned_column_count(count, step, fractions);
+  };
   const double debye_length = derive_scales(input.electrochemistry, thickness).debye_length;
-  return {uniform_edges(history.length, columns_x), uniform_edges(history.width, columns_y),
+  return {uniform_edges(history.length, aligned(columns_x, 1, 0, history.length)),
+          uniform_edges(history.width, aligned(columns_y, 2, 1, history.width)),
           graded_nodes(thickness, debye_length, resolution)};
 }
 

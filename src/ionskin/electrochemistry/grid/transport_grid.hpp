@@ -35,7 +35,16 @@ std::vector<double> graded_nodes(double thickness, double debye_length,
 /// resolved and long ones affordable.
 std::size_t column_count(double length, double width, std::size_t fewest, std::size_t most);
 
-/// The grid of a case. A direction in which the history has a single cell at rest needs, and gets,
+/// As many uniform columns as `count`, or more, so that borders between them lie at the given
+/// fractions of the side: at most twice as many where all fit, else at most half as many again
+/// where that halves the worst distance. The column of a border between two taxels would share its
+/// charge among them by area.
+/// @param step between the numbers to choose from
+std::size_t aligned_column_count(std::size_t count, std::size_t step,
+                                 const std::vector<double>& fractions);
+
+/// The grid of a case, whose columns end at the edges of the taxels where such a number of columns
+/// exists. A direction in which the history has a single cell at rest needs, and gets,
 /// a single column. Across the width their number is even otherwise, so that half of them do where
 /// the shear is its own mirror image.
 TransportGrid make_transport_grid(const Case& input, const history::CoreHistory& history);

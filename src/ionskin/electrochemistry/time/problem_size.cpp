@@ -85,7 +85,7 @@ history::CoreHistory outline(const Case& input) {
       uniform_y ? std::vector{0.0, skin.width} : std::vector{0.0, 0.5 * skin.width, skin.width};
   history.grid.z_nodes = {0.0, skin.core_thickness()};
   history.time = {0.0};
-  const std::vector<MotionLeg> legs = motion_legs(input.motion, input.slider);
+  const std::vector<MotionLeg> legs = joined_slides(motion_legs(input.motion, input.slider));
   for (int cycle = 0; cycle < input.motion.cycles; ++cycle) {
     const double start = cycle * legs.back().end();
     for (const double event : cycle_events(legs)) {
@@ -124,7 +124,7 @@ std::vector<double> longest_steps(const Case& input, const StepLandings& landing
   if (input.strain.kind != StrainSourceKind::contact) {
     return longest;
   }
-  const std::vector<MotionLeg> legs = motion_legs(input.motion, input.slider);
+  const std::vector<MotionLeg> legs = joined_slides(motion_legs(input.motion, input.slider));
   for (std::size_t i = 0; i < longest.size(); ++i) {
     const double middle = 0.5 * (landings.time[i] + landings.time[i + 1]);
     const double since_begin = std::fmod(middle, legs.back().end());

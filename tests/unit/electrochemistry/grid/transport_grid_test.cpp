@@ -2,10 +2,14 @@
 #include "ionskin/electrochemistry/grid/transport_grid.hpp"
 
 #include "ionskin/electrochemistry/grid/scaled_grid.hpp"
+#include "ionskin/electrochemistry/ion_transport.hpp"
 #include "model_cases.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <memory>
 #include <numeric>
 
 namespace ionskin::electrochemistry {
@@ -79,6 +83,45 @@ TEST(TransportGrid, PresetsAndRefinementOrderTheSizes) {
   EXPECT_LT(levels(Preset::standard, 1.0), levels(Preset::fine, 1.0));
   EXPECT_GT(levels(Preset::standard, 2.0), 6 * levels(Preset::standard, 1.0));
   EXPECT_LT(levels(Preset::standard, 0.5), levels(Preset::standard, 1.0));
+}
+
+TEST(TransportGrid, ColumnsEndAtTheEdgesOfTaxels) {
+  EXPECT_EQ(aligned_column_count(49, 1, {}), 49U);
+  EXPECT_EQ(aligned_column_count(49, 1, {0, 0.25, 0.5, 1}), 52U);
+  EXPECT_EQ(aligned_column_count(8, 2, {1.0 / 3}), 12U);
+  EXPECT_EQ(aligned_column_count(10, 1, {0.1}), 10U);
+  // No number fits an irrational edge; a near one is taken, within half as many again.
+  const std::size_t near = aligned_column_count(49, 1, {std::sqrt(0.5)});
+  EXPECT_LT(near, 75U);
+  const double at = std::sqrt(0.5) * static_cast<double>(near);
+  EXPECT_LT(std::abs(at - std::round(at)), 0.1);
+}
+
+TEST(TransportGrid, ChargesOfTaxelsAreThoseOfAFineGrid) {
+  Case input = verification::model_case();
+  input.numerics.preset = Preset::coarse;
+  input.readout.taxels = {{"a", {0, 0}, {4e-3, 2e-3}}, {"b", {4e-3, 0}, {15e-3, 2e-3}}};
+  history::CoreHistory history = verification::linear_step_history(0.0, 0.01, {0.0, 0.01});
+  // Shear on the taxel b alone, up to its edge.
+  history.grid.x_edges = {0, 4e-3, 6e-3, 15e-3};
+  history.grid.y_edges = {0, 2e-3};
+  for (auto& sample : history.shear()) {
+    history::StrainField field;
+    for (const double value : *sample) {
+      field.insert(field.end(), {0, value, 0});
+    }
+    sample = std::make_shared<const history::StrainField>(std::move(field));
+  }
+  const auto charges = [&](double refinement) {
+    input.numerics.mesh_refinement = refinement;
+    base::Timers timers;
+    const IonSolution solution = solve_ion_transport(input, history, {}, timers);
+    return std::array{solution.top_segments[0].charge.back(),
+                      solution.top_segments[1].charge.back()};
+  };
+  const auto coarse = charges(1), fine = charges(3);
+  EXPECT_NEAR(coarse[0], fine[0], 0.01 * std::abs(fine[1]));
+  EXPECT_NEAR(coarse[1], fine[1], 0.01 * std::abs(fine[1]));
 }
 
 TEST(ScaledGrid, ControlVolumesFillTheCore) {
