@@ -2,7 +2,7 @@
 #include "ionskin/mechanics/solve_contact.hpp"
 
 #include "ionskin/base/system/interrupt.hpp"
-#include "ionskin/mechanics/engine/solve_stepped.hpp"
+#include "ionskin/mechanics/solve_stepped.hpp"
 #include "ionskin/mechanics/path/contact_plan.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/path/position_states.hpp"

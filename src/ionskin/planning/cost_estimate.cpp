@@ -2,7 +2,7 @@
 #include "ionskin/planning/cost_estimate.hpp"
 
 #include "ionskin/electrochemistry/time/problem_size.hpp"
-#include "ionskin/mechanics/engine/solve_stepped.hpp"
+#include "ionskin/mechanics/solve_stepped.hpp"
 #include "ionskin/mechanics/path/contact_plan.hpp"
 #include "ionskin/mechanics/position/memory_estimate.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"

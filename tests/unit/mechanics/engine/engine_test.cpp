@@ -2,7 +2,7 @@
 #include "ionskin/mechanics/engine/motion_stepper.hpp"
 #include "ionskin/mechanics/engine/path_thinning.hpp"
 #include "ionskin/mechanics/engine/position_nodes.hpp"
-#include "ionskin/mechanics/engine/solve_stepped.hpp"
+#include "ionskin/mechanics/solve_stepped.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
 #include "ionskin/mechanics/surface/contact_diagnostics.hpp"
 #include "small_case.hpp"
@@ -32,7 +32,7 @@ struct Line {
                                                   NodeOptions{.threads = 2}, progress);
   }
   SlidingContact slider() const {
-    return {nodes->compliance(), model->cells.area, model->gap, {0.3, &friction_law("coulomb")}};
+    return {nodes->compliance(), model->cells.area, model->gap, laws::friction("coulomb", 0.3, {})};
   }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/mechanics/engine/solve_stepped.hpp"
+#include "ionskin/mechanics/solve_stepped.hpp"
 
 #include "ionskin/base/largest.hpp"
 #include "ionskin/base/system/interrupt.hpp"
