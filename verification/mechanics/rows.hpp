@@ -17,6 +17,8 @@ std::vector<Row> thin_layer_rows();
 std::vector<Row> contact_rows(const Options& options);
 /// M9 to M11: off-centre, oblique and reversing tracks, force control.
 std::vector<Row> motion_rows(const Options& options);
+/// M12: stepped paths against strokes, and random ones.
+std::vector<Row> path_rows(const Options& options);
 /// Observed orders of reported averages under numerics.mesh_refinement, in plane strain.
 std::vector<Row> convergence_rows(const Options& options);
 

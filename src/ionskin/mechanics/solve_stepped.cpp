@@ -35,8 +35,9 @@ double path_resolution(const Numerics& numerics) {
 
 /// The contact of a round slider may turn out to need a wider footprint, and with it another pass.
 constexpr double share_of_uncertain_pass = 0.9;
-constexpr double usual_slide = 0.4; // of the skin's length
-constexpr double force_share = 0.4; // of the resolution's square
+constexpr std::size_t units_per_path = 10; // of the progress
+constexpr double usual_slide = 0.4;        // of the skin's length
+constexpr double force_share = 0.4;        // of the resolution's square
 constexpr double area_tolerance = 0.02;
 constexpr double steps_per_interval = 4; // of the finest preset, between instants that are kept
 
@@ -123,7 +124,7 @@ ContactSolution empty_solution(const SkinModel& model) {
 
 ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs,
                            const std::shared_ptr<const PositionNodes>& nodes,
-                           const ContactVariant& variant) {
+                           const ContactVariant& variant, SharedProgress& progress) {
   const SkinModel& model = nodes->model();
   const mesh::HeaviestLoad heaviest = mesh::heaviest_load(input);
   StepperOptions options{.steps = variant.steps,
@@ -144,11 +145,14 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
     kept.add(point, at);
   });
   kept.add({0, legs.front().from, legs.front().from_level.value, false, true}, contact);
-  for (const MotionLeg& leg : legs) {
+  for (std::size_t i = 0; i < legs.size(); ++i) {
     base::check_interrupt();
-    stepper.follow(leg);
-    if (leg.leaves() && solution.final_surface.empty()) {
+    stepper.follow(legs[i]);
+    if (legs[i].leaves() && solution.final_surface.empty()) {
       solution.final_surface = contact.state().surface;
+    }
+    if ((i + 1) * units_per_path / legs.size() > i * units_per_path / legs.size()) {
+      progress.finish_unit();
     }
   }
   kept.finish();
@@ -205,7 +209,7 @@ std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footpr
     }
     return solutions;
   }
-  progress.begin_pass(expected_positions(input) + variants.size(),
+  progress.begin_pass(expected_positions(input) + units_per_path * variants.size(),
                       input.slider.sharp() ? 1.0 : share_of_uncertain_pass);
   std::shared_ptr<const PositionNodes> nodes;
   {
@@ -213,12 +217,11 @@ std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footpr
     nodes = std::make_shared<const PositionNodes>(
         input, model, *box, NodeOptions{options.threads, options.cache, options.nodes}, progress);
   }
-  progress.add_units(variants.size());
+  progress.add_units(units_per_path * variants.size());
   parallel::run_tasks(variants.size(), options.threads, [&](std::size_t i) {
     const base::Timers::Scope scope(timers, "mechanics: contact");
-    solutions[i] = solve_path(input, legs, nodes, variants[i]);
+    solutions[i] = solve_path(input, legs, nodes, variants[i], progress);
     warn_of_nodes(input, *nodes, options, solutions[i]);
-    progress.finish_unit();
   });
   progress.expect_known_units();
   return solutions;
