@@ -5,10 +5,12 @@
 #include "ionskin/mechanics/solve_stepped.hpp"
 #include "ionskin/mechanics/path/contact_plan.hpp"
 #include "ionskin/mechanics/position/memory_estimate.hpp"
+#include "ionskin/mechanics/position/unit_response.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace ionskin::planning {
 
@@ -44,6 +46,25 @@ mesh::SkinMesh expected_mesh(const Case& input) {
   return smaller.unknowns() > largest.unknowns() ? smaller : largest;
 }
 
+double contact_components(const mesh::SkinMesh& mesh) {
+  return 3.0 * static_cast<double>(mesh.footprint_lines_x().size() - 1) *
+         static_cast<double>(mesh.footprint_lines_y().size() - 1);
+}
+
+/// Responses to unit forces at the nodes of a stepped path, which are kept until its history is
+/// made wherever they are kept at all [bytes].
+double response_memory(const mesh::SkinMesh& mesh, const CostEstimate& cost) {
+  const auto [nx, ny, nz] = mesh.elements();
+  const auto [bottom, top] = mesh.core_z();
+  const double lattice = 3.0 * static_cast<double>((2 * nx + 1) * (2 * ny + 1)) *
+                         static_cast<double>(2 * (top - bottom) + 1);
+  const double components = contact_components(mesh);
+  const bool kept =
+      mechanics::responses_fit(static_cast<int>(lattice), 0, static_cast<int>(components));
+  return kept ? sizeof(std::int32_t) * static_cast<double>(cost.positions) * lattice * components
+              : 0;
+}
+
 /// States of the contact that are kept until the history is made, and the dense matrices of the
 /// contact at the positions that are solved at once [bytes].
 double contact_memory(const mesh::SkinMesh& mesh, const CostEstimate& cost, int at_once) {
@@ -53,8 +74,7 @@ double contact_memory(const mesh::SkinMesh& mesh, const CostEstimate& cost, int 
   const auto [bottom, top] = mesh.core_z();
   const double core = static_cast<double>(nx * ny * (top - bottom));
   const double states = static_cast<double>(cost.positions) + 3 * chain_states;
-  const double components = 3.0 * static_cast<double>(mesh.footprint_lines_x().size() - 1) *
-                            static_cast<double>(mesh.footprint_lines_y().size() - 1);
+  const double components = contact_components(mesh);
   return sizeof(double) *
          (states * core * points * strains + at_once * matrices * components * components);
 }
@@ -100,8 +120,9 @@ CostEstimate estimate_cost(const Case& input, int threads) {
                      static_cast<double>(ions.steps) / threads;
   cost.seconds = cost.mechanics_seconds + cost.ion_seconds + seconds_of_output;
   const double factors = mechanics::factorisations_memory(cost.mechanics_unknowns, at_once);
-  cost.memory =
-      bytes_at_rest + std::max(factors + contact_memory(mesh, cost, at_once), ions.memory);
+  const double responses = mechanics::is_stepped(input) ? response_memory(mesh, cost) : 0;
+  cost.memory = bytes_at_rest +
+                std::max(factors + contact_memory(mesh, cost, at_once) + responses, ions.memory);
   return cost;
 }
 

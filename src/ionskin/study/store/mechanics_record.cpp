@@ -12,6 +12,7 @@
 
 #include <algorithm>
 
+#include <map>
 #include <set>
 #include <utility>
 
@@ -73,6 +74,49 @@ private:
   std::vector<results::ContactMap> maps_;
 };
 
+/// Names the states of a stepped path as those of legs are named: "touchdown_03", "onset_12",
+/// "steady_04", "lift_off_07", and "2_onset_01" where a kind comes for the second time.
+class StepNames {
+public:
+  StepNames(const std::vector<MotionLeg>& legs, const mechanics::ContactSolution& contact)
+      : legs_(legs), contact_(contact) {}
+
+  std::string next(const mechanics::SteppedInstant& instant) {
+    const std::string kind = kind_of(instant);
+    if (kind != kind_) {
+      kind_ = kind;
+      ++runs_[kind];
+      count_ = 0;
+    }
+    const std::string prefix = runs_[kind] == 1 ? "" : std::to_string(runs_[kind]) + "_";
+    return fmt::format("{}{}_{:02}", prefix, kind, ++count_);
+  }
+
+private:
+  std::string kind_of(const mechanics::SteppedInstant& instant) const {
+    const auto leg =
+        std::partition_point(legs_.begin(), legs_.end() - 1, [&](const MotionLeg& other) {
+          return other.end() < instant.time * (1 - 1e-12);
+        });
+    if (leg->lands()) {
+      return "touchdown";
+    }
+    if (leg->leaves()) {
+      return "lift_off";
+    }
+    const bool in_onset = std::ranges::any_of(contact_.stepped_onsets, [&](const auto& onset) {
+      return instant.time > onset[0] && instant.time <= onset[1];
+    });
+    return in_onset ? "onset" : leg->slides() ? "steady" : "load_change";
+  }
+
+  const std::vector<MotionLeg>& legs_;
+  const mechanics::ContactSolution& contact_;
+  std::string kind_;
+  std::map<std::string, int> runs_;
+  int count_ = 0;
+};
+
 std::vector<results::ContactMap> make_maps(const std::vector<MotionLeg>& legs,
                                            const mechanics::ContactSolution& contact) {
   MapCollector collector(legs);
@@ -82,13 +126,14 @@ std::vector<results::ContactMap> make_maps(const std::vector<MotionLeg>& legs,
     }
   }
   std::vector<results::ContactMap> maps = collector.take();
-  // A long path passes more instants than anybody looks at.
-  constexpr std::size_t most_stepped = 200;
-  const std::size_t stride = contact.stepped.size() / most_stepped + 1;
-  for (std::size_t i = 0; i < contact.stepped.size(); i += stride) {
+  StepNames names(legs, contact);
+  // A long path passes more instants than anybody looks at: the first all, of the others some.
+  constexpr std::size_t first = 100, others = 100;
+  const std::size_t stride = contact.stepped.size() / others + 1;
+  for (std::size_t i = 0; i < contact.stepped.size(); i += i < first ? 1 : stride) {
     const mechanics::SteppedInstant& instant = contact.stepped[i];
     if (instant.state) {
-      maps.push_back({fmt::format("step_{:05}", i), instant.time, instant.state->normal_traction,
+      maps.push_back({names.next(instant), instant.time, instant.state->normal_traction,
                       instant.state->tangential_traction_x, instant.state->tangential_traction_y,
                       instant.state->slip});
     }
