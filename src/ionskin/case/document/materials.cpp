@@ -49,7 +49,8 @@ void complete_from_preset(const std::string& name, TomlWalk& walk, Problems& pro
 // What the case does not say of its ions and the material of the core does.
 void take_ions(const std::string& material, TomlWalk& walk) {
   for (const SchemaRow& row : schema()) {
-    if (!row.of_material || walk.seen[row.key])
+    const bool applies = !row.applies || row.applies(walk.draft.input);
+    if (!row.of_material || !applies || walk.seen[row.key])
       continue;
     const std::string source = key_of(material, row.key.substr(row.key.find('.') + 1));
     walk.seen[row.key] = walk.seen[source];

@@ -108,8 +108,10 @@ void add_water(SchemaRows& rows) {
                   .range = {0.0, 1.0, false, false},
                   .need = Need::where_known,
                   .applies = moves_water,
+                  .of_material = true,
                   .help = "Share of water in the volume of the core, of water.dilution = "
-                          "\"pore-water\".",
+                          "\"pore-water\"; where it is not given, the one of the material of the "
+                          "core.",
                   .set = into(&Case::water, &Water::volume_fraction)});
   rows.push_back(
       wall("water.bottom_wall", &Water::bottom_wall, "Whether water passes the lower electrode."));

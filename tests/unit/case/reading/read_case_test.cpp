@@ -155,6 +155,20 @@ TEST(ReadCase, MaterialOfTheCoreHasItsIons) {
   EXPECT_NEAR(conductivity, 8.2, 0.1);
 }
 
+TEST(ReadCase, MaterialOfTheCoreHasItsWaterWhereTheLawMovesIt) {
+  const TemporaryCase dry(valid_case("\"nafion\"", "\"nafion_wet\""));
+  EXPECT_EQ(read_case_document(dry.path()).find("water.drag_number"), nullptr);
+  std::string text = valid_case("\"nafion\"", "\"nafion_wet\"");
+  text.replace(text.find("coefficient = 0.1"), 17,
+               "law = \"poroelastic\"\n[water]\ndrained_poissons_ratio = 0.4\n"
+               "permeability = \"1e-19 m2\"\ndilution = \"pore-water\"\n");
+  const TemporaryCase wet(text);
+  const CaseDocument document = read_case_document(wet.path());
+  EXPECT_EQ(document.find("water.drag_number")->origin, ValueOrigin::preset);
+  EXPECT_DOUBLE_EQ(document.input.water.drag_number, 2.5);
+  EXPECT_DOUBLE_EQ(document.input.water.volume_fraction, 0.417);
+}
+
 TEST(ReadCase, IonsOfTheCaseComeFirst) {
   const TemporaryCase file(valid_case("\"nafion\"", "\"nafion_wet\""));
   const CaseDocument document = read_case_document(file.path(), {"electrochemistry.valence=2"});
