@@ -52,6 +52,9 @@ class Pages(DocumentedTest):
     def test_tutorial(self):
         self.check_page("tutorial.md")
 
+    def test_touch(self):
+        self.check_page("touch.md")
+
     def test_errors(self):
         self.shell("ionskin init my_skin.toml --from quick")
         for page in sorted((DOCS / "errors").glob("*.md")):

@@ -18,11 +18,12 @@
 namespace ionskin::apps {
 namespace {
 
-constexpr std::array<std::string_view, 7> headline{
-    "normal_force_slide",       "mean_shear_slide",
-    "peak_sampled_current_top", "peak_sampled_current_difference",
-    "rms_current_difference",   "tail_current_difference",
-    "charge_identity_error"};
+constexpr std::array<std::string_view, 10> headline{
+    "normal_force_slide",        "mean_shear_slide",
+    "peak_sampled_current_top",  "peak_sampled_current_difference",
+    "rms_current_difference",    "tail_current_difference",
+    "charge_identity_error",     "peak_voltage",
+    "peak_open_circuit_voltage", "open_circuit_voltage_per_newton"};
 
 study::Studies studies(const std::string& only) {
   if (only == "mechanics") {
