@@ -7,7 +7,8 @@
 
 namespace ionskin::verification {
 
-/// P1, P2: a drained layer against Terzaghi, a pressure difference between sealed walls.
+/// P1, P2, P7: a drained layer against Terzaghi, a pressure difference between sealed walls; what
+/// sealed water conserves.
 std::vector<Row> consolidation_rows();
 /// P3, P4: open-circuit voltage and short-circuit charge after a step of pressure through the
 /// thickness, against closed forms and the linear equations.
