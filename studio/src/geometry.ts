@@ -32,7 +32,7 @@ export function geometry_of(values: CaseValue[]): Geometry {
     size: [mm("slider.size", 0, Math.min(2 * radius, length / 3)), mm("slider.size", 1, Math.min(2 * radius, width))],
     start: [mm("slider.start", 0, length / 2), mm("slider.start", 1, width / 2)],
     stroke: mm("motion.stroke"), direction: [direction[0] / norm, direction[1] / norm], gap: mm("motion.gap"),
-    slides: text("strain.source", "contact") !== "file",
+    slides: text("strain.source", "contact") === "contact",
   };
 }
 
