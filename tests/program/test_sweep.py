@@ -70,9 +70,8 @@ class Sweep(ProgramTest):
         start = ["--resume"] if (self.folder / "out").exists() else []
         with subprocess.Popen([PROGRAM, *map(str, SWEEP), *start], cwd=self.folder, stdout=subprocess.DEVNULL,
                               stderr=subprocess.DEVNULL) as process:
-            ready = self.folder / "out" / "points" / "0001_friction=0.1"
             deadline = time.monotonic() + 300
-            while not ready.exists() and process.poll() is None and time.monotonic() < deadline:
+            while not list(self.folder.glob("out/staging/*/0001_friction=0.1")) and process.poll() is None and time.monotonic() < deadline:
                 time.sleep(0.01)
             time.sleep(share)
             process.send_signal(signal.SIGKILL)

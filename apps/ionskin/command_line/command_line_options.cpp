@@ -20,11 +20,23 @@ void add_set_option(CLI::App& verb, std::vector<std::string>& edits) {
       ->take_all();
 }
 
-std::string whole_number_from_1(const std::string& text) {
+namespace {
+
+std::string whole_number_from(int least, const std::string& text) {
   int value = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool good = status == std::errc() && end == text.data() + text.size() && value >= 1;
-  return good ? "" : text + " is no whole number of at least 1";
+  const bool good = status == std::errc() && end == text.data() + text.size() && value >= least;
+  return good ? "" : text + " is no whole number of at least " + std::to_string(least);
+}
+
+} // namespace
+
+std::string whole_number_from_0(const std::string& text) {
+  return whole_number_from(0, text);
+}
+
+std::string whole_number_from_1(const std::string& text) {
+  return whole_number_from(1, text);
 }
 
 void add_threads_option(CLI::App& verb, int& threads) {

@@ -15,6 +15,7 @@ namespace ionskin::apps {
 void add_case_option(CLI::App& verb, std::string& case_path);
 void add_set_option(CLI::App& verb, std::vector<std::string>& edits);
 /// Check of an option: what is wrong with the text, or nothing.
+std::string whole_number_from_0(const std::string& text);
 std::string whole_number_from_1(const std::string& text);
 void add_threads_option(CLI::App& verb, int& threads);
 void add_cache_option(CLI::App& verb, bool& use_cache);

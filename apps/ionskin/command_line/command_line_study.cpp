@@ -11,7 +11,6 @@ void add_design_options(CLI::App& verb, SweepOptions& options) {
                   "Key to vary and its values: contact.friction=0.05:0.05:0.5 (first:step:last), "
                   "\"motion.preload=1 um,2 um\"; several make a grid; with --samples an interval: "
                   "contact.friction=0.05:0.5")
-      ->required()
       ->type_name("KEY=VALUES")
       ->expected(1)
       ->allow_extra_args(false)
@@ -28,10 +27,28 @@ void add_design_options(CLI::App& verb, SweepOptions& options) {
       ->capture_default_str();
 }
 
+/// Parts of a sweep for machines that share its folder; two of them go by its plan.json alone.
+std::vector<CLI::Option*> add_part_options(CLI::App& verb, SweepOptions& options) {
+  CLI::Option* plan = verb.add_flag(
+      "--plan", options.plan,
+      "Only write DIR/plan.json: the points in batches, with memory and time of each");
+  CLI::Option* batch =
+      verb.add_option("--do-batch", options.batch, "Do batch K, from 0, of the plan in DIR")
+          ->type_name("K")
+          ->check(whole_number_from_0);
+  CLI::Option* collect =
+      verb.add_flag("--collect", options.collect,
+                    "Write the tables and the report from the points that are in DIR");
+  batch->excludes(plan)->excludes(collect);
+  collect->excludes(plan);
+  return {batch, collect};
+}
+
 void add_sweep(CLI::App& app, Command& command) {
   auto options = std::make_shared<SweepOptions>();
   CLI::App* verb = app.add_subcommand("sweep", "Run a case at many values of its keys");
-  add_case_option(*verb, options->case_path);
+  CLI::Option* path =
+      verb->add_option("case", options->case_path, "Case file")->type_name("CASE.toml");
   add_design_options(*verb, *options);
   add_output_options(*verb, options->output, options->overwrite, options->resume);
   add_set_option(*verb, options->set_edits);
@@ -40,10 +57,26 @@ void add_sweep(CLI::App& app, Command& command) {
       ->check(CLI::IsMember({"mechanics"}));
   verb->add_flag("--explain", options->explain,
                  "Say how many points it has, what they share and how long it takes, and stop");
+  const auto parts = add_part_options(*verb, *options);
+  for (CLI::Option* part : parts) {
+    for (const char* other : {"case", "--over", "--set", "--samples", "--only", "--explain",
+                              "--overwrite", "--resume"}) {
+      part->excludes(verb->get_option(other));
+    }
+  }
   add_report_option(*verb, options->no_report);
   add_cache_option(*verb, options->use_cache);
   add_log_options(*verb, options->log);
-  set_when_parsed(*verb, options, command);
+  verb->callback([=, &command] {
+    if (parts[0]->count() == 0 && parts[1]->count() == 0) {
+      path->required();
+      verb->get_option("--over")->required();
+      if (path->count() == 0 || verb->get_option("--over")->count() == 0) {
+        throw CLI::RequiredError("case and --over");
+      }
+    }
+    command = *options;
+  });
 }
 
 void add_fit(CLI::App& app, Command& command) {

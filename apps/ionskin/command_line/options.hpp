@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -44,8 +45,11 @@ struct SweepOptions {
   bool resume = false;
   bool no_report = false;
   bool use_cache = true;
-  std::string only;     ///< "mechanics" or empty for both studies
-  bool explain = false; ///< say what it costs, and stop
+  std::string only;                 ///< "mechanics" or empty for both studies
+  bool explain = false;             ///< say what it costs, and stop
+  bool plan = false;                ///< write plan.json, and stop
+  std::optional<std::size_t> batch; ///< of a planned sweep, the one to do
+  bool collect = false;             ///< only write the tables of a planned sweep
   LogFormat log = LogFormat::automatic;
 };
 

@@ -9,7 +9,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <optional>
+#include <utility>
 
 namespace ionskin::apps {
 namespace {
@@ -27,9 +30,13 @@ study::SweepRequest request(const SweepOptions& options) {
 }
 
 void print_outcome(const SweepOptions& options, const study::SweepOutcome& outcome) {
-  fmt::print("{} of {} points finished, {:.1f} s in all\ntable: {}/sweep.csv\n",
-             outcome.points - outcome.failures.size(), outcome.points, outcome.seconds,
-             options.output);
+  fmt::print("{} of {} points finished, {:.1f} s in all\n",
+             outcome.points - outcome.failures.size() - outcome.missing.size(), outcome.points,
+             outcome.seconds);
+  if (options.batch) {
+    return;
+  }
+  fmt::print("table: {}/sweep.csv\n", options.output);
   if (outcome.report.empty()) {
     fmt::print("figures and report: ionskin report {}\n", options.output);
   } else {
@@ -37,50 +44,111 @@ void print_outcome(const SweepOptions& options, const study::SweepOutcome& outco
   }
 }
 
-void print_problems(const study::SweepOutcome& outcome) {
+/// Of the batches, for those who start them.
+void print_plan(const SweepOptions& options, const study::PlannedFolder& folder) {
+  double longest = 0, largest = 0;
+  for (const study::SweepBatch& batch : folder.batches) {
+    longest = std::max(longest, batch.seconds);
+    largest = std::max(largest, batch.memory);
+  }
+  fmt::print(
+      "plan: {}/plan.json\n{} batches, 0 to {}, {} of them with points to solve; the longest "
+      "takes about {:.2g} s, the largest about {:.2g} GB\n"
+      "do each: ionskin sweep --do-batch K -o {}\n"
+      "then: ionskin sweep --collect -o {}\n",
+      options.output, folder.batches.size(), folder.batches.size() - 1, folder.unfinished.size(),
+      longest, 1e-9 * largest, options.output, options.output);
+}
+
+void print_problems(const SweepOptions& options, const study::SweepOutcome& outcome) {
   if (!outcome.failures.empty()) {
-    fmt::print(stderr,
-               "warning: {} of {} points failed; sweep.csv has every reason, --resume tries them "
-               "again. The first, {}: {}\n",
-               outcome.failures.size(), outcome.points, outcome.failures.begin()->first,
-               outcome.failures.begin()->second);
+    fmt::print(stderr, "warning: {} of {} points failed; {}. The first, {}: {}\n",
+               outcome.failures.size(), outcome.points,
+               options.batch ? "--do-batch tries them again"
+                             : "sweep.csv has every reason, --resume tries them again",
+               outcome.failures.begin()->first, outcome.failures.begin()->second);
+  }
+  if (!outcome.missing.empty()) {
+    fmt::print(
+        stderr,
+        "warning: {} of {} points are still to be solved, the first is {}: do their batches, "
+        "or finish the sweep with --resume\n",
+        outcome.missing.size(), outcome.points, outcome.missing.front());
   }
   if (!outcome.report_problem.empty()) {
     fmt::print(stderr, "warning: {}\n", outcome.report_problem);
   }
 }
 
+ExitCode exit_code(const study::SweepOutcome& outcome) {
+  if (!outcome.missing.empty()) {
+    return ExitCode::unfinished;
+  }
+  return outcome.failures.size() < outcome.points ? ExitCode::success : ExitCode::solver_gave_up;
+}
+
+study::SweepOptions settings_of(const SweepOptions& options, const std::string& command,
+                                ProgressDisplay& display) {
+  auto settings = study_settings<study::SweepOptions>(options, command, display);
+  settings.resume = options.resume;
+  settings.report = !options.no_report;
+  settings.studies = options.only == "mechanics" ? study::Studies::mechanics : study::Studies::both;
+  if (options.plan || options.batch) { // other machines have other processors
+    settings.threads = options.plan ? std::max(1, options.threads) : options.threads;
+  }
+  return settings;
+}
+
+/// What the whole sweep and --plan begin with; nothing where that is all.
+std::optional<study::SweepPlan> planned(const SweepOptions& options) {
+  study::SweepPlan plan = study::plan_sweep(request(options));
+  if (options.explain || options.log == LogFormat::automatic) {
+    const int threads = options.plan ? std::max(1, options.threads) : thread_count(options.threads);
+    const std::string cost = sweep_cost(plan, options.only != "mechanics", threads);
+    fmt::print(options.explain ? stdout : stderr, "{}\n", cost);
+  }
+  return options.explain ? std::nullopt : std::optional(std::move(plan));
+}
+
+int plan_only(const SweepOptions& options, const std::string& command) {
+  const auto plan = planned(options);
+  if (plan) {
+    ProgressDisplay display(LogFormat::none);
+    const auto folder = study::plan_sweep_folder(*plan, settings_of(options, command, display));
+    if (options.log != LogFormat::quiet) {
+      print_plan(options, folder);
+    }
+  }
+  return static_cast<int>(ExitCode::success);
+}
+
 } // namespace
 
 int sweep(const SweepOptions& options, const std::string& command) {
   base::install_interrupt_handler();
-  const study::SweepPlan plan = study::plan_sweep(request(options));
-  const bool both_studies = options.only != "mechanics";
-  if (options.explain || options.log == LogFormat::automatic) {
-    const std::string cost = sweep_cost(plan, both_studies, thread_count(options.threads));
-    fmt::print(options.explain ? stdout : stderr, "{}\n", cost);
+  if (options.plan) {
+    return plan_only(options, command);
   }
-  if (options.explain) {
+  std::optional<study::SweepPlan> plan;
+  if (!options.batch && !options.collect && !(plan = planned(options))) {
     return static_cast<int>(ExitCode::success);
   }
-  study::SweepOutcome outcome;
-  if (options.log != LogFormat::quiet) {
+  if (options.log != LogFormat::quiet && !options.collect) {
     announce_cache(options.use_cache);
   }
+  study::SweepOutcome outcome;
   {
     ProgressDisplay display(options.log);
-    auto settings = study_settings<study::SweepOptions>(options, command, display);
-    settings.resume = options.resume;
-    settings.report = !options.no_report;
-    settings.studies = both_studies ? study::Studies::both : study::Studies::mechanics;
-    outcome = study::run_sweep(plan, settings);
+    const auto settings = settings_of(options, command, display);
+    outcome = options.collect ? study::collect_sweep(settings)
+              : options.batch ? study::do_batch(*options.batch, settings)
+                              : study::run_sweep(*plan, settings);
   }
-  print_problems(outcome);
+  print_problems(options, outcome);
   if (options.log != LogFormat::quiet) {
     print_outcome(options, outcome);
   }
-  return static_cast<int>(outcome.failures.size() < outcome.points ? ExitCode::success
-                                                                   : ExitCode::solver_gave_up);
+  return static_cast<int>(exit_code(outcome));
 }
 
 } // namespace ionskin::apps

@@ -29,7 +29,7 @@ std::string counted(std::size_t count, const std::string& thing) {
 std::string solutions_in_words(const std::vector<study::MechanicsGroup>& groups) {
   std::size_t solutions = 0;
   for (const auto& group : groups) {
-    solutions += group.solutions;
+    solutions += group.solutions.size();
   }
   const std::string words = counted(solutions, "contact solution");
   return groups.size() < solutions
@@ -50,8 +50,8 @@ std::string sweep_cost(const study::SweepPlan& plan, bool both_studies, int thre
   double seconds = seconds_of_report;
   for (const auto& group : groups) {
     const planning::CostEstimate cost =
-        planning::estimate_cost(plan.points[group.first_point].input, threads);
-    const double further = further_friction * static_cast<double>(group.solutions - 1);
+        planning::estimate_cost(plan.points[group.first_point()].input, threads);
+    const double further = further_friction * static_cast<double>(group.solutions.size() - 1);
     seconds += cost.mechanics_seconds * (1 + further);
   }
   if (both_studies) {

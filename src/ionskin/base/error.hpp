@@ -12,6 +12,7 @@ enum class ExitCode {
   internal_error = 1,
   user_error = 2,
   solver_gave_up = 3,
+  unfinished = 4, ///< points of a planned sweep are still to be solved
   interrupted = 130
 };
 

@@ -93,6 +93,9 @@ std::string manifest_text(const Manifest& manifest) {
   Json json;
   json["program"] = program_json();
   json["state"] = manifest.state;
+  if (!manifest.reason.empty()) {
+    json["reason"] = manifest.reason;
+  }
   json["started"] = manifest.started;
   json["command"] = manifest.command;
   json["threads"] = manifest.threads;
@@ -126,6 +129,7 @@ Manifest read_manifest(const std::filesystem::path& path) {
     }
     Manifest manifest;
     manifest.state = json->at("state").get<std::string>();
+    manifest.reason = json->value("reason", "");
     manifest.started = json->at("started").get<std::string>();
     manifest.command = json->at("command").get<std::string>();
     manifest.threads = json->at("threads").get<int>();

@@ -8,11 +8,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cerrno>
-#include <fcntl.h>
-#include <sys/file.h>
 #include <system_error>
-#include <unistd.h>
 
 namespace ionskin::results {
 namespace {
@@ -20,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array subfolders{file_names::fields, file_names::figures, file_names::points,
-                                file_names::evaluations};
+                                file_names::staging, file_names::evaluations};
 constexpr std::array top_files{
     file_names::manifest,       file_names::case_text,       file_names::summary,
     file_names::signals,        file_names::sampled,         file_names::taxels,
@@ -29,7 +25,8 @@ constexpr std::array top_files{
     file_names::circuit,        file_names::impedance,       file_names::fit,
     file_names::fit_table,      file_names::fitted_case,     file_names::results,
     file_names::checkpoint,     file_names::report,          file_names::sweep_table,
-    file_names::sweep_signals,  file_names::water,           file_names::water_error};
+    file_names::sweep_signals,  file_names::sweep_plan,      file_names::water,
+    file_names::water_error};
 
 /// Of the entry itself; a link is a link.
 fs::file_status status_of(const fs::path& path) {
@@ -54,14 +51,6 @@ void require_own(const fs::path& folder, ExistingFolder existing) {
       fmt::format("the folder {} holds files but no manifest.json of ionskin, so {} would touch "
                   "files that are not ours\n  = choose another folder with -o, or empty this one",
                   folder.string(), option));
-}
-
-void refuse_link(const fs::path& path) {
-  if (fs::is_symlink(status_of(path))) {
-    throw UserError(fmt::format("{} is a link, and ionskin writes nothing through a link out of "
-                                "its folder\n  = remove the link, or choose another folder with -o",
-                                path.string()));
-  }
 }
 
 [[noreturn]] void throw_foreign(const fs::path& path) {
@@ -103,38 +92,38 @@ void create(const fs::path& folder) {
 
 } // namespace
 
-OutputFolder::OutputFolder(fs::path folder, ExistingFolder existing) : folder_(std::move(folder)) {
+void refuse_link(const fs::path& path) {
+  if (fs::is_symlink(status_of(path))) {
+    throw UserError(fmt::format("{} is a link, and ionskin writes nothing through a link out of "
+                                "its folder\n  = remove the link, or choose another folder with -o",
+                                path.string()));
+  }
+}
+
+base::FileDescriptor lock_output_folder(const fs::path& folder, LockKind kind) {
+  auto lock = lock_path(folder, kind);
+  if (!lock) {
+    throw UserError(fmt::format("another ionskin is writing to the folder {}\n  = wait until it "
+                                "has ended, or choose another folder with -o",
+                                folder.string()));
+  }
+  return std::move(*lock);
+}
+
+OutputFolder::OutputFolder(fs::path folder, ExistingFolder existing, LockKind lock)
+    : folder_(std::move(folder)) {
   create(folder_);
-  lock();
+  lock_ = lock_output_folder(folder_, lock);
   try {
-    make_ready(existing);
+    make_ready(existing, lock);
   } catch (const fs::filesystem_error& error) {
-    ::close(lock_);
     throw UserError(fmt::format("the output folder {} cannot be made ready: {}\n  = choose another "
                                 "folder with -o",
                                 folder_.string(), error.code().message()));
-  } catch (...) {
-    ::close(lock_);
-    throw;
   }
 }
 
-OutputFolder::~OutputFolder() {
-  ::close(lock_);
-}
-
-void OutputFolder::lock() {
-  lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  // Some file systems know no such locks: then there is none.
-  if (lock_ >= 0 && ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    ::close(lock_);
-    throw UserError(fmt::format("another ionskin is writing to the folder {}\n  = wait until it "
-                                "has ended, or choose another folder with -o",
-                                folder_.string()));
-  }
-}
-
-void OutputFolder::make_ready(ExistingFolder existing) {
+void OutputFolder::make_ready(ExistingFolder existing, LockKind lock) {
   if (fs::is_empty(folder_)) {
     clear_file_list(folder_);
     return;
@@ -167,13 +156,16 @@ void OutputFolder::make_ready(ExistingFolder existing) {
   } else {
     base::PendingFile probe(folder_ / file_list_name);
   }
-  base::remove_pending_files(folder_);
-  for (const char* name : subfolders) {
-    base::remove_pending_files(folder_ / name);
+  if (lock == LockKind::exclusive) { // else another may be writing them
+    base::remove_pending_files(folder_);
+    for (const char* name : subfolders) {
+      base::remove_pending_files(folder_ / name);
+    }
   }
   if (existing == ExistingFolder::overwrite) {
     remove_results();
-    remove_points();
+    remove_points(folder_ / file_names::points);
+    remove_staging();
   }
 }
 
@@ -222,10 +214,19 @@ void OutputFolder::remove_results() {
   clear_file_list(folder_);
 }
 
-/// Of an earlier sweep.
-void OutputFolder::remove_points() {
+void OutputFolder::remove_staging() {
   std::error_code ignored;
-  const fs::path points = folder_ / file_names::points;
+  const fs::path staging = folder_ / file_names::staging;
+  for (const auto& entry : fs::directory_iterator(staging, ignored)) {
+    if (is_folder(entry.path())) {
+      remove_points(entry.path());
+    }
+  }
+  fs::remove(staging, ignored);
+}
+
+void remove_points(const fs::path& points) {
+  std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(points, ignored)) {
     if (is_folder(entry.path()) && is_ours(entry.path())) {
       { const OutputFolder point(entry.path(), ExistingFolder::overwrite); }

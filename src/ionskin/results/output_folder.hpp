@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/results/path_lock.hpp"
+
 #include <filesystem>
 #include <set>
 #include <string>
@@ -24,9 +26,10 @@ class OutputFolder {
 public:
   /// Makes the folder ready before any work. A missing or an empty folder is taken as it is.
   /// `overwrite` and `resume` accept only a folder of ionskin.
+  /// @param lock `shared` where others may write other results into the folder meanwhile
   /// Throws UserError when the folder holds other files, is none, cannot be written, or is locked.
-  OutputFolder(std::filesystem::path folder, ExistingFolder existing);
-  ~OutputFolder();
+  OutputFolder(std::filesystem::path folder, ExistingFolder existing,
+               LockKind lock = LockKind::exclusive);
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
@@ -43,15 +46,23 @@ public:
   const std::set<std::string>& owned() const { return owned_; }
 
 private:
-  void make_ready(ExistingFolder existing);
-  void lock();
+  void make_ready(ExistingFolder existing, LockKind lock);
   void remove_results();
-  void remove_points();
+  void remove_staging();
 
   std::filesystem::path folder_;
-  int lock_ = -1;
+  base::FileDescriptor lock_;
   std::set<std::string> owned_;
 };
+
+/// The lock alone, of a folder that is there. Throws UserError when another holds it.
+base::FileDescriptor lock_output_folder(const std::filesystem::path& folder, LockKind kind);
+
+/// Throws UserError where a path is a link, through which nothing is written.
+void refuse_link(const std::filesystem::path& path);
+
+/// Removes the folder of the points of an earlier sweep; what is not ours stays.
+void remove_points(const std::filesystem::path& points);
 
 /// Names inside the folder of a run.
 namespace file_names {
@@ -82,7 +93,9 @@ inline constexpr const char* report = "report.html";
 inline constexpr const char* fields = "fields";
 inline constexpr const char* figures = "figures";
 // Of a sweep.
-inline constexpr const char* points = "points"; ///< folder of the points' folders
+inline constexpr const char* points = "points";   ///< folder of the points' folders
+inline constexpr const char* staging = "staging"; ///< folder of points that are being solved
+inline constexpr const char* sweep_plan = "plan.json";
 inline constexpr const char* sweep_table = "sweep.csv";
 inline constexpr const char* sweep_signals = "sweep.h5";
 } // namespace file_names

@@ -18,8 +18,9 @@ enum class Studies { both, mechanics, electrochemistry };
 struct RunOptions {
   std::filesystem::path folder; ///< of the results
   int threads = 1;
-  bool overwrite = false; ///< replace the results of an earlier run
-  bool resume = false;    ///< take up the finished parts of an interrupted run of the same case
+  bool overwrite = false;     ///< replace the results of an earlier run
+  bool resume = false;        ///< take up the finished parts of an interrupted run of the same case
+  bool beside_others = false; ///< others may write other results into the folder meanwhile
   /// `electrochemistry` alone takes up the finished mechanics in the folder.
   Studies studies = Studies::both;
   bool report = true;    ///< draw the figures and the page

@@ -54,7 +54,8 @@ bool is_whole(const results::Manifest& manifest, const std::string& hash,
 } // namespace
 
 RunFolder::RunFolder(const Case& input, const RunOptions& options)
-    : folder_(options.folder, existing_folder(options)) {
+    : folder_(options.folder, existing_folder(options),
+              options.beside_others ? results::LockKind::shared : results::LockKind::exclusive) {
   manifest_ = results::new_manifest(options.command, options.threads, input_hash(input));
   if (options.resume || options.studies == Studies::electrochemistry) {
     take_up(input);
@@ -122,7 +123,8 @@ bool RunFolder::has_all_results() const {
   return is_whole(earlier_, manifest_.input_hash, path());
 }
 
-bool holds_finished_run(const std::filesystem::path& folder, const Case& input, Studies studies) {
+bool holds_finished_run(const std::filesystem::path& folder, const std::string& hash,
+                        Studies studies) {
   const auto path = folder / results::file_names::manifest;
   if (!results::is_ionskin_manifest(path)) {
     return false;
@@ -131,7 +133,7 @@ bool holds_finished_run(const std::filesystem::path& folder, const Case& input, 
     const results::Manifest manifest = results::read_manifest(path);
     const auto ions = manifest.stages.find("electrochemistry");
     const bool both = ions != manifest.stages.end() && ions->second.state == "finished";
-    return (both || studies == Studies::mechanics) && is_whole(manifest, input_hash(input), folder);
+    return (both || studies == Studies::mechanics) && is_whole(manifest, hash, folder);
   } catch (const UserError&) {
     return false; // damaged: the run itself tells
   }
@@ -174,6 +176,16 @@ void RunFolder::finish(bool sound) {
     }
   }
   manifest_.state = sound ? "finished" : "failed";
+  write_manifest();
+}
+
+void RunFolder::fail(const std::string& reason) {
+  manifest_.reason = reason;
+  set_state("failed");
+}
+
+void RunFolder::set_state(const std::string& state) {
+  manifest_.state = state;
   write_manifest();
 }
 

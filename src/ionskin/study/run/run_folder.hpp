@@ -67,6 +67,10 @@ public:
   /// Marks the whole run as finished, with the digests of its results, or as failed where its
   /// results do not pass their audits.
   void finish(bool sound = true);
+  /// Marks the run as failed, for a reason.
+  void fail(const std::string& reason);
+  /// Notes how far the whole run is: "planned" or "interrupted".
+  void set_state(const std::string& state);
   const results::Manifest& manifest() const { return manifest_; }
 
 private:
@@ -87,7 +91,9 @@ private:
 
 /// Whether a folder holds a finished run of this case by this build, with all its results as they
 /// were written. Takes no lock.
-bool holds_finished_run(const std::filesystem::path& folder, const Case& input, Studies studies);
+/// @param hash of the case, see `input_hash`
+bool holds_finished_run(const std::filesystem::path& folder, const std::string& hash,
+                        Studies studies);
 
 /// Hash of a case: of its text, of its values with those of material presets and defaults, and of
 /// the waypoints, heights and strain that it takes from files. Throws UserError when the strain

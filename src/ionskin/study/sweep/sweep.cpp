@@ -3,151 +3,52 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/files/atomic_file.hpp"
-#include "ionskin/electrochemistry/time/problem_size.hpp"
-#include "ionskin/parallel/task_pool.hpp"
 #include "ionskin/planning/resources.hpp"
 #include "ionskin/results/output_folder.hpp"
-#include "ionskin/results/summary_json.hpp"
 #include "ionskin/study/run/report.hpp"
 #include "ionskin/study/run/run_folder.hpp"
-#include "ionskin/study/sweep/point_failure.hpp"
-#include "ionskin/study/sweep/sweep_mechanics.hpp"
 #include "ionskin/study/sweep/sweep_table.hpp"
+#include "ionskin/study/sweep_folder.hpp"
+#include "ionskin/study/sweep_work.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <mutex>
 #include <numeric>
 
 namespace ionskin::study {
 namespace {
 
 namespace fs = std::filesystem;
+namespace names = results::file_names;
 
-constexpr double memory_bound = 2.4e9; // bytes for the ion transport of all points at once
-
-RunOptions sweep_folder_options(const SweepOptions& options) {
+RunOptions run_options(const SweepOptions& options) {
   RunOptions result;
   result.folder = options.folder;
   result.threads = options.threads;
   result.overwrite = options.overwrite;
   result.resume = options.resume;
+  result.studies = options.studies;
   result.use_cache = options.use_cache;
   result.command = options.command;
-  return result;
-}
-
-RunOptions point_options(const SweepOptions& options) {
-  RunOptions result = sweep_folder_options(options);
-  result.folder = options.folder / results::file_names::points;
-  result.overwrite = false;
-  result.resume = true;
-  result.studies = options.studies;
-  result.report = false;
-  result.paraview = false;
   result.progress = options.progress;
   return result;
 }
 
-/// What the points' folders tell, the progress over all of them, and the table on disk.
-class SweepRecord {
-public:
-  SweepRecord(const SweepPlan& plan, const SweepOptions& options, const fs::path& table)
-      : plan_(plan), options_(options), table_(table), states_(plan.points.size()),
-        fractions_(plan.points.size(), 0.0) {
-    for (std::size_t i = 0; i < states_.size(); ++i) {
-      take_up(i);
-    }
-  }
-
-  std::vector<std::size_t> unfinished() const {
-    std::vector<std::size_t> result;
-    for (std::size_t i = 0; i < states_.size(); ++i) {
-      if (states_[i].status == PointStatus::pending) {
-        result.push_back(i);
-      }
-    }
-    return result;
-  }
-
-  void finish(std::size_t i, std::vector<readout::Metric> metrics) {
-    settle(i, {PointStatus::finished, "", std::move(metrics)});
-  }
-  void fail(std::size_t i, const std::string& reason) {
-    settle(i, {PointStatus::failed, reason, {}});
-  }
-  void progress(std::size_t i, double fraction) {
-    const std::lock_guard lock(mutex_);
-    fractions_[i] = std::max(fractions_[i], fraction);
-    show();
-  }
-  void write_table() const {
-    base::write_text_file(table_, sweep_table_text(plan_.points, states_));
-  }
-  const std::vector<PointState>& states() const { return states_; }
-
-private:
-  void take_up(std::size_t i) {
-    const fs::path folder = options_.folder / results::file_names::points / plan_.points[i].name;
-    if (holds_finished_run(folder, plan_.points[i].input, options_.studies)) {
-      states_[i] = {PointStatus::finished, "",
-                    results::read_metrics(folder / results::file_names::summary)};
-      fractions_[i] = 1;
-    }
-  }
-  void settle(std::size_t i, PointState state) {
-    const std::lock_guard lock(mutex_);
-    states_[i] = std::move(state);
-    fractions_[i] = 1;
-    write_table();
-    show();
-  }
-  void show() const {
-    options_.progress("ion transport of all points",
-                      std::accumulate(fractions_.begin(), fractions_.end(), 0.0) /
-                          static_cast<double>(fractions_.size()));
-  }
-
-  const SweepPlan& plan_;
-  const SweepOptions& options_;
-  fs::path table_;
-  std::vector<PointState> states_;
-  std::vector<double> fractions_;
-  std::mutex mutex_;
-};
-
-/// One point from its mechanics on; whatever goes wrong with it stays with it.
-void run_point(const SweepPlan& plan, std::size_t i, RunOptions options, SweepRecord& record) {
-  options.folder /= plan.points[i].name;
-  options.progress = [&record, i](std::string_view activity, double fraction) {
-    if (activity == "ion transport") {
-      record.progress(i, 0.95 * fraction);
-    }
-  };
-  if (const auto reason =
-          failure_of([&] { record.finish(i, run_case(plan.points[i].input, options).metrics); })) {
-    record.fail(i, *reason);
-  }
+/// Of the folder of the whole sweep: its studies are those of the points.
+RunOptions folder_options(const SweepOptions& options) {
+  RunOptions result = run_options(options);
+  result.studies = Studies::both;
+  return result;
 }
 
-void run_points(const SweepPlan& plan, const SweepOptions& options, SweepRecord& record) {
-  const std::vector<std::size_t> points = record.unfinished();
-  if (points.empty()) {
-    return;
+std::vector<PointState> read_states(const fs::path& folder, const SweepPlan& plan,
+                                    Studies studies) {
+  std::vector<PointState> states;
+  for (const SweepPoint& point : plan.points) {
+    states.push_back(read_point_state(folder / names::points, point, studies));
   }
-  double largest = 0;
-  for (const std::size_t i : points) {
-    const Case& input = plan.points[i].input;
-    if (input.strain.kind == StrainSourceKind::contact) {
-      largest = std::max(largest, electrochemistry::estimate_problem_size(input).memory);
-    }
-  }
-  const auto fitting = static_cast<int>(std::min(1e6, memory_bound / std::max(1.0, largest)));
-  const int at_once =
-      std::clamp(std::min(options.threads, fitting), 1, static_cast<int>(points.size()));
-  RunOptions settings = point_options(options);
-  settings.threads = std::max(1, options.threads / at_once);
-  parallel::run_tasks(points.size(), at_once,
-                      [&](std::size_t i) { run_point(plan, points[i], settings, record); });
+  return states;
 }
 
 void note_cost(RunFolder& folder, const base::Timers& timers) {
@@ -166,6 +67,57 @@ template <class Work> void timed_stage(RunFolder& folder, const std::string& nam
   });
 }
 
+std::vector<SweepBatch> write_plan(const SweepPlan& plan, const SweepOptions& options,
+                                   RunFolder& folder) {
+  auto batches = plan_batches(plan.points, options.studies, options.threads);
+  base::write_text_file(folder.own(names::sweep_plan), plan_text(plan, batches, options.studies));
+  return batches;
+}
+
+SweepOutcome outcome_of(const SweepPlan& plan, const std::vector<std::size_t>& points,
+                        const std::vector<PointState>& states) {
+  SweepOutcome outcome;
+  outcome.points = points.size();
+  for (const std::size_t i : points) {
+    if (states[i].status == PointStatus::failed) {
+      outcome.failures[plan.points[i].name] = states[i].reason;
+    } else if (states[i].status == PointStatus::pending) {
+      outcome.missing.push_back(plan.points[i].name);
+    }
+  }
+  return outcome;
+}
+
+std::vector<std::size_t> all_points(const SweepPlan& plan) {
+  std::vector<std::size_t> result(plan.points.size());
+  std::iota(result.begin(), result.end(), 0);
+  return result;
+}
+
+/// The tables from the points that are there, and the report.
+SweepOutcome collect(const SweepPlan& plan, const std::vector<PointState>& states,
+                     const SweepOptions& options, RunFolder& folder) {
+  timed_stage(folder, "output", [&] {
+    base::write_text_file(folder.own(names::sweep_table), sweep_table_text(plan.points, states));
+    write_sweep_signals(options.folder, folder.own(names::sweep_signals), plan.points, states);
+  });
+  SweepOutcome outcome = outcome_of(plan, all_points(plan), states);
+  if (outcome.missing.empty()) {
+    folder.finish();
+  } else {
+    folder.set_state("interrupted");
+  }
+  if (options.report && outcome.failures.size() + outcome.missing.size() < outcome.points) {
+    options.progress("report", 0.0);
+    outcome.report_problem = make_report(options.folder).value_or("");
+    options.progress("report", 1.0);
+    if (outcome.report_problem.empty()) {
+      outcome.report = folder.file(names::report);
+    }
+  }
+  return outcome;
+}
+
 } // namespace
 
 SweepOutcome run_sweep(const SweepPlan& plan, const SweepOptions& options) {
@@ -173,40 +125,94 @@ SweepOutcome run_sweep(const SweepPlan& plan, const SweepOptions& options) {
   for (const SweepPoint& point : plan.points) {
     planning::require_resources(point.input, options.threads);
   }
-  RunFolder folder(plan.base, sweep_folder_options(options));
-  SweepRecord record(plan, options, folder.own(results::file_names::sweep_table));
-  record.write_table();
-  base::Timers timers;
-  timed_stage(folder, "mechanics", [&] {
-    for (const auto& [i, reason] :
-         solve_shared_mechanics(plan.points, record.unfinished(), point_options(options), timers)) {
-      record.fail(i, reason);
-    }
-  });
-  timed_stage(folder, "points", [&] { run_points(plan, options, record); });
-  timed_stage(folder, "output", [&] {
-    record.write_table();
-    write_sweep_signals(options.folder, folder.own(results::file_names::sweep_signals), plan.points,
-                        record.states());
-  });
-  note_cost(folder, timers);
+  RunFolder folder(plan.base, folder_options(options));
+  write_plan(plan, options, folder);
+  settle_staging(options.folder, plan, options.studies, false);
+  SweepRecord record(plan.points, read_states(options.folder, plan, options.studies),
+                     options.progress, folder.own(names::sweep_table));
+  {
+    base::Timers timers;
+    const StagingPlace place(options.folder, "sweep");
+    SweepWork work(plan, all_points(plan), run_options(options), place, record);
+    timed_stage(folder, "mechanics",
+                [&] { work.solve_mechanics(timers, options.folder / names::points); });
+    timed_stage(folder, "points", [&] { work.run_points(); });
+    note_cost(folder, timers);
+  }
+  settle_staging(options.folder, plan, options.studies, true);
+  SweepOutcome outcome = collect(plan, record.states(), options, folder);
+  outcome.seconds = base::wall_time() - start;
+  return outcome;
+}
 
-  SweepOutcome outcome;
-  outcome.points = plan.points.size();
-  for (std::size_t i = 0; i < plan.points.size(); ++i) {
-    if (record.states()[i].status == PointStatus::failed) {
-      outcome.failures[plan.points[i].name] = record.states()[i].reason;
+PlannedFolder plan_sweep_folder(const SweepPlan& plan, const SweepOptions& options) {
+  for (const SweepPoint& point : plan.points) {
+    planning::shortage(point.input, options.threads); // throws for what no machine can do
+  }
+  RunFolder folder(plan.base, folder_options(options));
+  PlannedFolder result{write_plan(plan, options, folder), {}};
+  settle_staging(options.folder, plan, options.studies, false);
+  const auto states = read_states(options.folder, plan, options.studies);
+  for (std::size_t i = 0; i < result.batches.size(); ++i) {
+    const auto& points = result.batches[i].points;
+    if (std::any_of(points.begin(), points.end(), [&](std::size_t point) {
+          return states[point].status != PointStatus::finished;
+        })) {
+      result.unfinished.push_back(i);
     }
   }
-  folder.finish();
-  if (options.report && outcome.failures.size() < outcome.points) {
-    options.progress("report", 0.0);
-    outcome.report_problem = make_report(options.folder).value_or("");
-    options.progress("report", 1.0);
-    if (outcome.report_problem.empty()) {
-      outcome.report = folder.file(results::file_names::report);
-    }
+  folder.set_state("planned");
+  return result;
+}
+
+SweepOutcome do_batch(std::size_t batch, const SweepOptions& options) {
+  const double start = base::wall_time();
+  const auto lock = results::lock_output_folder(options.folder, results::LockKind::shared);
+  const PlannedSweep sweep = read_planned_sweep(options.folder, batch);
+  const SweepBatch& chosen = sweep.batches[batch];
+  RunOptions settings = run_options(options);
+  settings.threads = options.threads > 0 ? options.threads : chosen.threads;
+  settings.studies = sweep.studies;
+  for (const std::size_t i : chosen.points) {
+    planning::require_resources(sweep.plan.points[i].input, settings.threads);
   }
+  std::vector<PointState> states(sweep.plan.points.size());
+  for (const std::size_t i : chosen.points) {
+    states[i] =
+        read_point_state(options.folder / names::points, sweep.plan.points[i], sweep.studies);
+  }
+  SweepRecord record(sweep.plan.points, std::move(states), options.progress, {});
+  const StagingPlace place(options.folder, fmt::format("batch-{:04}", batch));
+  SweepWork work(sweep.plan, chosen.points, settings, place, record);
+  base::Timers timers;
+  work.solve_mechanics(timers, options.folder / names::points);
+  work.run_points();
+  SweepOutcome outcome = outcome_of(sweep.plan, chosen.points, record.states());
+  outcome.seconds = base::wall_time() - start;
+  return outcome;
+}
+
+SweepOutcome collect_sweep(const SweepOptions& options) {
+  const double start = base::wall_time();
+  const PlannedSweep sweep = read_planned_sweep(options.folder, std::nullopt);
+  const auto alone =
+      results::lock_path(options.folder / names::sweep_plan, results::LockKind::exclusive);
+  if (!alone) {
+    throw UserError(fmt::format("another ionskin collects the tables of {}\n  = wait until it has "
+                                "ended",
+                                options.folder.string()));
+  }
+  RunOptions settings = folder_options(options);
+  settings.resume = true;
+  settings.beside_others = true;
+  RunFolder folder(sweep.plan.base, settings);
+  settle_staging(options.folder, sweep.plan, sweep.studies, false);
+  const auto states = read_states(options.folder, sweep.plan, sweep.studies);
+  if (std::all_of(states.begin(), states.end(),
+                  [](const PointState& state) { return state.status != PointStatus::pending; })) {
+    settle_staging(options.folder, sweep.plan, sweep.studies, true);
+  }
+  SweepOutcome outcome = collect(sweep.plan, states, options, folder);
   outcome.seconds = base::wall_time() - start;
   return outcome;
 }

@@ -3,7 +3,7 @@
 
 #include "ionskin/base/progress.hpp"
 #include "ionskin/study/run/run_case.hpp"
-#include "ionskin/study/sweep/sweep_points.hpp"
+#include "ionskin/study/sweep_plan_file.hpp"
 
 #include <filesystem>
 #include <map>
@@ -27,16 +27,37 @@ struct SweepOptions {
 struct SweepOutcome {
   std::size_t points = 0;
   std::map<std::string, std::string> failures; ///< reason by name of the point
+  std::vector<std::string> missing;            ///< names of the points that nobody solved yet
   std::filesystem::path report;                ///< empty when none was made
   std::string report_problem;                  ///< why none was made
   double seconds = 0;
 };
 
-/// Runs every point of a plan as a run folder of its own under `points`, and writes sweep.csv
-/// (after every point) and sweep.h5. Mechanics is shared between points wherever it can be; then
-/// the points run side by side, within the threads and a memory bound. A point that fails is a row
-/// with its reason. Finished points outlive an interruption, which leaves as Interrupted. Throws
-/// UserError before any work.
+/// Plans a sweep, does all its points and collects the tables. Every point is a run folder of its
+/// own under `points`, which appears there when it is whole; sweep.csv is written after every
+/// point. Mechanics is shared between points wherever it can be; then the points run side by side,
+/// within the threads and a memory bound. A point that fails is a row with its reason. Finished
+/// points outlive an interruption, which leaves as Interrupted. Throws UserError before any work.
 SweepOutcome run_sweep(const SweepPlan& plan, const SweepOptions& options);
+
+struct PlannedFolder {
+  std::vector<SweepBatch> batches;
+  std::vector<std::size_t> unfinished; ///< numbers of the batches that have points to be solved
+};
+
+/// Writes plan.json and the manifest of a sweep, whose batches other processes then do.
+/// @param options `threads` are those of a batch
+PlannedFolder plan_sweep_folder(const SweepPlan& plan, const SweepOptions& options);
+
+/// Does one batch of a planned sweep, beside other processes that do others: solves what is not
+/// finished of its points, and tries those again that failed. Touches no table.
+/// @param options `folder`, `threads` (0: as planned), `use_cache`, `command` and `progress`
+/// Throws UserError before any work.
+SweepOutcome do_batch(std::size_t batch, const SweepOptions& options);
+
+/// Writes the tables of a planned sweep from the points that are there, and the report. May be
+/// called while batches are being done.
+/// @param options `folder`, `report`, `command` and `progress`
+SweepOutcome collect_sweep(const SweepOptions& options);
 
 } // namespace ionskin::study

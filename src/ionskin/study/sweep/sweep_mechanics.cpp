@@ -61,7 +61,7 @@ std::vector<FrictionGroup> group_points(const std::vector<SweepPoint>& points,
     if (groups.count(group) == 0) {
       order.push_back(group);
     }
-    SharedMechanics& shared = groups[group][mechanics_hash(points[i].input)];
+    SharedMechanics& shared = groups[group][points[i].mechanics_hash];
     shared.friction = points[i].input.contact.friction;
     shared.points.push_back(i);
   }
@@ -86,18 +86,24 @@ double states_per_solution(const Case& input) {
   return states;
 }
 
-/// Friction coefficients whose solutions fit into memory together.
-std::size_t batch_size(const Case& input, const mesh::Footprint& footprint) {
-  const mesh::SkinMesh mesh(input, footprint);
+double solution_memory(const Case& input, const mesh::SkinMesh& mesh) {
   const auto elements = mesh.elements();
   const auto core = mesh.core_z();
   const double gauss_points =
       8.0 * static_cast<double>(elements[0] * elements[1] * (core[1] - core[0]));
-  const double bytes = states_per_solution(input) * 6 * sizeof(double) * gauss_points;
-  const double memory =
-      std::max(least_solution_memory,
-               share_of_factorisation * mechanics::factorisation_memory(mesh.unknowns()));
-  return std::max<std::size_t>(1, static_cast<std::size_t>(memory / bytes));
+  return states_per_solution(input) * 6 * sizeof(double) * gauss_points;
+}
+
+double most_memory(const mesh::SkinMesh& mesh) {
+  return std::max(least_solution_memory,
+                  share_of_factorisation * mechanics::factorisation_memory(mesh.unknowns()));
+}
+
+/// Friction coefficients whose solutions fit into memory together.
+std::size_t batch_size(const Case& input, const mesh::Footprint& footprint) {
+  const mesh::SkinMesh mesh(input, footprint);
+  return std::max<std::size_t>(
+      1, static_cast<std::size_t>(most_memory(mesh) / solution_memory(input, mesh)));
 }
 
 /// How the entries of a group are solved.
@@ -119,19 +125,16 @@ GroupPlan plan_group(const Case& input, int threads) {
   return plan;
 }
 
-/// Study 1 of one point that a finished point shares, read from that point's folder.
-bool take_over(const std::vector<SweepPoint>& points, const RunOptions& options, std::size_t donor,
-               std::size_t receiver) {
-  const auto record =
-      read_mechanics(point_options(options, points[donor]).folder / results::file_names::results,
-                     mechanics_hash(points[donor].input), points[donor].input.skin);
+/// Study 1 of a point, read from the file of another that shares it.
+bool take_over(const SweepPoint& point, const RunOptions& options,
+               const std::filesystem::path& donor) {
+  const auto record = read_mechanics(donor, point.mechanics_hash, point.input.skin);
   if (!record) {
     return false;
   }
-  RunFolder folder(points[receiver].input, point_options(options, points[receiver]));
+  RunFolder folder(point.input, point_options(options, point));
   return folder.stage("strain", [&] {
-    write_mechanics(folder.own(results::file_names::results),
-                    mechanics_hash(points[receiver].input), *record);
+    write_mechanics(folder.own(results::file_names::results), point.mechanics_hash, *record);
     return true;
   });
 }
@@ -153,9 +156,9 @@ void leave_in_folders(const std::vector<SweepPoint>& points, const SharedMechani
                                    std::filesystem::copy_options::overwrite_existing);
         pending.commit();
       } else {
-        write_mechanics(path, mechanics_hash(input), record_mechanics(input, solved));
+        write_mechanics(path, points[i].mechanics_hash, record_mechanics(input, solved));
         if (cache != nullptr) {
-          keep_mechanics(*cache, mechanics_hash(input), path);
+          keep_mechanics(*cache, points[i].mechanics_hash, path);
         }
         first = path;
       }
@@ -258,18 +261,75 @@ private:
   bool noted_ = false; ///< whether the cache had something to say
 };
 
-bool has_mechanics(const SweepPoint& point, const RunOptions& options) {
-  const auto folder = point_options(options, point).folder;
-  const auto path = folder / results::file_names::results;
+bool has_mechanics(const std::filesystem::path& path, const std::string& hash) {
   if (base::check_seal(path) != base::SealState::whole) {
     return false;
   }
   const results::Hdf5File file(path, results::Hdf5File::Access::read);
-  return file.has("/path") &&
-         file.text_attribute("/path", "mechanics_hash") == mechanics_hash(point.input);
+  return file.has("/path") && file.text_attribute("/path", "mechanics_hash") == hash;
+}
+
+/// Finds the mechanics that points leave in their folders.
+class Donors {
+public:
+  Donors(const std::vector<SweepPoint>& points, std::vector<std::filesystem::path> folders)
+      : folders_(std::move(folders)) {
+    for (const SweepPoint& point : points) {
+      points_[point.mechanics_hash].push_back(&point);
+    }
+  }
+  std::optional<std::filesystem::path> find(const std::string& hash) {
+    const auto known = found_.find(hash);
+    return known != found_.end() ? known->second : found_[hash] = search(hash);
+  }
+
+private:
+  std::optional<std::filesystem::path> search(const std::string& hash) const {
+    for (const SweepPoint* point : points_.at(hash)) {
+      for (const auto& folder : folders_) {
+        const auto path = folder / point->name / results::file_names::results;
+        if (has_mechanics(path, hash)) {
+          return path;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+  std::vector<std::filesystem::path> folders_;
+  std::map<std::string, std::vector<const SweepPoint*>> points_;
+  std::map<std::string, std::optional<std::filesystem::path>> found_;
+};
+
+/// What of the given points is still to be solved, once they took over what is there.
+std::vector<std::size_t> points_to_solve(const std::vector<SweepPoint>& points,
+                                         const std::vector<std::size_t>& unfinished,
+                                         const RunOptions& options,
+                                         const std::filesystem::path& others,
+                                         const base::DiskCache* cache) {
+  Donors donors(points, {options.folder, others});
+  std::vector<std::size_t> result;
+  for (const std::size_t i : unfinished) {
+    const SweepPoint& point = points[i];
+    const auto own = point_options(options, point).folder / results::file_names::results;
+    if (point.mechanics_hash.empty() || has_mechanics(own, point.mechanics_hash)) {
+      continue;
+    }
+    const auto donor = donors.find(point.mechanics_hash);
+    const bool taken_over = donor && take_over(point, options, *donor);
+    const bool kept = cache != nullptr && keeps_mechanics(*cache, point.mechanics_hash);
+    if (!taken_over && !kept) { // run_case finds what is kept
+      result.push_back(i);
+    }
+  }
+  return result;
 }
 
 } // namespace
+
+double solutions_memory(const Case& input, std::size_t solutions) {
+  const mesh::SkinMesh mesh(input);
+  return std::min(most_memory(mesh), static_cast<double>(solutions) * solution_memory(input, mesh));
+}
 
 std::vector<MechanicsGroup> mechanics_groups(const std::vector<SweepPoint>& points) {
   std::vector<std::size_t> chosen;
@@ -280,37 +340,21 @@ std::vector<MechanicsGroup> mechanics_groups(const std::vector<SweepPoint>& poin
   }
   std::vector<MechanicsGroup> result;
   for (const FrictionGroup& group : group_points(points, chosen)) {
-    result.push_back({group.front().points.front(), group.size()});
+    MechanicsGroup& made = result.emplace_back();
+    for (const SharedMechanics& shared : group) {
+      made.solutions.push_back(shared.points);
+    }
   }
   return result;
 }
 
 SweepFailures solve_shared_mechanics(const std::vector<SweepPoint>& points,
                                      const std::vector<std::size_t>& unfinished,
-                                     const RunOptions& options, base::Timers& timers) {
-  std::map<std::string, std::size_t> donors;
-  std::vector<std::size_t> lacking;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].input.strain.kind != StrainSourceKind::contact) {
-      continue;
-    }
-    if (has_mechanics(points[i], options)) {
-      donors.emplace(mechanics_hash(points[i].input), i);
-    } else if (std::find(unfinished.begin(), unfinished.end(), i) != unfinished.end()) {
-      lacking.push_back(i);
-    }
-  }
+                                     const RunOptions& options, const std::filesystem::path& others,
+                                     base::Timers& timers) {
   const std::unique_ptr<base::DiskCache> cache = open_user_cache(options);
-  std::vector<std::size_t> to_solve;
-  for (const std::size_t i : lacking) {
-    const std::string hash = mechanics_hash(points[i].input);
-    const auto donor = donors.find(hash);
-    const bool taken_over = donor != donors.end() && take_over(points, options, donor->second, i);
-    const bool kept = cache && keeps_mechanics(*cache, hash);
-    if (!taken_over && !kept) { // run_case finds what is kept
-      to_solve.push_back(i);
-    }
-  }
+  const std::vector<std::size_t> to_solve =
+      points_to_solve(points, unfinished, options, others, cache.get());
   const std::vector<FrictionGroup> groups = group_points(points, to_solve);
   std::size_t units = 0;
   for (const FrictionGroup& group : groups) {

@@ -16,11 +16,15 @@ using SweepFailures = std::map<std::size_t, std::string>;
 
 /// Points that differ in the friction coefficient only and share all factorisations.
 struct MechanicsGroup {
-  std::size_t first_point = 0;
-  std::size_t solutions = 0; ///< different friction coefficients
+  std::vector<std::vector<std::size_t>> solutions; ///< the points of each friction coefficient
+  std::size_t first_point() const { return solutions.front().front(); }
 };
 /// The groups of all points whose Study 1 is to be solved, in the order of the points.
 std::vector<MechanicsGroup> mechanics_groups(const std::vector<SweepPoint>& points);
+
+/// Memory of the contact solutions of so many friction coefficients that are solved at once
+/// [bytes]; what does not fit is solved one after another.
+double solutions_memory(const Case& input, std::size_t solutions);
 
 /// Solves Study 1 of the given points and leaves it in their folders, where `run_case` takes it up.
 /// Points that differ in the friction coefficient only share all factorisations; points whose Study
@@ -28,8 +32,10 @@ std::vector<MechanicsGroup> mechanics_groups(const std::vector<SweepPoint>& poin
 /// stay on the skin, each of them is tried alone.
 /// @param unfinished indices of the points to solve; those whose folders hold it already are left
 /// @param options of one point's run; `folder` is that of all points
+/// @param others folder of further points, whose mechanics is taken over where it is the same
 SweepFailures solve_shared_mechanics(const std::vector<SweepPoint>& points,
                                      const std::vector<std::size_t>& unfinished,
-                                     const RunOptions& options, base::Timers& timers);
+                                     const RunOptions& options, const std::filesystem::path& others,
+                                     base::Timers& timers);
 
 } // namespace ionskin::study

@@ -4,7 +4,10 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/text.hpp"
 #include "ionskin/case/reading/read_case.hpp"
+#include "ionskin/case/text/read_text_file.hpp"
+#include "ionskin/case/text/toml_limits.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
+#include "ionskin/study/run/run_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -58,27 +61,26 @@ SweptValue swept_value(const CaseDocument& document, const std::string& key,
 
 SweepPoint read_point(const SweepRequest& request, const std::vector<SweepAxis>& axes,
                       const std::vector<std::string>& values, std::size_t number) {
-  std::vector<std::string> edits = request.set_edits;
-  std::string name = fmt::format("{:04}", number);
+  SweepPoint point;
+  point.name = fmt::format("{:04}", number);
   std::string where;
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    edits.push_back(axes[i].key + "=" + values[i]);
-    where += (i > 0 ? ", " : "") + edits.back();
-    name += name_part(axes[i].key, values[i]);
+    point.edits.push_back(axes[i].key + "=" + values[i]);
+    where += (i > 0 ? ", " : "") + point.edits.back();
+    point.name += name_part(axes[i].key, values[i]);
   }
-  SweepPoint point;
-  point.name = name.substr(0, longest_name);
+  point.name = point.name.substr(0, longest_name);
   try {
-    const CaseDocument document = request.case_text
-                                      ? read_case_text(*request.case_text, request.case_path, edits)
-                                      : read_case_document(request.case_path, edits);
+    CaseDocument document = read_point_case(request, point.edits);
     if (document.input.strain.kind == StrainSourceKind::contact) {
       mesh::SkinMesh{document.input};
+      point.mechanics_hash = mechanics_hash(document.input);
     }
-    point.input = document.input;
+    point.input_hash = input_hash(document.input);
     for (std::size_t i = 0; i < axes.size(); ++i) {
       point.values.push_back(swept_value(document, axes[i].key, values[i]));
     }
+    point.input = std::move(document.input);
   } catch (const UserError& error) {
     throw UserError(
         fmt::format("point {} of the sweep ({}): {}", number, base::shown(where), error.what()));
@@ -115,19 +117,34 @@ std::string design_comment(const SweepRequest& request) {
 
 } // namespace
 
+CaseDocument read_point_case(const SweepRequest& request, const std::vector<std::string>& edits) {
+  std::vector<std::string> all = request.set_edits;
+  all.insert(all.end(), edits.begin(), edits.end());
+  return request.case_text ? read_case_text(*request.case_text, request.case_path, all)
+                           : read_case_document(request.case_path, all);
+}
+
+Case base_case(const SweepRequest& request, Case first) {
+  // The swept keys may be missing in the file: the first point gives the base its values.
+  first.text += design_comment(request);
+  return first;
+}
+
 SweepPlan plan_sweep(const SweepRequest& request) {
   const std::vector<SweepAxis> axes = parse_axes(request.over);
   const auto design = request.samples > 0
                           ? sampled_design(axes, request.sampling, request.samples, request.seed)
                           : grid_design(axes);
   SweepPlan plan;
+  plan.request = request;
+  if (!request.case_text) {
+    plan.request.case_text = read_text_file(request.case_path, "case", toml_limits::bytes);
+  }
   for (std::size_t i = 0; i < design.size(); ++i) {
-    plan.points.push_back(read_point(request, axes, design[i], i + 1));
+    plan.points.push_back(read_point(plan.request, axes, design[i], i + 1));
   }
   unify_units(plan.points);
-  // The swept keys may be missing in the file: the first point gives the base its values.
-  plan.base = plan.points.front().input;
-  plan.base.text += design_comment(request);
+  plan.base = base_case(plan.request, plan.points.front().input);
   return plan;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/case/case.hpp"
+#include "ionskin/case/document/case_document.hpp"
 #include "ionskin/study/sweep/sweep_design.hpp"
 
 #include <cstdint>
@@ -32,15 +32,25 @@ struct SweptValue {
 struct SweepPoint {
   std::string name; ///< of its folder: "0003_friction=0.15"
   std::vector<SweptValue> values;
-  Case input;
+  std::vector<std::string> edits;         ///< "KEY=value" each, behind those of the base case
+  std::string input_hash, mechanics_hash; ///< of the case; the second is empty without contact
+  Case input;                             ///< default where a plan was read without it
 };
 
 struct SweepPlan {
-  Case base; ///< its text names the axes, so that it identifies the sweep
+  SweepRequest request; ///< with the text of the case
+  Case base;            ///< its text names the axes, so that it identifies the sweep
   std::vector<SweepPoint> points;
 };
 
 /// Reads and checks the case of every point. Throws UserError with the point that is wrong.
 SweepPlan plan_sweep(const SweepRequest& request);
+
+/// The case of one point, checked. Throws UserError.
+CaseDocument read_point_case(const SweepRequest& request, const std::vector<std::string>& edits);
+
+/// The case that stands for the whole sweep.
+/// @param first that of the first point
+Case base_case(const SweepRequest& request, Case first);
 
 } // namespace ionskin::study

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Sweeps in parts: planned, done batch by batch in any order and beside each other, collected; damage and mistakes."""
+
+import json
+import signal
+import subprocess
+import unittest
+
+from program import PROGRAM, QUICK, ProgramTest
+
+# A mesh and time steps that serve to test the bookkeeping, not the physics.
+SMALL = ("--set", "numerics.mesh_refinement=0.5", "--set", "numerics.time_refinement=0.3")
+GRID = (*SMALL, "--over", "contact.friction=0.1,0.2", "--over", "motion.preload=1 um,1.5 um")
+MECHANICS = (*SMALL, "--only", "mechanics", "--over", "motion.preload=1 um,1.5 um")
+
+
+class SweepParts(ProgramTest):
+    def plan(self, *arguments, folder="parts"):
+        """Plans a sweep and returns plan.json."""
+        self.run_program("sweep", QUICK, *arguments, "--plan", "-o", folder)
+        return json.loads((self.folder / folder / "plan.json").read_text())
+
+    def do_batch(self, number, expect=0):
+        return self.run_program("sweep", "--do-batch", number, "-o", "parts", expect=expect)
+
+    def collect(self, expect=0):
+        return self.run_program("sweep", "--collect", "-o", "parts", "--no-report", expect=expect)
+
+    def assert_same_tables(self):
+        """Of the sweep in parts and the serial one, to the last bit."""
+        for name in ("sweep.csv", "case.toml"):
+            self.assertEqual(*((self.folder / out / name).read_text() for out in ("parts", "serial")))
+
+    def test_batches_beside_each_other_with_one_killed_give_the_serial_tables(self):
+        self.run_program("sweep", QUICK, *GRID, "-o", "serial", "--no-report", "--threads", 1)
+        plan = self.plan(*GRID)
+        self.assertEqual([[point["edits"] for point in batch["points"]] for batch in plan["batches"]],
+                         [[[f"contact.friction={f}", f"motion.preload={p}"] for f in ("0.1", "0.2")] for p in ("1 um", "1.5 um")])
+        for batch in plan["batches"]:
+            self.assertEqual((batch["threads"], batch["contact_solutions"]), (1, 2))
+            self.assertGreater(batch["memory_bytes"], 1e8)
+            self.assertGreater(batch["seconds"], 0.1)
+        self.assertIn("4 of 4 points are still to be solved", self.collect(expect=4).stderr)
+        with subprocess.Popen([PROGRAM, "sweep", "--do-batch", "1", "-o", "parts", "--quiet"], cwd=self.folder) as killed:
+            while not list(self.folder.glob("parts/staging/*/*/manifest.json")):
+                self.assertIsNone(killed.poll())
+            killed.send_signal(signal.SIGKILL)
+        with subprocess.Popen([PROGRAM, "sweep", "--do-batch", "0", "-o", "parts", "--quiet"], cwd=self.folder) as beside:
+            self.do_batch(1)
+            self.assertEqual(beside.wait(), 0)
+        self.collect()
+        self.assert_same_tables()
+        self.assertFalse((self.folder / "parts" / "staging").exists())
+        files = {path: path.stat().st_mtime_ns for path in self.folder.glob("parts/points/*/*")}
+        self.do_batch(0)
+        self.assertEqual(files, {path: path.stat().st_mtime_ns for path in self.folder.glob("parts/points/*/*")})
+
+    def test_a_point_that_fails_is_a_row(self):
+        """A fixed charge below zero fails one of two points."""
+        over = (*SMALL, "--over", "coupling.coefficient=0.1,-40")
+        self.run_program("sweep", QUICK, *over, "-o", "serial", "--no-report")
+        for batch in range(len(self.plan(*over)["batches"])):
+            process = self.run_program("sweep", "--do-batch", batch, "-o", "parts")
+            self.assertIn("1 of 2 points failed", process.stderr)
+        self.collect()
+        self.assert_same_tables()
+
+    def test_resume_finishes_what_batches_left(self):
+        self.run_program("sweep", QUICK, *MECHANICS, "-o", "serial", "--no-report")
+        self.plan(*MECHANICS)
+        self.do_batch(1)
+        self.assertIn("1 of 2 points are still to be solved", self.collect(expect=4).stderr)
+        self.run_program("sweep", QUICK, *MECHANICS, "-o", "parts", "--resume", "--no-report")
+        self.assert_same_tables()
+
+    def test_sampled_sweeps(self):
+        sampled = (*SMALL, "--only", "mechanics", "--samples", 2, "--seed", 5, "--over", "motion.preload=0.5:1.5 um")
+        self.run_program("sweep", QUICK, *sampled, "-o", "serial", "--no-report")
+        for batch in range(len(self.plan(*sampled)["batches"])):
+            self.do_batch(batch)
+        self.collect()
+        self.assert_same_tables()
+
+    def test_mistakes(self):
+        self.assertIn("no plan.json", self.do_batch(0, expect=2).stderr)
+        self.assertIn("no plan.json", self.collect(expect=2).stderr)
+        self.plan(*MECHANICS)
+        self.assertIn("its batches are 0 to 1", self.do_batch(2, expect=2).stderr)
+        self.assertIn("-1 is no whole number", self.do_batch(-1, expect=2).stderr)
+        self.run_program("sweep", QUICK, "--do-batch", 0, "-o", "parts", expect=2)
+        self.run_program("sweep", "-o", "parts", expect=2)
+        path = self.folder / "parts" / "plan.json"
+        plan = path.read_text()
+        for changed, words in ((plan.replace("1 um", "2 um"), "damaged"), (plan[:-100], "damaged"), ("{}", "damaged"),
+                               ("[]", "damaged")):
+            path.write_text(changed)
+            self.assertIn(words, self.do_batch(0, expect=2).stderr)
+            self.assertIn(words, self.collect(expect=2).stderr)
+
+    def test_a_running_sweep_keeps_batches_out(self):
+        self.plan(*MECHANICS)
+        with subprocess.Popen([PROGRAM, "sweep", QUICK, *MECHANICS, "-o", "parts", "--resume", "--no-report", "--quiet"],
+                              cwd=self.folder) as whole:
+            while not (self.folder / "parts" / "staging").exists():
+                self.assertIsNone(whole.poll())
+            whole.send_signal(signal.SIGSTOP)
+            self.assertIn("another ionskin is writing", self.do_batch(0, expect=2).stderr)
+            whole.send_signal(signal.SIGKILL)
+        self.do_batch(0)
+
+
+if __name__ == "__main__":
+    unittest.main()
