@@ -37,6 +37,9 @@ int main(int argc, char** argv) {
     if (const auto* sweep_options = std::get_if<SweepOptions>(&*command)) {
       return sweep(*sweep_options, command_text);
     }
+    if (const auto* cluster_options = std::get_if<ClusterOptions>(&*command)) {
+      return cluster(*cluster_options);
+    }
     if (const auto* fit_options = std::get_if<FitOptions>(&*command)) {
       return fit(*fit_options, command_text);
     }

@@ -11,6 +11,7 @@ Running needs the compiled solver (PYTHONPATH=build/python); reading and drawing
 """
 
 from .case import Case, Value
+from .cluster_running import ClusterError
 from .errors import CaseError, SolverError
 from .fit_results import Fit
 from .fitting import FitModel, fit
@@ -18,5 +19,5 @@ from .results import Metric, Results, Table
 from .running import run, sweep
 from .sweep_results import Study, Sweep, open_results
 
-__all__ = ["Case", "CaseError", "Fit", "FitModel", "Metric", "Results", "SolverError", "Study", "Sweep", "Table", "Value",
-           "fit", "open_results", "run", "sweep"]
+__all__ = ["Case", "CaseError", "ClusterError", "Fit", "FitModel", "Metric", "Results", "SolverError", "Study", "Sweep",
+           "Table", "Value", "fit", "open_results", "run", "sweep"]

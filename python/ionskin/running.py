@@ -11,6 +11,7 @@ from typing import Any
 
 from . import solver
 from .case import Case, toml_text
+from .cluster_running import sweep_on_cluster
 from .errors import CaseError, SolverError
 from .results import Results
 from .sweep_results import Sweep
@@ -48,13 +49,15 @@ def run(case: Case, output: str | os.PathLike | None = None, *, threads: int = 0
 def sweep(case: Case, over: Mapping[str, str | Sequence[Any]], output: str | os.PathLike | None = None, *,
           samples: int = 0, sampling: str = "sobol", seed: int = 1, threads: int = 0, progress: Progress | None = None,
           overwrite: bool = False, resume: bool = False, only: str = "", report: bool = False,
-          cache: bool = True) -> Sweep:
+          cache: bool = True, on: str | os.PathLike | None = None) -> Sweep:
     """Runs a case at many values of its keys; the mechanics is shared wherever it can be.
 
     over      values by key: a list of them (SI numbers, or texts with a unit), or a text as for --over, such as
               "0.05:0.05:0.5"; several keys make a grid
     samples   so many points instead of the grid; every value of `over` is then a pair (lowest, highest)
     sampling  "sobol" or "latin", with its seed
+    on        file of a cluster's scheduler (ionskin cluster start), whose workers then do the batches of the sweep, each
+              with `threads` threads, 1 by default; ClusterError when points are left
 
     The others are those of `run`. A point that fails is a point with its reason. Raises CaseError before any work,
     SolverError when every point failed, and KeyboardInterrupt; finished points stay, and resume=True goes on.
@@ -67,6 +70,9 @@ def sweep(case: Case, over: Mapping[str, str | Sequence[Any]], output: str | os.
     with_folder, keep = _folder(output)
     settings = solve_settings(with_folder, threads, overwrite, resume, only, report, cache, "sweep")
     settings |= {"samples": samples, "sampling": sampling, "seed": seed}
+    if on is not None:
+        sweep_on_cluster(case, axes, with_folder, on, settings, progress)
+        return Sweep(with_folder, keep)
     failures = solver.load().sweep(case, axes, settings, progress)
     result = Sweep(with_folder, keep)
     if failures and len(failures) == len(result.points):

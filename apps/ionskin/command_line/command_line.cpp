@@ -26,9 +26,9 @@ constexpr const char* description =
 
 constexpr const char* exit_codes =
     "Exit codes: 0 success, 2 the case or command line is wrong, 3 a solver gave up (what was\n"
-    "finished is kept; in a sweep: every point failed), 4 points of a planned sweep are still to "
-    "be\n"
-    "solved, 130 interrupted (finish with --resume).";
+    "finished is kept; in a sweep: every point failed), 4 points of a sweep in parts are still to\n"
+    "be solved, 5 the scheduler of a cluster is lost (finish with --resume), 130 interrupted\n"
+    "(finish with --resume).";
 
 void add_init(CLI::App& app, Command& command) {
   auto options = std::make_shared<InitOptions>();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command_line/command_line_options.hpp"
+#include "ionskin/base/byte_count.hpp"
 
 #include <memory>
 
@@ -39,6 +40,11 @@ std::vector<CLI::Option*> add_part_options(CLI::App& verb, SweepOptions& options
   CLI::Option* collect =
       verb.add_flag("--collect", options.collect,
                     "Write the tables and the report from the points that are in DIR");
+  CLI::Option* on =
+      verb.add_option("--on", options.on,
+                      "Do the batches on the workers of a cluster, see ionskin cluster")
+          ->type_name("SCHEDULER.json");
+  on->excludes(plan)->excludes(batch)->excludes(collect);
   batch->excludes(plan)->excludes(collect);
   collect->excludes(plan);
   return {batch, collect};
@@ -77,6 +83,42 @@ void add_sweep(CLI::App& app, Command& command) {
     }
     command = *options;
   });
+}
+
+void add_cluster(CLI::App& app, Command& command) {
+  auto options = std::make_shared<ClusterOptions>();
+  CLI::App* verb = app.add_subcommand(
+      "cluster",
+      "Start a cluster for sweeps, add a worker to it, stop it (Dask, docs/clusters.md)");
+  verb->add_option("action", options->action, "start, worker or stop")
+      ->required()
+      ->type_name("ACTION")
+      ->check(CLI::IsMember({"start", "worker", "stop"}));
+  verb->add_option("folder", options->folder, "Folder of the cluster, with its scheduler.json")
+      ->required()
+      ->type_name("FOLDER");
+  verb->add_option("--workers", options->workers, "start: workers on this machine")
+      ->check(whole_number_from_0)
+      ->capture_default_str();
+  add_threads_option(*verb, options->threads);
+  verb->add_option_function<std::string>(
+          "--memory",
+          [options](const std::string& text) {
+            options->memory = static_cast<double>(base::byte_count("--memory", text));
+          },
+          "Memory of a worker, such as \"8 GB\" (default: what is free)")
+      ->type_name("SIZE");
+  verb->add_option("--address", options->address,
+                   "start: address of this machine that the scheduler listens on; other than "
+                   "127.0.0.1 only with --tls")
+      ->capture_default_str();
+  verb->add_flag("--tls", options->tls,
+                 "start: make a key and a certificate; only who holds them can connect");
+  verb->add_option("--death-timeout", options->death_timeout,
+                   "worker: seconds to wait for the scheduler")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  set_when_parsed(*verb, options, command);
 }
 
 void add_fit(CLI::App& app, Command& command) {
@@ -154,6 +196,7 @@ void add_studio(CLI::App& app, Command& command) {
 
 void add_study_verbs(CLI::App& app, Command& command) {
   add_sweep(app, command);
+  add_cluster(app, command);
   add_fit(app, command);
   add_report(app, command);
   add_compare(app, command);

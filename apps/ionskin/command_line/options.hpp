@@ -50,7 +50,18 @@ struct SweepOptions {
   bool plan = false;                ///< write plan.json, and stop
   std::optional<std::size_t> batch; ///< of a planned sweep, the one to do
   bool collect = false;             ///< only write the tables of a planned sweep
+  std::string on;                   ///< file of a cluster's scheduler; empty for this machine
   LogFormat log = LogFormat::automatic;
+};
+
+struct ClusterOptions {
+  std::string action; ///< "start", "worker" or "stop"
+  std::string folder;
+  std::string address = "127.0.0.1";
+  bool tls = false;
+  int workers = 1, threads = 0; ///< 0 threads: all processors
+  double memory = 0;            ///< of a worker [bytes]; 0: what is free
+  double death_timeout = 60;    ///< [s]
 };
 
 struct FitOptions {
@@ -101,9 +112,9 @@ struct ImpedanceOptions {
   bool overwrite = false;
 };
 
-using Command =
-    std::variant<InitOptions, CheckOptions, RunOptions, SweepOptions, FitOptions, ImpedanceOptions,
-                 ReportOptions, CompareOptions, VerifyOptions, StudioOptions, DoctorOptions,
-                 CiteOptions, KeysOptions, CompletionOptions, ManualOptions, CacheOptions>;
+using Command = std::variant<InitOptions, CheckOptions, RunOptions, SweepOptions, FitOptions,
+                             ImpedanceOptions, ReportOptions, CompareOptions, VerifyOptions,
+                             StudioOptions, DoctorOptions, CiteOptions, ClusterOptions, KeysOptions,
+                             CompletionOptions, ManualOptions, CacheOptions>;
 
 } // namespace ionskin::apps

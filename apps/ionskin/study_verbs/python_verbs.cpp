@@ -11,14 +11,32 @@
 namespace ionskin::apps {
 namespace {
 
+[[noreturn]] void throw_no_python() {
+  throw UserError(study::python_interpreter() +
+                  " cannot be started\n  = ionskin doctor says what is missing");
+}
+
 int run_module(const std::string& module, const std::vector<std::string>& arguments) {
   const int code =
       study::run_python_module(module, arguments, study::PythonErrors::shown).exit_code;
   if (code < 0) {
-    throw UserError(study::python_interpreter() +
-                    " cannot be started\n  = ionskin doctor says what is missing");
+    throw_no_python();
   }
   return code;
+}
+
+/// "0-3,7".
+std::string ranges(const std::vector<std::size_t>& numbers) {
+  std::string text;
+  for (std::size_t i = 0; i < numbers.size();) {
+    std::size_t end = i + 1;
+    while (end < numbers.size() && numbers[end] == numbers[end - 1] + 1) {
+      ++end;
+    }
+    text += fmt::format("{}{}-{}", i > 0 ? "," : "", numbers[i], numbers[end - 1]);
+    i = end;
+  }
+  return text;
 }
 
 } // namespace
@@ -32,6 +50,30 @@ int report(const ReportOptions& options) {
     arguments.insert(arguments.end(), {"--figure", figure});
   }
   return run_module("ionskin.report", arguments);
+}
+
+int cluster(const ClusterOptions& options) {
+  std::vector<std::string> arguments{options.action,    options.folder,
+                                     "--address",       options.address,
+                                     "--workers",       fmt::format("{}", options.workers),
+                                     "--threads",       fmt::format("{}", options.threads),
+                                     "--memory",        fmt::format("{}", options.memory),
+                                     "--death-timeout", fmt::format("{}", options.death_timeout)};
+  if (options.tls) {
+    arguments.emplace_back("--tls");
+  }
+  study::become_python_module("ionskin.cluster", arguments);
+  throw_no_python();
+}
+
+int do_batches_on_cluster(const SweepOptions& options, const std::vector<std::size_t>& batches,
+                          const std::string& progress) {
+  std::vector<std::string> arguments{options.output,  "--on",       options.on, "--batches",
+                                     ranges(batches), "--progress", progress};
+  if (!options.use_cache) {
+    arguments.emplace_back("--no-cache");
+  }
+  return run_module("ionskin.cluster_sweep", arguments);
 }
 
 int compare(const CompareOptions& options) {

@@ -5,6 +5,7 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/study/sweep/sweep.hpp"
+#include "study_verbs/python_verbs.hpp"
 #include "study_verbs/sweep_cost.hpp"
 
 #include <fmt/core.h>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <optional>
+#include <unistd.h>
 #include <utility>
 
 namespace ionskin::apps {
@@ -87,14 +89,21 @@ ExitCode exit_code(const study::SweepOutcome& outcome) {
   return outcome.failures.size() < outcome.points ? ExitCode::success : ExitCode::solver_gave_up;
 }
 
+/// Whether the points are solved by this process.
+bool here(const SweepOptions& options) {
+  return !options.plan && options.on.empty();
+}
+
 study::SweepOptions settings_of(const SweepOptions& options, const std::string& command,
                                 ProgressDisplay& display) {
   auto settings = study_settings<study::SweepOptions>(options, command, display);
   settings.resume = options.resume;
   settings.report = !options.no_report;
   settings.studies = options.only == "mechanics" ? study::Studies::mechanics : study::Studies::both;
-  if (options.plan || options.batch) { // other machines have other processors
-    settings.threads = options.plan ? std::max(1, options.threads) : options.threads;
+  if (!here(options)) { // other machines have other processors
+    settings.threads = std::max(1, options.threads);
+  } else if (options.batch) {
+    settings.threads = options.threads;
   }
   return settings;
 }
@@ -103,7 +112,8 @@ study::SweepOptions settings_of(const SweepOptions& options, const std::string& 
 std::optional<study::SweepPlan> planned(const SweepOptions& options) {
   study::SweepPlan plan = study::plan_sweep(request(options));
   if (options.explain || options.log == LogFormat::automatic) {
-    const int threads = options.plan ? std::max(1, options.threads) : thread_count(options.threads);
+    const int threads =
+        here(options) ? thread_count(options.threads) : std::max(1, options.threads);
     const std::string cost = sweep_cost(plan, options.only != "mechanics", threads);
     fmt::print(options.explain ? stdout : stderr, "{}\n", cost);
   }
@@ -122,12 +132,56 @@ int plan_only(const SweepOptions& options, const std::string& command) {
   return static_cast<int>(ExitCode::success);
 }
 
+std::string batch_progress(LogFormat log) {
+  switch (log) {
+  case LogFormat::automatic:
+    return isatty(STDERR_FILENO) != 0 ? "bar" : "lines";
+  case LogFormat::bar:
+    return "bar";
+  case LogFormat::lines:
+    return "lines";
+  case LogFormat::json:
+    return "json";
+  case LogFormat::none:
+  case LogFormat::quiet:
+    return "none";
+  }
+  return "";
+}
+
+/// Plans here, has the batches done there, and collects here.
+int sweep_on_cluster(const SweepOptions& options, const std::string& command) {
+  const auto plan = planned(options);
+  if (!plan) {
+    return static_cast<int>(ExitCode::success);
+  }
+  ProgressDisplay display(LogFormat::none);
+  const auto settings = settings_of(options, command, display);
+  const auto folder = study::plan_sweep_folder(*plan, settings);
+  const int code = folder.unfinished.empty() ? 0
+                                             : do_batches_on_cluster(options, folder.unfinished,
+                                                                     batch_progress(options.log));
+  base::check_interrupt();
+  if (code == static_cast<int>(ExitCode::user_error)) {
+    return code; // before any work
+  }
+  const study::SweepOutcome outcome = study::collect_sweep(settings);
+  print_problems(options, outcome);
+  if (options.log != LogFormat::quiet) {
+    print_outcome(options, outcome);
+  }
+  return code != 0 ? code : static_cast<int>(exit_code(outcome));
+}
+
 } // namespace
 
 int sweep(const SweepOptions& options, const std::string& command) {
   base::install_interrupt_handler();
   if (options.plan) {
     return plan_only(options, command);
+  }
+  if (!options.on.empty()) {
+    return sweep_on_cluster(options, command);
   }
   std::optional<study::SweepPlan> plan;
   if (!options.batch && !options.collect && !(plan = planned(options))) {

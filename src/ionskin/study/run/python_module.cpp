@@ -112,10 +112,25 @@ bool PythonOutcome::lacks_library() const {
   return exit_code == missing_library;
 }
 
-PythonOutcome run_python_module(const std::string& module,
-                                const std::vector<std::string>& arguments, PythonErrors errors) {
+namespace {
+
+std::vector<std::string> command_of(const std::string& module,
+                                    const std::vector<std::string>& arguments) {
   std::vector<std::string> words{IONSKIN_PYTHON, "-I", "-B", launcher(), module};
   words.insert(words.end(), arguments.begin(), arguments.end());
+  return words;
+}
+
+} // namespace
+
+void become_python_module(const std::string& module, const std::vector<std::string>& arguments) {
+  std::vector<std::string> words = command_of(module, arguments);
+  execv(IONSKIN_PYTHON, pointers(words).data());
+}
+
+PythonOutcome run_python_module(const std::string& module,
+                                const std::vector<std::string>& arguments, PythonErrors errors) {
+  std::vector<std::string> words = command_of(module, arguments);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   PythonOutcome outcome;

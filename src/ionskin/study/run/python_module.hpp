@@ -26,4 +26,7 @@ enum class PythonErrors { shown, captured };
 PythonOutcome run_python_module(const std::string& module,
                                 const std::vector<std::string>& arguments, PythonErrors errors);
 
+/// Replaces this process by a module of the package; returns only where that is not possible.
+void become_python_module(const std::string& module, const std::vector<std::string>& arguments);
+
 } // namespace ionskin::study

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The line that tells how far the batches of a sweep on a cluster are."""
+
+import json
+import sys
+import time
+
+
+class BatchProgress:
+    """mode: "bar" (one line that is rewritten), "lines", "json" or "none", as for --progress."""
+
+    def __init__(self, mode, batches):
+        """batches: estimated seconds by number"""
+        self.mode, self.seconds, self.done, self.failed = mode, batches, set(), set()
+        self.start, self.shown, self.ends_open = time.monotonic(), None, False
+
+    def time_left(self):
+        """Seconds, from the shares of the estimated work; None before anything is done."""
+        share = sum(self.seconds[batch] for batch in self.done) / sum(self.seconds.values())
+        return (time.monotonic() - self.start) * (1 - share) / share if share else None
+
+    def show(self, running, workers):
+        """Tells what has changed."""
+        state = (len(self.done), running, len(self.failed), workers)
+        if self.mode == "none" or state == self.shown:
+            return
+        self.shown = state
+        left = self.time_left()
+        if self.mode == "json":
+            line = json.dumps({"activity": "batches", "fraction": len(self.done) / len(self.seconds), "done": len(self.done),
+                               "running": running, "failed": len(self.failed), "batches": len(self.seconds),
+                               "workers": workers, "elapsed_s": time.monotonic() - self.start, "time_left_s": left})
+        else:
+            line = (f"batches: {len(self.done)} of {len(self.seconds)} done, {running} running, {len(self.failed)} failed; "
+                    f"{workers} worker{'' if workers == 1 else 's'}" + (f"; about {left:.0f} s left" if left else ""))
+        self.ends_open = self.mode == "bar"
+        print(f"\r\033[K{line}" if self.ends_open else line, end="" if self.ends_open else "\n", file=sys.stderr, flush=True)
+
+    def say(self, text):
+        """A line of its own."""
+        print("\n" * self.ends_open + text, file=sys.stderr, flush=True)
+        self.ends_open, self.shown = False, None
+
+    def close(self):
+        """Ends an open line."""
+        if self.ends_open:
+            print(file=sys.stderr, flush=True)

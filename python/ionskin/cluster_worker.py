@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One worker of a cluster, until its scheduler leaves: a Dask nanny, whose worker starts the program for each batch."""
+
+import asyncio
+import os
+import pathlib
+import tempfile
+
+from . import cluster_security
+from .errors import CaseError
+
+MEMORY_SHARE = 0.9  # of what is free, by default
+
+
+def default_threads():
+    """What a job of Slurm was given, or else the processors of this process."""
+    return int(os.environ.get("SLURM_CPUS_PER_TASK") or len(os.sched_getaffinity(0)))
+
+
+def default_memory():
+    """Bytes that a job of Slurm was given on this node, or else a share of what is free."""
+    if os.environ.get("SLURM_MEM_PER_NODE"):
+        return float(os.environ["SLURM_MEM_PER_NODE"]) * 2**20
+    with open("/proc/meminfo", encoding="ascii") as file:
+        kilobytes = next(int(line.split()[1]) for line in file if line.startswith("MemAvailable"))
+    return MEMORY_SHARE * 1024 * kilobytes
+
+
+def local_folder():
+    """A folder of this user on a disk of this machine, for the cache of slider positions and for batches."""
+    path = pathlib.Path(tempfile.gettempdir(), f"ionskin-worker-{os.getuid()}")
+    path.mkdir(mode=0o700, exist_ok=True)
+    state = path.lstat()
+    if state.st_uid != os.getuid() or not path.is_dir() or path.is_symlink():
+        raise CaseError(f"{path} belongs to somebody else\n  = let TMPDIR name a folder of yours on this machine")
+    return path
+
+
+async def _work(address, security, host, threads, memory, death_timeout):
+    from distributed import Nanny  # pylint: disable=import-outside-toplevel
+    folder = local_folder()
+    os.environ.setdefault("IONSKIN_CACHE", str(folder / "cache"))
+    nanny = Nanny(address, nthreads=threads, memory_limit=0, security=security, host=host, death_timeout=death_timeout,
+                  local_directory=str(folder), resources={"THREADS": threads, "MEMORY": memory},
+                  dashboard_address="127.0.0.1:0")
+    async with nanny:
+        await nanny.finished()
+
+
+def work(folder, threads, memory, death_timeout):
+    """Works for the cluster of a folder. Raises CaseError."""
+    address, security = cluster_security.read_scheduler(pathlib.Path(folder) / cluster_security.SCHEDULER)
+    try:
+        asyncio.run(_work(address, security, None if security else "127.0.0.1", threads or default_threads(),
+                          memory or default_memory(), death_timeout))
+    except (OSError, asyncio.TimeoutError) as error:
+        raise CaseError(f"the scheduler at {address} does not answer: {error}\n  = is the cluster running? ionskin cluster "
+                        "start FOLDER") from error

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Sweeps on a cluster of this machine: killed workers, lost schedulers, who may connect, what cannot be done."""
+
+import json
+import os
+import pathlib
+import shutil
+import signal
+import socket
+import ssl
+import stat
+import subprocess
+import time
+import unittest
+from urllib.parse import urlsplit
+
+from program import PROGRAM, QUICK, ProgramTest
+
+SMALL = ("--set", "numerics.mesh_refinement=0.5", "--set", "numerics.time_refinement=0.3")
+GRID = (*SMALL, "--over", "contact.friction=0.1,0.2", "--over", "motion.preload=1 um,1.5 um", "--no-report")
+LOST = 5
+
+
+def processes(*words):
+    """Ids of the processes whose command line holds all these words."""
+    found = []
+    for path in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
+        try:
+            line = path.read_bytes().split(b"\0")
+        except OSError:
+            continue
+        if all(os.fsencode(str(word)) in line for word in words):
+            found.append(int(path.parent.name))
+    return found
+
+
+def parent(process):
+    """Id of the parent of a process."""
+    return int(pathlib.Path(f"/proc/{process}/stat").read_text().rsplit(")", maxsplit=1)[1].split()[1])
+
+
+class Cluster(ProgramTest):
+    def start(self, name="cluster", *arguments, workers=2):
+        """A cluster of this machine, stopped with the test; returns its scheduler.json."""
+        self.run_program("cluster", "start", name, "--workers", workers, "--threads", 1, "--memory", "1 GB", *arguments)
+        self.addCleanup(subprocess.run, [PROGRAM, "cluster", "stop", name], cwd=self.folder, capture_output=True, check=False)
+        return self.folder / name / "scheduler.json"
+
+    def wait_until(self, holds, seconds=60):
+        deadline = time.monotonic() + seconds
+        while not holds():
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.02)
+
+    def serial(self):
+        self.run_program("sweep", QUICK, *GRID, "-o", "serial")
+        return (self.folder / "serial" / "sweep.csv").read_text()
+
+    def test_a_killed_worker_and_a_lost_scheduler_lose_no_point(self):
+        """A worker killed in mid-task takes its program along, and its batch is done again."""
+        scheduler = self.start()
+        out = self.folder / "out"
+        with subprocess.Popen([PROGRAM, "sweep", QUICK, *GRID, "-o", "out", "--on", scheduler, "--quiet"],
+                              cwd=self.folder) as sweep:
+            self.wait_until(lambda: list(out.glob("staging/*/*/manifest.json")))
+            program = processes("--do-batch", out)[0]
+            os.kill(parent(program), signal.SIGKILL)
+            self.wait_until(lambda: program not in processes("--do-batch", out))
+            self.assertEqual(sweep.wait(), 0)
+        table = self.serial()
+        self.assertEqual((out / "sweep.csv").read_text(), table)
+        with subprocess.Popen([PROGRAM, "sweep", QUICK, *GRID, "-o", "lost", "--on", scheduler], cwd=self.folder,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as sweep:
+            self.wait_until(lambda: list((self.folder / "lost").glob("staging/*/*/manifest.json")))
+            os.kill(json.loads(scheduler.read_text())["pid"], signal.SIGKILL)
+            _, errors = sweep.communicate()
+        self.assertEqual(sweep.returncode, LOST, errors)
+        self.assertIn("--resume", errors)
+        self.wait_until(lambda: not processes("--do-batch", self.folder / "lost"))
+        self.run_program("sweep", QUICK, *GRID, "-o", "lost", "--resume")
+        self.assertEqual((self.folder / "lost" / "sweep.csv").read_text(), table)
+
+    def test_tls_lets_in_holders_of_the_key_only(self):
+        scheduler = self.start("cluster", "--tls", workers=1)
+        address = urlsplit(json.loads(scheduler.read_text())["address"])
+        self.assertEqual(address.scheme, "tls")
+        for name in ("key.pem", "certificate.pem"):
+            self.assertEqual(stat.S_IMODE((scheduler.parent / name).stat().st_mode), 0o600)
+        self.run_program("sweep", QUICK, *SMALL, "--only", "mechanics", "--over", "motion.preload=1 um", "--no-report", "-o",
+                         "out", "--on", scheduler)
+        foreign = self.folder / "foreign"
+        shutil.copytree(scheduler.parent, foreign)
+        for name in ("key.pem", "certificate.pem"):
+            (foreign / name).unlink()
+        process = self.run_program("sweep", QUICK, *GRID, "-o", "no", "--on", foreign / "scheduler.json", expect=2)
+        self.assertIn("certificate.pem is missing", process.stderr)
+        subprocess.run(["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes",
+                        "-subj", "/CN=ionskin cluster", "-keyout", foreign / "key.pem", "-out", foreign / "certificate.pem"],
+                       check=True, capture_output=True)
+        context = ssl.create_default_context(cafile=scheduler.parent / "certificate.pem")
+        context.check_hostname = False
+        context.load_cert_chain(foreign / "certificate.pem", foreign / "key.pem")
+        with self.assertRaises((ssl.SSLError, ConnectionError)):
+            with socket.create_connection((address.hostname, address.port), timeout=10) as plain:
+                with context.wrap_socket(plain) as encrypted:
+                    self.assertEqual(encrypted.recv(1), b"")
+                    raise ConnectionError
+        with socket.create_connection((address.hostname, address.port), timeout=10) as plain:
+            plain.sendall(b"x" * 64)
+            try:
+                self.assertNotIn(b"compression", plain.recv(4096))  # of Dask's greeting
+            except ConnectionError:
+                pass
+        (foreign / "key.pem").chmod(0o644)
+        process = self.run_program("sweep", QUICK, *GRID, "-o", "no", "--on", foreign / "scheduler.json", "--overwrite",
+                                   expect=2)
+        self.assertIn("can be read by others", process.stderr)
+
+    def test_refusals(self):
+        process = self.run_program("cluster", "start", "open", "--address", "0.0.0.0", expect=2)
+        self.assertIn("--tls", process.stderr)
+        plain = self.write("scheduler.json", json.dumps({"address": "tcp://192.0.2.1:8786"}))
+        process = self.run_program("sweep", QUICK, *GRID, "-o", "out", "--on", plain, expect=2)
+        self.assertIn("without encryption", process.stderr)
+        process = self.run_program("sweep", QUICK, *GRID, "-o", "out", "--on", "nowhere.json", "--resume", expect=2)
+        self.assertIn("no file of a scheduler", process.stderr)
+        scheduler = self.start(workers=1)
+        process = self.run_program("sweep", QUICK, *GRID, "-o", "out", "--on", scheduler, "--threads", 2, "--resume", expect=2)
+        self.assertIn("needs 2 threads", process.stderr)
+        self.assertIn("has a running cluster", self.run_program("cluster", "start", "cluster", expect=2).stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
