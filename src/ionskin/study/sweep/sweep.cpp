@@ -7,9 +7,9 @@
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/study/run/report.hpp"
 #include "ionskin/study/run/run_folder.hpp"
+#include "ionskin/study/sweep/sweep_folder.hpp"
 #include "ionskin/study/sweep/sweep_table.hpp"
-#include "ionskin/study/sweep_folder.hpp"
-#include "ionskin/study/sweep_work.hpp"
+#include "ionskin/study/sweep/sweep_work.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include "ionskin/base/progress.hpp"
 #include "ionskin/study/run/run_case.hpp"
-#include "ionskin/study/sweep_plan_file.hpp"
+#include "ionskin/study/sweep/sweep_plan_file.hpp"
 
 #include <filesystem>
 #include <map>

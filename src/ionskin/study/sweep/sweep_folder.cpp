@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/study/sweep_folder.hpp"
+#include "ionskin/study/sweep/sweep_folder.hpp"
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/system/own_build.hpp"

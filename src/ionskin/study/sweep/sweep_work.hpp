@@ -2,8 +2,8 @@
 #pragma once
 
 #include "ionskin/base/timers.hpp"
-#include "ionskin/study/sweep_folder.hpp"
-#include "ionskin/study/sweep_record.hpp"
+#include "ionskin/study/sweep/sweep_folder.hpp"
+#include "ionskin/study/sweep/sweep_record.hpp"
 
 #include <cstddef>
 #include <vector>

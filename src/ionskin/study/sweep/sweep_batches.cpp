@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/study/sweep_batches.hpp"
+#include "ionskin/study/sweep/sweep_batches.hpp"
 
 #include "ionskin/electrochemistry/time/problem_size.hpp"
 #include "ionskin/planning/cost_estimate.hpp"

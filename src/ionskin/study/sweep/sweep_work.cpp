@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/study/sweep_work.hpp"
+#include "ionskin/study/sweep/sweep_work.hpp"
 
 #include "ionskin/electrochemistry/time/problem_size.hpp"
 #include "ionskin/parallel/task_pool.hpp"

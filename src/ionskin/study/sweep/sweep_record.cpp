@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/study/sweep_record.hpp"
+#include "ionskin/study/sweep/sweep_record.hpp"
 
 #include "ionskin/base/files/atomic_file.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/study/sweep_plan_file.hpp"
+#include "ionskin/study/sweep/sweep_plan_file.hpp"
 
 #include "ionskin/base/digest.hpp"
 #include "ionskin/base/error.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/study/sweep/sweep_batches.hpp"
 #include "ionskin/study/sweep/sweep_points.hpp"
-#include "ionskin/study/sweep_batches.hpp"
 
 #include <filesystem>
 #include <optional>
