@@ -21,12 +21,15 @@ export class Scene {
   private slider = new three.Group();
   private stretch = 10;
   private pending = 0;
+  private software: boolean;
+  private still = 0;
   private geometry?: Geometry;
 
   /// Throws Error when the browser has no WebGL.
   constructor() {
-    this.renderer = new three.WebGLRenderer({ antialias: true });
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    this.software = drawn_in_software();
+    this.renderer = new three.WebGLRenderer({ antialias: !this.software });
+    this.renderer.setPixelRatio(this.software ? 1 : Math.min(2, window.devicePixelRatio));
     this.element.className = "scene";
     this.element.append(this.renderer.domElement);
     const canvas = this.renderer.domElement;
@@ -107,8 +110,19 @@ export class Scene {
     if (this.pending) return;
     this.pending = requestAnimationFrame(() => {
       this.pending = 0;
+      if (this.software) this.smooth_when_still();
       this.draw();
     });
+  }
+
+  /// Without a graphics processor smooth edges cost most of a frame: they come when nothing moves.
+  private smooth_when_still(): void {
+    if (this.renderer.getPixelRatio() !== 1) this.renderer.setPixelRatio(1);
+    clearTimeout(this.still);
+    this.still = window.setTimeout(() => {
+      this.renderer.setPixelRatio(2);
+      this.draw();
+    }, 250);
   }
 
   /// Draws at once, so that the canvas can be copied.
@@ -205,6 +219,15 @@ export class Scene {
     this.controls.update();
     this.render();
   }
+}
+
+/// Whether WebGL is computed by the processor, as in virtual machines and on servers.
+function drawn_in_software(): boolean {
+  const probe = document.createElement("canvas").getContext("webgl2");
+  const info = probe?.getExtension("WEBGL_debug_renderer_info");
+  const name = probe && info ? String(probe.getParameter(info.UNMASKED_RENDERER_WEBGL)) : "";
+  probe?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software/i.test(name);
 }
 
 function clear(group: three.Group): void {

@@ -32,6 +32,7 @@ export class ScenePanel {
   private legend = el("div", { class: "legend" });
   private note = el("p", { class: "hint" });
   private result?: Result;
+  private drawn: unknown[] = [];
 
   constructor() {
     try {
@@ -57,6 +58,7 @@ export class ScenePanel {
   async show(result: Result): Promise<void> {
     if (!this.scene) return;
     this.result = result;
+    this.drawn = [];
     [this.stored, this.way, this.geometry] = [undefined, undefined, undefined];
     const [list, verdict] = await Promise.all([
       result.fields ? fields(result.path) : Promise.resolve({ ions: null, strain: null, contact: null }), check(result.case)]);
@@ -110,6 +112,11 @@ export class ScenePanel {
       this.cut && this.channel ? stored.volume(this.channel, time) : undefined,
       this.contact && touches ? stored.contact(time) : undefined]);
     if (stored !== this.stored) return;
+    this.note.textContent = shown && Math.abs(shown.time - time) > 0.02 ? `This field is stored at ${quantity(shown.time, "s")}, the nearest instant; output.fields stores more.` : "";
+    // Between two stored instants only the slider moves: nothing else is made anew for a frame.
+    const drawn = [shown?.volume.field, shown?.time, this.cut, this.place, this.walls.checked, pressed?.pressure, this.contact];
+    if (drawn.every((one, i) => one === this.drawn[i]) && this.drawn.length) return;
+    this.drawn = drawn;
     const scale = shown && this.scale(shown);
     scene.show_sections(shown ? this.sections(shown, shape) : [], scale ?? { least: 0, greatest: 1, diverging: false });
     const pressures: ColourScale = { least: 0, greatest: pressed ? usual(pressed.pressure.values) : 1, diverging: false };
@@ -164,7 +171,6 @@ export class ScenePanel {
     if (pressed && this.contact === "pressure") bars.push(bar("Contact pressure, 9 cells of 10", pressures, "Pa"));
     if (pressed && this.contact === "slip") bars.push(el("span", { class: "key" }, swatch(stick), " sticks ", swatch(slip), " slips"));
     this.legend.replaceChildren(...bars);
-    this.note.textContent = shown && Math.abs(shown.time - this.time) > 0.02 ? `This field is stored at ${quantity(shown.time, "s")}, the nearest instant; output.fields stores more.` : "";
   }
 }
 

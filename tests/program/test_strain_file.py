@@ -30,6 +30,13 @@ class StrainFile(ProgramTest):
         self.assertGreater(numpy.abs(result["current_difference"]).max(), 0)
         self.assertTrue(numpy.isnan(result["normal_force"]).all())
 
+    def test_explained_with_its_size_and_cost(self):
+        write_strain_file(self.folder / "strain.h5", numpy.zeros((3, 2, 1, 1)), [0, 1, 2])
+        explained = self.run_program("check", QUICK, "--set", "strain.source=file", "--set",
+                                     f'strain.file="{self.folder / "strain.h5"}"', "--explain").stdout
+        self.assertRegex(explained, r"Study 2: unknowns +\d+ +over about \d+ time steps\n +memory +[\d.]+ GB")
+        self.assertNotIn("Study 1", explained)
+
     def test_linear_step_matches_the_closed_form(self):
         """Verification E3 through a file, at the standard grid: charge to 0.2 % of the jump, current to 0.5 %
         (1 % within the relaxation time of 6 ms)."""

@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """Jobs of the Studio: they outlive it, are taken up again, cancelled, resumed; what ran can be run without it."""
 
+import json
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import time
 import unittest
 
-from studio_server import PROGRAM, QUICK, StudioTest
+from studio_server import PROGRAM, QUICK, ROOT, StudioTest
 
 
 def command_of(keeper):
@@ -83,6 +85,24 @@ class Jobs(StudioTest):
                          {(("contact.friction",), "friction = 33"), (("motion.preload",), "preload = 3")})
         edited = self.studio.json("POST", "/api/case/set", {"text": case, "key": "motion.preload", "value": "2 um"})["text"]
         self.assertIn('preload = "2 um"', edited)
+
+    def test_every_case_that_comes_along_has_a_card_and_a_cost(self):
+        starters = self.studio.json("GET", "/api/gallery")
+        self.assertEqual({starter["id"] for starter in starters}, {path.stem for path in (ROOT / "cases").glob("*.toml")})
+        for starter in starters:
+            self.studio.json("POST", "/api/gallery/open", {"id": starter["id"]})  # writes the strain file
+            with self.subTest(starter["id"]):
+                cost = self.studio.json("POST", "/api/case/check", {"text": starter["text"]})["cost"]
+                self.assertGreater(cost["memory_bytes"], 1e8)
+                self.assertGreater(cost["ion_unknowns"], 0)
+                self.assertEqual(cost["positions"] == 0, starter["id"] == "strain_file")
+
+    def test_the_page_names_every_package(self):
+        packages = json.loads((ROOT / "studio" / "package.json").read_text())
+        page = (ROOT / "docs" / "studio.md").read_text()
+        for name, version in (packages["dependencies"] | packages["devDependencies"]).items():
+            shown = {"three": "three.js", "uplot": "uPlot", "typescript": "TypeScript"}.get(name, name)
+            self.assertRegex(page, rf"\n\| {re.escape(shown)}( \([^|]*)? \| {re.escape(version)} \|")
 
     def test_ctrl_c_ends_the_server(self):
         self.assertEqual(self.studio.end(), 0)

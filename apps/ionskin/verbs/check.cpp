@@ -31,17 +31,18 @@ bool check(const CheckOptions& options) {
   const std::string shortage = planning::shortage(document.input, thread_count(0));
   print_valid(options, document,
               (contact ? warning_of_ions(document.input) : "") + warnings_of_water(document.input) +
-                  (shortage.empty() ? "" : fmt::format("warning: {}\n", shortage)));
+                  (shortage.empty() ? "" : fmt::format("warning: {}\n", shortage)),
+              planning::estimate_cost(document.input, thread_count(0)));
   return true;
 }
 
 void print_valid(const CheckOptions& options, const CaseDocument& document,
-                 const std::string& warning) {
+                 const std::string& warning, const planning::CostEstimate& cost) {
   if (options.json) {
-    fmt::print("{}\n", check_json(document, warning));
+    fmt::print("{}\n", check_json(document, warning, cost));
     return;
   }
-  const std::string explanation = options.explain ? explain(document) : std::string();
+  const std::string explanation = options.explain ? explain(document, cost) : std::string();
   std::string notes;
   for (const std::string& note : document.input.notes) {
     notes += paragraph("note: " + note, 2);

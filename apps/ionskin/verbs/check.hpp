@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ionskin/case/document/case_document.hpp"
+#include "ionskin/planning/cost_estimate.hpp"
 
 #include <string>
 #include <vector>
@@ -22,6 +23,6 @@ bool check(const CheckOptions& options);
 /// What `check` prints of a case without mistakes.
 /// @param warning a sentence or nothing
 void print_valid(const CheckOptions& options, const CaseDocument& document,
-                 const std::string& warning);
+                 const std::string& warning, const planning::CostEstimate& cost);
 
 } // namespace ionskin::apps

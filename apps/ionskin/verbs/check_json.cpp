@@ -26,21 +26,17 @@ Json value_json(const ValueRecord& record) {
           {"line", record.place ? Json(record.place->line) : Json()}};
 }
 
-Json cost_json(const Case& input) {
-  if (input.strain.kind == StrainSourceKind::file) {
-    return nullptr;
-  }
-  const int threads = thread_count(0);
-  const planning::CostEstimate cost = planning::estimate_cost(input, threads);
+Json cost_json(const planning::CostEstimate& cost) {
   return {{"memory_bytes", cost.memory}, {"seconds", cost.seconds},
-          {"threads", threads},          {"mechanics_unknowns", cost.mechanics_unknowns},
+          {"threads", thread_count(0)},  {"mechanics_unknowns", cost.mechanics_unknowns},
           {"positions", cost.positions}, {"ion_unknowns", cost.ion_unknowns},
           {"ion_steps", cost.ion_steps}};
 }
 
 } // namespace
 
-std::string check_json(const CaseDocument& document, const std::string& warning) {
+std::string check_json(const CaseDocument& document, const std::string& warning,
+                       const planning::CostEstimate& cost) {
   Json values = Json::array();
   for (const ValueRecord& record : document.records) {
     values.push_back(value_json(record));
@@ -48,8 +44,8 @@ std::string check_json(const CaseDocument& document, const std::string& warning)
   const Json all = {{"valid", true},
                     {"values", values},
                     {"warning", warning},
-                    {"explanation", explain(document)},
-                    {"cost", cost_json(document.input)}};
+                    {"explanation", explain(document, cost)},
+                    {"cost", cost_json(cost)}};
   return all.dump(1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -238,22 +238,18 @@ std::string events(const Case& input) {
   return text;
 }
 
-std::string costs(const Case& input) {
+std::string costs(const planning::CostEstimate& cost) {
   std::string text = "\nSize and cost\n";
-  if (input.strain.kind == StrainSourceKind::file)
-    return text + row("Study 2", "", "its size follows from the strain file");
-  const int threads = thread_count(0);
-  const planning::CostEstimate cost = planning::estimate_cost(input, threads);
-  if (input.strain.kind == StrainSourceKind::contact)
+  if (cost.positions > 0)
     text += row("Study 1: unknowns", fmt::format("{}", cost.mechanics_unknowns),
                 fmt::format("displacements, factorised at {} positions", cost.positions));
   text += row("Study 2: unknowns", fmt::format("{}", cost.ion_unknowns),
               fmt::format("over about {} time steps", cost.ion_steps));
   text += row("memory", fmt::format("{:.2g} GB", cost.memory * 1e-9),
               "largest, estimated from the unknowns");
-  text +=
-      row("wall time", fmt::format("{:.2g} s", cost.seconds),
-          fmt::format("with {} threads, from costs per unknown measured on one machine", threads));
+  text += row("wall time", fmt::format("{:.2g} s", cost.seconds),
+              fmt::format("with {} threads, from costs per unknown measured on one machine",
+                          thread_count(0)));
   return text;
 }
 
@@ -277,13 +273,13 @@ std::string warnings_of_water(const Case& input) {
   return text;
 }
 
-std::string explain(const CaseDocument& document) {
+std::string explain(const CaseDocument& document, const planning::CostEstimate& cost) {
   const Case& input = document.input;
   std::string text = values(document) + scales_of_ions(input) +
                      (moves_water(input) ? scales_of_water(input) : "") + scales_of_readout(input);
   if (input.strain.kind == StrainSourceKind::contact)
     text += scales_of_contact(input) + events(input);
-  return text + costs(input);
+  return text + costs(cost);
 }
 
 } // namespace ionskin::apps

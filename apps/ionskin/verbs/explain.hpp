@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ionskin/case/document/case_document.hpp"
+#include "ionskin/planning/cost_estimate.hpp"
 
 #include <string>
 
@@ -10,7 +11,7 @@ namespace ionskin::apps {
 /// What a case means before it runs: its values in SI units and where they come from, the scales
 /// that follow, the instants of contact, and the size and cost of both studies. Throws UserError
 /// when the mesh cannot be built.
-std::string explain(const CaseDocument& document);
+std::string explain(const CaseDocument& document, const planning::CostEstimate& cost);
 
 /// A warning where the ions have no sane solution, by an estimate of the shear under the slider;
 /// else empty.

@@ -79,6 +79,11 @@ double contact_memory(const mesh::SkinMesh& mesh, const CostEstimate& cost, int 
          (states * core * points * strains + at_once * matrices * components * components);
 }
 
+double ion_seconds(const electrochemistry::ProblemSize& ions, int threads) {
+  return seconds_per_ion_step * static_cast<double>(ions.unknowns) *
+         static_cast<double>(ions.steps) / threads;
+}
+
 /// Of a case without contact.
 CostEstimate estimate_ion_cost(const Case& input, int threads) {
   const auto ions = electrochemistry::estimate_problem_size(input);
@@ -86,13 +91,27 @@ CostEstimate estimate_ion_cost(const Case& input, int threads) {
   cost.ion_unknowns = ions.unknowns;
   cost.ion_steps = ions.steps;
   cost.memory = bytes_at_rest + ions.memory;
-  cost.seconds = seconds_per_ion_step * static_cast<double>(ions.unknowns) *
-                     static_cast<double>(ions.steps) / threads +
-                 seconds_of_output;
+  cost.ion_seconds = ion_seconds(ions, threads);
+  cost.seconds = cost.ion_seconds + seconds_of_output;
   return cost;
 }
 
 } // namespace
+
+CostEstimate estimate_cost(const Case& input, const history::CoreHistory& given, int threads) {
+  const auto ions = electrochemistry::problem_size(input, given);
+  CostEstimate cost;
+  cost.ion_unknowns = ions.unknowns;
+  cost.ion_steps = ions.steps;
+  cost.ion_seconds = ion_seconds(ions, threads);
+  cost.seconds = cost.ion_seconds + seconds_of_output;
+  double history = 0;
+  for (const history::HistoryChannel& channel : given.channels) {
+    history += static_cast<double>(channel.samples.size() * given.grid.values() * sizeof(double));
+  }
+  cost.memory = bytes_at_rest + history + ions.memory;
+  return cost;
+}
 
 CostEstimate estimate_cost(const Case& input, int threads) {
   if (input.strain.kind == StrainSourceKind::prescribed) {
@@ -116,8 +135,7 @@ CostEstimate estimate_cost(const Case& input, int threads) {
       mesh::heaviest_load(input).force > 0 && !input.slider.sharp() ? solves_of_round_force : 1;
   cost.mechanics_seconds = (1 + companion_share) * solves * rounds * seconds_per_position *
                            std::pow(scale, seconds_power);
-  cost.ion_seconds = seconds_per_ion_step * static_cast<double>(ions.unknowns) *
-                     static_cast<double>(ions.steps) / threads;
+  cost.ion_seconds = ion_seconds(ions, threads);
   cost.seconds = cost.mechanics_seconds + cost.ion_seconds + seconds_of_output;
   const double factors = mechanics::factorisations_memory(cost.mechanics_unknowns, at_once);
   const double responses = mechanics::is_stepped(input) ? response_memory(mesh, cost) : 0;

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "ionskin/case/case.hpp"
+#include "ionskin/history/core_history.hpp"
 
 #include <cstddef>
 
 namespace ionskin::planning {
 
 /// Size of both studies of a case, and what they will cost; of Study 2 alone where the load is
-/// prescribed. Not for strain files.
+/// prescribed.
 struct CostEstimate {
   std::size_t mechanics_unknowns = 0; ///< of one position of the slider
   std::size_t positions = 0;          ///< that are factorised; mirrored positions share one
@@ -23,5 +24,8 @@ struct CostEstimate {
 /// @param threads that will run
 /// Throws UserError when the mesh cannot be built.
 CostEstimate estimate_cost(const Case& input, int threads);
+
+/// Of Study 2 alone, under a given strain; Study 1 has no positions then.
+CostEstimate estimate_cost(const Case& input, const history::CoreHistory& given, int threads);
 
 } // namespace ionskin::planning

@@ -20,12 +20,14 @@ struct Starter {
   const char* summary;
 };
 
-constexpr std::array<Starter, 6> starters{{
+constexpr std::array<Starter, 7> starters{{
     {"quick", "A first look", "The paper's skin, coarse and for one cycle: seconds to run."},
     {"paper", "The paper's case", "Three cycles at standard accuracy."},
     {"finger", "A fingertip", "A sphere presses with 1 N and strokes; neutral coupling."},
     {"taxels", "Taxels", "The top electrode in four named parts with a current each."},
     {"reciprocating", "Back and forth", "Four strokes in contact with a rest at each turn."},
+    {"poroelastic", "Moving water",
+     "Pressure moves water, which drags the ions: constants that can be measured."},
     {"strain_file", "A strain file", "Ion transport alone, driven by shear from a file."},
 }};
 
