@@ -54,6 +54,7 @@ def main():
         make_material(program, material)
     copy_sources(source)
     pages = {"case_reference": case_reference(program), "command_line": command_line(program),
+             "contributing": (DOCS.parent / "CONTRIBUTING.md").read_text(encoding="utf-8").replace("](docs/", "]("),
              "python_api": python_api(DOCS.parent / "python"),
              "materials": materials(DOCS.parent / "materials"),
              "verification_results": verification(material / "verification.csv", source),

@@ -18,8 +18,8 @@ int cite() {
       "  version = {{{0}}}\n"
       "}}\n\n"
       "The case cases/paper.toml, the figures 1 to 16 and the claims that reports judge are those "
-      "of the "
-      "article\n\n"
+      "of the\n"
+      "article on a layered ionic polymer-metal composite skin under touch, slide and lift\n\n"
       "@article{{ionic_skin_2026,\n"
       "  journal = {{Sensors}},\n"
       "  year    = {{2026}},\n"
@@ -28,6 +28,7 @@ int cite() {
       "  pages   = {{2930}},\n"
       "  doi     = {{10.3390/s26102930}}\n"
       "}}\n\n"
+      "Its title and authors stand at https://doi.org/10.3390/s26102930.\n"
       "State the commit and the input hash too: both stand in manifest.json of every run.\n",
       version);
   return 0;
