@@ -8,6 +8,8 @@ from program import QUICK, ProgramTest
 MISTAKES = (
     (("runn", "x"), '"runn" is no verb of ionskin', "did you mean run?"),
     (("nonsense",), '"nonsense" is no verb of ionskin', "verbs: init, check, run"),
+    (("help",), '"help" is no verb of ionskin', "write ionskin --help"),
+    (("init", "x.toml", "--from"), "--from lacks its value", "choose one of paper, quick, finger"),
     (("my.toml",), '"my.toml" is no verb of ionskin', "ionskin run my.toml --output DIR"),
     (("--verson",), "ionskin has no option --verson", "did you mean --version?"),
     (("run", QUICK, "--friction", "0.2", "-o", "out"), "ionskin run has no option --friction",

@@ -2,6 +2,8 @@
 """What a newcomer types first: help, init, check, run; and the files a run leaves."""
 
 import json
+import re
+import subprocess
 import unittest
 import unittest.mock
 
@@ -80,6 +82,11 @@ class FirstMinutes(ProgramTest):
         self.run_program("init", "finger.toml", "--from", "finger")
         self.assertIn("sphere", (self.folder / "finger.toml").read_text())
         self.assertIn("paper, quick, finger", self.run_program("init", "x.toml", "--from", "hand", expect=2).stderr)
+        for name in ("taxels", "reciprocating", "poroelastic", "strain_file"):
+            wrote = self.run_program("init", f"{name}.toml", "--from", name).stdout
+            if name == "strain_file":  # what it needs is named, and serves
+                subprocess.run(re.search("First: (.*)", wrote)[1].split(), cwd=self.folder, check=True)
+            self.run_program("check", f"{name}.toml")
         keys = self.run_program("keys").stdout
         self.assertRegex(keys, r"readout\.circuit .* one of short, open, load, amplifier  \[\"short\"\]")
         for key in ("readout.taxels.rows", "readout.taxels.gap", "readout.taxels[].name"):

@@ -34,12 +34,13 @@ void add_init(CLI::App& app, Command& command) {
   auto options = std::make_shared<InitOptions>();
   CLI::App* verb = app.add_subcommand("init", "Write a commented starter case");
   verb->add_option("path", options->path, "File to write")->required()->type_name("CASE.toml");
-  verb->add_option(
-          "--from", options->from,
-          "Case to start from: paper (full accuracy), quick (seconds), finger (a sphere "
-          "pressed by a force), strain_file (a shear history of your own), poroelastic (water "
-          "moves the ions), bending (a wet strip, no slider)")
-      ->check(CLI::IsMember({"paper", "quick", "finger", "strain_file", "poroelastic", "bending"}))
+  verb->add_option("--from", options->from,
+                   "Case to start from: paper (full accuracy), quick (seconds), finger (a sphere "
+                   "pressed by a force), taxels (four parts of the top electrode), reciprocating "
+                   "(back and forth), poroelastic (moving water), bending (a wet strip, no slider), "
+                   "strain_file (a shear history of your own)")
+      ->check(CLI::IsMember({"paper", "quick", "finger", "taxels", "reciprocating", "poroelastic",
+                             "bending", "strain_file"}))
       ->capture_default_str();
   set_when_parsed(*verb, options, command);
 }

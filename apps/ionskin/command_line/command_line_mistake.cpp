@@ -81,6 +81,10 @@ std::string unknown_verb(const CLI::App& app, const std::string& word) {
     return message(fmt::format("\"{}\" is no verb of {}", word, app.get_name()),
                    fmt::format("to run a case: {} run {} --output DIR", app.get_name(), word));
   }
+  if (word == "help") {
+    return message(fmt::format("\"help\" is no verb of {}", app.get_name()),
+                   fmt::format("write {0} --help, or {0} VERB --help", app.get_name()));
+  }
   return message(fmt::format("\"{}\" is no verb of {}", word, app.get_name()),
                  fmt::format("{}verbs: {}", did_you_mean(nearest), fmt::join(names, ", ")));
 }
@@ -148,6 +152,22 @@ std::optional<std::string> unknown_choice(const std::string& text) {
                              fmt::join(choices, ", ")));
 }
 
+/// Of "--from: 1 required TEXT:{paper,quick} missing".
+std::optional<std::string> missing_value(const std::string& text, const std::string& usage) {
+  const std::size_t colon = text.find(": ");
+  if (colon == std::string::npos || !text.ends_with(" missing")) {
+    return std::nullopt;
+  }
+  const std::size_t open = text.find('{', colon), close = text.find('}', colon);
+  const bool listed = open != std::string::npos && close != std::string::npos;
+  return message(
+      fmt::format("{} lacks its value", text.substr(0, colon)),
+      listed
+          ? fmt::format("choose one of {}",
+                        fmt::join(base::split(text.substr(open + 1, close - open - 1), ','), ", "))
+          : usage);
+}
+
 } // namespace
 
 std::string explain_mistake(const CLI::App& app, const CLI::ParseError& error,
@@ -182,7 +202,11 @@ std::string explain_mistake(const CLI::App& app, const CLI::ParseError& error,
   if (const auto choice = unknown_choice(text)) {
     return *choice;
   }
-  return message(text, fmt::format("{} --help tells its options", call(app, verb)));
+  const std::string help = fmt::format("{} --help tells its options", call(app, verb));
+  if (const auto lacking = missing_value(text, help)) {
+    return *lacking;
+  }
+  return message(text, help);
 }
 
 } // namespace ionskin::apps

@@ -31,8 +31,14 @@ int init(const InitOptions& options) {
     throw UserError(
         fmt::format("{} cannot be written: {}\n  = check its folder and its permissions",
                     options.path, error.message()));
-  fmt::print("Wrote {0}.\nNext: ionskin check {0} --explain\n      ionskin run {0} -o out\n",
-             options.path);
+  std::string first;
+  if (options.from == "strain_file") {
+    first = fmt::format("First: {} {} {}\n", IONSKIN_PYTHON,
+                        (data_folder() / "cases" / "make_strain.py").string(),
+                        (target.parent_path() / "strain.h5").string());
+  }
+  fmt::print("Wrote {0}.\n{1}Next: ionskin check {0} --explain\n      ionskin run {0} -o out\n",
+             options.path, first);
   return 0;
 }
 

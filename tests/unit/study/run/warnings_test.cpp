@@ -85,6 +85,10 @@ TEST_F(WarningsTest, NamesLargeAndMissingErrors) {
   ErrorEstimate errors;
   errors.relative = {{"stick_fraction_touchdown", 4.81}, {"mean_shear_slide", 0.01}};
   EXPECT_TRUE(any_holds(error_warnings(input, errors), "stick_fraction_touchdown (481 %)"));
+  errors.relative["rms_current_common"] = 9.1;
+  EXPECT_TRUE(any_holds(error_warnings(input, errors), "rms_current_common (910 %)"));
+  input.coupling.law = "column-neutral";
+  EXPECT_FALSE(any_holds(error_warnings(input, errors), "rms_current_common"));
   errors.not_converging = {{"stick_fraction_touchdown", "a reason"}};
   EXPECT_TRUE(error_warnings(input, errors).empty());
   errors.not_estimated = {{"max_potential", not_a_number}, {"energy_balance_error", "an audit"}};
