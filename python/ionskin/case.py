@@ -6,7 +6,7 @@ import numbers
 import os
 import pathlib
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 import numpy
@@ -55,6 +55,7 @@ class Case:
     case["motion.preload"] = "0.5 um"      or a text with its unit
     case["skin.layers[1].thickness"]       1.8e-4; SI number, list of them, or text
     case["slider.start[0]"]                4.5e-3; one entry of a list, to read and to set
+    case["readout.taxels"] = {"rows": 4, "columns": 4}   a table, or a list of tables
 
     A wrong key or value raises CaseError at once. Values that do not fit together, and missing ones, raise it when
     the case is used: by `check`, `run`, `sweep`, or reading back.
@@ -92,7 +93,7 @@ class Case:
         return twin
 
     def __setitem__(self, key: str, value: Any) -> None:
-        edit = toml_text(value, solver.load().key_unit(key) or "")
+        edit = _text_of(key, value)
         former = dict(self._edits)
         self._edits.pop(key, None)
         self._edits[key] = edit
@@ -144,6 +145,15 @@ class Case:
     def __repr__(self) -> str:
         changes = ", ".join(self._edit_list())
         return f"Case({self._path}{'; ' + changes if changes else ''})"
+
+
+def _text_of(key: str, value: Any) -> str:
+    """A value of a key as TOML; a table, or a list of tables, by the keys of its entries."""
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{name} = {_text_of(f'{key}.{name}', entry)}" for name, entry in value.items()) + "}"
+    if isinstance(value, (list, tuple)) and value and all(isinstance(entry, Mapping) for entry in value):
+        return "[" + ", ".join(_text_of(f"{key}[{i}]", entry) for i, entry in enumerate(value)) + "]"
+    return toml_text(value, solver.load().key_unit(key) or "")
 
 
 def _no_such_key(key: str) -> str:

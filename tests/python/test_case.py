@@ -57,6 +57,17 @@ class Case(PackageTest):
             with self.assertRaises(ionskin.CaseError):
                 self.case[key]
 
+    def test_tables(self):
+        self.case["readout.taxels"] = {"rows": 2, "columns": 3, "gap": 1e-4}
+        self.case.check()
+        self.assertEqual((self.case["readout.taxels.columns"], self.case["readout.taxels.gap"]), (3, 1e-4))
+        self.case["readout.taxels"] = [{"name": "left", "lower": [0.0, 0.0], "upper": [5e-3, 2e-3]},
+                                       {"name": "right", "lower": [0.005, 0.0], "upper": ["10 mm", "2 mm"]}]
+        self.case.check()
+        self.assertEqual(self.case["readout.taxels[1].upper"], [0.01, 2e-3])
+        with self.assertRaisesRegex(ionskin.CaseError, "readout.taxels"):
+            self.case["readout.taxels"] = {"rows": 2, "colums": 3}
+
     def test_mistakes_have_the_messages_of_the_program_and_change_nothing(self):
         for key, value, words in (("contact.friction", 7, "at most 2"), ("contact.fricton", 1, "did you mean contact.friction"),
                                   ("motion.preload", "3 kg", "got a mass"), ("motion.cycles", 1.5, "not an integer"),

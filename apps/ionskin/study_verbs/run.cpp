@@ -40,7 +40,8 @@ void print_warnings(const study::RunOutcome& outcome) {
     fmt::print("{}", paragraph("warning: " + outcome.warnings[i], 2));
   }
   if (shown < outcome.warnings.size()) {
-    fmt::print("{} more warnings: {}\n", outcome.warnings.size() - shown,
+    fmt::print("{} more warning{}: {}\n", outcome.warnings.size() - shown,
+               outcome.warnings.size() - shown == 1 ? "" : "s",
                (outcome.folder / results::file_names::summary).string());
   }
 }
