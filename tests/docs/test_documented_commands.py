@@ -111,6 +111,18 @@ class Words(DocumentedTest):
                     self.assertIn(option, options[verb] | general, f"{page.name}: ionskin {verb} {option}")
         self.assertGreater(found, 20)
 
+    def test_contributing_names_what_exists(self):
+        text = (ROOT / "CONTRIBUTING.md").read_text()
+        files = {name for name in re.findall(r"`([\w*./]+)`", text) if "/" in name and "FOLDER" not in name}
+        self.assertGreater(len(files), 10)
+        for name in files:
+            self.assertTrue(list(ROOT.glob(name)), name)
+        for word in ("mechanics_hash", "channel_rules", "CouplingLaw::channels"):
+            self.assertIn(word, text)
+            place = next(line for line in text.split("\n") if word in line)
+            source = re.search(r"`(src/[\w./]+)`", text[text.index(place):])[1]
+            self.assertIn(word, (ROOT / source).read_text(), source)
+
     def test_manual_page_and_completion_know_every_option(self):
         options, _ = self.known()
         manual = self.run_program("man").stdout.replace("\\-", "-")
