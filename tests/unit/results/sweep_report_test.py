@@ -348,6 +348,7 @@ class SampledSweep(SweepTest):
             self.assertGreater(page.evaluate("Math.min(...[...document.querySelectorAll('#charts text')].map("
                                              "t => t.getBoundingClientRect().height))"), 9)
             self.assertEqual(page.overlapping_labels("#charts svg, #trend svg"), [])
+            self.assertIn("sideways", page.evaluate("getComputedStyle(document.querySelector('.wide'), '::before').content"))
             self.assertEqual(page.errors, [])
 
 
