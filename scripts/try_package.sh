@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Tries a Debian package in a fresh Debian 12: installs it, runs a case, draws the report, imports the Python
-# package, builds the example against the library, removes it, and looks whether anything is left. As root, with
+# package, opens the Studio's page, builds the example against the library, removes it, and looks whether anything is left. As root, with
 # debootstrap; it loads about 1 GB. By hand, not a part of `make check`.
 #
 #   scripts/try_package.sh PACKAGE.deb [ROOT] [CASE]
@@ -57,6 +57,7 @@ as_user "cd trial && ionskin report out --figure fig05_shear && ls -l out/report
 as_user "cd trial && python3 -c 'import ionskin; print(ionskin.__file__); print(ionskin.open_results(\"out\"))'"
 as_user "cd trial && python3 -c 'import ionskin; case = ionskin.Case.from_file(\"case.toml\"); case[\"numerics.preset\"] = \"coarse\"; print(ionskin.run(case, \"from_python\"))'"
 as_user "cd trial && cp -r /usr/share/doc/ionskin/examples/embed . && cmake -S embed -B embed/build >/dev/null && cmake --build embed/build && embed/build/embed /usr/share/ionskin/cases/quick.toml embedded"
+as_user "cd trial && { ionskin studio . --no-browser > link & } && sleep 3 && python3 -c 'import re, urllib.request as web; page = web.build_opener(web.HTTPCookieProcessor()).open(re.search(r\"http\S+\", open(\"link\").read())[0]); print(\"studio\", page.status, len(page.read()), \"bytes\")'; kill \$!"
 as_user "ls -l /usr/share/man/man1/ionskin.1.gz /usr/share/bash-completion/completions/ionskin"
 
 step "Remove"
