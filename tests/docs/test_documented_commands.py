@@ -117,7 +117,7 @@ class Words(DocumentedTest):
         self.assertGreater(len(files), 10)
         for name in files:
             self.assertTrue(list(ROOT.glob(name)), name)
-        for word in ("mechanics_hash", "channel_rules", "CouplingLaw::channels"):
+        for word in ("mechanics_hash", "channel_rules", "channels_for"):
             self.assertIn(word, text)
             place = next(line for line in text.split("\n") if word in line)
             source = re.search(r"`(src/[\w./]+)`", text[text.index(place):])[1]
