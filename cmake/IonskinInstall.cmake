@@ -19,7 +19,7 @@ install(TARGETS ionskin_library EXPORT ionskin LIBRARY DESTINATION ${IONSKIN_LIB
 
 # What a program of others needs to read and run a case, and what that includes.
 foreach(header base/error base/progress base/system/interrupt case/case case/document/case_document case/height_map
-        case/reading/read_case case/schema/schema case/text/place readout/metrics readout/signals results/summary_json
+        case/reading/read_case case/schema/schema case/text/place laws/law_parameter readout/metrics readout/signals results/summary_json
         study/errors/stated_errors study/run/run_case units/dimension)
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${PROJECT_SOURCE_DIR}/src/ionskin/${header}.hpp DESTINATION ${IONSKIN_INCLUDE_FOLDER}/${folder})
