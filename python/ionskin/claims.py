@@ -35,7 +35,7 @@ def detached(study):
         rows = numpy.any([(signals["time"] > span.start) & (signals["time"] <= span.end) for span in spans], axis=0)
         worst = max(worst, peak_of(signals["mean_shear"][rows]) / (peak_of(signals["mean_shear"]) or 1))
     return Verdict(claim, HOLDS if worst < DETACHED else FAILS,
-                   f"largest mean γ during the return: {worst:.1e} of its peak")
+                   f"largest mean γ during the return: {worst:.2g} of its peak")
 
 
 def monotone(study, metric, words):
