@@ -19,7 +19,7 @@ namespace {
 
 using mechanics::ContactSolution;
 
-ContactSolution solve(const Case& input, const Options& options) {
+ContactSolution solve_path(const Case& input, const Options& options) {
   mechanics::ContactOptions contact;
   contact.threads = options.threads;
   base::Timers timers;
@@ -46,7 +46,7 @@ Case in_rows(Case input, int rows) {
 /// Figures of a slide in its middle and over its onset, from the legs of a stroke and from rows.
 void add_leg_rows(const Options& options, std::vector<Row>& rows) {
   const Case stroke = baseline_case(), path = in_rows(stroke, 500);
-  const ContactSolution legs = solve(stroke, options), stepped = solve(path, options);
+  const ContactSolution legs = solve_path(stroke, options), stepped = solve_path(path, options);
   const handover::ContactTimeline leg_time(stroke, legs), step_time(path, stepped);
   const double middle = stroke.motion.touchdown + 0.5 * stroke.motion.slide;
   const auto shear = [](const Case& input, const ContactSolution& solution,
@@ -127,7 +127,8 @@ void add_random_rows(const Options& options, std::vector<Row>& rows) {
     double worst = 0;
     for (const bool by_force : {false, true}) {
       try {
-        const ContactSolution solution = solve(random_path(shape.input, by_force, ++seed), options);
+        const ContactSolution solution =
+            solve_path(random_path(shape.input, by_force, ++seed), options);
         steps += solution.contact_solves;
         worst = std::max(worst, solution.worst_complementarity_residual);
       } catch (const SolverError&) {

@@ -18,8 +18,8 @@ using std::numbers::pi;
 
 constexpr double youngs_modulus = 1e9;      // [Pa]
 constexpr double radius = 10e-3;            // of the slider [m]
-constexpr double indentation = 10e-6;       // [m]
-constexpr double contact_estimate = 316e-6; // sqrt(radius * indentation) [m]
+constexpr double round_indentation = 10e-6; // [m]
+constexpr double contact_estimate = 316e-6; // sqrt(radius * round_indentation) [m]
 
 /// One material in all layers, a block of some contact radii in depth and four times as wide.
 Case block(SliderShape shape, double depth_ratio, double poissons_ratio, double friction) {
@@ -38,7 +38,7 @@ Case block(SliderShape shape, double depth_ratio, double poissons_ratio, double 
     input.skin.sides = SideCondition::symmetry;
   }
   input.slider.start = {input.skin.length / 2, input.skin.width / 2};
-  input.motion.preload = indentation;
+  input.motion.preload = round_indentation;
   input.contact.friction = friction;
   input.numerics.preset = Preset::coarse;
   return input;

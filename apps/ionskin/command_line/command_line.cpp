@@ -34,11 +34,12 @@ void add_init(CLI::App& app, Command& command) {
   auto options = std::make_shared<InitOptions>();
   CLI::App* verb = app.add_subcommand("init", "Write a commented starter case");
   verb->add_option("path", options->path, "File to write")->required()->type_name("CASE.toml");
-  verb->add_option("--from", options->from,
-                   "Case to start from: paper (full accuracy), quick (seconds), finger (a sphere "
-                   "pressed by a force), taxels (four parts of the top electrode), reciprocating "
-                   "(back and forth), poroelastic (moving water), bending (a wet strip, no slider), "
-                   "strain_file (a shear history of your own)")
+  verb->add_option(
+          "--from", options->from,
+          "Case to start from: paper (full accuracy), quick (seconds), finger (a sphere "
+          "pressed by a force), taxels (four parts of the top electrode), reciprocating "
+          "(back and forth), poroelastic (moving water), bending (a wet strip, no slider), "
+          "strain_file (a shear history of your own)")
       ->check(CLI::IsMember({"paper", "quick", "finger", "taxels", "reciprocating", "poroelastic",
                              "bending", "strain_file"}))
       ->capture_default_str();

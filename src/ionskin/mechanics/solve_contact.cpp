@@ -2,7 +2,6 @@
 #include "ionskin/mechanics/solve_contact.hpp"
 
 #include "ionskin/base/system/interrupt.hpp"
-#include "ionskin/mechanics/solve_stepped.hpp"
 #include "ionskin/mechanics/path/contact_plan.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/path/position_states.hpp"
@@ -10,6 +9,7 @@
 #include "ionskin/mechanics/position/interpolation_error.hpp"
 #include "ionskin/mechanics/position/interpolation_nodes.hpp"
 #include "ionskin/mechanics/shared_positions.hpp"
+#include "ionskin/mechanics/solve_stepped.hpp"
 #include "ionskin/parallel/task_pool.hpp"
 
 #include <fmt/format.h>

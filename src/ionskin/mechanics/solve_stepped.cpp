@@ -139,8 +139,9 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
 
   ContactSolution solution = empty_solution(model);
   KeptPath kept(*nodes, std::make_shared<SteppedStrains>(nodes), tolerance, solution);
-  SlidingContact contact(nodes->compliance(), model.cells.area, model.gap,
-                         laws::friction(input.contact.law, variant.friction, input.contact.parameters));
+  SlidingContact contact(
+      nodes->compliance(), model.cells.area, model.gap,
+      laws::friction(input.contact.law, variant.friction, input.contact.parameters));
   MotionStepper stepper(contact, options, [&](const StepPoint& point, const SlidingContact& at) {
     kept.add(point, at);
   });

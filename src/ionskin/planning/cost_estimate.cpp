@@ -2,10 +2,10 @@
 #include "ionskin/planning/cost_estimate.hpp"
 
 #include "ionskin/electrochemistry/time/problem_size.hpp"
-#include "ionskin/mechanics/solve_stepped.hpp"
 #include "ionskin/mechanics/path/contact_plan.hpp"
 #include "ionskin/mechanics/position/memory_estimate.hpp"
 #include "ionskin/mechanics/position/unit_response.hpp"
+#include "ionskin/mechanics/solve_stepped.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/checks/check_case.hpp"
 
-#include "ionskin/case/checks/check_prescribed.hpp"
 #include "ionskin/case/checks/check_electrochemistry.hpp"
 #include "ionskin/case/checks/check_laws.hpp"
 #include "ionskin/case/checks/check_motion.hpp"
+#include "ionskin/case/checks/check_prescribed.hpp"
 #include "ionskin/case/checks/check_readout.hpp"
 #include "ionskin/case/checks/check_sizes.hpp"
 #include "ionskin/case/checks/check_slider.hpp"

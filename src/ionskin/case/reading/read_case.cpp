@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/reading/read_case.hpp"
 
-#include "ionskin/case/checks/check_prescribed.hpp"
 #include "ionskin/case/checks/check_case.hpp"
+#include "ionskin/case/checks/check_prescribed.hpp"
 #include "ionskin/case/checks/check_readout.hpp"
 #include "ionskin/case/checks/check_water.hpp"
 #include "ionskin/case/document/materials.hpp"

@@ -41,8 +41,10 @@ template <class Law> CouplingLaw coupling_row(std::string_view name) {
 
 std::span<const CouplingLaw> coupling_laws() {
   static const std::array laws{
-      coupling_row<FixedCharge>("fixed-charge"),     coupling_row<VolumeNeutral>("volume-neutral"),
-      coupling_row<ColumnNeutral>("column-neutral"), coupling_row<PairGeneration>("pair-generation"),
+      coupling_row<FixedCharge>("fixed-charge"),
+      coupling_row<VolumeNeutral>("volume-neutral"),
+      coupling_row<ColumnNeutral>("column-neutral"),
+      coupling_row<PairGeneration>("pair-generation"),
       coupling_row<Poroelastic>("poroelastic"),
   };
   return laws;

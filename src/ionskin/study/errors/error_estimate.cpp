@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/errors/error_estimate.hpp"
 
+#include "ionskin/case/coupling.hpp"
 #include "ionskin/electrochemistry/coupling/driving_channel.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
 #include "ionskin/history/merged_cells.hpp"
@@ -63,9 +64,7 @@ double path_floor(const MechanicsRecord& mechanics) {
 }
 
 double decoupling(const Case& input) {
-  return electrochemistry::coupling_law(input.coupling.law).moves_water
-             ? poroelasticity::decoupling_error(input)
-             : 0.0;
+  return moves_water(input) ? poroelasticity::decoupling_error(input) : 0.0;
 }
 
 /// One coarser run of Study 2.

@@ -246,7 +246,7 @@ Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonS
     signals.metrics.push_back(*identity);
   }
   add_ion_metrics(input, ions, signals.resolved, signals.metrics);
-  const bool moves_water = electrochemistry::coupling_law(input.coupling.law).moves_water;
+  const bool moves_water = ionskin::moves_water(input);
   add_taxels(ions, moves_water, signals);
   if (moves_water) {
     add_water(input, mechanics, ions, signals);

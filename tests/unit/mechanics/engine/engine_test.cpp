@@ -2,8 +2,8 @@
 #include "ionskin/mechanics/engine/motion_stepper.hpp"
 #include "ionskin/mechanics/engine/path_thinning.hpp"
 #include "ionskin/mechanics/engine/position_nodes.hpp"
-#include "ionskin/mechanics/solve_stepped.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
+#include "ionskin/mechanics/solve_stepped.hpp"
 #include "ionskin/mechanics/surface/contact_diagnostics.hpp"
 #include "small_case.hpp"
 
