@@ -10,6 +10,7 @@
 #include "study_verbs/python_verbs.hpp"
 #include "study_verbs/run.hpp"
 #include "study_verbs/sweep.hpp"
+#include "study_verbs/trial_verbs.hpp"
 #include "study_verbs/verify.hpp"
 
 int main(int argc, char** argv) {
@@ -42,6 +43,9 @@ int main(int argc, char** argv) {
     }
     if (const auto* fit_options = std::get_if<FitOptions>(&*command)) {
       return fit(*fit_options, command_text);
+    }
+    if (const auto* uncertainty_options = std::get_if<UncertaintyOptions>(&*command)) {
+      return uncertainty(*uncertainty_options);
     }
     if (const auto* report_options = std::get_if<ReportOptions>(&*command)) {
       return report(*report_options);

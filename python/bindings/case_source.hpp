@@ -20,4 +20,7 @@ CaseSource case_source(const pybind11::handle& python_case);
 /// FitModel, fit_folder and fit_columns.
 void add_fit_bindings(pybind11::module_& module);
 
+/// key_quantity.
+void add_key_bindings(pybind11::module_& module);
+
 } // namespace ionskin::python

@@ -18,6 +18,7 @@ from .fitting import FitModel, fit
 from .results import Metric, Results, Table
 from .running import run, sweep
 from .sweep_results import Study, Sweep, open_results
+from .uncertainty import Analysis, Uncertainty
 
-__all__ = ["Case", "CaseError", "ClusterError", "Fit", "FitModel", "Metric", "Results", "SolverError", "Study", "Sweep",
-           "Table", "Value", "fit", "open_results", "run", "sweep"]
+__all__ = ["Analysis", "Case", "CaseError", "ClusterError", "Fit", "FitModel", "Metric", "Results", "SolverError", "Study",
+           "Sweep", "Table", "Uncertainty", "Value", "fit", "open_results", "run", "sweep"]

@@ -117,6 +117,7 @@ void describe_command_line(CLI::App& app, Command& command) {
   add_run(app, command);
   add_impedance(app, command);
   add_study_verbs(app, command);
+  add_trial_verbs(app, command);
   add_verify(app, command);
   add_help_verbs(app, command);
 }

@@ -76,6 +76,26 @@ struct FitOptions {
   LogFormat log = LogFormat::automatic;
 };
 
+/// Of uncertainty, design and generate, which ionskin's Python package carries out.
+struct TrialOptions {
+  std::string case_path, output;
+  std::vector<std::string> set_edits;
+  int threads = 0;
+  bool overwrite = false;
+  bool resume = false;
+  bool use_cache = true;
+  bool quiet = false;
+};
+
+struct UncertaintyOptions : TrialOptions {
+  std::vector<std::string> vary; ///< "KEY=DISTRIBUTION"
+  std::size_t samples = 64;
+  std::string design = "sobol";
+  std::uint64_t seed = 1;
+  std::vector<std::string> metrics; ///< empty for the usual ones
+  double least_q2 = 0.95;           ///< of a surrogate that is used
+};
+
 struct ReportOptions {
   std::string folder;
   std::vector<std::string> figures; ///< only these; empty for all
@@ -113,7 +133,7 @@ struct ImpedanceOptions {
 };
 
 using Command = std::variant<InitOptions, CheckOptions, RunOptions, SweepOptions, FitOptions,
-                             ImpedanceOptions, ReportOptions, CompareOptions, VerifyOptions,
+                             UncertaintyOptions, ImpedanceOptions, ReportOptions, CompareOptions, VerifyOptions,
                              StudioOptions, DoctorOptions, CiteOptions, ClusterOptions, KeysOptions,
                              CompletionOptions, ManualOptions, CacheOptions>;
 

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_line/command_line_options.hpp"
+
+#include <memory>
+
+namespace ionskin::apps {
+namespace {
+
+void add_trial_options(CLI::App& verb, TrialOptions& options) {
+  add_case_option(verb, options.case_path);
+  add_output_options(verb, options.output, options.overwrite, options.resume);
+  add_set_option(verb, options.set_edits);
+  add_threads_option(verb, options.threads);
+  add_cache_option(verb, options.use_cache);
+  verb.add_flag("-q,--quiet", options.quiet, "Print errors only");
+}
+
+void add_vary_option(CLI::App& verb, std::vector<std::string>& vary, bool required) {
+  verb.add_option("--vary", vary,
+                  "Key and its distribution: \"contact.friction=uniform(0.1, 0.4)\"; loguniform, "
+                  "triangular, normal, lognormal too, with units and deviations in %")
+      ->required(required)
+      ->type_name("KEY=DISTRIBUTION")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->take_all();
+}
+
+void add_uncertainty(CLI::App& app, Command& command) {
+  auto options = std::make_shared<UncertaintyOptions>();
+  CLI::App* verb = app.add_subcommand(
+      "uncertainty", "Results of uncertain keys: quantiles, bands over time, Sobol' indices");
+  add_trial_options(*verb, *options);
+  add_vary_option(*verb, options->vary, true);
+  verb->add_option("--samples", options->samples, "Number of runs")
+      ->check(CLI::Range(16, 100000))
+      ->capture_default_str();
+  verb->add_option("--design", options->design,
+                   "How they fill the distributions; sobol can be given more samples later")
+      ->check(CLI::IsMember({"sobol", "lhs"}))
+      ->capture_default_str();
+  verb->add_option("--seed", options->seed, "Seed of the design")
+      ->check(CLI::Range(0, 2147483647))
+      ->capture_default_str();
+  verb->add_option("--metrics", options->metrics, "Metrics to analyse, as in summary.json")
+      ->type_name("NAME,NAME")
+      ->delimiter(',')
+      ->expected(1)
+      ->take_all();
+  verb->add_option("--least-q2", options->least_q2,
+                   "No indices where the surrogate explains less of the variance at points that "
+                   "it has not seen")
+      ->check(CLI::Range(0.01, 0.9999))
+      ->capture_default_str();
+  set_when_parsed(*verb, options, command);
+}
+
+} // namespace
+
+void add_trial_verbs(CLI::App& app, Command& command) {
+  add_uncertainty(app, command);
+}
+
+} // namespace ionskin::apps

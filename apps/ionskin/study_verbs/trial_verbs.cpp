@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study_verbs/trial_verbs.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/base/system/interrupt.hpp"
+#include "ionskin/study/run/python_module.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace ionskin::apps {
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// "--name=value", which holds for values that begin with a dash too.
+std::string word(const std::string& name, const std::string& value) {
+  return fmt::format("--{}={}", name, value);
+}
+
+void add_all(Words& words, const std::string& name, const std::vector<std::string>& values) {
+  for (const std::string& value : values) {
+    words.push_back(word(name, value));
+  }
+}
+
+Words common(const TrialOptions& options) {
+  Words words{word("output", options.output), fmt::format("--threads={}", options.threads)};
+  add_all(words, "set", options.set_edits);
+  for (const auto& [given, flag] :
+       {std::pair{options.overwrite, "--overwrite"}, std::pair{options.resume, "--resume"},
+        std::pair{!options.use_cache, "--no-cache"}, std::pair{options.quiet, "--quiet"}}) {
+    if (given) {
+      words.emplace_back(flag);
+    }
+  }
+  return words;
+}
+
+int run_trials(const std::string& module, Words words, const TrialOptions& options) {
+  words.insert(words.end(), {"--", options.case_path});
+  // The script handles an interrupt and ends with its code; this process waits for it.
+  base::install_interrupt_handler();
+  const int code = study::run_python_module(module, words, study::PythonErrors::shown).exit_code;
+  if (code < 0) {
+    throw UserError(study::python_interpreter() +
+                    " cannot be started or was killed\n  = ionskin doctor says what is missing");
+  }
+  return code;
+}
+
+} // namespace
+
+int uncertainty(const UncertaintyOptions& options) {
+  Words words = common(options);
+  add_all(words, "vary", options.vary);
+  words.insert(words.end(), {fmt::format("--samples={}", options.samples),
+                             word("design", options.design), fmt::format("--seed={}", options.seed),
+                             word("metrics", fmt::format("{}", fmt::join(options.metrics, ","))),
+                             fmt::format("--least-q2={}", options.least_q2)});
+  return run_trials("ionskin.uncertainty", words, options);
+}
+
+} // namespace ionskin::apps

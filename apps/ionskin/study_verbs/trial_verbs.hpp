@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "command_line/options.hpp"
+
+namespace ionskin::apps {
+
+// Verbs that run many trials of a case, carried out by ionskin's Python package. The exit code is
+// that of its script.
+
+/// Results of uncertain keys.
+int uncertainty(const UncertaintyOptions& options);
+
+} // namespace ionskin::apps

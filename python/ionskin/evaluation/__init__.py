@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Many runs of one case with other values: trials, the engine that runs them, and the folder that keeps what they gave.
+
+An engine has one function, `evaluate(case, trials, folder, told)`. Another one, on other machines, takes the place of
+`LocalEngine` here alone.
+"""
+
+from .folder import StudyFolder
+from .local import LocalEngine
+from .trial import Outcome, Trial
+
+__all__ = ["LocalEngine", "Outcome", "StudyFolder", "Trial"]

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The folder of a study: what it was asked, and the outcomes that are finished."""
+
+import fcntl
+import json
+import os
+import pathlib
+import re
+
+from .. import output_folder
+from ..errors import CaseError
+from ..results import read_json
+from .trial import Outcome
+
+QUESTION = "study.json"
+OUTCOME = re.compile(r"\d{6}\.npz")
+
+
+class StudyFolder:
+    """Keeps outcomes in FOLDER/points. One process at a time.
+
+    question   what defines the trials, as JSON: --resume takes up a folder with the same one only
+    free       names of the question that may change on the way, such as the number of samples
+
+    Raises CaseError where the folder holds something else.
+    """
+
+    def __init__(self, folder, question: dict, *, resume: bool = False, overwrite: bool = False, free=()) -> None:
+        if resume and overwrite:
+            raise CaseError("overwrite and resume exclude each other")
+        self.folder, self._points = pathlib.Path(folder), pathlib.Path(folder) / "points"
+        if self.folder.exists() and not self.folder.is_dir():
+            raise CaseError(f"{folder} is no folder\n  = give another one to --output")
+        if self._points.is_symlink():
+            raise CaseError(f"{self._points} is a link, and ionskin writes nothing through a link\n  = remove the link")
+        former = read_json(self.folder / QUESTION)
+        if overwrite:
+            self._remove()
+        elif former and not resume:
+            raise CaseError(f"{folder} holds a study\n  = --resume goes on with it, --overwrite begins anew")
+        elif resume and not former:
+            raise CaseError(f"{folder} holds no study to go on with\n  = leave --resume out")
+        elif former:
+            _require_same(former, question, free, folder)
+        elif self.folder.exists() and any(self.folder.iterdir()):
+            raise CaseError(f"{folder} holds other files\n  = give a new folder to --output")
+        self._points.mkdir(parents=True, exist_ok=True)
+        self._lock()
+        entries = self.folder / output_folder.LIST
+        if not entries.exists():
+            entries.write_text("# What ionskin wrote here: --overwrite removes these files and no others.\n",
+                               encoding="utf-8")
+        self.write(QUESTION, question)
+
+    @property
+    def points(self) -> pathlib.Path:
+        """Where an engine writes outcomes."""
+        return self._points
+
+    def finished(self) -> dict[int, Outcome]:
+        """Outcomes by number of the trial. Trials whose solver gave up are tried again."""
+        found = {}
+        for path in sorted(self._points.iterdir()):
+            outcome = Outcome.read(path) if OUTCOME.fullmatch(path.name) else None
+            if outcome is not None and not outcome.reason:
+                found[int(path.stem)] = outcome
+        return found
+
+    def write(self, name: str, content) -> None:
+        """Writes a text, or JSON of anything else."""
+        text = content if isinstance(content, str) else json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+        output_folder.write_text(self.folder / name, text)
+
+    def _lock(self) -> None:
+        self._held = os.open(self._points, os.O_RDONLY)
+        try:
+            fcntl.flock(self._held, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError as error:
+            os.close(self._held)
+            raise CaseError(f"another process works in {self.folder}\n  = wait for it, or give another folder") from error
+
+    def close(self) -> None:
+        """Lets others work here."""
+        os.close(self._held)
+
+    def _remove(self) -> None:
+        entries = self.folder / output_folder.LIST
+        if not entries.is_file():
+            if self.folder.exists() and any(self.folder.iterdir()):
+                raise CaseError(f"{self.folder} was not written by ionskin, which removes its own files only\n"
+                                "  = give a new folder to --output")
+            return
+        for name in entries.read_text(encoding="utf-8").splitlines():
+            path = self.folder / name
+            if name and not name.startswith("#") and path.parent in (self.folder, self.folder / "figures"):
+                path.unlink(missing_ok=True)
+        if self._points.is_dir():
+            for path in self._points.iterdir():
+                if OUTCOME.fullmatch(path.name) or path.name.endswith(".pending"):
+                    path.unlink()
+        entries.unlink()
+
+
+def _require_same(former: dict, question: dict, free, folder) -> None:
+    """One line for what differs between two questions."""
+    question = json.loads(json.dumps(question))
+    for name in dict.fromkeys([*former, *question]):
+        if name not in free and former.get(name) != question.get(name):
+            if name == "case":
+                raise CaseError(f"{folder} holds a study of another case\n  = give the same case, or another folder")
+            raise CaseError(f"{folder} holds a study with {name} = {former.get(name)!r}, not {question.get(name)!r}\n"
+                            "  = give the same, or another folder")

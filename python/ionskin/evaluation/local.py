@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Trials on this machine: one process each, side by side."""
+
+import concurrent.futures
+import contextlib
+import json
+import os
+import pathlib
+import queue
+import subprocess
+import sys
+import tempfile
+import threading
+
+from ..errors import CaseError
+from .trial import Outcome
+
+LAUNCHER = pathlib.Path(__file__).parent.parent / "isolated.py"
+
+
+class LocalEngine:
+    """Runs trials in processes of one thread each, so that their numbers do not depend on how many there are.
+
+    workers  processes; 0: one for each processor
+    cache    use the user's cache of factorised slider positions
+    """
+
+    def __init__(self, workers: int = 0, *, cache: bool = True) -> None:
+        self.workers, self.cache = workers or len(os.sched_getaffinity(0)), cache
+
+    def evaluate(self, case, trials, folder, told) -> None:
+        """Runs every trial and writes FOLDER/NUMBER.npz of each; a solver that gives up is an outcome too.
+
+        case    the base case of the trials
+        told    called in this thread with (trial, Outcome) as each ends; what it raises stops the others
+        """
+        del case  # every trial holds its own
+        free: queue.SimpleQueue = queue.SimpleQueue()
+        workers = [_Worker() for _ in range(min(self.workers, len(trials)))]
+        for worker in workers:
+            free.put(worker)
+        stopped = threading.Event()
+
+        def work(trial):
+            worker = free.get()
+            try:
+                return None if stopped.is_set() else worker.run(trial, folder / f"{trial.number:06}.npz", self.cache)
+            finally:
+                free.put(worker)
+
+        pool = concurrent.futures.ThreadPoolExecutor(max(1, len(workers)))
+        try:
+            tasks = {pool.submit(work, trial): trial for trial in trials}
+            for done in concurrent.futures.as_completed(tasks):
+                told(tasks[done], done.result())
+        finally:
+            stopped.set()
+            for worker in workers:
+                worker.stop()
+            pool.shutdown(wait=True, cancel_futures=True)
+
+
+class _Worker:
+    """A process that runs one trial after another; started again when it died."""
+
+    def __init__(self) -> None:
+        self._process, self._stopped = None, False
+
+    def run(self, trial, path, cache) -> Outcome:
+        with tempfile.TemporaryDirectory(prefix="ionskin-trial-", ignore_cleanup_errors=True) as scratch:
+            task = {"text": trial.case._original, "path": os.path.abspath(trial.case._path), "edits": trial.case._edits,
+                    "scratch": scratch, "file": os.fspath(path), "cache": cache}
+            for _ in range(2):  # a killed process is no fault of the trial
+                answer = self._ask(json.dumps(task))
+                if answer == "done":
+                    return Outcome.read(path)
+                if answer:
+                    raise CaseError(answer)
+        lost = Outcome({}, {}, reason="the process that ran it ended twice without an answer")
+        if not self._stopped:
+            lost.write(path)
+        return lost
+
+    def _ask(self, line: str) -> str:
+        """The worker's answer; "" where it ended without one."""
+        if self._stopped:
+            return ""
+        if self._process is None or self._process.poll() is not None:
+            environment = os.environ | {"OPENBLAS_NUM_THREADS": "1"}
+            # Of a session of its own: an interrupt at the terminal is this process's to handle.
+            self._process = subprocess.Popen([sys.executable, "-I", "-B", os.fspath(LAUNCHER), "ionskin.evaluation.worker",
+                                              str(os.getpid())], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                             text=True, env=environment, start_new_session=True)
+        try:
+            self._process.stdin.write(line + "\n")
+            self._process.stdin.flush()
+            return json.loads(self._process.stdout.readline() or '""')
+        except (OSError, ValueError):
+            return ""
+
+    def stop(self) -> None:
+        self._stopped = True
+        if self._process is not None:
+            self._process.kill()
+            with contextlib.suppress(OSError), self._process:  # closes its pipes and waits
+                pass

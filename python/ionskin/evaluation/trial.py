@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One evaluation of a case, and what came of it."""
+
+import json
+import os
+import pathlib
+from typing import Any, NamedTuple
+
+import numpy
+
+from ..case import Case
+from ..errors import CaseError
+from ..results import Results
+
+TABLES = ("signals", "sampled")
+
+
+class Trial(NamedTuple):
+    """What is asked for.
+
+    number  place in the design, from 0
+    values  SI number by key
+    case    the case with these values; None where the study has no case
+    """
+
+    number: int
+    values: dict
+    case: Case | None = None
+
+
+class Outcome:
+    """What a trial gave.
+
+    reason   why there is no result; "" for a finished one
+    metrics  SI number by name; units likewise
+    columns  array [rows] by "signals/NAME" or "sampled/NAME"; empty where the trial gave numbers alone
+    """
+
+    def __init__(self, metrics: dict, units: dict, columns: dict | None = None, reason: str = "") -> None:
+        self.metrics, self.units, self.columns, self.reason = metrics, units, columns or {}, reason
+
+    @classmethod
+    def of(cls, told: Any) -> "Outcome":
+        """Of the Results of a run, of numbers by name of a metric, or of the exception that a run ended with."""
+        if isinstance(told, Outcome):
+            return told
+        if isinstance(told, Exception):
+            return cls({}, {}, reason=" ".join(str(told).split()) or type(told).__name__)
+        if isinstance(told, Results):
+            known = {name: one for name, one in told.metrics.items() if one.value is not None}
+            columns = {f"{table}/{name}": values for table in TABLES
+                       for name, values in getattr(told, table).columns.items() if values.dtype.kind == "f"}
+            units = {name: one.unit for name, one in known.items()}
+            units |= {f"{table}/{name}": unit for table in TABLES for name, unit in getattr(told, table).units.items()}
+            return cls({name: one.value for name, one in known.items()}, units, columns)
+        if isinstance(told, dict):
+            return cls({name: float(value) for name, value in told.items()}, {})
+        raise CaseError(f"a result is the Results of a run, numbers by name, or an exception; not {type(told).__name__}")
+
+    def write(self, path: pathlib.Path) -> None:
+        """Writes one file, which appears when it is whole."""
+        head = json.dumps({"metrics": self.metrics, "units": self.units, "reason": self.reason})
+        pending = path.with_name(f"{path.name}.{os.getpid()}.pending")
+        with open(pending, "wb") as file:
+            numpy.savez_compressed(file, head=numpy.array(head), **self.columns)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(pending, path)
+
+    @classmethod
+    def read(cls, path: pathlib.Path) -> "Outcome | None":
+        """What stands in a file; None where it is damaged, so that the trial is run again."""
+        try:
+            with numpy.load(path, allow_pickle=False) as file:
+                head = json.loads(str(file["head"]))
+                columns = {name: file[name] for name in file.files if name != "head"}
+            return cls(head["metrics"], head["units"], columns, head["reason"])
+        except Exception:  # whatever a damaged archive raises
+            return None

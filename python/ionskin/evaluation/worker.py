@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The process of a local engine: takes tasks as lines of JSON, answers "done" or what is wrong with the case."""
+
+import json
+import os
+import pathlib
+import sys
+import threading
+import time
+
+import ionskin
+from ionskin.evaluation.trial import Outcome
+
+
+def end_with(parent: int) -> None:
+    """Ends this process when the one that started it is gone, however that ended."""
+    while os.getppid() == parent:
+        time.sleep(0.5)
+    os._exit(1)
+
+
+def run(task: dict) -> str:
+    """Runs one case and writes its outcome."""
+    case = ionskin.Case(task["text"], task["path"])
+    case._edits = task["edits"]
+    try:
+        told = ionskin.run(case, pathlib.Path(task["scratch"]) / "run", threads=1, cache=task["cache"])
+    except ionskin.SolverError as error:
+        told = error
+    except ionskin.CaseError as error:
+        return str(error)
+    Outcome.of(told).write(pathlib.Path(task["file"]))
+    return "done"
+
+
+def main() -> None:
+    """Command line: the process number of the parent."""
+    threading.Thread(target=end_with, args=(int(sys.argv[1]),), daemon=True).start()
+    answers = os.fdopen(os.dup(1), "w")
+    os.dup2(2, 1)  # nothing else gets among the answers
+    for line in sys.stdin:
+        print(json.dumps(run(json.loads(line))), file=answers, flush=True)
+
+
+if __name__ == "__main__":
+    main()

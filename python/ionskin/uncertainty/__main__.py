@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: Apache-2.0
+"""ionskin uncertainty: python3 -m ionskin.uncertainty CASE --output DIR --vary KEY=DISTRIBUTION"""
+
+import sys
+
+from ..evaluation import StudyFolder
+from ..evaluation.command import SOLVER_GAVE_UP, Progress, base_case, engine, guarded, parser
+from . import output
+from .study import LEAST_Q2, Uncertainty
+
+
+def options():
+    """As the front hands them on."""
+    result = parser("ionskin uncertainty")
+    result.add_argument("--vary", action="append", default=[])
+    result.add_argument("--samples", type=int, default=64)
+    result.add_argument("--design", default="sobol")
+    result.add_argument("--seed", type=int, default=1)
+    result.add_argument("--metrics", default="")
+    result.add_argument("--least-q2", type=float, default=LEAST_Q2)
+    return result.parse_args()
+
+
+def tell(study, analyses, arguments) -> None:
+    """The indices as lines."""
+    for name, one in analyses.items():
+        print(f"{name}: mean {one.mean:.6g}, standard deviation {one.deviation:.3g}"
+              + ("" if one.q2 is None else f", Q2 {one.q2:.4f}"))
+        for key in one.first:
+            (first, low, high), (total, least, most) = one.first[key], one.total[key]
+            print(f"  {key:<40} first {first:.3f} ({low:.3f} to {high:.3f})  total {total:.3f} ({least:.3f} to {most:.3f})")
+    for text in output.warnings(study, analyses):
+        print(f"warning: {text}")
+    print(f"report: {arguments.output}/report.html")
+
+
+def main() -> int:
+    """The exit code."""
+    arguments = options()
+    case = base_case(arguments)
+    study = Uncertainty(case, arguments.vary, samples=arguments.samples, design=arguments.design, seed=arguments.seed,
+                        metrics=[name for name in arguments.metrics.split(",") if name], least_q2=arguments.least_q2)
+    question = {"study": "uncertainty", "case": case.text, "vary": {one.key: one.written for one in study.parameters},
+                "design": arguments.design, "seed": arguments.seed, "samples": arguments.samples}
+    kept = StudyFolder(arguments.output, question, resume=arguments.resume, overwrite=arguments.overwrite,
+                       free=("samples",) if arguments.design == "sobol" else ())
+    kept.write("case.toml", case.text)
+    for number, outcome in kept.finished().items():
+        if number < len(study.trials):
+            study.tell(study.trials[number], outcome)
+    asked = study.ask()
+    progress = Progress(len(asked), arguments.quiet)
+
+    def told(trial, outcome):
+        study.tell(trial, outcome)
+        progress(outcome)
+        if len(study.finished()) == 1:
+            study.chosen_metrics()  # a wrong name ends the study with its first run, not its last
+
+    engine(arguments).evaluate(case, asked, kept.points, told)
+    if not study.finished():
+        print(f"error: every sample failed; the first: {study.outcomes[0].reason}", file=sys.stderr)
+        return SOLVER_GAVE_UP
+    analyses = study.analyse()
+    output.write(study, analyses, kept)
+    if not arguments.quiet:
+        tell(study, analyses, arguments)
+    refused = [one.refusal for one in analyses.values() if one.q2 is not None and one.refusal]
+    return SOLVER_GAVE_UP if refused and not any(one.first for one in analyses.values()) else 0
+
+
+if __name__ == "__main__":
+    with guarded():
+        sys.exit(main())

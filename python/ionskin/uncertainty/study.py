@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Uncertainty of a case's results, by ask and tell."""
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy
+
+from ..case import Case
+from ..errors import CaseError
+from ..evaluation import Outcome, Trial
+from . import chaos, designs, distributions
+
+LEAST_Q2 = 0.95
+FEWEST = 16
+METRICS = ("peak_sampled_current_difference", "rms_current_difference", "peak_mean_shear", "normal_force_slide")
+QUANTILES = (0.025, 0.05, 0.25, 0.5, 0.75, 0.95, 0.975)
+SURROGATE_SAMPLES = 20000
+
+
+class Analysis(NamedTuple):
+    """What the samples say of one metric.
+
+    mean, deviation   of the samples
+    quantiles         by probability: of the surrogate where it is valid, else of the samples
+    q2                of the surrogate at points that it has not seen; None for a metric that does not vary
+    leave_one_out, degree, terms  of the surrogate
+    first, total      Sobol' indices by key as (index, lower, upper); empty where the surrogate is refused
+    refusal           why there are no indices, and the remedy; "" where there are
+    samples_needed    an estimate of how many samples in all a valid surrogate takes; 0 where it is valid or no number helps
+    """
+
+    mean: float
+    deviation: float
+    quantiles: dict
+    q2: float | None
+    leave_one_out: float | None
+    degree: int
+    terms: int
+    first: dict
+    total: dict
+    refusal: str
+    samples_needed: int
+
+
+class Uncertainty:
+    """Which results follow from uncertain keys, and which key matters most.
+
+    case      an ionskin.Case; None for a function of one's own, whose keys are any names
+    vary      distribution by key, as text: {"contact.friction": "uniform(0.1, 0.4)"}
+    samples   how many trials; with the design "sobol" it may be raised later
+    design    "sobol" or "lhs"
+    metrics   names of metrics to analyse; empty: those told first
+
+        study = ionskin.Uncertainty(case, {"contact.friction": "uniform(0.1, 0.4)"}, samples=64)
+        for trial in study.ask():
+            study.tell(trial, ionskin.run(trial.case))
+        study.analyse()["peak_mean_shear"].first
+
+    Raises CaseError before any work: for every value that a key cannot have too.
+    """
+
+    def __init__(self, case: Case | None, vary: dict | Sequence[str], *, samples: int = 64, design: str = "sobol",
+                 seed: int = 1, metrics: Sequence[str] = (), least_q2: float = LEAST_Q2) -> None:
+        if samples < FEWEST:
+            raise CaseError(f"{samples} samples are too few\n  = give at least {FEWEST}")
+        if not 0 < least_q2 < 1:
+            raise CaseError(f"least Q2 = {least_q2} is outside 0 to 1\n  = {LEAST_Q2} is the default")
+        self.case, self.metrics, self.seed, self.least_q2 = case, list(metrics), seed, least_q2
+        self.parameters = distributions.parse_all(vary, case)
+        unit_cube = designs.points(design, samples, len(self.parameters), seed)
+        self.germs = numpy.column_stack([one.germs(unit_cube[:, k]) for k, one in enumerate(self.parameters)])
+        values = numpy.column_stack([one.values(self.germs[:, k]) for k, one in enumerate(self.parameters)])
+        self.trials = [self._trial(number, row) for number, row in enumerate(values)]
+        self.outcomes: dict[int, Outcome] = {}
+
+    @property
+    def keys(self) -> list[str]:
+        """Names of what varies."""
+        return [one.key for one in self.parameters]
+
+    def _trial(self, number, row) -> Trial:
+        values = {one.key: float(value) for one, value in zip(self.parameters, row)}
+        if self.case is None:
+            return Trial(number, values)
+        case = self.case.copy()
+        for one in self.parameters:
+            case._edits.pop(one.key, None)
+            case._edits[one.key] = one.text(values[one.key])
+        try:
+            return Trial(number, values, case.check())
+        except CaseError as error:
+            at = ", ".join(f"{one.key} = {values[one.key]:.6g}" for one in self.parameters)
+            raise CaseError(f"sample {number} is no valid case ({at})\n  = narrow the distributions so that all values go "
+                            f"together\n{error}") from error
+
+    def ask(self, count: int | None = None) -> list[Trial]:
+        """Trials whose results are not told yet, the first `count` of them."""
+        return [trial for trial in self.trials if trial.number not in self.outcomes][:count]
+
+    def tell(self, trial: Trial, told: Any) -> None:
+        """Takes the Results of a run, numbers by name of a metric, or the exception that a run ended with."""
+        if not 0 <= trial.number < len(self.trials):
+            raise CaseError(f"trial {trial.number} is none of this study\n  = tell what was asked")
+        self.outcomes[trial.number] = Outcome.of(told)
+
+    def finished(self) -> list[int]:
+        """Numbers of the trials with a result."""
+        return [number for number in sorted(self.outcomes) if not self.outcomes[number].reason]
+
+    def chosen_metrics(self) -> list[str]:
+        """Those asked for, or the usual ones, or all that were told. Raises CaseError for unknown ones."""
+        rows = self.finished()
+        if not rows:
+            raise CaseError("no sample has a result yet\n  = tell the results of what was asked")
+        known = list(self.outcomes[rows[0]].metrics)
+        for name in self.metrics:
+            if name not in known:
+                raise CaseError(f"{name} is no metric of these runs\n  = known: {', '.join(known)}")
+        return self.metrics or [name for name in METRICS if name in known] or known
+
+    def data(self, name: str):
+        """Numbers of the trials that have the metric, and its values."""
+        rows = [number for number in self.finished() if name in self.outcomes[number].metrics]
+        return rows, numpy.array([self.outcomes[number].metrics[name] for number in rows])
+
+    def analyse(self) -> dict[str, Analysis]:
+        """By metric, of the results told so far."""
+        return {name: self._analysis(*self.data(name)) for name in self.chosen_metrics()}
+
+    def _analysis(self, rows, data) -> Analysis:
+        if len(rows) < FEWEST:
+            raise CaseError(f"{len(rows)} finished samples are too few\n  = at least {FEWEST} are needed")
+        quantiles = {level: float(numpy.quantile(data, level)) for level in QUANTILES}
+        moments = float(data.mean()), float(data.std(ddof=1))
+        if moments[1] <= 1e-9 * numpy.abs(data).max():
+            return Analysis(*moments, quantiles, None, None, 0, 0, {}, {}, "it does not vary with these keys", 0)
+        germs, laws = self.germs[rows], [one.germ for one in self.parameters]
+        centred = (data - data.mean()) / data.std()
+        surrogate = chaos.fit(germs, centred, laws)
+        about = (float(surrogate.q2), float(surrogate.leave_one_out), surrogate.degree, len(surrogate.terms) - 1)
+        if not surrogate.q2 >= self.least_q2:
+            needed = self._samples_needed(germs, centred, laws, 1 - surrogate.q2)
+            remedy = (f"about {needed} samples in all may do ({needed - len(data)} more): --resume --samples {needed}" if needed
+                      else "more samples hardly help: the polynomials do not hold this function; narrow the distributions, or "
+                      "choose a smoother metric")
+            refusal = (f"the surrogate explains {max(surrogate.q2, 0):.3f} of the variance at points that it has not seen, less "
+                       f"than {self.least_q2:g}; {remedy}")
+            return Analysis(*moments, quantiles, *about, {}, {}, refusal, needed)
+        at = numpy.column_stack([one.germs(column) for one, column in zip(self.parameters, designs.points(
+            "sobol", SURROGATE_SAMPLES if len(self.parameters) < 3 else SURROGATE_SAMPLES // 2, len(laws), self.seed).T)])
+        drawn = surrogate.evaluate(at) * data.std() + data.mean()
+        quantiles = {level: float(numpy.quantile(drawn, level)) for level in QUANTILES}
+        estimates = chaos.indices(surrogate.terms, surrogate.coefficients)
+        ranges = chaos.intervals(surrogate, centred, self.seed)
+        first, total = ({key: (float(index[k]), float(ends[0][k]), float(ends[1][k])) for k, key in enumerate(self.keys)}
+                        for index, ends in zip(estimates, ranges))
+        return Analysis(*moments, quantiles, *about, first, total, "", 0)
+
+    def _samples_needed(self, germs, data, laws, error) -> int:
+        """By how the error fell from half of the samples to all; 0 where it hardly did."""
+        half = len(data) // 2
+        if half < FEWEST // 2:
+            return 4 * len(data)
+        former = 1 - chaos.fit(germs[:half], data[:half], laws).q2
+        rate = numpy.log2(former / error) if error > 0 and former > error else 0.0
+        if rate < 0.3 or error > 0.9:
+            return 0
+        factor = (error / (1 - self.least_q2)) ** (1 / rate)
+        return int(numpy.ceil(len(data) * min(max(factor, 1.25), 32.0) / 8) * 8)
