@@ -55,10 +55,27 @@ void add_uncertainty(CLI::App& app, Command& command) {
   set_when_parsed(*verb, options, command);
 }
 
+void add_generate(CLI::App& app, Command& command) {
+  auto options = std::make_shared<GenerateOptions>();
+  CLI::App* verb = app.add_subcommand(
+      "generate",
+      "Training data: many random touches, their signals at 1 kHz and labels, in one HDF5 file");
+  add_trial_options(*verb, *options);
+  verb->add_option("--touches", options->touches, "Number of touches")
+      ->required()
+      ->check(CLI::Range(1, 1000000));
+  add_vary_option(*verb, options->vary, false);
+  verb->add_option("--seed", options->seed, "Seed of the touches")
+      ->check(CLI::Range(0, 2147483647))
+      ->capture_default_str();
+  set_when_parsed(*verb, options, command);
+}
+
 } // namespace
 
 void add_trial_verbs(CLI::App& app, Command& command) {
   add_uncertainty(app, command);
+  add_generate(app, command);
 }
 
 } // namespace ionskin::apps

@@ -96,6 +96,12 @@ struct UncertaintyOptions : TrialOptions {
   double least_q2 = 0.95;           ///< of a surrogate that is used
 };
 
+struct GenerateOptions : TrialOptions {
+  std::vector<std::string> vary; ///< besides the finger and its motion, or in their place
+  std::size_t touches = 0;
+  std::uint64_t seed = 1;
+};
+
 struct ReportOptions {
   std::string folder;
   std::vector<std::string> figures; ///< only these; empty for all
@@ -133,8 +139,9 @@ struct ImpedanceOptions {
 };
 
 using Command = std::variant<InitOptions, CheckOptions, RunOptions, SweepOptions, FitOptions,
-                             UncertaintyOptions, ImpedanceOptions, ReportOptions, CompareOptions, VerifyOptions,
-                             StudioOptions, DoctorOptions, CiteOptions, ClusterOptions, KeysOptions,
-                             CompletionOptions, ManualOptions, CacheOptions>;
+                             UncertaintyOptions, GenerateOptions, ImpedanceOptions, ReportOptions,
+                             CompareOptions, VerifyOptions, StudioOptions, DoctorOptions,
+                             CiteOptions, ClusterOptions, KeysOptions, CompletionOptions,
+                             ManualOptions, CacheOptions>;
 
 } // namespace ionskin::apps

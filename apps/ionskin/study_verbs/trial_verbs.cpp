@@ -61,4 +61,12 @@ int uncertainty(const UncertaintyOptions& options) {
   return run_trials("ionskin.uncertainty", words, options);
 }
 
+int generate(const GenerateOptions& options) {
+  Words words = common(options);
+  add_all(words, "vary", options.vary);
+  words.insert(words.end(), {fmt::format("--touches={}", options.touches),
+                             fmt::format("--seed={}", options.seed)});
+  return run_trials("ionskin.generation", words, options);
+}
+
 } // namespace ionskin::apps

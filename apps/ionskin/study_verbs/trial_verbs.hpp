@@ -11,4 +11,7 @@ namespace ionskin::apps {
 /// Results of uncertain keys.
 int uncertainty(const UncertaintyOptions& options);
 
+/// A store of random touches.
+int generate(const GenerateOptions& options);
+
 } // namespace ionskin::apps

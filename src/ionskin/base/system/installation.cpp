@@ -41,7 +41,10 @@ Installation find() {
     }
   }
   const fs::path source = IONSKIN_SOURCE_FOLDER;
-  return {own / "ionskin-solver", source, source / "python"};
+  // There the solver for Python stands beside a link to the package.
+  const fs::path built = own / "python";
+  return {own / "ionskin-solver", source,
+          fs::is_directory(built / "ionskin") ? built : source / "python"};
 }
 
 } // namespace

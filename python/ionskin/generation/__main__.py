@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: Apache-2.0
+"""ionskin generate: python3 -m ionskin.generation CASE --output DIR --touches N"""
+
+import sys
+import time
+
+from ..evaluation import StudyFolder
+from ..evaluation.command import SOLVER_GAVE_UP, Progress, base_case, engine, guarded, parser
+from . import store
+from .touches import Touches
+
+
+def main() -> int:
+    """The exit code."""
+    options = parser("ionskin generate")
+    options.add_argument("--vary", action="append", default=[])
+    options.add_argument("--touches", type=int, required=True)
+    options.add_argument("--seed", type=int, default=1)
+    arguments = options.parse_args()
+    case = base_case(arguments)
+    touches = Touches(case, arguments.touches, seed=arguments.seed, vary=arguments.vary)
+    varying = {one.key: one.written for one in touches.parameters}
+    kept = StudyFolder(arguments.output, {"study": "generate", "case": touches.case.text, "vary": varying,
+                                          "seed": arguments.seed, "touches": arguments.touches},
+                       resume=arguments.resume, overwrite=arguments.overwrite, free=("touches",))
+    kept.write("case.toml", touches.case.text)
+    if not arguments.quiet:
+        for key, written in varying.items():
+            print(f"{key} = {written}")
+        if touches.redrawn:
+            print(f"{touches.redrawn} draws made no valid case and were drawn again")
+    finished = kept.finished()
+    asked = [trial for trial in touches.trials if trial.number not in finished]
+    progress, failed = Progress(len(asked), arguments.quiet), []
+
+    def told(trial, outcome):
+        progress(outcome)
+        if outcome.reason:
+            failed.append(outcome.reason)
+
+    begin = time.monotonic()
+    engine(arguments).evaluate(case, asked, kept.points, told)
+    seconds = time.monotonic() - begin
+    size = store.write(kept.folder / "touches.h5", touches, kept.points,
+                       {"case": touches.case.text, "seed": arguments.seed, "made_by": "ionskin generate"})
+    if not arguments.quiet:
+        rate = f"{len(asked) / seconds:.3g} touches a second, " if asked else ""
+        print(f"{len(touches.trials)} touches, {len(failed)} failed; {rate}{size / len(touches.trials):.0f} bytes a touch")
+        print(f"store: {arguments.output}/touches.h5")
+    return SOLVER_GAVE_UP if len(failed) == len(touches.trials) else 0
+
+
+if __name__ == "__main__":
+    with guarded():
+        sys.exit(main())

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One HDF5 store of all touches. Written in their order, without times, so that equal touches make equal bytes."""
+
+import os
+import pathlib
+
+import numpy
+
+from .. import output_folder
+from ..evaluation import Outcome
+from ..libraries import need
+
+SIGNALS = ("current_top", "current_bottom", "current_difference", "charge_top", "charge_bottom")
+LABELS = ("slider_x", "slider_z", "normal_force", "tangential_force", "mean_shear", "p99_shear")
+CONTACT_METRICS = ("stick_fraction_touchdown", "contact_area_slide", "mean_pressure_slide")
+TOUCHING = 1e-9  # of the largest normal force
+
+
+def tables(outcome: Outcome, rate: float):
+    """Time, signals [row, channel] and labels [row, label] at a steady rate; rows of the readout itself where it has them."""
+    columns = outcome.columns
+    clock = columns["sampled/time"]
+    time = numpy.arange(1, int(numpy.floor(clock[-1] * rate + 1e-6)) + 1) / rate
+
+    def at(name):
+        for table in ("sampled", "signals"):
+            if f"{table}/{name}" in columns:
+                return numpy.interp(time, columns[f"{table}/time"], columns[f"{table}/{name}"])
+        return numpy.full(len(time), numpy.nan)
+
+    labels = [numpy.interp(time, columns["signals/time"], columns[f"signals/{name}"]) if f"signals/{name}" in columns
+              else numpy.full(len(time), numpy.nan) for name in LABELS]
+    force = labels[LABELS.index("normal_force")]
+    touching = numpy.where(numpy.isfinite(force), force > TOUCHING * numpy.nanmax(force, initial=1e-30), numpy.nan)
+    speed = numpy.gradient(labels[LABELS.index("slider_x")], time)
+    return (time, numpy.column_stack([at(name) for name in SIGNALS]),
+            numpy.column_stack([*labels, touching, speed]))
+
+
+COLUMNS = (*LABELS, "touching", "slider_speed")
+UNITS = {"slider_x": "m", "slider_z": "m", "normal_force": "N", "tangential_force": "N", "slider_speed": "m/s",
+         "charge_top": "C", "charge_bottom": "C"}
+
+
+def write(path: pathlib.Path, touches, points: pathlib.Path, provenance: dict) -> int:
+    """Writes the store of every touch whose outcome stands in `points`; returns its bytes."""
+    h5py = need("h5py", "ionskin generate")
+    from .touches import RATE
+
+    count = len(touches.trials)
+    with output_folder.writing(path) as pending, h5py.File(pending, "w") as file:
+        for name, value in provenance.items():
+            file.attrs[name] = value
+        file.attrs["rate_hz"] = RATE
+        text = h5py.string_dtype()
+        for name, columns in (("signals", SIGNALS), ("labels", COLUMNS)):
+            file.create_dataset(f"columns/{name}", data=list(columns), dtype=text, track_times=False)
+            file.create_dataset(f"columns/{name}_units", dtype=text, track_times=False,
+                                data=[UNITS.get(one, "A" if one.startswith("current") else "1") for one in columns])
+        values = numpy.array([list(trial.values.values()) for trial in touches.trials])
+        file.create_dataset("touches/values", data=values, track_times=False)
+        file.create_dataset("touches/keys", data=[one.key for one in touches.parameters], dtype=text, track_times=False)
+        file.create_dataset("touches/units", data=[one.unit for one in touches.parameters], dtype=text, track_times=False)
+        file.create_dataset("touches/distributions", data=[one.written for one in touches.parameters], dtype=text,
+                            track_times=False)
+        reasons, metrics = [], numpy.full((count, len(CONTACT_METRICS)), numpy.nan)
+        for trial in touches.trials:
+            outcome = Outcome.read(points / f"{trial.number:06}.npz")
+            reasons.append("not run" if outcome is None else outcome.reason)
+            if outcome is None or outcome.reason:
+                continue
+            metrics[trial.number] = [outcome.metrics.get(name, numpy.nan) for name in CONTACT_METRICS]
+            for name, data in zip(("signals", "labels"), tables(outcome, RATE)[1:]):
+                file.create_dataset(f"touch/{trial.number:06}/{name}", data=data.astype(numpy.float32), compression="gzip",
+                                    compression_opts=4, shuffle=True, track_times=False)
+        file.create_dataset("touches/reason", data=reasons, dtype=text, track_times=False)
+        file.create_dataset("touches/contact", data=metrics, track_times=False)
+        file.create_dataset("touches/contact_names", data=list(CONTACT_METRICS), dtype=text, track_times=False)
+    return os.stat(path).st_size

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Training data: touches follow from seed and number, stores from any number of workers are equal."""
+
+import subprocess
+import sys
+import unittest
+
+import h5py
+import numpy
+
+import ionskin
+from ionskin.evaluation import Outcome
+from ionskin.generation import Touches
+from ionskin.generation.store import COLUMNS, SIGNALS, tables
+from package import CASES, PackageTest, small_case
+
+
+class Generation(PackageTest):
+    def test_touches(self):
+        touches = Touches(small_case(), 12, seed=7, vary=["contact.friction=uniform(0.2, 0.3)"])
+        keys = [one.key for one in touches.parameters]
+        self.assertEqual(keys, ["contact.friction", "motion.preload", "motion.stroke", "slider.start[0]", "slider.start[1]"])
+        values = [trial.values for trial in touches.trials]
+        self.assertTrue(all(0.2 < one["contact.friction"] < 0.3 and 3e-3 < one["motion.stroke"] < 6e-3 for one in values))
+        for trial in touches.trials:
+            self.assertEqual({key: trial.case[key] for key in keys}, trial.values)
+        longer = Touches(small_case(), 14, seed=7, vary=["contact.friction=uniform(0.2, 0.3)"])
+        self.assertEqual(values, [trial.values for trial in longer.trials[:12]])
+        self.assertNotEqual(values, [trial.values for trial in Touches(small_case(), 12, seed=8).trials])
+        with self.assertRaises(ionskin.CaseError) as raised:
+            Touches(small_case(), 1, vary=["slider.start[0]=uniform(14 mm, 14.5 mm)"])
+        self.assertIn("no valid case", str(raised.exception))
+
+    def test_signals_and_labels(self):
+        case = small_case()
+        case["readout.sample_interval"] = 1e-3
+        result = ionskin.run(case)
+        time, signals, labels = tables(Outcome.of(result), 1000.0)
+        self.assertEqual(signals.shape, (len(time), len(SIGNALS)))
+        self.assertEqual(labels.shape, (len(time), len(COLUMNS)))
+        self.assertTrue(numpy.isfinite(signals).all() and numpy.isfinite(labels).all())
+        numpy.testing.assert_allclose(numpy.diff(time), 1e-3)
+        numpy.testing.assert_allclose(signals[:, 2], result.sampled["current_difference"][-len(time):], rtol=1e-6, atol=1e-12)
+        touching = labels[:, COLUMNS.index("touching")]
+        self.assertEqual((touching[0], touching[len(time) // 3], touching[-1]), (0, 1, 0))
+
+    def test_equal_stores(self):
+        subprocess.run([sys.executable, CASES / "make_strain.py", self.folder / "strain.h5"], check=True)
+        (self.folder / "case.toml").write_text((CASES / "strain_file.toml").read_text())
+
+        def generate(folder, *more):
+            words = [sys.executable, "-m", "ionskin.generation", self.folder / "case.toml", "--output", self.folder / folder,
+                     "--set=numerics.preset=coarse", "--vary=coupling.coefficient=uniform(0.05, 0.15)", *more]
+            return subprocess.run(words, capture_output=True, text=True, check=False)
+
+        one = generate("one", "--touches=5", "--threads=1")
+        self.assertEqual(one.returncode, 0, one.stderr)
+        self.assertIn("coupling.coefficient = uniform(0.05, 0.15)", one.stdout)
+        self.assertEqual(generate("two", "--touches=3", "--threads=2").returncode, 0)
+        self.assertEqual(generate("two", "--touches=5", "--threads=2", "--resume").returncode, 0)
+        stores = [(self.folder / name / "touches.h5").read_bytes() for name in ("one", "two")]
+        self.assertEqual(*stores)
+        with h5py.File(self.folder / "one" / "touches.h5") as file:
+            self.assertEqual(len(file["touch"]), 5)
+            self.assertEqual(file["touches/values"].shape, (5, 1))
+        self.assertEqual(generate("one", "--touches=5").returncode, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
