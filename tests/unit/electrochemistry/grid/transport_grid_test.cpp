@@ -100,10 +100,10 @@ TEST(TransportGrid, ColumnsEndAtTheEdgesOfTaxels) {
 TEST(TransportGrid, ChargesOfTaxelsAreThoseOfAFineGrid) {
   Case input = verification::model_case();
   input.numerics.preset = Preset::coarse;
-  input.readout.taxels = {{"a", {0, 0}, {4e-3, 2e-3}}, {"b", {4e-3, 0}, {15e-3, 2e-3}}};
+  input.readout.taxels = {{"a", {0, 0}, {4.5e-3, 2e-3}}, {"b", {4.5e-3, 0}, {15e-3, 2e-3}}};
   history::CoreHistory history = verification::linear_step_history(0.0, 0.01, {0.0, 0.01});
   // Shear on the taxel b alone, up to its edge.
-  history.grid.x_edges = {0, 4e-3, 6e-3, 15e-3};
+  history.grid.x_edges = {0, 4.5e-3, 6.5e-3, 15e-3};
   history.grid.y_edges = {0, 2e-3};
   for (auto& sample : history.shear()) {
     history::StrainField field;
