@@ -138,10 +138,10 @@ struct ImpedanceOptions {
   bool overwrite = false;
 };
 
-using Command = std::variant<InitOptions, CheckOptions, RunOptions, SweepOptions, FitOptions,
-                             UncertaintyOptions, GenerateOptions, ImpedanceOptions, ReportOptions,
-                             CompareOptions, VerifyOptions, StudioOptions, DoctorOptions,
-                             CiteOptions, ClusterOptions, KeysOptions, CompletionOptions,
-                             ManualOptions, CacheOptions>;
+using Command =
+    std::variant<InitOptions, CheckOptions, RunOptions, SweepOptions, FitOptions,
+                 UncertaintyOptions, GenerateOptions, ImpedanceOptions, ReportOptions,
+                 CompareOptions, VerifyOptions, StudioOptions, DoctorOptions, CiteOptions,
+                 ClusterOptions, KeysOptions, CompletionOptions, ManualOptions, CacheOptions>;
 
 } // namespace ionskin::apps
