@@ -119,7 +119,8 @@ TEST(SolveContact, touchdown_in_one_increment_is_exact) {
   const Case input = small_case();
   const SkinModel model(input, mesh::largest_footprint(input));
   const CondensedPosition position(model, input.slider.start);
-  const ContactProblem problem{position.compliance(), model.cells.area, model.gap, {0.3}};
+  const ContactProblem problem{position.compliance(), model.cells.area, model.gap,
+                               laws::friction("coulomb", 0.3, {})};
   const PathSteps steps;
   ContactPath path(problem, steps, 0.5);
   path.start_detached();

@@ -56,6 +56,7 @@ const std::set<std::string> leaves_study_one{"title",
                                              "materials.NAME.fixed_charge_concentration",
                                              "materials.NAME.valence",
                                              "materials.NAME.drag_number",
+                                             "materials.NAME.volume_fraction",
                                              "slider.profile", // by the heights, below
                                              "motion.file",    // by the waypoints
                                              "electrochemistry.temperature",
