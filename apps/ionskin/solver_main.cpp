@@ -47,6 +47,9 @@ int main(int argc, char** argv) {
     if (const auto* uncertainty_options = std::get_if<UncertaintyOptions>(&*command)) {
       return uncertainty(*uncertainty_options);
     }
+    if (const auto* design_options = std::get_if<DesignOptions>(&*command)) {
+      return design(*design_options);
+    }
     if (const auto* generate_options = std::get_if<GenerateOptions>(&*command)) {
       return generate(*generate_options);
     }

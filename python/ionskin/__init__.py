@@ -12,6 +12,7 @@ Running needs the compiled solver (PYTHONPATH=build/python); reading and drawing
 
 from .case import Case, Value
 from .cluster_running import ClusterError
+from .design import Design
 from .errors import CaseError, SolverError
 from .fit_results import Fit
 from .fitting import FitModel, fit
@@ -20,5 +21,5 @@ from .running import run, sweep
 from .sweep_results import Study, Sweep, open_results
 from .uncertainty import Analysis, Uncertainty
 
-__all__ = ["Analysis", "Case", "CaseError", "ClusterError", "Fit", "FitModel", "Metric", "Results", "SolverError", "Study",
-           "Sweep", "Table", "Uncertainty", "Value", "fit", "open_results", "run", "sweep"]
+__all__ = ["Analysis", "Case", "CaseError", "ClusterError", "Design", "Fit", "FitModel", "Metric", "Results", "SolverError",
+           "Study", "Sweep", "Table", "Uncertainty", "Value", "fit", "open_results", "run", "sweep"]

@@ -55,6 +55,40 @@ void add_uncertainty(CLI::App& app, Command& command) {
   set_when_parsed(*verb, options, command);
 }
 
+CLI::Option* add_list(CLI::App& verb, const std::string& name, std::vector<std::string>& values,
+                      const std::string& help, const std::string& type) {
+  return verb.add_option(name, values, help)
+      ->type_name(type)
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->take_all();
+}
+
+void add_design(CLI::App& app, Command& command) {
+  auto options = std::make_shared<DesignOptions>();
+  CLI::App* verb = app.add_subcommand(
+      "design", "Best values of free keys under constraints, with few runs, each kept");
+  add_trial_options(*verb, *options);
+  add_list(*verb, "--free", options->free,
+           "Key and its range: \"skin.layers[1].thickness=50:500 um\"", "KEY=LOWEST:HIGHEST")
+      ->required();
+  CLI::Option* maximise =
+      verb->add_option("--maximise", options->maximise, "Metric to make as large as can be")
+          ->type_name("METRIC");
+  verb->add_option("--minimise", options->minimise, "Metric to make as small as can be")
+      ->type_name("METRIC")
+      ->excludes(maximise);
+  add_list(*verb, "--subject-to", options->subject_to,
+           "Constraint: \"normal_force_slide < 3 N\"; <=, >, >= and == too", "CONSTRAINT");
+  verb->add_option("--budget", options->budget, "Runs at most")
+      ->check(CLI::Range(8, 100000))
+      ->capture_default_str();
+  verb->add_option("--seed", options->seed, "Seed of the search")
+      ->check(CLI::Range(0, 2147483647))
+      ->capture_default_str();
+  set_when_parsed(*verb, options, command);
+}
+
 void add_generate(CLI::App& app, Command& command) {
   auto options = std::make_shared<GenerateOptions>();
   CLI::App* verb = app.add_subcommand(
@@ -75,6 +109,7 @@ void add_generate(CLI::App& app, Command& command) {
 
 void add_trial_verbs(CLI::App& app, Command& command) {
   add_uncertainty(app, command);
+  add_design(app, command);
   add_generate(app, command);
 }
 

@@ -96,6 +96,13 @@ struct UncertaintyOptions : TrialOptions {
   double least_q2 = 0.95;           ///< of a surrogate that is used
 };
 
+struct DesignOptions : TrialOptions {
+  std::vector<std::string> free, subject_to; ///< "KEY=lowest:highest unit", "METRIC < value"
+  std::string maximise, minimise;            ///< a metric in one of them
+  std::size_t budget = 60;                   ///< evaluations at most
+  std::uint64_t seed = 1;
+};
+
 struct GenerateOptions : TrialOptions {
   std::vector<std::string> vary; ///< besides the finger and its motion, or in their place
   std::size_t touches = 0;
@@ -138,10 +145,10 @@ struct ImpedanceOptions {
   bool overwrite = false;
 };
 
-using Command =
-    std::variant<InitOptions, CheckOptions, RunOptions, SweepOptions, FitOptions,
-                 UncertaintyOptions, GenerateOptions, ImpedanceOptions, ReportOptions,
-                 CompareOptions, VerifyOptions, StudioOptions, DoctorOptions, CiteOptions,
-                 ClusterOptions, KeysOptions, CompletionOptions, ManualOptions, CacheOptions>;
+using Command = std::variant<InitOptions, CheckOptions, RunOptions, SweepOptions, FitOptions,
+                             UncertaintyOptions, DesignOptions, GenerateOptions, ImpedanceOptions,
+                             ReportOptions, CompareOptions, VerifyOptions, StudioOptions,
+                             DoctorOptions, CiteOptions, ClusterOptions, KeysOptions,
+                             CompletionOptions, ManualOptions, CacheOptions>;
 
 } // namespace ionskin::apps

@@ -61,6 +61,20 @@ int uncertainty(const UncertaintyOptions& options) {
   return run_trials("ionskin.uncertainty", words, options);
 }
 
+int design(const DesignOptions& options) {
+  if (options.maximise.empty() == options.minimise.empty()) {
+    throw UserError("nothing to optimise\n  = give --maximise METRIC or --minimise METRIC");
+  }
+  Words words = common(options);
+  add_all(words, "free", options.free);
+  add_all(words, "subject-to", options.subject_to);
+  words.insert(words.end(), {options.maximise.empty() ? word("minimise", options.minimise)
+                                                      : word("maximise", options.maximise),
+                             fmt::format("--budget={}", options.budget),
+                             fmt::format("--seed={}", options.seed)});
+  return run_trials("ionskin.design", words, options);
+}
+
 int generate(const GenerateOptions& options) {
   Words words = common(options);
   add_all(words, "vary", options.vary);

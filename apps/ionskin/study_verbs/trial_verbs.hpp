@@ -11,6 +11,9 @@ namespace ionskin::apps {
 /// Results of uncertain keys.
 int uncertainty(const UncertaintyOptions& options);
 
+/// Best values of free keys.
+int design(const DesignOptions& options);
+
 /// A store of random touches.
 int generate(const GenerateOptions& options);
 

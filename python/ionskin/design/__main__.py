@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: Apache-2.0
+"""ionskin design: python3 -m ionskin.design CASE --output DIR --free KEY=LOWEST:HIGHEST --maximise METRIC"""
+
+import csv
+import io
+import re
+import sys
+
+from ..errors import CaseError
+from ..evaluation import StudyFolder
+from ..evaluation.command import SOLVER_GAVE_UP, Progress, base_case, engine, guarded, parser
+from .search import Design
+
+RANGE = re.compile(r"\s*([^=]+?)\s*=\s*([^:]+):\s*([-+.\deE]+)\s*(.*?)\s*")
+
+
+def free_range(text: str) -> tuple[str, tuple[str, str]]:
+    """Key and both ends of "KEY=50:500 um"; the unit behind the second serves both."""
+    match = RANGE.fullmatch(text)
+    if not match:
+        raise CaseError(f'"{text}" is no range\n  = write KEY=LOWEST:HIGHEST UNIT, such as '
+                        '"skin.layers[1].thickness=50:500 um"')
+    key, low, high, unit = (part.strip() for part in match.groups())
+    low = low if re.search(r"[^\d.eE+-]", low) else f"{low} {unit}"
+    return key, (low.strip(), f"{high} {unit}".strip())
+
+
+def options():
+    """As the front hands them on."""
+    result = parser("ionskin design")
+    result.add_argument("--free", action="append", default=[])
+    result.add_argument("--subject-to", action="append", default=[])
+    goal = result.add_mutually_exclusive_group(required=True)
+    goal.add_argument("--maximise")
+    goal.add_argument("--minimise")
+    result.add_argument("--budget", type=int, default=60)
+    result.add_argument("--seed", type=int, default=1)
+    return result.parse_args()
+
+
+def evaluations(study: Design) -> str:
+    """A row an evaluation."""
+    units = next((outcome.units for outcome in study.outcomes.values() if not outcome.reason), {})
+    names = list(dict.fromkeys([study.objective, *(one.metric for one in study.constraints)]))
+    text = io.StringIO()
+    table = csv.writer(text, lineterminator="\n")
+    table.writerow(["evaluation", *(f"{one.key} [{one.unit}]" for one in study.parameters),
+                    *(f"{name} [{units.get(name, '1')}]" for name in names), "reason"])
+    for trial in study.trials:
+        outcome = study.outcomes[trial.number]
+        table.writerow([trial.number, *map(repr, trial.values.values()),
+                        *(repr(outcome.metrics[name]) if name in outcome.metrics else "" for name in names), outcome.reason])
+    return text.getvalue()
+
+
+def main() -> int:
+    """The exit code."""
+    arguments = options()
+    case = base_case(arguments)
+    study = Design(case, dict(free_range(text) for text in arguments.free), arguments.maximise or arguments.minimise,
+                   maximise=bool(arguments.maximise), subject_to=arguments.subject_to, budget=arguments.budget,
+                   seed=arguments.seed)
+    question = {"study": "design", "case": case.text, "free": {one.key: one.written for one in study.parameters},
+                "objective": study.objective, "maximise": bool(arguments.maximise), "subject_to": arguments.subject_to,
+                "seed": arguments.seed, "budget": arguments.budget}
+    kept = StudyFolder(arguments.output, question, resume=arguments.resume, overwrite=arguments.overwrite, free=("budget",))
+    kept.write("case.toml", case.text)
+    finished, progress, runner = kept.finished(), Progress(arguments.budget, arguments.quiet), engine(arguments)
+
+    def told(trial, outcome):
+        study.tell(trial, outcome)
+        progress(outcome)
+
+    while asked := study.ask():
+        for trial in asked:
+            if trial.number in finished:
+                told(trial, finished[trial.number])
+        missing = [trial for trial in asked if trial.number not in finished]
+        if missing:
+            runner.evaluate(case, missing, kept.points, told)
+    kept.write("evaluations.csv", evaluations(study))
+    found, converged = study.best(), len(study.trials) < arguments.budget
+    if found is None:
+        print(f"error: none of {len(study.trials)} evaluations meets every constraint; evaluations.csv has them all\n"
+              "  = loosen a constraint, widen the ranges, or --resume with a larger --budget", file=sys.stderr)
+        return SOLVER_GAVE_UP
+    trial, metrics = found
+    units = study.outcomes[trial.number].units
+    named = dict.fromkeys([study.objective, *(one.metric for one in study.constraints)])
+    kept.write("design.json", {"values": {one.key: {"value": trial.values[one.key], "unit": one.unit} for one in study.parameters},
+                               "metrics": {name: {"value": metrics[name], "unit": units.get(name, "1")} for name in named},
+                               "evaluation": trial.number, "evaluations": len(study.trials), "converged": converged})
+    kept.write("best.toml", trial.case.text)
+    if not arguments.quiet:
+        for one in study.parameters:
+            print(f"{one.key} = {trial.values[one.key]:.6g} {'' if one.unit == '1' else one.unit}".rstrip())
+        for name in named:
+            print(f"{name}: {metrics[name]:.6g} {units.get(name, '1')}")
+        if not converged:
+            print("warning: the budget ended before the search did\n  = --resume with a larger --budget goes on")
+        print(f"{len(study.trials)} evaluations; best case: {arguments.output}/best.toml")
+    return 0
+
+
+if __name__ == "__main__":
+    with guarded():
+        sys.exit(main())
