@@ -26,7 +26,8 @@ struct Line {
   Line() {
     input.skin.length = 7.3e-3; // no place mirrors another
     model = std::make_shared<const SkinModel>(input, mesh::largest_footprint(input));
-    SharedProgress progress("mechanics", base::no_progress);
+    const base::ProgressCallback none = base::no_progress;
+    SharedProgress progress("mechanics", none);
     nodes = std::make_unique<const PositionNodes>(input, model,
                                                   MotionBox{{1.5e-3, 1e-3}, {3.5e-3, 1e-3}},
                                                   NodeOptions{.threads = 2}, progress);
@@ -73,7 +74,8 @@ TEST(PositionNodes, give_the_skin_at_places_that_were_not_solved) {
 TEST(PositionNodes, share_places_that_mirror_each_other) {
   Case input = small_case(); // 5 mm long
   const auto model = std::make_shared<const SkinModel>(input, mesh::largest_footprint(input));
-  SharedProgress progress("mechanics", base::no_progress);
+  const base::ProgressCallback none = base::no_progress;
+  SharedProgress progress("mechanics", none);
   const PositionNodes nodes(input, model, {{1.5e-3, 1e-3}, {3.5e-3, 1e-3}},
                             NodeOptions{.threads = 2, .cache = nullptr, .count = 2}, progress);
   linear_algebra::DenseMatrix compliance;

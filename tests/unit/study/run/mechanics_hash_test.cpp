@@ -80,6 +80,12 @@ const std::set<std::string> leaves_study_one{"title",
                                              "water.top_wall",
                                              "strain.source", // of a file there is no Study 1
                                              "strain.file",
+                                             "strain.pressure", // nor of a prescribed load
+                                             "strain.curvature",
+                                             "strain.waveform",
+                                             "strain.rise",
+                                             "strain.frequency",
+                                             "strain.duration",
                                              "readout.sample_interval",
                                              "readout.circuit",
                                              "readout.load_resistance",
