@@ -7,7 +7,7 @@
 
 #include "ionskin/base/timers.hpp"
 #include "ionskin/case/reading/read_case.hpp"
-#include "ionskin/electrochemistry/coupling/coupling_law.hpp"
+#include "ionskin/electrochemistry/coupling/driving_channel.hpp"
 #include "ionskin/electrochemistry/grid/mid_width_mirror.hpp"
 #include "ionskin/electrochemistry/grid/transport_grid.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
@@ -33,9 +33,9 @@ double seconds_of_drive(const Case& input, const history::CoreHistory& history,
   const electrochemistry::MidWidthMirror mirror(
       electrochemistry::make_transport_grid(input, history), history);
   const auto& grid = mirror.solved_grid();
-  poroelasticity::StreamingDrive drive(
-      input, history, electrochemistry::coupling_law(input.coupling.law).channel(history),
-      grid.x_edges, grid.y_edges, grid.z_nodes);
+  poroelasticity::StreamingDrive drive(input, history,
+                                       electrochemistry::driving_channel(input, history),
+                                       grid.x_edges, grid.y_edges, grid.z_nodes);
   drive.start(history.time.front());
   constexpr int repeats = 200;
   const double start = base::processor_time();
