@@ -20,7 +20,7 @@ struct Starter {
   const char* summary;
 };
 
-constexpr std::array<Starter, 7> starters{{
+constexpr std::array<Starter, 8> starters{{
     {"quick", "A first look", "The paper's skin, coarse and for one cycle: seconds to run."},
     {"paper", "The paper's case", "Three cycles at standard accuracy."},
     {"finger", "A fingertip", "A sphere presses with 1 N and strokes; neutral coupling."},
@@ -28,6 +28,7 @@ constexpr std::array<Starter, 7> starters{{
     {"reciprocating", "Back and forth", "Four strokes in contact with a rest at each turn."},
     {"poroelastic", "Moving water",
      "Pressure moves water, which drags the ions: constants that can be measured."},
+    {"bending", "A bent strip", "A wet strip under a curvature, without a slider: water and ions."},
     {"strain_file", "A strain file", "Ion transport alone, driven by shear from a file."},
 }};
 

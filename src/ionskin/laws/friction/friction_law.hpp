@@ -20,13 +20,17 @@ struct FrictionArguments {
   double time_step = 0;       ///< [s]
 };
 
+inline double frictionless(const FrictionArguments&) {
+  return 0;
+}
+
 /// A law with its coefficient and parameters: the largest tangential traction [Pa] and its
 /// derivative by the normal traction [1]. Without a coefficient there is no friction under any law.
 struct Friction {
   double coefficient = 0; ///< mu [1]
   std::string_view law = "coulomb";
-  std::function<double(const FrictionArguments& at)> limit;
-  std::function<double(const FrictionArguments& at)> limit_slope;
+  std::function<double(const FrictionArguments& at)> limit = frictionless;
+  std::function<double(const FrictionArguments& at)> limit_slope = frictionless;
 };
 
 /// One row of the table of friction laws.
