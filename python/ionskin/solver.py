@@ -1,14 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
 """The compiled solver, loaded when it is first needed: its libraries take half a second."""
 
+import contextlib
 import importlib
+import signal
 from types import ModuleType
 
 
 def load() -> ModuleType:
     """The extension module. Raises ImportError with the remedy when it is not built."""
+    _own_interrupt()
     try:
         return importlib.import_module("_ionskin_solver")
     except ModuleNotFoundError as missing:
         raise ImportError("the solver of ionskin is not beside this package: build it (make build), put build/python "
                           "on PYTHONPATH and use the Python it was built for, /usr/bin/python3") from missing
+
+
+def _own_interrupt() -> None:
+    """Puts Python's answer to Ctrl-C back: OpenTURNS takes its place, and ends the process."""
+    handler = signal.getsignal(signal.SIGINT)
+    if handler is not None:
+        with contextlib.suppress(ValueError):  # only the main thread may
+            signal.signal(signal.SIGINT, handler)
