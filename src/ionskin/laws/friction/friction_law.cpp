@@ -14,7 +14,7 @@ namespace {
 template <class Law> FrictionLaw friction_row(std::string_view name) {
   return {name, declared_parameters<Law>(), [](double coefficient, const LawValues& values) {
             const Law law = law_with<Law>(coefficient, values);
-            return Friction{coefficient, "",
+            return Friction{"", coefficient,
                             [law](const FrictionArguments& at) { return law.limit(at); },
                             [law](const FrictionArguments& at) { return law.limit_slope(at); }};
           }};

@@ -27,8 +27,8 @@ inline double frictionless(const FrictionArguments&) {
 /// A law with its coefficient and parameters: the largest tangential traction [Pa] and its
 /// derivative by the normal traction [1]. Without a coefficient there is no friction under any law.
 struct Friction {
-  double coefficient = 0; ///< mu [1]
   std::string_view law = "coulomb";
+  double coefficient = 0; ///< mu [1]
   std::function<double(const FrictionArguments& at)> limit = frictionless;
   std::function<double(const FrictionArguments& at)> limit_slope = frictionless;
 };

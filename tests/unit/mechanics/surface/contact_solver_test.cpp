@@ -142,7 +142,7 @@ TEST(SteadySliding, finds_limits_that_are_not_in_proportion_to_the_pressure) {
   constexpr double strength = 3e7; // [Pa]; Coulomb's limit is several times that here
   constexpr double mu = 0.4;
   const laws::Friction saturating{
-      mu, "saturating",
+      "saturating", mu,
       [](const laws::FrictionArguments& at) {
         return strength * std::tanh(mu * std::max(0.0, at.normal_traction) / strength);
       },
@@ -162,7 +162,7 @@ TEST(SteadySliding, finds_limits_that_are_not_in_proportion_to_the_pressure) {
 
 TEST(SteadySliding, NamesALawThatGivesNoNumberThere) {
   const laws::Friction viscous{
-      0.4, "viscous",
+      "viscous", 0.4,
       [](const laws::FrictionArguments& at) {
         return 0.4 * at.normal_traction * at.slip_increment / at.time_step; // 0 / 0
       },
