@@ -2,7 +2,7 @@
 """The words and numbers of the report, taken from the results."""
 
 from .derived import common_is_noise
-from .words import quantity
+from .words import percent, quantity
 
 HEADLINE = [
     ("normal force, mid-slide", "normal_force_slide"),
@@ -91,12 +91,19 @@ def layers(case):
             for layer in reversed(case.get("skin", {}).get("layers", []))]
 
 
+def taxels(value):
+    """A grid of taxels by its size, single ones by their number."""
+    return f"{value['rows']} rows × {value['columns']} columns" if isinstance(value, dict) else str(len(value))
+
+
 def case_groups(case):
     """Pairs of heading and entries for every part of the case."""
     groups = []
     for key, heading in CASE_GROUPS.items():
         entries = [(name.replace("_", " "), readable(value, " × " if name == "size" else ", ")) for name, value in case.get(key, {}).items()
                    if not isinstance(value, dict) and name not in ("layers", "taxels")]
+        if key == "readout" and "taxels" in case.get(key, {}):
+            entries.append(("taxels", taxels(case[key]["taxels"])))
         if entries:
             groups.append((heading, entries))
     for name, material in case.get("materials", {}).items():
@@ -112,7 +119,7 @@ def metric_rows(results):
     def error(name):
         if name in results.not_converging:
             return f"does not converge: {results.not_converging[name]}"
-        return f"{100 * errors[name]:.2g} %" if errors.get(name) is not None else ""
+        return percent(errors[name]) if errors.get(name) is not None else ""
 
     return [(name, "–" if metric.value is None else f"{metric.value:.6g}", metric.unit,
              error(name))

@@ -30,6 +30,14 @@ def quantity(value, unit, digits=4):
     return f"{value / divisor:.{digits}g} {prefix}{unit}"
 
 
+def percent(share):
+    """A share in percent to two significant digits; beyond 1,000 % it only tells that nothing is known."""
+    value = 100 * share
+    if value > 1000:
+        return "over 1000 %"
+    return f"{float(f'{value:.2g}'):.0f} %" if value >= 10 else f"{value:.2g} %"
+
+
 def short(text, longest=LONGEST_LABEL):
     """A text of a case or a file as a figure can show it: printable, and not longer than there is room for."""
     plain = "".join(letter if letter.isprintable() else " " for letter in str(text)).strip()

@@ -3,6 +3,7 @@
 
 #include "command_line/study_settings.hpp"
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/percent.hpp"
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/case/reading/read_case.hpp"
 #include "ionskin/results/output_folder.hpp"
@@ -54,7 +55,7 @@ void print_outcome(const study::RunOutcome& outcome) {
                  metric.unit == "1" ? "" : metric.unit,
                  error == outcome.errors.relative.end()
                      ? ""
-                     : fmt::format("  (estimated error {:.2g} %)", 100 * error->second));
+                     : fmt::format("  (estimated error {})", base::percent(error->second)));
     }
   }
   print_warnings(outcome);

@@ -16,7 +16,7 @@ from ionskin import Results, figures_model, figures_readout, panels, paper, repo
 from ionskin.figures import draw_all
 from ionskin.report import make_gallery, make_report
 from ionskin.style import THEMED_COLOURS
-from ionskin.words import quantity, si_scale
+from ionskin.words import percent, quantity, si_scale
 
 COLUMNS = ["time [s]", "cycle", "phase", "slider_x [m]", "slider_z [m]", "normal_force [N]", "tangential_force [N]",
            "mean_shear [1]", "rms_shear [1]", "p99_shear [1]", "shear_first_moment [1]", "mean_shear_rate [1/s]",
@@ -73,10 +73,17 @@ class Report(unittest.TestCase):
             shutil.copy(folder / "sampled.csv", folder / "sampled_error.csv")
             results = Results(folder)
             self.assertEqual(report_text.metric_rows(results)[0][3], "does not converge: extreme under a sharp edge")
+            self.assertIn('<td class="words">does not converge: extreme', make_report(folder).read_text())
             self.assertIsNone(results.stated_error("normal_force_slide"))
             lower, upper = results.band("sampled", "current_top")
             self.assertEqual((lower[0], upper[0]), (0.0, 4e-6))
             self.assertIsNone(results.band("signals", "current_top"))
+
+    def test_tells_the_taxels_of_the_case(self):
+        grid = {"readout": {"circuit": "short", "taxels": {"rows": 4, "columns": 2}}}
+        self.assertIn(("taxels", "4 rows × 2 columns"), dict(report_text.case_groups(grid))["Readout"])
+        single = {"readout": {"taxels": [{"name": "a"}, {"name": "b"}]}}
+        self.assertEqual(dict(report_text.case_groups(single))["Readout"], [("taxels", "2")])
 
     def test_stands_alone(self):
         self.assertEqual(re.findall(r'(?:src|href)="(?!#)[^"]*"', self.page), [])
@@ -135,6 +142,10 @@ class Reading(unittest.TestCase):
         self.assertEqual(spans[1].start, 1.0)
         self.assertEqual(spans[1].end, 2.0)
         self.assertEqual(spans[4].cycle, 2)
+
+    def test_percent(self):
+        self.assertEqual([percent(share) for share in (2.1e-6, 0.0065, 0.28, 1.004, 8.84, 6158.0)],
+                         ["0.00021 %", "0.65 %", "28 %", "100 %", "880 %", "over 1000 %"])
 
     def test_si_scale(self):
         self.assertEqual(si_scale(0.02), (1e-3, "m"))

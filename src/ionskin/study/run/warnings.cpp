@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/run/warnings.hpp"
 
+#include "ionskin/base/percent.hpp"
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "ionskin/laws/coupling/coupling_law.hpp"
 #include "ionskin/poroelasticity/validity.hpp"
@@ -103,7 +104,7 @@ void warn_about_large_errors(const Case& input, const ErrorEstimate& errors,
   std::string named;
   for (std::size_t i = 0; i < std::min(large.size(), most_named); ++i) {
     named +=
-        fmt::format("{}{} ({:.0f} %)", i > 0 ? ", " : "", large[i].second, 100 * large[i].first);
+        fmt::format("{}{} ({})", i > 0 ? ", " : "", large[i].second, base::percent(large[i].first));
   }
   warnings.push_back(fmt::format(
       "The stated error exceeds {:.0f} % for {}{}: see error_estimate in summary.json. Choose a "
@@ -190,9 +191,9 @@ std::vector<std::string> error_warnings(const Case& input, const ErrorEstimate& 
   if (circuit != ReadoutCircuit::open && circuit != ReadoutCircuit::load &&
       tail != errors.relative.end() && tail->second > error_limit) {
     warnings.push_back(fmt::format(
-        "The error of the difference current between the contact spikes is estimated at {:.0f} %. "
+        "The error of the difference current between the contact spikes is estimated at {}. "
         "Choose a finer numerics.preset, or raise numerics.mesh_refinement.",
-        100 * tail->second));
+        base::percent(tail->second)));
   }
   warn_about_large_errors(input, errors, warnings);
   warn_about_missing_errors(errors, warnings);

@@ -84,7 +84,7 @@ TEST_F(WarningsTest, SaysThatTheCurrentIsUncertain) {
 TEST_F(WarningsTest, NamesLargeAndMissingErrors) {
   ErrorEstimate errors;
   errors.relative = {{"stick_fraction_touchdown", 4.81}, {"mean_shear_slide", 0.01}};
-  EXPECT_TRUE(any_holds(error_warnings(input, errors), "stick_fraction_touchdown (481 %)"));
+  EXPECT_TRUE(any_holds(error_warnings(input, errors), "stick_fraction_touchdown (480 %)"));
   errors.relative["rms_current_common"] = 9.1;
   EXPECT_TRUE(any_holds(error_warnings(input, errors), "rms_current_common (910 %)"));
   input.coupling.law = "column-neutral";
