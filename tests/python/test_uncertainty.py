@@ -151,7 +151,10 @@ class OfACase(PackageTest):
             with self.subTest(written), self.assertRaises(ionskin.CaseError) as raised:
                 ionskin.Uncertainty(self.case, {key: written})
             self.assertIn(words, str(raised.exception))
-        self.assertEqual(self.command("--metrics=peak").returncode, 2)
+        misspelt = self.command("--metrics=rms_curent_difference")
+        self.assertEqual(misspelt.returncode, 2)
+        self.assertIn("did you mean rms_current_difference?", misspelt.stderr)
+        self.assertLess(len(list((self.folder / "out" / "points").iterdir())), 16)  # told by the first result
         with self.assertRaises(ionskin.CaseError):
             ionskin.Uncertainty(self.case, {})
         os.makedirs(self.folder / "mine")

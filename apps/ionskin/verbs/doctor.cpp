@@ -20,6 +20,7 @@
 #include <sys/sysinfo.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace ionskin::apps {
@@ -117,6 +118,24 @@ void check_python(Findings& findings) {
   }
 }
 
+/// What some commands need; the rest works without.
+void check_optional_modules(Findings& findings) {
+  const std::string python = IONSKIN_PYTHON;
+  constexpr std::array modules{
+      std::pair{"openturns", "ionskin uncertainty, design and generate"},
+      std::pair{"scipy", "ionskin uncertainty, design and generate"},
+      std::pair{"distributed", "ionskin cluster and sweep --on"},
+      std::pair{"xarray", "labelled arrays (Results.to_xarray)"},
+  };
+  for (const auto& [module, purpose] : modules) {
+    const bool there = runs({python, "-I", "-c", std::string("import ") + module});
+    findings.add(
+        there ? Finding::good : Finding::note,
+        fmt::format("Python module {}{}: for {}", module, there ? "" : " is not there", purpose),
+        std::string("apt-get install python3-") + module);
+  }
+}
+
 bool writable(const fs::path& folder) {
   return access(folder.c_str(), W_OK | X_OK) == 0;
 }
@@ -141,6 +160,7 @@ int doctor() {
   check_processor(findings);
   check_program(findings);
   check_python(findings);
+  check_optional_modules(findings);
   check_folders(findings);
   fmt::print("{}\n",
              findings.complete() ? "Nothing is missing." : "Something is missing: see above.");

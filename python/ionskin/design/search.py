@@ -132,9 +132,7 @@ class Design:
     def tell(self, trial: Trial, told: Any) -> None:
         """Takes the Results of a run, numbers by name of a metric, or the exception that a run ended with."""
         outcome = Outcome.of(told)
-        for name in [] if outcome.reason else [self.objective, *(one.metric for one in self.constraints)]:
-            if name not in outcome.metrics:
-                raise CaseError(f"{name} is no metric of these runs\n  = known: {', '.join(outcome.metrics)}")
+        outcome.require([self.objective, *(one.metric for one in self.constraints)])
         for one in self.constraints if outcome.units else ():
             own = outcome.units[one.metric]
             if (one.unit or "1") != own and not outcome.reason:

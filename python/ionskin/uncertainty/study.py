@@ -99,24 +99,27 @@ class Uncertainty:
         return [trial for trial in self.trials if trial.number not in self.outcomes][:count]
 
     def tell(self, trial: Trial, told: Any) -> None:
-        """Takes the Results of a run, numbers by name of a metric, or the exception that a run ended with."""
+        """Takes the Results of a run, numbers by name of a metric, or the exception that a run ended with.
+
+        Raises CaseError where the first result lacks a metric that was asked for.
+        """
         if not 0 <= trial.number < len(self.trials):
             raise CaseError(f"trial {trial.number} is none of this study\n  = tell what was asked")
-        self.outcomes[trial.number] = Outcome.of(told)
+        outcome = Outcome.of(told)
+        if not self.finished():  # the first result tells a misspelt metric, not the last
+            outcome.require(self.metrics)
+        self.outcomes[trial.number] = outcome
 
     def finished(self) -> list[int]:
         """Numbers of the trials with a result."""
         return [number for number in sorted(self.outcomes) if not self.outcomes[number].reason]
 
     def chosen_metrics(self) -> list[str]:
-        """Those asked for, or the usual ones, or all that were told. Raises CaseError for unknown ones."""
+        """Those asked for, or the usual ones, or all that were told."""
         rows = self.finished()
         if not rows:
             raise CaseError("no sample has a result yet\n  = tell the results of what was asked")
         known = list(self.outcomes[rows[0]].metrics)
-        for name in self.metrics:
-            if name not in known:
-                raise CaseError(f"{name} is no metric of these runs\n  = known: {', '.join(known)}")
         return self.metrics or [name for name in METRICS if name in known] or known
 
     def data(self, name: str):
