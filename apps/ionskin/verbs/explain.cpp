@@ -242,7 +242,8 @@ std::string costs(const planning::CostEstimate& cost) {
   std::string text = "\nSize and cost\n";
   if (cost.positions > 0)
     text += row("Study 1: unknowns", fmt::format("{}", cost.mechanics_unknowns),
-                fmt::format("displacements, factorised at {} positions", cost.positions));
+                fmt::format("displacements and {} contact cells, factorised at {} positions",
+                            cost.contact_cells, cost.positions));
   text += row("Study 2: unknowns", fmt::format("{}", cost.ion_unknowns),
               fmt::format("over about {} time steps", cost.ion_steps));
   text += row("memory", fmt::format("{:.2g} GB", cost.memory * 1e-9),

@@ -46,9 +46,8 @@ mesh::SkinMesh expected_mesh(const Case& input) {
   return smaller.unknowns() > largest.unknowns() ? smaller : largest;
 }
 
-double contact_components(const mesh::SkinMesh& mesh) {
-  return 3.0 * static_cast<double>(mesh.footprint_lines_x().size() - 1) *
-         static_cast<double>(mesh.footprint_lines_y().size() - 1);
+std::size_t contact_cells(const mesh::SkinMesh& mesh) {
+  return (mesh.footprint_lines_x().size() - 1) * (mesh.footprint_lines_y().size() - 1);
 }
 
 /// Responses to unit forces at the nodes of a stepped path, which are kept until its history is
@@ -58,7 +57,7 @@ double response_memory(const mesh::SkinMesh& mesh, const CostEstimate& cost) {
   const auto [bottom, top] = mesh.core_z();
   const double lattice = 3.0 * static_cast<double>((2 * nx + 1) * (2 * ny + 1)) *
                          static_cast<double>(2 * (top - bottom) + 1);
-  const double components = contact_components(mesh);
+  const double components = 3.0 * static_cast<double>(cost.contact_cells);
   const bool kept =
       mechanics::responses_fit(static_cast<int>(lattice), 0, static_cast<int>(components));
   return kept ? sizeof(std::int32_t) * static_cast<double>(cost.positions) * lattice * components
@@ -74,7 +73,7 @@ double contact_memory(const mesh::SkinMesh& mesh, const CostEstimate& cost, int 
   const auto [bottom, top] = mesh.core_z();
   const double core = static_cast<double>(nx * ny * (top - bottom));
   const double states = static_cast<double>(cost.positions) + 3 * chain_states;
-  const double components = contact_components(mesh);
+  const double components = 3.0 * static_cast<double>(cost.contact_cells);
   return sizeof(double) *
          (states * core * points * strains + at_once * matrices * components * components);
 }
@@ -120,6 +119,7 @@ CostEstimate estimate_cost(const Case& input, int threads) {
   CostEstimate cost;
   const mesh::SkinMesh mesh = expected_mesh(input);
   cost.mechanics_unknowns = mesh.unknowns();
+  cost.contact_cells = contact_cells(mesh);
   cost.positions =
       mechanics::is_stepped(input)
           ? std::max<std::size_t>(1, mechanics::expected_positions(input))

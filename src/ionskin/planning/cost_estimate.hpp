@@ -12,6 +12,7 @@ namespace ionskin::planning {
 /// prescribed.
 struct CostEstimate {
   std::size_t mechanics_unknowns = 0; ///< of one position of the slider
+  std::size_t contact_cells = 0;      ///< below the slider, each with three components
   std::size_t positions = 0;          ///< that are factorised; mirrored positions share one
   std::size_t ion_unknowns = 0;
   std::size_t ion_steps = 0;    ///< estimated
