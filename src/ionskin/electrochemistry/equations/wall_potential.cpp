@@ -3,6 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/history/shear_statistics.hpp"
+#include "ionskin/laws/coupling/coupling_law.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
