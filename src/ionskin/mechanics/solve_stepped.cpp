@@ -178,7 +178,8 @@ void warn_of_nodes(const Case& input, const PositionNodes& nodes, const ContactO
 } // namespace
 
 bool is_stepped(const Case& input) {
-  return input.motion.kind == MotionKind::waypoints;
+  return input.motion.kind == MotionKind::waypoints ||
+         laws::friction_law(input.contact.law).stepped;
 }
 
 std::size_t expected_positions(const Case& input) {

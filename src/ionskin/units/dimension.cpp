@@ -29,6 +29,7 @@ const std::map<Dimension, DimensionInfo>& table() {
       {Dimension::hydraulic_mobility,
        {"a hydraulic mobility", "m2/(Pa s)", {"m2/(Pa s)", "um2/(Pa s)"}}},
       {Dimension::curvature, {"a curvature", "1/m", {"1/m", "1/mm", "1/cm"}}},
+      {Dimension::speed, {"a speed", "m/s", {"mm/s", "um/s", "m/s"}}},
   };
   return rows;
 }
@@ -48,9 +49,10 @@ std::vector<std::string> usual_units() {
 
 const std::vector<DimensionInfo>& other_dimensions() {
   static const std::vector<DimensionInfo> rows = {
-      {"a volume", "m3", {}}, {"a speed", "m/s", {}},     {"a mass", "kg", {}},
-      {"an energy", "J", {}}, {"a power", "W", {}},       {"an electric charge", "C", {}},
-      {"a voltage", "V", {}}, {"a capacitance", "F", {}}, {"an amount of substance", "mol", {}}};
+      {"a volume", "m3", {}},          {"a mass", "kg", {}},
+      {"an energy", "J", {}},          {"a power", "W", {}},
+      {"an electric charge", "C", {}}, {"a voltage", "V", {}},
+      {"a capacitance", "F", {}},      {"an amount of substance", "mol", {}}};
   return rows;
 }
 

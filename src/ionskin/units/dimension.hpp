@@ -24,7 +24,8 @@ enum class Dimension {
   area,
   viscosity,
   hydraulic_mobility,
-  curvature
+  curvature,
+  speed
 };
 
 struct DimensionInfo {

@@ -75,6 +75,11 @@ INSTANTIATE_TEST_SUITE_P(
                 "needs a mixed formulation"},
         Mistake{"ZeroDuration", "lift = \"0.5 s\"", "lift = \"0 s\"",
                 "motion.lift = \"0 s\" is out of range", "35:8", "^^^^^", "at least 1e-06 s"},
+        Mistake{"FrictionOfTooMuchSpeed", "friction = 0.3",
+                "friction = 0.3\nlaw = \"viscous\"\nreference_speed = \"0.1 mm/s\" #",
+                "at 3 mm/s, the fastest of the motion, contact.law = \"viscous\" has a coefficient "
+                "of friction of 9; at most 2 is allowed",
+                "40:7", "40 | law = \"viscous\"\n", "or the speed of the motion"},
         Mistake{"UnknownChoice", "coefficient = 0.1", "coefficient = 0.1\nlaw = \"fixd-charge\"",
                 "coupling.law = \"fixd-charge\" is unknown", "48:7", "^^^^^^^^^^^^^",
                 "did you mean \"fixed-charge\"?"},

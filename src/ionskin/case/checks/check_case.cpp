@@ -131,6 +131,7 @@ void check_case(const CaseDocument& document) {
     check_slider(document, problems);
     if (check_motion(document, problems)) {
       check_track(document, problems);
+      check_friction_of_speed(document, problems);
       check_instants(document, problems);
       check_sizes(document, problems);
     }

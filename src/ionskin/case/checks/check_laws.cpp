@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/checks/check_laws.hpp"
 
+#include "ionskin/case/schema/schema.hpp"
+#include "ionskin/case/slider_motion.hpp"
 #include "ionskin/laws/coupling/coupling_law.hpp"
 #include "ionskin/laws/friction/friction_law.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <span>
 #include <string>
 
@@ -42,6 +45,33 @@ void check_laws(const CaseDocument& document, Problems& problems) {
   const Case& input = document.input;
   check_section(document, "contact", laws::friction_laws(), input.contact.law, problems);
   check_section(document, "coupling", laws::coupling_laws(), input.coupling.law, problems);
+}
+
+void check_friction_of_speed(const CaseDocument& document, Problems& problems) {
+  const Case& input = document.input;
+  const laws::FrictionLaw& row = laws::friction_law(input.contact.law);
+  const bool complete = std::ranges::all_of(row.parameters, [&](const laws::LawParameter& own) {
+    return input.contact.parameters.contains(own.name);
+  });
+  if (!complete) // and said to be missing
+    return;
+  double fastest = 0;
+  for (const MotionLeg& leg : motion_legs(input.motion, input.slider))
+    if (leg.slides() && leg.duration > 0)
+      fastest = std::max(fastest, leg.length() / leg.duration);
+  constexpr double pressure = 1; // Pa; the coefficient of friction is the limit over it
+  const laws::Friction friction =
+      laws::friction(input.contact.law, input.contact.friction, input.contact.parameters);
+  const double coefficient = friction.limit({pressure, fastest, 1, fastest}) / pressure;
+  const double most = find_row("contact.friction")->range.upper;
+  if (coefficient > most)
+    problems.add(
+        fmt::format("at {:.4g} mm/s, the fastest of the motion, contact.law = \"{}\" has a "
+                    "coefficient of friction of {:.4g}; at most {:.4g} is allowed",
+                    fastest * 1e3, input.contact.law, coefficient, most),
+        document.point_at("contact.law"),
+        "lower contact.friction or the speed of the motion, or change the parameters of "
+        "the law");
 }
 
 } // namespace ionskin

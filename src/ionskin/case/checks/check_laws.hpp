@@ -9,4 +9,7 @@ namespace ionskin {
 /// Parameters that are given to a law without them.
 void check_laws(const CaseDocument& document, Problems& problems);
 
+/// Friction of the fastest slide, where it depends on speed. Needs a sound motion.
+void check_friction_of_speed(const CaseDocument& document, Problems& problems);
+
 } // namespace ionskin

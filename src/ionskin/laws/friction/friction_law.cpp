@@ -2,22 +2,69 @@
 #include "ionskin/laws/friction/friction_law.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/laws/friction/anisotropic_friction.hpp"
 #include "ionskin/laws/friction/coulomb_friction.hpp"
+#include "ionskin/laws/friction/regularised_friction.hpp"
+#include "ionskin/laws/friction/saturating_friction.hpp"
+#include "ionskin/laws/friction/stribeck_friction.hpp"
+#include "ionskin/laws/friction/viscous_friction.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace ionskin::laws {
 namespace {
 
+// What a law has beside its limit shows in which of these members it has.
+template <class Law>
+concept HasSlipSlope = requires(const Law& law, const FrictionArguments& at) {
+  law.limit_slip_slope(at);
+};
+template <class Law>
+concept HasElasticSlip = requires(const Law& law) {
+  law.elastic_slip();
+};
+template <class Law>
+concept HasLag = requires(const Law& law) {
+  law.lag();
+};
+template <class Law>
+concept HasAcross = requires(const Law& law) {
+  law.across();
+};
+
+template <class Law> Friction friction_with(double coefficient, const LawValues& values) {
+  const Law law = law_with<Law>(coefficient, values);
+  Friction result;
+  result.coefficient = coefficient;
+  if (coefficient == 0) {
+    return result;
+  }
+  result.limit = [law](const FrictionArguments& at) { return law.limit(at); };
+  result.limit_slope = [law](const FrictionArguments& at) { return law.limit_slope(at); };
+  if constexpr (HasSlipSlope<Law>) {
+    result.limit_slip_slope = [law](const FrictionArguments& at) {
+      return law.limit_slip_slope(at);
+    };
+  }
+  result.slip_dependent = HasSlipSlope<Law>;
+  if constexpr (HasElasticSlip<Law>) {
+    result.elastic_slip = law.elastic_slip();
+  }
+  if constexpr (HasLag<Law>) {
+    result.lag = law.lag();
+  }
+  if constexpr (HasAcross<Law>) {
+    result.across = law.across();
+  }
+  result.rate_dependent = HasLag<Law> || (HasSlipSlope<Law> && !HasElasticSlip<Law>);
+  return result;
+}
+
 template <class Law> FrictionLaw friction_row(std::string_view name) {
-  return {name, declared_parameters<Law>(), [](double coefficient, const LawValues& values) {
-            const Law law = law_with<Law>(coefficient, values);
-            return Friction{"", coefficient,
-                            [law](const FrictionArguments& at) { return law.limit(at); },
-                            [law](const FrictionArguments& at) { return law.limit_slope(at); }};
-          }};
+  return {name, declared_parameters<Law>(),
+          HasSlipSlope<Law> || HasElasticSlip<Law> || HasLag<Law> || HasAcross<Law>,
+          friction_with<Law>};
 }
 
 } // namespace
@@ -25,27 +72,29 @@ template <class Law> FrictionLaw friction_row(std::string_view name) {
 std::span<const FrictionLaw> friction_laws() {
   static const std::array laws{
       friction_row<CoulombFriction>("coulomb"),
+      friction_row<SaturatingFriction>("saturating"),
+      friction_row<RegularisedFriction>("regularised"),
+      friction_row<ViscousFriction>("viscous"),
+      friction_row<StribeckFriction>("stribeck"),
+      friction_row<AnisotropicFriction>("anisotropic"),
   };
   return laws;
 }
 
-Friction friction(std::string_view law, double coefficient, const LawValues& values) {
+const FrictionLaw& friction_law(std::string_view name) {
   const auto laws = friction_laws();
-  const auto found = std::ranges::find(laws, law, &FrictionLaw::name);
+  const auto found = std::ranges::find(laws, name, &FrictionLaw::name);
   if (found == laws.end()) {
-    throw InternalError("no friction law is named " + std::string(law));
+    throw InternalError("no friction law is named " + std::string(name));
   }
-  Friction result = found->with(coefficient, values);
-  result.law = found->name;
-  return result;
+  return *found;
 }
 
-std::array<double, 2> project_on_disc(const std::array<double, 2>& traction, double limit) {
-  const double length = std::hypot(traction[0], traction[1]);
-  if (length <= limit) {
-    return traction;
-  }
-  return {traction[0] * limit / length, traction[1] * limit / length};
+Friction friction(std::string_view law, double coefficient, const LawValues& values) {
+  const FrictionLaw& row = friction_law(law);
+  Friction result = row.with(coefficient, values);
+  result.law = row.name;
+  return result;
 }
 
 } // namespace ionskin::laws

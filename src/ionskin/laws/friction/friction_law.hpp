@@ -16,8 +16,11 @@ namespace ionskin::laws {
 /// what it tends to.
 struct FrictionArguments {
   double normal_traction = 0; ///< compression positive [Pa]
-  double slip_increment = 0;  ///< length of the relative sliding in the step [m]
-  double time_step = 0;       ///< [s]
+  /// Length of the relative sliding in the step [m]; where the law has an elastic slip, with that
+  /// of the steps before.
+  double slip_increment = 0;
+  double time_step = 0;    ///< [s]
+  double lagged_speed = 0; ///< of the sliding, as it was `lag` ago [m/s]
 };
 
 inline double frictionless(const FrictionArguments&) {
@@ -25,28 +28,39 @@ inline double frictionless(const FrictionArguments&) {
 }
 
 /// A law with its coefficient and parameters: the largest tangential traction [Pa] and its
-/// derivative by the normal traction [1]. Without a coefficient there is no friction under any law.
+/// derivatives. Without a coefficient there is no friction under any law.
 struct Friction {
   std::string_view law = "coulomb";
   double coefficient = 0; ///< mu [1]
   std::function<double(const FrictionArguments& at)> limit = frictionless;
-  std::function<double(const FrictionArguments& at)> limit_slope = frictionless;
+  std::function<double(const FrictionArguments& at)> limit_slope =
+      frictionless; ///< by the normal traction [1]
+  std::function<double(const FrictionArguments& at)> limit_slip_slope =
+      frictionless;            ///< by the slip increment [Pa/m]
+  bool slip_dependent = false; ///< whether that is ever other than 0
+  double across = 1;           ///< limit along y over that along x; the limits form an ellipse
+  double elastic_slip = 0;     ///< the slip that is given back when the traction goes [m]
+  double lag = 0;              ///< time constant with which the lagged speed follows the speed [s]
+  bool rate_dependent = false; ///< traction changes while the slider rests
 };
 
 /// One row of the table of friction laws.
 struct FrictionLaw {
   std::string_view name; ///< that a case gives in `contact.law`
   std::span<const LawParameter> parameters;
+  /// Whether it needs the motion in steps of time, as steady sliding does not determine its limit
+  /// or the direction of its traction.
+  bool stepped = false;
   Friction (*with)(double coefficient, const LawValues& values);
 };
 
 /// All laws; the first is the default of a case.
 std::span<const FrictionLaw> friction_laws();
 
+/// The row of a name that the schema has checked.
+const FrictionLaw& friction_law(std::string_view name);
+
 /// The law of a name that the schema has checked, with its coefficient and parameters.
 Friction friction(std::string_view law, double coefficient, const LawValues& values);
-
-/// The nearest vector of length at most `limit`.
-std::array<double, 2> project_on_disc(const std::array<double, 2>& traction, double limit);
 
 } // namespace ionskin::laws

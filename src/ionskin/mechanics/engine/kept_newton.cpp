@@ -21,12 +21,6 @@ constexpr double rough_residual = 1e-4;
 constexpr int sweeps_between = 10;
 constexpr int most_rounds = 6;
 
-std::array<double, 2> unit(const std::array<double, 2>& vector) {
-  const double length =
-      std::max(std::hypot(vector[0], vector[1]), std::numeric_limits<double>::min());
-  return {vector[0] / length, vector[1] / length};
-}
-
 } // namespace
 
 KeptNewton::Standing KeptNewton::standing(const ContactProblem& problem, const SliderStep& step,
@@ -93,18 +87,12 @@ void KeptNewton::correct(const ContactProblem& problem, const SliderStep& step, 
         rest[c] = problem.compliance(own, own) > 0 ? -slip[c] / compliance : tangential[c];
       }
     } else {
-      const CellPredictor& predictor = at.predictors[cell];
-      const auto e = unit(predictor.tangential);
-      const double limit = problem.friction_limit(cell, std::max(0.0, iterate.force[from]),
-                                                  predictor.slip, step.time_step);
-      const double turning = std::min(
-          1.0, limit / std::max(std::hypot(predictor.tangential[0], predictor.tangential[1]),
-                                std::numeric_limits<double>::min()));
       const std::array<double, 2> trial{tangential[0] + slip[0] / compliance,
                                         tangential[1] + slip[1] / compliance};
-      const double along = trial[0] * e[0] + trial[1] * e[1];
+      const auto friction = problem.friction_response(cell, std::max(0.0, iterate.force[from]),
+                                                      trial, compliance, step.time_step, true);
       for (std::size_t c = 0; c < 2; ++c) {
-        rest[c] = tangential[c] - limit * e[c] - turning * (trial[c] - along * e[c]);
+        rest[c] = tangential[c] - friction.traction[c];
       }
     }
     residual[row + 1] = rest[0];
@@ -137,10 +125,11 @@ void KeptNewton::settle(const ContactProblem& problem, const SliderStep& step, c
     if (at.status[cell] == CellStatus::separated) {
       force[1] = force[2] = 0;
     } else if (at.status[cell] == CellStatus::slipping) {
-      const auto e = unit(predictor.tangential);
-      const double limit = problem.friction_limit(cell, force[0], predictor.slip, step.time_step);
-      force[1] = limit * e[0];
-      force[2] = limit * e[1];
+      const auto friction =
+          problem.friction_response(cell, force[0], predictor.tangential,
+                                    problem.own_compliance(cell, 1), step.time_step, true);
+      force[1] = friction.traction[0];
+      force[2] = friction.traction[1];
     }
   }
 }

@@ -21,6 +21,9 @@ constexpr double growth_of_full_slip = 1.3;
 constexpr int most_cuts_of_short_leg = 8;
 /// A step without a solution is halved so often before the motion is given up.
 constexpr int most_halvings = 6;
+/// Of the rest of a slider, while friction that depends on rate relaxes: first step over its
+/// duration, and growth of the steps.
+constexpr double first_of_rest = 1.0 / 1024, growth_of_rest = 1.5;
 constexpr double instant_tolerance = 1e-12; // of the time itself
 
 } // namespace
@@ -105,7 +108,8 @@ void MotionStepper::begin_travel(const MotionLeg& leg) {
   if (goes_on) {
     return;
   }
-  const auto distance = contact_.onset_distance(direction, options_.meshed_share < 1);
+  const auto distance =
+      contact_.onset_distance(direction, options_.meshed_share < 1, leg.length(), leg.duration);
   const double whole = options_.steps.onset_travel_ratio * distance.left;
   if (distance.left <= negligible_onset * distance.whole) {
     increment_ = std::numeric_limits<double>::infinity();
@@ -137,6 +141,9 @@ double MotionStepper::next_fraction(const MotionLeg& leg, const Levels& levels, 
   const int count = loads ? options_.steps.touchdown : options_.steps.lift_off;
   if (const double change = std::abs(levels.to - levels.from); change > 0) {
     next = std::min(next, at + scale / count / change);
+  }
+  if (rest_step_ > 0) {
+    next = std::min(next, at + rest_step_ / leg.duration);
   }
   const double time = leg.begin + at * leg.duration;
   const auto instant = std::upper_bound(options_.instants.begin(), options_.instants.end(),
@@ -184,8 +191,8 @@ void MotionStepper::touch(const MotionLeg& leg) {
   }
   if (travel == 0) {
     direction_ = {};
-    if (levels.from == levels.to) { // nothing happens while the slider rests
-      emit(leg, 1, levels.to, false);
+    if (levels.from == levels.to && !contact_.problem().friction.rate_dependent) {
+      emit(leg, 1, levels.to, false); // nothing happens while the slider rests
       return;
     }
   } else if (!lands) {
@@ -194,6 +201,12 @@ void MotionStepper::touch(const MotionLeg& leg) {
     // Whatever touches on the way slips from the first.
     direction_ = leg.direction();
     increment_ = std::numeric_limits<double>::infinity();
+  }
+  const bool rests = travel == 0 && levels.from == levels.to;
+  if (!rests) {
+    rest_step_ = 0;
+  } else if (rest_step_ == 0) {
+    rest_step_ = first_of_rest * leg.duration;
   }
   double at = levels.begin;
   bool first_of_travel = travel > 0 && onset_open_ && onsets_.back()[0] == leg.begin;
@@ -205,6 +218,7 @@ void MotionStepper::touch(const MotionLeg& leg) {
     const double next = next_fraction(leg, levels, at);
     advance(leg, levels, at, next, 0);
     at = next;
+    rest_step_ *= growth_of_rest;
     const double time = leg.begin + at * leg.duration;
     const bool leaves = at == levels.end && levels.end < 1;
     if (onset_open_ && (!contact_.sticks() || leaves)) {

@@ -65,6 +65,7 @@ private:
   Sink sink_;
   std::array<double, 2> direction_{}; ///< of the last travel; 0 after landing or a rest
   double increment_ = 0;              ///< longest travel of the next step [m]
+  double rest_step_ = 0;              ///< longest of the next step while the slider rests; 0: moves
   bool onset_open_ = false;
   std::vector<double> events_;
   std::vector<std::array<double, 2>> onsets_;

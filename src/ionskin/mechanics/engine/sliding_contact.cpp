@@ -32,7 +32,52 @@ bool SlidingContact::sticks() const {
   return stick_fraction(problem_, state_.force) > 0;
 }
 
+/// After the step before; what friction remembered in that step stays known until the next.
+std::vector<double> SlidingContact::next_lagged_speed() const {
+  const double lag = problem_.friction.lag, time_step = state_.step.time_step;
+  if (lag == 0 || time_step == 0) {
+    return problem_.lagged_speed;
+  }
+  std::vector<double> speed = problem_.lagged_speed;
+  speed.resize(problem_.area.size(), 0.0);
+  const double left = std::exp(-time_step / lag);
+  for (std::size_t cell = 0; cell < speed.size(); ++cell) {
+    const bool touches = state_.force[3 * cell] > 0;
+    speed[cell] = touches ? left * speed[cell] + (1 - left) * state_.slip[cell] / time_step : 0.0;
+  }
+  return speed;
+}
+
+/// The surface displacement as it would be without the elastic slip, which is to be slipped again.
+CellVector SlidingContact::held_surface() const {
+  CellVector surface = state_.surface;
+  for (std::size_t cell = 0; cell < elastic_slip_.size(); ++cell) {
+    surface[3 * cell + 1] += elastic_slip_[cell][0];
+    surface[3 * cell + 2] += elastic_slip_[cell][1];
+  }
+  return surface;
+}
+
+/// Divides the slip of the present state into what is elastic and what is not.
+void SlidingContact::keep_elastic_slip() {
+  const double most = problem_.friction.elastic_slip;
+  if (most == 0) {
+    return;
+  }
+  elastic_slip_.resize(problem_.area.size());
+  for (int cell = 0; cell < problem_.cells(); ++cell) {
+    const auto at = static_cast<std::size_t>(cell);
+    const auto slip = slip_increment(state_.step, state_.surface, cell);
+    const double length = std::hypot(slip[0], slip[1]);
+    const double share = state_.force[3 * at] <= 0 ? 0.0 : length > most ? most / length : 1.0;
+    elastic_slip_[at] = {share * slip[0], share * slip[1]};
+    state_.slip[at] = (1 - share) * length;
+  }
+}
+
 void SlidingContact::detach(const SliderStep& step) {
+  elastic_slip_.clear();
+  problem_.lagged_speed.clear();
   std::fill(state_.force.begin(), state_.force.end(), 0.0);
   std::fill(state_.surface.begin(), state_.surface.end(), 0.0);
   std::fill(state_.slip.begin(), state_.slip.end(), 0.0);
@@ -46,7 +91,7 @@ void SlidingContact::detach(const SliderStep& step) {
 const SurfaceState& SlidingContact::step(double time_step, const std::array<double, 2>& place,
                                          const SliderLoad& load) {
   const std::array<double, 2> from = place_.value_or(place);
-  SliderStep step{load, {place[0] - from[0], place[1] - from[1]}, time_step, state_.surface};
+  SliderStep step{load, {place[0] - from[0], place[1] - from[1]}, time_step, held_surface()};
   if (!place_ || place != from) {
     map_.at(place, problem_.compliance);
   }
@@ -58,6 +103,8 @@ const SurfaceState& SlidingContact::step(double time_step, const std::array<doub
     place_ = place;
     return state_;
   }
+  std::vector<double> lagged_speed = next_lagged_speed();
+  problem_.lagged_speed.swap(lagged_speed);
   Iterate iterate{state_.force, state_.indentation};
   // From no load a force says nothing of the indentation, which the other way searches.
   const bool found = (load.kind == LoadKind::indentation || in_contact()) &&
@@ -71,7 +118,9 @@ const SurfaceState& SlidingContact::step(double time_step, const std::array<doub
       newton_.forget();
       state_ = solve_contact_step(problem_, step, state_.force);
     }
+    keep_elastic_slip();
   } catch (...) {
+    problem_.lagged_speed.swap(lagged_speed);
     if (place_) {
       map_.at(*place_, problem_.compliance);
     }
@@ -82,14 +131,16 @@ const SurfaceState& SlidingContact::step(double time_step, const std::array<doub
 }
 
 SlidingContact::OnsetDistance SlidingContact::onset_distance(const std::array<double, 2>& direction,
-                                                             bool half_model) const {
+                                                             bool half_model, double slip,
+                                                             double time_step) const {
   CellVector sliding(state_.force.size(), 0.0);
   for (int cell = 0; cell < problem_.cells(); ++cell) {
     const std::size_t at = 3 * static_cast<std::size_t>(cell);
-    const double limit = problem_.friction_limit(cell, state_.force[at], 0, 0);
+    const double limit = problem_.friction_limit(cell, state_.force[at], slip, time_step);
+    const auto traction = laws::sliding_traction(problem_.friction, limit, direction);
     sliding[at] = state_.force[at];
-    sliding[at + 1] = limit * direction[0];
-    sliding[at + 2] = limit * direction[1];
+    sliding[at + 1] = traction[0];
+    sliding[at + 2] = traction[1];
   }
   const CellVector surface = problem_.surface_displacement(sliding);
   std::array<double, 2> left{}, whole{};
@@ -100,7 +151,9 @@ SlidingContact::OnsetDistance SlidingContact::onset_distance(const std::array<do
     }
   }
   const auto cells = static_cast<double>(problem_.area.size());
-  return {std::hypot(left[0], left[1]) / cells, std::hypot(whole[0], whole[1]) / cells};
+  const double elastic = std::min(slip, problem_.friction.elastic_slip);
+  return {std::hypot(left[0], left[1]) / cells + elastic,
+          std::hypot(whole[0], whole[1]) / cells + elastic};
 }
 
 } // namespace ionskin::mechanics

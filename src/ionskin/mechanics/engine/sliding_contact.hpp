@@ -40,18 +40,24 @@ public:
   struct OnsetDistance {
     double left = 0, whole = 0;
   };
-  OnsetDistance onset_distance(const std::array<double, 2>& direction, bool half_model) const;
+  /// @param slip,time_step of the way to come, which friction may depend on [m], [s]
+  OnsetDistance onset_distance(const std::array<double, 2>& direction, bool half_model, double slip,
+                               double time_step) const;
 
   int factorisations() const { return newton_.factorisations(); }
   int fallbacks() const { return fallbacks_; } ///< steps that the kept method did not solve
 
 private:
   void detach(const SliderStep& step);
+  std::vector<double> next_lagged_speed() const;
+  CellVector held_surface() const;
+  void keep_elastic_slip();
 
   const ComplianceMap& map_;
   ContactProblem problem_;
   KeptNewton newton_;
   SurfaceState state_;
+  std::vector<std::array<double, 2>> elastic_slip_; ///< of the cells [m]; empty without
   std::optional<std::array<double, 2>> place_;
   int fallbacks_ = 0;
 };

@@ -56,15 +56,16 @@ std::vector<LimitLine> first_tangents(const ContactProblem& problem, const Slide
   return lines;
 }
 
-/// Normal displacement of a cell per unit tangential force of another along the slide.
-double drag_compliance(const ContactProblem& problem, const std::array<double, 2>& direction,
-                       int cell, int loaded) {
+/// Normal displacement of a cell per unit friction limit of another.
+/// @param drag traction of a limit of 1
+double drag_compliance(const ContactProblem& problem, const std::array<double, 2>& drag, int cell,
+                       int loaded) {
   const auto& c = problem.compliance;
-  return direction[0] * c(3 * cell, 3 * loaded + 1) + direction[1] * c(3 * cell, 3 * loaded + 2);
+  return drag[0] * c(3 * cell, 3 * loaded + 1) + drag[1] * c(3 * cell, 3 * loaded + 2);
 }
 
 /// Normal forces of the touching cells and, under a given force, the indentation behind them.
-Eigen::VectorXd normal_forces(const ContactProblem& problem, const std::array<double, 2>& direction,
+Eigen::VectorXd normal_forces(const ContactProblem& problem, const std::array<double, 2>& drag_unit,
                               const std::vector<LimitLine>& limits,
                               const std::vector<int>& touching, const SliderLoad& load) {
   const auto count = static_cast<Eigen::Index>(touching.size());
@@ -78,7 +79,7 @@ Eigen::VectorXd normal_forces(const ContactProblem& problem, const std::array<do
   for (Eigen::Index j = 0; j < count; ++j) {
     const LimitLine& limit = limits[touching[j]];
     for (Eigen::Index i = 0; i < count; ++i) {
-      const double drag = drag_compliance(problem, direction, touching[i], touching[j]);
+      const double drag = drag_compliance(problem, drag_unit, touching[i], touching[j]);
       matrix(i, j) = problem.compliance(3 * touching[i], 3 * touching[j]) + limit.slope * drag;
       right[i] -= limit.offset * drag;
     }
@@ -114,6 +115,7 @@ SurfaceState steady_sliding(const ContactProblem& problem, const SliderLoad& loa
     return free_of_contact(problem, load, direction, travel);
   }
   std::vector<LimitLine> limits = first_tangents(problem, load);
+  const auto drag_unit = laws::sliding_traction(problem.friction, 1, direction);
   std::vector<bool> touches(problem.area.size(), true);
   for (int iteration = 1; iteration <= most_active_sets; ++iteration) {
     std::vector<int> touching;
@@ -129,7 +131,7 @@ SurfaceState steady_sliding(const ContactProblem& problem, const SliderLoad& loa
     Eigen::VectorXd normal;
     double largest = 0;
     if (!touching.empty()) {
-      normal = normal_forces(problem, direction, limits, touching, load);
+      normal = normal_forces(problem, drag_unit, limits, touching, load);
       state.indentation = load.kind == LoadKind::force ? normal[normal.size() - 1] : load.value;
       largest = normal.head(static_cast<Eigen::Index>(touching.size())).cwiseAbs().maxCoeff();
     }
@@ -143,8 +145,8 @@ SurfaceState steady_sliding(const ContactProblem& problem, const SliderLoad& loa
       const double force = normal[static_cast<Eigen::Index>(i)];
       const double limit = limits[touching[i]].at(force);
       state.force[at] = force;
-      state.force[at + 1] = limit * direction[0];
-      state.force[at + 2] = limit * direction[1];
+      state.force[at + 1] = limit * drag_unit[0];
+      state.force[at + 2] = limit * drag_unit[1];
       const bool bent = force > 0 && std::abs(problem.friction_limit(touching[i], force, 0, 0) -
                                               limit) > law_tolerance * largest;
       if (bent) {

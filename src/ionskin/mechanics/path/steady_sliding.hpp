@@ -6,9 +6,9 @@
 namespace ionskin::mechanics {
 
 /// The limit of long sliding under a constant load: every touching cell slips along `direction`,
-/// so its tangential force is the friction limit in that direction, and only normal contact is left
-/// to solve (active set, with Newton's method where the limit is not in proportion to the pressure;
-/// under a given force the indentation is one more unknown).
+/// so its tangential force is the friction limit against that direction, and only normal contact is
+/// left to solve (active set, with Newton's method where the limit is not in proportion to the
+/// pressure; under a given force the indentation is one more unknown).
 /// @param travel of the slider, which becomes the slip [m]
 /// Throws SolverError when the active set cycles, and when the friction law gives no finite number
 /// there.

@@ -36,11 +36,13 @@ ContactViolations contact_violations(const ContactProblem& problem, const Surfac
     const double limit =
         problem.friction_limit(cell, normal, std::hypot(slip[0], slip[1]), step.time_step);
     const std::array<double, 2> force{state.force[at + 1], state.force[at + 2]};
-    worst.cone =
-        base::larger(worst.cone, share(std::hypot(force[0], force[1]) - limit, reference_force));
+    worst.cone = base::larger(
+        worst.cone, share(laws::limit_norm(problem.friction, force) - limit, reference_force));
     const double compliance = problem.own_compliance(cell, 1);
-    const auto allowed = laws::project_on_disc(
-        {force[0] + slip[0] / compliance, force[1] + slip[1] / compliance}, limit);
+    const std::array<double, 2> trial{force[0] + slip[0] / compliance,
+                                      force[1] + slip[1] / compliance};
+    const auto allowed =
+        problem.friction_response(cell, normal, trial, compliance, step.time_step).traction;
     worst.slip_law =
         base::larger(worst.slip_law, share(std::hypot(force[0] - allowed[0], force[1] - allowed[1]),
                                            reference_force));
@@ -54,7 +56,8 @@ std::vector<double> stick_reserve(const ContactProblem& problem, const CellVecto
     const std::size_t at = 3 * static_cast<std::size_t>(cell);
     if (force[at] > 0) {
       const double limit = problem.friction_limit(cell, force[at], 0, 0);
-      const double left = limit - std::hypot(force[at + 1], force[at + 2]);
+      const double left =
+          limit - laws::limit_norm(problem.friction, {force[at + 1], force[at + 2]});
       reserve[cell] = left > limit * 1e-9 ? left / problem.area[cell] : 0.0;
     }
   }

@@ -26,12 +26,11 @@ CellPredictor predict(const ContactProblem& problem, const SliderStep& step, con
   }
   const auto slip = slip_increment(step, surface, cell);
   const double compliance = problem.own_compliance(cell, 1);
-  result.slip = std::hypot(slip[0], slip[1]);
   result.tangential = {force[at + 1] + slip[0] / compliance, force[at + 2] + slip[1] / compliance};
-  const double limit = problem.friction_limit(cell, normal, result.slip, step.time_step);
-  const bool sticks = limit > 0 && std::hypot(result.tangential[0], result.tangential[1]) <= limit;
-  result.status = sticks ? CellStatus::sticking : CellStatus::slipping;
-  const auto allowed = laws::project_on_disc(result.tangential, limit);
+  const laws::FrictionResponse response =
+      problem.friction_response(cell, normal, result.tangential, compliance, step.time_step);
+  result.status = response.sticks ? CellStatus::sticking : CellStatus::slipping;
+  const auto& allowed = response.traction;
   result.residual =
       base::larger(result.residual, base::larger(std::abs(force[at + 1] - allowed[0]),
                                                  std::abs(force[at + 2] - allowed[1])));
@@ -75,24 +74,19 @@ void LinearSystem::add_stick_rows(int i) {
 
 void LinearSystem::add_slip_rows(int i, const CellPredictor& predictor, double normal_force) {
   const int cell = touching_[i];
-  const double length = std::max(std::hypot(predictor.tangential[0], predictor.tangential[1]),
-                                 std::numeric_limits<double>::min());
-  const std::array<double, 2> e{predictor.tangential[0] / length, predictor.tangential[1] / length};
-  const double limit = problem_.friction_limit(cell, normal_force, predictor.slip, step_.time_step);
-  const double slope =
-      problem_.friction_limit_slope(cell, normal_force, predictor.slip, step_.time_step);
-  const double turning = std::min(1.0, limit / length);
-  const double scale = 1 / problem_.own_compliance(cell, 1);
+  const double compliance = problem_.own_compliance(cell, 1), scale = 1 / compliance;
+  const laws::FrictionResponse friction = problem_.friction_response(
+      cell, normal_force, predictor.tangential, compliance, step_.time_step, true);
   for (int r = 0; r < 2; ++r) {
     const int row = 3 * i + 1 + r;
     matrix_(row, row) += 1;
-    matrix_(row, 3 * i) -= slope * e[r];
-    right_[row] += (limit - slope * normal_force) * e[r];
+    matrix_(row, 3 * i) -= friction.by_normal[r];
+    right_[row] += friction.traction[r] - friction.by_normal[r] * normal_force;
     for (int s = 0; s < 2; ++s) {
-      const double weight = turning * ((r == s ? 1.0 : 0.0) - e[r] * e[s]);
+      const double weight = friction.by_trial[r][s];
       add_displacement(row, 3 * cell + 1 + s, weight * scale);
       matrix_(row, 3 * i + 1 + s) -= weight;
-      right_[row] += weight * scale * free_displacement(cell, 1 + s);
+      right_[row] += weight * (scale * free_displacement(cell, 1 + s) - predictor.tangential[s]);
     }
   }
 }

@@ -16,7 +16,6 @@ enum class CellStatus { separated, sticking, slipping };
 struct CellPredictor {
   CellStatus status = CellStatus::separated;
   std::array<double, 2> tangential{}; ///< trial force t + slip / compliance [N]
-  double slip = 0;                    ///< length of the slip increment [m]
   double residual = 0;                ///< of the projection equations [N]
 };
 
@@ -40,7 +39,7 @@ public:
   void add_normal_rows();
   /// @param i place of the cell among those that touch
   void add_stick_rows(int i);
-  /// t = limit(n) e + (limit / |z|) (I - e e^T) dz with the trial force z and e = z / |z|.
+  /// The force that friction allows, linearised about the trial force and a normal force.
   void add_slip_rows(int i, const CellPredictor& predictor, double normal_force);
   /// Puts the solution in the iterate's place.
   void solve(Iterate& iterate) const;

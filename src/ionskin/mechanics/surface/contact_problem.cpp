@@ -15,6 +15,10 @@ double ContactProblem::own_compliance(int cell, int component) const {
   return compliance(other, other);
 }
 
+double ContactProblem::lagged_speed_of(int cell) const {
+  return lagged_speed.empty() ? 0.0 : lagged_speed[static_cast<std::size_t>(cell)];
+}
+
 CellVector ContactProblem::surface_displacement(const CellVector& force) const {
   CellVector result(force.size());
   const Eigen::Map<const Eigen::MatrixXd> matrix(compliance.values.data(), compliance.rows,
@@ -26,12 +30,32 @@ CellVector ContactProblem::surface_displacement(const CellVector& force) const {
 
 double ContactProblem::friction_limit(int cell, double normal_force, double slip,
                                       double time_step) const {
-  return area[cell] * friction.limit({normal_force / area[cell], slip, time_step});
+  return area[cell] *
+         friction.limit({normal_force / area[cell], slip, time_step, lagged_speed_of(cell)});
 }
 
 double ContactProblem::friction_limit_slope(int cell, double normal_force, double slip,
                                             double time_step) const {
-  return friction.limit_slope({normal_force / area[cell], slip, time_step});
+  return friction.limit_slope({normal_force / area[cell], slip, time_step, lagged_speed_of(cell)});
+}
+
+laws::FrictionResponse ContactProblem::friction_response(int cell, double normal_force,
+                                                         const std::array<double, 2>& trial,
+                                                         double own_slip, double time_step,
+                                                         bool slips) const {
+  const double cell_area = area[cell];
+  laws::FrictionResponse response =
+      laws::return_mapping(friction,
+                           {normal_force / cell_area,
+                            {trial[0] / cell_area, trial[1] / cell_area},
+                            own_slip * cell_area,
+                            time_step,
+                            lagged_speed_of(cell)},
+                           slips);
+  for (double& component : response.traction) {
+    component *= cell_area;
+  }
+  return response;
 }
 
 double total_normal_force(const CellVector& force) {

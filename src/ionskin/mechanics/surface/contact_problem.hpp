@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/laws/friction/friction_law.hpp"
+#include "ionskin/laws/friction/return_mapping.hpp"
 #include "ionskin/linear_algebra/sparse_matrix.hpp"
 
 #include <array>
@@ -23,6 +23,8 @@ struct ContactProblem {
   /// slider.
   std::vector<double> gap;
   laws::Friction friction;
+  /// Speed of slip that friction follows with its lag [m/s]; empty where all cells rest.
+  std::vector<double> lagged_speed = {};
 
   int cells() const { return static_cast<int>(area.size()); }
   /// Compliance of one component against its own force; in a direction in which the skin is held
@@ -30,9 +32,18 @@ struct ContactProblem {
   double own_compliance(int cell, int component) const;
   /// C f.
   CellVector surface_displacement(const CellVector& force) const;
-  /// Largest tangential force of a cell under a normal force, and its derivative [N], [1].
+  /// Largest tangential force of a cell under a normal force, along x, and its derivative [N], [1].
   double friction_limit(int cell, double normal_force, double slip, double time_step) const;
   double friction_limit_slope(int cell, double normal_force, double slip, double time_step) const;
+  /// The tangential force that friction allows a cell where a trial force would hold it to the
+  /// slider, with its derivatives by forces; as laws::return_mapping, in forces [N].
+  /// @param own_slip over the force that is not carried [m/N]
+  laws::FrictionResponse friction_response(int cell, double normal_force,
+                                           const std::array<double, 2>& trial, double own_slip,
+                                           double time_step, bool slips = false) const;
+
+private:
+  double lagged_speed_of(int cell) const;
 };
 
 /// What presses the slider on the skin: a given indentation, or a given force that the indentation

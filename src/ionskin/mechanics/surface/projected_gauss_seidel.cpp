@@ -20,10 +20,10 @@ std::array<double, 3> relaxed(const ContactProblem& problem, const SliderStep& s
   const auto slip = slip_increment(step, surface, cell);
   const double compliance =
       std::max(problem.own_compliance(cell, 1), problem.own_compliance(cell, 2));
-  const double limit =
-      problem.friction_limit(cell, normal, std::hypot(slip[0], slip[1]), step.time_step);
-  const auto tangential = laws::project_on_disc(
-      {force[at + 1] + slip[0] / compliance, force[at + 2] + slip[1] / compliance}, limit);
+  const std::array<double, 2> trial{force[at + 1] + slip[0] / compliance,
+                                    force[at + 2] + slip[1] / compliance};
+  const auto tangential =
+      problem.friction_response(cell, normal, trial, compliance, step.time_step).traction;
   return {normal, tangential[0], tangential[1]};
 }
 

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 namespace ionskin::laws {
 namespace {
 
@@ -30,15 +28,6 @@ TEST(FrictionLaws, KeepTheirNameCoefficientAndLimit) {
   EXPECT_EQ(coulomb.coefficient, 0.3);
   EXPECT_DOUBLE_EQ(coulomb.limit({2e6, 1e-6, 0.1}), 0.6e6);
   EXPECT_DOUBLE_EQ(coulomb.limit_slope({2e6, 1e-6, 0.1}), 0.3);
-}
-
-TEST(CoulombFriction, projection_shortens_but_does_not_turn) {
-  const auto inside = project_on_disc({0.3, 0.4}, 0.6);
-  EXPECT_EQ(inside[0], 0.3);
-  EXPECT_EQ(inside[1], 0.4);
-  const auto outside = project_on_disc({3, 4}, 2);
-  EXPECT_NEAR(std::hypot(outside[0], outside[1]), 2, 1e-15);
-  EXPECT_NEAR(outside[0] * 4 - outside[1] * 3, 0, 1e-15);
 }
 
 } // namespace

@@ -249,6 +249,38 @@ TEST(SteadySliding, carries_a_given_force_under_any_slider) {
   }
 }
 
+/// Sum of the tangential forces over that of the normal ones, after sliding far along a direction.
+std::array<double, 2> slid_along(ContactProblem problem, const laws::Friction& law,
+                                 std::array<double, 2> direction) {
+  problem.friction = law;
+  SurfaceState state = solve(problem, press(problem, 1e-6));
+  for (int i = 0; i < 40; ++i) {
+    SliderStep step = press(problem, 1e-6, {1e-6 * direction[0], 1e-6 * direction[1]});
+    step.surface_before = state.surface;
+    state = solve_contact_step(problem, step, state.force);
+    EXPECT_LT(worst_violation(problem, state), 1e-8) << i;
+  }
+  std::array<double, 3> sum{};
+  for (std::size_t at = 0; at < state.force.size(); ++at) {
+    sum[at % 3] += state.force[at];
+  }
+  return {sum[1] / sum[0], sum[2] / sum[0]};
+}
+
+TEST(ContactSolver, AnisotropicFrictionPullsTowardsTheEasyDirection) {
+  const auto law = laws::friction("anisotropic", 0.4, {{"friction_across", 0.1}});
+  const ContactProblem problem = line_of_cells(20, 0.4);
+  const auto along = slid_along(problem, law, {1, 0}), across = slid_along(problem, law, {0, 1});
+  EXPECT_NEAR(along[0], 0.4, 1e-6);
+  EXPECT_NEAR(along[1], 0, 1e-6);
+  EXPECT_NEAR(across[0], 0, 1e-6);
+  EXPECT_NEAR(across[1], 0.1, 1e-6);
+  const auto oblique = slid_along(problem, law, {0.6, 0.8});
+  const double length = std::hypot(0.4 * 0.6, 0.1 * 0.8);
+  EXPECT_NEAR(oblique[0], 0.16 * 0.6 / length, 1e-5);
+  EXPECT_NEAR(oblique[1], 0.01 * 0.8 / length, 1e-5);
+}
+
 TEST(ContactDiagnostics, see_each_violation) {
   const ContactProblem problem = line_of_cells(5, 0.3);
   const SurfaceState good = solve(problem, press(problem, 1e-6, {1e-6, 0}));

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/laws/friction/friction_law.hpp"
+
+#include <array>
+
+namespace ionskin::laws {
+
+/// Friction of a surface with a grain: (t_x / mu_x)^2 + (t_y / mu_y)^2 <= p^2, an ellipse with the
+/// coefficients along x and y of the skin. Slip is normal to the ellipse, so that of all allowed
+/// tractions the one that acts takes most work (Michalowski and Mroz 1978, Arch. Mech. 30): sliding
+/// along a unit vector d meets t = p (mu_x^2 d_x, mu_y^2 d_y) / sqrt(mu_x^2 d_x^2 + mu_y^2 d_y^2).
+struct AnisotropicFriction {
+  double coefficient = 0;     ///< mu_x [1]
+  double friction_across = 0; ///< mu_y [1]
+
+  static constexpr auto parameters() {
+    return std::array{OwnParameter<AnisotropicFriction>{
+        {.name = "friction_across",
+         .lowest = 1e-3,
+         .highest = 2,
+         .help = "Coefficient of friction along y; contact.friction is that along x."},
+        &AnisotropicFriction::friction_across}};
+  }
+  /// Largest traction along x [Pa]; 0 in tension.
+  double limit(const FrictionArguments& at) const;
+  /// Derivative of the limit by the normal traction [1].
+  double limit_slope(const FrictionArguments& at) const;
+  /// Limit along y over that along x [1].
+  double across() const { return friction_across / coefficient; }
+};
+
+} // namespace ionskin::laws
