@@ -17,10 +17,10 @@ using electrochemistry::IonSolution;
 
 /// Instants and the difference charge over F c0 lambda after a step S = 0.0015 y/a at t = 0, to all
 /// digits shown (verification E3, computed by modes).
-struct Reference {
+struct ChargeReference {
   double time, charge;
 };
-constexpr std::array<Reference, 5> references{
+constexpr std::array<ChargeReference, 5> charge_references{
     {{1e-3, .06809872}, {0.01, .06754910}, {0.1, .06091059}, {1.0, .02200196}, {4.0, .00208097}}};
 constexpr double half_thickness = 136.244;
 /// Currents are means from 0.95 t to 1.05 t.
@@ -35,7 +35,7 @@ Case step_case(Preset preset) {
 IonSolution run_step(const Case& input, const Options& options) {
   const double shear = step_amplitude / input.coupling.coefficient;
   std::vector<double> landings{0.0};
-  for (const Reference& reference : references) {
+  for (const ChargeReference& reference : charge_references) {
     for (const double share : {before, 1.0, after}) {
       landings.push_back(share * reference.time);
     }
@@ -73,7 +73,7 @@ double expected_current(const LinearCell& cell, double time) {
 void add_accuracy_rows(const IonSolution& solution, const std::string& preset, double tolerance,
                        std::vector<Row>& rows) {
   const LinearCell cell(model_case());
-  for (const auto& [time, expected] : references) {
+  for (const auto& [time, expected] : charge_references) {
     rows.push_back(compare("E3", fmt::format("charge / q0 at t = {} s, {}", time, preset),
                            charge(solution, time), expected, tolerance * expected));
     const double current = expected_current(cell, time);
@@ -85,7 +85,7 @@ void add_accuracy_rows(const IonSolution& solution, const std::string& preset, d
 /// Sum over the reference instants of the relative change of charge between two runs.
 double change(const IonSolution& a, const IonSolution& b) {
   double sum = 0.0;
-  for (const Reference& reference : references) {
+  for (const ChargeReference& reference : charge_references) {
     sum += std::abs(charge(a, reference.time) - charge(b, reference.time)) / reference.charge;
   }
   return sum;
