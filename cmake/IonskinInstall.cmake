@@ -24,6 +24,9 @@ foreach(header base/error base/progress base/system/interrupt case/case case/doc
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${PROJECT_SOURCE_DIR}/src/ionskin/${header}.hpp DESTINATION ${IONSKIN_INCLUDE_FOLDER}/${folder})
 endforeach()
+# The loop of a controller needs no more than this.
+install(TARGETS ionskin_live_library LIBRARY DESTINATION ${IONSKIN_LIBRARY_FOLDER})
+install(FILES ${PROJECT_SOURCE_DIR}/src/ionskin/live/ionskin_live.h DESTINATION include)
 include(CMakePackageConfigHelpers)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/ionskin-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(EXPORT ionskin NAMESPACE ionskin:: FILE ionskin-config.cmake DESTINATION ${IONSKIN_CMAKE_FOLDER})

@@ -25,6 +25,7 @@ ROOMS = {
     "planning": ["."],
     "readout": ["."],
     "results": ["hdf5", "strain_file", "."],
+    "live": [".", "training"],
     "study": ["store", "stations", "errors", "run", "impedance", "sweep", "fit"],
 }
 # header prefix -> the folders that may include it

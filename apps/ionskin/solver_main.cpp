@@ -7,6 +7,7 @@
 #include "study_verbs/check_strain.hpp"
 #include "study_verbs/fit.hpp"
 #include "study_verbs/impedance.hpp"
+#include "study_verbs/live.hpp"
 #include "study_verbs/python_verbs.hpp"
 #include "study_verbs/run.hpp"
 #include "study_verbs/sweep.hpp"
@@ -34,6 +35,9 @@ int main(int argc, char** argv) {
     }
     if (const auto* impedance_options = std::get_if<ImpedanceOptions>(&*command)) {
       return impedance(*impedance_options, command_text);
+    }
+    if (const auto* live_options = std::get_if<LiveOptions>(&*command)) {
+      return live(*live_options, command_text);
     }
     if (const auto* sweep_options = std::get_if<SweepOptions>(&*command)) {
       return sweep(*sweep_options, command_text);

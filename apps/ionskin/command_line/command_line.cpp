@@ -104,6 +104,26 @@ void add_impedance(CLI::App& app, Command& command) {
   set_when_parsed(*verb, options, command);
 }
 
+void add_live(CLI::App& app, Command& command) {
+  auto options = std::make_shared<LiveOptions>();
+  CLI::App* verb = app.add_subcommand(
+      "live", "Train the reduced skin of a case, to be stepped in a loop (docs/live.md)");
+  add_case_option(*verb, options->case_path);
+  verb->add_option("-o,--output", options->output, "File of the reduced skin, such as skin.live")
+      ->required()
+      ->type_name("FILE");
+  verb->add_option("--trajectories", options->trajectories, "Random touches to train on")
+      ->check(CLI::Range(2, 1000))
+      ->capture_default_str();
+  verb->add_option("--seed", options->seed, "Seed of the touches")->capture_default_str();
+  verb->add_flag("--overwrite", options->overwrite, "Replace an existing file");
+  add_set_option(*verb, options->set_edits);
+  add_threads_option(*verb, options->threads);
+  add_cache_option(*verb, options->use_cache);
+  add_log_options(*verb, options->log);
+  set_when_parsed(*verb, options, command);
+}
+
 } // namespace
 
 void describe_command_line(CLI::App& app, Command& command) {
@@ -116,6 +136,7 @@ void describe_command_line(CLI::App& app, Command& command) {
   add_check(app, command);
   add_run(app, command);
   add_impedance(app, command);
+  add_live(app, command);
   add_study_verbs(app, command);
   add_trial_verbs(app, command);
   add_verify(app, command);

@@ -145,10 +145,22 @@ struct ImpedanceOptions {
   bool overwrite = false;
 };
 
+struct LiveOptions {
+  std::string case_path;
+  std::string output; ///< a file
+  std::vector<std::string> set_edits;
+  std::size_t trajectories = 12;
+  std::uint64_t seed = 1;
+  int threads = 0;
+  bool overwrite = false;
+  bool use_cache = true;
+  LogFormat log = LogFormat::automatic;
+};
+
 using Command = std::variant<InitOptions, CheckOptions, RunOptions, SweepOptions, FitOptions,
                              UncertaintyOptions, DesignOptions, GenerateOptions, ImpedanceOptions,
-                             ReportOptions, CompareOptions, VerifyOptions, StudioOptions,
-                             DoctorOptions, CiteOptions, ClusterOptions, KeysOptions,
+                             LiveOptions, ReportOptions, CompareOptions, VerifyOptions,
+                             StudioOptions, DoctorOptions, CiteOptions, ClusterOptions, KeysOptions,
                              CompletionOptions, ManualOptions, CacheOptions>;
 
 } // namespace ionskin::apps

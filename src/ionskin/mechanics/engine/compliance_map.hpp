@@ -27,6 +27,7 @@ public:
 
   /// @param result resized [m/N]
   void at(const std::array<double, 2>& place, linear_algebra::DenseMatrix& result) const;
+  const NodeLines& lines() const { return lines_; }
   std::size_t modes() const { return modes_.size(); }
 
 private:

@@ -234,6 +234,9 @@ PositionNodes::respond(const std::vector<std::array<double, 2>>& places,
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     base::check_interrupt();
     const Node& node = nodes_[n];
+    if (std::ranges::all_of(weights, [&](const auto& own) { return own[n] == 0; })) {
+      continue; // places on nodes
+    }
     const Condensed condensed = condensed_at(node.condensed);
     parallel::run_tasks(parts, options_.threads, [&](std::size_t part) {
       const std::size_t begin = places.size() * part / parts,

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/live/ionskin_live.h"
+
+#include "ionskin/live/skin.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <new>
+#include <string_view>
+
+static_assert(IONSKIN_LIVE_OUTSIDE_PLACE == ionskin::live::flag::outside_place);
+static_assert(IONSKIN_LIVE_OUTSIDE_LOAD == ionskin::live::flag::outside_load);
+static_assert(IONSKIN_LIVE_OUTSIDE_SPEED == ionskin::live::flag::outside_speed);
+static_assert(IONSKIN_LIVE_UNCONVERGED == ionskin::live::flag::unconverged);
+static_assert(IONSKIN_LIVE_REFUSED == ionskin::live::flag::refused);
+
+struct ionskin_live_skin {
+  explicit ionskin_live_skin(std::shared_ptr<const ionskin::live::SkinData> shared)
+      : data(std::move(shared)), skin(*data) {}
+  std::shared_ptr<const ionskin::live::SkinData> data;
+  ionskin::live::Skin skin;
+};
+
+extern "C" {
+
+uint32_t ionskin_live_interface(void) {
+  return IONSKIN_LIVE_INTERFACE;
+}
+
+ionskin_live_skin* ionskin_live_open(const char* path, char* message, size_t size) {
+  try {
+    return new ionskin_live_skin(
+        std::make_shared<const ionskin::live::SkinData>(ionskin::live::read_skin(path)));
+  } catch (const std::exception& error) {
+    if (size > 0) {
+      const std::size_t length = std::min(size - 1, std::strlen(error.what()));
+      std::memcpy(message, error.what(), length);
+      message[length] = '\0';
+    }
+    return nullptr;
+  }
+}
+
+ionskin_live_skin* ionskin_live_copy(const ionskin_live_skin* skin) {
+  try {
+    auto copy = std::make_unique<ionskin_live_skin>(skin->data);
+    copy->skin.restore(skin->skin.state());
+    return copy.release();
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+
+void ionskin_live_close(ionskin_live_skin* skin) {
+  delete skin;
+}
+
+size_t ionskin_live_signal_count(const ionskin_live_skin* skin) {
+  return skin->skin.names().size();
+}
+
+const char* ionskin_live_signal_name(const ionskin_live_skin* skin, size_t signal) {
+  const auto& names = skin->skin.names();
+  return signal < names.size() ? names[signal].c_str() : nullptr;
+}
+
+uint32_t ionskin_live_step(ionskin_live_skin* skin, double time, double x, double y, int kind,
+                           double value, double* signals) {
+  return skin->skin.step(time, {x, y}, kind == IONSKIN_LIVE_FORCE, value,
+                         {signals, skin->skin.names().size()});
+}
+
+void ionskin_live_run(ionskin_live_skin* skin, size_t count, const double* times,
+                      const double* positions, int kind, const double* values, double* signals,
+                      uint32_t* flags) {
+  for (size_t i = 0; i < count; ++i) {
+    flags[i] = ionskin_live_step(skin, times[i], positions[2 * i], positions[2 * i + 1], kind,
+                                 values[i], signals + i * skin->skin.names().size());
+  }
+}
+
+size_t ionskin_live_state_size(const ionskin_live_skin* skin) {
+  return skin->skin.state().size();
+}
+
+void ionskin_live_save(const ionskin_live_skin* skin, double* state) {
+  std::ranges::copy(skin->skin.state(), state);
+}
+
+int ionskin_live_restore(ionskin_live_skin* skin, const double* state, size_t size) {
+  return skin->skin.restore({state, size}) ? 1 : 0;
+}
+
+void ionskin_live_reset(ionskin_live_skin* skin) {
+  skin->skin.reset();
+}
+
+const char* ionskin_live_text(const ionskin_live_skin* skin, const char* what) {
+  const std::string_view word = what;
+  const ionskin::live::SkinData& data = *skin->data;
+  return word == "case"      ? data.case_text.c_str()
+         : word == "version" ? data.version.c_str()
+         : word == "command" ? data.command.c_str()
+                             : nullptr;
+}
+
+void ionskin_live_range(const ionskin_live_skin* skin, double range[7]) {
+  const ionskin::live::SkinData& data = *skin->data;
+  const double values[7]{data.lowest_place[0],  data.lowest_place[1], data.highest_place[0],
+                         data.highest_place[1], data.heaviest_force,  data.deepest_indentation,
+                         data.fastest};
+  std::ranges::copy(values, range);
+}
+
+int ionskin_live_error(const ionskin_live_skin* skin, size_t index, const char** name, double* rms,
+                       double* worst, double* largest) {
+  if (index >= skin->data->errors.size()) {
+    return 0;
+  }
+  const ionskin::live::SignalError& error = skin->data->errors[index];
+  *name = error.name.c_str();
+  *rms = error.rms;
+  *worst = error.worst;
+  *largest = error.largest;
+  return 1;
+}
+
+} // extern "C"

@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#ifndef IONSKIN_LIVE_H
+#define IONSKIN_LIVE_H
+
+/* The reduced skin for programs in C and whatever calls it. SI units. Within one number of the interface functions are
+   only added. A skin belongs to one thread at a time; skins of one file share its data. `step`, `run`, `save`,
+   `restore` and `reset` allocate nothing and always return. */
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define IONSKIN_LIVE_INTERFACE 1
+
+/* Bits of what a step returns; 0 where all is well. */
+#define IONSKIN_LIVE_OUTSIDE_PLACE 1u /* taken to the nearest trained place */
+#define IONSKIN_LIVE_OUTSIDE_LOAD 2u  /* heavier or deeper than trained */
+#define IONSKIN_LIVE_OUTSIDE_SPEED 4u /* faster than trained */
+#define IONSKIN_LIVE_UNCONVERGED 8u   /* residual above 1e-3 */
+#define IONSKIN_LIVE_REFUSED 16u      /* NaN, infinity or a time before the last: nothing moved */
+
+enum { IONSKIN_LIVE_HEIGHT = 0, IONSKIN_LIVE_FORCE = 1 };
+
+typedef struct ionskin_live_skin ionskin_live_skin;
+
+/* Number of the interface that the library has. */
+uint32_t ionskin_live_interface(void);
+
+/* NULL when the file cannot be used; why stands in `message` then, cut to `size` bytes. */
+ionskin_live_skin* ionskin_live_open(const char* path, char* message, size_t size);
+/* Another skin of the same file in the same state; NULL without memory. */
+ionskin_live_skin* ionskin_live_copy(const ionskin_live_skin* skin);
+void ionskin_live_close(ionskin_live_skin* skin);
+
+size_t ionskin_live_signal_count(const ionskin_live_skin* skin);
+/* As in signals.csv and taxels.csv; NULL behind the last. */
+const char* ionskin_live_signal_name(const ionskin_live_skin* skin, size_t signal);
+
+/* time [s]; x, y of the slider's centre [m]; `value` is the height of the underside above the undeformed top face [m],
+   negative when it indents, or the normal force [N], as `kind` says. `signals` takes signal_count values. */
+uint32_t ionskin_live_step(ionskin_live_skin* skin, double time, double x, double y, int kind, double value,
+                           double* signals);
+/* Many steps: positions [count][2], signals [count][signal_count], flags [count]. */
+void ionskin_live_run(ionskin_live_skin* skin, size_t count, const double* times, const double* positions, int kind,
+                      const double* values, double* signals, uint32_t* flags);
+
+size_t ionskin_live_state_size(const ionskin_live_skin* skin); /* numbers */
+void ionskin_live_save(const ionskin_live_skin* skin, double* state);
+/* 1, or 0 when the size is not that of this skin; nothing changes then. */
+int ionskin_live_restore(ionskin_live_skin* skin, const double* state, size_t size);
+/* Back to a detached skin at rest. */
+void ionskin_live_reset(ionskin_live_skin* skin);
+
+/* "case", "version" or "command" of the training; NULL for another word. */
+const char* ionskin_live_text(const ionskin_live_skin* skin, const char* what);
+/* Trained: lowest x, y, highest x, y [m], force [N], indentation [m], speed [m/s]. */
+void ionskin_live_range(const ionskin_live_skin* skin, double range[7]);
+/* Error of a signal on touches that it was not trained on; 0 behind the last. */
+int ionskin_live_error(const ionskin_live_skin* skin, size_t index, const char** name, double* rms, double* worst,
+                       double* largest);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/laws/friction/friction_law.hpp"
+#include "ionskin/live/skin_data.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace ionskin::live {
+
+/// One increment of contact and friction by at most so many sweeps of projected Gauss-Seidel, which
+/// start from the forces of the step before. Never fails; what is left is told. Nothing is
+/// allocated after construction.
+class LiveContact {
+public:
+  /// What passes from step to step; memory of the owner.
+  struct State {
+    std::span<double> force, surface; ///< [3 cells] [N], [m]
+    double& indentation;              ///< [m]
+    double& assembled_x;              ///< the place whose compliance is used; NaN for none [m]
+    double& assembled_y;
+  };
+  struct Load {
+    bool is_force = false;
+    double value = 0; ///< on the meshed part [N], or indentation, negative above the skin [m]
+  };
+
+  /// @param data outlives this
+  explicit LiveContact(const SkinData& data);
+
+  /// @returns the largest change of a force in the last sweep over the largest force
+  double step(double time_step, const std::array<double, 2>& place,
+              const std::array<double, 2>& travel, const Load& load, State state) noexcept;
+  /// Makes the compliance of the state's assembled place again, after a restore.
+  void assemble(const State& state) noexcept;
+  bool slips(std::size_t cell) const { return slips_[cell] != 0; } ///< of the last step
+
+private:
+  double sweep(double time_step, const std::array<double, 2>& travel, State& state) noexcept;
+
+  const SkinData& data_;
+  laws::Friction friction_;
+  std::size_t size_;
+  double first_touch_;
+  std::vector<double> compliance_, before_; ///< [column][row], [3 cells]
+  std::vector<double> amplitude_;
+  std::vector<char> slips_;
+};
+
+/// Amplitudes of the modes at a place.
+void place_amplitudes(const PlaceMap& map, const std::array<double, 2>& place,
+                      std::span<double> amplitudes) noexcept;
+
+} // namespace ionskin::live

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/live/skin.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ionskin::live {
+namespace {
+
+// Places of single numbers in the state.
+enum : std::size_t {
+  started,
+  last_time,
+  last_x,
+  last_y,
+  assembled_x,
+  assembled_y,
+  indentation,
+  singles
+};
+// Places of the signals that every skin has.
+enum : std::size_t {
+  slider_x,
+  slider_y,
+  slider_z,
+  normal_force,
+  tangential_force,
+  tangential_force_x,
+  tangential_force_y,
+  contact_area,
+  stick_share,
+  mean_shear,
+  shear_first_moment,
+  charge_top,
+  charge_bottom,
+  current_top,
+  current_bottom,
+  current_difference,
+  current_common,
+  residual,
+  common
+};
+
+constexpr double rough = 1e-3;  // residual
+constexpr double margin = 1e-2; // of the trained range
+constexpr std::size_t sides = 2;
+
+} // namespace
+
+Skin::Skin(const SkinData& data)
+    : data_(data), contact_(data),
+      regions_(1 + data.taxels.size()), whole_{0, 0, data.length, data.width} {
+  names_ = {"slider_x",           "slider_y",           "slider_z",
+            "normal_force",       "tangential_force",   "tangential_force_x",
+            "tangential_force_y", "contact_area",       "stick_share",
+            "mean_shear",         "shear_first_moment", "charge_top",
+            "charge_bottom",      "current_top",        "current_bottom",
+            "current_difference", "current_common",     "residual"};
+  for (const char* quantity : {"current_top_", "charge_top_"}) {
+    for (const std::string& taxel : data.taxels) {
+      names_.push_back(quantity + taxel);
+    }
+  }
+  const std::size_t size = 3 * data.area.size(), outputs = sides * regions_;
+  force_ = singles;
+  surface_ = force_ + size;
+  filters_ = surface_ + size;
+  drives_ = filters_ + outputs * data.rates.size();
+  charges_ = drives_ + outputs * data.rates.size();
+  signals_ = charges_ + outputs;
+  state_.resize(signals_ + names_.size());
+  force_single_.resize(size);
+  for (const ChannelMap& channel : data.channels) {
+    const std::size_t points = channel.strain.size() / (channel.rows_per_point * size);
+    strains_.resize(std::max(strains_.size(), points * channel.rows_per_point));
+    points_.resize(std::max(points_.size(), points));
+    amplitude_.resize(std::max(amplitude_.size(), channel.strain.modes()));
+    field_.resize(std::max(field_.size(), channel.mean.size() * (channel.x_edges.size() - 1) *
+                                              (channel.y_edges.size() - 1)));
+    levels_.resize(std::max(levels_.size(), regions_ * channel.mean.size()));
+  }
+  charge_.resize(outputs);
+  reset();
+}
+
+void Skin::reset() noexcept {
+  std::fill(state_.begin(), state_.end(), 0.0);
+  state_[assembled_x] = state_[assembled_y] = std::numeric_limits<double>::quiet_NaN();
+}
+
+bool Skin::restore(std::span<const double> state) noexcept {
+  if (state.size() != state_.size()) {
+    return false;
+  }
+  std::copy(state.begin(), state.end(), state_.begin());
+  contact_.assemble(contact_state());
+  return true;
+}
+
+LiveContact::State Skin::contact_state() noexcept {
+  const std::size_t size = 3 * data_.area.size();
+  return {std::span(state_).subspan(force_, size), std::span(state_).subspan(surface_, size),
+          state_[indentation], state_[assembled_x], state_[assembled_y]};
+}
+
+void Skin::add_contact(std::span<double> signals) noexcept {
+  double area = 0, stick = 0;
+  std::array<double, 3> sum{};
+  for (std::size_t cell = 0; cell < data_.area.size(); ++cell) {
+    const double* force = state_.data() + force_ + 3 * cell;
+    for (std::size_t c = 0; c < 3; ++c) {
+      sum[c] += force[c] / data_.meshed_share;
+    }
+    if (force[0] > 0) {
+      area += data_.area[cell];
+      stick += contact_.slips(cell) ? 0 : data_.area[cell];
+    }
+  }
+  if (data_.meshed_share < 1) {
+    sum[2] = 0; // those of both halves cancel
+  }
+  signals[normal_force] = sum[0];
+  signals[tangential_force] = sum[1] * data_.direction[0] + sum[2] * data_.direction[1];
+  signals[tangential_force_x] = sum[1];
+  signals[tangential_force_y] = sum[2];
+  signals[contact_area] = area / data_.meshed_share;
+  signals[stick_share] = area > 0 ? stick / area : 0;
+}
+
+void Skin::fill_field(const ChannelMap& channel, const std::array<double, 2>& place) noexcept {
+  const std::size_t size = force_single_.size(), modes = channel.strain.modes(),
+                    rows = channel.strain.size() / size, per = channel.rows_per_point,
+                    points = rows / per;
+  place_amplitudes(channel.strain, place, amplitude_);
+  for (std::size_t i = 0; i < size; ++i) {
+    force_single_[i] = static_cast<float>(state_[force_ + i]);
+  }
+  std::fill_n(strains_.begin(), rows, 0.0f);
+  for (std::size_t mode = 0; mode <= modes; ++mode) {
+    const auto scale = static_cast<float>(mode == 0 ? 1.0 : amplitude_[mode - 1]);
+    // [3 cells][row]: sums along the rows vectorise
+    const float* column = channel.strain.values.data() + mode * rows * size;
+    for (std::size_t i = 0; i < size; ++i, column += rows) {
+      const float force = scale * force_single_[i];
+      for (std::size_t row = 0; row < rows && force != 0; ++row) {
+        strains_[row] += force * column[row];
+      }
+    }
+  }
+  for (std::size_t point = 0; point < points; ++point) {
+    const float* strain = strains_.data() + per * point;
+    double square = 0;
+    for (std::size_t row = 0; row < per; ++row) {
+      square += static_cast<double>(strain[row]) * static_cast<double>(strain[row]);
+    }
+    points_[point] = per == 1 ? static_cast<double>(strain[0]) : std::sqrt(square);
+  }
+  const std::size_t values =
+      channel.mean.size() * (channel.x_edges.size() - 1) * (channel.y_edges.size() - 1);
+  std::fill_n(field_.begin(), values, 0.0);
+  const float *fit = channel.fit.data(), *of_mode = channel.field.data();
+  for (std::size_t mode = 0; mode < channel.fit.size() / points; ++mode) {
+    double amplitude = 0;
+    for (std::size_t point = 0; point < points; ++point) {
+      amplitude += static_cast<double>(*fit++) * points_[point];
+    }
+    for (std::size_t i = 0; i < values; ++i) {
+      field_[i] += amplitude * static_cast<double>(*of_mode++);
+    }
+  }
+}
+
+void Skin::integrate(const ChannelMap& channel, const std::array<double, 2>& place,
+                     const double* corners, std::span<double> levels) const noexcept {
+  const std::size_t columns = channel.x_edges.size() - 1, rows = channel.y_edges.size() - 1;
+  const auto overlap = [&](const std::vector<double>& edges, std::size_t i, std::size_t axis) {
+    return std::min(edges[i + 1] + place[axis], corners[2 + axis]) -
+           std::max(edges[i] + place[axis], corners[axis]);
+  };
+  std::fill(levels.begin(), levels.end(), 0.0);
+  for (std::size_t j = 0; j < rows; ++j) {
+    const double height = overlap(channel.y_edges, j, 1);
+    for (std::size_t i = 0; i < columns && height > 0; ++i) {
+      const double width = overlap(channel.x_edges, i, 0);
+      for (std::size_t level = 0; level < levels.size() && width > 0; ++level) {
+        levels[level] += width * height * field_[(level * rows + j) * columns + i];
+      }
+    }
+  }
+}
+
+void Skin::add_charges(double time_step, bool first) noexcept {
+  const std::size_t levels = data_.channels.back().mean.size(), rates = data_.rates.size();
+  const double area = data_.length * data_.width;
+  for (std::size_t region = 0; region < regions_; ++region) {
+    const ChargeModel& model = region == 0 ? data_.whole : data_.part;
+    const double* corners = region == 0 ? whole_.data() : &data_.taxel_corners[4 * (region - 1)];
+    const double share = (corners[2] - corners[0]) * (corners[3] - corners[1]) / area;
+    const auto drive = [&](const double* weights) {
+      double sum = 0;
+      for (std::size_t i = 0; i < levels; ++i) {
+        sum += weights[i] * levels_[region * levels + i];
+        if (model.inputs > levels) { // the mean over the core moves ions here too
+          sum += weights[levels + i] * share * levels_[i];
+        }
+      }
+      return sum;
+    };
+    for (std::size_t side = 0; side < sides; ++side) {
+      const std::size_t output = sides * region + side;
+      double charge = drive(model.direct.data() + side * model.inputs);
+      for (std::size_t rate = 0; rate < rates; ++rate) {
+        double &filtered = state_[filters_ + output * rates + rate],
+               &before = state_[drives_ + output * rates + rate];
+        const double now = drive(model.residue.data() + (side * rates + rate) * model.inputs);
+        if (!first) { // exact for a drive that is linear in time
+          const double z = data_.rates[rate] * time_step, decay = std::exp(-z),
+                       mean = z > 1e-8 ? -std::expm1(-z) / z : 1 - z / 2;
+          filtered = decay * filtered + (mean - decay) * before + (1 - mean) * now;
+        }
+        before = now;
+        charge += filtered;
+      }
+      charge_[output] = charge;
+    }
+  }
+}
+
+std::uint32_t Skin::step(double time, const std::array<double, 2>& place, bool is_force,
+                         double value, std::span<double> signals) noexcept {
+  const bool first = state_[started] == 0;
+  if (!(std::isfinite(time) && std::isfinite(place[0]) && std::isfinite(place[1]) &&
+        std::isfinite(value)) ||
+      (!first && time < state_[last_time])) {
+    std::copy_n(state_.begin() + static_cast<std::ptrdiff_t>(signals_), names_.size(),
+                signals.begin());
+    return flag::refused;
+  }
+  std::uint32_t flags = 0;
+  const double time_step = first ? 0 : time - state_[last_time];
+  bool outside = false;
+  std::array<double, 2> at = place, travel{};
+  for (std::size_t d = 0; d < 2; ++d) {
+    at[d] = std::clamp(place[d], data_.lowest_place[d], data_.highest_place[d]);
+    outside = outside || std::abs(at[d] - place[d]) > 1e-9;
+    travel[d] = first ? 0 : at[d] - state_[last_x + d];
+  }
+  const bool fast =
+      std::hypot(travel[0], travel[1]) > (1 + margin) * data_.fastest * time_step + 1e-9;
+  const bool touched = state_[started] != 0 && state_[signals_ + normal_force] > 0;
+  state_[started] = 1;
+  state_[last_time] = time;
+  state_[last_x] = at[0];
+  state_[last_y] = at[1];
+  const double left =
+      contact_.step(time_step, at, travel,
+                    {is_force, is_force ? value * data_.meshed_share : -value}, contact_state());
+  add_contact(signals);
+  signals[slider_x] = at[0];
+  signals[slider_y] = at[1];
+  signals[slider_z] = -state_[indentation];
+  signals[residual] = left;
+  if (!(left <= rough)) {
+    flags |= flag::unconverged;
+  }
+  const bool touches = signals[normal_force] > 0;
+  flags |= touches && outside ? flag::outside_place : 0;
+  flags |= touches && touched && fast ? flag::outside_speed : 0;
+  if (touches && (signals[normal_force] > (1 + margin) * data_.heaviest_force ||
+                  state_[indentation] > (1 + margin) * data_.deepest_indentation)) {
+    flags |= flag::outside_load;
+  }
+  signals[mean_shear] = signals[shear_first_moment] = 0;
+  for (const ChannelMap& channel : data_.channels) {
+    const std::size_t levels = channel.mean.size();
+    if (!touches) {
+      std::fill(levels_.begin(), levels_.end(), 0.0);
+      continue;
+    }
+    fill_field(channel, at);
+    for (std::size_t region = 0; region < regions_; ++region) {
+      integrate(channel, at, region == 0 ? whole_.data() : &data_.taxel_corners[4 * (region - 1)],
+                std::span(levels_).subspan(region * levels, levels));
+    }
+    if (&channel == data_.channels.data()) {
+      const double volume = data_.length * data_.width * data_.thickness;
+      for (std::size_t i = 0; i < levels; ++i) {
+        signals[mean_shear] += channel.mean[i] * levels_[i] / volume;
+        signals[shear_first_moment] += channel.moment[i] * levels_[i] / volume;
+      }
+    }
+  }
+  add_charges(time_step, first);
+  const auto current = [&](std::size_t output) {
+    return first || time_step == 0 ? 0.0
+                                   : (charge_[output] - state_[charges_ + output]) / time_step;
+  };
+  signals[charge_top] = charge_[0];
+  signals[charge_bottom] = charge_[1];
+  signals[current_top] = current(0);
+  signals[current_bottom] = current(1);
+  signals[current_difference] = (signals[current_top] - signals[current_bottom]) / 2;
+  signals[current_common] = (signals[current_top] + signals[current_bottom]) / 2;
+  for (std::size_t taxel = 0; taxel + 1 < regions_; ++taxel) {
+    signals[common + taxel] = current(sides * (taxel + 1));
+    signals[common + regions_ - 1 + taxel] = charge_[sides * (taxel + 1)];
+  }
+  std::copy(charge_.begin(), charge_.end(), state_.begin() + static_cast<std::ptrdiff_t>(charges_));
+  std::copy_n(signals.begin(), names_.size(),
+              state_.begin() + static_cast<std::ptrdiff_t>(signals_));
+  return flags;
+}
+
+} // namespace ionskin::live

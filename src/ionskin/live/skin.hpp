@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/live/live_contact.hpp"
+#include "ionskin/live/skin_data.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ionskin::live {
+
+/// What `Skin::step` says of a step, as bits; 0 where all is well.
+namespace flag {
+inline constexpr std::uint32_t outside_place = 1; ///< taken to the nearest trained place
+inline constexpr std::uint32_t outside_load = 2;  ///< heavier or deeper than trained
+inline constexpr std::uint32_t outside_speed = 4; ///< faster than trained
+inline constexpr std::uint32_t unconverged = 8;   ///< residual above 1e-3: the step is a rough one
+/// NaN, infinity, or a time before the last: nothing has moved, the signals are the last ones.
+inline constexpr std::uint32_t refused = 16;
+} // namespace flag
+
+/// The reduced skin: asked step by step where the slider is and how it presses, it tells forces,
+/// charges and currents. After construction nothing is allocated and nothing is thrown. Each thread
+/// takes a skin of its own; they may share the data.
+class Skin {
+public:
+  /// @param data outlives this
+  explicit Skin(const SkinData& data);
+
+  /// Names of the signals, with those of signals.csv and taxels.csv [SI units].
+  const std::vector<std::string>& names() const { return names_; }
+
+  /// @param time [s]; of the first step any. Currents are means since the step before.
+  /// @param place of the slider's centre [m]
+  /// @param is_force whether `value` is the normal force of the whole skin [N], 0 or less for none,
+  /// or the height of the underside above the undeformed top face [m], negative when it indents
+  /// @param signals [names().size()]
+  /// @returns flags
+  std::uint32_t step(double time, const std::array<double, 2>& place, bool is_force, double value,
+                     std::span<double> signals) noexcept;
+
+  /// Back to a detached skin at rest.
+  void reset() noexcept;
+  /// All that passes from step to step.
+  std::span<const double> state() const { return state_; }
+  /// Takes up a state of a skin of the same file.
+  /// @returns whether its size fits; if not nothing changes
+  bool restore(std::span<const double> state) noexcept;
+
+private:
+  struct Output { // memory of a region's charges within the state
+    std::size_t region = 0, side = 0;
+  };
+  LiveContact::State contact_state() noexcept;
+  void add_contact(std::span<double> signals) noexcept;
+  void fill_field(const ChannelMap& channel, const std::array<double, 2>& place) noexcept;
+  void integrate(const ChannelMap& channel, const std::array<double, 2>& place,
+                 const double* corners, std::span<double> levels) const noexcept;
+  void add_charges(double time_step, bool first) noexcept;
+
+  const SkinData& data_;
+  LiveContact contact_;
+  std::vector<std::string> names_;
+  std::vector<double> state_;
+  std::size_t force_ = 0, surface_ = 0, filters_ = 0, drives_ = 0, charges_ = 0, signals_ = 0;
+  std::size_t regions_;
+  std::vector<double> whole_; ///< corners of the core
+  std::vector<float> force_single_, strains_;
+  std::vector<double> amplitude_, points_, field_, levels_, charge_;
+};
+
+} // namespace ionskin::live

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/live/skin_data.hpp"
+
+#include "ionskin/base/digest.hpp"
+#include "ionskin/base/error.hpp"
+#include "ionskin/base/files/atomic_file.hpp"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <type_traits>
+
+namespace ionskin::live {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the file is little-endian");
+
+constexpr std::string_view magic = "ionskin live skin, format 1\n";
+constexpr std::size_t largest_file = 256u << 20u;
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw UserError(what + "\n  = make it again: ionskin live CASE.toml -o FILE");
+}
+
+/// Every entry: its name, its size in bytes as 8 bytes, its bytes.
+class Writer {
+public:
+  template <class T> void entry(const std::string& name, const T& value) {
+    if constexpr (std::is_arithmetic_v<T>) {
+      put(name, &value, sizeof value);
+    } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
+      std::string joined;
+      for (const std::string& text : value) {
+        joined += text + '\n';
+      }
+      put(name, joined.data(), joined.size());
+    } else {
+      put(name, value.data(), value.size() * sizeof value[0]);
+    }
+  }
+  /// The number of elements of a list of structs, which follow.
+  template <class T> void list(const std::string& name, const std::vector<T>& values) {
+    entry(name, static_cast<std::uint64_t>(values.size()));
+  }
+  std::string bytes{magic};
+
+private:
+  void put(const std::string& name, const void* data, std::uint64_t size) {
+    bytes += name + '\n';
+    bytes.append(reinterpret_cast<const char*>(&size), sizeof size);
+    bytes.append(static_cast<const char*>(data), size);
+  }
+};
+
+class Reader {
+public:
+  Reader(std::string_view bytes, std::string path) : rest_(bytes), path_(std::move(path)) {}
+
+  template <class T> void entry(const std::string& name, T& value) {
+    const std::string_view data = take(name);
+    if constexpr (std::is_arithmetic_v<T>) {
+      require(data.size() == sizeof value, name);
+      std::memcpy(&value, data.data(), sizeof value);
+    } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
+      for (std::size_t from = 0; from < data.size();) {
+        const std::size_t end = data.find('\n', from);
+        require(end != std::string_view::npos, name);
+        value.emplace_back(data.substr(from, end - from));
+        from = end + 1;
+      }
+    } else if constexpr (std::is_same_v<T, std::string>) {
+      value = data;
+    } else {
+      using Element = typename T::value_type;
+      require(data.size() % sizeof(Element) == 0, name);
+      if constexpr (requires { value.resize(1); }) {
+        value.resize(data.size() / sizeof(Element));
+      }
+      require(data.size() == value.size() * sizeof(Element), name);
+      std::memcpy(value.data(), data.data(), data.size());
+      for (const Element element : value) {
+        require(std::isfinite(element), name);
+      }
+    }
+  }
+  template <class T> void list(const std::string& name, std::vector<T>& values) {
+    std::uint64_t count = 0;
+    entry(name, count);
+    require(count <= 1000, name);
+    values.resize(count);
+  }
+  void require(bool fits, const std::string& name) const {
+    if (!fits) {
+      refuse(path_ + ": entry " + name + " does not fit the others");
+    }
+  }
+  bool at_end() const { return rest_.empty(); }
+
+private:
+  std::string_view take(const std::string& name) {
+    std::uint64_t size = 0;
+    require(rest_.substr(0, name.size() + 1) == name + '\n', name);
+    rest_.remove_prefix(name.size() + 1);
+    require(rest_.size() >= sizeof size, name);
+    std::memcpy(&size, rest_.data(), sizeof size);
+    rest_.remove_prefix(sizeof size);
+    require(rest_.size() >= size, name);
+    const std::string_view data = rest_.substr(0, size);
+    rest_.remove_prefix(size);
+    return data;
+  }
+
+  std::string_view rest_;
+  std::string path_;
+};
+
+template <class Archive, class Map>
+void visit_map(Archive& archive, const std::string& name, Map& map) {
+  archive.entry(name + ".lines_x", map.lines_x);
+  archive.entry(name + ".lines_y", map.lines_y);
+  archive.entry(name + ".amplitude", map.amplitude);
+  archive.entry(name + ".values", map.values);
+}
+
+template <class Archive, class Model>
+void visit_model(Archive& archive, const std::string& name, Model& model) {
+  archive.entry(name + ".inputs", model.inputs);
+  archive.entry(name + ".direct", model.direct);
+  archive.entry(name + ".residue", model.residue);
+}
+
+/// The layout of the file: reading and writing pass here alike.
+template <class Archive, class Data> void visit(Archive& archive, Data& data) {
+  archive.entry("version", data.version);
+  archive.entry("case", data.case_text);
+  archive.entry("command", data.command);
+  archive.entry("seed", data.seed);
+  archive.entry("trajectories", data.trajectories);
+  archive.entry("friction_law", data.friction_law);
+  archive.entry("friction", data.friction);
+  archive.entry("friction_parameters", data.friction_parameters);
+  archive.entry("friction_values", data.friction_values);
+  archive.entry("area", data.area);
+  archive.entry("gap", data.gap);
+  visit_map(archive, "compliance", data.compliance);
+  archive.entry("meshed_share", data.meshed_share);
+  archive.entry("stiffness", data.stiffness);
+  archive.entry("direction", data.direction);
+  archive.entry("length", data.length);
+  archive.entry("width", data.width);
+  archive.entry("thickness", data.thickness);
+  archive.list("channels", data.channels);
+  for (auto& channel : data.channels) {
+    archive.entry("channel.rows_per_point", channel.rows_per_point);
+    visit_map(archive, "channel.strain", channel.strain);
+    archive.entry("channel.fit", channel.fit);
+    archive.entry("channel.field", channel.field);
+    archive.entry("channel.x_edges", channel.x_edges);
+    archive.entry("channel.y_edges", channel.y_edges);
+    archive.entry("channel.mean", channel.mean);
+    archive.entry("channel.moment", channel.moment);
+  }
+  archive.entry("rates", data.rates);
+  visit_model(archive, "whole", data.whole);
+  visit_model(archive, "part", data.part);
+  archive.entry("taxels", data.taxels);
+  archive.entry("taxel_corners", data.taxel_corners);
+  archive.entry("lowest_place", data.lowest_place);
+  archive.entry("highest_place", data.highest_place);
+  archive.entry("heaviest_force", data.heaviest_force);
+  archive.entry("deepest_indentation", data.deepest_indentation);
+  archive.entry("fastest", data.fastest);
+  archive.list("errors", data.errors);
+  for (auto& error : data.errors) {
+    archive.entry("error.name", error.name);
+    archive.entry("error.rms", error.rms);
+    archive.entry("error.worst", error.worst);
+    archive.entry("error.largest", error.largest);
+  }
+}
+
+void check_map(const Reader& reader, const std::string& name, const PlaceMap& map,
+               std::size_t size) {
+  const std::size_t nodes = map.lines_x.size() * map.lines_y.size();
+  reader.require(nodes > 0 && map.lines_x.size() <= most_lines && map.lines_y.size() <= most_lines,
+                 name);
+  reader.require(map.amplitude.size() % nodes == 0 && map.modes() <= nodes &&
+                     map.values.size() == (1 + map.modes()) * size,
+                 name);
+}
+
+void check(const Reader& reader, const SkinData& data) {
+  const std::size_t cells = data.area.size();
+  reader.require(cells > 0 && cells < 10000 && data.gap.size() == cells, "gap");
+  reader.require(data.friction_parameters.size() == data.friction_values.size(), "friction_values");
+  check_map(reader, "compliance", data.compliance, 9 * cells * cells);
+  reader.require(data.stiffness > 0, "stiffness");
+  reader.require(data.meshed_share == 1 || data.meshed_share == 0.5, "meshed_share");
+  reader.require(data.length > 0 && data.width > 0 && data.thickness > 0, "length");
+  reader.require(data.channels.size() == 1 || data.channels.size() == 2, "channels");
+  for (const ChannelMap& channel : data.channels) {
+    reader.require(channel.rows_per_point >= 1 && channel.rows_per_point <= 6, "channel");
+    const std::size_t row = channel.rows_per_point * 3 * cells;
+    reader.require(channel.strain.values.size() % row == 0 && channel.x_edges.size() >= 2 &&
+                       channel.y_edges.size() >= 2 && !channel.mean.empty() &&
+                       channel.moment.size() == channel.mean.size(),
+                   "channel");
+    const std::size_t nodes = channel.strain.lines_x.size() * channel.strain.lines_y.size();
+    reader.require(nodes > 0 && channel.strain.size() % row == 0, "channel.strain");
+    const std::size_t points = channel.strain.size() / row;
+    check_map(reader, "channel.strain", channel.strain, points * row);
+    reader.require(points > 0 && channel.fit.size() % points == 0, "channel.fit");
+    reader.require(channel.field.size() == channel.fit.size() / points * channel.mean.size() *
+                                               (channel.x_edges.size() - 1) *
+                                               (channel.y_edges.size() - 1),
+                   "channel.field");
+  }
+  const std::size_t levels = data.channels.back().mean.size();
+  for (const ChargeModel* model : {&data.whole, &data.part}) {
+    reader.require((model->inputs == levels || model->inputs == 2 * levels) &&
+                       model->direct.size() == 2 * model->inputs &&
+                       model->residue.size() == 2 * data.rates.size() * model->inputs,
+                   "whole");
+  }
+  reader.require(data.taxel_corners.size() == 4 * data.taxels.size() && data.taxels.size() <= 1000,
+                 "taxel_corners");
+  reader.require(reader.at_end(), "error");
+}
+
+} // namespace
+
+void write_skin(const std::filesystem::path& path, const SkinData& data) {
+  Writer writer;
+  visit(writer, data);
+  writer.bytes +=
+      base::DigestBuilder().add_bytes(std::as_bytes(std::span(writer.bytes))).finish().hex();
+  base::PendingFile file(path);
+  file.write(std::as_bytes(std::span(writer.bytes)));
+  file.commit();
+}
+
+SkinData read_skin(const std::filesystem::path& path) {
+  std::error_code failure;
+  const auto size = std::filesystem::file_size(path, failure);
+  if (failure || !std::filesystem::is_regular_file(path, failure)) {
+    throw UserError(path.string() + ": no such file of a live skin\n"
+                                    "  = make one: ionskin live CASE.toml -o FILE");
+  }
+  std::string bytes(std::min<std::size_t>(size, largest_file), '\0');
+  std::ifstream file(path, std::ios::binary);
+  if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
+    refuse(path.string() + ": cannot be read");
+  }
+  constexpr std::size_t digits = 32;
+  if (!bytes.starts_with(magic.substr(0, magic.find(','))) ||
+      bytes.size() < magic.size() + digits) {
+    refuse(path.string() + ": is no file of a live skin");
+  }
+  if (!bytes.starts_with(magic)) {
+    refuse(path.string() + ": another version of ionskin wrote it, in another format");
+  }
+  const std::string_view content(bytes.data(), bytes.size() - digits);
+  if (base::DigestBuilder().add_bytes(std::as_bytes(std::span(content))).finish().hex() !=
+      bytes.substr(content.size())) {
+    refuse(path.string() + ": is damaged or cut short: its digest does not fit");
+  }
+  Reader reader(content.substr(magic.size()), path.string());
+  SkinData data;
+  visit(reader, data);
+  check(reader, data);
+  return data;
+}
+
+} // namespace ionskin::live

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/live/training/channel_reduction.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/base/system/interrupt.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace ionskin::live {
+namespace {
+
+using mechanics::CoreStrain;
+using Matrix = Eigen::MatrixXd;
+
+constexpr std::size_t most_snapshots = 800, most_modes = 60;
+constexpr double negligible_mode = 1e-4; // of the snapshots, over their norm
+constexpr std::size_t points_per_mode = 2;
+constexpr double negligible_place_mode = 1e-6;
+constexpr std::size_t unit_loads_at_once = 48;
+
+/// Rows whose norm is the channel, or the one row that it is.
+using Rows = std::vector<std::array<double, 6>>; ///< weights of xx, yy, zz, yz, xz, xy
+
+Rows rows_of(const Case& input, const std::string& channel) {
+  if (channel == history::channel_name::dilation) {
+    return {{-1, -1, -1, 0, 0, 0}};
+  }
+  switch (input.coupling.measure) {
+  case ShearMeasure::signed_xz:
+    return {{0, 0, 0, 0, 2, 0}};
+  case ShearMeasure::off_diagonal:
+    return {{0, 0, 0, 2, 0, 0}, {0, 0, 0, 0, 2, 0}, {0, 0, 0, 0, 0, 2}};
+  case ShearMeasure::deviatoric:
+    break;
+  }
+  const double third = 1 / std::sqrt(3.0);
+  return {{1, -1, 0, 0, 0, 0},
+          {-third, -third, 2 * third, 0, 0, 0},
+          {0, 0, 0, 2, 0, 0},
+          {0, 0, 0, 0, 2, 0},
+          {0, 0, 0, 0, 0, 2}};
+}
+
+double row_value(const std::array<double, 6>& row, const CoreStrain& strain, std::size_t point) {
+  double sum = 0;
+  for (std::size_t c = 0; c < row.size(); ++c) {
+    sum += row[c] == 0 ? 0 : row[c] * strain.component[c][point];
+  }
+  return sum;
+}
+
+double channel_value(const Rows& rows, const CoreStrain& strain, std::size_t point) {
+  if (rows.size() == 1) {
+    return row_value(rows[0], strain, point);
+  }
+  double square = 0;
+  for (const auto& row : rows) {
+    square += std::pow(row_value(row, strain, point), 2);
+  }
+  return std::sqrt(square);
+}
+
+/// Roots of the volumes of the Gauss points with the slider in the middle of its range.
+Eigen::VectorXd point_weights(const mesh::SkinMesh& mesh, const std::array<double, 2>& centre,
+                              const std::array<std::size_t, 3>& points) {
+  const mesh::MeshLines lines = mesh.lines(centre);
+  const std::vector<double> z(lines.z.begin() + static_cast<std::ptrdiff_t>(mesh.core_z()[0]),
+                              lines.z.begin() + static_cast<std::ptrdiff_t>(mesh.core_z()[1]) + 1);
+  const auto length = [](const std::vector<double>& line, std::size_t point) {
+    return (line[point / 2 + 1] - line[point / 2]) / 2;
+  };
+  Eigen::VectorXd weights(static_cast<Eigen::Index>(points[0] * points[1] * points[2]));
+  Eigen::Index at = 0;
+  for (std::size_t k = 0; k < points[2]; ++k) {
+    for (std::size_t j = 0; j < points[1]; ++j) {
+      for (std::size_t i = 0; i < points[0]; ++i) {
+        weights[at++] = std::sqrt(length(lines.x, i) * length(lines.y, j) * length(z, k));
+      }
+    }
+  }
+  return weights / weights.maxCoeff();
+}
+
+/// States of the path, and the samples of the history at their instants.
+struct Snapshots {
+  std::vector<const mechanics::ContactState*> states;
+  std::vector<std::size_t> samples;
+};
+
+Snapshots snapshots_of(const mechanics::ContactSolution& contact,
+                       const history::CoreHistory& history) {
+  Snapshots all;
+  for (const mechanics::SteppedInstant& instant : contact.stepped) {
+    const auto sample = std::ranges::lower_bound(history.time, instant.time - 1e-12);
+    if (instant.state && instant.state->normal_force > 0 && sample != history.time.end() &&
+        std::abs(*sample - instant.time) < 1e-12) {
+      all.states.push_back(instant.state.get());
+      all.samples.push_back(static_cast<std::size_t>(sample - history.time.begin()));
+    }
+  }
+  const std::size_t stride = (all.states.size() + most_snapshots - 1) / most_snapshots;
+  Snapshots kept;
+  for (std::size_t i = 0; i < all.states.size(); i += std::max<std::size_t>(1, stride)) {
+    kept.states.push_back(all.states[i]);
+    kept.samples.push_back(all.samples[i]);
+  }
+  if (kept.states.empty()) {
+    throw InternalError("no snapshot of the training carries load");
+  }
+  return kept;
+}
+
+/// Pivots of a QR factorisation, and as many points again that count most in the fit.
+std::vector<Eigen::Index> choose_points(const Matrix& modes) { // [points, modes], orthonormal
+  const Matrix transposed = modes.transpose();
+  const Eigen::ColPivHouseholderQR<Matrix> factor(transposed);
+  std::vector<Eigen::Index> chosen;
+  for (Eigen::Index i = 0; i < modes.cols(); ++i) {
+    chosen.push_back(factor.colsPermutation().indices()[i]);
+  }
+  const Matrix picked = modes(chosen, Eigen::indexing::all);
+  const Matrix inverse = (picked.transpose() * picked).inverse();
+  const Eigen::VectorXd leverage = (modes * inverse).rowwise().norm();
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(modes.rows()));
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    order[i] = static_cast<Eigen::Index>(i);
+  }
+  std::ranges::stable_sort(order, [&](auto a, auto b) { return leverage[a] > leverage[b]; });
+  const auto wanted =
+      std::min(points_per_mode * static_cast<std::size_t>(modes.cols()), order.size());
+  for (std::size_t i = 0; chosen.size() < wanted; ++i) {
+    if (std::ranges::find(chosen, order[i]) == chosen.end()) {
+      chosen.push_back(order[i]);
+    }
+  }
+  return chosen;
+}
+
+void append(std::vector<float>& values, const Matrix& rows) {
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    for (Eigen::Index j = 0; j < rows.cols(); ++j) {
+      values.push_back(static_cast<float>(rows(i, j)));
+    }
+  }
+}
+
+/// Weights of the integral over z of a function that is linear between nodes, and of its moment.
+void set_level_weights(const std::vector<double>& z, ChannelMap& map) {
+  map.mean.assign(z.size(), 0);
+  map.moment.assign(z.size(), 0);
+  const double thickness = z.back();
+  for (std::size_t i = 0; i + 1 < z.size(); ++i) {
+    const double length = z[i + 1] - z[i];
+    const auto arm = [&](double at) { return at / thickness - 0.5; };
+    map.mean[i] += length / 2;
+    map.mean[i + 1] += length / 2;
+    map.moment[i] += length / 6 * (2 * arm(z[i]) + arm(z[i + 1]));
+    map.moment[i + 1] += length / 6 * (arm(z[i]) + 2 * arm(z[i + 1]));
+  }
+}
+
+/// Points at which the strain under unit forces is wanted, of one channel.
+struct Wanted {
+  Rows rows;
+  std::vector<Eigen::Index> points;
+};
+
+ChannelMap reduce_fields(const Snapshots& snapshots, const history::CoreHistory& history,
+                         const history::HistoryChannel& channel, const Eigen::VectorXd& weights,
+                         Matrix values, std::vector<Eigen::Index>& points) {
+  const auto count = static_cast<Eigen::Index>(snapshots.states.size());
+  values.array().colwise() *= weights.array(); // [points, snapshots]
+  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(values.transpose() * values);
+  Eigen::Index modes = 0;
+  double tail = eigen.eigenvalues().cwiseMax(0).sum();
+  const double most = tail;
+  while (modes < std::min<Eigen::Index>(most_modes, count) &&
+         tail > std::pow(negligible_mode, 2) * most) {
+    tail -= std::max(0.0, eigen.eigenvalues()[count - 1 - modes++]);
+  }
+  const Matrix combine = eigen.eigenvectors().rightCols(modes) *
+                         eigen.eigenvalues().tail(modes).cwiseSqrt().cwiseInverse().asDiagonal();
+  const Matrix basis = values * combine;
+  points = choose_points(basis);
+  Matrix sampled = basis(points, Eigen::indexing::all);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    sampled.row(static_cast<Eigen::Index>(i)) /= weights[points[i]];
+  }
+  ChannelMap map;
+  append(map.fit, sampled.completeOrthogonalDecomposition().pseudoInverse());
+  Matrix fields = Matrix::Zero(static_cast<Eigen::Index>(history.grid.values()), modes);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const history::StrainField& field = *channel.samples[snapshots.samples[k]];
+    fields += Eigen::Map<const Eigen::VectorXd>(field.data(), fields.rows()) * combine.row(k);
+  }
+  append(map.field, fields.transpose());
+  map.x_edges = history.grid.x_edges;
+  map.y_edges = history.grid.y_edges;
+  set_level_weights(history.grid.z_nodes, map);
+  return map;
+}
+
+/// Strains at the points under unit forces on every cell, at every node.
+void add_unit_strains(const mechanics::PositionNodes& nodes, const std::vector<Wanted>& wanted,
+                      std::vector<ChannelMap>& maps) {
+  const mechanics::NodeLines& lines = nodes.compliance().lines();
+  const std::size_t size = 3 * nodes.model().cells.count();
+  std::vector<std::vector<std::vector<float>>> at_nodes(wanted.size());
+  for (const double y : lines[1]) {
+    for (const double x : lines[0]) {
+      for (auto& own : at_nodes) {
+        own.emplace_back();
+      }
+      for (std::size_t begin = 0; begin < size; begin += unit_loads_at_once) {
+        base::check_interrupt();
+        std::vector<mechanics::CellVector> loads;
+        for (std::size_t i = begin; i < std::min(size, begin + unit_loads_at_once); ++i) {
+          loads.emplace_back(size, 0.0)[i] = 1;
+        }
+        for (const auto& response :
+             nodes.respond(std::vector<std::array<double, 2>>(loads.size(), {x, y}), loads)) {
+          for (std::size_t c = 0; c < wanted.size(); ++c) {
+            for (const Eigen::Index point : wanted[c].points) {
+              for (const auto& row : wanted[c].rows) {
+                at_nodes[c].back().push_back(static_cast<float>(
+                    row_value(row, response.strain, static_cast<std::size_t>(point))));
+              }
+            }
+          }
+        }
+      }
+    }
+  }
+  for (std::size_t c = 0; c < wanted.size(); ++c) {
+    maps[c].rows_per_point = wanted[c].rows.size();
+    maps[c].strain = place_map(lines, at_nodes[c], negligible_place_mode);
+  }
+}
+
+} // namespace
+
+PlaceMap place_map(const mechanics::NodeLines& lines, const std::vector<std::vector<float>>& nodes,
+                   double negligible) {
+  const auto count = static_cast<Eigen::Index>(nodes.size()),
+             size = static_cast<Eigen::Index>(nodes.front().size());
+  Matrix values(size, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    values.col(i) = Eigen::Map<const Eigen::VectorXf>(nodes[i].data(), size).cast<double>();
+  }
+  const Eigen::VectorXd mean = values.rowwise().mean();
+  values.colwise() -= mean;
+  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(values.transpose() * values);
+  std::vector<Eigen::Index> large;
+  for (Eigen::Index i = count; i-- > 0;) {
+    if (eigen.eigenvalues()[i] > std::pow(negligible * mean.norm(), 2)) {
+      large.push_back(i);
+    }
+  }
+  const Matrix amplitude = eigen.eigenvectors()(Eigen::indexing::all, large);
+  PlaceMap map{lines[0], lines[1], {}, {}};
+  append(map.values, mean.transpose());
+  append(map.values, (values * amplitude).transpose());
+  for (Eigen::Index i = 0; i < count; ++i) {
+    for (Eigen::Index k = 0; k < amplitude.cols(); ++k) {
+      map.amplitude.push_back(amplitude(i, k));
+    }
+  }
+  return map;
+}
+
+PlaceMap reduce_compliance(const mechanics::PositionNodes& nodes) {
+  const mechanics::NodeLines& lines = nodes.compliance().lines();
+  std::vector<std::vector<float>> values;
+  for (const double y : lines[1]) {
+    for (const double x : lines[0]) {
+      linear_algebra::DenseMatrix matrix;
+      nodes.compliance().at({x, y}, matrix);
+      values.emplace_back(matrix.values.begin(), matrix.values.end());
+    }
+  }
+  return place_map(lines, values, negligible_place_mode);
+}
+
+std::vector<ChannelMap> reduce_channels(const Case& input,
+                                        const mechanics::ContactSolution& contact,
+                                        const history::CoreHistory& history,
+                                        const mechanics::PositionNodes& nodes,
+                                        const std::vector<std::string>& channels) {
+  const Snapshots snapshots = snapshots_of(contact, history);
+  std::vector<Wanted> wanted;
+  for (const std::string& channel : channels) {
+    wanted.push_back({rows_of(input, channel), {}});
+  }
+  std::vector<Matrix> values(channels.size());
+  Eigen::VectorXd weights;
+  for (std::size_t k = 0; k < snapshots.states.size(); ++k) {
+    base::check_interrupt();
+    const CoreStrain& strain = mechanics::core_strain(*snapshots.states[k]);
+    const std::size_t points = strain.component[0].size();
+    if (k == 0) {
+      const mechanics::NodeLines& lines = nodes.compliance().lines();
+      weights = point_weights(contact.mesh,
+                              {lines[0][lines[0].size() / 2], lines[1][lines[1].size() / 2]},
+                              strain.points);
+    }
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      values[c].resize(static_cast<Eigen::Index>(points),
+                       k == 0 ? static_cast<Eigen::Index>(snapshots.states.size())
+                              : values[c].cols());
+      for (std::size_t point = 0; point < points; ++point) {
+        values[c](static_cast<Eigen::Index>(point), static_cast<Eigen::Index>(k)) =
+            channel_value(wanted[c].rows, strain, point);
+      }
+    }
+  }
+  std::vector<ChannelMap> maps;
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    maps.push_back(reduce_fields(snapshots, history, history.channel(channels[c]), weights,
+                                 std::move(values[c]), wanted[c].points));
+  }
+  add_unit_strains(nodes, wanted, maps);
+  return maps;
+}
+
+} // namespace ionskin::live

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/history/core_history.hpp"
+#include "ionskin/live/skin_data.hpp"
+#include "ionskin/mechanics/engine/position_nodes.hpp"
+#include "ionskin/mechanics/output/contact_solution.hpp"
+
+#include <vector>
+
+namespace ionskin::live {
+
+/// Values at the nodes as a mean and the modes that are larger than a part of it.
+PlaceMap place_map(const mechanics::NodeLines& lines, const std::vector<std::vector<float>>& nodes,
+                   double negligible);
+
+/// The compliance of the contact cells over the nodes.
+PlaceMap reduce_compliance(const mechanics::PositionNodes& nodes);
+
+/// Reduces channels of a trained run: proper orthogonal decomposition of each at the Gauss points,
+/// weighted with their volumes, then the points from which its modes are told best (QR with
+/// pivoting, Drmac and Gugercin 2016, doi 10.1137/15M1019271).
+/// @param channels of the history, by name
+std::vector<ChannelMap> reduce_channels(const Case& input,
+                                        const mechanics::ContactSolution& contact,
+                                        const history::CoreHistory& history,
+                                        const mechanics::PositionNodes& nodes,
+                                        const std::vector<std::string>& channels);
+
+} // namespace ionskin::live

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/live/skin_data.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace ionskin::live {
+
+/// One region's charges in a run of the full model, and what drove them.
+struct ChargeRecord {
+  std::vector<double> time;                  ///< [rows]
+  std::vector<double> drive;                 ///< [row][input]
+  std::array<std::vector<double>, 2> charge; ///< top, bottom [row] [C]
+};
+
+/// Of some candidates those with which the charges of the records are met best, one after the
+/// other [1/s].
+std::vector<double> choose_rates(const std::vector<ChargeRecord>& records, std::size_t inputs,
+                                 const std::vector<double>& candidates, std::size_t count);
+
+/// Least squares over all rows of all records, weighted with the time between them.
+ChargeModel fit_charges(const std::vector<ChargeRecord>& records, std::size_t inputs,
+                        const std::vector<double>& rates);
+
+} // namespace ionskin::live

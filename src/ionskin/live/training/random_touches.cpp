@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/live/training/random_touches.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/mechanics/engine/position_nodes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace ionskin::live {
+namespace {
+
+constexpr double clearance = 1e-4;      // between touches [m]
+constexpr double least_load = 0.15;     // over the heaviest
+constexpr double least_speed = 0.1;     // over the fastest
+constexpr double slowest_landing = 0.1; // [s]
+constexpr double pause = 0.2;           // between touches [s]
+constexpr double usual_speed = 3e-3;    // of a case whose slider never slides [m/s]
+constexpr double rest_share = 0.25;     // of the pieces
+constexpr int most_pieces = 4;
+
+/// The same numbers on every machine, which the distributions of the library need not give.
+class Random {
+public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  double between(double low, double high) {
+    constexpr double range = 0x1p-53;
+    return low + (high - low) * static_cast<double>(engine_() >> 11u) * range;
+  }
+
+private:
+  std::mt19937_64 engine_;
+};
+
+class Path {
+public:
+  explicit Path(const TouchRange& range) : range_(range) {}
+
+  void detached(double wait, const std::array<double, 2>& place) {
+    add(wait, place);
+    motion.waypoints.back().height = clearance;
+  }
+  void pressed(double wait, const std::array<double, 2>& place, double load) {
+    add(wait, place);
+    if (range_.is_force) {
+      motion.waypoints.back().force = load;
+    } else {
+      motion.waypoints.back().height = -load;
+    }
+  }
+  Motion motion;
+
+private:
+  void add(double wait, const std::array<double, 2>& place) {
+    const double time = motion.waypoints.empty() ? 0 : motion.waypoints.back().time + wait;
+    motion.waypoints.push_back({time, place, {}, {}, 0});
+  }
+  const TouchRange& range_;
+};
+
+} // namespace
+
+TouchRange touch_range(const Case& input) {
+  const auto box = mechanics::contact_box(input);
+  if (!box) {
+    throw UserError("the slider never touches the skin: there is nothing to train\n"
+                    "  = lower it, such as by motion.preload");
+  }
+  TouchRange range{*box, false, 0, 0};
+  for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
+    for (const SliderLevel& level : {leg.from_level, leg.to_level}) {
+      if (level.touches() && level.is_force != range.is_force) {
+        range.is_force = level.is_force; // where both occur the force says more
+        range.heaviest = 0;
+      }
+      if (level.touches() && level.is_force == range.is_force) {
+        range.heaviest = std::max(range.heaviest, std::abs(level.value));
+      }
+    }
+    if (leg.slides()) {
+      range.fastest = std::max(range.fastest, leg.length() / leg.duration);
+    }
+  }
+  if (range.fastest == 0) {
+    range.fastest = usual_speed;
+  }
+  return range;
+}
+
+Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t seed) {
+  Random random(seed);
+  Path path(range);
+  path.motion.kind = MotionKind::waypoints;
+  const auto& [low, high] = range.box;
+  const auto place = [&]() -> std::array<double, 2> {
+    const double x = random.between(low[0], high[0]);
+    return {x, random.between(low[1], high[1])};
+  };
+  const auto wait_between = [&](const std::array<double, 2>& a, const std::array<double, 2>& b) {
+    const double way = std::hypot(b[0] - a[0], b[1] - a[1]);
+    return std::max(0.05, way / (range.fastest * random.between(least_speed, 1)));
+  };
+  // From corner to corner along the diagonal, which spans the range.
+  path.detached(0, low);
+  path.pressed(0.5, low, range.heaviest);
+  const double way = std::hypot(high[0] - low[0], high[1] - low[1]);
+  if (way > 0) {
+    path.pressed(way / range.fastest, high, range.heaviest);
+  }
+  path.detached(0.5, high);
+  for (std::size_t touch = 1; touch < count; ++touch) {
+    std::array<double, 2> at = place();
+    path.detached(pause, at);
+    double load = range.heaviest * random.between(least_load, 1);
+    path.pressed(random.between(0.01, slowest_landing), at, load);
+    const int pieces = 1 + static_cast<int>(random.between(0, most_pieces));
+    for (int piece = 0; piece < pieces; ++piece) {
+      if (random.between(0, 1) < rest_share) {
+        path.pressed(random.between(0.05, 0.5), at, load);
+      } else {
+        const std::array<double, 2> to = place();
+        load = random.between(0, 1) < 0.5 ? load : range.heaviest * random.between(least_load, 1);
+        path.pressed(wait_between(at, to), to, load);
+        at = to;
+      }
+    }
+    path.detached(random.between(0.01, slowest_landing), at);
+  }
+  path.detached(pause, path.motion.waypoints.back().position);
+  return path.motion;
+}
+
+} // namespace ionskin::live

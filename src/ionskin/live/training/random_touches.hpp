@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/case/slider_motion.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace ionskin::live {
+
+/// What random touches stay within, as the motion of a case does.
+struct TouchRange {
+  MotionBox box;         ///< of the slider's centre in contact [m]
+  bool is_force = false; ///< what presses
+  double heaviest = 0;   ///< force of the whole skin [N] or indentation [m]
+  double fastest = 0;    ///< in contact [m/s]
+};
+
+/// Throws UserError where the slider never touches.
+TouchRange touch_range(const Case& input);
+
+/// Random touches one after the other, as waypoints: landing anywhere in the range, strokes, rests
+/// and changes of load at any speed in it, lift-off. The first one goes through the corners of the
+/// range under the heaviest load.
+Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t seed);
+
+} // namespace ionskin::live

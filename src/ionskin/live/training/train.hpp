@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/base/files/disk_cache.hpp"
+#include "ionskin/base/progress.hpp"
+#include "ionskin/case/case.hpp"
+#include "ionskin/live/skin_data.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace ionskin::live {
+
+struct TrainingOptions {
+  std::size_t trajectories = 12; ///< random touches that it is trained on
+  std::uint64_t seed = 1;        ///< of the touches
+  int threads = 1;
+  base::DiskCache* cache = nullptr; ///< of condensed positions; none when null
+  base::ProgressCallback progress = base::no_progress;
+  std::string command; ///< for the record
+};
+
+/// Whether the reduced skin can stand for a case. Throws UserError where not: the strain must come
+/// from contact, the electrodes be shorted, the slider touch.
+void check_trainable(const Case& input);
+
+/// Trains on random touches within the range of the case's motion, by the full model, and measures
+/// the errors on others. Throws UserError, SolverError, Interrupted.
+SkinData train_skin(const Case& input, const TrainingOptions& options);
+
+} // namespace ionskin::live

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/live/training/full_run.hpp"
+
+#include <vector>
+
+namespace ionskin::live {
+
+/// Steps the reduced skin along the motion of a full run, each millisecond, and compares its
+/// signals; currents over the case's sampling interval, from 2 ms after each event on.
+std::vector<SignalError> validate(const SkinData& data, const FullRun& run);
+
+} // namespace ionskin::live

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The reduced skin: trained by the program, stepped from Python and C, and compared with the full model."""
+
+import os
+import pathlib
+import subprocess
+import sys
+import unittest
+
+import numpy
+
+from program import PROGRAM, ROOT, ProgramTest
+
+sys.path.insert(0, str(PROGRAM.parent / "python"))
+import ionskin.live  # noqa: E402
+
+SMALL = ["--set", "numerics.mesh_refinement=0.5", "--set", "numerics.time_refinement=0.3", "--set", "motion.stroke=2 mm",
+         "--set", "motion.slide=0.7 s"]
+TOUCH = """time [s],x [mm],y [mm],height [um]
+0,5,1,100
+0.1,5,1,-0.6
+0.3,5,1,-0.6
+0.8,6.3,1,-0.9
+1.3,5.4,1,-0.4
+1.4,5.4,1,100
+2.0,5.4,1,100
+"""
+
+
+class LiveTest(ProgramTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.trained = pathlib.Path(os.environ.get("TMPDIR", "/tmp")) / f"ionskin-live-{os.getpid()}.live"
+        subprocess.run([PROGRAM, "live", ROOT / "cases" / "taxels.toml", *SMALL, "--trajectories", "6", "--seed", "5",
+                        "-o", cls.trained, "--overwrite", "--quiet"], check=True,
+                       env={**os.environ, "IONSKIN_CACHE_LIMIT": "0 GB"})
+        cls.addClassCleanup(cls.trained.unlink)
+
+    def live(self, *arguments):
+        return subprocess.run([PROGRAM, "live", *map(str, arguments)], capture_output=True, text=True, cwd=self.folder,
+                              check=False)
+
+    def test_tells_what_the_full_model_tells(self):
+        """Within the errors that the file states, and these are small."""
+        path = self.folder / "touch.csv"
+        path.write_text(TOUCH)
+        case = self.folder / "touch.toml"
+        motion = '[motion]\nkind = "waypoints"\nfile = "touch.csv"\n'
+        text = (ROOT / "cases" / "taxels.toml").read_text()
+        begin = text.index("[motion]")
+        text = text[:begin] + motion + text[text.index("[contact]"):]
+        case.write_text("\n".join(line for line in text.splitlines() if not line.startswith("start =")))
+        subprocess.run([PROGRAM, "run", case, *SMALL[:4], "-o", "full", "--no-report", "--quiet"], check=True,
+                       cwd=self.folder)
+        full = ionskin.open_results(self.folder / "full")
+        skin = ionskin.live.Skin(self.trained)
+        rows = numpy.array([[float(value) for value in line.split(",")] for line in TOUCH.splitlines()[1:]])
+        times = numpy.arange(0, 2, 1e-3)
+        x, heights = (numpy.interp(times, rows[:, 0], rows[:, i]) for i in (1, 3))
+        signals = skin.run(times, numpy.column_stack([1e-3 * x, numpy.full_like(x, 1e-3)]), heights=1e-6 * heights)
+        self.assertFalse(signals.flags.any())
+        for name, table in (("normal_force", full.signals), ("charge_top", full.signals),
+                            ("charge_top_b", full.taxels)):
+            with self.subTest(name):
+                reference = numpy.interp(times, table["time"], table[name])
+                error = signals[name] - reference
+                stated = skin.errors["charge_top_taxels" if name == "charge_top_b" else name]
+                self.assertLess(numpy.abs(error).max(), stated.worst + 0.01 * stated.largest)
+                self.assertLess(numpy.sqrt((error**2).mean()), 0.02 * stated.largest)
+
+    def test_steps_runs_and_batches_are_the_same_bits(self):
+        skin = ionskin.live.Skin(self.trained)
+        times = 1e-3 * numpy.arange(300)
+        positions = numpy.column_stack([5e-3 + 1e-6 * numpy.arange(300), numpy.full(300, 1e-3)])
+        forces = numpy.linspace(20, 30, 300)
+        batch = skin.batch([{"times": times, "positions": positions, "forces": forces}] * 3, threads=2)
+        run = skin.copy().run(times, positions, forces=forces)
+        for i, time in enumerate(times):
+            if i == 150:
+                state = skin.save()
+                skin.step(time, (7e-3, 1e-3), height=-1e-6)
+                skin.restore(state)
+            step = skin.step(time, positions[i], force=forces[i])
+            self.assertEqual([step[name] for name in step], [run[name][i] for name in step])
+        for other in batch:
+            for name in run:
+                numpy.testing.assert_array_equal(other[name], run[name])
+        numpy.testing.assert_allclose(run["normal_force"], forces, rtol=1e-4)
+
+    def test_wrong_arguments_raise(self):
+        skin = ionskin.live.Skin(self.trained)
+        skin.step(1, (5e-3, 1e-3), height=-1e-7)
+        for error, call in ((TypeError, lambda: skin.step(2, (5e-3, 1e-3))),
+                            (TypeError, lambda: skin.step(2, (5e-3, 1e-3), height=0, force=0)),
+                            (ValueError, lambda: skin.step(0.5, (5e-3, 1e-3), height=0)),
+                            (ValueError, lambda: skin.step(2, (5e-3,), height=0)),
+                            (ValueError, lambda: skin.step(2, (5e-3, numpy.nan), height=0)),
+                            (ValueError, lambda: skin.run([2, 3], [[0, 0]], heights=[0, 0])),
+                            (ValueError, lambda: skin.run([3, 2], [[0, 0]] * 2, heights=[0, 0])),
+                            (ValueError, lambda: skin.restore(b"12345678")),
+                            (ionskin.CaseError, lambda: ionskin.live.Skin(ROOT / "README.md")),
+                            (KeyError, lambda: skin.step(2, (5e-3, 1e-3), height=0)["nothing"])):
+            self.assertRaises(error, call)
+
+    def test_example_in_c(self):
+        library = PROGRAM.parent / "python"
+        subprocess.run(["cc", "-std=c11", "-Wall", "-Wextra", "-Werror", "-I", ROOT / "src" / "ionskin" / "live",
+                        ROOT / "examples" / "live" / "controller.c", "-L", library, f"-Wl,-rpath,{library}",
+                        "-lionskin_live", "-o", self.folder / "controller"], check=True)
+        printed = subprocess.run([self.folder / "controller", self.trained], capture_output=True, text=True, check=True)
+        rows = numpy.array([[float(value) for value in line.split(",")] for line in printed.stdout.splitlines()])
+        self.assertEqual(rows.shape, (101, 4))
+        self.assertTrue((rows[:, 1] > 0).all())
+        self.assertFalse(rows[:, 3].any())
+
+    def test_mistakes_end_before_any_work(self):
+        quick = ROOT / "cases" / "quick.toml"
+        (self.folder / "taken.live").write_text("mine")
+        for arguments, part in (((quick, "-o", "taken.live"), "--overwrite"),
+                                ((quick, "-o", "nowhere/skin.live"), "no folder"),
+                                ((quick, "-o", "."), "is a folder"),
+                                ((quick, "--set", "readout.circuit=open", "-o", "a.live"), "readout.circuit"),
+                                ((ROOT / "cases" / "bending.toml", "-o", "a.live"), "strain.source"),
+                                ((quick, "--trajectories", "0", "-o", "a.live"), "--trajectories")):
+            with self.subTest(part):
+                ended = self.live(*arguments)
+                self.assertEqual(ended.returncode, 2, ended.stderr)
+                self.assertIn(part, ended.stderr)
+        self.assertEqual((self.folder / "taken.live").read_text(), "mine")
+        self.assertFalse((self.folder / "a.live").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/live/training/charge_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace ionskin::live {
+namespace {
+
+/// The charge that relaxes with one rate behind a drive that rises and rests, in closed form.
+ChargeRecord relaxing(double rate) {
+  ChargeRecord record;
+  for (int i = 0; i <= 400; ++i) {
+    const double time = 0.01 * i, ramp = std::min(time, 1.0),
+                 rise = ramp - (1 - std::exp(-rate * ramp)) / rate,
+                 filtered = time <= 1 ? rise : 1 - (1 - rise) * std::exp(-rate * (time - 1));
+    record.time.push_back(time);
+    record.drive.push_back(ramp);
+    record.charge[0].push_back(2 * ramp - filtered);
+    record.charge[1].push_back(ramp);
+  }
+  return record;
+}
+
+TEST(ChargeFit, FindsRateAndWeights) {
+  const std::vector<ChargeRecord> records{relaxing(3)};
+  const auto rates = choose_rates(records, 1, {0.1, 0.5, 3, 20, 100}, 1);
+  ASSERT_EQ(rates, std::vector<double>{3});
+  const ChargeModel model = fit_charges(records, 1, rates);
+  EXPECT_NEAR(model.direct[0], 2, 1e-6);
+  EXPECT_NEAR(model.residue[0], -1, 1e-6);
+  EXPECT_NEAR(model.direct[1], 1, 1e-6);
+  EXPECT_NEAR(model.residue[1], 0, 1e-6);
+}
+
+} // namespace
+} // namespace ionskin::live

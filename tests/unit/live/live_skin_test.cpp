@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/base/error.hpp"
+#include "ionskin/live/ionskin_live.h"
+#include "ionskin/live/skin.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <new>
+
+namespace {
+std::atomic<std::size_t> allocations{0};
+} // namespace
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) {
+    return memory;
+  }
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace ionskin::live {
+namespace {
+
+/// A made-up skin of four cells, whose compliance falls with their distance and whose shear at two
+/// points is the drag on them.
+SkinData small_skin() {
+  constexpr std::size_t cells = 4, size = 3 * cells, points = 2, levels = 2;
+  SkinData data;
+  data.case_text = "title = \"small\"\n";
+  data.version = "test";
+  data.friction_law = "coulomb";
+  data.friction = 0.3;
+  data.area.assign(cells, 1e-6);
+  data.gap = {1e-7, 0, 0, 1e-7};
+  data.compliance.lines_x = {1e-3, 5e-3};
+  data.compliance.lines_y = {1e-3};
+  data.compliance.amplitude = {-0.01, 0.01};
+  for (int mode = 0; mode < 2; ++mode) {
+    for (std::size_t i = 0; i < size; ++i) {
+      for (std::size_t j = 0; j < size; ++j) {
+        const double distance = std::abs(static_cast<double>(i / 3) - static_cast<double>(j / 3));
+        data.compliance.values.push_back(
+            static_cast<float>(i % 3 == j % 3 ? 1e-7 / (1 + 3 * distance) : 0));
+      }
+    }
+  }
+  data.stiffness = 1e7;
+  data.direction = {1, 0};
+  data.length = 6e-3;
+  data.width = 2e-3;
+  data.thickness = 1e-4;
+  ChannelMap& channel = data.channels.emplace_back();
+  channel.rows_per_point = 2;
+  channel.strain = {{1e-3, 5e-3}, {1e-3}, {}, {}};
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t row = 0; row < 2 * points; ++row) {
+      channel.strain.values.push_back(i % 3 == 1 + row % 2 && i / 6 == row / 2 ? 1e-3f : 0.0f);
+    }
+  }
+  channel.fit = {1, 0, 0, 1};
+  channel.field = {1, 0, 0.5, 0, 0, 1, 0, 0.5}; // [mode][level][column]
+  channel.x_edges = {-1e-3, 0, 1e-3};
+  channel.y_edges = {-1e-3, 1e-3};
+  channel.mean = {5e-5, 5e-5};
+  channel.moment = {-1e-5, 1e-5};
+  data.rates = {5, 100};
+  data.whole = {levels, {2, 1, 1, 2}, {-1, 0, 0, -0.5, 0, -1, -0.5, 0}};
+  data.part = data.whole;
+  data.taxels = {"left", "right"};
+  data.taxel_corners = {0, 0, 3e-3, 2e-3, 3e-3, 0, 6e-3, 2e-3};
+  data.lowest_place = {1e-3, 1e-3};
+  data.highest_place = {5e-3, 1e-3};
+  data.heaviest_force = 20;
+  data.deepest_indentation = 1e-6;
+  data.fastest = 0.1;
+  data.errors = {{"charge_top", 1e-9, 2e-9, 1e-7}};
+  return data;
+}
+
+class LiveSkin : public testing::Test {
+protected:
+  std::uint32_t step(Skin& skin, double time, double x, double value, bool is_force = false) {
+    return skin.step(time, {x, 1e-3}, is_force, value, signals);
+  }
+  double of(const Skin& skin, const std::string& name) const {
+    const auto& names = skin.names();
+    return signals[static_cast<std::size_t>(std::find(names.begin(), names.end(), name) -
+                                            names.begin())];
+  }
+  SkinData data = small_skin();
+  std::vector<double> signals = std::vector<double>(Skin(data).names().size());
+};
+
+TEST_F(LiveSkin, SlidesUnderItsFrictionAndTaxelsAddUp) {
+  Skin skin(data);
+  EXPECT_EQ(step(skin, 0, 2e-3, -5e-7), 0u); // begins in contact
+  EXPECT_EQ(of(skin, "current_top"), 0);
+  const double standing = of(skin, "normal_force");
+  EXPECT_GT(standing, 0);
+  for (int i = 1; i <= 100; ++i) {
+    EXPECT_EQ(step(skin, 1e-3 * i, 2e-3 + 1e-5 * i, -5e-7), 0u);
+  }
+  EXPECT_NEAR(of(skin, "tangential_force"), 0.3 * of(skin, "normal_force"), 1e-9);
+  EXPECT_EQ(of(skin, "stick_share"), 0);
+  EXPECT_NEAR(of(skin, "charge_top"), of(skin, "charge_top_left") + of(skin, "charge_top_right"),
+              1e-6 * std::abs(of(skin, "charge_top")));
+  EXPECT_EQ(step(skin, 1, 3e-3, 1e-4), 0u);
+  EXPECT_EQ(of(skin, "normal_force"), 0);
+  EXPECT_EQ(of(skin, "slider_z"), 1e-4);
+}
+
+TEST_F(LiveSkin, CarriesAForceAndSticksUntilItIsDragged) {
+  Skin skin(data);
+  EXPECT_EQ(step(skin, 7, 2e-3, 5, true), 0u);
+  EXPECT_NEAR(of(skin, "normal_force"), 5, 1e-5);
+  EXPECT_EQ(of(skin, "stick_share"), 1);
+  const double depth = -of(skin, "slider_z");
+  step(skin, 8, 2e-3, 2.5, true);
+  EXPECT_NEAR(of(skin, "normal_force"), 2.5, 1e-5);
+  EXPECT_LT(-of(skin, "slider_z"), depth);
+}
+
+TEST_F(LiveSkin, GoesOnAfterARestoreToTheBit) {
+  Skin skin(data), other(data);
+  for (int i = 0; i < 50; ++i) {
+    step(skin, 1e-3 * i, 2e-3 + 1e-6 * i, -4e-7);
+  }
+  ASSERT_TRUE(other.restore(std::vector<double>(skin.state().begin(), skin.state().end())));
+  for (int i = 50; i < 100; ++i) {
+    step(skin, 1e-3 * i, 2e-3 + 1e-6 * i, -4e-7);
+    const std::vector<double> expected = signals;
+    step(other, 1e-3 * i, 2e-3 + 1e-6 * i, -4e-7);
+    ASSERT_EQ(signals, expected) << i;
+  }
+  EXPECT_FALSE(other.restore(std::vector<double>(3)));
+}
+
+TEST_F(LiveSkin, AllocatesNothing) {
+  Skin skin(data);
+  const std::vector<double> state(skin.state().begin(), skin.state().end());
+  const std::size_t before = allocations;
+  for (int i = 0; i < 1000; ++i) {
+    step(skin, 1e-3 * i, 2e-3 + 1e-6 * i, i % 10 == 0 ? 1e-4 : -4e-7);
+    step(skin, 1e-3 * i, 2e-3 + 1e-6 * i, 3, true);
+  }
+  skin.restore(state);
+  skin.reset();
+  EXPECT_EQ(allocations - before, 0u);
+}
+
+TEST_F(LiveSkin, FlagsWhatItWasNotTrainedFor) {
+  Skin skin(data);
+  EXPECT_EQ(step(skin, 0, 6e-3, 1e-4), 0u); // far, but detached
+  EXPECT_EQ(step(skin, 1, 6e-3, -1e-7), flag::outside_place);
+  EXPECT_EQ(of(skin, "slider_x"), 5e-3);
+  EXPECT_EQ(step(skin, 2, 5e-3, -1e-5) & flag::outside_load, flag::outside_load);
+  EXPECT_EQ(step(skin, 2.001, 3e-3, -5e-7) & flag::outside_speed, flag::outside_speed);
+  step(skin, 2.5, 3e-3, -5e-7);
+  const std::vector<double> last = signals;
+  const std::vector<double> state(skin.state().begin(), skin.state().end());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& [time, x, height] :
+       {std::array{nan, 2e-3, 0.0}, std::array{3.0, nan, 0.0}, std::array{3.0, 2e-3, nan},
+        std::array{3.0, 2e-3, std::numeric_limits<double>::infinity()},
+        std::array{1.0, 2e-3, 0.0}}) {
+    EXPECT_EQ(step(skin, time, x, height), flag::refused);
+    EXPECT_EQ(signals, last);
+  }
+  EXPECT_EQ(std::vector<double>(skin.state().begin(), skin.state().end()), state);
+  EXPECT_EQ(step(skin, 3, 1e300, -1e300) & flag::refused, 0u); // absurd, yet it returns
+}
+
+TEST_F(LiveSkin, ComesBackFromItsFile) {
+  const auto path = std::filesystem::temp_directory_path() / "ionskin_live_test.live";
+  write_skin(path, data);
+  const SkinData read = read_skin(path);
+  Skin first(data), second(read);
+  step(first, 0, 2e-3, -5e-7);
+  const std::vector<double> expected = signals;
+  step(second, 0, 2e-3, -5e-7);
+  EXPECT_EQ(signals, expected);
+  EXPECT_EQ(read.taxels, data.taxels);
+  EXPECT_EQ(read.case_text, data.case_text);
+  EXPECT_EQ(read.errors.front().worst, data.errors.front().worst);
+
+  char message[200];
+  ionskin_live_skin* skin = ionskin_live_open(path.c_str(), message, sizeof message);
+  ASSERT_NE(skin, nullptr) << message;
+  EXPECT_EQ(ionskin_live_signal_count(skin), signals.size());
+  std::vector<double> by_c(signals.size());
+  EXPECT_EQ(ionskin_live_step(skin, 0, 2e-3, 1e-3, IONSKIN_LIVE_HEIGHT, -5e-7, by_c.data()), 0u);
+  EXPECT_EQ(by_c, expected);
+  ionskin_live_skin* copy = ionskin_live_copy(skin);
+  ionskin_live_close(skin);
+  EXPECT_EQ(ionskin_live_step(copy, 0, 2e-3, 1e-3, IONSKIN_LIVE_HEIGHT, NAN, by_c.data()),
+            IONSKIN_LIVE_REFUSED);
+  EXPECT_EQ(by_c, expected);
+  EXPECT_EQ(ionskin_live_text(copy, "nothing"), nullptr);
+  ionskin_live_close(copy);
+
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  const auto refused = [&](const std::string& content) {
+    std::ofstream(path, std::ios::binary) << content;
+    EXPECT_EQ(ionskin_live_open(path.c_str(), message, sizeof message), nullptr);
+    EXPECT_NE(std::string(message).find("ionskin live CASE.toml"), std::string::npos) << message;
+  };
+  for (const std::size_t length :
+       {std::size_t{0}, std::size_t{10}, bytes.size() / 2, bytes.size() - 1}) {
+    refused(bytes.substr(0, length));
+  }
+  for (std::size_t at = 0; at < bytes.size(); at += 97) {
+    std::string changed = bytes;
+    changed[at] = static_cast<char>(changed[at] ^ 0x10);
+    refused(changed);
+  }
+  std::filesystem::remove(path);
+  EXPECT_THROW(read_skin(path), UserError);
+}
+
+TEST_F(LiveSkin, RefusesAFileWhoseSizesDoNotFit) {
+  const auto path = std::filesystem::temp_directory_path() / "ionskin_live_sizes.live";
+  const auto refused = [&](auto&& damage) {
+    SkinData wrong = small_skin();
+    damage(wrong);
+    write_skin(path, wrong);
+    EXPECT_THROW(read_skin(path), UserError);
+  };
+  refused([](SkinData& wrong) { wrong.gap.pop_back(); });
+  refused([](SkinData& wrong) { wrong.compliance.values.pop_back(); });
+  refused([](SkinData& wrong) { wrong.compliance.lines_x.assign(40, 0); });
+  refused([](SkinData& wrong) { wrong.channels[0].field.pop_back(); });
+  refused([](SkinData& wrong) { wrong.channels[0].rows_per_point = 0; });
+  refused([](SkinData& wrong) { wrong.whole.inputs = 1000; });
+  refused([](SkinData& wrong) { wrong.taxel_corners.pop_back(); });
+  refused([](SkinData& wrong) { wrong.stiffness = -1; });
+  std::filesystem::remove(path);
+}
+
+} // namespace
+} // namespace ionskin::live
