@@ -55,6 +55,9 @@ class Pages(DocumentedTest):
     def test_touch(self):
         self.check_page("touch.md")
 
+    def test_friction(self):
+        self.check_page("friction.md")
+
     def test_errors(self):
         self.shell("ionskin init my_skin.toml --from quick")
         for page in sorted((DOCS / "errors").glob("*.md")):

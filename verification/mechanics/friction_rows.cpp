@@ -68,7 +68,7 @@ void add_speed_rows(const Options& options, std::vector<Row>& rows) {
                 coefficient * speed / 1e-3, 1e-3 * coefficient));
   }
   const laws::LawValues stribeck{
-      {"kinetic_friction", 0.2}, {"stribeck_speed", 1e-3}, {"friction_lag", 5e-3}};
+      {"kinetic_friction", 0.2}, {"stribeck_speed", 1e-3}, {"lag_time", 5e-3}};
   rows.push_back(
       compare("M13", "Stribeck friction at the Stribeck speed: T / N",
               sliding_ratio(short_stroke("stribeck", stribeck, 1e-3, {1, 0}), options)[0],
@@ -77,7 +77,7 @@ void add_speed_rows(const Options& options, std::vector<Row>& rows) {
 
 void add_direction_rows(const Options& options, std::vector<Row>& rows) {
   constexpr double across = 0.1;
-  const laws::LawValues grain{{"friction_across", across}};
+  const laws::LawValues grain{{"transverse_friction", across}};
   const auto ratio = [&](const std::array<double, 2>& direction) {
     return sliding_ratio(short_stroke("anisotropic", grain, 1e-3, direction), options);
   };

@@ -12,23 +12,23 @@ namespace ionskin::laws {
 /// tractions the one that acts takes most work (Michalowski and Mroz 1978, Arch. Mech. 30): sliding
 /// along a unit vector d meets t = p (mu_x^2 d_x, mu_y^2 d_y) / sqrt(mu_x^2 d_x^2 + mu_y^2 d_y^2).
 struct AnisotropicFriction {
-  double coefficient = 0;     ///< mu_x [1]
-  double friction_across = 0; ///< mu_y [1]
+  double coefficient = 0;         ///< mu_x [1]
+  double transverse_friction = 0; ///< mu_y [1]
 
   static constexpr auto parameters() {
     return std::array{OwnParameter<AnisotropicFriction>{
-        {.name = "friction_across",
+        {.name = "transverse_friction",
          .lowest = 1e-3,
          .highest = 2,
          .help = "Coefficient of friction along y; contact.friction is that along x."},
-        &AnisotropicFriction::friction_across}};
+        &AnisotropicFriction::transverse_friction}};
   }
   /// Largest traction along x [Pa]; 0 in tension.
   double limit(const FrictionArguments& at) const;
   /// Derivative of the limit by the normal traction [1].
   double limit_slope(const FrictionArguments& at) const;
   /// Limit along y over that along x [1].
-  double across() const { return friction_across / coefficient; }
+  double across() const { return transverse_friction / coefficient; }
 };
 
 } // namespace ionskin::laws

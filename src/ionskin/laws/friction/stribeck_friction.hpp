@@ -17,7 +17,7 @@ struct StribeckFriction {
   double coefficient = 0;      ///< mu, static [1]
   double kinetic_friction = 0; ///< mu_k [1]
   double stribeck_speed = 0;   ///< v_s [m/s]
-  double friction_lag = 0;     ///< T [s]
+  double lag_time = 0;         ///< T [s]
 
   static constexpr auto parameters() {
     return std::array{
@@ -36,7 +36,7 @@ struct StribeckFriction {
                      "is gone."},
             &StribeckFriction::stribeck_speed},
         OwnParameter<StribeckFriction>{
-            {.name = "friction_lag",
+            {.name = "lag_time",
              .dimension = units::Dimension::time,
              .lowest = 1e-6,
              .highest = 1e4,
@@ -44,13 +44,13 @@ struct StribeckFriction {
              .default_value = "\"5 ms\"",
              .source = "3 to 9 ms were measured in lubricated contacts (Hess and Soom 1990, J. "
                        "Tribology 112)"},
-            &StribeckFriction::friction_lag}};
+            &StribeckFriction::lag_time}};
   }
   /// Largest tangential traction [Pa]; 0 in tension.
   double limit(const FrictionArguments& at) const;
   /// Derivative of the limit by the normal traction [1].
   double limit_slope(const FrictionArguments& at) const;
-  double lag() const { return friction_lag; }
+  double lag() const { return lag_time; }
 };
 
 } // namespace ionskin::laws

@@ -15,7 +15,7 @@ TEST(AnisotropicFriction, LimitIsThatAlongXAndTheRatioThatAcross) {
 }
 
 TEST(AnisotropicFriction, WithoutCoefficientIsNoFriction) {
-  const Friction none = friction("anisotropic", 0, {{"friction_across", 0.3}});
+  const Friction none = friction("anisotropic", 0, {{"transverse_friction", 0.3}});
   EXPECT_EQ(none.limit({1e6}), 0);
   EXPECT_EQ(none.across, 1);
 }

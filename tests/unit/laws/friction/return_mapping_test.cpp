@@ -53,7 +53,7 @@ double work(const TangentialVector& traction, const TangentialVector& slip) {
 }
 
 TEST(ReturnMapping, SlipIsNormalToTheEllipse) {
-  const Friction friction = of("anisotropic", {{"friction_across", 0.1}});
+  const Friction friction = of("anisotropic", {{"transverse_friction", 0.1}});
   for (const TangentialVector z : {TangentialVector{5e5, 2e5}, TangentialVector{1e4, -4e5},
                                    TangentialVector{-3e8, 1e3}, TangentialVector{0, 1.001e5}}) {
     FrictionTrial other = trial;
@@ -75,7 +75,8 @@ TEST(ReturnMapping, SlipIsNormalToTheEllipse) {
 TEST(ReturnMapping, EllipseOfOneCoefficientIsTheDisc) {
   const auto disc = return_mapping(of("coulomb", {}), trial).traction;
   const auto ellipse =
-      return_mapping(of("anisotropic", {{"friction_across", 0.3 * (1 + 1e-12)}}), trial).traction;
+      return_mapping(of("anisotropic", {{"transverse_friction", 0.3 * (1 + 1e-12)}}), trial)
+          .traction;
   EXPECT_NEAR(disc[0], ellipse[0], 1e-5);
   EXPECT_NEAR(disc[1], ellipse[1], 1e-5);
 }
@@ -84,9 +85,8 @@ TEST(ReturnMapping, DerivativesAgreeWithFiniteDifferences) {
   for (const Friction& friction :
        {of("coulomb", {}), of("saturating", {{"strength", 4e5}, {"sharpness", 2}}),
         of("viscous", {{"reference_speed", 1e-4}}), of("regularised", {{"slip_length", 3e-7}}),
-        of("stribeck",
-           {{"kinetic_friction", 0.2}, {"stribeck_speed", 1e-3}, {"friction_lag", 1e-3}}),
-        of("anisotropic", {{"friction_across", 0.1}})}) {
+        of("stribeck", {{"kinetic_friction", 0.2}, {"stribeck_speed", 1e-3}, {"lag_time", 1e-3}}),
+        of("anisotropic", {{"transverse_friction", 0.1}})}) {
     const FrictionResponse response = return_mapping(friction, trial);
     constexpr double step = 10; // Pa
     for (std::size_t s = 0; s < 3; ++s) {

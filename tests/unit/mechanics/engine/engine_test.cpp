@@ -120,15 +120,14 @@ TEST(SlidingContact, holds_a_force_and_leaves_without_a_trace) {
 
 /// Laws of all kinds, mild and strong.
 std::vector<laws::Friction> all_laws() {
-  return {
-      laws::friction("coulomb", 0.3, {}),
-      laws::friction("saturating", 0.3, {{"strength", 5e5}, {"sharpness", 2}}),
-      laws::friction("regularised", 0.3, {{"slip_length", 1e-6}}),
-      laws::friction("regularised", 0.3, {{"slip_length", 1e-7}}),
-      laws::friction("viscous", 0.3, {{"reference_speed", 0.05}}),
-      laws::friction("stribeck", 0.3,
-                     {{"kinetic_friction", 0.1}, {"stribeck_speed", 1e-3}, {"friction_lag", 5e-3}}),
-      laws::friction("anisotropic", 0.3, {{"friction_across", 0.1}})};
+  return {laws::friction("coulomb", 0.3, {}),
+          laws::friction("saturating", 0.3, {{"strength", 5e5}, {"sharpness", 2}}),
+          laws::friction("regularised", 0.3, {{"slip_length", 1e-6}}),
+          laws::friction("regularised", 0.3, {{"slip_length", 1e-7}}),
+          laws::friction("viscous", 0.3, {{"reference_speed", 0.05}}),
+          laws::friction("stribeck", 0.3,
+                         {{"kinetic_friction", 0.1}, {"stribeck_speed", 1e-3}, {"lag_time", 5e-3}}),
+          laws::friction("anisotropic", 0.3, {{"transverse_friction", 0.1}})};
 }
 
 TEST(SlidingContact, takes_any_step_of_a_random_walk) {
@@ -182,9 +181,8 @@ TEST(SlidingContact, slides_with_the_coefficient_of_its_speed) {
   const auto viscous = laws::friction("viscous", 0.3, {{"reference_speed", 2e-3}});
   EXPECT_NEAR(coefficient_at(viscous, 2e-3), 0.3, 1e-4);
   EXPECT_NEAR(coefficient_at(viscous, 1e-3), 0.15, 1e-4);
-  const auto stribeck =
-      laws::friction("stribeck", 0.3,
-                     {{"kinetic_friction", 0.2}, {"stribeck_speed", 1e-3}, {"friction_lag", 5e-3}});
+  const auto stribeck = laws::friction(
+      "stribeck", 0.3, {{"kinetic_friction", 0.2}, {"stribeck_speed", 1e-3}, {"lag_time", 5e-3}});
   EXPECT_NEAR(coefficient_at(stribeck, 1e-3), 0.2 + 0.1 / M_E, 1e-4);
   EXPECT_NEAR(coefficient_at(stribeck, 5e-3), 0.2, 1e-4);
   EXPECT_NEAR(coefficient_at(laws::friction("regularised", 0.3, {{"slip_length", 1e-6}}), 1e-3),
@@ -219,8 +217,7 @@ TEST(SlidingContact, elastic_slip_comes_back_in_any_number_of_steps) {
 
 TEST(SlidingContact, a_step_without_solution_leaves_what_friction_remembers) {
   SlidingContact slider = line().slider(laws::friction(
-      "stribeck", 0.3,
-      {{"kinetic_friction", 0.2}, {"stribeck_speed", 1e-3}, {"friction_lag", 5e-3}}));
+      "stribeck", 0.3, {{"kinetic_friction", 0.2}, {"stribeck_speed", 1e-3}, {"lag_time", 5e-3}}));
   slider.step(0.1, {2e-3, 1e-3}, {LoadKind::indentation, 1e-6});
   slider.step(0.01, {2.05e-3, 1e-3}, {LoadKind::indentation, 1e-6});
   const std::vector<double> before = slider.problem().lagged_speed;

@@ -268,7 +268,7 @@ std::array<double, 2> slid_along(ContactProblem problem, const laws::Friction& l
 }
 
 TEST(ContactSolver, AnisotropicFrictionPullsTowardsTheEasyDirection) {
-  const auto law = laws::friction("anisotropic", 0.4, {{"friction_across", 0.1}});
+  const auto law = laws::friction("anisotropic", 0.4, {{"transverse_friction", 0.1}});
   const ContactProblem problem = line_of_cells(20, 0.4);
   const auto along = slid_along(problem, law, {1, 0}), across = slid_along(problem, law, {0, 1});
   EXPECT_NEAR(along[0], 0.4, 1e-6);

@@ -1,0 +1,148 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Random motions under every friction law: how many have a solution, and how well it fulfils contact and friction.
+
+    benchmarks/random_motions.py build/ionskin [--rows 150] [--seeds 1] [--laws WORD ...] [--sliders WORD ...]
+
+For each law, slider and kind of load (height, force) a path of random rows, 1 um to the whole stroke each, with presses,
+turns, rests, landings and lift-offs, is solved on a small skin, and its worst violation of the contact's and friction's
+conditions printed, relative. Fails when a path has no solution or a violation is above 1e-6.
+"""
+
+import argparse
+import itertools
+import json
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+
+CASE = """
+[skin]
+length = "5 mm"
+width = "2 mm"
+[[skin.layers]]
+name = "bottom electrode"
+role = "electrode"
+material = "platinum"
+thickness = "10 um"
+[[skin.layers]]
+name = "ionomer"
+role = "core"
+material = "nafion"
+thickness = "180 um"
+[[skin.layers]]
+name = "top electrode"
+role = "electrode"
+material = "platinum"
+thickness = "10 um"
+[slider]
+{slider}
+[motion]
+kind = "waypoints"
+file = "path.csv"
+[contact]
+friction = 0.3
+{law}
+[electrochemistry]
+temperature = "20 degC"
+diffusivity = "7e-11 m2/s"
+permittivity = "2e-3 F/m"
+fixed_charge_concentration = "1200 mol/m3"
+[coupling]
+coefficient = 0.1
+[numerics]
+preset = "coarse"
+mesh_refinement = 0.5
+"""
+
+# Keys of the slider; greatest depth [um] and force [N].
+SLIDERS = {
+    "flat": ('size = ["1 mm", "0.8 mm"]', 1, 3),
+    "rounded": ('size = ["1 mm", "0.8 mm"]\nedge_radius = "0.1 mm"', 1, 3),
+    "sphere": ('shape = "sphere"\nradius = "8 mm"', 2, 1),
+    "cylinder": ('shape = "cylinder"\nradius = "8 mm"\nsize = ["1 mm", "0.8 mm"]', 1, 2),
+}
+LAWS = {
+    "coulomb": "",
+    "saturating": 'strength = "500 kPa"',
+    "regularised": 'slip_length = "1 um"',
+    "regularised, 0.1 um": 'slip_length = "0.1 um"',
+    "viscous": 'reference_speed = "50 mm/s"',
+    "stribeck": 'kinetic_friction = 0.25\nstribeck_speed = "10 mm/s"',
+    "stribeck, strong": 'kinetic_friction = 0.1\nstribeck_speed = "1 mm/s"',
+    "anisotropic": "transverse_friction = 0.1",
+}
+
+
+def path_rows(rng, rows, depth, force, oblique):
+    """Waypoints [s, mm, mm, um, N]; a stroke is 2 mm long, and a row takes 10 ms or as long as 0.1 m/s needs."""
+    time, x, y, rests = 0.0, 2.5, 1.0, False
+    path = [(time, x, y, "1", "")]
+    for _ in range(rows):
+        size = 2 * 10 ** (-3.3 * rng.random())
+        before = (x, y)
+        rests = not rests and rng.random() < 0.1
+        if not rests:
+            x = min(3.5, max(1.5, x + rng.choice((-size, size))))
+            if oblique:
+                y = min(1.02, max(0.98, y + rng.choice((-size, size)) / 50))
+        time += max(0.01, (abs(x - before[0]) + abs(y - before[1])) / 100)
+        if rng.random() < 0.05:
+            path.append((time, x, y, f"{rng.random():.6f}", ""))
+        elif force:
+            path.append((time, x, y, "", f"{force * (0.1 + 0.9 * rng.random()):.6f}"))
+        else:
+            path.append((time, x, y, f"{-depth * (0.1 + 0.9 * rng.random()):.6f}", ""))
+    path.append((time + 0.1, x, y, "1", ""))
+    return path
+
+
+def trial(program, folder, slider, law, by_force, rows, seed):
+    """Steps and worst violation of one path, or what went wrong."""
+    keys, depth, force = SLIDERS[slider]
+    rng = random.Random(f"{slider} {by_force} {seed}")
+    rows = path_rows(rng, rows, depth, force if by_force else 0, law == "anisotropic")
+    text = "time [s], x [mm], y [mm], height [um], force [N]\n"
+    text += "".join(f"{t:.6f},{x:.6f},{y:.6f},{h},{f}\n" for t, x, y, h, f in rows)
+    (folder / "path.csv").write_text(text)
+    own = f'law = "{law.split(",")[0]}"\n' + LAWS[law]
+    (folder / "case.toml").write_text(CASE.format(slider=keys, law=own))
+    command = [program, "run", folder / "case.toml", "-o", folder / "out", "--overwrite", "--only", "mechanics", "--quiet"]
+    process = subprocess.run(command, capture_output=True, text=True, check=False)
+    if process.returncode != 0:
+        return None, f"exit {process.returncode}: {process.stderr.strip().splitlines()[0][:100]}"
+    summary = json.loads((folder / "out" / "summary.json").read_text())
+    return summary["metrics"]["complementarity_residual"]["value"], ""
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", type=pathlib.Path)
+    parser.add_argument("--rows", type=int, default=150)
+    parser.add_argument("--seeds", type=int, default=1)
+    parser.add_argument("--laws", nargs="+", default=list(LAWS))
+    parser.add_argument("--sliders", nargs="+", default=list(SLIDERS))
+    options = parser.parse_args()
+    failures = paths = 0
+    for law in options.laws:
+        worst = 0.0
+        for slider, by_force, seed in itertools.product(options.sliders, (False, True), range(options.seeds)):
+            with tempfile.TemporaryDirectory() as folder:
+                residual, problem = trial(options.program.resolve(), pathlib.Path(folder), slider, law, by_force,
+                                          options.rows, seed)
+            paths += 1
+            if residual is None or not residual <= 1e-6:
+                failures += 1
+                load = "force" if by_force else "height"
+                print(f"{law}, {slider} by {load}, seed {seed}: {problem or residual}", flush=True)
+            if residual is not None:
+                worst = max(worst, residual)
+        print(f"{law:22} worst violation {worst:.1e}", flush=True)
+    print(f"{paths} paths of {options.rows} rows, {failures} failures")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
