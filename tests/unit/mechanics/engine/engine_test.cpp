@@ -189,6 +189,24 @@ TEST(SlidingContact, slides_with_the_coefficient_of_its_speed) {
               0.3, 1e-6);
 }
 
+TEST(SlidingContact, friction_that_lags_converges_with_the_step) {
+  const auto stribeck = laws::friction(
+      "stribeck", 0.3, {{"kinetic_friction", 0.2}, {"stribeck_speed", 1e-3}, {"lag_time", 5e-3}});
+  std::vector<double> ratio;
+  for (const int steps : {20, 40, 80}) {
+    SlidingContact slider = line().slider(stribeck);
+    slider.step(0.1, {2e-3, 1e-3}, {LoadKind::indentation, 1e-6});
+    for (int i = 1; i <= steps; ++i) { // 6 ms at 2 mm/s, all of it in the fall of friction
+      slider.step(6e-3 / steps, {2e-3 + 12e-6 * i / steps, 1e-3}, {LoadKind::indentation, 1e-6});
+    }
+    ratio.push_back(tangential_force(slider.state()) / total_normal_force(slider.state().force));
+  }
+  EXPECT_GT(ratio.back(), 0.21); // not there yet
+  EXPECT_LT(ratio.back(), 0.28);
+  EXPECT_LT(std::abs(ratio[2] - ratio[1]), 0.7 * std::abs(ratio[1] - ratio[0]));
+  EXPECT_LT(std::abs(ratio[2] - ratio[1]), 2e-3);
+}
+
 TEST(SlidingContact, elastic_slip_comes_back_in_any_number_of_steps) {
   const auto law = laws::friction("regularised", 0.3, {{"slip_length", 2e-6}});
   std::vector<double> force;
