@@ -5,6 +5,7 @@ import os
 import pathlib
 import subprocess
 import sys
+import time
 import unittest
 
 import numpy
@@ -113,6 +114,13 @@ class LiveTest(ProgramTest):
         self.assertEqual(rows.shape, (101, 4))
         self.assertTrue((rows[:, 1] > 0).all())
         self.assertFalse(rows[:, 3].any())
+
+    def test_an_interrupt_leaves_no_file(self):
+        begun = time.monotonic()
+        errors = self.interrupt_program("live", ROOT / "cases" / "quick.toml", "-o", "skin.live",
+                                        when=lambda: time.monotonic() - begun > 1)
+        self.assertIn("skin.live was not written", errors)
+        self.assertEqual(list(self.folder.glob("*.live*")), [])
 
     def test_mistakes_end_before_any_work(self):
         quick = ROOT / "cases" / "quick.toml"

@@ -58,6 +58,7 @@ int live(const LiveOptions& options, const std::string& command) {
   cache_options.use_cache = options.use_cache;
   const auto cache = study::open_user_cache(cache_options);
   ionskin::live::SkinData data;
+  bool interrupted = false;
   {
     ProgressDisplay display(options.log);
     ionskin::live::TrainingOptions settings;
@@ -67,7 +68,15 @@ int live(const LiveOptions& options, const std::string& command) {
     settings.cache = cache.get();
     settings.progress = display.callback();
     settings.command = command;
-    data = ionskin::live::train_skin(input, settings);
+    try {
+      data = ionskin::live::train_skin(input, settings);
+    } catch (const Interrupted&) {
+      interrupted = true;
+    }
+  }
+  if (interrupted) { // unlike a run, it keeps nothing to go on from
+    fmt::print(stderr, "interrupted: {} was not written\n", options.output);
+    return static_cast<int>(ExitCode::interrupted);
   }
   ionskin::live::write_skin(options.output, data);
   if (options.log != LogFormat::quiet) {

@@ -42,8 +42,9 @@ enum : std::size_t {
   common
 };
 
-constexpr double rough = 1e-3;  // residual
-constexpr double margin = 1e-2; // of the trained range
+constexpr double rough = 1e-3;    // residual
+constexpr double margin = 1e-2;   // of the trained range
+constexpr double most_load = 100; // times the trained one: more would overflow
 constexpr std::size_t sides = 2;
 
 } // namespace
@@ -253,9 +254,10 @@ std::uint32_t Skin::step(double time, const std::array<double, 2>& place, bool i
   state_[last_time] = time;
   state_[last_x] = at[0];
   state_[last_y] = at[1];
-  const double left =
-      contact_.step(time_step, at, travel,
-                    {is_force, is_force ? value * data_.meshed_share : -value}, contact_state());
+  const double load = std::min(is_force ? value * data_.meshed_share : -value,
+                               most_load * (is_force ? data_.heaviest_force * data_.meshed_share
+                                                     : data_.deepest_indentation));
+  const double left = contact_.step(time_step, at, travel, {is_force, load}, contact_state());
   add_contact(signals);
   signals[slider_x] = at[0];
   signals[slider_y] = at[1];
@@ -267,8 +269,10 @@ std::uint32_t Skin::step(double time, const std::array<double, 2>& place, bool i
   const bool touches = signals[normal_force] > 0;
   flags |= touches && outside ? flag::outside_place : 0;
   flags |= touches && touched && fast ? flag::outside_speed : 0;
-  if (touches && (signals[normal_force] > (1 + margin) * data_.heaviest_force ||
-                  state_[indentation] > (1 + margin) * data_.deepest_indentation)) {
+  const bool heavy = signals[normal_force] > (1 + margin) * data_.heaviest_force ||
+                     (is_force && value > (1 + margin) * data_.heaviest_force) ||
+                     state_[indentation] > (1 + margin) * data_.deepest_indentation;
+  if (heavy) {
     flags |= flag::outside_load;
   }
   signals[mean_shear] = signals[shear_first_moment] = 0;

@@ -16,7 +16,8 @@ namespace ionskin::live {
 /// What `Skin::step` says of a step, as bits; 0 where all is well.
 namespace flag {
 inline constexpr std::uint32_t outside_place = 1; ///< taken to the nearest trained place
-inline constexpr std::uint32_t outside_load = 2;  ///< heavier or deeper than trained
+inline constexpr std::uint32_t outside_load =
+    2; ///< heavier or deeper than trained, and no more than 100 times
 inline constexpr std::uint32_t outside_speed = 4; ///< faster than trained
 inline constexpr std::uint32_t unconverged = 8;   ///< residual above 1e-3: the step is a rough one
 /// NaN, infinity, or a time before the last: nothing has moved, the signals are the last ones.

@@ -180,7 +180,17 @@ TEST_F(LiveSkin, FlagsWhatItWasNotTrainedFor) {
     EXPECT_EQ(signals, last);
   }
   EXPECT_EQ(std::vector<double>(skin.state().begin(), skin.state().end()), state);
-  EXPECT_EQ(step(skin, 3, 1e300, -1e300) & flag::refused, 0u); // absurd, yet it returns
+  for (const double absurd : {-1e300, 1e300}) {
+    EXPECT_EQ(step(skin, 3, absurd, absurd),
+              absurd < 0 ? flag::outside_place | flag::outside_load : 0u);
+    EXPECT_EQ(step(skin, 3, 3e-3, 1e300, true) & flag::outside_load, flag::outside_load);
+    for (const double signal : signals) {
+      EXPECT_TRUE(std::isfinite(signal));
+    }
+  }
+  step(skin, 4, 3e-3, 1e-4);
+  EXPECT_EQ(step(skin, 5, 3e-3, -5e-7), 0u);
+  EXPECT_TRUE(std::isfinite(of(skin, "charge_top")));
 }
 
 TEST_F(LiveSkin, ComesBackFromItsFile) {
