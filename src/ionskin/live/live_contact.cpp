@@ -23,6 +23,8 @@ void lagrange(const std::vector<double>& lines, double at, std::span<double> wei
   }
 }
 
+} // namespace
+
 laws::Friction friction_of(const SkinData& data) {
   laws::LawValues values;
   for (std::size_t i = 0; i < data.friction_values.size(); ++i) {
@@ -30,8 +32,6 @@ laws::Friction friction_of(const SkinData& data) {
   }
   return laws::friction(data.friction_law, data.friction, values);
 }
-
-} // namespace
 
 void place_amplitudes(const PlaceMap& map, const std::array<double, 2>& place,
                       std::span<double> amplitudes) noexcept {

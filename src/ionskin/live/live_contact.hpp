@@ -49,6 +49,9 @@ private:
   std::vector<char> slips_;
 };
 
+/// The friction law of a skin. Throws where there is none of its name.
+laws::Friction friction_of(const SkinData& data);
+
 /// Amplitudes of the modes at a place.
 void place_amplitudes(const PlaceMap& map, const std::array<double, 2>& place,
                       std::span<double> amplitudes) noexcept;

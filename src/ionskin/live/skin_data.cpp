@@ -4,6 +4,7 @@
 #include "ionskin/base/digest.hpp"
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/files/atomic_file.hpp"
+#include "ionskin/live/live_contact.hpp"
 
 #include <bit>
 #include <cmath>
@@ -194,6 +195,11 @@ void check(const Reader& reader, const SkinData& data) {
   const std::size_t cells = data.area.size();
   reader.require(cells > 0 && cells < 10000 && data.gap.size() == cells, "gap");
   reader.require(data.friction_parameters.size() == data.friction_values.size(), "friction_values");
+  try {
+    friction_of(data);
+  } catch (const std::exception&) { // a law or a parameter that this version lacks
+    reader.require(false, "friction_law");
+  }
   check_map(reader, "compliance", data.compliance, 9 * cells * cells);
   reader.require(data.stiffness > 0, "stiffness");
   reader.require(data.meshed_share == 1 || data.meshed_share == 0.5, "meshed_share");

@@ -257,6 +257,7 @@ TEST_F(LiveSkin, RefusesAFileWhoseSizesDoNotFit) {
   refused([](SkinData& wrong) { wrong.whole.inputs = 1000; });
   refused([](SkinData& wrong) { wrong.taxel_corners.pop_back(); });
   refused([](SkinData& wrong) { wrong.stiffness = -1; });
+  refused([](SkinData& wrong) { wrong.friction_law = "unheard-of"; });
   std::filesystem::remove(path);
 }
 
