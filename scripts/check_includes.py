@@ -14,6 +14,7 @@ ROOMS = {
     "parallel": ["."],
     "units": ["."],
     "laws": [".", "friction", "coupling"],
+    "circuits": ["."],
     "case": ["text", ".", "schema", "document", "checks", "reading"],
     "mesh": ["."],
     "linear_algebra": ["."],

@@ -132,9 +132,10 @@ def model(study):
     return figure
 
 
-def wall_potentials(readout):
-    """What holds for the potential at both walls of the core, under the circuit between the electrodes."""
-    top = {"open": "φ = U, no current", "load": "φ = U = R I"}.get(readout.get("circuit", "short"), "φ = 0")
+def wall_potentials(results):
+    """What holds for the potential at both walls of the core, as the run says it of its circuit."""
+    floating = results.circuit is not None and results.circuit.has("voltage")
+    top = results.circuit_words.get("top_potential", "φ = U" if floating else "φ = 0")
     return {"bottom": "φ = 0", "top": top}
 
 
@@ -146,7 +147,7 @@ def layers(study):
         for layer in study.typical.results.case.get("skin", {}).get("layers", [])]
     if not rows:
         return "the case names no layers"
-    potential = wall_potentials(study.typical.results.case.get("readout", {}))
+    potential = wall_potentials(study.typical.results)
     law = study.typical.results.case.get("contact", {}).get("law", "coulomb").capitalize()
     figure = style.canvas(height=2.2, left=0.02, right=0.98, top=0.98, bottom=0.02)
     axes = figure.add_subplot()

@@ -1,30 +1,30 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the readout of a run shows: voltage or reading of its circuit, map and signals of its taxels."""
 
+import re
+
 import numpy
 from matplotlib.patches import Rectangle
 
 from . import event_panels, style
 from .panels import STEP, peak_of, scaled, signed_log_axis, time_axis
 from .quantity import si
-from .words import short
+from .words import quantity, short
 
 TAXEL = "current_top_"
 NO_TAXELS = "the run has no taxels"
 COLUMNS = 4  # of taxel panels side by side
 MOST_TAXELS = 36  # panels that a page can hold
-VOLTAGES = ("open", "load")
+VALUE = re.compile(r"([-+.0-9e]+) (ohm|F|Hz)\b")
+UNITS = {"ohm": "Ω"}
 
 
 def circuit_words(results):
-    """The readout circuit in words."""
-    readout = results.case.get("readout", {})
-    kind = readout.get("circuit", "short")
-    if kind == "load":
-        return f"Load of {short(readout.get('load_resistance', '1 MOhm'), 20).replace('Ohm', 'Ω')}"
-    if kind == "amplifier":
-        return f"Amplifier of {short(readout.get('amplifier_bandwidth', '1 kHz'), 20)}"
-    return {"open": "Open circuit"}.get(kind, "Short circuit")
+    """The readout circuit in words, as the run says it; its name in folders of earlier versions."""
+    name = results.case.get("readout", {}).get("circuit", "short")
+    words = results.circuit_words.get("words", f"{short(name, 20)} circuit")
+    words = VALUE.sub(lambda match: quantity(float(match[1]), UNITS.get(match[2], match[2])), words)
+    return words[:1].upper() + words[1:]
 
 
 def circuit_panel(panel, results):

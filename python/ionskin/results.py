@@ -136,6 +136,7 @@ class Results:
     errors            dict of table name to Table: stated errors of the signals, same columns; empty without
     metrics           dict of name to Metric
     summary, manifest dict, as in the files; empty when the file is missing
+    circuit_words     dict: name, words and top_potential of the circuit; empty in folders of earlier versions
     case              dict of the case file, quantities as texts
     complete          False for a run that has not ended: it gives place, height and forces of the slider and the
                       metrics of the contact alone
@@ -170,6 +171,8 @@ class Results:
             with _whole(self.folder / "summary.json"):
                 self.metrics = {name: Metric(entry["value"], entry["unit"])
                                 for name, entry in _object(self.summary, "metrics").items()}
+        with _whole(self.folder / "summary.json"):
+            self.circuit_words = {name: str(text) for name, text in _object(self.summary, "circuit").items()}
         case = self.folder / "case.toml"
         self.case = {}
         if case.exists():

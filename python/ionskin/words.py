@@ -2,7 +2,7 @@
 """Numbers and texts as a reader sees them."""
 
 LONGEST_LABEL = 48
-PREFIXED = ("A", "C", "N", "V", "s", "Pa", "m", "J", "W", "Ohm")
+PREFIXED = ("A", "C", "N", "V", "s", "Pa", "m", "J", "W", "Ohm", "Ω", "F", "Hz")
 PREFIXES = {-15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
 
 

@@ -88,7 +88,7 @@ class FirstMinutes(ProgramTest):
                 subprocess.run(re.search("First: (.*)", wrote)[1].split(), cwd=self.folder, check=True)
             self.run_program("check", f"{name}.toml")
         keys = self.run_program("keys").stdout
-        self.assertRegex(keys, r"readout\.circuit .* one of short, open, load, amplifier  \[\"short\"\]")
+        self.assertRegex(keys, r"readout\.circuit .* one of short, open, load, parallel-rc, amplifier  \[\"short\"\]")
         for key in ("readout.taxels.rows", "readout.taxels.gap", "readout.taxels[].name"):
             self.assertIn(key, keys)
         lines = self.run_program("keys", "friction").stdout.splitlines()

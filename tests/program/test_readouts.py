@@ -92,7 +92,8 @@ class Readouts(ProgramTest):
     def test_circuits_can_be_swept(self):
         case = self.write("case.toml", QUICK.read_text() + '\n[readout]\ncircuit = "load"\nload_resistance = "1 kOhm"\n')
         note = self.run_program("check", case, "--set", "readout.circuit=short").stdout
-        self.assertIn('note: readout.load_resistance is given and not used: the circuit "short" has none, "load" has.', note)
+        self.assertIn('note: readout.load_resistance is given and not used: the circuit "short" has none, '
+                      '"load" or "parallel-rc" has.', note)
         self.run_program("sweep", case, "--over", "readout.circuit=short,load", "-o", "sweep", "--no-report",
                          "--set", "numerics.mesh_refinement=0.5")
         rows = (self.folder / "sweep" / "sweep.csv").read_text().splitlines()
@@ -104,6 +105,17 @@ class Readouts(ProgramTest):
         middle = (load["voltage"][1:] + load["voltage"][:-1]) / 2
         passed = -numpy.cumsum(numpy.diff(load["time"]) * middle) / 20
         self.assertLess(numpy.abs(passed - load["charge"][1:]).max(), 0.02 * numpy.abs(load["charge"]).max())
+
+    def test_resistor_and_capacitor_share_the_current(self):
+        _, out = self.read_out("parallel", "readout.circuit=parallel-rc", "readout.load_resistance=20 Ohm",
+                               "readout.load_capacitance=10 mF")
+        both = signals(out, "circuit")
+        middle = (both["voltage"][1:] + both["voltage"][:-1]) / 2
+        through_resistor = -numpy.cumsum(numpy.diff(both["time"]) * middle) / 20
+        stored = both["charge"] + 10e-3 * both["voltage"]
+        self.assertGreater(numpy.abs(10e-3 * both["voltage"]).max(), 0.1 * numpy.abs(both["charge"]).max())
+        self.assertLess(numpy.abs(through_resistor - stored[1:]).max(), 0.02 * numpy.abs(stored).max())
+        self.assertEqual(summary(out)["circuit"]["words"], "resistor of 20 ohm and capacitor of 0.01 F in parallel")
 
     def test_amplifier_clips_and_says_so(self):
         whole, out = self.read_out("amplifier", "readout.circuit=amplifier", "readout.amplifier_bandwidth=10 kHz",

@@ -17,11 +17,11 @@ using electrochemistry::IonSolution;
 
 constexpr std::array compared_instants{1e-3, 0.01, 0.1, 1.0, 4.0};
 
-Case circuit_case(ReadoutCircuit circuit, double load_resistance = 1.0) {
+Case circuit_case(const char* circuit, double resistance = 1.0, double capacitance = 0.0) {
   Case input = model_case();
   input.coupling.coefficient = 1.0;
   input.readout.circuit = circuit;
-  input.readout.load_resistance = load_resistance;
+  input.readout.parameters = {{"load_resistance", resistance}, {"load_capacitance", capacitance}};
   return input;
 }
 
@@ -42,8 +42,7 @@ double largest_charge(const IonSolution& solution) {
 void add_load_rows(const LinearCell& cell, const Options& options, std::vector<Row>& rows) {
   // A load equal to the cell's own resistance.
   const double load = cell.resistance();
-  const IonSolution solution =
-      run_step(circuit_case(ReadoutCircuit::load, load / electrode_area), options);
+  const IonSolution solution = run_step(circuit_case("load", load / electrode_area), options);
   const double scale = largest_charge(solution) / electrode_area;
   for (const double time : compared_instants) {
     const double expected = inverse_laplace([&](Complex s) { return cell.charge(s, load); }, time);
@@ -53,8 +52,33 @@ void add_load_rows(const LinearCell& cell, const Options& options, std::vector<R
   }
 }
 
+void add_parallel_rows(const LinearCell& cell, const Options& options, std::vector<Row>& rows) {
+  // The cell's own resistance beside a capacitor that it charges in a tenth of a second.
+  const double resistance = cell.resistance(), capacitance = 0.1 / resistance;
+  const IonSolution solution = run_step(
+      circuit_case("parallel-rc", resistance / electrode_area, capacitance * electrode_area),
+      options);
+  const auto load = [&](Complex s) { return resistance / (1.0 + s * resistance * capacitance); };
+  const double scale = largest_charge(solution) / electrode_area;
+  const double largest_voltage =
+      std::ranges::max(solution.voltage, {}, [](double voltage) { return std::abs(voltage); });
+  for (const double time : compared_instants) {
+    const std::size_t row = row_at(solution, time);
+    const auto charge = [&](Complex s) { return cell.charge(s, load(s)); };
+    rows.push_back(
+        compare("E4", fmt::format("charge behind R and C in parallel at t = {} s [C/m2]", time),
+                charge_difference(solution, row) / electrode_area, inverse_laplace(charge, time),
+                2e-3 * scale));
+    rows.push_back(
+        compare("E4", fmt::format("voltage over R and C in parallel at t = {} s [V]", time),
+                solution.voltage[row],
+                inverse_laplace([&](Complex s) { return -s * charge(s) * load(s); }, time),
+                5e-3 * std::abs(largest_voltage)));
+  }
+}
+
 void add_open_rows(const LinearCell& cell, const Options& options, std::vector<Row>& rows) {
-  const IonSolution solution = run_step(circuit_case(ReadoutCircuit::open), options);
+  const IonSolution solution = run_step(circuit_case("open"), options);
   const auto expected = [&](double time) {
     return inverse_laplace([&](Complex s) { return cell.open_voltage(s); }, time);
   };
@@ -83,30 +107,26 @@ double largest_difference(const IonSolution& a, const IonSolution& b, const Quan
 }
 
 void add_limit_rows(const Options& options, std::vector<Row>& rows) {
-  const auto loaded = [&](double load) {
-    return run_step(circuit_case(ReadoutCircuit::load, load), options);
-  };
-  rows.push_back(
-      at_most("E4", "charge behind 1 mOhm against the short circuit",
-              largest_difference(loaded(1e-3),
-                                 run_step(circuit_case(ReadoutCircuit::short_circuit), options),
-                                 charge_difference),
-              1e-3));
-  rows.push_back(
-      at_most("E4", "voltage at 1 GOhm against the open circuit",
-              largest_difference(loaded(1e9), run_step(circuit_case(ReadoutCircuit::open), options),
-                                 [](const IonSolution& solution, std::size_t row) {
-                                   return solution.voltage[row];
-                                 }),
-              1e-3));
+  const auto loaded = [&](double load) { return run_step(circuit_case("load", load), options); };
+  rows.push_back(at_most(
+      "E4", "charge behind 1 mOhm against the short circuit",
+      largest_difference(loaded(1e-3), run_step(circuit_case("short"), options), charge_difference),
+      1e-3));
+  rows.push_back(at_most("E4", "voltage at 1 GOhm against the open circuit",
+                         largest_difference(loaded(1e9), run_step(circuit_case("open"), options),
+                                            [](const IonSolution& solution, std::size_t row) {
+                                              return solution.voltage[row];
+                                            }),
+                         1e-3));
 }
 
 } // namespace
 
 std::vector<Row> circuit_rows(const Options& options) {
-  const LinearCell cell(circuit_case(ReadoutCircuit::open));
+  const LinearCell cell(circuit_case("open"));
   std::vector<Row> rows;
   add_load_rows(cell, options, rows);
+  add_parallel_rows(cell, options, rows);
   add_open_rows(cell, options, rows);
   add_limit_rows(options, rows);
   return rows;

@@ -12,7 +12,7 @@ LinearCell::LinearCell(const Case& input)
     : scales_(electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness())),
       permittivity_(input.electrochemistry.permittivity) {}
 
-Complex LinearCell::charge(Complex s, double load) const {
+Complex LinearCell::charge(Complex s, Complex load) const {
   return short_charge(s) * impedance(s) / (impedance(s) + load);
 }
 

@@ -20,9 +20,9 @@ public:
   explicit LinearCell(const Case& input);
 
   /// Charge of the step behind a load [C s/m2]: the cell drives it with its short-circuit current
-  /// through its own impedance, Q = Q_short Z/(Z + R).
-  /// @param load R A [ohm m2]
-  Complex charge(Complex s, double load) const;
+  /// through its own impedance, Q = Q_short Z/(Z + Z_load).
+  /// @param load impedance between the electrodes, times their area [ohm m2]
+  Complex charge(Complex s, Complex load) const;
   /// Charge of the step in the short circuit [C s/m2].
   Complex short_charge(Complex s) const;
   /// Voltage of the open cell [V s/m2].

@@ -23,7 +23,7 @@ Case bent(SideCondition sides) {
   input.skin.sides = sides;
   input.strain.kind = StrainSourceKind::prescribed;
   input.strain.curvature = 1;
-  input.readout.circuit = ReadoutCircuit::open;
+  input.readout.circuit = "open";
   return input;
 }
 

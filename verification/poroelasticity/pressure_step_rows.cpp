@@ -74,7 +74,7 @@ double charge(const IonSolution& solution, double time) {
 
 /// Of the electrodes left open, a time after the step [V].
 double open_voltage(Case input, double time, const Options& options) {
-  input.readout.circuit = ReadoutCircuit::open;
+  input.readout.circuit = "open";
   const IonSolution solution = run_model(
       input, pressure_step_history(-0.5 * small_pressure, 0.5 * small_pressure, {0.0, time}),
       options);

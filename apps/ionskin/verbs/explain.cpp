@@ -8,6 +8,7 @@
 #include "ionskin/case/coupling.hpp"
 #include "ionskin/case/elastic_constants.hpp"
 #include "ionskin/case/slider_motion.hpp"
+#include "ionskin/circuits/circuit.hpp"
 #include "ionskin/electrochemistry/equations/steric_excess.hpp"
 #include "ionskin/electrochemistry/equations/wall_potential.hpp"
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
@@ -150,9 +151,12 @@ std::string scales_of_readout(const Case& input) {
                 fmt::format("{:.4g} F", per_area * area),
                 fmt::format("the first of {}", readout.taxels.size()));
   }
-  if (readout.circuit == ReadoutCircuit::load)
-    text += row("time constant R C", fmt::format("{:.4g} s", readout.load_resistance * capacitance),
-                fmt::format("through the load of {:.4g} ohm{}", readout.load_resistance,
+  const circuits::Circuit circuit = circuits::circuit(readout.circuit, readout.parameters);
+  if (circuit.admittance && std::isfinite(circuit.admittance->resistance))
+    text += row("time constant R C",
+                fmt::format("{:.4g} s", circuit.admittance->resistance *
+                                            (capacitance + circuit.admittance->capacitance)),
+                fmt::format("through the {}{}", circuit.words,
                             readout.taxels.empty() ? "" : ", which all taxels share"));
   return text;
 }

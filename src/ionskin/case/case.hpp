@@ -184,24 +184,12 @@ struct TaxelGrid {
   double gap = 0;            ///< between neighbours [m]
 };
 
-/// What is connected to the two electrodes.
-enum class ReadoutCircuit { short_circuit, open, load, amplifier };
-
-/// Transimpedance amplifier; it holds the electrodes at one potential.
-struct Amplifier {
-  double bandwidth = 0;     ///< of its first-order low pass, -3 dB [Hz]
-  double noise_density = 0; ///< input-referred, one-sided [A/sqrt(Hz)]
-  double range = 0;         ///< largest current of either sign [A]; 0 for any
-  int noise_seed = 0;
-};
-
 struct Readout {
-  double sample_interval = 0; ///< [s]
-  ReadoutCircuit circuit = ReadoutCircuit::short_circuit;
-  double load_resistance = 0; ///< of circuit `load` [ohm]
-  Amplifier amplifier;        ///< of circuit `amplifier`
-  TaxelGrid taxel_grid;       ///< as written
-  std::vector<Taxel> taxels;  ///< disjoint, those of a grid too; empty for one whole electrode
+  double sample_interval = 0;    ///< [s]
+  std::string circuit = "short"; ///< a name from the table in circuits/circuit.cpp
+  laws::LawValues parameters;    ///< of circuits, that of the chosen one among them
+  TaxelGrid taxel_grid;          ///< as written
+  std::vector<Taxel> taxels;     ///< disjoint, those of a grid too; empty for one whole electrode
 };
 
 enum class Preset { coarse, standard, fine };

@@ -52,7 +52,7 @@ public:
                 steric_excess(input.electrochemistry)),
         integrator_(
             scaled_, scales_, fixed_charge_, options.potentials, solver_, team_,
-            circuit_conductance(input.readout, scales_, input.skin.length * input.skin.width)),
+            scaled_admittance(input.readout, scales_, input.skin.length * input.skin.width)),
         rows_(input, scales_, grid_, mirror_, scaled_, fixed_charge_, control_.landings().time,
               options.snapshot_times) {}
 

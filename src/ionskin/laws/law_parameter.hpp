@@ -14,12 +14,13 @@
 
 namespace ionskin::laws {
 
-/// A parameter of a law's own, as the law declares it. The schema makes a key of it, `contact.NAME`
-/// or `coupling.NAME`, which is read, checked, explained, documented and hashed by what stands
-/// here.
+/// A parameter of a law's own, as the law declares it. The schema makes a key of it,
+/// `contact.NAME`, `coupling.NAME` or, of a circuit, `readout.NAME`, which is read, checked,
+/// explained, documented and hashed by what stands here.
 struct LawParameter {
   std::string_view name;
   units::Dimension dimension = units::Dimension::number;
+  bool whole = false;             ///< takes whole numbers only
   double lowest = 0, highest = 0; ///< allowed, both included [SI]
   std::string_view help;          ///< one sentence
   std::string_view default_value; ///< TOML, such as "\"4 MPa\""; where empty, a case must give it
@@ -61,13 +62,19 @@ bool has_parameter(std::span<const Law> laws, std::string_view law, std::string_
   });
 }
 
-/// A law with its coefficient and the values of its parameters, which must all be there.
-template <class Law> Law law_with(double coefficient, const LawValues& values) {
+/// A law with the values of its parameters, which must all be there.
+template <class Law> Law with_parameters(const LawValues& values) {
   Law law;
-  law.coefficient = coefficient;
   for (const OwnParameter<Law>& own : Law::parameters()) {
     law.*own.member = values.at(std::string(own.declared.name));
   }
+  return law;
+}
+
+/// The same with the coefficient that every law of friction or coupling has.
+template <class Law> Law law_with(double coefficient, const LawValues& values) {
+  Law law = with_parameters<Law>(values);
+  law.coefficient = coefficient;
   return law;
 }
 

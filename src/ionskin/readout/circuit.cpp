@@ -26,7 +26,8 @@ SignalTable terminal_signals(const std::vector<double>& time, const std::vector<
   return table;
 }
 
-SignalTable amplifier_signals(const std::vector<double>& time, const AmplifierReading& reading) {
+SignalTable instrument_signals(const std::vector<double>& time,
+                               const circuits::InstrumentReading& reading) {
   SignalTable table;
   table.columns = {
       {"time", "s", time}, {"current", "A", reading.current}, {"charge", "C", reading.charge}};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/readout/amplifier.hpp"
+#include "ionskin/circuits/instrument_reading.hpp"
 #include "ionskin/readout/signals.hpp"
 
 #include <vector>
@@ -14,12 +14,14 @@ namespace ionskin::readout {
 std::vector<double> charge_difference(const std::vector<double>& charge_top,
                                       const std::vector<double>& charge_bottom);
 
-/// Open circuit and load: time, voltage (phi_top - phi_bottom, at the row), current (difference
-/// current, mean over the step that ends at the row) and charge (difference charge).
+/// Circuits that leave the potentials free: time, voltage (phi_top - phi_bottom, at the row),
+/// current (difference current, mean over the step that ends at the row) and charge (difference
+/// charge).
 SignalTable terminal_signals(const std::vector<double>& time, const std::vector<double>& voltage,
                              const std::vector<double>& charge);
 
-/// Amplifier: time, current (its reading, at the row) and charge (integral of the reading).
-SignalTable amplifier_signals(const std::vector<double>& time, const AmplifierReading& reading);
+/// Instrument: time, current (its reading, at the row) and charge (integral of the reading).
+SignalTable instrument_signals(const std::vector<double>& time,
+                               const circuits::InstrumentReading& reading);
 
 } // namespace ionskin::readout

@@ -31,6 +31,11 @@ std::string summary_text(const Summary& summary) {
                                     {"fail_above", audit.fail_above},
                                     {"verdict", audit.verdict}};
   }
+  if (summary.circuit) {
+    json["circuit"] = {{"name", summary.circuit->name},
+                       {"words", summary.circuit->words},
+                       {"top_potential", summary.circuit->top_potential}};
+  }
   // Names of files need not be UTF-8, as JSON must.
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,13 @@ struct AuditEntry {
   std::string metric;
   double value = 0, warn_above = 0, fail_above = 0;
   std::string verdict; ///< "passed", "warned" or "failed"
+};
+
+/// The circuit of the run, for those who draw it.
+struct CircuitEntry {
+  std::string name;          ///< "load"
+  std::string words;         ///< "resistor of 1000 ohm"
+  std::string top_potential; ///< of the top electrode above the bottom one: "φ = U = R I"
 };
 
 /// What stands in summary.json.
@@ -28,6 +36,7 @@ struct Summary {
   std::map<std::string, std::string> not_converging; ///< why, by metric
   std::map<std::string, std::string> not_estimated;  ///< why, by metric
   std::vector<AuditEntry> audits;
+  std::optional<CircuitEntry> circuit; ///< of a run with ions
 };
 
 /// The JSON text, metrics in the given order; a value that is not finite becomes null.

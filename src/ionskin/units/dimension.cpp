@@ -30,6 +30,7 @@ const std::map<Dimension, DimensionInfo>& table() {
        {"a hydraulic mobility", "m2/(Pa s)", {"m2/(Pa s)", "um2/(Pa s)"}}},
       {Dimension::curvature, {"a curvature", "1/m", {"1/m", "1/mm", "1/cm"}}},
       {Dimension::speed, {"a speed", "m/s", {"mm/s", "um/s", "m/s"}}},
+      {Dimension::capacitance, {"a capacitance", "F", {"pF", "nF", "uF", "mF", "F"}}},
   };
   return rows;
 }
@@ -48,11 +49,13 @@ std::vector<std::string> usual_units() {
 }
 
 const std::vector<DimensionInfo>& other_dimensions() {
-  static const std::vector<DimensionInfo> rows = {
-      {"a volume", "m3", {}},          {"a mass", "kg", {}},
-      {"an energy", "J", {}},          {"a power", "W", {}},
-      {"an electric charge", "C", {}}, {"a voltage", "V", {}},
-      {"a capacitance", "F", {}},      {"an amount of substance", "mol", {}}};
+  static const std::vector<DimensionInfo> rows = {{"a volume", "m3", {}},
+                                                  {"a mass", "kg", {}},
+                                                  {"an energy", "J", {}},
+                                                  {"a power", "W", {}},
+                                                  {"an electric charge", "C", {}},
+                                                  {"a voltage", "V", {}},
+                                                  {"an amount of substance", "mol", {}}};
   return rows;
 }
 

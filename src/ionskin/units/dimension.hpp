@@ -25,7 +25,8 @@ enum class Dimension {
   viscosity,
   hydraulic_mobility,
   curvature,
-  speed
+  speed,
+  capacitance
 };
 
 struct DimensionInfo {

@@ -144,12 +144,19 @@ TEST(IonTransport, UniformShearChargesBothElectrodesAlikeAtOnce) {
   }
 }
 
+Case beside_capacitor(double resistance, double capacitance) {
+  Case input = coarse_case();
+  input.readout.circuit = "parallel-rc";
+  input.readout.parameters = {{"load_resistance", resistance}, {"load_capacitance", capacitance}};
+  return input;
+}
+
 TEST(IonTransport, RelaxationFollowsTheChargeWhereTheShearRests) {
   const auto history = linear_step_history(-0.01, 0.01, {0.0, 1.0});
   Case loaded = coarse_case();
-  loaded.readout.circuit = ReadoutCircuit::load;
-  loaded.readout.load_resistance = 20.0;
-  for (const Case& input : {coarse_case(), loaded}) {
+  loaded.readout.circuit = "load";
+  loaded.readout.parameters = {{"load_resistance", 20.0}};
+  for (const Case& input : {coarse_case(), loaded, beside_capacitor(20.0, 5e-3)}) {
     const auto solution = solve(input, history);
     const auto difference = [&](std::size_t i) {
       return 0.5 * (solution.charge_top[i] - solution.charge_bottom[i]);
@@ -166,6 +173,44 @@ TEST(IonTransport, RelaxationFollowsTheChargeWhereTheShearRests) {
       }
     }
   }
+}
+
+TEST(IonTransport, ResistorBesideNoCapacitorIsALoad) {
+  const auto history = linear_step_history(-0.01, 0.01, {0.0, 1.0});
+  Case load = beside_capacitor(20.0, 0.0);
+  const auto without = solve(load, history);
+  load.readout.circuit = "load";
+  const auto loaded = solve(load, history);
+  EXPECT_EQ(without.time, loaded.time);
+  EXPECT_EQ(without.charge_top, loaded.charge_top);
+  EXPECT_EQ(without.voltage, loaded.voltage);
+  EXPECT_EQ(without.relaxation_charge, loaded.relaxation_charge);
+}
+
+TEST(IonTransport, LargeCapacitorIsAShortCircuit) {
+  const auto history = linear_step_history(-0.01, 0.01, {0.0, 1.0});
+  const auto capacitor = solve(beside_capacitor(1e18, 1e5), history);
+  const auto shorted = solve(coarse_case(), history);
+  EXPECT_NEAR(capacitor.charge_top.back(), shorted.charge_top.back(),
+              1e-4 * std::abs(shorted.charge_top.back()));
+  EXPECT_LT(std::abs(capacitor.voltage.back()), 1e-6);
+}
+
+TEST(IonTransport, VoltageDecaysWithTheCapacitancesOfCircuitAndCell) {
+  const Case plain = coarse_case();
+  const auto scales = derive_scales(plain.electrochemistry, plain.skin.core_thickness());
+  const double cell = plain.electrochemistry.permittivity * plain.skin.length * plain.skin.width /
+                      (2 * scales.debye_length);
+  // So slow that both double layers follow at once, in the linear range.
+  const double decay = 200 * scales.slow_time;
+  const auto solution = solve(beside_capacitor(decay / (2 * cell), cell),
+                              linear_step_history(-1e-5, 1e-5, {0.0, decay}));
+  const auto begin = std::ranges::find_if(solution.time, [&](double t) { return t > 0.2 * decay; });
+  ASSERT_NE(begin, solution.time.end());
+  const auto row = static_cast<std::size_t>(begin - solution.time.begin());
+  EXPECT_GT(std::abs(solution.voltage[row]), 0);
+  EXPECT_NEAR(solution.voltage.back() / solution.voltage[row],
+              std::exp(-(solution.time.back() - *begin) / decay), 0.01);
 }
 
 TEST(IonTransport, ColumnChargesAddUpToTheLastRow) {

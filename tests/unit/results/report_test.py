@@ -207,8 +207,19 @@ class Words(unittest.TestCase):
             with self.subTest(slider):
                 case = types.SimpleNamespace(case={"slider": slider})
                 self.assertIn(words, " ".join(report_text.limits(case)))
-        self.assertEqual(figures_model.wall_potentials({"circuit": "load"})["top"], "φ = U = R I")
-        self.assertEqual(figures_model.wall_potentials({})["top"], "φ = 0")
+
+    def test_the_circuit_is_told_as_the_run_says_it(self):
+        told = types.SimpleNamespace(case={}, circuit=None, circuit_words={
+            "words": "resistor of 1e+06 ohm and capacitor of 1e-10 F in parallel", "top_potential": "φ = U = R I"})
+        self.assertEqual(figures_readout.circuit_words(told), "Resistor of 1 MΩ and capacitor of 100 pF in parallel")
+        self.assertEqual(figures_model.wall_potentials(told)["top"], "φ = U = R I")
+        older = types.SimpleNamespace(case={"readout": {"circuit": "open"}}, circuit_words={},
+                                      circuit=types.SimpleNamespace(has=lambda *_: True))
+        self.assertEqual(figures_readout.circuit_words(older), "Open circuit")
+        self.assertEqual(figures_model.wall_potentials(older)["top"], "φ = U")
+        shorted = types.SimpleNamespace(case={}, circuit_words={}, circuit=None)
+        self.assertEqual(figures_readout.circuit_words(shorted), "Short circuit")
+        self.assertEqual(figures_model.wall_potentials(shorted)["top"], "φ = 0")
 
     def test_captions_and_limits_follow_slider_and_law(self):
         sharp = types.SimpleNamespace(case={"slider": {"size": []}, "coupling": {"law": "fixed-charge"}})

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/checks/check_laws.hpp"
 
-#include "ionskin/case/schema/schema.hpp"
+#include "ionskin/case/schema/schema_laws.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/laws/coupling/coupling_law.hpp"
 #include "ionskin/laws/friction/friction_law.hpp"
@@ -28,10 +28,7 @@ void check_section(const CaseDocument& document, const std::string& section,
     if (!record.place || !record.key.starts_with(section + "."))
       continue;
     const std::string name = record.key.substr(section.size() + 1);
-    std::string with;
-    for (const Law& other : table)
-      if (laws::has_parameter(table, other.name, name))
-        with += fmt::format("{}\"{}\"", with.empty() ? "" : " or ", other.name);
+    const std::string with = laws_with_parameter(table, name);
     if (!with.empty() && !laws::has_parameter(table, law, name))
       problems.add(
           fmt::format("{} is given, but the law \"{}\" has no such parameter", record.key, law),

@@ -3,6 +3,8 @@
 
 #include "ionskin/base/text.hpp"
 #include "ionskin/case/document/taxel_grid.hpp"
+#include "ionskin/case/schema/schema_laws.hpp"
+#include "ionskin/circuits/circuit.hpp"
 
 #include <fmt/format.h>
 
@@ -102,25 +104,23 @@ void check_pairs(const CaseDocument& document, Problems& problems) {
                  "move their corners apart: charge belongs to one taxel only");
 }
 
-/// A key that only one circuit uses.
-struct CircuitKey {
-  const char* key;
-  ReadoutCircuit circuit;
-  const char* name;
+/// A key of circuits that were not chosen, with the names of those that have it.
+struct IdleKey {
+  std::string key, circuits;
 };
-constexpr std::array<CircuitKey, 5> circuit_keys{
-    {{"readout.load_resistance", ReadoutCircuit::load, "load"},
-     {"readout.amplifier_bandwidth", ReadoutCircuit::amplifier, "amplifier"},
-     {"readout.amplifier_noise_density", ReadoutCircuit::amplifier, "amplifier"},
-     {"readout.amplifier_range", ReadoutCircuit::amplifier, "amplifier"},
-     {"readout.noise_seed", ReadoutCircuit::amplifier, "amplifier"}}};
 
 /// Those that are given and not used.
-std::vector<CircuitKey> idle_keys(const CaseDocument& document) {
-  std::vector<CircuitKey> idle;
-  for (const CircuitKey& one : circuit_keys)
-    if (!document.point_at(one.key).empty() && document.input.readout.circuit != one.circuit)
-      idle.push_back(one);
+std::vector<IdleKey> idle_keys(const CaseDocument& document) {
+  const auto table = circuits::circuits();
+  std::vector<IdleKey> idle;
+  for (const circuits::CircuitRow& circuit : table)
+    for (const laws::LawParameter& parameter : circuit.parameters) {
+      const std::string key = fmt::format("readout.{}", parameter.name);
+      if (!document.point_at(key).empty() &&
+          std::ranges::find(idle, key, &IdleKey::key) == idle.end() &&
+          !laws::has_parameter(table, document.input.readout.circuit, parameter.name))
+        idle.push_back({key, laws_with_parameter(table, parameter.name)});
+    }
   return idle;
 }
 
@@ -132,10 +132,10 @@ bool names_circuit(const CaseDocument& document) {
 void check_circuit(const CaseDocument& document, Problems& problems) {
   if (names_circuit(document))
     return;
-  for (const CircuitKey& one : idle_keys(document))
+  for (const IdleKey& one : idle_keys(document))
     problems.add(fmt::format("{} is given, but the circuit has none", one.key),
                  document.point_at(one.key),
-                 fmt::format("set readout.circuit = \"{}\", or remove the key", one.name));
+                 fmt::format("set readout.circuit = {}, or remove the key", one.circuits));
 }
 
 void check_grid(const CaseDocument& document, Problems& problems) {
@@ -185,21 +185,24 @@ void check_readout(const CaseDocument& document, Problems& problems) {
 
 std::vector<std::string> notes_on_readout(const CaseDocument& document) {
   std::vector<std::string> notes;
-  for (const CircuitKey& one : idle_keys(document))
-    notes.push_back(
-        fmt::format("{} is given and not used: the circuit \"{}\" has none, \"{}\" has.", one.key,
-                    document.find("readout.circuit")->value.text, one.name));
   const Readout& readout = document.input.readout;
-  if (!readout.taxels.empty() && readout.circuit == ReadoutCircuit::load)
+  for (const IdleKey& one : idle_keys(document))
+    notes.push_back(fmt::format("{} is given and not used: the circuit \"{}\" has none, {} has.",
+                                one.key, readout.circuit, one.circuits));
+  const circuits::Circuit circuit = circuits::circuit(readout.circuit, readout.parameters);
+  if (readout.taxels.empty() || !circuit.admittance)
+    return notes;
+  if (circuit.admittance->passes_charge())
     notes.push_back(fmt::format(
-        "All {} taxels share one resistor of {:.4g} ohm and one voltage: with the circuit \"load\" "
-        "the top electrode is one conductor, and taxels.csv tells the part of the current that "
-        "enters each. Taxels read one by one are held at one potential: circuit \"short\".",
-        readout.taxels.size(), readout.load_resistance));
-  if (!readout.taxels.empty() && readout.circuit == ReadoutCircuit::open)
-    notes.push_back(
-        "All taxels share one voltage: with the circuit \"open\" the top electrode is one "
-        "conductor, and the currents of the taxels flow from one to another.");
+        "All {} taxels share one {} and one voltage: with the circuit \"{}\" the top electrode is "
+        "one conductor, and taxels.csv tells the part of the current that enters each. Taxels read "
+        "one by one are held at one potential: circuit \"short\".",
+        readout.taxels.size(), circuit.words, circuit.name));
+  else
+    notes.push_back(fmt::format(
+        "All taxels share one voltage: with the circuit \"{}\" the top electrode is one "
+        "conductor, and the currents of the taxels flow from one to another.",
+        circuit.name));
   return notes;
 }
 

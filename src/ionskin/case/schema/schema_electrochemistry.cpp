@@ -140,7 +140,8 @@ void add_coupling(SchemaRows& rows) {
                                            {{"off-diagonal", ShearMeasure::off_diagonal},
                                             {"deviatoric", ShearMeasure::deviatoric},
                                             {"signed-xz", ShearMeasure::signed_xz}})});
-  add_law_parameters(rows, "coupling", laws::coupling_laws(), &Case::coupling, Need::always);
+  add_law_parameters(rows, LawSection{"coupling", "law", &Case::coupling, &Coupling::law},
+                     laws::coupling_laws(), Need::always);
 }
 
 } // namespace ionskin

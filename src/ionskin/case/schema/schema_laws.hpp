@@ -6,8 +6,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ionskin {
@@ -21,38 +24,59 @@ template <class Law> std::vector<Choice> choices_of(std::span<const Law> table) 
   return choices;
 }
 
-/// One row per parameter of the laws of a section, "contact.NAME" or "coupling.NAME". Laws may
-/// share a parameter: the first one that has it declares it.
+inline ValueType type_of(const laws::LawParameter& parameter) {
+  if (parameter.whole)
+    return ValueType::integer;
+  return parameter.dimension == units::Dimension::number ? ValueType::number : ValueType::quantity;
+}
+
+/// The names of the laws with a parameter: "\"coulomb\" or \"saturating\"".
+template <class Law>
+std::string laws_with_parameter(std::span<const Law> table, std::string_view parameter) {
+  std::string names;
+  for (const Law& law : table)
+    if (laws::has_parameter(table, law.name, parameter))
+      names += fmt::format("{}\"{}\"", names.empty() ? "" : " or ", law.name);
+  return names;
+}
+
+/// The section of a case in which a law is chosen, and where its choice stands.
+template <class Section> struct LawSection {
+  std::string name, choice; ///< keys: "contact", "law"
+  Section Case::*section = nullptr;
+  std::string Section::*law = nullptr;
+};
+
+/// One row per parameter of the laws of a section, such as "contact.NAME". Laws may share a
+/// parameter: the first one that has it declares it.
+/// @param idle_defaults whether parameters of laws that were not chosen have their defaults, too
 template <class Law, class Section>
-void add_law_parameters(SchemaRows& rows, const std::string& section, std::span<const Law> table,
-                        Section Case::*member, Need need_without_default) {
+void add_law_parameters(SchemaRows& rows, const LawSection<Section>& of, std::span<const Law> table,
+                        Need need_without_default, bool idle_defaults = false) {
   for (const Law& law : table)
     for (const laws::LawParameter& parameter : law.parameters) {
-      const std::string name(parameter.name), key = section + "." + name;
+      const std::string name(parameter.name), key = of.name + "." + name;
       if (std::ranges::any_of(rows, [&](const SchemaRow& row) { return row.key == key; }))
         continue;
-      std::string of;
-      for (const Law& other : table)
-        if (laws::has_parameter(table, other.name, name))
-          of += fmt::format("{}\"{}\"", of.empty() ? "" : " or ", other.name);
+      std::function<bool(const Case&)> applies = [of, table, name](const Case& input) {
+        return laws::has_parameter(table, (input.*of.section).*of.law, name);
+      };
+      if (idle_defaults && !parameter.default_value.empty())
+        applies = nullptr;
       rows.push_back(
           {.key = key,
-           .type = parameter.dimension == units::Dimension::number ? ValueType::number
-                                                                   : ValueType::quantity,
+           .type = type_of(parameter),
            .dimension = parameter.dimension,
            .range = {parameter.lowest, parameter.highest, true, true},
            .need = parameter.default_value.empty() ? need_without_default : Need::optional,
-           .applies =
-               [member, table, name](const Case& input) {
-                 return laws::has_parameter(table, (input.*member).law, name);
-               },
+           .applies = std::move(applies),
            .default_value = std::string(parameter.default_value),
-           .help = fmt::format("{} Of {}.law = {}.", parameter.help, section, of),
+           .help = fmt::format("{} Of {}.{} = {}.", parameter.help, of.name, of.choice,
+                               laws_with_parameter(table, name)),
            .source = std::string(parameter.source),
-           .set =
-               [member, name](CaseDraft& draft, const KeyIndex&, const Value& value) {
-                 (draft.input.*member).parameters[name] = value.numbers[0];
-               }});
+           .set = [of, name](CaseDraft& draft, const KeyIndex&, const Value& value) {
+             (draft.input.*of.section).parameters[name] = value.numbers[0];
+           }});
     }
 }
 

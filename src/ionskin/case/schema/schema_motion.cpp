@@ -194,7 +194,8 @@ void add_contact(SchemaRows& rows) {
        .need = Need::with_contact,
        .help = "Coefficient of friction between slider and skin.",
        .set = into(&Case::contact, &Contact::friction)});
-  add_law_parameters(rows, "contact", laws::friction_laws(), &Case::contact, Need::when_it_applies);
+  add_law_parameters(rows, LawSection{"contact", "law", &Case::contact, &Contact::law},
+                     laws::friction_laws(), Need::when_it_applies);
 }
 
 } // namespace ionskin

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/schema/schema_laws.hpp"
 #include "ionskin/case/schema/schema_rows.hpp"
-
 #include "ionskin/case/schema/schema_setters.hpp"
+#include "ionskin/circuits/circuit.hpp"
+
+#include <fmt/format.h>
 
 namespace ionskin {
 
@@ -9,66 +12,30 @@ using units::Dimension;
 
 namespace {
 
-SchemaRow amplifier_quantity(const std::string& key, Dimension dimension, const Range& range,
-                             const std::string& default_value, const std::string& help,
-                             const std::string& source, double Amplifier::*member) {
-  return {.key = "readout." + key,
-          .type = ValueType::quantity,
-          .dimension = dimension,
-          .range = range,
-          .default_value = default_value,
-          .help = help,
-          .source = source,
-          .set = [member](CaseDraft& draft, const KeyIndex&, const Value& value) {
-            draft.input.readout.amplifier.*member = value.numbers[0];
-          }};
+/// "a short circuit, nothing, ..., or a transimpedance amplifier".
+std::string meanings() {
+  std::string list;
+  const auto table = circuits::circuits();
+  for (const circuits::CircuitRow& circuit : table)
+    list += fmt::format("{}{}",
+                        list.empty()                        ? ""
+                        : circuit.name == table.back().name ? ", or "
+                                                            : ", ",
+                        circuit.meaning);
+  return list;
 }
 
 void add_circuit(SchemaRows& rows) {
-  rows.push_back(
-      {.key = "readout.circuit",
-       .type = ValueType::choice,
-       .default_value = "\"short\"",
-       .choices = {{"short"}, {"open"}, {"load"}, {"amplifier"}},
-       .help = "What joins the electrodes: a short circuit, nothing, a load resistor, or "
-               "a transimpedance amplifier that reads the short-circuit current.",
-       .source = "the paper's electrodes are at one potential",
-       .set = into<Readout, ReadoutCircuit>(&Case::readout, &Readout::circuit,
-                                            {{"short", ReadoutCircuit::short_circuit},
-                                             {"open", ReadoutCircuit::open},
-                                             {"load", ReadoutCircuit::load},
-                                             {"amplifier", ReadoutCircuit::amplifier}})});
-  rows.push_back({.key = "readout.load_resistance",
-                  .type = ValueType::quantity,
-                  .dimension = Dimension::resistance,
-                  .range = {1e-3, 1e18, true, true},
-                  .default_value = "\"1 MOhm\"",
-                  .help = "Resistor between the electrodes in the circuit \"load\".",
-                  .source = "input resistance of ordinary oscilloscopes",
-                  .set = into(&Case::readout, &Readout::load_resistance)});
-}
-
-void add_amplifier(SchemaRows& rows) {
-  rows.push_back(amplifier_quantity(
-      "amplifier_bandwidth", Dimension::frequency, {1e-6, 1e12, true, true}, "\"1 kHz\"",
-      "Bandwidth (-3 dB) of the amplifier's first-order low pass.",
-      "an assumption: passes contact events of a millisecond", &Amplifier::bandwidth));
-  rows.push_back(amplifier_quantity(
-      "amplifier_noise_density", Dimension::current_noise_density, {0.0, 1.0, true, true},
-      "\"0 A/sqrt(Hz)\"", "Input-referred white current noise density of the amplifier, one-sided.",
-      "an ideal amplifier", &Amplifier::noise_density));
-  rows.push_back(amplifier_quantity(
-      "amplifier_range", Dimension::current, {0.0, 1e3, true, true}, "\"0 A\"",
-      "Largest current that the amplifier can show, of either sign; beyond it clips. 0 A: any.",
-      "an ideal amplifier", &Amplifier::range));
-  rows.push_back({.key = "readout.noise_seed",
-                  .type = ValueType::integer,
-                  .range = {0, 2147483647, true, true},
-                  .default_value = "1",
-                  .help = "Seed of the amplifier's noise: the same seed gives the same noise.",
-                  .set = [](CaseDraft& draft, const KeyIndex&, const Value& value) {
-                    draft.input.readout.amplifier.noise_seed = static_cast<int>(value.numbers[0]);
-                  }});
+  const auto table = circuits::circuits();
+  rows.push_back({.key = "readout.circuit",
+                  .type = ValueType::choice,
+                  .default_value = fmt::format("\"{}\"", table.front().name),
+                  .choices = choices_of(table),
+                  .help = fmt::format("What joins the electrodes: {}.", meanings()),
+                  .source = "the paper's electrodes are at one potential",
+                  .set = into(&Case::readout, &Readout::circuit)});
+  add_law_parameters(rows, LawSection{"readout", "circuit", &Case::readout, &Readout::circuit},
+                     table, Need::always, true);
 }
 
 void add_taxels(SchemaRows& rows) {
@@ -136,7 +103,6 @@ void add_readout(SchemaRows& rows) {
                   .source = "100 readings a second, as of an ordinary multimeter interface",
                   .set = into(&Case::readout, &Readout::sample_interval)});
   add_circuit(rows);
-  add_amplifier(rows);
   add_taxels(rows);
   add_taxel_grid(rows);
 }

@@ -8,14 +8,17 @@
 
 namespace ionskin::electrochemistry {
 
-/// Conductance between the electrodes as the time integrator wants it: 1/R in units of
-/// F c0 lambda A / (tau R T/(v F)), 0 for an open circuit; nothing where the electrodes' potentials
-/// are given (short circuit, amplifier).
-/// The load R obeys voltage = phi_top - phi_bottom = -R I, with I = d((Q_top - Q_bottom)/2)/dt the
-/// difference current, positive into the top electrode. The common current returns through the
-/// ground and does not pass the load.
+/// What the circuit asks of the time integrator: d(q + capacitance U)/dt = -conductance U, with q
+/// half the difference of the electrodes' charges per area and U the voltage, all scaled.
+struct ScaledAdmittance {
+  double conductance = 0; ///< 1/R in units of F c0 lambda A / (tau R T/(v F)); 0 is open
+  double capacitance = 0; ///< C in units of F c0 lambda A / (R T/(v F))
+};
+
+/// The admittance between the electrodes; nothing where their potentials are given (short circuit,
+/// amplifier).
 /// @param area of an electrode [m2]
-std::optional<double> circuit_conductance(const Readout& readout, const DerivedScales& scales,
-                                          double area);
+std::optional<ScaledAdmittance> scaled_admittance(const Readout& readout,
+                                                  const DerivedScales& scales, double area);
 
 } // namespace ionskin::electrochemistry

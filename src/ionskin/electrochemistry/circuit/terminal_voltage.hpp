@@ -11,8 +11,9 @@ namespace ionskin::electrochemistry {
 /// What the circuit between the electrodes asks of one implicit stage: half the difference of their
 /// charges, per area, obeys q = start - conductance * voltage. All scaled.
 struct CircuitStage {
-  double start = 0;       ///< charge that the stage starts from
-  double conductance = 0; ///< of the circuit, times the implicit part of the step; 0 is open
+  double start = 0; ///< charge that the stage starts from, that on the circuit's capacitor included
+  /// Of the circuit, times the implicit part of the step, plus its capacitance; 0 is open.
+  double conductance = 0;
 };
 
 /// The potential difference of the electrodes, top minus bottom, as the circuit between them and

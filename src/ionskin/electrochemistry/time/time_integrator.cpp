@@ -34,9 +34,9 @@ constexpr std::size_t nodes_per_block = 1024;
 TimeIntegrator::TimeIntegrator(const ScaledGrid& grid, const DerivedScales& scales,
                                FixedCharge& fixed_charge, ElectrodePotentials potentials,
                                NewtonKrylov& solver, parallel::WorkerTeam& team,
-                               std::optional<double> conductance)
+                               std::optional<ScaledAdmittance> admittance)
     : grid_(grid), scales_(scales), fixed_charge_(fixed_charge), potentials_(std::move(potentials)),
-      solver_(solver), team_(team), conductance_(conductance), terminals_(grid), charge_norm_(grid),
+      solver_(solver), team_(team), admittance_(admittance), terminals_(grid), charge_norm_(grid),
       resting_amount_(ExactAverage::total(grid, std::vector<double>(grid.nodes(), 1.0))),
       settled_(grid.nodes()), start_(grid.nodes()), stage_rate_(grid.nodes()),
       end_rate_(grid.nodes()), stage_(grid.nodes()), end_(grid.nodes()) {}
@@ -56,6 +56,9 @@ void TimeIntegrator::settle(const IonState& ions) {
   for_nodes([&](std::size_t i, double released) { settled_[i] = ions.values[i] - released; });
   settled_charge_ = terminals_.polarisation(ions.concentration(), fixed_charge_.ratio()) +
                     voltage(ions) / grid_.thickness;
+  if (admittance_) {
+    settled_charge_ += admittance_->capacitance * voltage(ions);
+  }
 }
 
 double TimeIntegrator::voltage(const IonState& ions) const {
@@ -63,7 +66,7 @@ double TimeIntegrator::voltage(const IonState& ions) const {
 }
 
 double TimeIntegrator::charge_rate(const IonState& ions) const {
-  return -conductance_.value_or(0.0) * voltage(ions);
+  return admittance_ ? -admittance_->conductance * voltage(ions) : 0.0;
 }
 
 void TimeIntegrator::note_charge(TransportState& state) {
@@ -85,8 +88,10 @@ StageProblem TimeIntegrator::problem_at(double time) {
           potentials_.bottom(time) / scales_.potential_scale,
           potentials_.top(time) / scales_.potential_scale,
           ion_amount,
-          conductance_ ? std::optional(CircuitStage{start_charge_, implicit_ * *conductance_})
-                       : std::nullopt,
+          admittance_
+              ? std::optional(CircuitStage{start_charge_, implicit_ * admittance_->conductance +
+                                                              admittance_->capacitance})
+              : std::nullopt,
           fixed_charge_.drive()};
 }
 
@@ -227,11 +232,17 @@ void TimeIntegrator::accept(TransportState& state) {
 }
 
 Relaxation TimeIntegrator::relaxation(const TransportState& state) const {
-  if (conductance_) {
-    return {settled_charge_, charge_rate(state.ions)};
+  const Relaxation of_ions{terminals_.of_ions(settled_, 1.0),
+                           terminals_.of_ions(std::span(state.rate).first(settled_.size()), 0.0)};
+  if (!admittance_) {
+    return of_ions;
   }
-  return {terminals_.of_ions(settled_, 1.0),
-          terminals_.of_ions(std::span(state.rate).first(settled_.size()), 0.0)};
+  // The conserved charge is smooth; the capacitor follows the voltage, and with it the shear.
+  const double share =
+      admittance_->capacitance / (1.0 / grid_.thickness + admittance_->capacitance);
+  const double rate = charge_rate(state.ions);
+  return {settled_charge_ - share * (settled_charge_ - of_ions.charge),
+          rate - share * (rate - of_ions.rate)};
 }
 
 } // namespace ionskin::electrochemistry

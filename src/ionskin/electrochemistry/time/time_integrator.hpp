@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/electrochemistry/circuit/external_circuit.hpp"
 #include "ionskin/electrochemistry/equations/space_charge.hpp"
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "ionskin/electrochemistry/output/electrode_potentials.hpp"
@@ -28,11 +29,10 @@ struct Relaxation {
 /// concentration minus released ions.
 class TimeIntegrator {
 public:
-  /// @param conductance of the circuit between the electrodes, see `circuit_conductance`; without
-  ///   it the potentials are given
+  /// @param admittance of the circuit between the electrodes; without it the potentials are given
   TimeIntegrator(const ScaledGrid& grid, const DerivedScales& scales, FixedCharge& fixed_charge,
                  ElectrodePotentials potentials, NewtonKrylov& solver, parallel::WorkerTeam& team,
-                 std::optional<double> conductance = std::nullopt);
+                 std::optional<ScaledAdmittance> admittance = std::nullopt);
 
   /// The response at the first instant: ions where they were, phi from Poisson's equation.
   /// Throws SolverError.
@@ -56,7 +56,7 @@ public:
 private:
   void note_charge(TransportState& state);
   double voltage(const IonState& ions) const;
-  /// Rate of half the difference of the electrodes' charges through the circuit.
+  /// Rate of the conserved charge: that which the circuit's resistor passes.
   double charge_rate(const IonState& ions) const;
   /// Keeps the concentration that a step starts from, without the released ions.
   void settle(const IonState& ions);
@@ -75,7 +75,7 @@ private:
   ElectrodePotentials potentials_;
   NewtonKrylov& solver_;
   parallel::WorkerTeam& team_;
-  std::optional<double> conductance_;
+  std::optional<ScaledAdmittance> admittance_;
   TerminalVoltage terminals_;
   ChargeNorm charge_norm_;
   double resting_amount_;       ///< ions in the core at rest, scaled
@@ -83,8 +83,10 @@ private:
   double implicit_ = 0;         ///< its implicit part
   std::vector<double> settled_; ///< concentration minus released ions where the step begins
   std::vector<double> start_;   ///< concentration a stage starts from
-  double settled_charge_ = 0;   ///< half the difference of the charges where the step begins
-  double start_charge_ = 0;     ///< the same that a stage starts from
+  /// Half the difference of the electrodes' charges and the charge on the circuit's capacitor,
+  /// which are conserved together, where the step begins.
+  double settled_charge_ = 0;
+  double start_charge_ = 0;                   ///< the same that a stage starts from
   std::vector<double> stage_rate_, end_rate_; ///< of concentration minus released ions
   IonState stage_, end_;
 };

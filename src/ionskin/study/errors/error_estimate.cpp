@@ -2,6 +2,7 @@
 #include "ionskin/study/errors/error_estimate.hpp"
 
 #include "ionskin/case/coupling.hpp"
+#include "ionskin/circuits/circuit.hpp"
 #include "ionskin/electrochemistry/coupling/driving_channel.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
 #include "ionskin/history/merged_cells.hpp"
@@ -77,7 +78,10 @@ struct Coarser {
 /// Noise of an instrument is no error of the program.
 Case without_noise(const Case& input) {
   Case result = input;
-  result.readout.amplifier.noise_density = 0;
+  const circuits::CircuitRow& circuit = circuits::circuit_row(input.readout.circuit);
+  if (!circuit.noise.empty()) {
+    result.readout.parameters.insert_or_assign(std::string(circuit.noise), 0.0);
+  }
   return result;
 }
 
@@ -183,7 +187,7 @@ ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanic
       [](const Case& own, const MechanicsRecord& record, const electrochemistry::IonSolution& its) {
         return read_out(own, record, its, 1);
       });
-  const bool noisy = input.readout.amplifier.noise_density > 0;
+  const bool noisy = quiet.readout.parameters != input.readout.parameters;
   const Signals& base =
       results.emplace(run, noisy ? read_out(quiet, mechanics, ions, threads) : signals)
           .first->second;

@@ -3,6 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/system/interrupt.hpp"
+#include "ionskin/circuits/circuit.hpp"
 
 #include <ceres/cost_function.h>
 #include <ceres/iteration_callback.h>
@@ -184,12 +185,19 @@ void require_start(FitModel& model, const FitData& data) {
 }
 
 void require_voltage(const FitModel& model, const FitData& data) {
-  const ReadoutCircuit circuit = model.start_case().readout.circuit;
-  if (data.column == "voltage" && circuit != ReadoutCircuit::open &&
-      circuit != ReadoutCircuit::load) {
-    throw UserError("the data hold a voltage, but this circuit keeps the electrodes at one "
-                    "potential\n  = set readout.circuit = \"open\" or \"load\"");
+  if (data.column != "voltage" ||
+      !circuits::circuit_row(model.start_case().readout.circuit).holds_potential) {
+    return;
   }
+  std::string with_voltage;
+  for (const circuits::CircuitRow& row : circuits::circuits()) {
+    if (!row.holds_potential) {
+      with_voltage += fmt::format("{}\"{}\"", with_voltage.empty() ? "" : " or ", row.name);
+    }
+  }
+  throw UserError("the data hold a voltage, but this circuit keeps the electrodes at one "
+                  "potential\n  = set readout.circuit = " +
+                  with_voltage);
 }
 
 void require_rows(const FitModel& model, const FitData& data) {

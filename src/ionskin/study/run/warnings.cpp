@@ -2,6 +2,7 @@
 #include "ionskin/study/run/warnings.hpp"
 
 #include "ionskin/base/percent.hpp"
+#include "ionskin/circuits/circuit.hpp"
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "ionskin/laws/coupling/coupling_law.hpp"
 #include "ionskin/poroelasticity/validity.hpp"
@@ -187,8 +188,7 @@ std::vector<std::string> collect_warnings(const Case& input, const MechanicsReco
 std::vector<std::string> error_warnings(const Case& input, const ErrorEstimate& errors) {
   std::vector<std::string> warnings;
   const auto tail = errors.relative.find("tail_current_difference");
-  const ReadoutCircuit circuit = input.readout.circuit;
-  if (circuit != ReadoutCircuit::open && circuit != ReadoutCircuit::load &&
+  if (circuits::circuit_row(input.readout.circuit).holds_potential &&
       tail != errors.relative.end() && tail->second > error_limit) {
     warnings.push_back(fmt::format(
         "The error of the difference current between the contact spikes is estimated at {}. "

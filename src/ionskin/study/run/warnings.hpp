@@ -21,8 +21,8 @@ std::vector<std::string> collect_warnings(const Case& input, const MechanicsReco
 std::vector<std::string> mechanics_warnings(const Case& input, const MechanicsRecord& mechanics);
 
 /// Sentences where stated errors are large, or missing for another reason than rounding. The
-/// current between the contact spikes is named by itself, but behind an open circuit or a load,
-/// where little current flows.
+/// current between the contact spikes is named by itself, but behind a circuit that leaves the
+/// potentials free, where little current flows.
 std::vector<std::string> error_warnings(const Case& input, const ErrorEstimate& errors);
 
 } // namespace ionskin::study

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/run/write_outputs.hpp"
 
+#include "ionskin/circuits/circuit.hpp"
 #include "ionskin/results/csv_writer.hpp"
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/results/results_file.hpp"
@@ -133,6 +134,12 @@ RunOutcome write_outputs(const Case& input, const RunOptions& options,
   summary.error_parts = outputs.errors.parts;
   summary.not_converging = outputs.errors.not_converging;
   summary.not_estimated = outputs.errors.not_estimated;
+  if (outputs.ions) {
+    const circuits::Circuit circuit =
+        circuits::circuit(input.readout.circuit, input.readout.parameters);
+    summary.circuit = results::CircuitEntry{std::string(circuit.name), circuit.words,
+                                            std::string(circuits::top_potential(circuit))};
+  }
   const auto write_summary = [&] {
     summary.timing = timing(folder, start);
     results::write_summary(folder.own(names::summary), summary);

@@ -2,11 +2,11 @@
 #include "ionskin/study/stations/read_out.hpp"
 
 #include "ionskin/case/coupling.hpp"
+#include "ionskin/circuits/circuit.hpp"
 #include "ionskin/electrochemistry/coupling/driving_channel.hpp"
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "ionskin/history/shear_statistics.hpp"
 #include "ionskin/parallel/task_pool.hpp"
-#include "ionskin/readout/amplifier.hpp"
 #include "ionskin/readout/circuit.hpp"
 #include "ionskin/readout/phases.hpp"
 #include "ionskin/readout/sampling.hpp"
@@ -14,8 +14,6 @@
 #include "ionskin/readout/tail_current.hpp"
 #include "ionskin/readout/taxels.hpp"
 #include "ionskin/readout/water_signals.hpp"
-
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -168,8 +166,8 @@ void add_taxels(const IonSolution& ions, bool moves_water, Signals& signals) {
 }
 
 /// Charge at the end of the run and of the first slide, and what the water does.
-void add_water(const Case& input, const MechanicsRecord& mechanics, const IonSolution& ions,
-               Signals& signals) {
+void add_water(const Case& input, const circuits::Circuit& circuit,
+               const MechanicsRecord& mechanics, const IonSolution& ions, Signals& signals) {
   signals.water = readout::water_signals(
       {ions.time, ions.water.pressure_top, ions.water.pressure_bottom, ions.water.streaming_voltage,
        ions.water.dilution_voltage, ions.water.largest_pressure, ions.water.largest_drive});
@@ -180,8 +178,8 @@ void add_water(const Case& input, const MechanicsRecord& mechanics, const IonSol
   const auto metrics =
       readout::water_metrics(*signals.water, force, input.skin.length * input.skin.width);
   signals.metrics.insert(signals.metrics.end(), metrics.begin(), metrics.end());
-  if (input.readout.circuit == ReadoutCircuit::open) {
-    return; // no charge flows
+  if (circuit.admittance && !circuit.admittance->passes_charge()) {
+    return;
   }
   const auto charge = readout::charge_difference(ions.charge_top, ions.charge_bottom);
   signals.metrics.push_back({"charge_difference_end", charge.back(), "C"});
@@ -193,19 +191,14 @@ void add_water(const Case& input, const MechanicsRecord& mechanics, const IonSol
   }
 }
 
-void add_amplifier(const Amplifier& amplifier, const IonSolution& ions, Signals& signals) {
-  const auto reading = readout::amplify(
-      amplifier, ions.time, readout::charge_difference(ions.charge_top, ions.charge_bottom));
-  signals.circuit = readout::amplifier_signals(ions.time, reading);
-  signals.metrics.push_back(
-      {"peak_amplifier_current", readout::peak_magnitude(reading.current), "A"});
-  signals.metrics.push_back({"amplifier_clipped_time", reading.clipped_time, "s"});
-  if (reading.clipped_time > 0) {
-    signals.warnings.push_back(fmt::format(
-        "The amplifier clips: the current reaches {:.3g} A, its range {:.3g} A, for {:.3g} s in "
-        "all. Raise readout.amplifier_range.",
-        reading.largest, amplifier.range, reading.clipped_time));
+void add_instrument(const circuits::Circuit& circuit, const IonSolution& ions, Signals& signals) {
+  const circuits::InstrumentReading reading =
+      circuit.read(ions.time, readout::charge_difference(ions.charge_top, ions.charge_bottom));
+  signals.circuit = readout::instrument_signals(ions.time, reading);
+  for (const circuits::InstrumentFigure& figure : reading.figures) {
+    signals.metrics.push_back({figure.name, figure.value, figure.unit});
   }
+  signals.warnings.insert(signals.warnings.end(), reading.warnings.begin(), reading.warnings.end());
 }
 
 void add_terminals(const IonSolution& ions, Signals& signals) {
@@ -215,15 +208,11 @@ void add_terminals(const IonSolution& ions, Signals& signals) {
   signals.metrics.push_back({"rms_voltage", readout::rms_linear(ions.time, ions.voltage), "V"});
 }
 
-void add_circuit(const Case& input, const IonSolution& ions, Signals& signals) {
-  switch (input.readout.circuit) {
-  case ReadoutCircuit::short_circuit:
-    return;
-  case ReadoutCircuit::open:
-  case ReadoutCircuit::load:
-    return add_terminals(ions, signals);
-  case ReadoutCircuit::amplifier:
-    return add_amplifier(input.readout.amplifier, ions, signals);
+void add_circuit(const circuits::Circuit& circuit, const IonSolution& ions, Signals& signals) {
+  if (circuit.read) {
+    add_instrument(circuit, ions, signals);
+  } else if (circuit.admittance) {
+    add_terminals(ions, signals);
   }
 }
 
@@ -247,11 +236,13 @@ Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonS
   }
   add_ion_metrics(input, ions, signals.resolved, signals.metrics);
   const bool moves_water = ionskin::moves_water(input);
+  const circuits::Circuit circuit =
+      circuits::circuit(input.readout.circuit, input.readout.parameters);
   add_taxels(ions, moves_water, signals);
   if (moves_water) {
-    add_water(input, mechanics, ions, signals);
+    add_water(input, circuit, mechanics, ions, signals);
   }
-  add_circuit(input, ions, signals);
+  add_circuit(circuit, ions, signals);
   const double interval = input.readout.sample_interval;
   if (signals.taxels) {
     signals.sampled_taxels = readout::sample_table(*signals.taxels, interval);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/readout/filtered_noise.hpp"
+#include "ionskin/circuits/filtered_noise.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace ionskin::readout {
+namespace ionskin::circuits {
 
 FilteredNoise::FilteredNoise(double density, double bandwidth, std::uint64_t seed)
     : time_constant_(0.5 / (std::numbers::pi * bandwidth)),
@@ -48,4 +48,4 @@ double FilteredNoise::advance(double duration) {
   return integral;
 }
 
-} // namespace ionskin::readout
+} // namespace ionskin::circuits

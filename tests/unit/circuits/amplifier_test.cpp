@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/readout/amplifier.hpp"
+#include "ionskin/circuits/amplifier.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace ionskin::readout {
+namespace ionskin::circuits {
 namespace {
 
 constexpr double bandwidth = 100;
 const double time_constant = 0.5 / (std::numbers::pi * bandwidth);
+
+double figure(const InstrumentReading& reading, const std::string& name) {
+  const auto found = std::ranges::find(reading.figures, name, &InstrumentFigure::name);
+  return found == reading.figures.end() ? std::nan("") : found->value;
+}
 
 TEST(Amplifier, FollowsAStepOfCurrentExactlyOnAnySteps) {
   const double current = 2e-6;
@@ -19,31 +25,36 @@ TEST(Amplifier, FollowsAStepOfCurrentExactlyOnAnySteps) {
   for (const double t : time) {
     charge.push_back(current * t);
   }
-  const AmplifierReading reading = amplify({bandwidth, 0, 0, 1}, time, charge);
+  const InstrumentReading reading = Amplifier{bandwidth, 0, 0, 1}.read(time, charge);
   for (std::size_t row = 0; row < time.size(); ++row) {
     const double decay = std::exp(-time[row] / time_constant);
     EXPECT_NEAR(reading.current[row], current * (1 - decay), 1e-14 * current);
     EXPECT_NEAR(reading.charge[row], current * (time[row] - time_constant * (1 - decay)),
                 1e-14 * charge.back());
   }
-  EXPECT_EQ(reading.clipped_time, 0);
+  EXPECT_EQ(figure(reading, "amplifier_clipped_time"), 0);
+  EXPECT_TRUE(reading.warnings.empty());
 }
 
 TEST(Amplifier, PassesTheWholeChargeOfAnImpulse) {
-  const AmplifierReading reading = amplify({bandwidth, 0, 0, 1}, {0, 0.1, 1}, {5e-9, 5e-9, 5e-9});
+  const InstrumentReading reading =
+      Amplifier{bandwidth, 0, 0, 1}.read({0, 0.1, 1}, {5e-9, 5e-9, 5e-9});
   EXPECT_DOUBLE_EQ(reading.current[0], 5e-9 / time_constant);
   EXPECT_EQ(reading.charge[0], 0);
   EXPECT_NEAR(reading.charge[2], 5e-9, 1e-21);
 }
 
 TEST(Amplifier, ClipsAndSaysForHowLong) {
-  const AmplifierReading reading =
-      amplify({bandwidth, 0, 1e-6, 1}, {0, 1, 2, 3}, {0, 2e-6, 2.5e-6, -0.5e-6});
+  const InstrumentReading reading =
+      Amplifier{bandwidth, 0, 1e-6, 1}.read({0, 1, 2, 3}, {0, 2e-6, 2.5e-6, -0.5e-6});
   EXPECT_DOUBLE_EQ(reading.current[1], 1e-6);
   EXPECT_NEAR(reading.current[2], 0.5e-6, 1e-15);
   EXPECT_DOUBLE_EQ(reading.current[3], -1e-6);
-  EXPECT_DOUBLE_EQ(reading.clipped_time, 2);
-  EXPECT_NEAR(reading.largest, 3e-6, 1e-15);
+  EXPECT_DOUBLE_EQ(figure(reading, "amplifier_clipped_time"), 2);
+  EXPECT_DOUBLE_EQ(figure(reading, "peak_amplifier_current"), 1e-6);
+  ASSERT_EQ(reading.warnings.size(), 1U);
+  EXPECT_NE(reading.warnings[0].find("the current reaches 3e-06 A, its range 1e-06 A, for 2 s"),
+            std::string::npos);
   EXPECT_DOUBLE_EQ(reading.charge[1], 1e-6);
 }
 
@@ -55,8 +66,8 @@ TEST(Amplifier, NoiseHasTheVarianceOfItsBandAndTheDensityOfItsIntegral) {
   for (int i = 0; i < count; ++i) {
     time.push_back(time.back() + (i % 2 == 0 ? 0.1 : 20.0) * time_constant);
   }
-  const AmplifierReading reading =
-      amplify({bandwidth, density, 0, 7}, time, std::vector<double>(time.size(), 0.0));
+  const InstrumentReading reading =
+      Amplifier{bandwidth, density, 0, 7}.read(time, std::vector<double>(time.size(), 0.0));
   double square = 0, jump = 0, charge = 0;
   for (std::size_t row = 2; row < time.size(); row += 2) {
     square += reading.current[row] * reading.current[row];
@@ -73,10 +84,10 @@ TEST(Amplifier, NoiseHasTheVarianceOfItsBandAndTheDensityOfItsIntegral) {
 
 TEST(Amplifier, TheSameSeedGivesTheSameNoise) {
   const std::vector<double> time{0, 1e-3, 5e-3}, charge{0, 0, 0};
-  const auto once = amplify({bandwidth, 1e-12, 0, 3}, time, charge);
-  EXPECT_EQ(once.current, amplify({bandwidth, 1e-12, 0, 3}, time, charge).current);
-  EXPECT_NE(once.current, amplify({bandwidth, 1e-12, 0, 4}, time, charge).current);
+  const auto once = Amplifier{bandwidth, 1e-12, 0, 3}.read(time, charge);
+  EXPECT_EQ(once.current, (Amplifier{bandwidth, 1e-12, 0, 3}.read(time, charge).current));
+  EXPECT_NE(once.current, (Amplifier{bandwidth, 1e-12, 0, 4}.read(time, charge).current));
 }
 
 } // namespace
-} // namespace ionskin::readout
+} // namespace ionskin::circuits

@@ -5,7 +5,7 @@
 #include <optional>
 #include <random>
 
-namespace ionskin::readout {
+namespace ionskin::circuits {
 
 /// White noise of one-sided density S behind a first-order low pass of bandwidth B: an
 /// Ornstein-Uhlenbeck process of time constant 1/(2 pi B) and variance S^2 B pi/2. Value and
@@ -30,4 +30,4 @@ private:
   double value_ = 0;
 };
 
-} // namespace ionskin::readout
+} // namespace ionskin::circuits

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/circuits/circuit.hpp"
+
+namespace ionskin::circuits {
+
+/// Nothing between the electrodes: no difference current, I = 0. Source: Kirchhoff's current law.
+struct OpenCircuit {
+  static constexpr std::string_view meaning = "nothing";
+  static constexpr auto parameters() { return laws::no_parameters<OpenCircuit>; }
+  std::string words() const { return "open circuit"; }
+  Admittance admittance() const { return {}; }
+};
+
+} // namespace ionskin::circuits
