@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks the rules of the house: includes point one way only, special libraries stay in their rooms, and the table of
-folders in docs/house-rules.md is that of the tree."""
+"""Checks the rules of the house: includes point one way only, special libraries stay in their rooms, no folder is
+crowded, and the table of folders in docs/house-rules.md is that of the tree."""
 
 import pathlib
 import re
@@ -40,6 +40,7 @@ LIBRARIES = {
 }
 # The physics know nothing of each other.
 APART = {(room, other) for room in ("electrochemistry", "poroelasticity") for other in ("mechanics", "handover")}
+MOST_ENTRIES = 30  # files and folders in one folder
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 
 
@@ -88,13 +89,22 @@ def table_mistakes(source_root, page):
         yield f"{page}: the folders of the table are not in the order of includes"
 
 
+def crowded(root):
+    """Yields one message for each folder of the sources with too many entries."""
+    for source in (root / "src" / "ionskin", root / "python" / "ionskin"):
+        for folder in [source, *(path for path in sorted(source.rglob("*")) if path.is_dir())]:
+            count = sum(1 for entry in folder.iterdir() if entry.name != "__pycache__")
+            if count > MOST_ENTRIES:
+                yield f"{folder}: {count} entries, more than {MOST_ENTRIES}: divide it by subject"
+
+
 def main():
     root = pathlib.Path(__file__).resolve().parent.parent
     source_root = root / "src" / "ionskin"
-    found = [*violations(source_root), *table_mistakes(source_root, root / "docs" / "house-rules.md")]
+    found = [*violations(source_root), *table_mistakes(source_root, root / "docs" / "house-rules.md"), *crowded(root)]
     for message in found:
         print(message)
-    print(f"includes: {len(found)} violations")
+    print(f"house rules: {len(found)} violations")
     return 1 if found else 0
 
 

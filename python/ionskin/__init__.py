@@ -11,7 +11,7 @@ Running needs the compiled solver (PYTHONPATH=build/python); reading and drawing
 """
 
 from .case import Case, Value
-from .cluster_running import ClusterError
+from .cluster.running import ClusterError
 from .design import Design
 from .errors import CaseError, SolverError
 from .fit_results import Fit

@@ -4,10 +4,11 @@ run would need for it."""
 
 from typing import Callable, NamedTuple
 
-from . import (derived, figures_contact, figures_fields, figures_model, figures_readout, figures_water, report_text,
-               style)
-from .panels import (STEP, error_band, first_cycle_names, motion_panels, name_phases, peak_of, rows_within, sampled_label,
-                     scaled, shade_phases, signed_log_axis, slide_start, time_axis)
+from .analysis import derived
+from .drawing import figures_contact, figures_fields, figures_model, figures_readout, figures_water, style
+from .drawing.panels import (STEP, error_band, first_cycle_names, motion_panels, name_phases, peak_of, rows_within,
+                             sampled_label, scaled, shade_phases, signed_log_axis, slide_start, time_axis)
+from .page import report_text
 from .sweep_results import Study
 
 

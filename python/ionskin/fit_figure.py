@@ -5,7 +5,7 @@ import sys
 
 import numpy
 
-from . import gallery, style
+from .drawing import gallery, style
 from .fit_results import Fit
 
 

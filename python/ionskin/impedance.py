@@ -7,7 +7,8 @@ import pathlib
 import numpy
 from matplotlib.ticker import EngFormatter, MultipleLocator
 
-from . import output_folder, style
+from . import output_folder
+from .drawing import style
 from .errors import exit_on
 from .results import read_table
 

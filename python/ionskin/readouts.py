@@ -8,7 +8,8 @@ import pathlib
 import numpy
 from matplotlib.figure import Figure
 
-from . import figures, figures_readout, style
+from . import figures
+from .drawing import figures_readout, style
 from .errors import exit_on
 from .results import Results
 

@@ -8,8 +8,11 @@ import re
 
 from markupsafe import Markup
 
-from . import claims, figures, gallery, output_folder, pages, paper, report_text, style, sweep_page
+from . import figures, output_folder
+from .analysis import claims, paper
+from .drawing import gallery, style
 from .errors import exit_on
+from .page import pages, report_text, sweep_page
 from .results import Results
 from .sweep_results import Study
 

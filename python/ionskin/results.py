@@ -11,10 +11,10 @@ from typing import NamedTuple
 
 import numpy
 
-from . import labelled
 from .errors import CaseError
-from .hdf5 import open_hdf5
-from .unfinished import mechanics, reason
+from .reading import labelled
+from .reading.hdf5 import open_hdf5
+from .reading.unfinished import mechanics, reason
 
 TEXT_COLUMNS = ("phase",)
 

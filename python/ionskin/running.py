@@ -11,7 +11,7 @@ from typing import Any
 
 from . import solver
 from .case import Case, toml_text
-from .cluster_running import sweep_on_cluster
+from .cluster.running import sweep_on_cluster
 from .errors import CaseError, SolverError
 from .results import Results
 from .sweep_results import Sweep

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy
 
-from . import labelled
+from .reading import labelled
 from .results import Results, name_and_unit, read_json
 from .words import quantity, short
 

@@ -7,7 +7,8 @@ import unittest
 from unittest import mock
 
 import ionskin
-from ionskin import cluster_running, cluster_task
+from ionskin.cluster import running as cluster_running
+from ionskin.cluster import task as cluster_task
 from package import CASES, PackageTest
 
 SWEEP = ("--set", "numerics.mesh_refinement=0.5", "--only", "mechanics", "--over", "contact.friction=0.1,0.2", "--no-report")

@@ -6,7 +6,7 @@ import unittest
 
 import numpy
 
-from ionskin.underside import Underside
+from ionskin.drawing.underside import Underside
 
 
 class UndersideTest(unittest.TestCase):

@@ -73,7 +73,7 @@ int do_batches_on_cluster(const SweepOptions& options, const std::vector<std::si
   if (!options.use_cache) {
     arguments.emplace_back("--no-cache");
   }
-  return run_module("ionskin.cluster_sweep", arguments);
+  return run_module("ionskin.cluster.sweep", arguments);
 }
 
 int compare(const CompareOptions& options) {

@@ -7,7 +7,9 @@ import io
 import numpy
 from markupsafe import Markup
 
-from .. import output_folder, pages, report, style
+from .. import output_folder, report
+from ..drawing import style
+from ..page import pages
 from ..words import quantity, si_scale
 from .bands import LEVELS, bands
 

@@ -12,10 +12,13 @@ import unittest
 
 import numpy
 
-from ionskin import Results, figures_model, figures_readout, panels, paper, report_text
+from ionskin import Results
+from ionskin.analysis import paper
+from ionskin.drawing import figures_model, figures_readout, panels
+from ionskin.drawing.style import THEMED_COLOURS
 from ionskin.figures import draw_all
+from ionskin.page import report_text
 from ionskin.report import make_gallery, make_report
-from ionskin.style import THEMED_COLOURS
 from ionskin.words import percent, quantity, si_scale
 
 COLUMNS = ["time [s]", "cycle", "phase", "slider_x [m]", "slider_z [m]", "normal_force [N]", "tangential_force [N]",

@@ -14,7 +14,9 @@ import numpy
 
 from browser import browser_page, chromium
 from ionskin import Results, Study
-from ionskin import claims, compare, figures_contact, gallery, regimes, sensitivity
+from ionskin import compare
+from ionskin.analysis import claims, regimes, sensitivity
+from ionskin.drawing import figures_contact, gallery
 from ionskin.report import make_gallery, make_report
 from report_test import write_run
 

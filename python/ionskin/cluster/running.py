@@ -9,8 +9,8 @@ import signal
 import subprocess
 import tempfile
 
-from . import solver
-from .errors import CaseError, SolverError
+from .. import solver
+from ..errors import CaseError, SolverError
 
 UNFINISHED, LOST, INTERRUPTED = 4, 5, 130  # exit codes
 

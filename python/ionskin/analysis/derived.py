@@ -3,7 +3,7 @@
 
 import numpy
 
-from .quantity import si
+from ..quantity import si
 
 FARADAY = 96485.33212  # C/mol, exact in the SI
 

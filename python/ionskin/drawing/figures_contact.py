@@ -5,10 +5,10 @@ import numpy
 from matplotlib.colors import ListedColormap
 from matplotlib.patches import Patch
 
+from ..page.report_text import has_sharp_edges
 from . import style
 from .figures_fields import NO_CONTACT, NO_FIELDS, STUCK, cell_areas, fields_of
 from .panels import scaled_label
-from .report_text import has_sharp_edges
 
 STICK, SLIP = (style.BLUE, "sticks"), (style.ORANGE, "slips")
 MAP = 2.2  # width of a map [inch]

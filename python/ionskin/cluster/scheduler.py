@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The process of a cluster's scheduler: python3 -I isolated.py ionskin.cluster_scheduler FOLDER ADDRESS tls|plain"""
+"""The process of a cluster's scheduler: python3 -I isolated.py ionskin.cluster.scheduler FOLDER ADDRESS tls|plain"""
 
 import asyncio
 import json
@@ -10,7 +10,7 @@ import sys
 import dask
 from distributed import Scheduler
 
-from . import cluster_security
+from .security import SCHEDULER, tls
 
 ALLOWED_FAILURES = 3  # workers that a batch may end before it is given up
 WORKER_PATIENCE = "60s"  # until a silent worker counts as lost
@@ -18,7 +18,7 @@ WORKER_PATIENCE = "60s"  # until a silent worker counts as lost
 
 async def serve(folder, address, security):
     """Runs until it is told to stop."""
-    path = folder / cluster_security.SCHEDULER
+    path = folder / SCHEDULER
     # What /info and /metrics tell needs no login: this machine only.
     scheduler = Scheduler(host=address, port=0, protocol="tls" if security else "tcp", security=security,
                           dashboard_address="127.0.0.1:0", allowed_failures=ALLOWED_FAILURES, worker_ttl=WORKER_PATIENCE)
@@ -33,7 +33,7 @@ async def serve(folder, address, security):
 def main():
     """Command line."""
     folder = pathlib.Path(sys.argv[1])
-    security = cluster_security.tls(folder) if sys.argv[3] == "tls" else None
+    security = tls(folder) if sys.argv[3] == "tls" else None
     dask.config.set({"distributed.comm.require-encryption": security is not None})
     asyncio.run(serve(folder, sys.argv[2], security))
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Hands the batches of a planned sweep to the workers of a cluster: python3 -I isolated.py ionskin.cluster_sweep DIR ...
+"""Hands the batches of a planned sweep to the workers of a cluster: python3 -I isolated.py ionskin.cluster.sweep DIR ...
 
 Ends with 0 when every batch came back, whatever its points did, with 2 before any work, with 5 when the scheduler is lost.
 """
@@ -15,10 +15,10 @@ import signal
 import sys
 import uuid
 
-from . import cluster_security
-from .cluster_progress import BatchProgress
-from .cluster_task import do_batch, unpack
-from .errors import CaseError, exit_on
+from ..errors import CaseError, exit_on
+from .progress import BatchProgress
+from .security import read_scheduler
+from .task import do_batch, unpack
 
 LOST = 5
 CONNECT, FIRST_WORKER = 30, 60  # seconds to wait
@@ -126,7 +126,7 @@ class Driver:
 
 def drive(folder, scheduler, chosen, cache, mode):
     """Does the chosen batches on a cluster. Raises CaseError and SchedulerLost."""
-    address, security = cluster_security.read_scheduler(scheduler)
+    address, security = read_scheduler(scheduler)
     from distributed import Client  # pylint: disable=import-outside-toplevel
     logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what is lost is told here
     plan = (folder / "plan.json").read_bytes()
@@ -152,7 +152,7 @@ def drive(folder, scheduler, chosen, cache, mode):
 
 def main():
     """Command line."""
-    parser = argparse.ArgumentParser(prog="ionskin.cluster_sweep", description=__doc__)
+    parser = argparse.ArgumentParser(prog="ionskin.cluster.sweep", description=__doc__)
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--on", required=True)
     parser.add_argument("--batches", type=numbers, required=True)

@@ -12,7 +12,7 @@ import stat
 import subprocess
 from urllib.parse import urlsplit
 
-from .errors import CaseError
+from ..errors import CaseError
 
 SCHEDULER = "scheduler.json"
 CERTIFICATE, KEY = "certificate.pem", "key.pem"

@@ -6,10 +6,10 @@ import textwrap
 import numpy
 from matplotlib.ticker import MaxNLocator
 
-from . import sensitivity as measures
+from ..analysis import sensitivity as measures
+from ..words import si_scale
 from . import style
 from .panels import peak_of, scaled
-from .words import si_scale
 
 NO_DESIGN = "it needs a sweep whose keys vary at once (--samples)"
 METRICS = {"peak_mean_shear": "peak mean shear", "time_mean_shear": "time mean of the shear",

@@ -5,7 +5,7 @@ import matplotlib
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from .words import si_scale as si_scale  # noqa: PLC0414  figures take it from here
+from ..words import si_scale as si_scale  # noqa: PLC0414  figures take it from here
 
 INK = "#22252a"
 QUIET = "#6b7280"

@@ -3,10 +3,10 @@
 
 import numpy
 
+from ..words import quantity
 from . import event_panels, style
 from .figures_fields import fields_of
 from .panels import error_band, peak_of, scaled, scaled_label
-from .words import quantity
 
 MOST = 5  # instants that a figure shows
 

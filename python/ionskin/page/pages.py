@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from markupsafe import Markup
 
-from . import output_folder
+from .. import output_folder
 
 FOLDER = pathlib.Path(__file__).parent
 

@@ -5,7 +5,7 @@ import csv
 
 import numpy
 
-from .quantity import UNITS, si
+from ..quantity import UNITS, si
 
 CAP = 0.7e-3  # height of the drawn part of a round slider [m]
 BLOCK = 1.0e-3  # of any other [m]; a slider's height is no part of the model

@@ -6,8 +6,8 @@ import os
 import pathlib
 import tempfile
 
-from . import cluster_security
-from .errors import CaseError
+from ..errors import CaseError
+from .security import SCHEDULER, read_scheduler
 
 MEMORY_SHARE = 0.9  # of what is free, by default
 
@@ -49,7 +49,7 @@ async def _work(address, security, host, threads, memory, death_timeout):
 
 def work(folder, threads, memory, death_timeout):
     """Works for the cluster of a folder. Raises CaseError."""
-    address, security = cluster_security.read_scheduler(pathlib.Path(folder) / cluster_security.SCHEDULER)
+    address, security = read_scheduler(pathlib.Path(folder) / SCHEDULER)
     try:
         asyncio.run(_work(address, security, None if security else "127.0.0.1", threads or default_threads(),
                           memory or default_memory(), death_timeout))

@@ -5,9 +5,10 @@ import numpy
 from matplotlib.colors import SymLogNorm
 from matplotlib.ticker import EngFormatter
 
-from . import event_panels, regimes, style
+from ..analysis import regimes
+from ..words import short
+from . import event_panels, style
 from .panels import peak_of, sampled_label, scaled, scaled_label, shade_phases
-from .words import short
 
 NO_CURRENT = "the runs have no currents"
 NEEDS_SEVERAL = "it needs several runs of a sweep"

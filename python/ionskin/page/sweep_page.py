@@ -8,10 +8,11 @@ import pathlib
 
 import numpy
 
-from . import gallery, pages, report_text
-from .panels import contact_spans
-from .sweep_results import value_text
-from .words import quantity
+from ..drawing import gallery
+from ..drawing.panels import contact_spans
+from ..sweep_results import value_text
+from ..words import quantity
+from . import pages, report_text
 
 SCRIPT = pathlib.Path(__file__).with_name("sweep_page.js")
 EMBEDDED_DPI = 130

@@ -3,8 +3,8 @@
 
 from typing import Callable, NamedTuple
 
-from . import (figures_contact, figures_family, figures_fields, figures_model, figures_sensitivity, figures_signals,
-               output_folder)
+from .. import output_folder
+from . import figures_contact, figures_family, figures_fields, figures_model, figures_sensitivity, figures_signals
 
 PNG_DPI = 300
 

@@ -3,7 +3,8 @@
 
 import numpy
 
-from . import derived, event_panels, style
+from ..analysis import derived
+from . import event_panels, style
 from .panels import STEP, error_band, name_phases, peak_of, sampled_label, scaled, shade_phases
 
 NO_CURRENT = "the run has no currents"

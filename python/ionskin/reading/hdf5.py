@@ -4,7 +4,7 @@
 import os
 import stat
 
-from .errors import CaseError
+from ..errors import CaseError
 
 
 def open_hdf5(path):

@@ -3,7 +3,7 @@
 
 import contextlib
 
-from .errors import CaseError
+from ..errors import CaseError
 from .hdf5 import open_hdf5
 
 # Columns by their places in results.h5.

@@ -5,11 +5,11 @@ import numpy
 from matplotlib.patches import FancyArrowPatch, Polygon, Rectangle
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
+from ..quantity import si
+from ..words import short
 from . import style
 from .panels import motion_panels, name_phases
-from .quantity import si
 from .underside import Underside
-from .words import short
 
 ROLE_COLOURS = {"electrode": "#a9b1bd", "core": "#7fc4b0"}
 SLIDER_COLOUR = "#e3a27c"

@@ -6,10 +6,10 @@ import re
 import numpy
 from matplotlib.patches import Rectangle
 
+from ..quantity import si
+from ..words import quantity, short
 from . import event_panels, style
 from .panels import STEP, peak_of, scaled, signed_log_axis, time_axis
-from .quantity import si
-from .words import quantity, short
 
 TAXEL = "current_top_"
 NO_TAXELS = "the run has no taxels"

@@ -8,8 +8,10 @@ import subprocess
 import sys
 import time
 
-from . import cluster_security, cluster_worker, isolated
-from .errors import CaseError, exit_on
+from .. import isolated
+from ..errors import CaseError, exit_on
+from .security import CERTIFICATE, KEY, SCHEDULER, is_loopback, make_certificate, read_scheduler, require_distributed
+from .worker import default_memory, default_threads, work
 
 START, STOP = 60, 30  # seconds to wait
 
@@ -23,7 +25,7 @@ def detached(folder, name, *arguments):
 
 def require_idle(folder):
     """Raises CaseError where a cluster of this folder answers."""
-    path = folder / cluster_security.SCHEDULER
+    path = folder / SCHEDULER
     if path.exists() and answering(path):
         raise CaseError(f"{folder} has a running cluster\n  = stop it: ionskin cluster stop {folder}, or choose another folder")
     path.unlink(missing_ok=True)
@@ -32,7 +34,7 @@ def require_idle(folder):
 def answering(path):
     """A client of the scheduler that a file names, or None when it is gone."""
     from distributed import Client  # pylint: disable=import-outside-toplevel
-    address, security = cluster_security.read_scheduler(path)
+    address, security = read_scheduler(path)
     try:
         return Client(address, security=security, timeout=5, set_as_default=False)
     except OSError:
@@ -42,7 +44,7 @@ def answering(path):
 def wait_for_scheduler(folder, process):
     """Until it has written its file. Raises CaseError with what it said when it ends."""
     deadline = time.monotonic() + START
-    while not (folder / cluster_security.SCHEDULER).exists():
+    while not (folder / SCHEDULER).exists():
         if process.poll() is not None or time.monotonic() > deadline:
             process.kill()
             said = (folder / "scheduler.log").read_text(errors="replace").strip().splitlines()
@@ -54,40 +56,40 @@ def wait_for_scheduler(folder, process):
 def start(arguments):
     """A scheduler and workers on this machine."""
     folder = arguments.folder
-    if not cluster_security.is_loopback(arguments.address) and not arguments.tls:
+    if not is_loopback(arguments.address) and not arguments.tls:
         raise CaseError(f"other machines could connect to {arguments.address}, and whoever connects can run code\n  = give "
                         "--tls, which lets in holders of the cluster's key only")
-    cluster_security.require_distributed()
+    require_distributed()
     folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     require_idle(folder)
     if arguments.tls:
-        cluster_security.make_certificate(folder)
-    scheduler = detached(folder, "scheduler", "ionskin.cluster_scheduler", str(folder), arguments.address,
+        make_certificate(folder)
+    scheduler = detached(folder, "scheduler", "ionskin.cluster.scheduler", str(folder), arguments.address,
                          "tls" if arguments.tls else "plain")
     wait_for_scheduler(folder, scheduler)
-    each = arguments.threads or max(1, cluster_worker.default_threads() // max(1, arguments.workers))
-    memory = arguments.memory or cluster_worker.default_memory() / max(1, arguments.workers)
+    each = arguments.threads or max(1, default_threads() // max(1, arguments.workers))
+    memory = arguments.memory or default_memory() / max(1, arguments.workers)
     for number in range(arguments.workers):
         detached(folder, f"worker-{number + 1}", "ionskin.cluster", "worker", str(folder), "--threads", str(each), "--memory",
                  str(memory))
-    print(f"scheduler: {cluster_security.read_scheduler(folder / cluster_security.SCHEDULER)[0]}\n"
+    print(f"scheduler: {read_scheduler(folder / SCHEDULER)[0]}\n"
           f"workers: {arguments.workers} here, {each} threads and {memory / 1e9:.2g} GB each\n"
-          f"use it: ionskin sweep CASE.toml --over KEY=VALUES --on {folder}/{cluster_security.SCHEDULER} -o DIR\n"
+          f"use it: ionskin sweep CASE.toml --over KEY=VALUES --on {folder}/{SCHEDULER} -o DIR\n"
           f"stop it: ionskin cluster stop {folder}")
     whole = folder.resolve()
     if arguments.tls:
         print(f"a worker over ssh:   ssh HOST ionskin cluster worker {whole}\n"
               f"workers by Slurm:    sbatch --array=1-4 --requeue --wrap \"ionskin cluster worker {whole} --death-timeout 60\"\n"
-              f"where HOST does not share {whole}: copy {cluster_security.SCHEDULER}, {cluster_security.CERTIFICATE} and "
-              f"{cluster_security.KEY} there first")
+              f"where HOST does not share {whole}: copy {SCHEDULER}, {CERTIFICATE} and "
+              f"{KEY} there first")
     else:
         print("workers on other machines need --tls and --address with an address of this one")
 
 
 def stop(arguments):
     """Scheduler and workers. A batch that runs is lost, and its finished points are kept."""
-    path = arguments.folder / cluster_security.SCHEDULER
-    cluster_security.require_distributed()
+    path = arguments.folder / SCHEDULER
+    require_distributed()
     if not path.exists():
         raise CaseError(f"{arguments.folder} has no running cluster: {path} is missing")
     client = answering(path)
@@ -120,7 +122,7 @@ def main():
         elif arguments.action == "stop":
             stop(arguments)
         else:
-            cluster_worker.work(arguments.folder, arguments.threads, arguments.memory, arguments.death_timeout)
+            work(arguments.folder, arguments.threads, arguments.memory, arguments.death_timeout)
     sys.stdout.flush()
     os._exit(0)  # Dask's threads may linger
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The publication whose case ionskin began with, and which cases are its own."""
 
-from .quantity import si
+from ..quantity import si
 
 CITATION = "Sensors 2026, 26(10), 2930, doi 10.3390/s26102930"
 ABOUT = (f"What the article on this case ({CITATION}) says of its results, judged on the data of this folder. The "

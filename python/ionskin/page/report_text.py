@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The words and numbers of the report, taken from the results."""
 
-from .derived import common_is_noise
-from .words import percent, quantity
+from ..analysis.derived import common_is_noise
+from ..words import percent, quantity
 
 HEADLINE = [
     ("normal force, mid-slide", "normal_force_slide"),
