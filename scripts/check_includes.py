@@ -13,7 +13,7 @@ ROOMS = {
     "base": [".", "system", "files"],
     "parallel": ["."],
     "units": ["."],
-    "laws": [".", "friction", "coupling"],
+    "laws": [".", "friction", "coupling", "shear"],
     "circuits": ["."],
     "case": ["text", ".", "schema", "document", "checks", "reading"],
     "mesh": ["."],

@@ -126,13 +126,11 @@ struct Electrochemistry {
   double resting_concentration() const { return fixed_charge_concentration / valence; }
 };
 
-enum class ShearMeasure { off_diagonal, deviatoric, signed_xz };
-
 struct Coupling {
-  std::string law = "fixed-charge"; ///< a name from the table in laws/coupling/coupling_law.cpp
-  double coefficient = 0;           ///< k [1]
-  laws::LawValues parameters;       ///< the law's own
-  ShearMeasure measure = ShearMeasure::off_diagonal;
+  std::string law = "fixed-charge";     ///< a name from the table in laws/coupling/coupling_law.cpp
+  double coefficient = 0;               ///< k [1]
+  laws::LawValues parameters;           ///< the law's own
+  std::string measure = "off-diagonal"; ///< a name from the table in laws/shear/shear_measure.cpp
 };
 
 /// Whether water passes a wall of the core: no flux, or the potential P = 0 of a reservoir.

@@ -4,8 +4,8 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/case/coupling.hpp"
 #include "ionskin/handover/measures/compressive_dilation.hpp"
-#include "ionskin/handover/measures/shear_measure.hpp"
 #include "ionskin/history/line_operators.hpp"
+#include "ionskin/laws/shear/shear_measure.hpp"
 
 #include <fmt/format.h>
 
@@ -118,10 +118,8 @@ std::array<std::vector<double>, 6> gauss_strain(const StateCombination& combinat
 }
 
 /// Shear at the Gauss points of a combination of states, [z][y][x].
-std::vector<double> gauss_shear(ShearMeasure measure, const StateCombination& combination) {
-  std::vector<double> shear;
-  evaluate_shear(measure, gauss_strain(combination), shear);
-  return shear;
+std::vector<double> gauss_shear(const std::string& measure, const StateCombination& combination) {
+  return laws::evaluate_shear(laws::shear_measure(measure), gauss_strain(combination));
 }
 
 /// A channel that the handover makes, by its value at the Gauss points.
@@ -189,7 +187,7 @@ history::CoreHistory build_strain_history(const Case& input,
 
   history::CoreHistory history;
   history.frame = history::Frame::slider;
-  history.measure = name(input.coupling.measure);
+  history.measure = input.coupling.measure;
   history.length = input.skin.length;
   history.width = input.skin.width;
   const auto z_nodes = moves_water(input) ? history::halved(z_lines) : z_lines;

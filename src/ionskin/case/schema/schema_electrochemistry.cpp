@@ -4,6 +4,9 @@
 #include "ionskin/case/schema/schema_laws.hpp"
 #include "ionskin/case/schema/schema_setters.hpp"
 #include "ionskin/laws/coupling/coupling_law.hpp"
+#include "ionskin/laws/shear/shear_measure.hpp"
+
+#include <fmt/format.h>
 
 #include <utility>
 
@@ -128,18 +131,15 @@ void add_coupling(SchemaRows& rows) {
                       "Coefficient k of the coupling law, of either sign. No measurement is known: "
                       "every value is uncalibrated.",
                   .set = into(&Case::coupling, &Coupling::coefficient)});
-  rows.push_back(
-      {.key = "coupling.measure",
-       .type = ValueType::choice,
-       .default_value = "\"off-diagonal\"",
-       .choices = {{"off-diagonal"}, {"deviatoric"}, {"signed-xz"}},
-       .help = "Scalar gamma made of the strain e: 2 sqrt(exy^2 + eyz^2 + exz^2), sqrt(2 e':e') of "
-               "the deviator e' (whatever the axes), or 2 exz with its sign.",
-       .source = "off-diagonal is the paper's equivalent shear strain",
-       .set = into<Coupling, ShearMeasure>(&Case::coupling, &Coupling::measure,
-                                           {{"off-diagonal", ShearMeasure::off_diagonal},
-                                            {"deviatoric", ShearMeasure::deviatoric},
-                                            {"signed-xz", ShearMeasure::signed_xz}})});
+  const auto measures = laws::shear_measures();
+  rows.push_back({.key = "coupling.measure",
+                  .type = ValueType::choice,
+                  .default_value = fmt::format("\"{}\"", measures.front().name),
+                  .choices = choices_of(measures),
+                  .help = fmt::format("Scalar gamma made of the strain e: {}.",
+                                      alternatives(measures, &laws::ShearMeasure::formula)),
+                  .source = "off-diagonal is the paper's equivalent shear strain",
+                  .set = into(&Case::coupling, &Coupling::measure)});
   add_law_parameters(rows, LawSection{"coupling", "law", &Case::coupling, &Coupling::law},
                      laws::coupling_laws(), Need::always);
 }

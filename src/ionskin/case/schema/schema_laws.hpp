@@ -24,6 +24,17 @@ template <class Law> std::vector<Choice> choices_of(std::span<const Law> table) 
   return choices;
 }
 
+/// What the rows of a table say: "one thing, another, or a third".
+template <class Row>
+std::string alternatives(std::span<const Row> table, std::string_view Row::*phrase) {
+  std::string list;
+  for (const Row& row : table) {
+    const char* before = &row == &table.back() ? ", or " : ", ";
+    list += fmt::format("{}{}", list.empty() ? "" : before, row.*phrase);
+  }
+  return list;
+}
+
 inline ValueType type_of(const laws::LawParameter& parameter) {
   if (parameter.whole)
     return ValueType::integer;

@@ -12,26 +12,14 @@ using units::Dimension;
 
 namespace {
 
-/// "a short circuit, nothing, ..., or a transimpedance amplifier".
-std::string meanings() {
-  std::string list;
-  const auto table = circuits::circuits();
-  for (const circuits::CircuitRow& circuit : table)
-    list += fmt::format("{}{}",
-                        list.empty()                        ? ""
-                        : circuit.name == table.back().name ? ", or "
-                                                            : ", ",
-                        circuit.meaning);
-  return list;
-}
-
 void add_circuit(SchemaRows& rows) {
   const auto table = circuits::circuits();
   rows.push_back({.key = "readout.circuit",
                   .type = ValueType::choice,
                   .default_value = fmt::format("\"{}\"", table.front().name),
                   .choices = choices_of(table),
-                  .help = fmt::format("What joins the electrodes: {}.", meanings()),
+                  .help = fmt::format("What joins the electrodes: {}.",
+                                      alternatives(table, &circuits::CircuitRow::meaning)),
                   .source = "the paper's electrodes are at one potential",
                   .set = into(&Case::readout, &Readout::circuit)});
   add_law_parameters(rows, LawSection{"readout", "circuit", &Case::readout, &Readout::circuit},

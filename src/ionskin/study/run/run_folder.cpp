@@ -228,7 +228,7 @@ std::string mechanics_hash(const Case& input) {
       fmt::format(" force {} strokes {} {}", motion.preload_force, motion.strokes, motion.dwell);
   text += waypoints_text(motion);
   text += fmt::format(" contact {} {} measure {}", input.contact.law, input.contact.friction,
-                      static_cast<int>(input.coupling.measure));
+                      input.coupling.measure);
   for (const auto& [name, value] : input.contact.parameters) {
     text += fmt::format(" {} {}", name, value);
   }

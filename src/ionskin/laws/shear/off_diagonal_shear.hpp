@@ -3,13 +3,16 @@
 
 #include <array>
 
-namespace ionskin::handover {
+namespace ionskin::laws {
 
 /// Equivalent shear strain of the paper, its equation (10):
 ///   gamma = 2 sqrt(exy^2 + eyz^2 + exz^2)
 /// from the off-diagonal tensor components of the small strain; never negative. It depends on the
 /// choice of axes: a pure stretch at 45 degrees counts, the same stretch along an axis does not.
-/// @param strain xx, yy, zz, yz, xz, xy [1]
-double off_diagonal_shear(const std::array<double, 6>& strain);
+struct OffDiagonalShear {
+  static constexpr const char* formula = "2 sqrt(exy^2 + eyz^2 + exz^2)";
+  /// @param strain xx, yy, zz, yz, xz, xy [1]
+  static double at(const std::array<double, 6>& strain);
+};
 
-} // namespace ionskin::handover
+} // namespace ionskin::laws
