@@ -3,7 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/text.hpp"
-#include "ionskin/case/text/read_text_file.hpp"
+#include "ionskin/case/text/csv_file.hpp"
 #include "ionskin/units/quantity.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <sstream>
+#include <optional>
 
 namespace ionskin {
 
@@ -21,26 +21,17 @@ namespace {
 constexpr std::size_t most_heights = 4'000'000;
 constexpr double largest_length = 10; // [m]
 
-std::vector<std::string> fields_of(const std::string& line) {
-  std::vector<std::string> fields = base::split(line, ',', " \t\r");
-  if (line.ends_with(',')) // begins no further field
-    fields.pop_back();
-  return fields;
-}
-
 class TableReader {
 public:
-  explicit TableReader(std::string path) : path_(std::move(path)) {}
+  explicit TableReader(const std::string& path) : path_(path), file_(path, "height map") {}
 
   HeightMap read() {
     HeightMap map;
-    std::istringstream stream(read_text_file(path_, "height map"));
     std::string unit;
-    for (std::string line; std::getline(stream, line);) {
-      ++line_;
-      const std::vector<std::string> fields = fields_of(line);
-      if (fields.size() == 1 && fields.front().empty())
-        continue;
+    while (std::optional<CsvRow> row = file_.next()) {
+      std::vector<std::string>& fields = row->cells;
+      if (fields.back().empty()) // a comma at the end begins no further field
+        fields.pop_back();
       if (unit.empty()) {
         unit = fields.front();
         for (std::size_t i = 1; i < fields.size(); ++i)
@@ -85,11 +76,11 @@ private:
     throw UserError(fmt::format("the height map {} cannot be used: {}\n  in its line {}\n  = "
                                 "first row: unit of length, values of x; then rows of y and "
                                 "the heights there, separated by commas",
-                                base::shown(path_), message, line_));
+                                base::shown(path_), message, file_.line()));
   }
 
-  std::string path_;
-  int line_ = 0;
+  const std::string& path_;
+  CsvFile file_;
 };
 
 /// Interval that holds the value, and how far it lies within.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/results/manifest.hpp"
 
+#include "ionskin/base/digest.hpp"
 #include "ionskin/base/files/atomic_file.hpp"
 #include "ionskin/base/system/own_build.hpp"
 #include "ionskin/results/build_info.hpp"
@@ -10,7 +11,6 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
-#include <cstdint>
 #include <fstream>
 #include <optional>
 
@@ -149,12 +149,7 @@ bool is_ionskin_manifest(const std::filesystem::path& path) {
 }
 
 std::string content_hash(std::string_view content) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const char byte : content) {
-    hash ^= static_cast<unsigned char>(byte);
-    hash *= 0x100000001b3u;
-  }
-  return fmt::format("{:016x}", hash);
+  return base::DigestBuilder().add(content).finish().hex();
 }
 
 } // namespace ionskin::results

@@ -41,8 +41,8 @@ void write_manifest(const std::filesystem::path& path, const Manifest& manifest)
 Manifest read_manifest(const std::filesystem::path& path);
 bool is_ionskin_manifest(const std::filesystem::path& path);
 
-/// 64-bit FNV-1a hash as 16 hexadecimal digits (Fowler, Noll and Vo, 1991). Tells whether two
-/// inputs differ; no protection against forgery.
+/// The digest of `base::DigestBuilder` as 32 hexadecimal digits. Tells whether two inputs differ;
+/// no protection against forgery.
 std::string content_hash(std::string_view content);
 
 } // namespace ionskin::results

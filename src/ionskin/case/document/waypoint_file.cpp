@@ -4,14 +4,13 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/nearest_name.hpp"
 #include "ionskin/base/text.hpp"
-#include "ionskin/case/text/read_text_file.hpp"
+#include "ionskin/case/text/csv_file.hpp"
 #include "ionskin/units/quantity.hpp"
 
 #include <fmt/format.h>
 
 #include <map>
 #include <optional>
-#include <sstream>
 
 namespace ionskin {
 
@@ -33,20 +32,15 @@ constexpr const char* header_example = "time [s], x [mm], y [mm], height [mm]";
 /// Reads line by line; every mistake is told with its place.
 class WaypointReader {
 public:
-  explicit WaypointReader(const std::string& path) : path_(path) {}
+  explicit WaypointReader(const std::string& path) : path_(path), file_(path, "waypoint") {}
 
   std::vector<Waypoint> read() {
-    std::istringstream stream(read_text_file(path_, "waypoint"));
     std::vector<Waypoint> waypoints;
-    for (std::string line; std::getline(stream, line);) {
-      ++line_;
-      const std::string text = base::trimmed(line, base::csv_blanks);
-      if (text.empty() || text.front() == '#')
-        continue;
+    while (const std::optional<CsvRow> row = file_.next()) {
       if (columns_.empty())
-        read_header(line);
+        read_header(*row);
       else
-        waypoints.push_back(read_row(line));
+        waypoints.push_back(read_row(row->cells));
       if (waypoints.size() > most_waypoints)
         refuse(fmt::format("more than {} waypoints", most_waypoints),
                "leave out those that lie on the way between their neighbours");
@@ -63,19 +57,18 @@ private:
 
   [[noreturn]] void refuse(const std::string& message, const std::string& remedy) const {
     throw UserError(
-        fmt::format("{}\n --> {}:{}\n  = {}", message, base::shown(path_), line_, remedy));
+        fmt::format("{}\n --> {}:{}\n  = {}", message, base::shown(path_), file_.line(), remedy));
   }
 
-  void read_header(const std::string& line) {
-    if (const std::string separator = base::foreign_separator(line); !separator.empty())
+  void read_header(const CsvRow& row) {
+    if (const std::string separator = base::foreign_separator(row.text); !separator.empty())
       refuse("the columns are separated by " + separator, base::foreign_separator_remedy);
-    for (const std::string& cell : base::split(line, ',', base::csv_blanks)) {
-      const auto open = cell.find('['), close = cell.find(']');
-      if (open == std::string::npos || close == std::string::npos || close < open)
+    for (const std::string& cell : row.cells) {
+      const CsvTitle title = csv_title(cell);
+      if (!title.unit)
         refuse(fmt::format("the column \"{}\" has no unit", base::shown(cell)),
                fmt::format("write names with units, such as \"{}\"", header_example));
-      add_column({base::trimmed(cell.substr(0, open), base::csv_blanks),
-                  cell.substr(open + 1, close - open - 1)});
+      add_column({title.name, *title.unit});
     }
     for (const char* name : {"time", "x", "y"})
       if (!index_.contains(name))
@@ -130,8 +123,7 @@ private:
     return *number;
   }
 
-  Waypoint read_row(const std::string& line) const {
-    const std::vector<std::string> cells = base::split(line, ',', base::csv_blanks);
+  Waypoint read_row(const std::vector<std::string>& cells) const {
     if (cells.size() != columns_.size())
       refuse(fmt::format("{} entries under {} columns", cells.size(), columns_.size()),
              "give every line one entry a column; an empty one is nothing between commas");
@@ -140,11 +132,11 @@ private:
             {required(cells, "x"), required(cells, "y")},
             height,
             force,
-            line_};
+            file_.line()};
   }
 
   const std::string& path_;
-  std::size_t line_ = 0;
+  CsvFile file_;
   std::vector<Column> columns_;
   std::map<std::string, std::size_t> index_;
 };

@@ -4,7 +4,7 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/nearest_name.hpp"
 #include "ionskin/base/text.hpp"
-#include "ionskin/case/text/read_text_file.hpp"
+#include "ionskin/case/text/csv_file.hpp"
 #include "ionskin/readout/charge_relaxation.hpp"
 #include "ionskin/readout/sampling.hpp"
 #include "ionskin/units/unit_system.hpp"
@@ -16,7 +16,6 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
-#include <sstream>
 
 namespace ionskin::study {
 
@@ -38,52 +37,39 @@ std::vector<std::string> known_names() {
   return names;
 }
 
-struct Title {
-  std::string name, unit;
-};
-
-Title title(const std::string& cell) {
-  const std::size_t bracket = cell.find('[');
-  if (bracket == std::string::npos || cell.back() != ']') {
-    return {cell, ""};
-  }
-  return {base::trimmed(cell.substr(0, bracket), base::csv_blanks),
-          base::trimmed(cell.substr(bracket + 1, cell.size() - bracket - 2), base::csv_blanks)};
-}
-
 /// Reads one file, knowing where it stands in it.
 class Reader {
 public:
   explicit Reader(const std::filesystem::path& path)
-      : path_(base::shown(path.string())), stream_(read_text_file(path.string(), "data")) {}
+      : path_(base::shown(path.string())), file_(path.string(), "data") {}
 
   FitData read(const std::string& column) {
-    std::string line;
-    next(line);
-    if (const std::string separator = base::foreign_separator(line); !separator.empty()) {
-      refuse("the columns are separated by " + separator, base::foreign_separator_remedy);
-    }
-    for (const std::string& cell : base::split(line, ',', base::csv_blanks)) {
-      titles_.push_back(title(cell));
+    if (const std::optional<CsvRow> header = file_.next()) {
+      if (const std::string separator = base::foreign_separator(header->text); !separator.empty()) {
+        refuse("the columns are separated by " + separator, base::foreign_separator_remedy);
+      }
+      for (const std::string& cell : header->cells) {
+        const CsvTitle title = csv_title(cell);
+        titles_.push_back({title.name, title.unit.value_or("")});
+      }
     }
     const std::size_t time = find("time"), value = find(choose(column));
     FitData data{titles_[value].name, fit_columns().at(titles_[value].name), {}, {}};
     require_unit(titles_[time], "s");
     require_unit(titles_[value], data.unit);
-    while (next(line)) {
-      take_row(base::split(line, ',', base::csv_blanks), time, value, data);
+    while (const std::optional<CsvRow> row = file_.next()) {
+      take_row(row->cells, time, value, data);
     }
     return data;
   }
 
 private:
-  bool next(std::string& line) {
-    ++line_;
-    return static_cast<bool>(std::getline(stream_, line));
-  }
+  struct Title {
+    std::string name, unit;
+  };
 
   [[noreturn]] void refuse(const std::string& problem, const std::string& remedy) const {
-    throw UserError(fmt::format("{}:{}: {}\n  = {}", path_, line_, problem, remedy));
+    throw UserError(fmt::format("{}:{}: {}\n  = {}", path_, file_.line(), problem, remedy));
   }
 
   std::size_t find(const std::string& name) const {
@@ -148,9 +134,6 @@ private:
 
   void take_row(const std::vector<std::string>& row, std::size_t time, std::size_t value,
                 FitData& data) {
-    if (row.size() == 1 && row.front().empty()) {
-      return;
-    }
     if (row.size() != titles_.size()) {
       refuse(fmt::format("{} entries below a header of {}", row.size(), titles_.size()),
              "write one entry a column");
@@ -167,8 +150,7 @@ private:
   }
 
   std::string path_;
-  std::istringstream stream_;
-  std::size_t line_ = 0;
+  CsvFile file_;
   std::vector<Title> titles_;
 };
 
