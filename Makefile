@@ -43,6 +43,7 @@ check: setup
 	@scripts/check_format.sh
 	@/usr/bin/python3 scripts/check_includes.py
 	@$(MAKE) --no-print-directory build sanitize
+	@scripts/check_threads.sh $(JOBS)
 	@cmake --build --preset release --target benchmarks --parallel $(JOBS)
 	@ctest --preset release
 

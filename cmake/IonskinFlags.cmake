@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Compiler flags of our own code, collected in one interface target.
 option(IONSKIN_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
+option(IONSKIN_SANITIZE_THREADS "Thread sanitizer" OFF)
 option(IONSKIN_FUZZ "Fuzzers instead of tests; needs clang" OFF)
 option(IONSKIN_ASSERTIONS "Keep assertions in an optimised build" OFF)
 set(IONSKIN_VECTOR_LEVEL "x86-64-v3" CACHE STRING
@@ -18,6 +19,10 @@ if(IONSKIN_SANITIZE)
   target_compile_options(ionskin_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
                          -Wno-maybe-uninitialized)
   target_link_options(ionskin_flags INTERFACE -fsanitize=address,undefined)
+endif()
+if(IONSKIN_SANITIZE_THREADS)
+  target_compile_options(ionskin_flags INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
+  target_link_options(ionskin_flags INTERFACE -fsanitize=thread)
 endif()
 if(IONSKIN_FUZZ)
   # Its warnings are not those that the code is kept free of.
