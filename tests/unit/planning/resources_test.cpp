@@ -3,6 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/case/reading/read_case.hpp"
+#include "ionskin/planning/cost_estimate.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,6 +26,25 @@ TEST(Resources, BeyondTheLimitAreRefusedWithTheNumbers) {
   EXPECT_THAT(shortage(quick(), 2), testing::HasSubstr("0.1 GB are allowed"));
   EXPECT_THROW(require_resources(quick(), 2), UserError);
   unsetenv("IONSKIN_MEMORY_LIMIT");
+}
+
+/// A path over the skin until x = `end` [m].
+CostEstimate along_a_path(double end) {
+  Case input = quick();
+  input.motion.kind = MotionKind::waypoints;
+  const double y = 1e-3, height = -1e-6;
+  input.motion.waypoints = {
+      {0, {4.5e-3, y}, 1e-4, {}}, {0.1, {4.5e-3, y}, height, {}}, {0.5, {end, y}, height, {}}};
+  return estimate_cost(input, 2);
+}
+
+TEST(Resources, CountTheUnitResponsesOfEveryPosition) {
+  const CostEstimate near = along_a_path(5.5e-3), far = along_a_path(10e-3);
+  ASSERT_GT(far.positions, near.positions);
+  const double of_a_position =
+      (far.memory - near.memory) / static_cast<double>(far.positions - near.positions);
+  // The states alone take some ten bytes per unknown.
+  EXPECT_GT(of_a_position, 50.0 * static_cast<double>(far.mechanics_unknowns));
 }
 
 TEST(Resources, OfThinFilmsAreRefusedBeforeTheyAreBuilt) {

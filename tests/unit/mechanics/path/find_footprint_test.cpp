@@ -3,9 +3,12 @@
 #include "ionskin/mechanics/path/first_touch.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/mechanics/solve_contact.hpp"
 #include "small_case.hpp"
 
 #include <gtest/gtest.h>
+
+#include <string>
 
 namespace ionskin::mechanics {
 namespace {
@@ -70,6 +73,23 @@ TEST(FindFootprint, refuses_a_contact_over_the_edge_of_the_skin) {
   Case input = small_finger();
   input.slider.start[0] = 20e-6;
   EXPECT_THROW(find_footprint(input, 0.3, 1), UserError);
+}
+
+TEST(FindFootprint, is_not_widened_over_the_edge_of_the_skin) {
+  Case input = small_finger();
+  input.slider.start[0] = 20e-6;
+  // Without a search: the contact of the solution itself reaches the end of the skin.
+  ContactOptions options;
+  options.footprint = mesh::largest_footprint(input);
+  base::Timers timers;
+  try {
+    solve_contact(input, options, timers);
+    ADD_FAILURE() << "the contact at the edge was accepted";
+  } catch (const UserError& error) {
+    EXPECT_NE(std::string(error.what()).find("reaches the edge of the skin along x"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 /// A wedge with its ridge along y at the given place.
