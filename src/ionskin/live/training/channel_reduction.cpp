@@ -3,14 +3,18 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/system/interrupt.hpp"
+#include "ionskin/laws/shear/shear_measure.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <string>
 
 namespace ionskin::live {
@@ -28,43 +32,81 @@ constexpr std::size_t unit_loads_at_once = 48;
 /// Rows whose norm is the channel, or the one row that it is.
 using Rows = std::vector<std::array<double, 6>>; ///< weights of xx, yy, zz, yz, xz, xy
 
+double value_of(const Rows& rows, const std::array<double, 6>& strain) {
+  double square = 0, value = 0;
+  for (const auto& row : rows) {
+    value = std::inner_product(row.begin(), row.end(), strain.begin(), 0.0);
+    square += value * value;
+  }
+  return rows.size() == 1 ? value : std::sqrt(square);
+}
+
+std::array<double, 6> strain_at(const CoreStrain& strain, std::size_t point) {
+  std::array<double, 6> at{};
+  for (std::size_t c = 0; c < at.size(); ++c) {
+    at[c] = strain.component[c][point];
+  }
+  return at;
+}
+
+/// Rows whose norm, or whose one value, is a shear measure: of one linear in the strain its own
+/// coefficients, else those of the quadratic form that its square must be.
+/// Throws UserError for a measure that is neither.
+Rows rows_of(const laws::ShearMeasure& measure) {
+  constexpr std::size_t components = 6;
+  const auto unit = [&](std::size_t i, std::size_t j) {
+    std::array<double, components> strain{};
+    strain[i] += 1;
+    strain[j] += 1;
+    return measure.at(strain);
+  };
+  constexpr std::array<double, components> probe{0.3, -0.7, 0.2, 0.5, -0.4, 0.9};
+  std::array<double, components> opposite{};
+  std::ranges::transform(probe, opposite.begin(), std::negate<>{});
+  const double expected = measure.at(probe);
+  Rows rows;
+  if (measure.at(opposite) == -expected) {
+    rows.emplace_back();
+    for (std::size_t i = 0; i < components; ++i) {
+      rows[0][i] = unit(i, i) / 2;
+    }
+  } else {
+    Eigen::Matrix<double, components, components> form;
+    for (std::size_t i = 0; i < components; ++i) {
+      for (std::size_t j = 0; j < components; ++j) {
+        const double own = std::pow(unit(i, i) / 2, 2), other = std::pow(unit(j, j) / 2, 2);
+        form(static_cast<int>(i), static_cast<int>(j)) =
+            i == j ? own : (std::pow(unit(i, j), 2) - own - other) / 2;
+      }
+    }
+    const Eigen::SelfAdjointEigenSolver<decltype(form)> modes(form);
+    for (int mode = 0; mode < static_cast<int>(components); ++mode) {
+      const double value = modes.eigenvalues()[mode];
+      if (value > 1e-12 * modes.eigenvalues().maxCoeff()) {
+        rows.emplace_back();
+        for (std::size_t i = 0; i < components; ++i) {
+          rows.back()[i] = std::sqrt(value) * modes.eigenvectors()(static_cast<int>(i), mode);
+        }
+      }
+    }
+    if (rows.size() == 1) {
+      rows.emplace_back(); // a single row has a sign, a norm of two has none
+    }
+  }
+  if (!(std::abs(value_of(rows, probe) - expected) <= 1e-9 * std::abs(expected))) {
+    throw UserError(fmt::format(
+        "coupling.measure = \"{}\": a live skin knows measures that are linear in the strain, or "
+        "the root of a quadratic form of it\n  = choose another measure",
+        measure.name));
+  }
+  return rows;
+}
+
 Rows rows_of(const Case& input, const std::string& channel) {
   if (channel == history::channel_name::dilation) {
     return {{-1, -1, -1, 0, 0, 0}};
   }
-  switch (input.coupling.measure) {
-  case ShearMeasure::signed_xz:
-    return {{0, 0, 0, 0, 2, 0}};
-  case ShearMeasure::off_diagonal:
-    return {{0, 0, 0, 2, 0, 0}, {0, 0, 0, 0, 2, 0}, {0, 0, 0, 0, 0, 2}};
-  case ShearMeasure::deviatoric:
-    break;
-  }
-  const double third = 1 / std::sqrt(3.0);
-  return {{1, -1, 0, 0, 0, 0},
-          {-third, -third, 2 * third, 0, 0, 0},
-          {0, 0, 0, 2, 0, 0},
-          {0, 0, 0, 0, 2, 0},
-          {0, 0, 0, 0, 0, 2}};
-}
-
-double row_value(const std::array<double, 6>& row, const CoreStrain& strain, std::size_t point) {
-  double sum = 0;
-  for (std::size_t c = 0; c < row.size(); ++c) {
-    sum += row[c] == 0 ? 0 : row[c] * strain.component[c][point];
-  }
-  return sum;
-}
-
-double channel_value(const Rows& rows, const CoreStrain& strain, std::size_t point) {
-  if (rows.size() == 1) {
-    return row_value(rows[0], strain, point);
-  }
-  double square = 0;
-  for (const auto& row : rows) {
-    square += std::pow(row_value(row, strain, point), 2);
-  }
-  return std::sqrt(square);
+  return rows_of(laws::shear_measure(input.coupling.measure));
 }
 
 /// Roots of the volumes of the Gauss points with the slider in the middle of its range.
@@ -228,9 +270,9 @@ void add_unit_strains(const mechanics::PositionNodes& nodes, const std::vector<W
              nodes.respond(std::vector<std::array<double, 2>>(loads.size(), {x, y}), loads)) {
           for (std::size_t c = 0; c < wanted.size(); ++c) {
             for (const Eigen::Index point : wanted[c].points) {
+              const auto strain = strain_at(response.strain, static_cast<std::size_t>(point));
               for (const auto& row : wanted[c].rows) {
-                at_nodes[c].back().push_back(static_cast<float>(
-                    row_value(row, response.strain, static_cast<std::size_t>(point))));
+                at_nodes[c].back().push_back(static_cast<float>(value_of({row}, strain)));
               }
             }
           }
@@ -316,7 +358,7 @@ std::vector<ChannelMap> reduce_channels(const Case& input,
                               : values[c].cols());
       for (std::size_t point = 0; point < points; ++point) {
         values[c](static_cast<Eigen::Index>(point), static_cast<Eigen::Index>(k)) =
-            channel_value(wanted[c].rows, strain, point);
+            value_of(wanted[c].rows, strain_at(strain, point));
       }
     }
   }

@@ -4,6 +4,7 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/case/coupling.hpp"
 #include "ionskin/case/slider_motion.hpp"
+#include "ionskin/circuits/circuit.hpp"
 #include "ionskin/electrochemistry/coupling/driving_channel.hpp"
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "ionskin/live/training/channel_reduction.hpp"
@@ -100,9 +101,9 @@ void check_trainable(const Case& input) {
     throw UserError("strain.source: a live skin is stepped by contact, and this case has none\n"
                     "  = set strain.source = \"contact\"");
   }
-  if (input.readout.circuit != ReadoutCircuit::short_circuit) {
+  if (input.readout.circuit != circuits::circuits().front().name) {
     throw UserError("readout.circuit: a live skin knows shorted electrodes alone\n"
-                    "  = set readout.circuit = \"short-circuit\"");
+                    "  = set readout.circuit = \"short\"");
   }
   touch_range(input);
 }
