@@ -129,6 +129,8 @@ class LiveTest(ProgramTest):
                                 ((quick, "-o", "nowhere/skin.live"), "no folder"),
                                 ((quick, "-o", "."), "is a folder"),
                                 ((quick, "--set", "readout.circuit=open", "-o", "a.live"), "readout.circuit"),
+                                ((quick, "--set", "contact.law=regularised", "--set", "contact.slip_length=1 um", "-o",
+                                  "a.live"), "contact.law"),
                                 ((ROOT / "cases" / "bending.toml", "-o", "a.live"), "strain.source"),
                                 ((quick, "--trajectories", "0", "-o", "a.live"), "--trajectories")):
             with self.subTest(part):

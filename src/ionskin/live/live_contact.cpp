@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/live/live_contact.hpp"
 
+#include "ionskin/laws/friction/return_mapping.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,6 +33,10 @@ laws::Friction friction_of(const SkinData& data) {
     values[data.friction_parameters[i]] = data.friction_values[i];
   }
   return laws::friction(data.friction_law, data.friction, values);
+}
+
+bool friction_remembers(const laws::Friction& friction) {
+  return friction.elastic_slip > 0 || friction.lag > 0;
 }
 
 void place_amplitudes(const PlaceMap& map, const std::array<double, 2>& place,
@@ -80,18 +86,16 @@ double LiveContact::sweep(double time_step, const std::array<double, 2>& travel,
         0.0, state.force[at] + (state.indentation - data_.gap[cell] - state.surface[at]) / own);
     const double slip_x = travel[0] - (state.surface[at + 1] - before_[at + 1]),
                  slip_y = travel[1] - (state.surface[at + 2] - before_[at + 2]);
-    double x = state.force[at + 1] + slip_x / own_tangential,
-           y = state.force[at + 2] + slip_y / own_tangential;
-    const double limit =
-        data_.area[cell] *
-        friction_.limit({normal / data_.area[cell], std::hypot(slip_x, slip_y), time_step});
-    const double length = std::hypot(x, y);
-    slips_[cell] = length > limit;
-    if (length > limit) {
-      x *= limit / length;
-      y *= limit / length;
-    }
-    const std::array<double, 3> next{normal, x, y};
+    const double area = data_.area[cell];
+    const laws::FrictionResponse response =
+        laws::return_mapping(friction_, {normal / area,
+                                         {(state.force[at + 1] + slip_x / own_tangential) / area,
+                                          (state.force[at + 2] + slip_y / own_tangential) / area},
+                                         own_tangential * area,
+                                         time_step});
+    slips_[cell] = !response.sticks;
+    const std::array<double, 3> next{normal, area * response.traction[0],
+                                     area * response.traction[1]};
     for (std::size_t c = 0; c < 3; ++c) {
       const double difference = next[c] - state.force[at + c];
       if (difference != 0) {

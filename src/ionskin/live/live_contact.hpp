@@ -51,6 +51,9 @@ private:
 
 /// The friction law of a skin. Throws where there is none of its name.
 laws::Friction friction_of(const SkinData& data);
+/// Whether a law needs more of the steps before than the tractions, which a live skin does not
+/// keep.
+bool friction_remembers(const laws::Friction& friction);
 
 /// Amplitudes of the modes at a place.
 void place_amplitudes(const PlaceMap& map, const std::array<double, 2>& place,

@@ -196,7 +196,7 @@ void check(const Reader& reader, const SkinData& data) {
   reader.require(cells > 0 && cells < 10000 && data.gap.size() == cells, "gap");
   reader.require(data.friction_parameters.size() == data.friction_values.size(), "friction_values");
   try {
-    friction_of(data);
+    reader.require(!friction_remembers(friction_of(data)), "friction_law");
   } catch (const std::exception&) { // a law or a parameter that this version lacks
     reader.require(false, "friction_law");
   }

@@ -122,6 +122,18 @@ TEST_F(LiveSkin, SlidesUnderItsFrictionAndTaxelsAddUp) {
   EXPECT_EQ(of(skin, "slider_z"), 1e-4);
 }
 
+TEST_F(LiveSkin, SlidesUnderTheFrictionOfItsDirection) {
+  data.friction_law = "anisotropic";
+  data.friction_parameters = {"transverse_friction"};
+  data.friction_values = {0.1};
+  data.highest_place[1] = 2e-3;
+  Skin skin(data);
+  for (int i = 0; i <= 100; ++i) {
+    EXPECT_EQ(skin.step(1e-3 * i, {2e-3, 1e-3 + 1e-5 * i}, false, -5e-7, signals), 0u);
+  }
+  EXPECT_NEAR(of(skin, "tangential_force_y"), 0.1 * of(skin, "normal_force"), 1e-9);
+}
+
 TEST_F(LiveSkin, CarriesAForceAndSticksUntilItIsDragged) {
   Skin skin(data);
   EXPECT_EQ(step(skin, 7, 2e-3, 5, true), 0u);
@@ -258,6 +270,11 @@ TEST_F(LiveSkin, RefusesAFileWhoseSizesDoNotFit) {
   refused([](SkinData& wrong) { wrong.taxel_corners.pop_back(); });
   refused([](SkinData& wrong) { wrong.stiffness = -1; });
   refused([](SkinData& wrong) { wrong.friction_law = "unheard-of"; });
+  refused([](SkinData& wrong) { // a law that remembers
+    wrong.friction_law = "regularised";
+    wrong.friction_parameters = {"slip_length"};
+    wrong.friction_values = {1e-6};
+  });
   std::filesystem::remove(path);
 }
 

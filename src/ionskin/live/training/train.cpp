@@ -7,12 +7,16 @@
 #include "ionskin/circuits/circuit.hpp"
 #include "ionskin/electrochemistry/coupling/driving_channel.hpp"
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
+#include "ionskin/laws/friction/friction_law.hpp"
+#include "ionskin/live/live_contact.hpp"
 #include "ionskin/live/training/channel_reduction.hpp"
 #include "ionskin/live/training/full_run.hpp"
 #include "ionskin/live/training/random_touches.hpp"
 #include "ionskin/live/training/validation.hpp"
 #include "ionskin/mechanics/engine/position_nodes.hpp"
 #include "ionskin/results/build_info.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -104,6 +108,13 @@ void check_trainable(const Case& input) {
   if (input.readout.circuit != circuits::circuits().front().name) {
     throw UserError("readout.circuit: a live skin knows shorted electrodes alone\n"
                     "  = set readout.circuit = \"short\"");
+  }
+  if (friction_remembers(laws::friction(input.contact.law, 1, input.contact.parameters))) {
+    throw UserError(
+        fmt::format("contact.law = \"{}\": a live skin knows no friction that remembers "
+                    "the slip of earlier steps\n  = set contact.law = \"coulomb\", or "
+                    "another law without slip_length or lag_time",
+                    input.contact.law));
   }
   touch_range(input);
 }

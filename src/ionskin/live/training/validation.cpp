@@ -2,7 +2,6 @@
 #include "ionskin/live/training/validation.hpp"
 
 #include "ionskin/handover/contact_timeline.hpp"
-#include "ionskin/history/shear_statistics.hpp"
 #include "ionskin/live/skin.hpp"
 
 #include <algorithm>

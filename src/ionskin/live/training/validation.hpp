@@ -8,7 +8,8 @@
 namespace ionskin::live {
 
 /// Steps the reduced skin along the motion of a full run, each millisecond, and compares its
-/// signals; currents over the case's sampling interval, from 2 ms after each event on.
+/// signals; currents over the case's sampling interval. Under force control the force is the one
+/// that the full run reached.
 std::vector<SignalError> validate(const SkinData& data, const FullRun& run);
 
 } // namespace ionskin::live
