@@ -72,6 +72,10 @@ class Install(ProgramTest):
         self.assertTrue(place.startswith(str(self.prefix)), place)
         self.assertAlmostEqual(force / summary(self.folder / "out")["metrics"]["normal_force_slide"]["value"], 1, 9)
 
+        code = ("import ionskin, ionskin.live\ntry: ionskin.live.Skin('none.live')\n"
+                "except ionskin.CaseError as error: print(error)")
+        self.assertIn("none.live", self.command(PYTHON, "-c", code, environment=path))  # the library was found
+
     def shell_files(self):
         page = gzip.decompress((self.prefix / "share/man/man1/ionskin.1.gz").read_bytes()).decode()
         self.assertTrue(page.startswith(".TH IONSKIN 1"), page[:80])
