@@ -128,6 +128,7 @@ class LiveTest(ProgramTest):
         for arguments, part in (((quick, "-o", "taken.live"), "--overwrite"),
                                 ((quick, "-o", "nowhere/skin.live"), "no folder"),
                                 ((quick, "-o", "."), "is a folder"),
+                                ((quick, "-o", "/proc/skin.live"), "cannot be written"),
                                 ((quick, "--set", "readout.circuit=open", "-o", "a.live"), "readout.circuit"),
                                 ((quick, "--set", "contact.law=regularised", "--set", "contact.slip_length=1 um", "-o",
                                   "a.live"), "contact.law"),
@@ -137,6 +138,7 @@ class LiveTest(ProgramTest):
                 ended = self.live(*arguments)
                 self.assertEqual(ended.returncode, 2, ended.stderr)
                 self.assertIn(part, ended.stderr)
+                self.assertNotIn("training", ended.stderr)
         self.assertEqual((self.folder / "taken.live").read_text(), "mine")
         self.assertFalse((self.folder / "a.live").exists())
 

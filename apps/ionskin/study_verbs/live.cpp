@@ -3,6 +3,7 @@
 
 #include "command_line/threads.hpp"
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/files/atomic_file.hpp"
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/case/reading/read_case.hpp"
 #include "ionskin/live/training/train.hpp"
@@ -34,6 +35,7 @@ void require_writable(const std::filesystem::path& file, bool overwrite) {
     throw UserError(fmt::format("--output {}: there is no folder {}\n  = make it first",
                                 file.string(), folder.string()));
   }
+  base::PendingFile{file}; // removed at once
 }
 
 void print_errors(const ionskin::live::SkinData& data) {

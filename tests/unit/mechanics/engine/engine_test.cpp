@@ -225,12 +225,12 @@ TEST(SlidingContact, elastic_slip_comes_back_in_any_number_of_steps) {
     EXPECT_GT(forth, 0.03 * total_normal_force(slider.state().force));
     EXPECT_TRUE(slider.sticks());
     EXPECT_NEAR(move(0.5e-6, 0), start, 2e-3 * forth); // but for what presses beside
-    force.push_back(move(0, 20e-6));
+    force.push_back(move(0, 200e-6));
     EXPECT_FALSE(slider.sticks());
-    // Some elastic slip across the way is left from the landing.
-    EXPECT_NEAR(force.back(), 0.3 * total_normal_force(slider.state().force), 1e-4 * force.back());
+    EXPECT_NEAR(force.back(), 0.3 * total_normal_force(slider.state().force), 1e-6 * force.back());
   }
-  EXPECT_NEAR(force[0], force[1], 1e-4 * force[0]);
+  // One long step leaves a little more of the elastic slip across the way, from landing, than five.
+  EXPECT_NEAR(force[0], force[1], 1e-5 * force[0]);
 }
 
 TEST(SlidingContact, a_step_without_solution_leaves_what_friction_remembers) {
