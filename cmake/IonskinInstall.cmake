@@ -15,6 +15,8 @@ set_target_properties(ionskin_library PROPERTIES OUTPUT_NAME ionskin EXPORT_NAME
 
 install(TARGETS ionskin RUNTIME DESTINATION ${IONSKIN_BIN_FOLDER})
 install(TARGETS ionskin-solver ionskin-studio RUNTIME DESTINATION ${IONSKIN_LIBEXEC_FOLDER})
+# Beside the solver, which puts it into FMUs.
+install(TARGETS ionskin_live_fmu_library LIBRARY DESTINATION ${IONSKIN_LIBEXEC_FOLDER})
 install(TARGETS ionskin_library EXPORT ionskin LIBRARY DESTINATION ${IONSKIN_LIBRARY_FOLDER})
 
 # What a program of others needs to read and run a case, and what that includes.
@@ -25,8 +27,11 @@ foreach(header base/error base/progress base/system/interrupt case/case case/doc
   install(FILES ${PROJECT_SOURCE_DIR}/src/ionskin/${header}.hpp DESTINATION ${IONSKIN_INCLUDE_FOLDER}/${folder})
 endforeach()
 # The loop of a controller needs no more than this.
-install(TARGETS ionskin_live_library LIBRARY DESTINATION ${IONSKIN_LIBRARY_FOLDER})
-install(FILES ${PROJECT_SOURCE_DIR}/src/ionskin/live/ionskin_live.h DESTINATION include)
+set_target_properties(ionskin_live_library PROPERTIES EXPORT_NAME live)
+target_include_directories(ionskin_live_library INTERFACE $<INSTALL_INTERFACE:include>)
+install(TARGETS ionskin_live_library EXPORT ionskin LIBRARY DESTINATION ${IONSKIN_LIBRARY_FOLDER})
+install(FILES ${PROJECT_SOURCE_DIR}/src/ionskin/live/ionskin_live.h ${PROJECT_SOURCE_DIR}/src/ionskin/live/ionskin_live.hpp
+        DESTINATION include)
 include(CMakePackageConfigHelpers)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/ionskin-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(EXPORT ionskin NAMESPACE ionskin:: FILE ionskin-config.cmake DESTINATION ${IONSKIN_CMAKE_FOLDER})

@@ -26,7 +26,7 @@ ROOMS = {
     "planning": ["."],
     "readout": ["."],
     "results": ["hdf5", "strain_file", "."],
-    "live": [".", "training"],
+    "live": [".", "fmu", "training"],
     "study": ["store", "stations", "errors", "run", "impedance", "sweep", "fit"],
 }
 # header prefix -> the folders that may include it
@@ -35,6 +35,7 @@ LIBRARIES = {
     "udunits2": {"units"},
     "hdf5": {"results"},
     "cholmod": {"linear_algebra"},
+    "minizip": {"live"},
     "CLI/": set(),
     "iostream": set(),
 }

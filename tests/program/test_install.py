@@ -7,6 +7,7 @@ import os
 import re
 import subprocess
 import unittest
+import zipfile
 
 from program import PROGRAM, ROOT, ProgramTest, summary
 
@@ -38,6 +39,7 @@ class Install(ProgramTest):
         self.python()
         self.shell_files()
         self.library()
+        self.live()
         # No file names the tree it was made in, but for the fallback of programs that stand elsewhere.
         for file in (*self.prefix.rglob("*.cmake"), *self.prefix.rglob("*.py")):
             self.assertNotIn(str(ROOT), file.read_text(), file)
@@ -96,6 +98,32 @@ class Install(ProgramTest):
         self.command("sed", "-i", 's/^preset = "coarse"/&\\nmesh_refinement = 0.5/', "case.toml")
         out = self.command("build/embed", "case.toml", "embedded")
         self.assertRegex(out, r"friction 0.1: tangential_force_slide = 6\.\d+ N\nfriction 0.3: .* = 19\.\d+ N\n")
+
+    def live(self):
+        """Controllers that link to the live skin alone, and an FMU with the installed library in it."""
+        path = {"PYTHONPATH": str(self.prefix / "lib/python3/dist-packages"), "PYTHONDONTWRITEBYTECODE": "1"}
+        self.command(self.prefix / "bin" / "ionskin", "live", "case.toml", "-o", "skin.live", "--fmu", "skin.fmu",
+                     "--trajectories", "2", "--set", "numerics.time_refinement=0.3", "--quiet")
+        source = self.folder / "controller"
+        self.command("cp", "-r", self.prefix / "share/doc/ionskin/examples/live", source)
+        self.command("cmake", "-S", source, "-B", "live", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        self.command("cmake", "--build", "live")
+        for controller in ("controller", "controller_c"):
+            rows = [line.split(",") for line in self.command(f"live/{controller}", "skin.live").splitlines()]
+            self.assertEqual(len(rows), 101)
+            self.assertTrue(all(float(row[1]) > 0 and row[3] == "0" for row in rows), controller)
+        needed = self.command("readelf", "-d", "live/controller")
+        self.assertNotIn("libionskin.so", needed)
+        code = ("import ionskin.live; skin = ionskin.live.Skin('skin.live'); r = skin.range; s = 0;\n"
+                "for i in range(1001):\n"
+                "  s = skin.step(1e-3 * i, (r.lowest[0] + (r.highest[0] - r.lowest[0]) * 1e-3 * i / 2, r.lowest[1]),"
+                " force=r.force / 2)\n"
+                "print(f'{s[\"normal_force\"]:g},{s[\"current_top\"]:g}')")
+        by_python = self.command(PYTHON, "-c", code, environment=path)
+        self.assertIn(by_python.strip(), self.command("live/controller", "skin.live").splitlines()[-1])
+        with zipfile.ZipFile(self.folder / "skin.fmu") as archive:
+            library = archive.read("binaries/linux64/ionskin_live.so")
+        self.assertEqual(library, (self.prefix / "libexec/ionskin/ionskin_live_fmu.so").read_bytes())
 
 
 if __name__ == "__main__":

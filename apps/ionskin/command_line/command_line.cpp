@@ -108,20 +108,31 @@ void add_live(CLI::App& app, Command& command) {
   auto options = std::make_shared<LiveOptions>();
   CLI::App* verb = app.add_subcommand(
       "live", "Train the reduced skin of a case, to be stepped in a loop (docs/live.md)");
-  add_case_option(*verb, options->case_path);
-  verb->add_option("-o,--output", options->output, "File of the reduced skin, such as skin.live")
+  verb->add_option("case", options->case_path,
+                   "Case file; or, with --fmu, the file of a reduced skin that is there")
       ->required()
+      ->type_name("CASE.toml");
+  verb->add_option("-o,--output", options->output, "File of the reduced skin, such as skin.live")
       ->type_name("FILE");
-  verb->add_option("--trajectories", options->trajectories, "Random touches to train on")
-      ->check(CLI::Range(2, 1000))
-      ->capture_default_str();
-  verb->add_option("--seed", options->seed, "Seed of the touches")->capture_default_str();
-  verb->add_flag("--overwrite", options->overwrite, "Replace an existing file");
+  verb->add_option("--fmu", options->fmu,
+                   "Write it as an FMU for co-simulation (FMI 2.0) too, such as skin.fmu")
+      ->type_name("FILE");
+  CLI::Option* trajectories =
+      verb->add_option("--trajectories", options->trajectories, "Random touches to train on")
+          ->check(CLI::Range(2, 1000))
+          ->capture_default_str();
+  CLI::Option* seed =
+      verb->add_option("--seed", options->seed, "Seed of the touches")->capture_default_str();
+  verb->add_flag("--overwrite", options->overwrite, "Replace existing files");
   add_set_option(*verb, options->set_edits);
   add_threads_option(*verb, options->threads);
   add_cache_option(*verb, options->use_cache);
   add_log_options(*verb, options->log);
-  set_when_parsed(*verb, options, command);
+  verb->callback([=, &command] {
+    options->trains = !options->output.empty() || !options->set_edits.empty() ||
+                      trajectories->count() + seed->count() > 0;
+    command = *options;
+  });
 }
 
 } // namespace

@@ -146,11 +146,13 @@ struct ImpedanceOptions {
 };
 
 struct LiveOptions {
-  std::string case_path;
-  std::string output; ///< a file
+  std::string case_path; ///< or that of a live skin that is there
+  std::string output;    ///< a file; empty where only an FMU is wanted
+  std::string fmu;       ///< a file; empty for none
   std::vector<std::string> set_edits;
   std::size_t trajectories = 12;
   std::uint64_t seed = 1;
+  bool trains = false; ///< whether an option is given that only a training has a use for
   int threads = 0;
   bool overwrite = false;
   bool use_cache = true;

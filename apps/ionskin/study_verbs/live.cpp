@@ -4,8 +4,10 @@
 #include "command_line/threads.hpp"
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/files/atomic_file.hpp"
+#include "ionskin/base/system/installation.hpp"
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/case/reading/read_case.hpp"
+#include "ionskin/live/fmu/archive.hpp"
 #include "ionskin/live/training/train.hpp"
 #include "ionskin/planning/resources.hpp"
 #include "ionskin/study/run/user_cache.hpp"
@@ -14,28 +16,82 @@
 #include <fmt/core.h>
 
 #include <filesystem>
+#include <utility>
 
 namespace ionskin::apps {
 namespace {
 
+constexpr const char *output_option = "--output", *fmu_option = "--fmu";
+
 /// Before hours of work.
-void require_writable(const std::filesystem::path& file, bool overwrite) {
+void require_writable(const char* option, const std::filesystem::path& file, bool overwrite) {
   std::error_code failure;
   if (std::filesystem::is_directory(file, failure)) {
-    throw UserError(
-        fmt::format("--output {}: is a folder\n  = name a file, such as skin.live", file.string()));
+    throw UserError(fmt::format("{} {}: is a folder\n  = name a file, such as skin.{}", option,
+                                file.string(), option == output_option ? "live" : "fmu"));
   }
   if (!overwrite && std::filesystem::exists(std::filesystem::symlink_status(file, failure))) {
-    throw UserError(fmt::format("--output {}: the file is there already\n  = add --overwrite to "
+    throw UserError(fmt::format("{} {}: the file is there already\n  = add --overwrite to "
                                 "replace it, or name another",
-                                file.string()));
+                                option, file.string()));
   }
   const auto folder = std::filesystem::absolute(file).parent_path();
   if (!std::filesystem::is_directory(folder, failure)) {
-    throw UserError(fmt::format("--output {}: there is no folder {}\n  = make it first",
+    throw UserError(fmt::format("{} {}: there is no folder {}\n  = make it first", option,
                                 file.string(), folder.string()));
   }
   base::PendingFile{file}; // removed at once
+}
+
+void require_outputs(const LiveOptions& options) {
+  if (options.output.empty() && options.fmu.empty()) {
+    throw UserError("live: no file to write is named\n  = add --output skin.live, --fmu skin.fmu, "
+                    "or both");
+  }
+  if (!options.fmu.empty() && std::filesystem::path(options.fmu).extension() != ".fmu") {
+    throw UserError(fmt::format("--fmu {}: the name must end in .fmu, by which importers know it",
+                                options.fmu));
+  }
+  for (const auto& [option, file] :
+       {std::pair{output_option, options.output}, std::pair{fmu_option, options.fmu}}) {
+    if (!file.empty()) {
+      require_writable(option, file, options.overwrite);
+    }
+  }
+  if (!options.fmu.empty() && std::filesystem::path(options.output).lexically_normal() ==
+                                  std::filesystem::path(options.fmu).lexically_normal()) {
+    throw UserError("--output and --fmu name the same file");
+  }
+}
+
+void write_files(const LiveOptions& options, const ionskin::live::SkinData& data) {
+  const auto tell = [&](const char* what, const std::string& file) {
+    if (options.log != LogFormat::quiet) {
+      fmt::print("{}: {} ({:.1f} MB)\n", what, file,
+                 static_cast<double>(std::filesystem::file_size(file)) / 1e6);
+    }
+  };
+  if (!options.output.empty()) {
+    ionskin::live::write_skin(options.output, data);
+    tell("live skin", options.output);
+  }
+  if (!options.fmu.empty()) {
+    ionskin::live::fmu::write_fmu(options.fmu, data,
+                                  base::own_file().parent_path() / "ionskin_live_fmu.so");
+    tell("FMU", options.fmu);
+  }
+}
+
+/// Of a skin that is there, nothing but an FMU is made.
+int export_skin(const LiveOptions& options) {
+  if (options.trains) {
+    throw UserError(fmt::format("{} is a live skin, trained already: --output, --set, "
+                                "--trajectories and --seed have no use\n  = give --fmu alone, or "
+                                "the case file to train anew",
+                                options.case_path));
+  }
+  write_files(options, ionskin::live::read_skin(options.case_path));
+  return static_cast<int>(ExitCode::success);
 }
 
 void print_errors(const ionskin::live::SkinData& data) {
@@ -52,8 +108,12 @@ void print_errors(const ionskin::live::SkinData& data) {
 
 int live(const LiveOptions& options, const std::string& command) {
   base::install_interrupt_handler();
+  if (ionskin::live::is_skin_file(options.case_path)) {
+    require_outputs(options);
+    return export_skin(options);
+  }
   const Case input = read_case(options.case_path, options.set_edits);
-  require_writable(options.output, options.overwrite);
+  require_outputs(options);
   ionskin::live::check_trainable(input);
   planning::require_resources(input, thread_count(options.threads));
   study::RunOptions cache_options;
@@ -77,15 +137,14 @@ int live(const LiveOptions& options, const std::string& command) {
     }
   }
   if (interrupted) { // unlike a run, it keeps nothing to go on from
-    fmt::print(stderr, "interrupted: {} was not written\n", options.output);
+    fmt::print(stderr, "interrupted: {} was not written\n",
+               options.output.empty() ? options.fmu : options.output);
     return static_cast<int>(ExitCode::interrupted);
   }
-  ionskin::live::write_skin(options.output, data);
   if (options.log != LogFormat::quiet) {
     print_errors(data);
-    fmt::print("live skin: {} ({:.1f} MB)\n", options.output,
-               static_cast<double>(std::filesystem::file_size(options.output)) / 1e6);
   }
+  write_files(options, data);
   return static_cast<int>(ExitCode::success);
 }
 

@@ -236,14 +236,27 @@ void check(const Reader& reader, const SkinData& data) {
 
 } // namespace
 
-void write_skin(const std::filesystem::path& path, const SkinData& data) {
+std::string skin_bytes(const SkinData& data) {
   Writer writer;
   visit(writer, data);
   writer.bytes +=
       base::DigestBuilder().add_bytes(std::as_bytes(std::span(writer.bytes))).finish().hex();
+  return std::move(writer.bytes);
+}
+
+void write_skin(const std::filesystem::path& path, const SkinData& data) {
+  const std::string bytes = skin_bytes(data);
   base::PendingFile file(path);
-  file.write(std::as_bytes(std::span(writer.bytes)));
+  file.write(std::as_bytes(std::span(bytes)));
   file.commit();
+}
+
+bool is_skin_file(const std::filesystem::path& path) {
+  constexpr std::string_view start = magic.substr(0, magic.find(','));
+  std::array<char, start.size()> bytes{};
+  std::ifstream file(path, std::ios::binary);
+  return file.read(bytes.data(), bytes.size()) &&
+         std::string_view(bytes.data(), start.size()) == start;
 }
 
 SkinData read_skin(const std::filesystem::path& path) {
@@ -258,15 +271,14 @@ SkinData read_skin(const std::filesystem::path& path) {
   if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
     refuse(path.string() + ": cannot be read");
   }
-  constexpr std::size_t digits = 32;
   if (!bytes.starts_with(magic.substr(0, magic.find(','))) ||
-      bytes.size() < magic.size() + digits) {
+      bytes.size() < magic.size() + digest_digits) {
     refuse(path.string() + ": is no file of a live skin");
   }
   if (!bytes.starts_with(magic)) {
     refuse(path.string() + ": another version of ionskin wrote it, in another format");
   }
-  const std::string_view content(bytes.data(), bytes.size() - digits);
+  const std::string_view content(bytes.data(), bytes.size() - digest_digits);
   if (base::DigestBuilder().add_bytes(std::as_bytes(std::span(content))).finish().hex() !=
       bytes.substr(content.size())) {
     refuse(path.string() + ": is damaged or cut short: its digest does not fit");

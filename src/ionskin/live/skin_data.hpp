@@ -79,11 +79,20 @@ struct SkinData {
   std::vector<SignalError> errors;
 };
 
+/// Of the digest at the end of a file.
+inline constexpr std::size_t digest_digits = 32;
+
+/// The content of a file, digest included.
+std::string skin_bytes(const SkinData& data);
+
 /// Writes under a temporary name, then renames. Throws base::UnwritableFile.
 void write_skin(const std::filesystem::path& path, const SkinData& data);
 
 /// Throws UserError when the file cannot be read, is no such file, is damaged, or holds sizes that
 /// do not fit each other.
 SkinData read_skin(const std::filesystem::path& path);
+
+/// Whether a file calls itself a live skin, whole or not.
+bool is_skin_file(const std::filesystem::path& path);
 
 } // namespace ionskin::live

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/live/fmu/instance.hpp"
+
+#include "ionskin/live/fmu/model_description.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ionskin::live::fmu {
+namespace {
+
+/// Numbers of a state before the inputs.
+enum : std::size_t { place_of_mode, place_of_time, place_of_control, place_of_flags, singles };
+
+} // namespace
+
+Instance::Instance(SkinData data)
+    : data_(std::move(data)), guid_(fmu::guid(data_)), skin_(data_),
+      signals_(skin_.names().size()) {
+  const std::vector<Variable> list = variables(data_);
+  for (std::size_t i = 0; i < start_.size(); ++i) {
+    start_[i] = list[i].start;
+  }
+  reset();
+}
+
+void Instance::reset() {
+  skin_.reset();
+  std::fill(signals_.begin(), signals_.end(), 0.0);
+  mode_ = Mode::instantiated;
+  time_ = 0;
+  inputs_ = start_;
+  force_control_ = followed_ = false;
+  flags_ = 0;
+}
+
+std::uint32_t Instance::evaluate(double time) {
+  return skin_.step(time, {inputs_[reference::x], inputs_[reference::y]}, force_control_,
+                    inputs_[force_control_ ? reference::force : reference::height], signals_);
+}
+
+void Instance::follow_inputs() {
+  if (mode_ == Mode::initialization && !followed_) {
+    skin_.reset();
+    flags_ = evaluate(time_);
+    followed_ = true;
+  }
+}
+
+void Instance::exit_initialization() {
+  follow_inputs();
+  mode_ = Mode::stepping;
+}
+
+bool Instance::step(double time) {
+  const std::uint32_t flags = evaluate(time);
+  if ((flags & flag::refused) != 0) {
+    return false;
+  }
+  flags_ = flags;
+  time_ = time;
+  return true;
+}
+
+const double* Instance::real(std::size_t reference) {
+  if (reference < reference::inputs) {
+    return &inputs_[reference];
+  }
+  if (reference < reference::signals || reference - reference::signals >= signals_.size()) {
+    return nullptr;
+  }
+  follow_inputs();
+  return &signals_[reference - reference::signals];
+}
+
+double* Instance::input(std::size_t reference) {
+  followed_ = false;
+  return reference < reference::inputs ? &inputs_[reference] : nullptr;
+}
+
+std::uint32_t Instance::flags() {
+  follow_inputs();
+  return flags_;
+}
+
+bool& Instance::force_control() {
+  followed_ = false;
+  return force_control_;
+}
+
+std::size_t Instance::state_size() const {
+  return singles + inputs_.size() + signals_.size() + skin_.state().size();
+}
+
+void Instance::save(std::span<double> state) const {
+  state[place_of_mode] = static_cast<double>(mode_);
+  state[place_of_time] = time_;
+  state[place_of_control] = force_control_ ? 1 : 0;
+  state[place_of_flags] = flags_;
+  auto next = std::copy(inputs_.begin(), inputs_.end(), state.begin() + singles);
+  next = std::copy(signals_.begin(), signals_.end(), next);
+  std::copy(skin_.state().begin(), skin_.state().end(), next);
+}
+
+bool Instance::restore(std::span<const double> state) {
+  if (state.size() != state_size() || !(state[place_of_mode] >= 0 && state[place_of_mode] <= 3) ||
+      !(state[place_of_flags] >= 0 && state[place_of_flags] < 2 * flag::refused) ||
+      !std::isfinite(state[place_of_time])) {
+    return false;
+  }
+  mode_ = static_cast<Mode>(static_cast<int>(state[place_of_mode]));
+  time_ = state[place_of_time];
+  force_control_ = state[place_of_control] != 0;
+  flags_ = static_cast<std::uint32_t>(state[place_of_flags]);
+  followed_ = false;
+  const double* next = state.data() + singles;
+  std::copy_n(next, inputs_.size(), inputs_.begin());
+  next += inputs_.size();
+  std::copy_n(next, signals_.size(), signals_.begin());
+  return skin_.restore(state.subspan(singles + inputs_.size() + signals_.size()));
+}
+
+} // namespace ionskin::live::fmu

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/live/fmu/variables.hpp"
+#include "ionskin/live/skin.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ionskin::live::fmu {
+
+/// A skin in the life of an FMU: its inputs, outputs and time. After construction nothing is
+/// allocated.
+class Instance {
+public:
+  enum class Mode { instantiated, initialization, stepping, terminated };
+
+  explicit Instance(SkinData data);
+  Instance(const Instance&) = delete;
+  Instance& operator=(const Instance&) = delete;
+
+  Mode mode() const { return mode_; }
+  double time() const { return time_; } ///< of the last step, or of the start [s]
+  const std::string& guid() const { return guid_; }
+
+  void set_start(double time) { time_ = time; }
+  void enter_initialization() { mode_ = Mode::initialization; }
+  /// The first step of the skin, under the inputs as they are.
+  void exit_initialization();
+  void terminate() { mode_ = Mode::terminated; }
+  void reset();
+  /// Under the inputs as they are. @returns whether it was made; if not nothing has moved
+  bool step(double time);
+
+  /// Of a real variable by its value reference; null for none.
+  const double* real(std::size_t reference);
+  double* input(std::size_t reference);
+  std::uint32_t flags();
+  bool& force_control();
+
+  /// Of a state, in numbers.
+  std::size_t state_size() const;
+  /// @param state [state_size()]
+  void save(std::span<double> state) const;
+  /// @returns whether it is one of such a skin; if not nothing changes
+  bool restore(std::span<const double> state);
+
+private:
+  std::uint32_t evaluate(double time);
+  /// In initialization mode outputs follow the inputs, whatever was asked before.
+  void follow_inputs();
+
+  SkinData data_;
+  std::string guid_;
+  std::array<double, reference::inputs> start_{};
+  Skin skin_;
+  std::vector<double> signals_;
+  Mode mode_ = Mode::instantiated;
+  double time_ = 0;
+  std::array<double, reference::inputs> inputs_{};
+  bool force_control_ = false;
+  bool followed_ = false;
+  std::uint32_t flags_ = 0;
+};
+
+} // namespace ionskin::live::fmu

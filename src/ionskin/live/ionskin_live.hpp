@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+/// The reduced skin for controllers in C++17 and later: a class around the C interface, header
+/// only, to be linked with libionskin_live. SI units.
+
+#include <ionskin_live.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace ionskin_live {
+
+/// Of the slider's underside above the undeformed top face, negative when it indents [m].
+struct Height {
+  double value;
+};
+/// Normal force, 0 for none [N].
+struct Force {
+  double value;
+};
+
+/// What a step tells: a value for each of `Skin::names()`, and flags, 0 where all is well
+/// (IONSKIN_LIVE_OUTSIDE_PLACE and the others).
+struct Signals {
+  std::vector<double> values;
+  std::uint32_t flags = 0;
+
+  double operator[](std::size_t signal) const noexcept { return values[signal]; }
+  /// Whether a step lies outside the trained range, in place, load or speed.
+  bool outside() const noexcept {
+    return (flags & (IONSKIN_LIVE_OUTSIDE_PLACE | IONSKIN_LIVE_OUTSIDE_LOAD |
+                     IONSKIN_LIVE_OUTSIDE_SPEED)) != 0;
+  }
+};
+
+/// A reduced skin. After construction `step`, `save`, `restore` and `reset` take no memory and
+/// throw nothing. One thread at a time steps it; copies share what the file holds.
+class Skin {
+public:
+  /// Throws std::runtime_error, with the reason, when the file cannot be used.
+  explicit Skin(const std::string& path) : handle_(open(path), ionskin_live_close) { take_names(); }
+  /// Another skin of the same file in the same state. Throws std::bad_alloc.
+  Skin(const Skin& other)
+      : handle_(ionskin_live_copy(other.handle_.get()), ionskin_live_close), names_(other.names_),
+        signals_(other.signals_) {
+    if (handle_ == nullptr) {
+      throw std::bad_alloc();
+    }
+  }
+  Skin(Skin&&) noexcept = default;
+  Skin& operator=(Skin&&) noexcept = default;
+  Skin& operator=(const Skin& other) { return *this = Skin(other); }
+  ~Skin() = default;
+
+  /// As in signals.csv and taxels.csv.
+  const std::vector<std::string>& names() const noexcept { return names_; }
+  /// Place of a signal. Throws std::out_of_range when there is none of the name.
+  std::size_t index(const std::string& name) const {
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      if (names_[i] == name) {
+        return i;
+      }
+    }
+    throw std::out_of_range("the skin has no signal " + name);
+  }
+
+  /// @param time [s], that of the last step or later
+  /// @param position of the slider's centre [m]
+  /// @returns the signals, which the next step replaces
+  const Signals& step(double time, const std::array<double, 2>& position, Height height) noexcept {
+    return step(time, position, IONSKIN_LIVE_HEIGHT, height.value);
+  }
+  const Signals& step(double time, const std::array<double, 2>& position, Force force) noexcept {
+    return step(time, position, IONSKIN_LIVE_FORCE, force.value);
+  }
+
+  /// Numbers of a state.
+  std::size_t state_size() const noexcept { return ionskin_live_state_size(handle_.get()); }
+  /// @param state [state_size()]
+  void save(double* state) const noexcept { ionskin_live_save(handle_.get(), state); }
+  /// Takes up a state of a skin of the same file, kept in `size` numbers; time may go back by it.
+  /// @returns whether the size fits; if not nothing changes
+  bool restore(const double* state, std::size_t size) noexcept {
+    return ionskin_live_restore(handle_.get(), state, size) != 0;
+  }
+  /// Back to a detached skin at rest.
+  void reset() noexcept { ionskin_live_reset(handle_.get()); }
+
+  /// Trained: lowest x, y, highest x, y [m], force [N], indentation [m], speed [m/s].
+  std::array<double, 7> range() const noexcept {
+    std::array<double, 7> values{};
+    ionskin_live_range(handle_.get(), values.data());
+    return values;
+  }
+  /// For what this class has no function.
+  ionskin_live_skin* handle() const noexcept { return handle_.get(); }
+
+private:
+  static ionskin_live_skin* open(const std::string& path) {
+    std::array<char, 4096> message{};
+    ionskin_live_skin* skin = ionskin_live_open(path.c_str(), message.data(), message.size());
+    if (skin == nullptr) {
+      throw std::runtime_error(message.data());
+    }
+    return skin;
+  }
+  void take_names() {
+    const std::size_t count = ionskin_live_signal_count(handle_.get());
+    for (std::size_t i = 0; i < count; ++i) {
+      names_.emplace_back(ionskin_live_signal_name(handle_.get(), i));
+    }
+    signals_.values.resize(count);
+  }
+  const Signals& step(double time, const std::array<double, 2>& position, int kind,
+                      double value) noexcept {
+    signals_.flags = ionskin_live_step(handle_.get(), time, position[0], position[1], kind, value,
+                                       signals_.values.data());
+    return signals_;
+  }
+
+  std::unique_ptr<ionskin_live_skin, void (*)(ionskin_live_skin*)> handle_;
+  std::vector<std::string> names_;
+  Signals signals_;
+};
+
+} // namespace ionskin_live

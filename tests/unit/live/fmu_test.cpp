@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "allocation_counter.hpp"
+#include "ionskin/base/error.hpp"
+#include "ionskin/live/fmu/archive.hpp"
+#include "ionskin/live/fmu/fmi2.h"
+#include "ionskin/live/fmu/model_description.hpp"
+#include "ionskin/live/fmu/variables.hpp"
+#include "small_skin.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ionskin::live {
+namespace {
+
+void ignore(fmi2ComponentEnvironment, fmi2String, fmi2Status, fmi2String, fmi2String, ...) {}
+
+/// The functions of the FMU's library, with the small skin as its resource.
+class LiveFmu : public testing::Test {
+protected:
+  LiveFmu() {
+    std::filesystem::create_directories(folder);
+    write_skin(folder / "skin.live", small_skin());
+    callbacks.logger = ignore;
+    component =
+        fmi2Instantiate("skin", fmi2CoSimulation, fmu::guid(small_skin()).c_str(),
+                        ("file://" + folder.string()).c_str(), &callbacks, fmi2False, fmi2False);
+  }
+  ~LiveFmu() override {
+    fmi2FreeInstance(component);
+    std::filesystem::remove_all(folder);
+  }
+  fmi2Status set(double x, double height) {
+    const std::array<fmi2ValueReference, 2> inputs{fmu::reference::x, fmu::reference::height};
+    const std::array<double, 2> values{x, height};
+    return fmi2SetReal(component, inputs.data(), inputs.size(), values.data());
+  }
+  std::vector<double> get() {
+    std::vector<double> values(references.size());
+    EXPECT_EQ(fmi2GetReal(component, references.data(), references.size(), values.data()), fmi2OK);
+    return values;
+  }
+
+  std::filesystem::path folder = std::filesystem::temp_directory_path() / "ionskin_fmu_test";
+  fmi2CallbackFunctions callbacks{};
+  fmi2Component component = nullptr;
+  std::vector<fmi2ValueReference> references{fmu::reference::signals + 3,
+                                             fmu::reference::signals + 11};
+};
+
+TEST_F(LiveFmu, TakesNoMemoryInTheLoop) {
+  ASSERT_NE(component, nullptr);
+  ASSERT_EQ(fmi2EnterInitializationMode(component), fmi2OK);
+  set(2e-3, -4e-7);
+  ASSERT_EQ(fmi2ExitInitializationMode(component), fmi2OK);
+  fmi2FMUstate state = nullptr;
+  ASSERT_EQ(fmi2GetFMUstate(component, &state), fmi2OK);
+  std::vector<double> values(references.size());
+  const std::size_t before = allocations();
+  for (int i = 0; i < 1000; ++i) {
+    const double time = 1e-3 * i;
+    EXPECT_EQ(set(2e-3 + 1e-6 * i, i % 10 == 0 ? 1e-4 : -4e-7), fmi2OK);
+    EXPECT_EQ(fmi2GetFMUstate(component, &state), fmi2OK);
+    EXPECT_EQ(fmi2DoStep(component, time, 1e-3, fmi2False), fmi2OK);
+    EXPECT_EQ(fmi2SetFMUstate(component, state), fmi2OK);
+    EXPECT_EQ(fmi2DoStep(component, time, 1e-3, fmi2True), fmi2OK);
+    EXPECT_EQ(fmi2GetReal(component, references.data(), references.size(), values.data()), fmi2OK);
+  }
+  EXPECT_EQ(allocations() - before, 0u);
+  EXPECT_EQ(fmi2FreeFMUstate(component, &state), fmi2OK);
+}
+
+TEST_F(LiveFmu, TakesUpStatesOfAnyBytes) {
+  ASSERT_EQ(fmi2EnterInitializationMode(component), fmi2OK);
+  set(2e-3, -4e-7);
+  ASSERT_EQ(fmi2ExitInitializationMode(component), fmi2OK);
+  const std::vector<double> expected = get();
+  fmi2FMUstate state = nullptr;
+  ASSERT_EQ(fmi2GetFMUstate(component, &state), fmi2OK);
+  std::size_t size = 0;
+  ASSERT_EQ(fmi2SerializedFMUstateSize(component, state, &size), fmi2OK);
+  std::vector<fmi2Byte> bytes(size);
+  EXPECT_EQ(fmi2SerializeFMUstate(component, state, bytes.data(), size - 1), fmi2Error);
+  ASSERT_EQ(fmi2SerializeFMUstate(component, state, bytes.data(), size), fmi2OK);
+  for (std::size_t at = fmu::guid(small_skin()).size(); at < size; ++at) {
+    std::vector<fmi2Byte> damaged = bytes;
+    damaged[at] = static_cast<fmi2Byte>(~damaged[at]);
+    fmi2FMUstate other = nullptr;
+    ASSERT_EQ(fmi2DeSerializeFMUstate(component, damaged.data(), size, &other), fmi2OK);
+    if (fmi2SetFMUstate(component, other) == fmi2OK) {
+      set(3e-3, -4e-7);
+      fmi2DoStep(component, 0, 1e-3, fmi2True); // ends, whatever it says
+    }
+    fmi2FreeFMUstate(component, &other);
+  }
+  ASSERT_EQ(fmi2SetFMUstate(component, state), fmi2OK);
+  EXPECT_EQ(get(), expected);
+  fmi2FreeFMUstate(component, &state);
+}
+
+TEST_F(LiveFmu, IsNotWrittenWithoutItsLibrary) {
+  EXPECT_THROW(fmu::write_fmu(folder / "skin.fmu", small_skin(), folder / "none.so"), UserError);
+  EXPECT_THROW(fmu::write_fmu(folder / "no" / "skin.fmu", small_skin(), folder / "skin.live"),
+               UserError);
+  EXPECT_FALSE(std::filesystem::exists(folder / "skin.fmu"));
+}
+
+} // namespace
+} // namespace ionskin::live
