@@ -115,6 +115,42 @@ class LiveTest(ProgramTest):
         self.assertTrue((rows[:, 1] > 0).all())
         self.assertFalse(rows[:, 3].any())
 
+    @unittest.skipUnless(pathlib.Path("/usr/include/mujoco/mujoco.h").exists(), "libmujoco-dev is not installed")
+    def test_example_in_mujoco(self):
+        """The finger's contact in MuJoCo is what the skin feels; the skin replays it from the table; the plot is drawn."""
+        example, library = ROOT / "examples" / "mujoco", PROGRAM.parent / "python"
+        subprocess.run(["cc", "-std=c11", "-Wall", "-Wextra", "-Werror", "-I", ROOT / "src" / "ionskin" / "live",
+                        example / "stroke.c", "-L", library, f"-Wl,-rpath,{library}", "-lmujoco", "-lionskin_live", "-lm",
+                        "-o", self.folder / "stroke"], check=True)
+
+        def stroke(scene, skin):
+            return subprocess.run([self.folder / "stroke", scene, skin], capture_output=True, text=True, cwd=self.folder,
+                                  check=False)
+
+        ran = stroke(example / "finger.xml", self.trained)
+        self.assertEqual((ran.returncode, ran.stderr), (0, ""))
+        names, *rows = (line.split(",") for line in ran.stdout.splitlines())
+        columns = dict(zip((name.split(" [")[0] for name in names), numpy.array(rows, dtype=float).T))
+        force = columns["contact_force"]
+        self.assertLess(numpy.abs(columns["normal_force"] - force).max(), 1e-5 * force.max())
+        sliding = (columns["x"] > columns["x"][0] + 1e-4) & (force > 0.9 * force.max())
+        self.assertEqual(columns["stick_share"][sliding].max(), 0)
+        self.assertGreater(sliding.sum(), 1000)
+        friction = columns["tangential_force_x"][sliding] / force[sliding]
+        self.assertLess(numpy.abs(friction - 0.3).max(), 1e-3)
+        replay = ionskin.live.Skin(self.trained).run(
+            columns["time"], numpy.column_stack([columns["x"], numpy.full(len(force), 1e-3)]), forces=force)
+        for name in ("current_top_a", "current_top_c"):
+            self.assertLess(numpy.abs(replay[name] - columns[name]).max(), 0.01 * numpy.abs(columns[name]).max())
+
+        (self.folder / "stroke.csv").write_text(ran.stdout)
+        subprocess.run(["/usr/bin/python3", example / "plot.py", "stroke.csv", "stroke.png"], check=True, cwd=self.folder)
+        self.assertTrue((self.folder / "stroke.png").read_bytes().startswith(b"\x89PNG"))
+
+        scene = (example / "finger.xml").read_text().replace("current_top_d", "current_top_z")
+        (self.folder / "wrong.xml").write_text(scene)
+        self.assertIn("no signal current_top_z", stroke("wrong.xml", self.trained).stderr)
+
     def test_an_interrupt_leaves_no_file(self):
         begun = time.monotonic()
         errors = self.interrupt_program("live", ROOT / "cases" / "quick.toml", "-o", "skin.live",

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Draws what `stroke` printed: plot.py stroke.csv stroke.png"""
+
+import csv
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+from matplotlib import pyplot  # noqa: E402
+
+
+def trailing_means(values, count):
+    """In µA: of each value and those before it."""
+    means = []
+    for i in range(len(values)):
+        last = values[max(0, i + 1 - count):i + 1]
+        means.append(1e6 * sum(last) / len(last))
+    return means
+
+
+def main(table, picture):
+    with open(table, encoding="utf-8") as file:
+        rows = list(csv.reader(file))
+    columns = {name: [float(row[i]) for row in rows[1:]] for i, name in enumerate(rows[0])}
+    time = columns["time [s]"]
+    figure, (force, share, current) = pyplot.subplots(3, sharex=True, figsize=(7, 6.4), layout="constrained",
+                                                      height_ratios=[2, 1, 2])
+    force.plot(time, columns["contact_force [N]"], label="normal, of MuJoCo", color="0.6", linewidth=3)
+    force.plot(time, columns["normal_force [N]"], label="normal, of the skin", color="C0", linestyle="--")
+    force.plot(time, columns["tangential_force_x [N]"], label="tangential, of the skin", color="C1")
+    force.set_ylabel("force [N]")
+    place = force.twinx()
+    place.plot(time, [1e3 * x for x in columns["x [m]"]], color="C2", linestyle=":")
+    place.set_ylabel("finger at x [mm]", color="C2")
+    share.plot(time, columns["stick_share"], color="C3")
+    share.set_ylabel("stick share")
+    # Where the finger begins to slide, a peak of some milliseconds stands far above all that follows.
+    for name, values in columns.items():
+        if name.startswith("current_"):
+            current.plot(time, trailing_means(values, 50), label=name.removesuffix(" [A]").replace("_", " "))
+    current.set_yscale("symlog", linthresh=10)
+    current.set_ylabel("current, mean of 50 ms [µA]")
+    current.set_xlabel("time [s]")
+    for axes in (force, current):
+        axes.legend(loc="lower right", bbox_to_anchor=(1, 1), frameon=False, ncols=4, fontsize="small")
+    figure.savefig(picture, dpi=120)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
