@@ -252,6 +252,10 @@ void write_skin(const std::filesystem::path& path, const SkinData& data) {
 }
 
 bool is_skin_file(const std::filesystem::path& path) {
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(path, failure)) {
+    return false; // what is read from a pipe is gone
+  }
   constexpr std::string_view start = magic.substr(0, magic.find(','));
   std::array<char, start.size()> bytes{};
   std::ifstream file(path, std::ios::binary);

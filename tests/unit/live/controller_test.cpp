@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "allocation_counter.hpp"
+#include "ionskin/live/ionskin_live.hpp"
+#include "small_skin.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+namespace ionskin::live {
+namespace {
+
+using ionskin_live::Force;
+using ionskin_live::Height;
+
+/// The class for controllers, over the C interface of the shared library.
+class LiveController : public testing::Test {
+protected:
+  LiveController() { write_skin(path, small_skin()); }
+  ~LiveController() override { std::filesystem::remove(path); }
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / "ionskin_controller_test.live";
+};
+
+TEST_F(LiveController, TakesNoMemoryInTheLoop) {
+  ionskin_live::Skin skin(path);
+  const std::size_t force = skin.index("normal_force");
+  std::vector<double> state(skin.state_size());
+  const std::size_t first = allocations();
+  ionskin_live_close(ionskin_live_copy(skin.handle()));
+  EXPECT_GT(allocations(), first) << "what the library takes is not counted";
+  const std::size_t before = allocations();
+  for (int i = 0; i < 1000; ++i) {
+    const double time = 1e-3 * i, x = 2e-3 + 1e-6 * i;
+    skin.save(state.data());
+    const double pressed = skin.step(time, {x, 1e-3}, Height{i % 10 == 0 ? 1e-4 : -4e-7})[force];
+    EXPECT_EQ(pressed > 0, i % 10 != 0);
+    EXPECT_TRUE(skin.restore(state.data(), state.size()));
+    EXPECT_NEAR(skin.step(time, {x, 1e-3}, Force{3})[force], 3, 1e-4);
+    EXPECT_EQ(skin.step(time, {NAN, 1e-3}, Force{3}).flags, IONSKIN_LIVE_REFUSED);
+  }
+  skin.reset();
+  EXPECT_EQ(allocations() - before, 0u);
+}
+
+TEST_F(LiveController, CopiesGoOnByThemselves) {
+  ionskin_live::Skin skin(path);
+  skin.step(0, {2e-3, 1e-3}, Height{-5e-7});
+  ionskin_live::Skin other = skin;
+  const std::vector<double> expected = skin.step(1e-3, {2.1e-3, 1e-3}, Height{-5e-7}).values;
+  skin.reset();
+  EXPECT_EQ(other.step(1e-3, {2.1e-3, 1e-3}, Height{-5e-7}).values, expected);
+  skin = std::move(other);
+  EXPECT_EQ(skin.step(1e-3, {2.1e-3, 1e-3}, Height{-5e-7})[0], expected[0]);
+  EXPECT_TRUE(skin.step(1, {9e-3, 1e-3}, Height{-5e-7}).outside());
+  EXPECT_FALSE(skin.restore(expected.data(), 1));
+  EXPECT_EQ(skin.range()[4], small_skin().heaviest_force);
+}
+
+TEST_F(LiveController, SaysWhatIsMissing) {
+  EXPECT_THROW(ionskin_live::Skin(path).index("current_of_nothing"), std::out_of_range);
+  try {
+    ionskin_live::Skin(path.string() + ".none");
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("no such file"), std::string::npos);
+  }
+}
+
+} // namespace
+} // namespace ionskin::live
