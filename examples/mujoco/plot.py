@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws what `stroke` printed: plot.py stroke.csv stroke.png"""
+"""Draws what `stroke` printed, and the scene above it: plot.py stroke.csv stroke.png [scene.ppm]"""
 
 import csv
 import sys
@@ -19,13 +19,19 @@ def trailing_means(values, count):
     return means
 
 
-def main(table, picture):
+def main(table, picture, scene=None):
     with open(table, encoding="utf-8") as file:
         rows = list(csv.reader(file))
     columns = {name: [float(row[i]) for row in rows[1:]] for i, name in enumerate(rows[0])}
     time = columns["time [s]"]
-    figure, (force, share, current) = pyplot.subplots(3, sharex=True, figsize=(7, 6.4), layout="constrained",
-                                                      height_ratios=[2, 1, 2])
+    whole = pyplot.figure(figsize=(7, 6.4 if scene is None else 8.8), layout="constrained")
+    figure = whole
+    if scene is not None:
+        above, figure = whole.subfigures(2, height_ratios=[2, 5])
+        axes = above.subplots()
+        axes.imshow(pyplot.imread(scene))
+        axes.axis("off")
+    force, share, current = figure.subplots(3, sharex=True, height_ratios=[2, 1, 2])
     force.plot(time, columns["contact_force [N]"], label="normal, of MuJoCo", color="0.6", linewidth=3)
     force.plot(time, columns["normal_force [N]"], label="normal, of the skin", color="C0", linestyle="--")
     force.plot(time, columns["tangential_force_x [N]"], label="tangential, of the skin", color="C1")
@@ -44,7 +50,7 @@ def main(table, picture):
     current.set_xlabel("time [s]")
     for axes in (force, current):
         axes.legend(loc="lower right", bbox_to_anchor=(1, 1), frameon=False, ncols=4, fontsize="small")
-    figure.savefig(picture, dpi=120)
+    whole.savefig(picture, dpi=120)
 
 
 if __name__ == "__main__":

@@ -144,12 +144,29 @@ class LiveTest(ProgramTest):
             self.assertLess(numpy.abs(replay[name] - columns[name]).max(), 0.01 * numpy.abs(columns[name]).max())
 
         (self.folder / "stroke.csv").write_text(ran.stdout)
-        subprocess.run(["/usr/bin/python3", example / "plot.py", "stroke.csv", "stroke.png"], check=True, cwd=self.folder)
+        subprocess.run(["/usr/bin/python3", example / "plot.py", "stroke.csv", "stroke.png", *self.scene(example)],
+                       check=True, cwd=self.folder)
         self.assertTrue((self.folder / "stroke.png").read_bytes().startswith(b"\x89PNG"))
 
         scene = (example / "finger.xml").read_text().replace("current_top_d", "current_top_z")
         (self.folder / "wrong.xml").write_text(scene)
         self.assertIn("no signal current_top_z", stroke("wrong.xml", self.trained).stderr)
+
+    def scene(self, example):
+        """The picture of the scene, where EGL can draw one."""
+        if not pathlib.Path("/usr/include/EGL/egl.h").exists():
+            return []
+        subprocess.run(["cc", "-std=c11", "-Wall", "-Wextra", "-Werror", example / "picture.c", "-lmujoco", "-lEGL", "-o",
+                        self.folder / "picture"], check=True)
+        drawn = subprocess.run([self.folder / "picture", example / "finger.xml"], capture_output=True, check=False)
+        if drawn.returncode == 3:
+            return []
+        self.assertEqual(drawn.returncode, 0, drawn.stderr)
+        pixels = numpy.frombuffer(drawn.stdout.split(b"\n", 3)[3], dtype=numpy.uint8).reshape(480, 1200, 3)
+        greens = (pixels[..., 1] > 90) & (pixels[..., 0] < 60) & (pixels[..., 2] < 60)
+        self.assertGreater(greens.sum(), 1000)  # of a taxel
+        (self.folder / "scene.ppm").write_bytes(drawn.stdout)
+        return ["scene.ppm"]
 
     def test_an_interrupt_leaves_no_file(self):
         begun = time.monotonic()
