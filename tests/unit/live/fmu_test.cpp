@@ -72,6 +72,8 @@ TEST_F(LiveFmu, TakesNoMemoryInTheLoop) {
   }
   EXPECT_EQ(allocations() - before, 0u);
   EXPECT_EQ(fmi2FreeFMUstate(component, &state), fmi2OK);
+  EXPECT_EQ(fmi2FreeFMUstate(component, &state), fmi2OK);
+  EXPECT_EQ(fmi2FreeFMUstate(component, nullptr), fmi2OK);
 }
 
 TEST_F(LiveFmu, TakesUpStatesOfAnyBytes) {

@@ -346,8 +346,10 @@ fmi2Status fmi2SetFMUstate(fmi2Component component, fmi2FMUstate state) {
 
 fmi2Status fmi2FreeFMUstate(fmi2Component component, fmi2FMUstate* state) {
   return with(component, [&](Component&, Instance&) {
-    delete static_cast<State*>(*state);
-    *state = nullptr;
+    if (state != nullptr) { // the standard lets null pass
+      delete static_cast<State*>(*state);
+      *state = nullptr;
+    }
     return fmi2OK;
   });
 }
