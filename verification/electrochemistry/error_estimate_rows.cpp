@@ -3,6 +3,7 @@
 #include "electrochemistry/model_run.hpp"
 #include "electrochemistry/rows.hpp"
 
+#include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "ionskin/readout/sampling.hpp"
 #include "ionskin/readout/tail_current.hpp"
 #include "ionskin/study/errors/error_estimate.hpp"
@@ -56,8 +57,10 @@ double true_tail_error(const Case& input, const history::CoreHistory& history,
   for (std::size_t i = 0; i < difference.size(); ++i) {
     difference[i] -= current[i];
   }
-  const std::vector<bool> tail =
-      readout::in_tail(coarse, input.readout.sample_interval, history.event_time);
+  const std::vector<bool> tail = readout::in_tail(
+      coarse, input.readout.sample_interval, history.event_time,
+      electrochemistry::derive_scales(input.electrochemistry, history.core_thickness())
+          .relaxation_time);
   return 4.0 / 3.0 * readout::tail_rms(difference, tail) / readout::tail_rms(current, tail);
 }
 

@@ -19,17 +19,25 @@ namespace ionskin::handover {
 namespace {
 
 constexpr double outer_cell_growth = 1.4;
-constexpr double outer_cell_limit = 0.2e-3; // [m]; coarser cells cost 0.1 % in the current
 
-/// Cell edges outward from an edge at 0 to `extent`, growing from `first`.
-std::vector<double> graded_cells(double first, double extent) {
+/// Longest cell beside the footprint [m]. Strain decays there over the thickness of the skin;
+/// coarser cells cost 0.1 % in the current. Where that is thin against the skin, cells of an 80th
+/// of its length only stand where the strain has decayed already.
+double outer_cell_limit(const Skin& skin) {
+  // To a picometre: how the thicknesses round as they are read and added must not show.
+  const double thickness = std::round(skin.thickness() * 1e12) / 1e12;
+  return std::max(thickness, skin.length / 80);
+}
+
+/// Cell edges outward from an edge at 0 to `extent`, growing from `first` up to `limit`.
+std::vector<double> graded_cells(double first, double extent, double limit) {
   std::vector<double> edges;
   double size = first;
   double at = 0;
   while (at + 1.5 * size < extent) {
     at += size;
     edges.push_back(at);
-    size = std::min(size * outer_cell_growth, outer_cell_limit);
+    size = std::min(size * outer_cell_growth, limit);
   }
   edges.push_back(extent);
   return edges;
@@ -37,16 +45,17 @@ std::vector<double> graded_cells(double first, double extent) {
 
 /// Cell edges that ride with the slider in a direction in which it moves: the footprint's mesh
 /// lines, and outside them graded cells that cover the core from every position on the track.
-std::vector<double> riding_edges(const std::vector<double>& footprint, double low, double high) {
+std::vector<double> riding_edges(const std::vector<double>& footprint, double low, double high,
+                                 double limit) {
   std::vector<double> edges;
   const double first_low = footprint[1] - footprint[0];
-  for (const double distance : graded_cells(first_low, footprint.front() - low)) {
+  for (const double distance : graded_cells(first_low, footprint.front() - low, limit)) {
     edges.push_back(footprint.front() - distance);
   }
   std::reverse(edges.begin(), edges.end());
   edges.insert(edges.end(), footprint.begin(), footprint.end());
   const double first_high = footprint.back() - footprint[footprint.size() - 2];
-  for (const double distance : graded_cells(first_high, high - footprint.back())) {
+  for (const double distance : graded_cells(first_high, high - footprint.back(), limit)) {
     edges.push_back(footprint.back() + distance);
   }
   return edges;
@@ -70,12 +79,12 @@ std::vector<double> core_lines(const mesh::SkinMesh& mesh, const mesh::MeshLines
 /// Edges along one direction; the half model keeps its half only.
 std::vector<double> direction_edges(const std::vector<double>& lines,
                                     const std::array<std::size_t, 2>& footprint, double extent,
-                                    double start, double lowest, double highest) {
+                                    double start, double lowest, double highest, double limit) {
   if (lowest == highest) {
     return relative(lines, 0, lines.size(), start);
   }
   const auto inner = relative(lines, footprint[0], footprint[1] + 1, start);
-  return riding_edges(inner, -highest, extent - lowest);
+  return riding_edges(inner, -highest, extent - lowest, limit);
 }
 
 /// Values and edges of the half y <= 0 continued by reflection to the whole width.
@@ -180,10 +189,11 @@ history::CoreHistory build_strain_history(const Case& input,
   const MotionBox box = motion_box(input.motion, input.slider);
   const auto start_lines = mesh.lines(box.low);
   const auto z_lines = core_lines(mesh, start_lines);
+  const double limit = outer_cell_limit(input.skin);
   const auto x_edges = direction_edges(start_lines.x, mesh.footprint_x(), input.skin.length,
-                                       box.low[0], box.low[0], box.high[0]);
+                                       box.low[0], box.low[0], box.high[0], limit);
   const auto y_edges = direction_edges(start_lines.y, mesh.footprint_y(), input.skin.width,
-                                       box.low[1], box.low[1], box.high[1]);
+                                       box.low[1], box.low[1], box.high[1], limit);
 
   history::CoreHistory history;
   history.frame = history::Frame::slider;

@@ -8,17 +8,27 @@
 namespace ionskin::readout {
 namespace {
 
-constexpr double spike_duration = 0.05; // [s]
+constexpr double spike_relaxations = 8;
+
+/// How long a spike hides the tail behind it [s].
+double spike_duration(const std::vector<double>& events, double relaxation_time) {
+  double longest = 0;
+  for (std::size_t i = 1; i < events.size(); ++i) {
+    longest = std::max(longest, events[i] - events[i - 1]);
+  }
+  const double spike = spike_relaxations * relaxation_time;
+  return longest > 0 ? std::min(spike, 0.5 * longest) : spike;
+}
 
 } // namespace
 
 std::vector<bool> in_tail(const SignalTable& sampled, double interval,
-                          const std::vector<double>& events) {
+                          const std::vector<double>& events, double relaxation_time) {
+  const double spike = spike_duration(events, relaxation_time);
   std::vector<bool> result;
   for (const double end : sampled.column("time").values) {
-    result.push_back(std::ranges::none_of(events, [&](double event) {
-      return event < end && event > end - interval - spike_duration;
-    }));
+    result.push_back(std::ranges::none_of(
+        events, [&](double event) { return event < end && event > end - interval - spike; }));
   }
   return result;
 }

@@ -41,6 +41,41 @@ TEST(Handover, ConservesTheIntegralOfAnObliqueTrack) {
   expect_conserved(input);
 }
 
+/// A case with every length multiplied.
+Case scaled_case(double factor) {
+  Case input = small_case();
+  for (double* length : {&input.skin.length, &input.skin.width, &input.slider.size[0],
+                         &input.slider.size[1], &input.slider.start[0], &input.slider.start[1],
+                         &input.motion.gap, &input.motion.preload, &input.motion.stroke}) {
+    *length *= factor;
+  }
+  for (Layer& layer : input.skin.layers) {
+    layer.thickness *= factor;
+  }
+  return input;
+}
+
+TEST(Handover, CellsBesideTheFootprintScaleWithTheSkin) {
+  const auto edges = [](const Case& input) {
+    return build_strain_history(input, synthetic_contact(input)).grid.x_edges;
+  };
+  const auto small = edges(small_case()), large = edges(scaled_case(16));
+  ASSERT_EQ(large.size(), small.size());
+  for (std::size_t i = 0; i < small.size(); ++i) {
+    EXPECT_NEAR(large[i], 16 * small[i], 1e-12);
+  }
+}
+
+TEST(Handover, ThinSkinsHaveNoMoreCellsBesideTheFootprintThanTheirLengthNeeds) {
+  Case input = small_case();
+  input.skin.layers = {{"bottom", LayerRole::electrode, input.skin.layers[0].material, 1e-6},
+                       {"core", LayerRole::core, input.skin.layers[1].material, 18e-6},
+                       {"top", LayerRole::electrode, input.skin.layers[2].material, 1e-6}};
+  input.motion.preload = 1e-7;
+  const history::CoreHistory history = build_strain_history(input, synthetic_contact(input));
+  EXPECT_LT(history.grid.x_edges.size(), 300u);
+}
+
 TEST(Handover, RepeatsTheCycleWithoutCopies) {
   const Case input = small_case();
   const auto contact = synthetic_contact(input);

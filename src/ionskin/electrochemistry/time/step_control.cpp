@@ -21,9 +21,11 @@ double ideal_factor(double error) {
   return safety / std::cbrt(std::max(error, 1e-12));
 }
 
-/// Resolves what is left late in a decay, when it is small beside the charge that the error is
-/// measured against.
-constexpr double longest_step = 0.15; // [s]
+/// Resolve what is left late in a decay, when it is small beside the charge that the error is
+/// measured against: a share of the time in which double layers charge, 0.15 s in the baseline, or
+/// of what passed since the decay began, whichever is longer. So slower decays are resolved, too,
+/// those of water or through a load, and a fast one does not cost steps when it is over.
+constexpr double longest_share = 0.15 / 0.8493165557971034, late_share = 0.075;
 
 // Of the estimates of steps, see relaxation_step and crossing_step.
 constexpr double error_constant = 0.0404, kink_constant = 0.055;
@@ -68,10 +70,25 @@ StepRule step_rule(const Numerics& numerics, const Readout& readout, const Deriv
       numerics.time_tolerance > 0.0 ? numerics.time_tolerance : preset_tolerance(numerics.preset);
   return {tolerance / (refinement * refinement * refinement),
           std::min(1e-5, scales.slow_time / 1000.0) / refinement,
-          longest_step / refinement,
+          longest_share * scales.slow_time / refinement,
+          late_share / refinement,
           1e-9 * scales.relaxation_time,
           std::pow(growth(numerics.preset), 1.0 / refinement),
           readout.taxels.empty() ? overall_share : resolved_share};
+}
+
+StepControl::StepControl(StepLandings landings, const StepRule& rule)
+    : landings_(std::move(landings)), rule_(rule) {
+  double event = landings_.time.front();
+  for (std::size_t i = 0; i < landings_.time.size(); ++i) {
+    event = landings_.is_event[i] ? landings_.time[i] : event;
+    event_.push_back(event);
+  }
+}
+
+double StepControl::longest(double time) const {
+  const double since_event = time - event_[landings_.behind(time) - 1];
+  return std::max(rule_.longest, rule_.late_share * since_event);
 }
 
 bool StepControl::has_landed(const std::vector<double>& ends) const {
@@ -88,10 +105,11 @@ double StepControl::step_end(double time, double wanted) const {
   const double landing = landings_.time[next], rest = landing - time;
   // From landing to landing one step whose error is likely to be just allowed beats two short ones.
   const double stretch = landings_.time[next - 1] == time ? 0.9 : 0.999;
-  if (std::min(wanted / stretch, rule_.longest) >= rest) {
+  const double most = longest(time);
+  if (std::min(wanted / stretch, most) >= rest) {
     return landing;
   }
-  const double length = std::min(wanted, rule_.longest);
+  const double length = std::min(wanted, most);
   // Two equal steps rather than a long one and a sliver.
   return time + (2.0 * length > rest ? 0.5 * rest : length);
 }
@@ -104,7 +122,7 @@ double StepControl::after_success(double begin, double end, double wanted, doubl
   const double length = end - begin;
   const double next = length * std::clamp(ideal_factor(error), smallest_shrinkage, rule_.growth);
   // A step cut short by a landing says little against a longer one.
-  return next >= length ? std::max(next, std::min(wanted, rule_.longest)) : next;
+  return next >= length ? std::max(next, std::min(wanted, longest(begin))) : next;
 }
 
 double StepControl::after_rejection(double begin, double end, double error) const {

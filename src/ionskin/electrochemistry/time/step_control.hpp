@@ -15,7 +15,8 @@ namespace ionskin::electrochemistry {
 struct StepRule {
   double tolerance = 0;    ///< error of the charge that one step may add, over the charge so far
   double first = 0;        ///< first trial after an event [s]
-  double longest = 0;      ///< [s]
+  double longest = 0;      ///< while less than `longest / late_share` has passed since an event [s]
+  double late_share = 0;   ///< longest step over the time since the last event, from then on [1]
   double shortest = 0;     ///< below it the solver gives up [s]
   double growth = 0;       ///< of a step over the one before it, at most
   double column_share = 0; ///< of the errors of single columns, see `ChargeNorm::of_change`
@@ -23,8 +24,9 @@ struct StepRule {
 
 /// The rule for a case: the tolerance is the user's or the preset's; after events a first step of
 /// 1e-5 s is tried, a shorter one where the core charges faster than Nafion, and steps reach up to
-/// 0.15 s. `time_refinement` divides steps, so it divides the tolerance
-/// by its third power, that of the error of a step. Taxels ask for the charges of single columns;
+/// 0.177 of the time in which the double layers charge, or to 0.075 of the time since the last
+/// event where that is more. `time_refinement` divides steps, so it divides the tolerance by its
+/// third power, that of the error of a step. Taxels ask for the charges of single columns;
 /// whole electrodes do with a tenth of their share in the error.
 StepRule step_rule(const Numerics& numerics, const Readout& readout, const DerivedScales& scales);
 
@@ -36,8 +38,7 @@ double preset_tolerance(Preset preset);
 /// Differential Equations I, 1993, section II.4).
 class StepControl {
 public:
-  StepControl(StepLandings landings, const StepRule& rule)
-      : landings_(std::move(landings)), rule_(rule) {}
+  StepControl(StepLandings landings, const StepRule& rule);
 
   const StepLandings& landings() const { return landings_; }
 
@@ -68,8 +69,12 @@ public:
   bool too_short(double wanted) const { return !(wanted >= rule_.shortest); } ///< or no number
 
 private:
+  /// Longest step from an instant [s].
+  double longest(double time) const;
+
   StepLandings landings_;
   StepRule rule_;
+  std::vector<double> event_; ///< at or before each landing; the first landing before any [s]
 };
 
 /// Length that the tolerance is likely to allow while charge relaxes with the slow time T [s]: the

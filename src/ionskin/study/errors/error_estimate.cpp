@@ -4,6 +4,7 @@
 #include "ionskin/case/coupling.hpp"
 #include "ionskin/circuits/circuit.hpp"
 #include "ionskin/electrochemistry/coupling/driving_channel.hpp"
+#include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
 #include "ionskin/history/merged_cells.hpp"
 #include "ionskin/history/shear_statistics.hpp"
@@ -194,7 +195,10 @@ ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanic
   const ErrorFloors floors{
       path_floor(mechanics), decoupling(input),
       charge_rounding * charge_scale(input, mechanics.history), input.readout.sample_interval,
-      readout::in_tail(base.sampled, input.readout.sample_interval, mechanics.history.event_time)};
+      readout::in_tail(base.sampled, input.readout.sample_interval, mechanics.history.event_time,
+                       electrochemistry::derive_scales(input.electrochemistry,
+                                                       mechanics.history.core_thickness())
+                           .relaxation_time)};
   ErrorEstimate estimate = combine_errors(base, pairs_of(all_pairs(mechanics), results), floors);
   estimate.not_converging = not_converging(input, signals);
   return estimate;

@@ -94,8 +94,10 @@ void add_slide_metrics(const Case& input, const MechanicsRecord& mechanics,
 }
 
 void add_tail_metric(const Case& input, const MechanicsRecord& mechanics, Signals& signals) {
-  const std::vector<bool> tail = readout::in_tail(signals.sampled, input.readout.sample_interval,
-                                                  mechanics.history.event_time);
+  const std::vector<bool> tail = readout::in_tail(
+      signals.sampled, input.readout.sample_interval, mechanics.history.event_time,
+      electrochemistry::derive_scales(input.electrochemistry, mechanics.history.core_thickness())
+          .relaxation_time);
   signals.metrics.push_back(
       {"tail_current_difference",
        readout::tail_rms(signals.sampled.column("current_difference").values, tail), "A"});

@@ -11,7 +11,7 @@ namespace ionskin::electrochemistry {
 namespace {
 
 const StepControl control{{{0.0, 1.0, 3.0}, {true, true, false}, {true, false, true}},
-                          {1e-4, 1e-5, 0.5, 1e-12, 4.0, 1e-3}};
+                          {1e-4, 1e-5, 0.5, 0, 1e-12, 4.0, 1e-3}};
 
 TEST(StepControl, LandsWithoutSlivers) {
   EXPECT_DOUBLE_EQ(control.step_end(0.2, 0.1), 0.3);
@@ -24,7 +24,7 @@ TEST(StepControl, LandsWithoutSlivers) {
 
 TEST(StepControl, StretchesAStepFromLandingToLanding) {
   const StepControl regular{{{0.0, 1.0, 2.0}, {false, false, false}, {false, false, false}},
-                            {1e-4, 1e-5, 1.0, 1e-12, 4.0, 1e-3}};
+                            {1e-4, 1e-5, 1.0, 0, 1e-12, 4.0, 1e-3}};
   EXPECT_EQ(regular.step_end(1.0, 0.95), 2.0);
   EXPECT_DOUBLE_EQ(regular.step_end(1.0, 0.85), 1.5);
   EXPECT_DOUBLE_EQ(regular.step_end(1.05, 0.9), 1.525);
@@ -69,6 +69,23 @@ TEST(StepRule, RefinementDividesStepsOfThirdOrder) {
       step_rule({.preset = Preset::fine, .time_tolerance = 0.01}, {}, scales).tolerance, 0.01);
 }
 
+TEST(StepRule, LongestStepScalesWithTheDecay) {
+  Electrochemistry ions = verification::model_case().electrochemistry;
+  const StepRule baseline = step_rule({}, {}, derive_scales(ions, 180e-6));
+  EXPECT_EQ(baseline.longest, 0.15);
+  EXPECT_DOUBLE_EQ(step_rule({}, {}, derive_scales(ions, 18e-6)).longest, 0.015);
+  ions.diffusivity /= 100;
+  EXPECT_DOUBLE_EQ(step_rule({}, {}, derive_scales(ions, 180e-6)).longest, 15.0);
+}
+
+TEST(StepControl, LongAfterAnEventStepsGrowWithTheTimeSince) {
+  const StepControl late{{{0.0, 10.0, 1000.0}, {true, true, false}, {false, false, false}},
+                         {1e-4, 1e-5, 0.5, 0.05, 1e-12, 4.0, 1e-3}};
+  EXPECT_DOUBLE_EQ(late.step_end(15.0, 100.0), 15.5);
+  EXPECT_DOUBLE_EQ(late.step_end(110.0, 100.0), 115.0);
+  EXPECT_EQ(late.after_success(110.0, 115.0, 100.0, 0.5), 5.0 * 0.85 / std::cbrt(0.5));
+}
+
 TEST(StepRule, TaxelsAskForSingleColumns) {
   const DerivedScales scales = derive_scales(verification::model_case().electrochemistry, 180e-6);
   Readout readout;
@@ -85,14 +102,14 @@ TEST(EstimatedSteps, FollowTheToleranceAndTheLandings) {
   // While the slider passes columns of 0.2 mm at 3 mm/s they are 0.054 s long.
   EXPECT_NEAR(crossing_step(rule, 0.2 / 3.0), 0.054, 0.001);
   const StepLandings landings{{0.0, 1.0, 3.0}, {true, true, false}, {false, false, false}};
-  const StepRule doubling{1e-4, 0.1, 0.5, 1e-12, 2.0, 1e-3};
+  const StepRule doubling{1e-4, 0.1, 0.5, 0, 1e-12, 2.0, 1e-3};
   // 0.1, 0.2, 0.4 and 0.5; again 0.1 and 0.2, then seven of 0.25.
   EXPECT_EQ(estimate_steps(landings, doubling, {1.0, 0.25}), 4U + 9U);
 }
 
 TEST(EstimatedSteps, AreCountedAtOnceHoweverMany) {
   const StepLandings landings{{0.0, 1e7}, {true, true}, {false, false}};
-  const StepRule rule{1e-4, 1e-15, 0.5, 1e-12, 2.0, 1e-3};
+  const StepRule rule{1e-4, 1e-15, 0.5, 0, 1e-12, 2.0, 1e-3};
   EXPECT_GE(estimate_steps(landings, rule, {1e-15}), 1'000'000'000'000U);
 }
 
