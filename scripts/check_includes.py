@@ -15,6 +15,7 @@ ROOMS = {
     "units": ["."],
     "laws": [".", "friction", "coupling", "shear"],
     "circuits": ["."],
+    "shapes": ["."],
     "case": ["text", ".", "schema", "document", "checks", "reading"],
     "mesh": ["."],
     "linear_algebra": ["."],

@@ -68,12 +68,14 @@ def move_build(folder, old, new):
     dependencies.write_bytes(moved_dependencies(dependencies.read_bytes(), bytes(old), bytes(new)))
     commands = json.loads(subprocess.run(["ninja", "-C", folder, "-t", "compdb"], capture_output=True, text=True,
                                          check=True).stdout)
-    hashes = {entry["output"]: command_hash(entry["command"]) for entry in commands}
+    # By the old hash: a command may have several outputs, of which only the first is told.
+    hashes = {f"{command_hash(entry['command'].replace(str(new), str(old))):x}": f"{command_hash(entry['command']):x}"
+              for entry in commands}
     log = folder / ".ninja_log"
     lines = []
     for line in log.read_text().splitlines():
         fields = line.split("\t")
-        if len(fields) == 5 and fields[3] in hashes:
-            fields[4] = f"{hashes[fields[3]]:x}"
+        if len(fields) == 5:
+            fields[3:] = [fields[3].replace(str(old), str(new)), hashes.get(fields[4], fields[4])]
         lines.append("\t".join(fields))
     log.write_text("\n".join(lines) + "\n")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""docs/laws.md and docs/circuits.md, carried out step by step on a copy of the sources and of the build."""
+"""docs/laws.md, docs/circuits.md and docs/shapes.md, carried out step by step on a copy of the sources and of the build."""
 
 import filecmp
 import os
@@ -14,7 +14,7 @@ from documented import console_blocks, first_difference
 from moved_build import move_build
 from program import PROGRAM, ROOT, metric, signals, summary
 
-LAWS, CIRCUITS = ROOT / "docs" / "laws.md", ROOT / "docs" / "circuits.md"
+LAWS, CIRCUITS, SHAPES = (ROOT / "docs" / name for name in ("laws.md", "circuits.md", "shapes.md"))
 COPIED = ("apps", "benchmarks", "cases", "cmake", "docs", "examples", "fuzz", "materials", "packaging", "python", "src",
           "studio", "tests", "verification", "CHANGELOG.md", "CITATION.cff", "CMakeLists.txt", "CMakePresets.json",
           "LICENSE", "Makefile", "README.md")
@@ -58,17 +58,17 @@ def carry_out(page, tree):
 
 
 class ExtensionPages(unittest.TestCase):
-    """Both pages on one copy, so that one build serves them."""
+    """All pages on one copy, so that one build serves them."""
 
     @classmethod
     def setUpClass(cls):
-        os.environ["IONSKIN_CACHE_LIMIT"] = "0 GB"
         folder = pathlib.Path(tempfile.mkdtemp(prefix="ionskin-test-"))
+        os.environ["XDG_CACHE_HOME"] = str(folder / "cache")  # pages share their slider positions
         cls.addClassCleanup(shutil.rmtree, folder, ignore_errors=True)
         cls.tree = folder / "tree"
         copy_tree(cls.tree)
         move_build(cls.tree / "build", ROOT, cls.tree)
-        cls.named = {page: carry_out(page, cls.tree) for page in (LAWS, CIRCUITS)}
+        cls.named = {page: carry_out(page, cls.tree) for page in (LAWS, CIRCUITS, SHAPES)}
 
     def shell(self, command, expect=0):
         """Runs a line of a page in the copy; returns the finished process."""
@@ -106,6 +106,21 @@ class ExtensionPages(unittest.TestCase):
         refused = self.shell("build/ionskin check cases/quick.toml --set readout.cable_length='\"2 m\"'", expect=2).stderr
         self.assertIn("readout.cable_length is given, but the circuit has none", refused)
         self.assertIn('set readout.circuit = "voltmeter"', refused)
+
+    def test_shapes(self):
+        self.run_commands(SHAPES)
+        self.assertEqual(self.named[SHAPES], {
+            "src/ionskin/shapes/paraboloid.hpp", "src/ionskin/shapes/paraboloid.cpp", "src/ionskin/shapes/shape.cpp",
+            "src/ionskin/shapes/CMakeLists.txt", "tests/unit/shapes/paraboloid_test.cpp",
+            "tests/unit/shapes/CMakeLists.txt"})
+        sphere, paraboloid = (metric(self.tree / name, "normal_force_slide") for name in ("sphere", "paraboloid"))
+        self.assertGreater(sphere, 0)
+        self.assertAlmostEqual(paraboloid / sphere, 1, delta=1e-3)
+        self.assertIn("missing key slider.radius_x",
+                      self.shell("build/ionskin check cases/quick.toml --set slider.shape=paraboloid", expect=2).stderr)
+        refused = self.shell("build/ionskin check cases/quick.toml --set slider.radius_x='\"8 mm\"'", expect=2).stderr
+        self.assertIn("slider.radius_x does not belong to this shape of slider", refused)
+        self.assertIn('choose slider.shape = "paraboloid"', refused)
 
     def test_the_files_that_the_pages_name_are_all_that_differ(self):
         touched = set()

@@ -30,6 +30,11 @@ class UndersideTest(unittest.TestCase):
                                       atol=1e-12)
         self.assertTrue(Underside({"size": ["3 mm", "1.5 mm"]}).sharp)
 
+    def test_a_shape_that_figures_do_not_know_is_a_box(self):
+        drawn = Underside({"shape": "paraboloid", "radius_x": "8 mm", "size": ["3 mm", "1.5 mm"]})
+        self.assertTrue(drawn.sharp)
+        numpy.testing.assert_allclose(drawn.half_size, [1.5e-3, 0.75e-3])
+
     def test_height_map(self):
         with tempfile.NamedTemporaryFile("w", suffix=".csv") as file:
             file.write("um,-1000,0,1000\n-500,30,10,20\n500,30,10,20\n")

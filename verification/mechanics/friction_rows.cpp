@@ -102,8 +102,8 @@ struct Loop {
 Loop loop_of(const std::string& law, const laws::LawValues& parameters, double travel,
              const Options& options) {
   Case input = short_stroke(law, parameters, 1e-3, {1, 0});
-  input.slider.shape = SliderShape::sphere;
-  input.slider.radius = 8e-3;
+  input.slider.shape = "sphere";
+  input.slider.parameters["radius"] = 8e-3;
   // A deep block on which pressure moves nothing sideways.
   const Material soft{"soft", 249e6, 0.4999};
   constexpr double depth_of_block = 0.75e-3;

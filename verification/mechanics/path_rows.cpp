@@ -98,16 +98,16 @@ Case random_path(Case input, bool by_force, unsigned seed) {
   return input;
 }
 
-Case with_shape(SliderShape shape, double edge_radius) {
+Case with_shape(const std::string& shape, double edge_radius) {
   Case input = baseline_case();
   input.skin.length = 5e-3;
   input.slider.size = {1e-3, 0.8e-3};
   input.slider.start = {2.5e-3, 1e-3};
   input.slider.shape = shape;
-  input.slider.edge_radius = edge_radius;
+  input.slider.parameters["edge_radius"] = edge_radius;
   input.numerics.mesh_refinement = 0.5;
-  if (shape != SliderShape::flat) {
-    input.slider.radius = 8e-3;
+  if (shape != "flat") {
+    input.slider.parameters["radius"] = 8e-3;
   }
   return input;
 }
@@ -117,10 +117,10 @@ void add_random_rows(const Options& options, std::vector<Row>& rows) {
     const char* name;
     Case input;
   };
-  const Shape shapes[] = {{"flat", with_shape(SliderShape::flat, 0)},
-                          {"rounded", with_shape(SliderShape::flat, 0.1e-3)},
-                          {"cylinder", with_shape(SliderShape::cylinder, 0)},
-                          {"sphere", with_shape(SliderShape::sphere, 0)}};
+  const Shape shapes[] = {{"flat", with_shape("flat", 0)},
+                          {"rounded", with_shape("flat", 0.1e-3)},
+                          {"cylinder", with_shape("cylinder", 0)},
+                          {"sphere", with_shape("sphere", 0)}};
   int steps = 0, failures = 0;
   unsigned seed = 0;
   for (const Shape& shape : shapes) {

@@ -22,7 +22,7 @@ constexpr double round_indentation = 10e-6; // [m]
 constexpr double contact_estimate = 316e-6; // sqrt(radius * round_indentation) [m]
 
 /// One material in all layers, a block of some contact radii in depth and four times as wide.
-Case block(SliderShape shape, double depth_ratio, double poissons_ratio, double friction) {
+Case block(const std::string& shape, double depth_ratio, double poissons_ratio, double friction) {
   const Material material{"block", youngs_modulus, poissons_ratio};
   const double depth = depth_ratio * contact_estimate;
   Case input;
@@ -31,9 +31,9 @@ Case block(SliderShape shape, double depth_ratio, double poissons_ratio, double 
                        {"middle", LayerRole::core, material, 0.4 * depth},
                        {"upper", LayerRole::electrode, material, 0.3 * depth}};
   input.slider.shape = shape;
-  input.slider.radius = radius;
+  input.slider.parameters["radius"] = radius;
   input.slider.size = {2 * radius, 2 * radius};
-  if (shape == SliderShape::cylinder) {
+  if (shape == "cylinder") {
     input.skin.width = 1e-3;
     input.skin.sides = SideCondition::symmetry;
   }
@@ -60,7 +60,7 @@ struct HertzRatios {
 
 HertzRatios sphere_ratios(double depth_ratio) {
   constexpr double nu = 0.3;
-  Case input = block(SliderShape::sphere, depth_ratio, nu, 0);
+  Case input = block("sphere", depth_ratio, nu, 0);
   input.numerics.mesh_refinement = 1.25; // the contact's border is found within 0.15 of a cell
   PressedSkin skin(input);
   skin.advance({0, 0});
@@ -71,7 +71,7 @@ HertzRatios sphere_ratios(double depth_ratio) {
 
 HertzRatios cylinder_ratios(double depth_ratio) {
   constexpr double nu = 0.3;
-  Case input = block(SliderShape::cylinder, depth_ratio, nu, 0);
+  Case input = block("cylinder", depth_ratio, nu, 0);
   input.numerics.mesh_refinement = 6;
   PressedSkin skin(input);
   skin.advance({0, 0});
@@ -107,7 +107,7 @@ PartialSlip partial_slip(double depth_ratio) {
   constexpr double nu = 0.4999, mu = 0.3, part_of_full_slip = 0.6;
   constexpr int steps = 3;
   constexpr double shear_modulus = youngs_modulus / (2 * (1 + nu));
-  PressedSkin skin(block(SliderShape::sphere, depth_ratio, nu, mu));
+  PressedSkin skin(block("sphere", depth_ratio, nu, mu));
   skin.advance({0, 0});
   const auto full_slip = [&] {
     const double limit = mu * skin.force(0);

@@ -23,8 +23,8 @@ double winkler_ratio(double contact_over_thickness) {
   input.skin.layers = {{"lower", LayerRole::electrode, material, thickness / 3},
                        {"middle", LayerRole::core, material, thickness / 3},
                        {"upper", LayerRole::electrode, material, thickness / 3}};
-  input.slider.shape = SliderShape::cylinder;
-  input.slider.radius = half_width * half_width / (2 * indentation);
+  input.slider.shape = "cylinder";
+  input.slider.parameters["radius"] = half_width * half_width / (2 * indentation);
   input.slider.size = {3 * half_width, 2e-3};
   input.slider.start = {input.skin.length / 2, input.skin.width / 2};
   input.motion.preload = indentation;

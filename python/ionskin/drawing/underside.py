@@ -9,6 +9,7 @@ from ..quantity import UNITS, si
 
 CAP = 0.7e-3  # height of the drawn part of a round slider [m]
 BLOCK = 1.0e-3  # of any other [m]; a slider's height is no part of the model
+DRAWN = ("flat", "cylinder", "sphere", "profile")  # any other shape is drawn as a box
 
 
 class Underside:
@@ -19,13 +20,14 @@ class Underside:
         self.shape = slider.get("shape", "flat")
         self.radius = si(slider["radius"]) if self.shape in ("cylinder", "sphere") else None
         self.edge_radius = si(slider.get("edge_radius", "0 m")) if self.shape == "flat" else 0.0
-        self.size = numpy.array(si(slider["size"]) if "size" in slider else [2 * self.radius] * 2)
+        self.size = numpy.array([2 * self.radius] * 2 if "size" not in slider and self.radius else si(slider["size"]))
         self.map = read_heights(slider["profile"]) if self.shape == "profile" else None
 
     @property
     def sharp(self):
         """True for a slider that figures draw as a box."""
-        return self.shape == "flat" and self.edge_radius == 0 or self.shape == "profile" and self.map is None
+        return (self.shape not in DRAWN or self.shape == "flat" and self.edge_radius == 0
+                or self.shape == "profile" and self.map is None)
 
     @property
     def depth(self):

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/case/height_map.hpp"
 #include "ionskin/laws/law_parameter.hpp"
+#include "ionskin/shapes/shape.hpp"
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,20 +47,19 @@ struct Skin {
   double core_volume() const;     ///< [m3]
 };
 
-enum class SliderShape { flat, cylinder, sphere, profile };
-
 /// A rigid body whose underside presses on the skin.
 struct Slider {
-  SliderShape shape = SliderShape::flat;
-  std::array<double, 2> size{};  ///< plan of the underside along x and y [m]
-  double edge_radius = 0;        ///< of the rounded edges of a flat slider, 0 for sharp ones [m]
-  double radius = 0;             ///< of a cylinder (axis along y) or sphere [m]
-  std::string profile;           ///< absolute path of the height map; empty without one
-  HeightMap profile_heights;     ///< what stands in it
-  std::array<double, 2> start{}; ///< centre at the start of a cycle, x and y [m]
+  std::string shape = "flat";        ///< a name from the table in shapes/shape.cpp
+  laws::LawValues parameters;        ///< of shapes, that of the chosen one among them
+  std::array<double, 2> size{};      ///< plan of the underside along x and y [m]
+  std::string profile;               ///< absolute path of the height map; empty without one
+  shapes::HeightMap profile_heights; ///< what stands in it
+  std::array<double, 2> start{};     ///< centre at the start of a cycle, x and y [m]
 
+  std::unique_ptr<const shapes::Shape> underside() const;
+  shapes::Plan plan() const { return {size, profile_heights}; }
   /// Flat with sharp edges: it touches all over its plan at once.
-  bool sharp() const { return shape == SliderShape::flat && edge_radius == 0; }
+  bool sharp() const;
   /// Half sizes of the part that touches at once; 0 along a round direction [m].
   std::array<double, 2> flat_half_size() const;
   /// Whether the underside is its own mirror image under x -> -x and under y -> -y.

@@ -5,23 +5,20 @@
 
 namespace ionskin {
 
+std::unique_ptr<const shapes::Shape> Slider::underside() const {
+  return shapes::shape(shape, parameters);
+}
+
+bool Slider::sharp() const {
+  return underside()->sharp();
+}
+
 std::array<double, 2> Slider::flat_half_size() const {
-  switch (shape) {
-  case SliderShape::flat:
-    return {size[0] / 2 - edge_radius, size[1] / 2 - edge_radius};
-  case SliderShape::cylinder:
-    return {0, size[1] / 2};
-  case SliderShape::sphere:
-  case SliderShape::profile:
-    break;
-  }
-  return {0, 0};
+  return underside()->flat_half_size(plan());
 }
 
 std::array<bool, 2> Slider::symmetric() const {
-  if (shape != SliderShape::profile)
-    return {true, true};
-  return {profile_heights.symmetric_x(), profile_heights.symmetric_y()};
+  return underside()->symmetric(plan());
 }
 
 bool covers_width(const Case& input) {

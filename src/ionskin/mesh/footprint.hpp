@@ -29,10 +29,8 @@ HeaviestLoad heaviest_load(const Case& input);
 /// The slider's plan as far as the skin reaches: no contact can be larger.
 Footprint footprint_limit(const Case& input);
 
-/// Largest footprint that the slider can have: the plan of a sharp slider; for a round one the
-/// contact of a layer of its radius, bounded by an elastic half-space of the softest layer under a
-/// given force (Hertz) and by a thin bonded incompressible layer, which bulges most, under a given
-/// indentation (Johnson, Contact Mechanics, 1985, chapters 4 and 5).
+/// Largest footprint that the slider can have: the plan of a sharp slider; for another one what
+/// touches at once and the bound that its shape has for the border around it.
 Footprint largest_footprint(const Case& input);
 
 } // namespace ionskin::mesh

@@ -245,8 +245,8 @@ TEST(SolveContact, a_friction_coefficient_is_solved_the_same_beside_others) {
 
 TEST(SolveContact, a_round_slider_is_solved_the_same_beside_larger_frictions) {
   Case input = small_case();
-  input.slider.shape = SliderShape::sphere;
-  input.slider.radius = 8e-3;
+  input.slider.shape = "sphere";
+  input.slider.parameters["radius"] = 8e-3;
   input.motion.preload = 0;
   input.motion.preload_force = 0.2;
   input.contact.friction = 0.1;
@@ -356,8 +356,8 @@ TEST(SolveContact, plane_strain_with_symmetric_sides) {
 
 TEST(SolveContact, a_contact_at_the_border_widens_its_own_mesh_only) {
   Case input = small_case();
-  input.slider.shape = SliderShape::sphere;
-  input.slider.radius = 8e-3;
+  input.slider.shape = "sphere";
+  input.slider.parameters["radius"] = 8e-3;
   input.motion.preload = 0;
   input.motion.preload_force = 0.2;
   ContactOptions options;

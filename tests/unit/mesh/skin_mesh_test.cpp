@@ -166,8 +166,8 @@ TEST(SkinMesh, refuses_a_slider_at_the_edge_of_the_skin) {
 
 TEST(SkinMesh, a_round_contact_has_a_uniform_footprint) {
   Case input = example();
-  input.slider.shape = SliderShape::sphere;
-  input.slider.radius = 8e-3;
+  input.slider.shape = "sphere";
+  input.slider.parameters["radius"] = 8e-3;
   input.slider.size = {16e-3, 16e-3};
   const SkinMesh mesh(input, {{0.4e-3, 0.3e-3}, {0.4e-3, 0.3e-3}});
   const std::vector<double>& x = mesh.footprint_lines_x();
@@ -181,7 +181,7 @@ TEST(SkinMesh, a_round_contact_has_a_uniform_footprint) {
 
 TEST(SkinMesh, a_rounded_edge_has_a_rim_of_equal_elements_before_larger_ones) {
   Case input = example();
-  input.slider.edge_radius = 0.5e-3;
+  input.slider.parameters["edge_radius"] = 0.5e-3;
   const SkinMesh mesh(input, {{1.24e-3, 0.49e-3}, {0.24e-3, 0.24e-3}});
   const std::vector<double>& x = mesh.footprint_lines_x();
   for (std::size_t i = 1; i <= 8; ++i) {
@@ -193,15 +193,15 @@ TEST(SkinMesh, a_rounded_edge_has_a_rim_of_equal_elements_before_larger_ones) {
 TEST(SkinMesh, a_narrow_rim_is_no_finer_than_a_sharp_edge) {
   Case input = example();
   const std::size_t sharp = SkinMesh(input).elements()[0];
-  input.slider.edge_radius = 0.1e-3;
+  input.slider.parameters["edge_radius"] = 0.1e-3;
   const SkinMesh mesh(input, {{1.403e-3, 0.653e-3}, {0.003e-3, 0.003e-3}});
   EXPECT_LE(mesh.elements()[0], sharp + 2);
 }
 
 TEST(SkinMesh, a_line_contact_is_as_coarse_along_it_as_its_length_allows) {
   Case input = example();
-  input.slider.shape = SliderShape::cylinder;
-  input.slider.radius = 8e-3;
+  input.slider.shape = "cylinder";
+  input.slider.parameters["radius"] = 8e-3;
   const SkinMesh narrow(input, {{0.02e-3, 0.75e-3}, {0.02e-3, 0}});
   const SkinMesh wide(input, {{0.2e-3, 0.75e-3}, {0.2e-3, 0}});
   EXPECT_LE(narrow.elements()[1], wide.elements()[1] + 10);
@@ -239,8 +239,8 @@ TEST(SkinMesh, a_line_lies_at_half_the_height_of_the_core) {
 
 TEST(Footprint, bounds_follow_shape_and_load) {
   Case input = example();
-  input.slider.shape = SliderShape::sphere;
-  input.slider.radius = 8e-3;
+  input.slider.shape = "sphere";
+  input.slider.parameters["radius"] = 8e-3;
   input.slider.size = {16e-3, 16e-3};
   input.motion.preload = 1e-6;
   EXPECT_NEAR(largest_footprint(input).half_size[0], 1.15 * 2 * std::sqrt(8e-9), 1e-12);

@@ -5,8 +5,8 @@
 
 namespace ionskin {
 
-/// Whether the keys of the slider go together: keys that its shape does not have, edges rounder
-/// than the slider is wide, a plan larger than the round body or the height map.
+/// Whether the keys of the slider go together: keys that its shape does not have, and what the
+/// shape itself finds, such as a plan larger than the round body or the height map.
 void check_slider(const CaseDocument& document, Problems& problems);
 
 } // namespace ionskin

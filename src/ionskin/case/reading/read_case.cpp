@@ -5,6 +5,7 @@
 #include "ionskin/case/checks/check_prescribed.hpp"
 #include "ionskin/case/checks/check_readout.hpp"
 #include "ionskin/case/checks/check_water.hpp"
+#include "ionskin/case/document/height_map_file.hpp"
 #include "ionskin/case/document/materials.hpp"
 #include "ionskin/case/document/missing_keys.hpp"
 #include "ionskin/case/document/set_edit.hpp"
@@ -55,9 +56,9 @@ void take_waypoints(Case& input) {
 }
 
 void settle_slider(Slider& slider) {
-  if (slider.shape == SliderShape::sphere && slider.size[0] == 0)
-    slider.size = {2 * slider.radius, 2 * slider.radius};
-  if (slider.shape == SliderShape::profile)
+  if (slider.size[0] == 0)
+    slider.size = slider.underside()->whole_plan().value_or(slider.size);
+  if (shapes::shape_row(slider.shape).takes_heights)
     slider.profile_heights = read_height_map(slider.profile);
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/schema/schema_laws.hpp"
 #include "ionskin/case/schema/schema_rows.hpp"
-
 #include "ionskin/case/schema/schema_setters.hpp"
+
+#include <fmt/format.h>
 
 namespace ionskin {
 
@@ -9,33 +11,26 @@ using units::Dimension;
 
 namespace {
 
-bool is_round(const Case& input) {
-  return input.slider.shape == SliderShape::cylinder || input.slider.shape == SliderShape::sphere;
-}
-
 bool needs_size(const Case& input) {
-  return input.slider.shape != SliderShape::sphere;
+  return !shapes::shape_row(input.slider.shape).has_whole_plan;
 }
 
-bool has_profile(const Case& input) {
-  return input.slider.shape == SliderShape::profile;
+bool takes_heights(const Case& input) {
+  return shapes::shape_row(input.slider.shape).takes_heights;
 }
 
 } // namespace
 
 void add_slider(SchemaRows& rows) {
-  rows.push_back(
-      {.key = "slider.shape",
-       .type = ValueType::choice,
-       .default_value = "\"flat\"",
-       .choices = {{"flat"}, {"cylinder"}, {"sphere"}, {"profile"}},
-       .help = "Shape of the underside of the rigid slider; the axis of a cylinder lies along y.",
-       .source = "the paper's slider is a block",
-       .set = into<Slider, SliderShape>(&Case::slider, &Slider::shape,
-                                        {{"flat", SliderShape::flat},
-                                         {"cylinder", SliderShape::cylinder},
-                                         {"sphere", SliderShape::sphere},
-                                         {"profile", SliderShape::profile}})});
+  const auto table = shapes::shapes();
+  rows.push_back({.key = "slider.shape",
+                  .type = ValueType::choice,
+                  .default_value = fmt::format("\"{}\"", table.front().name),
+                  .choices = choices_of(table),
+                  .help = fmt::format("Shape of the underside of the rigid slider: {}.",
+                                      alternatives(table, &shapes::ShapeRow::meaning)),
+                  .source = "the paper's slider is a block",
+                  .set = into(&Case::slider, &Slider::shape)});
   rows.push_back({.key = "slider.size",
                   .type = ValueType::quantity_pair,
                   .dimension = Dimension::length,
@@ -45,26 +40,12 @@ void add_slider(SchemaRows& rows) {
                   .help = "Plan of the slider along x and y; the whole diameter for a sphere "
                           "without one.",
                   .set = into(&Case::slider, &Slider::size)});
-  rows.push_back({.key = "slider.edge_radius",
-                  .type = ValueType::quantity,
-                  .dimension = Dimension::length,
-                  .range = {0.0, 1.0, true, true},
-                  .default_value = "\"0 mm\"",
-                  .help = "Radius of the rounded edges of a flat slider; zero leaves them sharp.",
-                  .source = "the paper's slider is a block",
-                  .set = into(&Case::slider, &Slider::edge_radius)});
-  rows.push_back({.key = "slider.radius",
-                  .type = ValueType::quantity,
-                  .dimension = Dimension::length,
-                  .range = {1e-6, 1e3, true, true},
-                  .need = Need::when_it_applies,
-                  .applies = is_round,
-                  .help = "Radius of a cylinder or sphere.",
-                  .set = into(&Case::slider, &Slider::radius)});
+  add_law_parameters(rows, LawSection{"slider", "shape", &Case::slider, &Slider::shape}, table,
+                     Need::when_it_applies, true);
   rows.push_back({.key = "slider.profile",
                   .type = ValueType::text,
                   .need = Need::when_it_applies,
-                  .applies = has_profile,
+                  .applies = takes_heights,
                   .help = "CSV file with the heights of the underside: the unit of length and the "
                           "values of x in its first row, then y and the heights along x in each.",
                   .set = into(&Case::slider, &Slider::profile)});

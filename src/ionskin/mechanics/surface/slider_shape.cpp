@@ -5,60 +5,20 @@
 #include <cmath>
 
 namespace ionskin::mechanics {
-namespace {
 
-/// Height of a circle above its lowest point, without cancellation near it.
-double arc_height(double radius, double distance) {
-  if (distance > radius) {
-    return unreachable_gap;
-  }
-  const double ratio = distance / radius;
-  return radius * ratio * ratio / (1 + std::sqrt(1 - ratio * ratio));
-}
-
-/// The rounded edge runs along the whole border, around the corners too.
-double rounded_edge_gap(const Slider& slider, double x, double y) {
-  const std::array<double, 2> flat = slider.flat_half_size();
-  const double distance =
-      std::hypot(std::max(0.0, std::abs(x) - flat[0]), std::max(0.0, std::abs(y) - flat[1]));
-  return distance == 0 ? 0.0 : arc_height(slider.edge_radius, distance);
-}
-
-} // namespace
-
-Underside::Underside(const Slider& slider) : slider_(slider) {
-  if (slider.shape == SliderShape::profile) {
-    lowest_ = slider.profile_heights.lowest(slider.size);
-  }
-}
-
-double Underside::profile_gap(double x, double y) const {
-  const HeightMap& map = slider_.profile_heights;
-  // Cell edges may lie outside the map by rounding.
-  return map.interpolated(std::clamp(x, map.x.front(), map.x.back()),
-                          std::clamp(y, map.y.front(), map.y.back())) -
-         lowest_;
-}
+Underside::Underside(const Slider& slider)
+    : plan_(slider.plan()), shape_(slider.underside()), sharp_(shape_->sharp()),
+      lowest_(shape_->lowest(plan_)) {}
 
 double Underside::gap(double x, double y) const {
-  if (slider_.sharp()) {
+  if (sharp_) {
     return 0;
   }
   const double margin = 1 + 1e-9;
-  if (std::abs(x) > slider_.size[0] / 2 * margin || std::abs(y) > slider_.size[1] / 2 * margin) {
-    return unreachable_gap;
+  if (std::abs(x) > plan_.size[0] / 2 * margin || std::abs(y) > plan_.size[1] / 2 * margin) {
+    return shapes::unreachable_gap;
   }
-  switch (slider_.shape) {
-  case SliderShape::flat:
-    return rounded_edge_gap(slider_, x, y);
-  case SliderShape::cylinder:
-    return arc_height(slider_.radius, std::abs(x));
-  case SliderShape::sphere:
-    return arc_height(slider_.radius, std::hypot(x, y));
-  case SliderShape::profile:
-    break;
-  }
-  return profile_gap(x, y);
+  return shape_->height(plan_, x, y) - lowest_;
 }
 
 std::vector<double> mean_gap(const Slider& slider, const std::vector<double>& lines_x,

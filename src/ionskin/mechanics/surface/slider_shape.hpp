@@ -4,25 +4,24 @@
 #include "ionskin/case/case.hpp"
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace ionskin::mechanics {
 
-inline constexpr double unreachable_gap =
-    1.0; ///< outside the slider's plan, where nothing touches [m]
-
-/// The face of a slider that presses on the skin.
+/// The face of a slider that presses on the skin; it must outlive this.
 class Underside {
 public:
   explicit Underside(const Slider& slider);
-  /// Height above its lowest point at a place from the slider's centre [m].
+  /// Height above its lowest point at a place from the slider's centre [m];
+  /// `shapes::unreachable_gap` beyond its plan.
   double gap(double x, double y) const;
 
 private:
-  double profile_gap(double x, double y) const;
-
-  const Slider& slider_;
-  double lowest_ = 0;
+  shapes::Plan plan_;
+  std::unique_ptr<const shapes::Shape> shape_;
+  bool sharp_;
+  double lowest_;
 };
 
 /// Means of the gap over the cells of a tensor grid, x fastest [m].

@@ -16,9 +16,11 @@ namespace {
 bool has_sharp_edge(const Case& input) {
   const Slider& slider = input.slider;
   const auto flat = slider.flat_half_size();
-  const bool along_y = flat[1] > 0 && !covers_width(input);
-  return input.strain.kind == StrainSourceKind::contact && slider.edge_radius == 0 &&
-         (flat[0] > 0 || along_y);
+  const auto ends_sharply = [&](std::size_t direction) {
+    return flat[direction] > 0 && flat[direction] == slider.size[direction] / 2;
+  };
+  return input.strain.kind == StrainSourceKind::contact &&
+         (ends_sharply(0) || (ends_sharply(1) && !covers_width(input)));
 }
 
 /// Whether the largest magnitude stands alone: the steps on either side hold less than half of it,

@@ -27,7 +27,7 @@ std::string waypoints_text(const Motion& motion) {
   return text;
 }
 
-std::string heights_text(const HeightMap& map) {
+std::string heights_text(const shapes::HeightMap& map) {
   return fmt::format(" heights {} {} {}", map.x, map.y, map.height);
 }
 
@@ -218,8 +218,10 @@ std::string mechanics_hash(const Case& input) {
   }
   const Motion& motion = input.motion;
   const Slider& slider = input.slider;
-  text += fmt::format(" slider {} {} {} {} {}", static_cast<int>(slider.shape), slider.size,
-                      slider.start, slider.edge_radius, slider.radius);
+  text += fmt::format(" slider {} {} {}", slider.shape, slider.size, slider.start);
+  for (const auto& [name, value] : slider.parameters) {
+    text += fmt::format(" {} {}", name, value);
+  }
   text += heights_text(slider.profile_heights);
   text += fmt::format(" motion {} {} {} {} {} {} {} {} {} {}", static_cast<int>(motion.kind),
                       motion.gap, motion.preload, motion.stroke, motion.direction, motion.touchdown,

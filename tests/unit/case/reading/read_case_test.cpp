@@ -67,7 +67,7 @@ TEST(ReadCase, AProfileComesFromATableBesideTheCase) {
       valid_case("[slider]", "[slider]\nshape = \"profile\"\nprofile = \"map.csv\""));
   std::ofstream(file.folder() + "/map.csv") << "mm, -2, 0, 2\n-1, 0.2, 0, 0.4\n1, 0.2, 0, 0.4\n";
   const Case input = read_case(file.path());
-  const HeightMap& map = input.slider.profile_heights;
+  const shapes::HeightMap& map = input.slider.profile_heights;
   EXPECT_EQ(map.x.size(), 3U);
   EXPECT_DOUBLE_EQ(map.interpolated(-1e-3, 0.3e-3), 0.1e-3);
   EXPECT_DOUBLE_EQ(map.interpolated(1e-3, 1e-3), 0.2e-3);

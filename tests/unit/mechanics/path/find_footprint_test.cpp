@@ -15,8 +15,8 @@ namespace {
 
 Case small_finger() {
   Case input = small_case();
-  input.slider.shape = SliderShape::sphere;
-  input.slider.radius = 4e-3;
+  input.slider.shape = "sphere";
+  input.slider.parameters["radius"] = 4e-3;
   input.slider.size = {8e-3, 8e-3};
   input.motion.stroke = 0;
   return input;
@@ -40,7 +40,7 @@ TEST(FindFootprint, of_a_sphere_holds_its_contact_closely) {
 
 TEST(FindFootprint, of_a_barely_pressed_rounded_slider_ends_close_to_its_flat_part) {
   Case input = small_case();
-  input.slider.edge_radius = 0.2e-3;
+  input.slider.parameters["edge_radius"] = 0.2e-3;
   input.motion.preload = 0;
   input.motion.preload_force = 0.1;
   const mesh::Footprint footprint = find_footprint(input, 0.3, 1);
@@ -95,7 +95,7 @@ TEST(FindFootprint, is_not_widened_over_the_edge_of_the_skin) {
 /// A wedge with its ridge along y at the given place.
 Case small_wedge(double ridge) {
   Case input = small_case();
-  input.slider.shape = SliderShape::profile;
+  input.slider.shape = "profile";
   input.slider.profile_heights = {
       {-0.5e-3, ridge, 0.5e-3}, {-0.4e-3, 0.4e-3}, {0.1e-3, 0, 0.1e-3, 0.1e-3, 0, 0.1e-3}};
   return input;

@@ -62,7 +62,7 @@ TEST(TractionProfile, only_edges_on_the_skin_are_singular) {
   input.slider.size[1] = input.skin.width;
   EXPECT_TRUE(is_even(input, 1)) << "the slider ends with the skin";
   input = small_case();
-  input.slider.edge_radius = 0.05e-3;
+  input.slider.parameters["edge_radius"] = 0.05e-3;
   EXPECT_TRUE(is_even(input, 0)) << "a rounded edge has no singularity";
 }
 

@@ -23,13 +23,13 @@ TEST(Convergence, largest_values_under_sharp_edges_have_no_limit) {
   input.slider.size = {1e-3, 1e-3};
   const Signals signals = with_current({0, 1, 1, 1});
   EXPECT_TRUE(not_converging(input, signals).contains("element_max_shear_slide"));
-  input.slider.edge_radius = 1e-4;
+  input.slider.parameters["edge_radius"] = 1e-4;
   EXPECT_FALSE(not_converging(input, signals).contains("element_max_shear_slide"));
 }
 
 TEST(Convergence, a_spike_of_one_step_has_no_peak) {
   Case input;
-  input.slider.edge_radius = 1e-4;
+  input.slider.parameters["edge_radius"] = 1e-4;
   EXPECT_EQ(not_converging(input, with_current({0, 0, -5, 1, 0})).size(), 4u);
   EXPECT_TRUE(not_converging(input, with_current({0, 3, -5, 1, 0})).empty());
 }

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/shapes/shape.hpp"
+
+namespace ionskin::shapes {
+
+/// Any underside, by a map of its heights.
+struct Profile final : Shape {
+  static constexpr std::string_view meaning = "a map of heights";
+  static constexpr bool takes_heights = true;
+  static constexpr auto parameters() { return laws::no_parameters<Profile>; }
+
+  double height(const Plan& plan, double x, double y) const override;
+  double lowest(const Plan& plan) const override;
+  std::array<bool, 2> symmetric(const Plan& plan) const override;
+  /// How far the undeformed skin would reach into the map.
+  double border(const Plan& plan, const Pressing& pressing, std::size_t direction) const override;
+  std::vector<Misfit> misfits(const Plan& plan) const override;
+};
+
+} // namespace ionskin::shapes
