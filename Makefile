@@ -42,6 +42,7 @@ package: build
 check: setup
 	@scripts/check_format.sh
 	@/usr/bin/python3 scripts/check_includes.py
+	@/usr/bin/python3 scripts/check_equations.py
 	@$(MAKE) --no-print-directory build sanitize
 	@scripts/check_threads.sh $(JOBS)
 	@cmake --build --preset release --target benchmarks --parallel $(JOBS)

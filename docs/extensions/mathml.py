@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Equations as MathML, which browsers show without a script, a font or a network."""
+"""Equations as MathML, which browsers show without a script, a font or a network; labelled ones with their label."""
 
 import re
 
@@ -23,7 +23,8 @@ def visit_inline(writer, node):
 
 
 def visit_block(writer, node):
-    writer.body.append(f'<div class="equation">{mathml(node, inline=False)}</div>')
+    label = f'<span class="equation-label">({node["label"]})</span>' if node.get("label") else ""
+    writer.body.append(f'<div class="equation">{label}{mathml(node, inline=False)}</div>')
     raise SkipNode
 
 

@@ -28,6 +28,7 @@ std::vector<Row> spike_rows(const Chain& chain, const Options& options) {
     };
     const auto shear_before = history::shear_statistics(chain.history, begin);
     const auto shear_after = history::shear_statistics(chain.history, end);
+    // Events much shorter than the relaxation time, docs/model.md (29).
     const double common = factor * (shear_after.mean - shear_before.mean) / 2;
     rows.push_back(compare("C4", "common charge over " + event + " [uC]",
                            1e6 * (charge(after, 1) - charge(before, 1)), 1e6 * common,

@@ -26,7 +26,8 @@ constexpr std::array<Reference, 3> references{{{0.1, {5.5486e-4, -1.05351e-3}},
                                                {1.0, {5.5402e-4, -1.2677e-4}},
                                                {100.0, {3.421e-5, -1.344e-4}}}};
 
-/// Z A = (2 lambda tau/eps) (tanh(q a) + p q a)/(p q^3), p = i omega tau, q = sqrt(1 + p).
+/// docs/model.md (33): Z A = (2 lambda tau/eps) (tanh(q a) + p q a)/(p q^3), p = i omega tau, q =
+/// sqrt(1 + p).
 Complex closed_form(const Case& input, const DerivedScales& scales, double frequency) {
   const Complex p(0.0, 2.0 * std::numbers::pi * frequency * scales.relaxation_time);
   const Complex q = std::sqrt(1.0 + p);

@@ -47,7 +47,7 @@ double layer_charge(double potential, double filling) {
   return std::copysign(std::sqrt(2.0 * integral), potential);
 }
 
-/// The same in closed form: sigma^2 / 2 = psi + ln(1 - b + b exp(-psi)) / b.
+/// The same in closed form, docs/model.md (16): sigma^2 / 2 = psi + ln(1 - b + b exp(-psi)) / b.
 double closed_layer_charge(double potential, double filling) {
   const double square = potential + std::log1p(filling * std::expm1(-potential)) / filling;
   return std::copysign(std::sqrt(2.0 * square), potential);

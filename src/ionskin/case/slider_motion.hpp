@@ -47,7 +47,8 @@ struct MotionLeg {
 /// One cycle of any kind of motion, in order; the last leg ends where the cycle does.
 std::vector<MotionLeg> motion_legs(const Motion& motion, const Slider& slider);
 
-/// The part of a leg between two heights in which the slider touches; of other legs all.
+/// The part of a leg between two heights in which the slider touches, docs/model.md (2); of other
+/// legs all.
 struct ContactPart {
   double begin = 0, duration = 0; ///< within the leg [s]
   std::array<double, 2> from{}, to{};

@@ -16,7 +16,7 @@ namespace ionskin::circuits {
 
 /// A resistor and a capacitor in parallel between the electrodes: with the voltage
 /// U = phi_top - phi_bottom and the difference current I = d((Q_top - Q_bottom)/2)/dt, positive
-/// into the top electrode, I = -U/R - C dU/dt (equation "circuit" of docs/model.md). The common
+/// into the top electrode, I = -U/R - C dU/dt (docs/model.md (31)). The common
 /// current returns through the ground and does not pass the circuit.
 struct Admittance {
   double resistance = std::numeric_limits<double>::infinity(); ///< R [ohm]

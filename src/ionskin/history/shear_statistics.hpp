@@ -16,8 +16,8 @@ struct ShearStatistics {
 };
 
 /// @param time [s] within the history
-/// Mean, rms and first moment are exact for the piecewise-linear form. All are NaN in a history
-/// without shear.
+/// Mean, first moment (docs/model.md (11)) and rms are exact for the piecewise-linear form. All are
+/// NaN in a history without shear.
 ShearStatistics shear_statistics(const CoreHistory& history, double time);
 
 /// Integral of gamma over the core [m3], exact for the piecewise-linear form.

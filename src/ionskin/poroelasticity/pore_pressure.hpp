@@ -16,7 +16,8 @@ struct PressureState {
   std::vector<double> undrained; ///< p_u, what it would be if no water moved
 };
 
-/// Water potential P in the core under a load whose undrained pore pressure p_u is given:
+/// Water potential P in the core under a load whose undrained pore pressure p_u is given,
+/// docs/model.md (22):
 ///   dP/dt = c_v (d2/dx2 + d2/dy2 + d2/dz2) P + dp_u/dt,
 /// sealed at the sides, sealed or open (P = 0) at each wall. Every mode of the core (cosines along
 /// x and y, eigenmodes of linear elements through the thickness) decays on its own, which is solved

@@ -7,7 +7,8 @@
 namespace ionskin::poroelasticity {
 
 /// The undrained pore pressure of a load that is uniform along the skin, of a checked case with
-/// strain.source = "prescribed": one column, linear through the core, over strain.duration.
+/// strain.source = "prescribed": one column, linear through the core, over strain.duration,
+/// docs/model.md (24):
 /// - pressure p, the strain along the skin held at 0 by the electrodes: p_u = p M_B/(M + M_B);
 /// - curvature k about the middle of the core, with e_xx = k (z - h/2) and faces free of stress:
 ///   p_u = -M_B tr(e), tr(e) = (1 - 2 nu_u) e_xx of a strip with free sides, and that over

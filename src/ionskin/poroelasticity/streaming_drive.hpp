@@ -18,11 +18,10 @@ struct WaterState {
   PressureState pressure;
 };
 
-/// What drives the cations of a wet core beside the electric potential:
+/// What drives the cations of a wet core beside the electric potential, docs/model.md (23):
 ///   g = v L_s P/V_T - theta (P - p_u)/M   [thermal voltages over the valence],
 /// streaming (pressure drives water, which drags cations) less dilution (water that arrives swells
-/// the core). The flux is J = -D (grad N + N grad(v F phi/(R T) + g)), see docs/model.md. No part
-/// of it is fitted.
+/// the core). The flux is J = -D (grad N + N grad(v F phi/(R T) + g)). No part of it is fitted.
 class StreamingDrive {
 public:
   /// @param channel of the history: `undrained_pressure`, or `dilation`, of which the undrained

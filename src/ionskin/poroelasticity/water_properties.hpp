@@ -5,7 +5,7 @@
 
 namespace ionskin::poroelasticity {
 
-/// Constants of the water in the core, derived from a case (docs/model.md, poroelastic law).
+/// Constants of the water in the core, derived from a case (docs/model.md (22), (23)).
 struct WaterProperties {
   double streaming_coefficient = 0; ///< L_s = n_d V_w/(v F) [V/Pa]
   double drained_modulus = 0;       ///< M: `swelling_modulus` of the case [Pa]

@@ -18,7 +18,7 @@ struct ElectrodeCurrents {
 std::vector<double> step_rates(const std::vector<double>& time,
                                const std::vector<double>& quantity);
 
-/// I = dQ/dt of each electrode, exact as a mean over every step.
+/// I = dQ/dt of each electrode and both parts, docs/model.md (25), (28), exact as means over steps.
 /// @param charge_top, charge_bottom charge on the metal [C]
 ElectrodeCurrents electrode_currents(const std::vector<double>& time,
                                      const std::vector<double>& charge_top,

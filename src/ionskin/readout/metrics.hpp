@@ -36,7 +36,8 @@ struct NamedInstants {
 std::vector<Metric> signal_metrics(const SignalTable& signals, const SignalTable& sampled,
                                    const std::optional<NamedInstants>& instants);
 
-/// Worst violation of Gauss' law over all rows: |Q_top + Q_bottom - expected| / scale.
+/// Worst violation of Gauss' law, docs/model.md (26), over all rows: |Q_top + Q_bottom - expected|
+/// / scale.
 /// @param charge_top, charge_bottom from Poisson's residual at each wall [C]
 /// @param expected total charge: F c0 k times the integral of gamma under `fixed-charge`, 0 under
 /// the

@@ -9,7 +9,7 @@
 
 namespace ionskin::readout {
 
-/// Where the prescribed motion stands at an instant (design equations 5 to 8).
+/// Where the prescribed motion stands at an instant (docs/model.md (1)).
 struct MotionInstant {
   int cycle = 1;                  ///< from 1
   std::string phase;              ///< touchdown, slide, lift or return

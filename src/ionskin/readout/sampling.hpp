@@ -13,7 +13,8 @@ namespace ionskin::readout {
 double value_at(const std::vector<double>& time, const std::vector<double>& quantity,
                 double instant);
 
-/// What an integrating instrument sees: the charge gained over each readout interval divided by it.
+/// What an integrating instrument sees, docs/model.md (30): the charge gained over each readout
+/// interval divided by it.
 /// Between the rows half the difference of the charges relaxes by a cubic and the rest is linear.
 /// Unlike the resolved peaks these converge with the time step. The intervals start at the first
 /// row, whose impulse charge is not part of the first interval; a last interval that the run does

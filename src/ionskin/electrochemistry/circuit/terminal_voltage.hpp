@@ -19,8 +19,8 @@ struct CircuitStage {
 /// The potential difference of the electrodes, top minus bottom, as the circuit between them and
 /// the charge in the core determine it. By the theorem of Ramo (see `ramo_charge_top`)
 ///   q = p + voltage/h,   p = mean over the columns of integral((zeta/h - 1/2)(cf - c)),
-/// so that voltage = (start - p)/(1/h + conductance) is an explicit linear function of the
-/// concentrations, and needs no unknown of its own.
+/// docs/model.md (32): voltage = (start - p)/(1/h + conductance) is an explicit linear function of
+/// the concentrations, and needs no unknown of its own.
 class TerminalVoltage {
 public:
   explicit TerminalVoltage(const ScaledGrid& grid);

@@ -15,7 +15,8 @@ struct Bernoulli {
 
 Bernoulli bernoulli(double x);
 
-/// Flux of the ions through the thickness between two neighbouring levels, upward positive:
+/// Flux of the ions through the thickness between two neighbouring levels, upward positive,
+/// docs/model.md (12):
 ///   J = (B(u) c_lower - B(-u) c_upper) / d,   u = phi_upper - phi_lower,   B(-u) = B(u) + u,
 /// exact for a constant flux and field between the levels, so that it stays monotone in double
 /// layers (Scharfetter and Gummel 1969, doi 10.1109/T-ED.1969.16566). All scaled, on whole levels

@@ -18,7 +18,7 @@
 namespace ionskin::electrochemistry {
 
 /// What the history does to the ions by the coupling law of the case: the fixed part of the space
-/// charge rho = F (v c - cf), or a drive of the cations beside the potential.
+/// charge rho = F (v c - cf), docs/model.md (13), or a drive of the cations beside the potential.
 class FixedCharge {
 public:
   FixedCharge(const Case& input, const history::CoreHistory& history, const TransportGrid& grid,

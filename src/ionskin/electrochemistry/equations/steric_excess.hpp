@@ -12,11 +12,11 @@ namespace ionskin::electrochemistry {
 /// Ion model `steric`: ions of finite size on a lattice of N_A c_max sites. A cation of
 /// concentration c has the excess chemical potential
 ///   mu = -ln(1 - c/c_max)   [k T],
-/// so that its flux is J = -D (grad c + (v F / R T) c grad phi + c grad mu) and c stays below c_max
-/// (Bikerman 1942, doi 10.1080/14786444208520813; Kilic, Bazant and Ajdari 2007,
-/// doi 10.1103/PhysRevE.75.021503). The excess acts as a potential does: both drive the flux as the
-/// sum psi = phi + mu, wherever the dilute flux has phi. Scaled: c is over c0/v, phi over R T/(v
-/// F).
+/// docs/model.md (15), so that its flux is J = -D (grad c + (v F / R T) c grad phi + c grad mu) and
+/// c stays below c_max (Bikerman 1942, doi 10.1080/14786444208520813; Kilic, Bazant and Ajdari
+/// 2007, doi 10.1103/PhysRevE.75.021503). The excess acts as a potential does: both drive the flux
+/// as the sum psi = phi + mu, wherever the dilute flux has phi. Scaled: c is over c0/v, phi over R
+/// T/(v F).
 struct StericExcess {
   double filling = 0; ///< c0/(v c_max): the share of the sites that the ions at rest take, below 1
 

@@ -34,9 +34,9 @@ struct StageProblem {
 double top_potential(const StageProblem& problem, const TerminalVoltage& voltage,
                      std::span<const double> concentration);
 
-/// The Poisson-Nernst-Planck equations on finite volumes: the residual of a stage and its exact
-/// derivative, applied without forming a matrix. The fluxes are driven by the potential, plus the
-/// steric excess and the drive of the stage where there are any.
+/// The Poisson-Nernst-Planck equations, docs/model.md (12), (13), (14), on finite volumes: the
+/// residual of a stage and its exact derivative, applied without forming a matrix. The fluxes are
+/// driven by the potential, plus the steric excess and the drive of the stage where there are any.
 class TransportEquations {
 public:
   /// @param excess nothing for dilute ions

@@ -5,8 +5,8 @@
 
 namespace ionskin::electrochemistry {
 
-/// Scales of the Poisson-Nernst-Planck system in the core, from which every dimensionless group
-/// follows.
+/// Scales of the Poisson-Nernst-Planck system in the core, docs/model.md (17), from which every
+/// dimensionless group follows.
 struct DerivedScales {
   double thermal_voltage = 0; ///< R T / F [V]
   double potential_scale = 0; ///< R T / (v F): changes c by a factor e [V]

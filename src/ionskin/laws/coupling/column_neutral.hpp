@@ -6,6 +6,7 @@
 namespace ionskin::laws {
 
 /// Coupling law `column-neutral`: shear moves fixed charge through the thickness only,
+/// docs/model.md (20),
 ///   cf / c0 = 1 + k (gamma - mean of gamma through the thickness at the same x, y).
 /// Conserves the fixed charge of every column, so the two electrodes carry opposite charges
 /// everywhere. Source: the neutral reading of the `fixed-charge` law for a core that is thin

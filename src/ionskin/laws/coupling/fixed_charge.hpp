@@ -5,7 +5,7 @@
 
 namespace ionskin::laws {
 
-/// Coupling law `fixed-charge`: shear creates fixed charge in place,
+/// Coupling law `fixed-charge`: shear creates fixed charge in place, docs/model.md (18),
 ///   cf / c0 = 1 + k gamma.
 /// The mobile ions are kept in by blocking electrodes, so the core gains the net charge
 /// F c0 k integral(gamma dV), which both electrodes together answer at once (Gauss).

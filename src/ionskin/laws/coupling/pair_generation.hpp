@@ -6,7 +6,7 @@
 namespace ionskin::laws {
 
 /// Coupling law `pair-generation`: shear dissociates pairs, so that every fixed charge comes with a
-/// mobile ion released at the same place,
+/// mobile ion released at the same place, docs/model.md (21),
 ///   cf / c0 = 1 + k gamma,   source of v c / c0 = d(k gamma)/dt.
 /// The core stays neutral everywhere: the charges of the electrodes add up to nothing, and the
 /// integral of v c follows that of cf exactly. What drives the current is the diffusion of the

@@ -5,7 +5,7 @@
 
 namespace ionskin::laws {
 
-/// Coupling law `volume-neutral`: shear moves fixed charge within the core,
+/// Coupling law `volume-neutral`: shear moves fixed charge within the core, docs/model.md (19),
 ///   cf / c0 = 1 + k (gamma - mean of gamma over the core).
 /// Conserves the total fixed charge: the volume mean of cf stays c0, so the two electrodes carry
 /// opposite charges. Source: the neutral reading of the `fixed-charge` law, as electroneutrality of

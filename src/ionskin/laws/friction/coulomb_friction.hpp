@@ -5,8 +5,8 @@
 
 namespace ionskin::laws {
 
-/// Coulomb's law of dry friction: |tangential traction| <= mu * normal traction, with equality and
-/// along the slip where there is slip.
+/// Coulomb's law of dry friction, docs/model.md (5): |tangential traction| <= mu * normal traction,
+/// with equality and along the slip where there is slip.
 struct CoulombFriction {
   double coefficient = 0; ///< mu [1]
 

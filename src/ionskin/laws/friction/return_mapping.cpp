@@ -15,7 +15,8 @@ FrictionArguments arguments(const FrictionTrial& trial, double slip) {
   return {trial.normal_traction, slip, trial.time_step, trial.lagged_speed};
 }
 
-/// Length r of the traction with r = limit(compliance (length - r)): Newton within a bracket.
+/// Length r of the traction with r = limit(compliance (length - r)), docs/model.md (6): Newton
+/// within a bracket.
 double returned_length(const Friction& friction, const FrictionTrial& trial, double length) {
   double low = 0, high = length;
   double r = std::min(length, friction.limit(arguments(trial, trial.compliance * length)));
@@ -32,7 +33,7 @@ double returned_length(const Friction& friction, const FrictionTrial& trial, dou
   return r;
 }
 
-/// The limit is the same in all directions: the trial is shortened.
+/// The limit is the same in all directions: the trial is shortened. Derivatives: docs/model.md (7).
 FrictionResponse returned_radially(const Friction& friction, const FrictionTrial& trial,
                                    double length, double shortened) {
   const TangentialVector e =

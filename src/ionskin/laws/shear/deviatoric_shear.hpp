@@ -5,7 +5,7 @@
 
 namespace ionskin::laws {
 
-/// Equivalent shear strain of the deviator e' = e - tr(e)/3 I:
+/// Equivalent shear strain of the deviator e' = e - tr(e)/3 I, docs/model.md (10):
 ///   gamma = sqrt(2 e':e'),
 /// twice the root of the second invariant of e' (J2 theory, von Mises 1913). It does not depend on
 /// the choice of axes, counts every change of shape and no change of volume, is never negative, and

@@ -5,7 +5,7 @@
 
 namespace ionskin::laws {
 
-/// Equivalent shear strain of the paper, its equation (10):
+/// Equivalent shear strain of the paper, its equation (10); docs/model.md (9):
 ///   gamma = 2 sqrt(exy^2 + eyz^2 + exz^2)
 /// from the off-diagonal tensor components of the small strain; never negative. It depends on the
 /// choice of axes: a pure stretch at 45 degrees counts, the same stretch along an axis does not.

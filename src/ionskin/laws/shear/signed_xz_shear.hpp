@@ -5,7 +5,8 @@
 
 namespace ionskin::laws {
 
-/// Engineering shear between the skin's length and its thickness, with its sign:
+/// Engineering shear between the skin's length and its thickness, with its sign, docs/model.md
+/// (10):
 ///   gamma = 2 exz = du_x/dz + du_z/dx.
 /// Positive where the upper side is dragged towards +x. It is linear in the strain, tells forth
 /// from back, keeps its sign under a reflection in y and changes it under one in x.

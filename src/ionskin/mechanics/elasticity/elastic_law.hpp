@@ -5,7 +5,7 @@
 
 namespace ionskin::mechanics {
 
-/// Isotropic linear elasticity: stress = lambda tr(strain) I + 2 mu strain.
+/// Isotropic linear elasticity, docs/model.md (3): stress = lambda tr(strain) I + 2 mu strain.
 struct ElasticLaw {
   double lame_lambda = 0;   ///< [Pa]
   double shear_modulus = 0; ///< mu [Pa]

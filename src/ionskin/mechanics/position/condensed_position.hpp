@@ -34,7 +34,7 @@ public:
                     const PositionUse& use = {});
   ~CondensedPosition();
 
-  /// Compliance of the contact components [m/N].
+  /// Compliance of the contact components, docs/model.md (8) [m/N].
   const linear_algebra::DenseMatrix& compliance() const { return compliance_; }
 
   /// True when it keeps a factor in memory, false when it needs none.

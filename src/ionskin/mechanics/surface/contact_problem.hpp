@@ -15,7 +15,7 @@ using CellVector = std::vector<double>;
 
 /// Dense contact problem of one slider position: find cell forces f with surface displacement w = C
 /// f such that no cell is penetrated (w >= indentation - gap) or pulled, only touching cells carry
-/// force, and every cell obeys the friction law.
+/// force, docs/model.md (4), and every cell obeys the friction law.
 struct ContactProblem {
   linear_algebra::DenseMatrix compliance; ///< C, symmetric [m/N]
   std::vector<double> area;               ///< of the cells [m2]
