@@ -4,7 +4,7 @@
 
 #include "command_line/command_line.hpp"
 #include "command_line/guard.hpp"
-#include "study_verbs/check_strain.hpp"
+#include "study_verbs/check_solved.hpp"
 #include "study_verbs/fit.hpp"
 #include "study_verbs/impedance.hpp"
 #include "study_verbs/live.hpp"
@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
       command_text.append(" ").append(argv[i]);
     }
     if (const auto* check_options = std::get_if<CheckOptions>(&*command)) {
-      return check_with_strain_file(*check_options);
+      return check_with_solver(*check_options);
     }
     if (const auto* run_options = std::get_if<RunOptions>(&*command)) {
       return run(*run_options, command_text);

@@ -18,22 +18,30 @@ namespace ionskin::apps {
 
 bool check(const CheckOptions& options) {
   const CaseDocument document = read_case_document(options.case_path, options.set_edits);
-  if (document.input.strain.kind == StrainSourceKind::file) {
+  const StrainSourceKind source = document.input.strain.kind;
+  const bool round = source == StrainSourceKind::contact && !document.input.slider.sharp();
+  if (source == StrainSourceKind::file || (round && options.explain)) {
     return false;
   }
+  check_case(options, document, std::nullopt);
+  return true;
+}
+
+void check_case(const CheckOptions& options, const CaseDocument& document,
+                const std::optional<mesh::Footprint>& footprint) {
   const bool contact = document.input.strain.kind == StrainSourceKind::contact;
+  const int threads = thread_count(0);
   if (contact) {
     // The mesh has a say too: it refuses sliders that leave no room for an element at the skin's
     // edge.
     mesh::SkinMesh{document.input};
     mechanics::require_touch(document.input);
   }
-  const std::string shortage = planning::shortage(document.input, thread_count(0));
+  const std::string shortage = planning::shortage(document.input, threads, footprint);
   print_valid(options, document,
               (contact ? warning_of_ions(document.input) : "") + warnings_of_water(document.input) +
                   (shortage.empty() ? "" : fmt::format("warning: {}\n", shortage)),
-              planning::estimate_cost(document.input, thread_count(0)));
-  return true;
+              planning::estimate_cost(document.input, threads, footprint));
 }
 
 void print_valid(const CheckOptions& options, const CaseDocument& document,

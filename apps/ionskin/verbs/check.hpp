@@ -4,6 +4,7 @@
 #include "ionskin/case/document/case_document.hpp"
 #include "ionskin/planning/cost_estimate.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,14 @@ struct CheckOptions {
 };
 
 /// Reads and checks a case and says that it is valid; explains it when asked. Throws UserError.
-/// False, with nothing said, when its strain comes from a file, which the solver reads.
+/// False, with nothing said, where that takes the solver: a strain from a file is to be read, or
+/// the cost of a contact explained whose size a coarse solution finds.
 bool check(const CheckOptions& options);
+
+/// `check` of a case without a strain file.
+/// @param footprint see planning::estimate_cost
+void check_case(const CheckOptions& options, const CaseDocument& document,
+                const std::optional<mesh::Footprint>& footprint);
 
 /// What `check` prints of a case without mistakes.
 /// @param warning a sentence or nothing

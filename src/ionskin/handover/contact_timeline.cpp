@@ -110,6 +110,10 @@ double StateCombination::stick_area() const {
   return sum(&mechanics::ContactState::stick_area);
 }
 
+double StateCombination::contact_border() const {
+  return sum(&mechanics::ContactState::contact_border);
+}
+
 std::array<double, 2> StateCombination::tangential_force() const {
   std::array<double, 2> force{};
   for (const Term& term : terms) {

@@ -16,12 +16,12 @@ namespace ionskin::planning {
 
 namespace {
 
-// Measured on cases/paper.toml at 45e3, 54e3 and 114e3 unknowns (coarse, standard with
-// mesh_refinement 0.7, standard) on two cores with AVX2; the power fits the three within 10 %.
-// Other work on the machine raised the times by up to a half.
+// Measured on two cores with AVX2: flat, rounded, cylindrical and spherical sliders of 1 mm at the
+// presets coarse and standard and a flat one at fine, 29e3 to 386e3 unknowns. The power fits all
+// within a factor of 1.6; other work on the machine raised the times by up to as much.
 constexpr double reference_unknowns = 1e5;
-constexpr double seconds_per_position = 4.0; // processor time, factorisation and contact
-constexpr double seconds_power = 1.55;
+constexpr double seconds_per_position = 8; // processor time, factorisation and contact
+constexpr double seconds_power = 1.85;
 constexpr double bytes_at_rest = 0.15e9; // the program and its libraries
 // Processor time per unknown of the whole core and time step, with the error estimate.
 constexpr double seconds_per_ion_step = 7e-8;
@@ -112,12 +112,13 @@ CostEstimate estimate_cost(const Case& input, const history::CoreHistory& given,
   return cost;
 }
 
-CostEstimate estimate_cost(const Case& input, int threads) {
+CostEstimate estimate_cost(const Case& input, int threads,
+                           const std::optional<mesh::Footprint>& found) {
   if (input.strain.kind == StrainSourceKind::prescribed) {
     return estimate_ion_cost(input, threads);
   }
   CostEstimate cost;
-  const mesh::SkinMesh mesh = expected_mesh(input);
+  const mesh::SkinMesh mesh = found ? mesh::SkinMesh(input, *found) : expected_mesh(input);
   cost.mechanics_unknowns = mesh.unknowns();
   cost.contact_cells = contact_cells(mesh);
   cost.positions =

@@ -3,8 +3,10 @@
 
 #include "ionskin/case/case.hpp"
 #include "ionskin/history/core_history.hpp"
+#include "ionskin/mesh/footprint.hpp"
 
 #include <cstddef>
+#include <optional>
 
 namespace ionskin::planning {
 
@@ -23,8 +25,11 @@ struct CostEstimate {
 };
 
 /// @param threads that will run
+/// @param found the slider's footprint where a coarse solution found it; without, the mesh of a
+/// round slider is a guess, and so are its unknowns
 /// Throws UserError when the mesh cannot be built.
-CostEstimate estimate_cost(const Case& input, int threads);
+CostEstimate estimate_cost(const Case& input, int threads,
+                           const std::optional<mesh::Footprint>& found = std::nullopt);
 
 /// Of Study 2 alone, under a given strain; Study 1 has no positions then.
 CostEstimate estimate_cost(const Case& input, const history::CoreHistory& given, int threads);

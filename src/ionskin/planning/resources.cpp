@@ -42,11 +42,11 @@ void require_countable(const CostEstimate& cost) {
 
 } // namespace
 
-std::string shortage(const Case& input, int threads) {
+std::string shortage(const Case& input, int threads, const std::optional<mesh::Footprint>& found) {
   if (input.strain.kind == StrainSourceKind::file) {
     return "";
   }
-  const CostEstimate cost = estimate_cost(input, threads);
+  const CostEstimate cost = estimate_cost(input, threads, found);
   require_countable(cost);
   const base::AvailableMemory available = base::available_memory();
   if (cost.memory <= available.bytes) {
@@ -58,8 +58,9 @@ std::string shortage(const Case& input, int threads) {
                      std::ceil(cost.memory * 1e-9));
 }
 
-void require_resources(const Case& input, int threads) {
-  if (const std::string problem = shortage(input, threads); !problem.empty()) {
+void require_resources(const Case& input, int threads,
+                       const std::optional<mesh::Footprint>& found) {
+  if (const std::string problem = shortage(input, threads, found); !problem.empty()) {
     throw UserError(problem);
   }
 }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "ionskin/case/case.hpp"
+#include "ionskin/mesh/footprint.hpp"
 
+#include <optional>
 #include <string>
 
 namespace ionskin::planning {
@@ -10,10 +12,13 @@ namespace ionskin::planning {
 /// Judges a contact case by its estimated size before any of it is built.
 /// Throws UserError when it needs more memory than there is (base::available_memory), more unknowns
 /// than can be counted, or more time steps than ever end; with the numbers and the remedy.
-void require_resources(const Case& input, int threads);
+/// @param found see `estimate_cost`
+void require_resources(const Case& input, int threads,
+                       const std::optional<mesh::Footprint>& found = std::nullopt);
 
 /// The same as a sentence, empty where all is well. For checks on a machine that need not be the
 /// one that runs the case. Throws UserError for what no machine can do.
-std::string shortage(const Case& input, int threads);
+std::string shortage(const Case& input, int threads,
+                     const std::optional<mesh::Footprint>& found = std::nullopt);
 
 } // namespace ionskin::planning

@@ -3,6 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/case/reading/read_case.hpp"
+#include "ionskin/mesh/skin_mesh.hpp"
 #include "ionskin/planning/cost_estimate.hpp"
 
 #include <gmock/gmock.h>
@@ -51,6 +52,18 @@ TEST(Resources, OfThinFilmsAreRefusedBeforeTheyAreBuilt) {
   const Case films = quick({"skin.layers[0].thickness=200 nm", "skin.layers[1].thickness=200 nm",
                             "skin.layers[2].thickness=200 nm", "motion.preload=1 nm"});
   EXPECT_THROW(require_resources(films, 2), UserError);
+}
+
+TEST(Resources, OfAContactThatWasFoundFollowFromItsMesh) {
+  const Case ball = quick({"slider.shape=sphere", "slider.radius=4 mm"});
+  mesh::Footprint small = mesh::largest_footprint(ball);
+  for (std::size_t d = 0; d < 2; ++d) {
+    small.half_size[d] *= 0.4;
+    small.rim[d] *= 0.4;
+  }
+  const CostEstimate found = estimate_cost(ball, 2, small);
+  EXPECT_EQ(found.mechanics_unknowns, mesh::SkinMesh(ball, small).unknowns());
+  EXPECT_NE(found.mechanics_unknowns, estimate_cost(ball, 2).mechanics_unknowns);
 }
 
 TEST(Resources, StepsWithoutEndAreRefused) {

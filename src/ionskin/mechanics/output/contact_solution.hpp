@@ -52,6 +52,8 @@ struct ContactState {
   std::vector<double> electrode_stress;
   double contact_area = 0; ///< of the full skin, see covered_area.hpp [m2]
   double stick_area = 0;   ///< of it, where nothing slips [m2]
+  // By how much whole cells leave the borders of both in doubt, see border_area [m2].
+  double contact_border = 0, stick_border = 0;
   // diagnostics
   double equilibrium_residual = 0; ///< contact forces against base reactions, relative
   double complementarity_residual =

@@ -173,9 +173,7 @@ mesh::Footprint footprint_at(const Case& input, double friction, int threads,
                              const base::ProgressCallback& callback) {
   mesh::Footprint footprint = mesh::largest_footprint(input);
   const mesh::Footprint limit = mesh::footprint_limit(input);
-  Case coarse = input;
-  coarse.numerics.preset = Preset::coarse;
-  coarse.numerics.mesh_refinement = std::min(0.75, input.numerics.mesh_refinement);
+  const Case coarse = footprint_case(input);
   SharedProgress progress("contact footprint", callback);
   for (int pass = 0; pass < most_passes; ++pass) {
     const Reach reach = reach_of(coarse, footprint, friction, threads, progress);
@@ -214,6 +212,13 @@ mesh::Footprint footprint_at(const Case& input, double friction, int threads,
 }
 
 } // namespace
+
+Case footprint_case(const Case& input) {
+  Case coarse = input;
+  coarse.numerics.preset = Preset::coarse;
+  coarse.numerics.mesh_refinement = std::min(0.75, input.numerics.mesh_refinement);
+  return coarse;
+}
 
 double footprint_friction(double friction) {
   if (friction <= 0) {

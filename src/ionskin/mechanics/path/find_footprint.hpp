@@ -24,6 +24,9 @@ namespace ionskin::mechanics {
 mesh::Footprint find_footprint(const Case& input, double friction, int threads,
                                const base::ProgressCallback& progress = base::no_progress);
 
+/// The case of that coarse solution.
+Case footprint_case(const Case& input);
+
 /// The next of 0, 0.5, 1, 2: coefficients with the same one can share a footprint.
 double footprint_friction(double friction);
 /// That footprint; empty where each coefficient needs one of its own.

@@ -49,7 +49,29 @@ public:
     return sum;
   }
 
+  /// Of the cells that are positive, or are not, and have a neighbour of the other kind.
+  double area_at_border(bool positive) const {
+    double sum = 0;
+    for (std::size_t cell = 0; cell < cells_.count(); ++cell) {
+      if ((field_[cell] > 0) == positive && is_at_border(cell)) {
+        sum += cells_.area[cell];
+      }
+    }
+    return sum;
+  }
+
 private:
+  bool is_at_border(std::size_t cell) const {
+    for (std::size_t d = 0; d < 2; ++d) {
+      for (const bool upwards : {false, true}) {
+        if (has_neighbour(cell, d, upwards) &&
+            (field_[neighbour(cell, d, upwards)] > 0) != (field_[cell] > 0)) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
   std::size_t stride(std::size_t d) const { return d == 0 ? 1 : count_[0]; }
   std::size_t place(std::size_t cell, std::size_t d) const {
     return d == 0 ? cell % count_[0] : cell / count_[0];
@@ -112,12 +134,21 @@ double covered_area(const ContactCells& cells, const std::vector<double>& field)
   return CellField(cells, field).area();
 }
 
-double contact_area(const ContactCells& cells, const CellVector& force) {
+double border_area(const ContactCells& cells, const std::vector<double>& field) {
+  const CellField cell_field(cells, field);
+  return std::max(cell_field.area_at_border(true), cell_field.area_at_border(false)) / 2;
+}
+
+std::vector<double> normal_pressure(const ContactCells& cells, const CellVector& force) {
   std::vector<double> pressure(cells.count());
   for (std::size_t cell = 0; cell < cells.count(); ++cell) {
     pressure[cell] = std::max(0.0, force[3 * cell]) / cells.area[cell];
   }
-  return covered_area(cells, pressure);
+  return pressure;
+}
+
+double contact_area(const ContactCells& cells, const CellVector& force) {
+  return covered_area(cells, normal_pressure(cells, force));
 }
 
 } // namespace ionskin::mechanics

@@ -15,6 +15,15 @@ namespace ionskin::mechanics {
 /// @param field [cells]; exactly 0 outside the area
 double covered_area(const ContactCells& cells, const std::vector<double>& field);
 
+/// Area by which the border of the positive cells is in doubt where the field need not fall to zero
+/// as above: half of the row of cells on either side of it, the larger one. Faces at the border of
+/// the cells themselves are none of it.
+/// @param field [cells]
+double border_area(const ContactCells& cells, const std::vector<double>& field);
+
+/// Normal force of each cell over its area, at least 0 [Pa].
+std::vector<double> normal_pressure(const ContactCells& cells, const CellVector& force);
+
 /// Area of the contact, from the normal forces [m2].
 double contact_area(const ContactCells& cells, const CellVector& force);
 

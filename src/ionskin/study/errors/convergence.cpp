@@ -4,12 +4,21 @@
 #include "ionskin/readout/metrics.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace ionskin::study {
 namespace {
+
+/// At a point.
+constexpr std::array extremes{"element_max_shear_slide", "electrode_membrane_stress",
+                              "max_potential",           "min_concentration_ratio",
+                              "peak_pore_pressure",      "peak_drive"};
+
+/// Stated relative error above which an extreme is not told from one that grows for ever.
+constexpr double most_of_extreme = 0.5;
 
 /// Edges that the skin bends around: none of a slider that covers its width between symmetry planes
 /// along y.
@@ -40,18 +49,21 @@ bool is_single_step(const std::vector<double>& current) {
 
 } // namespace
 
-std::map<std::string, std::string> not_converging(const Case& input, const Signals& signals) {
+std::map<std::string, std::string> not_converging(const Case& input, const Signals& signals,
+                                                  const std::map<std::string, double>& stated) {
   std::map<std::string, std::string> reasons;
   const auto mark = [&](const std::string& name, const std::string& reason) {
     if (std::ranges::find(signals.metrics, name, &readout::Metric::name) != signals.metrics.end()) {
       reasons[name] = reason;
     }
   };
-  if (has_sharp_edge(input)) {
-    for (const char* name :
-         {"element_max_shear_slide", "electrode_membrane_stress", "max_potential",
-          "min_concentration_ratio", "peak_pore_pressure", "peak_drive"}) {
+  const bool sharp = has_sharp_edge(input);
+  for (const char* name : extremes) {
+    const auto error = stated.find(name);
+    if (sharp) {
       mark(name, "extreme under a sharp edge, where finer meshes raise the strain");
+    } else if (error != stated.end() && error->second > most_of_extreme) {
+      mark(name, "extreme that this mesh does not resolve: two meshes differ by more than half");
     }
   }
   for (const char* name :

@@ -193,14 +193,17 @@ ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanic
       results.emplace(run, noisy ? read_out(quiet, mechanics, ions, threads) : signals)
           .first->second;
   const ErrorFloors floors{
-      path_floor(mechanics), decoupling(input),
-      charge_rounding * charge_scale(input, mechanics.history), input.readout.sample_interval,
+      path_floor(mechanics),
+      decoupling(input),
+      charge_rounding * charge_scale(input, mechanics.history),
+      input.readout.sample_interval,
+      mechanics.cell_errors,
       readout::in_tail(base.sampled, input.readout.sample_interval, mechanics.history.event_time,
                        electrochemistry::derive_scales(input.electrochemistry,
                                                        mechanics.history.core_thickness())
                            .relaxation_time)};
   ErrorEstimate estimate = combine_errors(base, pairs_of(all_pairs(mechanics), results), floors);
-  estimate.not_converging = not_converging(input, signals);
+  estimate.not_converging = not_converging(input, signals, estimate.relative);
   return estimate;
 }
 
@@ -246,9 +249,10 @@ ErrorEstimate estimate_mechanics_errors(const Case& input, const MechanicsRecord
   for (const auto& [name, companion] : mechanics.companions) {
     results.emplace(name, read_out_mechanics(input, *companion, threads));
   }
-  ErrorEstimate estimate = combine_errors(signals, pairs_of(mechanics_pairs(mechanics), results),
-                                          {path_floor(mechanics)});
-  estimate.not_converging = not_converging(input, signals);
+  ErrorEstimate estimate =
+      combine_errors(signals, pairs_of(mechanics_pairs(mechanics), results),
+                     {.path = path_floor(mechanics), .cells = mechanics.cell_errors});
+  estimate.not_converging = not_converging(input, signals, estimate.relative);
   return estimate;
 }
 

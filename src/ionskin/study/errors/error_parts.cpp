@@ -95,6 +95,11 @@ public:
     if (const auto path = result.find(error_parts::path); path != result.end()) {
       path->second = std::max(path->second, floors_.path * std::abs(metric.value));
     }
+    if (const auto least = std::ranges::find(floors_.cells, metric.name, &Metric::name);
+        least != floors_.cells.end()) {
+      double& mesh = result[error_parts::mechanics_mesh];
+      mesh = std::max(mesh, least->value);
+    }
     if (floors_.decoupling > 0 && is_of_water(metric.name, metric.unit)) {
       result[error_parts::decoupling] = floors_.decoupling * std::abs(metric.value);
     }

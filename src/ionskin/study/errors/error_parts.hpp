@@ -48,7 +48,8 @@ struct ErrorFloors {
   double decoupling = 0;
   double charge = 0;          ///< what rounding may leave in a charge [C]; 0 without currents
   double sample_interval = 0; ///< of the readout [s]
-  std::vector<bool> tail;     ///< rows of the sampled table outside the contact spikes
+  std::vector<readout::Metric> cells; ///< least error of the mesh, by the name of a metric
+  std::vector<bool> tail;             ///< rows of the sampled table outside the contact spikes
 };
 
 /// Half the width of the band that one pair makes about the values of a column, per row; NaN where

@@ -3,6 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
+#include "ionskin/planning/resources.hpp"
 #include "ionskin/study/errors/companions.hpp"
 
 #include <algorithm>
@@ -96,6 +97,9 @@ std::vector<SolvedMechanics> solve_mechanics(const Case& input,
     const base::Timers::Scope scope(timers, "mechanics: footprint");
     both.footprint =
         mechanics::find_footprint(input, frictions.front(), options.threads, options.progress);
+    if (!input.slider.sharp()) { // of which the mesh was a guess before
+      planning::require_resources(input, options.threads, both.footprint);
+    }
   }
   std::string problem;
   std::vector<Companions> solved_companions;

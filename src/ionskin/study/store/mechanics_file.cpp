@@ -78,6 +78,7 @@ void write_path(results::Hdf5File& file, const std::string& root, const Mechanic
   file.write_with_unit(root + "/electrode_stress", record.electrode_stress, "Pa");
   file.write_texts(root + "/warnings", record.warnings);
   write_metrics(file, root + "/metrics", record.metrics);
+  write_metrics(file, root + "/cell_errors", record.cell_errors);
   file.set_attribute(root, "join_time", record.join_time);
   file.set_attribute(root, "worst_equilibrium_residual", record.worst_equilibrium_residual);
   file.set_attribute(root, "worst_complementarity_residual", record.worst_complementarity_residual);
@@ -114,6 +115,7 @@ MechanicsRecord read_path(const results::ForeignHdf5File& file, const std::strin
     record.onsets.push_back({begins[i], ends[i]});
   }
   record.metrics = read_metrics(file, root + "/metrics");
+  record.cell_errors = read_metrics(file, root + "/cell_errors");
   record.electrode_stress = file.read(root + "/electrode_stress");
   record.warnings = file.read_texts(root + "/warnings");
   record.join_time = number("join_time");

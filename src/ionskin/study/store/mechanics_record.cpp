@@ -161,6 +161,29 @@ std::vector<readout::Metric> contact_metrics(const Case& input,
   return metrics;
 }
 
+/// A sharp edge carries a line load behind which the skin may lift off, and the contact begins
+/// again where a cell of the mesh does: two meshes may agree by chance. What sticks is counted by
+/// cells under any slider.
+std::vector<readout::Metric> contact_cell_errors(const Case& input,
+                                                 const handover::ContactTimeline& timeline) {
+  std::vector<readout::Metric> errors;
+  const auto slide = timeline.at(readout::middle_of_slide(input.motion, input.slider));
+  const double area = slide.contact_area();
+  if (input.slider.sharp() && area > 0) {
+    const double border = slide.contact_border();
+    errors.push_back({"contact_area_slide", border, "m2"});
+    errors.push_back({"mean_pressure_slide", slide.normal_force() * border / (area * area), "Pa"});
+  }
+  const auto pressed = timeline.at(readout::end_of_touchdown(input.motion, input.slider));
+  if (!pressed.terms.empty()) {
+    const mechanics::ContactState& state = *pressed.terms.front().state;
+    if (state.contact_area > 0) {
+      errors.push_back({"stick_fraction_touchdown", state.stick_border / state.contact_area, "1"});
+    }
+  }
+  return errors;
+}
+
 /// From which the strains of a stepped path came; null when there is none.
 const mechanics::StrainSource* strain_source(const mechanics::ContactSolution& contact) {
   for (const mechanics::SteppedInstant& instant : contact.stepped) {
@@ -229,6 +252,7 @@ MechanicsRecord make_mechanics_record(const Case& input,
   record.electrode_stress = largest_electrode_stress(contact);
   record.warnings = contact.warnings;
   record.metrics = contact_metrics(input, contact, timeline);
+  record.cell_errors = contact_cell_errors(input, timeline);
   return record;
 }
 

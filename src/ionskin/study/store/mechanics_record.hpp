@@ -35,6 +35,9 @@ struct MechanicsRecord {
   double worst_interpolation_error = 0;
   int contact_solves = 0;
   std::vector<readout::Metric> metrics; ///< of the contact, for summary.json
+  /// By the name of a metric: error that cells of the contact leave in it, however little two
+  /// meshes differ by.
+  std::vector<readout::Metric> cell_errors;
   /// Largest membrane stress of each electrode layer over all states, bottom to top [Pa].
   std::vector<double> electrode_stress;
   std::vector<std::string> warnings;

@@ -76,5 +76,16 @@ TEST(CoveredArea, ends_with_the_cells) {
   EXPECT_EQ(covered_area(cells, std::vector<double>(25, 0.0)), 0.0);
 }
 
+TEST(BorderArea, is_half_of_the_longer_row_of_cells_along_the_border) {
+  const ContactCells cells = square_of_cells(10);
+  std::vector<double> field(100, 0.0);
+  field[44] = field[45] = 1; // six cells around them, of 0.04 each
+  EXPECT_NEAR(border_area(cells, field), 6 * 0.04 / 2, 1e-12);
+  std::fill(field.begin(), field.begin() + 50, 1.0); // one straight border, and none at the rim
+  EXPECT_NEAR(border_area(cells, field), 10 * 0.04 / 2, 1e-12);
+  std::ranges::fill(field, 1.0);
+  EXPECT_EQ(border_area(cells, field), 0);
+}
+
 } // namespace
 } // namespace ionskin::mechanics

@@ -22,16 +22,27 @@ TEST(Convergence, largest_values_under_sharp_edges_have_no_limit) {
   input.skin.width = 2e-3;
   input.slider.size = {1e-3, 1e-3};
   const Signals signals = with_current({0, 1, 1, 1});
-  EXPECT_TRUE(not_converging(input, signals).contains("element_max_shear_slide"));
+  EXPECT_TRUE(not_converging(input, signals, {}).contains("element_max_shear_slide"));
   input.slider.parameters["edge_radius"] = 1e-4;
-  EXPECT_FALSE(not_converging(input, signals).contains("element_max_shear_slide"));
+  EXPECT_FALSE(not_converging(input, signals, {}).contains("element_max_shear_slide"));
+}
+
+TEST(Convergence, an_extreme_that_a_mesh_does_not_resolve_has_no_error) {
+  Case input;
+  input.slider.parameters["edge_radius"] = 1e-4;
+  const Signals signals = with_current({0, 1, 1, 1});
+  const std::string name = "element_max_shear_slide";
+  EXPECT_TRUE(not_converging(input, signals, {{name, 0.6}}).contains(name));
+  EXPECT_FALSE(not_converging(input, signals, {{name, 0.4}}).contains(name));
+  EXPECT_FALSE(not_converging(input, signals, {{"stick_fraction_touchdown", 3}})
+                   .contains("stick_fraction_touchdown"));
 }
 
 TEST(Convergence, a_spike_of_one_step_has_no_peak) {
   Case input;
   input.slider.parameters["edge_radius"] = 1e-4;
-  EXPECT_EQ(not_converging(input, with_current({0, 0, -5, 1, 0})).size(), 4u);
-  EXPECT_TRUE(not_converging(input, with_current({0, 3, -5, 1, 0})).empty());
+  EXPECT_EQ(not_converging(input, with_current({0, 0, -5, 1, 0}), {}).size(), 4u);
+  EXPECT_TRUE(not_converging(input, with_current({0, 3, -5, 1, 0}), {}).empty());
 }
 
 } // namespace

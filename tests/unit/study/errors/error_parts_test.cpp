@@ -95,6 +95,14 @@ TEST(ErrorParts, the_path_leaves_no_less_than_its_interpolation) {
   EXPECT_DOUBLE_EQ(estimate.parts.at("normal_force_slide").at("path"), 20e-4);
 }
 
+TEST(ErrorParts, the_mesh_leaves_no_less_than_its_cells) {
+  const Signals base = scaled_signals(1, 1);
+  const auto estimate = combine_errors(base, {{error_parts::mechanics_mesh, &base, &base}},
+                                       {.cells = {{"normal_force_slide", 3, "N"}}});
+  EXPECT_DOUBLE_EQ(estimate.parts.at("normal_force_slide").at("mechanics_mesh"), 3);
+  EXPECT_EQ(estimate.parts.at("mean_shear_slide").at("mechanics_mesh"), 0);
+}
+
 TEST(ErrorParts, bands_hold_the_difference_of_the_rows_nearby) {
   const Signals base = scaled_signals(1, 1), mesh = scaled_signals(1.01, 1);
   const auto estimate = combine_errors(base, {{error_parts::mechanics_mesh, &base, &mesh}}, {});

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study_verbs/check_strain.hpp"
+#include "study_verbs/check_solved.hpp"
 
 #include "command_line/threads.hpp"
+#include "terminal/progress_display.hpp"
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/case/reading/read_case.hpp"
 #include "ionskin/electrochemistry/equations/wall_potential.hpp"
+#include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/study/stations/given_strain.hpp"
 
 #include <fmt/format.h>
+
+#include <optional>
+
+#include <unistd.h>
 
 namespace ionskin::apps {
 namespace {
@@ -24,10 +30,29 @@ std::string warning_of_strain(const Case& input, const history::CoreHistory& his
   return "";
 }
 
+/// Of a coarse solution for a cost: a larger one takes minutes.
+constexpr std::size_t most_unknowns = 100000;
+
+/// Empty where the coarse solution is large, or fails, which a run will tell.
+std::optional<mesh::Footprint> found_footprint(const Case& input) {
+  const int threads = thread_count(0);
+  const auto coarse = planning::estimate_cost(mechanics::footprint_case(input), threads);
+  if (coarse.mechanics_unknowns > most_unknowns) {
+    return std::nullopt;
+  }
+  ProgressDisplay display(isatty(STDERR_FILENO) != 0 ? LogFormat::bar : LogFormat::none);
+  return mechanics::find_common_footprint(input, input.contact.friction, threads,
+                                          display.callback());
+}
+
 } // namespace
 
-int check_with_strain_file(const CheckOptions& options) {
+int check_with_solver(const CheckOptions& options) {
   const CaseDocument document = read_case_document(options.case_path, options.set_edits);
+  if (document.input.strain.kind != StrainSourceKind::file) {
+    check_case(options, document, found_footprint(document.input));
+    return 0;
+  }
   const history::CoreHistory history = study::read_given_strain(document.input).history;
   print_valid(options, document, warning_of_strain(document.input, history),
               planning::estimate_cost(document.input, history, thread_count(0)));
