@@ -8,7 +8,7 @@ how far the second is from it. The table of docs/errors-of-results.md.
 Twelve cases: both coupling families, four sliders, three motions, force and height, short and open circuit. The preset
 fine is compared with itself refined by `--refine-fine` (1.3, which takes 17 GB). Finished runs in the folder to keep
 are taken as they are, so that the finer preset need not be run again. Standard against fine takes minutes and
-gigabytes a case. The finer value is itself uncertain, so that a ratio near 1 says little.
+gigabytes a case, although the sliders are of a millimetre. The finer value is itself uncertain, so that a ratio near 1 says little.
 """
 
 import argparse
@@ -20,7 +20,7 @@ import tempfile
 
 SKIN = """
 [skin]
-length = "15 mm"
+length = "6 mm"
 width = "{width}"
 
 [[skin.layers]]
@@ -53,10 +53,10 @@ fixed_charge_concentration = "1200 mol/m3"
 
 # Keys of the slider, width of the skin [mm], load as a height and as a force.
 SLIDERS = {
-    "flat": ('size = ["3 mm", "1.5 mm"]', 2, "1 um", "20 N"),
-    "rounded": ('size = ["3 mm", "1.5 mm"]\nedge_radius = "0.2 mm"', 2, "1 um", "20 N"),
-    "sphere": ('shape = "sphere"\nradius = "4 mm"', 3, "4 um", "1 N"),
-    "cylinder": ('shape = "cylinder"\nradius = "4 mm"\nsize = ["1 mm", "1.5 mm"]', 2, "2 um", "5 N"),
+    "flat": ('size = ["1 mm", "0.6 mm"]', 1, "1 um", "2.5 N"),
+    "rounded": ('size = ["1 mm", "0.6 mm"]\nedge_radius = "0.1 mm"', 1, "1 um", "2.5 N"),
+    "sphere": ('shape = "sphere"\nradius = "2 mm"', 1, "4 um", "0.5 N"),
+    "cylinder": ('shape = "cylinder"\nradius = "2 mm"\nsize = ["1 mm", "0.6 mm"]', 1, "2 um", "1 N"),
 }
 
 STROKES = """gap = "0.1 mm"
@@ -66,12 +66,12 @@ lift = "0.5 s"
 return = "1 s"
 """
 MOTIONS = {
-    "slide": STROKES + 'stroke = "6 mm"\nslide = "2 s"\n',
-    "reciprocating": STROKES + 'kind = "reciprocating"\nstrokes = 2\ndwell = "0.2 s"\nstroke = "3 mm"\nslide = "1 s"\n',
+    "slide": STROKES + 'stroke = "2 mm"\nslide = "1 s"\n',
+    "reciprocating": STROKES + 'kind = "reciprocating"\nstrokes = 2\ndwell = "0.2 s"\nstroke = "1 mm"\nslide = "0.5 s"\n',
     "waypoints": 'kind = "waypoints"\n' + "".join(
         f'[[motion.waypoints]]\ntime = "{time} s"\nposition = ["{x} mm", "{{middle}} mm"]\n{level}\n'
-        for time, x, level in ((0, 4.5, 'height = "0.1 mm"'), (0.5, 4.5, "{level}"), (1.5, 8, "{level}"),
-                               (2.5, 9.5, "{level}"), (3, 9.5, 'height = "0.1 mm"'))),
+        for time, x, level in ((0, 2, 'height = "0.1 mm"'), (0.5, 2, "{level}"), (1, 3.25, "{level}"),
+                               (1.5, 4, "{level}"), (2, 4, 'height = "0.1 mm"'))),
 }
 
 CASES = [
@@ -114,7 +114,7 @@ def case_text(slider, motion, control, law, circuit):
     places = {"middle": width / 2, "load": load}
     if motion == "waypoints":
         places["level"] = f'height = "-{load}"' if control == "height" else f'force = "{load}"'
-    start = "" if motion == "waypoints" else f'start = ["4.5 mm", "{width / 2} mm"]\n'
+    start = "" if motion == "waypoints" else f'start = ["2 mm", "{width / 2} mm"]\n'
     return (SKIN.format(width=f"{width} mm") + f"\n[slider]\n{shape}\n{start}\n[motion]\n"
             + MOTIONS[motion].format(**places) + f'\n[coupling]\nlaw = "{law}"\ncoefficient = 0.1\n'
             + f'\n[readout]\ncircuit = "{circuit}"\n')
