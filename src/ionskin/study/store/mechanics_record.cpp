@@ -161,15 +161,16 @@ std::vector<readout::Metric> contact_metrics(const Case& input,
   return metrics;
 }
 
-/// A sharp edge carries a line load behind which the skin may lift off, and the contact begins
-/// again where a cell of the mesh does: two meshes may agree by chance. What sticks is counted by
-/// cells under any slider.
+/// The edge of a flat slider carries a line load behind which the skin may lift off, and the contact
+/// begins again where a cell of the mesh does: two meshes may agree by chance. What sticks is
+/// counted by cells under any slider.
 std::vector<readout::Metric> contact_cell_errors(const Case& input,
                                                  const handover::ContactTimeline& timeline) {
   std::vector<readout::Metric> errors;
   const auto slide = timeline.at(readout::middle_of_slide(input.motion, input.slider));
   const double area = slide.contact_area();
-  if (input.slider.sharp() && area > 0) {
+  const auto flat = input.slider.flat_half_size();
+  if (flat[0] > 0 && flat[1] > 0 && area > 0) {
     const double border = slide.contact_border();
     errors.push_back({"contact_area_slide", border, "m2"});
     errors.push_back({"mean_pressure_slide", slide.normal_force() * border / (area * area), "Pa"});
