@@ -161,9 +161,9 @@ std::vector<readout::Metric> contact_metrics(const Case& input,
   return metrics;
 }
 
-/// The edge of a flat slider carries a line load behind which the skin may lift off, and the contact
-/// begins again where a cell of the mesh does: two meshes may agree by chance. What sticks is
-/// counted by cells under any slider.
+/// The edge of a flat slider carries a line load behind which the skin may lift off, and the
+/// contact begins again where a cell of the mesh does: two meshes may agree by chance. What sticks
+/// is counted by cells under any slider.
 std::vector<readout::Metric> contact_cell_errors(const Case& input,
                                                  const handover::ContactTimeline& timeline) {
   std::vector<readout::Metric> errors;
