@@ -2,8 +2,8 @@
 
 // Any bytes are a height map or are refused with a UserError.
 
-#include "ionskin/case/height_map.hpp"
 #include "ionskin/base/error.hpp"
+#include "ionskin/case/document/height_map_file.hpp"
 #include "scratch_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
