@@ -44,6 +44,14 @@ class FirstMinutes(ProgramTest):
         for words in ("Debye length", "contact", "unknowns", "memory", "contact.friction"):
             self.assertIn(words, explained)
 
+    def test_a_round_contact_is_found_before_its_cost_is_told(self):
+        ball = ("check", QUICK, "--json", "--set", "slider.shape=sphere", "--set", "slider.radius=4 mm",
+                "--set", "numerics.mesh_refinement=0.5")
+        guessed = json.loads(self.run_program(*ball).stdout)["cost"]
+        found = json.loads(self.run_program(*ball, "--explain").stdout)["cost"]
+        self.assertNotEqual(found["mechanics_unknowns"], guessed["mechanics_unknowns"])
+        self.assertNotEqual(found["memory_bytes"], guessed["memory_bytes"])
+
     def test_files_of_a_run(self):
         self.run_program("run", QUICK, "-o", "out", "--threads", 2)
         out = self.folder / "out"
