@@ -25,7 +25,7 @@ double ideal_factor(double error) {
 /// measured against: a share of the time in which double layers charge, 0.15 s in the baseline, or
 /// of what passed since the decay began, whichever is longer. So slower decays are resolved, too,
 /// those of water or through a load, and a fast one does not cost steps when it is over.
-constexpr double longest_share = 0.15 / 0.8493165557971034, late_share = 0.0375;
+constexpr double longest_share = 0.15 / 0.8493165557971034, late_share = 0.05;
 
 // Of the estimates of steps, see relaxation_step and crossing_step.
 constexpr double error_constant = 0.0404, kink_constant = 0.055;

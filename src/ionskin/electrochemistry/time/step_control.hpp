@@ -24,7 +24,7 @@ struct StepRule {
 
 /// The rule for a case: the tolerance is the user's or the preset's; after events a first step of
 /// 1e-5 s is tried, a shorter one where the core charges faster than Nafion, and steps reach up to
-/// 0.177 of the time in which the double layers charge, or to 0.0375 of the time since the last
+/// 0.177 of the time in which the double layers charge, or to 0.05 of the time since the last
 /// event where that is more. `time_refinement` divides steps, so it divides the tolerance by its
 /// third power, that of the error of a step. Taxels ask for the charges of single columns;
 /// whole electrodes do with a tenth of their share in the error.
