@@ -20,9 +20,9 @@ install(TARGETS ionskin_live_fmu_library LIBRARY DESTINATION ${IONSKIN_LIBEXEC_F
 install(TARGETS ionskin_library EXPORT ionskin LIBRARY DESTINATION ${IONSKIN_LIBRARY_FOLDER})
 
 # What a program of others needs to read and run a case, and what that includes.
-foreach(header base/error base/progress base/system/interrupt case/case case/document/case_document case/height_map
+foreach(header base/error base/progress base/system/interrupt case/case case/document/case_document
         case/reading/read_case case/schema/schema case/text/place laws/law_parameter readout/metrics readout/signals results/summary_json
-        study/errors/stated_errors study/run/run_case units/dimension)
+        shapes/height_map shapes/shape study/errors/stated_errors study/run/run_case units/dimension)
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${PROJECT_SOURCE_DIR}/src/ionskin/${header}.hpp DESTINATION ${IONSKIN_INCLUDE_FOLDER}/${folder})
 endforeach()
