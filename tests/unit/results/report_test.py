@@ -14,7 +14,7 @@ import numpy
 
 from ionskin import Results
 from ionskin.analysis import paper
-from ionskin.drawing import figures_model, figures_readout, panels
+from ionskin.drawing import event_panels, figures_model, figures_readout, panels
 from ionskin.drawing.style import THEMED_COLOURS
 from ionskin.figures import draw_all
 from ionskin.page import report_text
@@ -268,6 +268,27 @@ class Words(unittest.TestCase):
         results.signals["normal_force"][:] = [0, 0, 65, 0, 0]  # touchdown ends at 1 s, the slide at 2 s
         spans = panels.contact_spans(results)
         self.assertEqual([(span.phase, span.start, span.end) for span in spans], [("slide", 1.0, 2.0)])
+
+    def test_events_of_milliseconds_are_enlarged(self):
+        folder = pathlib.Path(tempfile.mkdtemp(prefix="ionskin-report-"))
+        self.addCleanup(shutil.rmtree, folder)
+        write_run(folder, cycles=1)
+        results = Results(folder)
+        results.signals["normal_force"][:] = [0, 0, 65, 0, 0]  # contact from 1 s to 2 s
+        results.sampled["time"][:] = [0.01, 0.02, 0.03]
+        windows = event_panels.windows(results)
+        self.assertEqual([(instant, words) for _, _, instant, words in windows], [(1.0, "contact begins"), (2.0, "contact ends")])
+        for begin, end, instant, _ in windows:  # twelve readout intervals, and the event among them
+            self.assertAlmostEqual(end - begin, 0.12)
+            self.assertTrue(begin < instant < end)
+
+    def test_times_say_whether_they_are_wall_or_threads(self):
+        timing = {"mechanics": 88.0, "total": 90.0}
+        results = types.SimpleNamespace(summary={"timing": timing}, manifest={
+            "stages": {"mechanics": {"wall_time_s": 88.0}}, "counters": {"seconds_factorisation": 132.0, "factorisations": 4}})
+        self.assertEqual([row[2] for row in report_text.timing_rows(results)], ["88.00 s", "88.00 s"])
+        self.assertEqual(report_text.counter_rows(results),
+                         [("factorisation, summed over threads", "132 s"), ("factorisations", "4")])
 
 
 if __name__ == "__main__":

@@ -107,6 +107,14 @@ class ContactStates(unittest.TestCase):
         self.assertEqual(figures_contact.middle_state({"contact": {"touchdown": 0, "steady_0": 0, "steady_1": 0, "steady_2": 0}}),
                          "steady_1")
 
+    def test_colours_of_a_round_contact_reach_its_peak(self):
+        """Only under sharp edges, where peaks depend on the mesh, does the scale end below the largest value."""
+        radius = (numpy.arange(200) + 0.5) / 200
+        pressure, areas = 1e6 * numpy.sqrt(1 - radius**2), 2 * numpy.pi * radius
+        self.assertEqual(figures_contact.capped(pressure, areas, 1.0), pressure.max())
+        self.assertLess(figures_contact.capped(pressure, areas, 0.95), pressure.max())
+        self.assertEqual(figures_contact.capped(numpy.zeros(5), numpy.ones(5), 1.0), 1.0)
+
 
 class Regimes(unittest.TestCase):
     X = numpy.linspace(0.05, 0.5, 10)
