@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace ionskin::mechanics {
 namespace {
@@ -335,6 +336,21 @@ TEST(ContactSolver, NaNIsNoConvergence) {
   EXPECT_FALSE(contact_newton(problem, step, force, indentation).converged);
   EXPECT_THROW(solve(problem, step), SolverError);
   EXPECT_THROW(steady_sliding(problem, {LoadKind::indentation, 1e-6}, {1, 0}, 0), SolverError);
+}
+
+TEST(ContactSolver, NamesALawThatGivesNoNumberInSteadySliding) {
+  ContactProblem problem = line_of_cells(3, 0.5);
+  problem.friction.law = "of slip over time step";
+  problem.friction.limit = [](const laws::FrictionArguments& at) {
+    return 0.5 * at.normal_traction * (1 + at.slip_increment / at.time_step);
+  };
+  try {
+    steady_sliding(problem, {LoadKind::indentation, 1e-6}, {1, 0}, 0);
+    FAIL() << "0 / 0 passed for a limit";
+  } catch (const SolverError& error) {
+    EXPECT_NE(std::string(error.what()).find("\"of slip over time step\""), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(ContactDiagnostics, NaNIsAViolation) {
