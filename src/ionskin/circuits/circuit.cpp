@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/circuits/circuit.hpp"
 
-#include "ionskin/base/error.hpp"
 #include "ionskin/circuits/amplifier.hpp"
 #include "ionskin/circuits/load.hpp"
 #include "ionskin/circuits/open_circuit.hpp"
 #include "ionskin/circuits/parallel_rc.hpp"
 #include "ionskin/circuits/short_circuit.hpp"
+#include "ionskin/laws/named_row.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -62,12 +61,7 @@ std::span<const CircuitRow> circuits() {
 }
 
 const CircuitRow& circuit_row(std::string_view name) {
-  const auto rows = circuits();
-  const auto found = std::ranges::find(rows, name, &CircuitRow::name);
-  if (found == rows.end()) {
-    throw InternalError("no circuit is named " + std::string(name));
-  }
-  return *found;
+  return laws::named_row(circuits(), name, "circuit");
 }
 
 Circuit circuit(std::string_view name, const laws::LawValues& values) {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/shapes/shape.hpp"
 
-#include "ionskin/base/error.hpp"
+#include "ionskin/laws/named_row.hpp"
 #include "ionskin/shapes/cylinder.hpp"
 #include "ionskin/shapes/flat.hpp"
 #include "ionskin/shapes/profile.hpp"
 #include "ionskin/shapes/sphere.hpp"
-
-#include <algorithm>
 
 namespace ionskin::shapes {
 namespace {
@@ -23,14 +21,13 @@ template <class Kind> std::unique_ptr<const Shape> shape_with(const laws::LawVal
 }
 
 template <class Kind> ShapeRow row(std::string_view name) {
-  return {.name = name, .meaning = Kind::meaning, .takes_heights = requires {Kind::takes_heights;
+  return {.name = name,
+          .meaning = Kind::meaning,
+          .takes_heights = Kind::takes_heights,
+          .has_whole_plan = Kind::has_whole_plan,
+          .parameters = laws::declared_parameters<Kind>(),
+          .with = shape_with<Kind>};
 }
-, .has_whole_plan = requires {
-  Kind::has_whole_plan;
-}
-, .parameters = laws::declared_parameters<Kind>(), .with = shape_with<Kind>
-}; // namespace
-} // namespace ionskin::shapes
 
 } // namespace
 
@@ -45,12 +42,7 @@ std::span<const ShapeRow> shapes() {
 }
 
 const ShapeRow& shape_row(std::string_view name) {
-  const auto rows = shapes();
-  const auto found = std::ranges::find(rows, name, &ShapeRow::name);
-  if (found == rows.end()) {
-    throw InternalError("no shape of slider is named " + std::string(name));
-  }
-  return *found;
+  return laws::named_row(shapes(), name, "slider shape");
 }
 
 std::unique_ptr<const Shape> shape(std::string_view name, const laws::LawValues& values) {

@@ -43,6 +43,10 @@ struct Misfit {
 /// slider's centre [m].
 class Shape {
 public:
+  // Of its row; a shape that differs hides them.
+  static constexpr bool takes_heights = false;
+  static constexpr bool has_whole_plan = false;
+
   virtual ~Shape() = default;
 
   /// Height of the underside at a place within the plan [m], at most `unreachable_gap` above
@@ -80,7 +84,7 @@ struct ShapeRow {
 /// All shapes; the first is the default of a case.
 std::span<const ShapeRow> shapes();
 
-/// The row of a name that the schema has checked.
+/// The row of a name that the schema has checked. Throws InternalError for any other.
 const ShapeRow& shape_row(std::string_view name);
 
 /// The shape of a name that the schema has checked. A parameter without a value is 0: cases without

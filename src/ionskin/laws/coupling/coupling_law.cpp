@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/laws/coupling/coupling_law.hpp"
 
-#include "ionskin/base/error.hpp"
 #include "ionskin/laws/coupling/column_neutral.hpp"
 #include "ionskin/laws/coupling/fixed_charge.hpp"
 #include "ionskin/laws/coupling/pair_generation.hpp"
 #include "ionskin/laws/coupling/poroelastic.hpp"
 #include "ionskin/laws/coupling/volume_neutral.hpp"
+#include "ionskin/laws/named_row.hpp"
 
-#include <algorithm>
 #include <array>
 #include <string>
 
@@ -51,12 +50,7 @@ std::span<const CouplingLaw> coupling_laws() {
 }
 
 const CouplingLaw& coupling_law(std::string_view name) {
-  const auto laws = coupling_laws();
-  const auto found = std::ranges::find(laws, name, &CouplingLaw::name);
-  if (found == laws.end()) {
-    throw InternalError("no coupling law is named " + std::string(name));
-  }
-  return *found;
+  return named_row(coupling_laws(), name, "coupling law");
 }
 
 } // namespace ionskin::laws

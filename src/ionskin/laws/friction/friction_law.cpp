@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/laws/friction/friction_law.hpp"
 
-#include "ionskin/base/error.hpp"
 #include "ionskin/laws/friction/anisotropic_friction.hpp"
 #include "ionskin/laws/friction/coulomb_friction.hpp"
 #include "ionskin/laws/friction/regularised_friction.hpp"
 #include "ionskin/laws/friction/saturating_friction.hpp"
 #include "ionskin/laws/friction/stribeck_friction.hpp"
 #include "ionskin/laws/friction/viscous_friction.hpp"
+#include "ionskin/laws/named_row.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace ionskin::laws {
@@ -82,12 +81,7 @@ std::span<const FrictionLaw> friction_laws() {
 }
 
 const FrictionLaw& friction_law(std::string_view name) {
-  const auto laws = friction_laws();
-  const auto found = std::ranges::find(laws, name, &FrictionLaw::name);
-  if (found == laws.end()) {
-    throw InternalError("no friction law is named " + std::string(name));
-  }
-  return *found;
+  return named_row(friction_laws(), name, "friction law");
 }
 
 Friction friction(std::string_view law, double coefficient, const LawValues& values) {

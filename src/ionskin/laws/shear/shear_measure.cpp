@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/laws/shear/shear_measure.hpp"
 
-#include "ionskin/base/error.hpp"
+#include "ionskin/laws/named_row.hpp"
 #include "ionskin/laws/shear/deviatoric_shear.hpp"
 #include "ionskin/laws/shear/off_diagonal_shear.hpp"
 #include "ionskin/laws/shear/signed_xz_shear.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 
@@ -29,12 +28,7 @@ std::span<const ShearMeasure> shear_measures() {
 }
 
 const ShearMeasure& shear_measure(std::string_view name) {
-  const auto measures = shear_measures();
-  const auto found = std::ranges::find(measures, name, &ShearMeasure::name);
-  if (found == measures.end()) {
-    throw InternalError("no shear measure is named " + std::string(name));
-  }
-  return *found;
+  return named_row(shear_measures(), name, "shear measure");
 }
 
 std::vector<double> evaluate_shear(const ShearMeasure& measure,
