@@ -6,6 +6,7 @@
 #include "ionskin/base/system/free_memory.hpp"
 #include "ionskin/linear_algebra/dense_kernels.hpp"
 #include "ionskin/mechanics/elasticity/elastic_system.hpp"
+#include "ionskin/mechanics/position/position_input.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,15 +57,14 @@ double equilibrium_residual(const ElasticSpace& space, const std::array<double, 
 /// The factor of one position, and its place among the factors that fit into the memory.
 class CondensedPosition::Factorised {
 public:
-  Factorised(const SkinModel& model, const mesh::MeshLines& lines)
-      : place_(model.analysis().free_factors),
-        threads_(model.analysis().factors_at_once == 1 ? lone_factor_threads : 1),
-        base_reaction_{} {
-    ElasticSystem system = assemble(model.space, lines, model.law_of_row);
-    factor_ = std::make_unique<linear_algebra::Cholesky>(model.analysis().symbolic,
-                                                         system.stiffness, threads_);
+  Factorised(const ElasticSkin& skin, const mesh::MeshLines& lines)
+      : place_(skin.analysis().free_factors),
+        threads_(skin.analysis().factors_at_once == 1 ? lone_factor_threads : 1), base_reaction_{} {
+    ElasticSystem system = assemble(skin.space, lines, skin.law_of_row);
+    factor_ = std::make_unique<linear_algebra::Cholesky>(skin.analysis().symbolic, system.stiffness,
+                                                         threads_);
     base_reaction_ = std::move(system.base_reaction);
-    forward_ = factor_->trailing_forward(model.cells.unit_load);
+    forward_ = factor_->trailing_forward(skin.cells.unit_load);
   }
 
   DenseMatrix compliance() const {
@@ -122,16 +122,19 @@ private:
 
 CondensedPosition::CondensedPosition(const SkinModel& model, const std::array<double, 2>& centre,
                                      const PositionUse& use)
-    : model_(model), lines_(model.mesh.lines(centre)), lattice_(model.space, model.mesh.core_z()),
-      membrane_(model.space, lines_, model.law_of_row, model.mesh.layer_of_row(),
-                model.mesh.core_z()) {
-  const int cells = static_cast<int>(model.cells.count());
+    : CondensedPosition(model, model.mesh.lines(centre), use) {}
+
+CondensedPosition::CondensedPosition(const ElasticSkin& skin, mesh::MeshLines lines,
+                                     const PositionUse& use)
+    : skin_(skin), lines_(std::move(lines)), lattice_(skin.space, skin.core_z),
+      membrane_(skin.space, lines_, skin.law_of_row, skin.layer_of_row, skin.core_z) {
+  const int cells = static_cast<int>(skin.cells.count());
   if (!responses_fit(lattice_.rows(), membrane_.rows(), 3 * cells)) {
     factorise();
     return;
   }
   ForceDirections directions = use.forces;
-  const base::Digest key = use.cache != nullptr ? position_key(model, lines_) : base::Digest{};
+  const base::Digest key = use.cache != nullptr ? position_key(skin, lines_) : base::Digest{};
   if (use.cache != nullptr) {
     auto stored = read_position(*use.cache, key, lattice_.rows(), membrane_.rows(), cells);
     bool complete = stored.has_value();
@@ -160,7 +163,7 @@ CondensedPosition::CondensedPosition(const SkinModel& model, const std::array<do
 CondensedPosition::~CondensedPosition() = default;
 
 void CondensedPosition::factorise() {
-  factorised_ = std::make_unique<Factorised>(model_, lines_);
+  factorised_ = std::make_unique<Factorised>(skin_, lines_);
   compliance_ = factorised_->compliance();
 }
 
@@ -190,7 +193,7 @@ CondensedPosition::Response CondensedPosition::response(const double* lattice,
                                                         const std::array<double, 3>& reaction,
                                                         const double* force) const {
   return {lattice_.strain(lines_, lattice), membrane_.largest_stress(membrane),
-          equilibrium_residual(model_.space, reaction, force, compliance_.columns)};
+          equilibrium_residual(skin_.space, reaction, force, compliance_.columns)};
 }
 
 void CondensedPosition::respond_by_products(const DenseMatrix& forces,

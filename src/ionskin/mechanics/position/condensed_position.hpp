@@ -28,7 +28,9 @@ struct PositionUse {
 /// whatever is in the cache and whatever else is solved.
 class CondensedPosition {
 public:
-  /// @param model outlives the position
+  /// @param skin outlives the position
+  /// @param lines of its mesh with the slider at its place [m]
+  CondensedPosition(const ElasticSkin& skin, mesh::MeshLines lines, const PositionUse& use = {});
   /// @param centre of the slider [m]
   CondensedPosition(const SkinModel& model, const std::array<double, 2>& centre,
                     const PositionUse& use = {});
@@ -63,7 +65,7 @@ private:
   Response response(const double* lattice, const double* membrane,
                     const std::array<double, 3>& reaction, const double* force) const;
 
-  const SkinModel& model_;
+  const ElasticSkin& skin_;
   mesh::MeshLines lines_;
   CoreLattice lattice_;
   ElectrodeMembrane membrane_;

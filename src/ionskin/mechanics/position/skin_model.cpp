@@ -1,48 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/position/skin_model.hpp"
 
-#include "ionskin/mechanics/position/memory_estimate.hpp"
 #include "ionskin/mechanics/surface/slider_shape.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace ionskin::mechanics {
-namespace {
-
-std::vector<ElasticLaw> laws_of_rows(const Skin& skin, const mesh::SkinMesh& mesh) {
-  std::vector<ElasticLaw> law_of_row;
-  for (const std::size_t layer : mesh.layer_of_row()) {
-    law_of_row.push_back(isotropic_elasticity(skin.layers[layer].material));
-  }
-  return law_of_row;
-}
-
-/// Factors that are held at the same time, within the memory meant for them.
-std::ptrdiff_t factors_within_memory(const linear_algebra::SymbolicCholesky& symbolic) {
-  constexpr double with_zeros = 1.1; // kept in the panels of the factor
-  const double per_factor = 8 * with_zeros * symbolic.factor_entries();
-  return std::max(std::ptrdiff_t{1}, static_cast<std::ptrdiff_t>(memory_for_factors / per_factor));
-}
-
-} // namespace
 
 SkinModel::SkinModel(const Case& input, const mesh::Footprint& footprint, mesh::MeshedPart part)
-    : mesh(input, footprint, part),
-      space(mesh.lines(input.slider.start), skin_boundary(input.skin, mesh.half_model())),
-      law_of_row(laws_of_rows(input.skin, mesh)), cells(contact_cells(mesh, space)),
+    : SkinModel(input, mesh::SkinMesh(input, footprint, part)) {}
+
+SkinModel::SkinModel(const Case& input, mesh::SkinMesh mesh_of_case)
+    : ElasticSkin(input, mesh_of_case), mesh(std::move(mesh_of_case)),
       gap(mean_gap(input.slider, cells.lines_x, cells.lines_y, {false, false})) {}
-
-SkinAnalysis::SkinAnalysis(linear_algebra::SymbolicCholesky symbolic_factor)
-    : symbolic(std::move(symbolic_factor)), factors_at_once(factors_within_memory(symbolic)),
-      free_factors(factors_at_once) {}
-
-const SkinAnalysis& SkinModel::analysis() const {
-  std::call_once(analysed_, [this] {
-    analysis_ = std::make_unique<const SkinAnalysis>(linear_algebra::SymbolicCholesky(
-        space.pattern(), space.elimination_order(cells.nodes), cells.unit_load.rows));
-  });
-  return *analysis_;
-}
 
 } // namespace ionskin::mechanics

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/position/unit_response.hpp"
 
-#include "ionskin/linear_algebra/dense_kernels.hpp"
+#include "ionskin/base/byte_record.hpp"
 
-#include <cstring>
 #include <span>
-#include <string>
 #include <utility>
 
 namespace ionskin::mechanics {
@@ -13,10 +11,6 @@ namespace {
 
 using linear_algebra::DenseMatrix;
 using linear_algebra::FixedPointMatrix;
-
-/// To be raised whenever the numbers of a condensed position change for the same input: elements,
-/// assembly, contact cells, lattice, rounding, or the layout of an entry.
-constexpr std::uint32_t numerical_version = 2;
 
 constexpr double positions_of_a_slide = 4;
 
@@ -29,27 +23,6 @@ template <class T> std::span<const std::byte> bytes_of(const std::vector<T>& val
   return std::as_bytes(std::span(values));
 }
 
-/// Takes vectors of known length from the content of an entry, one behind the other.
-class EntryReader {
-public:
-  explicit EntryReader(std::span<const std::byte> content) : rest_(content) {}
-  bool take(void* to, std::size_t bytes) {
-    if (rest_.size() < bytes) {
-      return false;
-    }
-    std::memcpy(to, rest_.data(), bytes);
-    rest_ = rest_.subspan(bytes);
-    return true;
-  }
-  template <class T> bool take(std::vector<T>& values) {
-    return take(values.data(), values.size() * sizeof(T));
-  }
-  bool at_end() const { return rest_.empty(); }
-
-private:
-  std::span<const std::byte> rest_;
-};
-
 } // namespace
 
 bool responses_fit(int core_rows, int membrane_rows, int components) {
@@ -58,36 +31,18 @@ bool responses_fit(int core_rows, int membrane_rows, int components) {
          static_cast<double>(base::default_cache_limit);
 }
 
-base::Digest position_key(const SkinModel& model, const mesh::MeshLines& lines) {
-  base::DigestBuilder builder;
-  builder.add("condensed position").add(numerical_version).add(linear_algebra::kernel_name());
-  builder.add(lines.x).add(lines.y).add(lines.z);
-  for (const ElasticLaw& law : model.law_of_row) {
-    builder.add(law.lame_lambda).add(law.shear_modulus);
-  }
-  builder.add(model.mesh.layer_of_row()).add(model.mesh.core_z()[0]).add(model.mesh.core_z()[1]);
-  for (std::size_t node = 0; node < model.space.node_count(); ++node) {
-    for (const int unknown : model.space.unknown(static_cast<int>(node))) {
-      builder.add(unknown);
-    }
-  }
-  builder.add(model.cells.nodes).add(model.cells.lines_x).add(model.cells.lines_y);
-  builder.add(model.cells.unit_load.values);
-  return builder.finish();
-}
-
 std::optional<StoredPosition> read_position(base::DiskCache& cache, const base::Digest& key,
                                             int core_rows, int membrane_rows, int cells) {
   const auto content = cache.read(key);
   if (!content) {
     return std::nullopt;
   }
-  EntryReader reader(*content);
+  base::ByteReader reader(*content);
   Sizes sizes;
   StoredPosition result;
   result.compliance = DenseMatrix(3 * cells, 3 * cells);
-  if (!reader.take(&sizes, sizeof(sizes)) || sizes.cells != cells || sizes.core_rows != core_rows ||
-      sizes.membrane_rows != membrane_rows || !reader.take(result.compliance.values)) {
+  if (!reader.take(sizes) || sizes.cells != cells || sizes.core_rows != core_rows ||
+      sizes.membrane_rows != membrane_rows || !reader.take_known(result.compliance.values)) {
     return std::nullopt;
   }
   for (std::size_t d = 0; d < result.response.size(); ++d) {
@@ -97,9 +52,10 @@ std::optional<StoredPosition> read_position(base::DiskCache& cache, const base::
     DirectionResponse& response = result.response[d].emplace(
         DirectionResponse{FixedPointMatrix(core_rows, cells),
                           FixedPointMatrix(membrane_rows, cells), DenseMatrix(3, cells)});
-    if (!reader.take(response.base_reaction.values) || !reader.take(response.core.unit) ||
-        !reader.take(response.core.values) || !reader.take(response.membrane.unit) ||
-        !reader.take(response.membrane.values)) {
+    if (!reader.take_known(response.base_reaction.values) ||
+        !reader.take_known(response.core.unit) || !reader.take_known(response.core.values) ||
+        !reader.take_known(response.membrane.unit) ||
+        !reader.take_known(response.membrane.values)) {
       return std::nullopt;
     }
   }

@@ -4,7 +4,6 @@
 #include "ionskin/base/digest.hpp"
 #include "ionskin/base/files/disk_cache.hpp"
 #include "ionskin/linear_algebra/fixed_point_matrix.hpp"
-#include "ionskin/mechanics/position/skin_model.hpp"
 
 #include <array>
 #include <optional>
@@ -33,10 +32,6 @@ struct StoredPosition {
   linear_algebra::DenseMatrix compliance; ///< of the contact components [m/N]
   UnitResponse response;
 };
-
-/// Digest of everything a condensed position depends on: mesh, materials, boundary conditions,
-/// contact cells, kernels of BLAS, and the version of the numerical method.
-base::Digest position_key(const SkinModel& model, const mesh::MeshLines& lines);
 
 /// @param core_rows,membrane_rows sizes that an entry of this model must have
 std::optional<StoredPosition> read_position(base::DiskCache& cache, const base::Digest& key,
