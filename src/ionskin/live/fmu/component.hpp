@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/live/fmu/fmi2.h"
+#include "ionskin/live/fmu/instance.hpp"
+
+#include <exception>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace ionskin::live::fmu {
+
+/// What an importer holds: an instance, and how to tell it what went wrong.
+struct Component {
+  Component(std::string name, const fmi2CallbackFunctions& functions, SkinData data)
+      : instance_name(std::move(name)), callbacks(functions), instance(std::move(data)) {}
+  std::string instance_name;
+  fmi2CallbackFunctions callbacks;
+  Instance instance;
+};
+
+/// Tells the importer. Nothing happens without callbacks.
+/// @param category "logStatusError" or "logStatusDiscard"
+void log(const fmi2CallbackFunctions* callbacks, const char* instance, fmi2Status status,
+         const char* category, std::string_view message);
+inline constexpr const char* error_category = "logStatusError";
+inline constexpr const char* discard_category = "logStatusDiscard";
+
+/// Tells the importer of an error. @returns fmi2Error
+fmi2Status fail(const Component& component, const char* message);
+
+/// Calls `body` with the component, when there is one.
+template <class Body> fmi2Status with(fmi2Component component, Body&& body) {
+  if (component == nullptr) {
+    return fmi2Error;
+  }
+  auto& known = *static_cast<Component*>(component);
+  try {
+    return body(known, known.instance);
+  } catch (const std::exception& error) {
+    return fail(known, error.what());
+  }
+}
+
+} // namespace ionskin::live::fmu
