@@ -10,7 +10,7 @@
 namespace ionskin::study {
 
 /// Metrics that finer meshes or steps change on and on, each with the reason: extremes at a sharp
-/// edge, other extremes while two meshes differ by more than half of them, and the peak of a
+/// edge, other extremes while two meshes differ by more than a third of them, and the peak of a
 /// current whose spike is shorter than one time step.
 /// @param stated relative errors by metric [1]
 std::map<std::string, std::string> not_converging(const Case& input, const Signals& signals,

@@ -23,7 +23,7 @@ using readout::SignalTable;
 constexpr std::ptrdiff_t band_reach = 2;
 
 // See `safety`.
-constexpr double mesh_safety = 1.3, verified_order = 1.8, richardson_safety = 2.0;
+constexpr double verified_order = 1.8, richardson_safety = 2.0;
 
 const Metric* find_metric(const Signals& signals, const std::string& name) {
   const auto found = std::ranges::find(signals.metrics, name, &Metric::name);
@@ -211,7 +211,7 @@ double safety(const std::string& part) {
   if (part == error_parts::transport_grid || part == error_parts::time_steps) {
     return richardson_safety / (std::pow(2.0, verified_order) - 1);
   }
-  return part == error_parts::mechanics_mesh ? mesh_safety : 1;
+  return 1;
 }
 
 std::vector<double> pair_band(const std::vector<double>& values, const std::string& part,

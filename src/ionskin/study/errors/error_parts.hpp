@@ -22,11 +22,12 @@ inline constexpr const char* decoupling = "decoupling"; ///< of the strain from 
 inline constexpr const char* rounding = "rounding";
 } // namespace error_parts
 
-/// What the differences of a part are multiplied with: 1; 0.8 for grid and time steps of the ion
+/// What the differences of a part are multiplied with: 0.8 for grid and time steps of the ion
 /// transport, which is twice what Richardson's extrapolation makes of them at the order of 1.8 that
-/// `ionskin verify` asserts (E3); and 1.3 for the mesh of the mechanics.
-/// Two meshes cannot tell their order of convergence: the difference is the error when it is 1, and
-/// too little when it is less. 1.3 is measured (benchmarks/error_coverage.py, preset coarse).
+/// `ionskin verify` asserts (E3), and 1 for all others. For the mesh of the mechanics that is the
+/// grid convergence index of two meshes, a factor of safety of 3 over 2^2 - 1 at second order
+/// (Roache, Journal of Fluids Engineering 116, 1994, doi 10.1115/1.2910291); it covers every order
+/// of convergence from 1 on. Two meshes cannot tell theirs.
 double safety(const std::string& part);
 
 /// Reason that a metric whose estimate is NaN or infinite has none.

@@ -32,8 +32,8 @@ TEST(Convergence, an_extreme_that_a_mesh_does_not_resolve_has_no_error) {
   input.slider.parameters["edge_radius"] = 1e-4;
   const Signals signals = with_current({0, 1, 1, 1});
   const std::string name = "element_max_shear_slide";
-  EXPECT_TRUE(not_converging(input, signals, {{name, 0.6}}).contains(name));
-  EXPECT_FALSE(not_converging(input, signals, {{name, 0.4}}).contains(name));
+  EXPECT_TRUE(not_converging(input, signals, {{name, 0.4}}).contains(name));
+  EXPECT_FALSE(not_converging(input, signals, {{name, 0.3}}).contains(name));
   EXPECT_FALSE(not_converging(input, signals, {{"stick_fraction_touchdown", 3}})
                    .contains("stick_fraction_touchdown"));
 }
