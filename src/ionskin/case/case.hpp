@@ -16,14 +16,17 @@ namespace ionskin {
 // Plain data of one case, SI units throughout. Read, checked and documented by the schema table
 // (case/schema/schema.hpp); everything below `case` in the list of folders sees only these structs.
 
+/// Elastic constants of a layer, isotropic and linear.
 struct Material {
   std::string name;
   double youngs_modulus = 0; ///< [Pa]
   double poissons_ratio = 0; ///< [1]
 };
 
+/// What a layer is to the ions: they move in the core alone.
 enum class LayerRole { electrode, core };
 
+/// One layer of the skin.
 struct Layer {
   std::string name;
   LayerRole role = LayerRole::core;
@@ -34,6 +37,7 @@ struct Layer {
 /// The two faces normal to y: free of traction, or symmetry planes (u_y = 0, no shear traction).
 enum class SideCondition { free, symmetry };
 
+/// The layered skin, bonded to a rigid base.
 struct Skin {
   double length = 0; ///< along x [m]
   double width = 0;  ///< along y [m]
@@ -104,6 +108,7 @@ struct Motion {
   double cycle_duration() const; ///< [s]
 };
 
+/// Contact and friction between slider and skin.
 struct Contact {
   std::string law = "coulomb"; ///< a name from the table in laws/friction/friction_law.cpp
   double friction = 0;         ///< coefficient [1]
@@ -113,6 +118,7 @@ struct Contact {
 /// Ions without size, or ions that take room from one another.
 enum class IonModel { dilute, steric };
 
+/// Ions and solvent of the core.
 struct Electrochemistry {
   double temperature = 0;                ///< [K]
   double diffusivity = 0;                ///< of the mobile cation [m2/s]
@@ -126,6 +132,7 @@ struct Electrochemistry {
   double resting_concentration() const { return fixed_charge_concentration / valence; }
 };
 
+/// What strain does to the charge of the core: a law and its values.
 struct Coupling {
   std::string law = "fixed-charge";     ///< a name from the table in laws/coupling/coupling_law.cpp
   double coefficient = 0;               ///< k [1]
@@ -153,11 +160,13 @@ struct Water {
   WaterWall bottom_wall = WaterWall::sealed, top_wall = WaterWall::sealed;
 };
 
+/// Where the strain of Study 2 comes from.
 enum class StrainSourceKind { contact, file, prescribed };
 
 /// How a prescribed load goes over time: from the first instant on, growing evenly, or swinging.
 enum class LoadWaveform { step, ramp, sine };
 
+/// The strain of Study 2: that of the contact, of a file, or prescribed.
 struct StrainSource {
   StrainSourceKind kind = StrainSourceKind::contact;
   std::string file; ///< absolute path; empty without one
@@ -182,6 +191,7 @@ struct TaxelGrid {
   double gap = 0;            ///< between neighbours [m]
 };
 
+/// What the electrodes are connected to, and how signals are sampled.
 struct Readout {
   double sample_interval = 0;    ///< [s]
   std::string circuit = "short"; ///< a name from the table in circuits/circuit.cpp
@@ -190,8 +200,10 @@ struct Readout {
   std::vector<Taxel> taxels;     ///< disjoint, those of a grid too; empty for one whole electrode
 };
 
+/// Sets of mesh sizes and tolerances.
 enum class Preset { coarse, standard, fine };
 
+/// Mesh sizes, tolerances and steps.
 struct Numerics {
   Preset preset = Preset::standard;
   double mesh_refinement = 1; ///< divides every mesh size
@@ -202,10 +214,12 @@ struct Numerics {
   double time_tolerance = 0; ///< relative error of the charge per time step; 0: the preset's
 };
 
+/// What a run keeps beside signals and metrics.
 struct Output {
   std::vector<double> fields; ///< instants at which fields are written [s]
 };
 
+/// One study as plain values in SI units; `read_case` makes it and checks it.
 struct Case {
   std::string title;
   Skin skin;

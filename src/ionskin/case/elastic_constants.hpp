@@ -7,9 +7,11 @@ namespace ionskin {
 
 // Relations of isotropic linear elasticity [Pa].
 
+/// E / (2 (1 + nu)) [Pa].
 inline double shear_modulus(const Material& material) {
   return material.youngs_modulus / (2 * (1 + material.poissons_ratio));
 }
+/// E / (3 (1 - 2 nu)) [Pa].
 inline double bulk_modulus(const Material& material) {
   return material.youngs_modulus / (3 * (1 - 2 * material.poissons_ratio));
 }

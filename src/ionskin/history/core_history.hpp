@@ -19,6 +19,7 @@ struct StrainGrid {
   std::size_t values() const { return columns_x() * columns_y() * z_nodes.size(); }
 };
 
+/// What the places of a grid count from.
 enum class Frame { skin, slider };
 
 /// One scalar at every value of the grid, [z][y][x] with x fastest.

@@ -14,6 +14,7 @@
 
 namespace ionskin::mechanics {
 
+/// How Study 1 is run.
 struct ContactOptions {
   int threads = 1;
   base::ProgressCallback progress = base::no_progress; ///< called from one thread at a time

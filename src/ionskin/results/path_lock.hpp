@@ -8,6 +8,7 @@
 
 namespace ionskin::results {
 
+/// Whether a lock is shared.
 enum class LockKind {
   exclusive,
   shared ///< beside others that are shared

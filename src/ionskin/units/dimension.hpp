@@ -29,12 +29,14 @@ enum class Dimension {
   capacitance
 };
 
+/// Name and SI unit of a dimension, for messages and pages.
 struct DimensionInfo {
   std::string name;                  ///< with its article: "a length"
   std::string si_unit;               ///< in udunits spelling; "1" for a number
   std::vector<std::string> examples; ///< usual units, the first one for messages
 };
 
+/// Of a dimension.
 const DimensionInfo& dimension_info(Dimension dimension);
 
 /// Usual units of all dimensions, to suggest from.

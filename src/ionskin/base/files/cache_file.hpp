@@ -15,8 +15,10 @@ namespace ionskin::base {
 /// Version of the layout of cache files; another one is a foreign file.
 inline constexpr std::uint32_t cache_file_version = 1;
 
+/// How a cache file was found.
 enum class CacheFileState { absent, damaged, whole };
 
+/// A cache file as read; the content is empty unless it is whole.
 struct CacheFileContent {
   CacheFileState state = CacheFileState::absent;
   std::vector<std::byte> content;

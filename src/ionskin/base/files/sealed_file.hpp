@@ -15,6 +15,7 @@ namespace ionskin::base {
 /// Puts the seal of this build behind a complete file. Throws UnwritableFile.
 void seal(const std::filesystem::path& path);
 
+/// How a sealed file was found.
 enum class SealState {
   absent,      ///< there is no file
   damaged,     ///< changed, cut short, or never sealed

@@ -11,6 +11,7 @@
 
 namespace ionskin {
 
+/// Where a value of a case comes from.
 enum class ValueOrigin { file, set_edit, default_value, preset };
 
 /// "file", "--set", "default", "preset".

@@ -8,6 +8,7 @@
 
 namespace ionskin::electrochemistry {
 
+/// Size of Study 2 before it runs.
 struct ProblemSize {
   std::size_t columns_x = 0, columns_y = 0, levels = 0;
   std::size_t unknowns = 0; ///< concentration and potential

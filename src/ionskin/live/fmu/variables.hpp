@@ -9,6 +9,7 @@
 
 namespace ionskin::live::fmu {
 
+/// Type of a variable in FMI 2.0.
 enum class Kind { real, integer, boolean };
 enum class Causality { input, parameter, output };
 

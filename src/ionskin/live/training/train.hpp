@@ -12,6 +12,7 @@
 
 namespace ionskin::live {
 
+/// How a live skin is trained.
 struct TrainingOptions {
   std::size_t trajectories = 12; ///< random touches that it is trained on
   std::uint64_t seed = 1;        ///< of the touches

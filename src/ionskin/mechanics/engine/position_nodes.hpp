@@ -27,6 +27,7 @@ std::array<std::size_t, 2> expected_counts(const Case& input, const MotionBox& b
 /// ten times that over a rectangle.
 double node_tolerance(const Case& input, const MotionBox& box);
 
+/// How the nodes are solved.
 struct NodeOptions {
   int threads = 1;
   base::DiskCache* cache = nullptr; ///< of condensed positions; none when null

@@ -10,6 +10,7 @@
 
 namespace ionskin::mechanics {
 
+/// What a contact cell does in one state.
 enum class CellStatus { separated, sticking, slipping };
 
 /// Where one cell stands: the forces that contact and friction would allow in its present motion.

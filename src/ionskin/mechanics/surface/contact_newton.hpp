@@ -5,6 +5,7 @@
 
 namespace ionskin::mechanics {
 
+/// How Newton's method ended.
 struct NewtonResult {
   bool converged = false;
   int iterations = 0;

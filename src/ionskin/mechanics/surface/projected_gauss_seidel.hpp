@@ -5,6 +5,7 @@
 
 namespace ionskin::mechanics {
 
+/// How the sweeps ended.
 struct GaussSeidelResult {
   bool converged = false;
   int sweeps = 0;

@@ -54,6 +54,7 @@ struct FitRequest {
   std::vector<std::string> free;
 };
 
+/// How a fit is run.
 struct FitOptions {
   std::filesystem::path folder;
   int threads = 1;

@@ -16,6 +16,7 @@ struct FrequencyRange {
   int points_per_decade = 10; ///< equally spaced in the logarithm; more where that does not fit
 };
 
+/// Frequencies of a spectrum and where it is written.
 struct ImpedanceOptions {
   FrequencyRange range;
   std::filesystem::path folder; ///< of the results
@@ -23,6 +24,7 @@ struct ImpedanceOptions {
   std::string command; ///< for the manifest
 };
 
+/// A spectrum and what was said of it.
 struct ImpedanceOutcome {
   std::filesystem::path folder;
   std::vector<std::string> warnings;

@@ -9,6 +9,7 @@ namespace ionskin::study {
 /// Path of the Python interpreter that ionskin's Python package runs under.
 std::string python_interpreter();
 
+/// How a module of the Python package ended.
 struct PythonOutcome {
   int exit_code = 0;   ///< -1 when the interpreter cannot be started or is killed
   std::string message; ///< its last one on standard error, where that was captured
@@ -17,6 +18,7 @@ struct PythonOutcome {
   bool lacks_library() const;
 };
 
+/// Where Python's messages go.
 enum class PythonErrors { shown, captured };
 
 /// Runs a module of ionskin's Python package with these arguments and waits for it. The interpreter

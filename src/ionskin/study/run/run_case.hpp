@@ -13,8 +13,10 @@
 
 namespace ionskin::study {
 
+/// Which studies a run does.
 enum class Studies { both, mechanics, electrochemistry };
 
+/// How a case is run, and where its results go.
 struct RunOptions {
   std::filesystem::path folder; ///< of the results
   int threads = 1;
@@ -30,6 +32,7 @@ struct RunOptions {
   base::ProgressCallback progress = base::no_progress;
 };
 
+/// What a run found and warned of.
 struct RunOutcome {
   std::filesystem::path folder;
   std::filesystem::path report; ///< empty when no report was made

@@ -17,8 +17,10 @@ struct AuditRule {
   const char* remedy;
 };
 
+/// All rules, in the order in which they are told.
 const std::vector<AuditRule>& audit_rules();
 
+/// Of one audit.
 enum class Verdict { passed, warned, failed };
 
 struct Audit {

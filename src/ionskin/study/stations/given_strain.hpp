@@ -7,6 +7,7 @@
 
 namespace ionskin::study {
 
+/// A strain history that is given, not solved.
 struct GivenStrain {
   history::CoreHistory history;
   base::Digest digest; ///< of the file's bytes as they were read

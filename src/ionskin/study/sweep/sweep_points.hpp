@@ -37,6 +37,7 @@ struct SweepPoint {
   Case input;                             ///< default where a plan was read without it
 };
 
+/// All points of a sweep.
 struct SweepPlan {
   SweepRequest request; ///< with the text of the case
   Case base;            ///< its text names the axes, so that it identifies the sweep

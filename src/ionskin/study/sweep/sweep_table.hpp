@@ -10,6 +10,7 @@
 
 namespace ionskin::study {
 
+/// How far a point is.
 enum class PointStatus { pending, finished, failed };
 
 /// How far one point of a sweep came.
