@@ -7,9 +7,11 @@
 
 #include "ionskin/base/timers.hpp"
 #include "ionskin/case/reading/read_case.hpp"
+#include "ionskin/linear_algebra/cholesky.hpp"
 #include "ionskin/linear_algebra/dense_kernels.hpp"
 #include "ionskin/mechanics/elasticity/elastic_system.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
+#include "ionskin/mechanics/position/skin_model.hpp"
 #include "ionskin/mechanics/position/unit_response.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
 #include "ionskin/parallel/task_pool.hpp"
