@@ -41,7 +41,7 @@ double seconds_of_drive(const Case& input, const history::CoreHistory& history,
   const double start = base::processor_time();
   for (int i = 1; i <= repeats; ++i) {
     drive.evaluate(history.time.front() + i * history.duration() / repeats);
-    drive.accept();
+    drive.accept({});
   }
   values = drive.pressure().size();
   return (base::processor_time() - start) / repeats;

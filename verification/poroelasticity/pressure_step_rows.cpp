@@ -25,17 +25,6 @@ struct Reference {
   std::vector<std::pair<double, double>> charge;
 };
 
-Case proton_case() {
-  Case input = wet_case();
-  input.electrochemistry.temperature = 298.15;
-  input.electrochemistry.diffusivity = 2.2e-9;
-  input.water.drained_modulus = 2e8;
-  input.water.mobility = 5e-17;
-  input.water.dilution = WaterDilution::pore_water;
-  input.water.volume_fraction = 1 / 2.6;
-  return input;
-}
-
 std::vector<Reference> references() {
   constexpr double slow = 0.849317, water = 42.0873, fast = 0.0272532, moved = 0.328281;
   return {{"slow water",

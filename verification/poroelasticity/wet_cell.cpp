@@ -21,6 +21,17 @@ Case wet_case() {
   return input;
 }
 
+Case proton_case() {
+  Case input = wet_case();
+  input.electrochemistry.temperature = 298.15;
+  input.electrochemistry.diffusivity = 2.2e-9;
+  input.water.drained_modulus = 2e8;
+  input.water.mobility = 5e-17;
+  input.water.dilution = WaterDilution::pore_water;
+  input.water.volume_fraction = 1 / 2.6;
+  return input;
+}
+
 double layer_factor(const Case& input) {
   const double a =
       electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness())

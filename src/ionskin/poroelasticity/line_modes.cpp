@@ -87,6 +87,22 @@ std::vector<double> node_lengths(const std::vector<double>& nodes) {
   return lengths;
 }
 
+history::LineOperator quadratic_interpolation(const std::vector<double>& nodes,
+                                              const std::vector<double>& places) {
+  history::LineOperator line;
+  line.sources = nodes.size();
+  std::size_t element = 0;
+  for (const double place : places) {
+    while (element + 4 < nodes.size() && nodes[element + 2] < place) {
+      element += 2;
+    }
+    const double t = (place - nodes[element]) / (nodes[element + 2] - nodes[element]);
+    line.first.push_back(element);
+    line.weights.push_back({(1 - t) * (1 - 2 * t), 4 * t * (1 - t), t * (2 * t - 1)});
+  }
+  return line;
+}
+
 std::vector<double> wall_clustered_nodes(double thickness, std::size_t elements) {
   std::vector<double> nodes{0.0};
   for (std::size_t i = 1; i <= elements; ++i) {

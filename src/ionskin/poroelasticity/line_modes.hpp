@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ionskin/case/case.hpp"
+#include "ionskin/history/line_operators.hpp"
 
 #include <array>
 #include <cstddef>
@@ -30,6 +31,11 @@ LineModes wall_modes(const std::vector<double>& nodes, const std::array<WaterWal
 
 /// Integral of each node's share, by Simpson's rule [m].
 std::vector<double> node_lengths(const std::vector<double>& nodes);
+
+/// Values of a continuous piecewise-quadratic function, given at the ends and the middles of its
+/// elements, at other places.
+history::LineOperator quadratic_interpolation(const std::vector<double>& nodes,
+                                              const std::vector<double>& places);
 
 /// Nodes of `elements` quadratic elements from 0 to `thickness` [m], symmetric, short at the walls
 /// (ends at Chebyshev points): water that a load drives starts to move from the walls.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/poroelasticity/streaming_drive.hpp"
 
+#include "ionskin/base/constants.hpp"
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/largest.hpp"
 
@@ -12,7 +13,6 @@ namespace {
 
 using history::CoreHistory;
 using history::HistoryChannel;
-using history::LineOperator;
 
 /// Quadratic elements through the core: 12 leave 2e-5 of a pressure difference (PorePressure's
 /// tests).
@@ -34,24 +34,6 @@ double width_of(const std::vector<double>& edges) {
   return (edges.back() - edges.front()) / static_cast<double>(edges.size() - 1);
 }
 
-/// Values of a continuous piecewise-quadratic function, given at the ends and the middles of its
-/// elements, at other places.
-LineOperator quadratic_interpolation(const std::vector<double>& nodes,
-                                     const std::vector<double>& places) {
-  LineOperator line;
-  line.sources = nodes.size();
-  std::size_t element = 0;
-  for (const double place : places) {
-    while (element + 4 < nodes.size() && nodes[element + 2] < place) {
-      element += 2;
-    }
-    const double t = (place - nodes[element]) / (nodes[element + 2] - nodes[element]);
-    line.first.push_back(element);
-    line.weights.push_back({(1 - t) * (1 - 2 * t), 4 * t * (1 - t), t * (2 * t - 1)});
-  }
-  return line;
-}
-
 } // namespace
 
 StreamingDrive::StreamingDrive(const Case& input, const CoreHistory& history,
@@ -68,6 +50,9 @@ StreamingDrive::StreamingDrive(const Case& input, const CoreHistory& history,
       projection_(history, channel, x_edges, y_edges,
                   history::linear_interpolation(history.grid.z_nodes, pore_pressure_.nodes())),
       to_levels_(quadratic_interpolation(pore_pressure_.nodes(), levels)),
+      walls_{input.water.bottom_wall, input.water.top_wall},
+      dragged_water_(water_, input.water.drag_number * constants::molar_volume_of_water,
+                     pore_pressure_.nodes(), walls_, levels),
       streaming_(input.electrochemistry.valence * water_.streaming_coefficient /
                  water_.thermal_voltage),
       dilution_(water_.dilution / water_.drained_modulus),
@@ -85,11 +70,14 @@ void StreamingDrive::start(double time) {
   load(time);
   accepted_.time = time;
   pore_pressure_.start(undrained_, accepted_.pressure);
+  accepted_.dragged = dragged_water_.rest();
 }
 
 void StreamingDrive::restore(const WaterState& state) {
   const std::size_t values = pore_pressure_.values();
-  if (state.pressure.pressure.size() != values || state.pressure.undrained.size() != values) {
+  const std::size_t nodes = pore_pressure_.nodes().size();
+  if (state.pressure.pressure.size() != values || state.pressure.undrained.size() != values ||
+      state.dragged.pressure.size() != nodes || state.dragged.undrained.size() != nodes) {
     throw UserError("the saved state of the water belongs to another case: its grid differs; "
                     "remove it to start afresh");
   }
@@ -103,6 +91,11 @@ const std::vector<double>& StreamingDrive::evaluate(double time) {
   pore_pressure_.pressure(tried_.pressure, pressure_);
   combine();
   return at_levels_;
+}
+
+void StreamingDrive::accept(std::span<const double> cations) {
+  dragged_water_.step(accepted_.dragged, tried_.time - accepted_.time, cations, tried_.dragged);
+  accepted_ = tried_;
 }
 
 void StreamingDrive::combine() {
@@ -132,6 +125,19 @@ double StreamingDrive::streaming_voltage() const {
 
 double StreamingDrive::dilution_voltage() const {
   return volts_ * dilution_ * (wall_difference(pressure_) - wall_difference(undrained_));
+}
+
+Outflow StreamingDrive::left() const {
+  const double modulus = water_.consolidation_coefficient / water_.mobility;
+  std::vector<double> growth = node_lengths(nodes());
+  for (std::size_t i = 0; i < growth.size(); ++i) {
+    const std::size_t begin = i * columns();
+    growth[i] *=
+        (mean(pressure().subspan(begin, columns())) - mean(undrained().subspan(begin, columns()))) /
+        modulus;
+  }
+  const Outflow by_load = outflow(nodes(), walls_, growth);
+  return {by_load.bottom + dragged().bottom, by_load.top + dragged().top};
 }
 
 std::vector<double> StreamingDrive::pressure_at_levels() const {

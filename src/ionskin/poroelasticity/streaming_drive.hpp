@@ -3,9 +3,11 @@
 
 #include "ionskin/history/core_history.hpp"
 #include "ionskin/history/strain_projection.hpp"
+#include "ionskin/poroelasticity/dragged_water.hpp"
 #include "ionskin/poroelasticity/pore_pressure.hpp"
 #include "ionskin/poroelasticity/water_properties.hpp"
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +18,7 @@ namespace ionskin::poroelasticity {
 struct WaterState {
   double time = 0; ///< [s]
   PressureState pressure;
+  PressureState dragged; ///< by the ionic current, mean over the columns
 };
 
 /// What drives the cations of a wet core beside the electric potential, docs/model.md (23):
@@ -38,7 +41,9 @@ public:
   /// pressure that is linear in between.
   const std::vector<double>& evaluate(double time);
   /// Makes the instant that was evaluated last the one to go on from.
-  void accept() { accepted_ = tried_; }
+  /// @param cations above those at rest, per area at each level of the drive, means over the
+  ///   columns [mol/m2]: the water that they have dragged; empty for ions at rest
+  void accept(std::span<const double> cations);
 
   const WaterState& state() const { return accepted_; }
   /// Takes up a state that a run has left.
@@ -55,6 +60,14 @@ public:
   /// Mean of P over the columns at a wall [Pa].
   double pressure_at_bottom() const;
   double pressure_at_top() const;
+  /// Water that has left the core since the first instant, through each wall: all of it at the
+  /// instant evaluated last, and the part that the ionic current has dragged at the last accepted
+  /// one.
+  Outflow left() const;
+  const Outflow& dragged() const { return dragged_water_.left(); }
+  /// Mean of P at the top wall above that at the bottom one which the dragged water makes and which
+  /// the drive leaves out, at the last accepted instant [Pa].
+  double dragged_pressure_difference() const { return dragged_water_.pressure_difference(); }
   /// P [Pa] and the swelling (P - p_u)/M [1] at the levels of the drive, [levels][y][x].
   std::vector<double> pressure_at_levels() const;
   std::vector<double> swelling_at_levels() const;
@@ -79,6 +92,8 @@ private:
   PorePressure pore_pressure_;
   history::StrainProjection projection_;
   history::LineOperator to_levels_;
+  std::array<WaterWall, 2> walls_;
+  DraggedWater dragged_water_;
   double streaming_ = 0; ///< v L_s/V_T [1/Pa]
   double dilution_ = 0;  ///< theta/M [1/Pa]
   double volts_ = 0;     ///< V_T/v: what g counts in [V]

@@ -33,6 +33,11 @@ SignalTable water_signals(const WaterInputs& inputs) {
        combined(inputs.streaming_voltage, inputs.dilution_voltage, std::plus<>{})},
       {"largest_pore_pressure", "Pa", inputs.largest_pressure},
       {"largest_drive", "1", inputs.largest_drive},
+      {"water_outflow_top", "m3", inputs.outflow_top},
+      {"water_outflow_bottom", "m3", inputs.outflow_bottom},
+      {"dragged_outflow_top", "m3", inputs.dragged_top},
+      {"dragged_outflow_bottom", "m3", inputs.dragged_bottom},
+      {"dragged_pressure_difference", "Pa", inputs.dragged_difference},
   };
   return table;
 }

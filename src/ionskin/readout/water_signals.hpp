@@ -16,11 +16,16 @@ struct WaterInputs {
   std::vector<double> streaming_voltage, dilution_voltage; ///< of the open cell [V]
   std::vector<double> largest_pressure;                    ///< in the core [Pa]
   std::vector<double> largest_drive;                       ///< in the core [1]
+  /// Since the first row, all of it and what the current has dragged [m3].
+  std::vector<double> outflow_top, outflow_bottom, dragged_top, dragged_bottom;
+  std::vector<double> dragged_difference; ///< of the pressure at the walls [Pa]
 };
 
 /// Columns of water.csv: time, pore_pressure_top, pore_pressure_bottom, pressure_difference (top
 /// minus bottom), streaming_voltage, dilution_voltage, open_circuit_voltage (their sum),
-/// largest_pore_pressure and largest_drive.
+/// largest_pore_pressure, largest_drive; water_outflow_top and _bottom, which has left through the
+/// walls, dragged_outflow_top and _bottom, what the current has dragged of it, and
+/// dragged_pressure_difference.
 SignalTable water_signals(const WaterInputs& inputs);
 
 /// Peaks of them, and the share of streaming where the open-circuit voltage is largest; with a

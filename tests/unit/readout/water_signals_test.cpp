@@ -15,7 +15,12 @@ SignalTable example() {
                         .streaming_voltage = {0, -9e-6, 4e-6},
                         .dilution_voltage = {0, -1e-6, -2e-6},
                         .largest_pressure = {0, 5e4, 3e4},
-                        .largest_drive = {0, 0.2, 0.1}});
+                        .largest_drive = {0, 0.2, 0.1},
+                        .outflow_top = {0, 2e-15, 3e-15},
+                        .outflow_bottom = {0, 0, 0},
+                        .dragged_top = {0, 1e-15, 1e-15},
+                        .dragged_bottom = {0, 0, 0},
+                        .dragged_difference = {0, 40, 20}});
 }
 
 double value_of(const std::vector<Metric>& metrics, const std::string& name) {
@@ -28,6 +33,8 @@ TEST(WaterSignals, AddUp) {
   EXPECT_EQ(table.column("pressure_difference").values, (std::vector<double>{0, 2e4, -1e4}));
   EXPECT_DOUBLE_EQ(table.column("open_circuit_voltage").values[1], -10e-6);
   EXPECT_EQ(table.column("open_circuit_voltage").unit, "V");
+  EXPECT_EQ(table.column("water_outflow_top").values[2], 3e-15);
+  EXPECT_EQ(table.column("dragged_outflow_top").unit, "m3");
 }
 
 TEST(WaterSignals, MetricsArePeaksAndWhatANewtonGives) {

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numeric>
 
 namespace ionskin::electrochemistry {
 namespace {
@@ -34,6 +35,7 @@ FixedCharge::FixedCharge(const Case& input, const history::CoreHistory& history,
       law_(laws::coupling_law(input.coupling.law)
                .with(input.coupling.coefficient, input.coupling.parameters)),
       reference_concentration_(input.electrochemistry.fixed_charge_concentration),
+      resting_concentration_(input.electrochemistry.resting_concentration()),
       excess_(steric_excess(input.electrochemistry)), grid_(grid), scaled_(scaled),
       shear_(scaled.nodes(), 0.0), ratio_(scaled.nodes(), 1.0) {
   if (const history::HistoryChannel* shear = history.find(history::channel_name::shear)) {
@@ -54,10 +56,21 @@ void FixedCharge::start(double time) {
   }
 }
 
-void FixedCharge::accept() {
-  if (water_) {
-    water_->accept();
+void FixedCharge::accept(std::span<const double> concentration) {
+  if (!water_) {
+    return;
   }
+  const double amount_unit =
+      resting_concentration_ * grid_.z_nodes.back() / scaled_.thickness; // [mol/m2]
+  cations_.resize(scaled_.levels);
+  for (std::size_t k = 0; k < scaled_.levels; ++k) {
+    const auto level = concentration.subspan(k * scaled_.columns(), scaled_.columns());
+    const double sum =
+        std::accumulate(level.begin(), level.end(), 0.0,
+                        [](double so_far, double value) { return so_far + (value - 1.0); });
+    cations_[k] = amount_unit * scaled_.height[k] * sum / static_cast<double>(level.size());
+  }
+  water_->accept(cations_);
 }
 
 std::optional<poroelasticity::WaterState> FixedCharge::memory() const {

@@ -30,7 +30,8 @@ public:
   /// negative there, or when the law releases more ions than the steric ion model has room for.
   void evaluate(double time);
   /// Makes the instant evaluated last the one to go on from, which matters to laws with a memory.
-  void accept();
+  /// @param concentration of the cations there, scaled [nodes]
+  void accept(std::span<const double> concentration);
   /// The memory of the law at the last accepted instant; empty without one.
   std::optional<poroelasticity::WaterState> memory() const;
   void restore(const std::optional<poroelasticity::WaterState>& memory);
@@ -56,6 +57,7 @@ private:
   laws::CouplingTraits traits_;
   laws::Coupling law_;
   double reference_concentration_;
+  double resting_concentration_; ///< of the cations [mol/m3]
   std::optional<StericExcess> excess_;
   TransportGrid grid_;
   const ScaledGrid& scaled_;
@@ -63,6 +65,7 @@ private:
   std::optional<poroelasticity::StreamingDrive> water_;
   double largest_coupling_ = 0;
   std::vector<double> shear_, ratio_;
+  std::vector<double> cations_; ///< per level, scratch
   std::span<const double> drive_;
 };
 

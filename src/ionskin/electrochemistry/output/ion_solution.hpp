@@ -39,6 +39,12 @@ struct WaterRows {
   std::vector<double> streaming_voltage, dilution_voltage;
   std::vector<double> largest_pressure; ///< largest |P| in the core [Pa]
   std::vector<double> largest_drive;    ///< largest |g| in the core [thermal voltages over v]
+  /// Water that has left through each wall since the first row, and of it what the ionic current
+  /// has dragged [m3].
+  std::vector<double> outflow_top, outflow_bottom, dragged_top, dragged_bottom;
+  /// P at the top wall above that at the bottom one that the dragged water makes, and that does not
+  /// act on the ions, means over the area [Pa].
+  std::vector<double> dragged_difference;
 };
 
 /// All of Study 2. Row 0 is the initial state with the response to a shear that does not start at

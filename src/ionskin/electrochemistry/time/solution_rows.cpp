@@ -40,7 +40,8 @@ SolutionRows::SolutionRows(const Case& input, const DerivedScales& scales,
     : mirror_(mirror), scaled_(scaled), fixed_charge_(fixed_charge),
       charge_unit_(scales.charge_density * column_area(grid)),
       mean_unit_(mirror.copies() * static_cast<double>(scaled.columns()) * charge_unit_),
-      time_unit_(scales.relaxation_time), volume_unit_(scales.debye_length * column_area(grid)),
+      area_(input.skin.length * input.skin.width), time_unit_(scales.relaxation_time),
+      volume_unit_(scales.debye_length * column_area(grid)),
       concentration_unit_(input.electrochemistry.fixed_charge_concentration /
                           input.electrochemistry.valence),
       potential_unit_(scales.potential_scale),
@@ -97,6 +98,12 @@ void SolutionRows::append_water(WaterRows& rows) const {
     rows.dilution_voltage.push_back(water->dilution_voltage());
     rows.largest_pressure.push_back(water->largest_pressure());
     rows.largest_drive.push_back(water->largest_drive());
+    const poroelasticity::Outflow left = water->left(), dragged = water->dragged();
+    rows.outflow_top.push_back(area_ * left.top);
+    rows.outflow_bottom.push_back(area_ * left.bottom);
+    rows.dragged_top.push_back(area_ * dragged.top);
+    rows.dragged_bottom.push_back(area_ * dragged.bottom);
+    rows.dragged_difference.push_back(water->dragged_pressure_difference());
   }
 }
 

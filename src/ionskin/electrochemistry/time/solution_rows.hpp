@@ -44,6 +44,7 @@ private:
   const FixedCharge& fixed_charge_;
   double charge_unit_;        ///< F c0 lambda times the area of a column [C]
   double mean_unit_;          ///< the same times the number of columns [C]
+  double area_;               ///< of the skin [m2]
   double time_unit_;          ///< relaxation time [s]
   double volume_unit_;        ///< lambda times the area of a column [m3]
   double concentration_unit_; ///< c0 / v [mol/m3]

@@ -225,7 +225,7 @@ void TimeIntegrator::accept(TransportState& state) {
     state.rate[p] = late + rest * (late - early);
   });
   std::swap(state.ions.values, end_.values);
-  fixed_charge_.accept();
+  fixed_charge_.accept(state.ions.concentration());
   state.memory = fixed_charge_.memory();
   settle(state.ions);
   note_charge(state);

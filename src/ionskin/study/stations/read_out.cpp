@@ -172,7 +172,9 @@ void add_water(const Case& input, const circuits::Circuit& circuit,
                const MechanicsRecord& mechanics, const IonSolution& ions, Signals& signals) {
   signals.water = readout::water_signals(
       {ions.time, ions.water.pressure_top, ions.water.pressure_bottom, ions.water.streaming_voltage,
-       ions.water.dilution_voltage, ions.water.largest_pressure, ions.water.largest_drive});
+       ions.water.dilution_voltage, ions.water.largest_pressure, ions.water.largest_drive,
+       ions.water.outflow_top, ions.water.outflow_bottom, ions.water.dragged_top,
+       ions.water.dragged_bottom, ions.water.dragged_difference});
   std::optional<double> force;
   if (mechanics.has_contact()) {
     force = readout::peak_magnitude(mechanics.normal_force);

@@ -46,7 +46,12 @@ constexpr std::array water_rows{WaterRow{"pressure_top", &WaterRows::pressure_to
                                 WaterRow{"streaming_voltage", &WaterRows::streaming_voltage},
                                 WaterRow{"dilution_voltage", &WaterRows::dilution_voltage},
                                 WaterRow{"largest_pressure", &WaterRows::largest_pressure},
-                                WaterRow{"largest_drive", &WaterRows::largest_drive}};
+                                WaterRow{"largest_drive", &WaterRows::largest_drive},
+                                WaterRow{"outflow_top", &WaterRows::outflow_top},
+                                WaterRow{"outflow_bottom", &WaterRows::outflow_bottom},
+                                WaterRow{"dragged_top", &WaterRows::dragged_top},
+                                WaterRow{"dragged_bottom", &WaterRows::dragged_bottom},
+                                WaterRow{"dragged_difference", &WaterRows::dragged_difference}};
 
 struct Counter {
   const char* name;
@@ -69,7 +74,8 @@ bool is_consistent(const IonCheckpoint& checkpoint) {
   if (state.memory &&
       !(std::isfinite(state.memory->time) &&
         state.memory->pressure.pressure.size() == state.memory->pressure.undrained.size() &&
-        finite(state.memory->pressure.pressure) && finite(state.memory->pressure.undrained))) {
+        finite(state.memory->pressure.pressure) && finite(state.memory->pressure.undrained) &&
+        finite(state.memory->dragged.pressure) && finite(state.memory->dragged.undrained))) {
     return false;
   }
   return state.next_step > 0 && std::isfinite(state.next_step) &&
@@ -82,13 +88,16 @@ bool is_consistent(const IonCheckpoint& checkpoint) {
 void write_water(results::Hdf5File& file, const poroelasticity::WaterState& water) {
   file.write("/water/pressure", water.pressure.pressure);
   file.write("/water/undrained", water.pressure.undrained);
+  file.write("/water/dragged_pressure", water.dragged.pressure);
+  file.write("/water/dragged_undrained", water.dragged.undrained);
   file.set_attribute("/water", "time", water.time);
 }
 
 poroelasticity::WaterState read_water(const results::ForeignHdf5File& file) {
   constexpr double missing = std::numeric_limits<double>::quiet_NaN();
   return {file.number_attribute("/water", "time").value_or(missing),
-          {file.read("/water/pressure"), file.read("/water/undrained")}};
+          {file.read("/water/pressure"), file.read("/water/undrained")},
+          {file.read("/water/dragged_pressure"), file.read("/water/dragged_undrained")}};
 }
 
 } // namespace

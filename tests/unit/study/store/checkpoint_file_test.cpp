@@ -61,13 +61,15 @@ TEST(CheckpointFile, GivesBackTheWater) {
   auto written = example();
   write_checkpoint(folder.path() / "checkpoint.h5", "hash", written);
   EXPECT_FALSE(read_checkpoint(folder.path() / "checkpoint.h5", "hash")->state.memory);
-  written.state.memory = {0.1, {{1.0 / 3, -2e5}, {1e-300, 7.0 / 9}}};
+  written.state.memory = {0.1, {{1.0 / 3, -2e5}, {1e-300, 7.0 / 9}}, {{2.0 / 3}, {1.0 / 7}}};
   write_checkpoint(folder.path() / "checkpoint.h5", "hash", written);
   const auto read = read_checkpoint(folder.path() / "checkpoint.h5", "hash");
   ASSERT_TRUE(read && read->state.memory);
   EXPECT_EQ(read->state.memory->time, 0.1);
   EXPECT_EQ(read->state.memory->pressure.pressure, written.state.memory->pressure.pressure);
   EXPECT_EQ(read->state.memory->pressure.undrained, written.state.memory->pressure.undrained);
+  EXPECT_EQ(read->state.memory->dragged.pressure, written.state.memory->dragged.pressure);
+  EXPECT_EQ(read->state.memory->dragged.undrained, written.state.memory->dragged.undrained);
 }
 
 TEST(CheckpointFile, IsNotTakenForAnotherCase) {

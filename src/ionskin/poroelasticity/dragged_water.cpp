@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/poroelasticity/dragged_water.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace ionskin::poroelasticity {
+
+Outflow outflow(const std::vector<double>& nodes, const std::array<WaterWall, 2>& walls,
+                std::span<const double> growth) {
+  const bool bottom = walls[0] == WaterWall::open, top = walls[1] == WaterWall::open;
+  Outflow out;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const double height = nodes[i] / nodes.back();
+    const double above = top ? (bottom ? height : 1.0) : 0.0;
+    out.top -= above * growth[i];
+    out.bottom -= bottom ? (1.0 - above) * growth[i] : 0.0;
+  }
+  return out;
+}
+
+DraggedWater::DraggedWater(const WaterProperties& water, double volume, std::vector<double> nodes,
+                           const std::array<WaterWall, 2>& walls, const std::vector<double>& levels)
+    : volume_(volume), modulus_(water.consolidation_coefficient / water.mobility), nodes_(nodes),
+      lengths_(node_lengths(nodes)), walls_(walls),
+      to_levels_(quadratic_interpolation(nodes, levels)),
+      water_({1, 1}, {1.0, 1.0}, std::move(nodes), walls, water.consolidation_coefficient),
+      brought_(nodes_.size(), 0.0), load_(nodes_.size(), 0.0), pressure_(nodes_.size(), 0.0) {}
+
+PressureState DraggedWater::rest() const {
+  const std::vector<double> nothing(nodes_.size(), 0.0);
+  return {nothing, nothing};
+}
+
+void DraggedWater::step(const PressureState& begin, double duration,
+                        std::span<const double> cations, PressureState& end) {
+  // Each level's water is a load on the functions of the elements, whose sum and whose moments
+  // about the walls are those of the levels.
+  std::ranges::fill(brought_, 0.0);
+  for (std::size_t k = 0; k < cations.size(); ++k) {
+    for (std::size_t j = 0; j < to_levels_.weights[k].size(); ++j) {
+      brought_[to_levels_.first[k] + j] += to_levels_.weights[k][j] * volume_ * cations[k];
+    }
+  }
+  for (std::size_t i = 0; i < load_.size(); ++i) {
+    load_[i] = modulus_ * brought_[i] / lengths_[i];
+  }
+  water_.step(begin, duration, load_, end);
+  water_.pressure(end, pressure_);
+  // What P stores, less what the cations brought.
+  for (std::size_t i = 0; i < load_.size(); ++i) {
+    load_[i] = lengths_[i] * pressure_[i] / modulus_ - brought_[i];
+  }
+  left_ = outflow(nodes_, walls_, load_);
+}
+
+} // namespace ionskin::poroelasticity
