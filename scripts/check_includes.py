@@ -20,7 +20,7 @@ ROOMS = {
     "mesh": ["."],
     "linear_algebra": ["."],
     "history": ["."],
-    "mechanics": ["output", "elasticity", "surface", "position", "path", "engine", "."],
+    "mechanics": ["output", "elasticity", "surface", "slider", "position", "path", "engine", "."],
     "handover": ["measures", "."],
     "poroelasticity": ["."],
     "electrochemistry": ["output", "grid", "coupling", "circuit", "equations", "solver", "time", "."],

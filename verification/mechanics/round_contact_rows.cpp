@@ -58,13 +58,19 @@ struct HertzRatios {
   double radius = 0, pressure = 0;
 };
 
-HertzRatios sphere_ratios(double depth_ratio) {
+/// @param soft of the material of the block; rigid otherwise
+HertzRatios sphere_ratios(double depth_ratio, bool soft) {
   constexpr double nu = 0.3;
   Case input = block("sphere", depth_ratio, nu, 0);
+  if (soft) {
+    input.slider.youngs_modulus = youngs_modulus;
+    input.slider.poissons_ratio = nu;
+  }
   input.numerics.mesh_refinement = 1.25; // the contact's border is found within 0.15 of a cell
   PressedSkin skin(input);
   skin.advance({0, 0});
-  const double expected = hertz_radius(skin.force(0), nu);
+  // Two bodies alike are half as stiff together as one on a rigid one.
+  const double expected = hertz_radius((soft ? 2 : 1) * skin.force(0), nu);
   return {std::sqrt(skin.contact_area() / pi) / expected,
           skin.central_pressure(expected) / (1.5 * skin.force(0) / (pi * expected * expected))};
 }
@@ -126,16 +132,22 @@ PartialSlip partial_slip(double depth_ratio) {
 } // namespace
 
 std::vector<Row> round_contact_rows(const Options& options) {
-  std::array<HertzRatios, 2> cylinder, sphere;
+  std::array<HertzRatios, 2> cylinder, sphere, soft_sphere;
   std::array<PartialSlip, 2> slip; // shallow, deep
-  const std::array<std::function<void()>, 6> solves{
-      [&] { slip[1] = partial_slip(12); },        [&] { sphere[1] = sphere_ratios(8); },
-      [&] { slip[0] = partial_slip(6); },         [&] { sphere[0] = sphere_ratios(4); },
-      [&] { cylinder[1] = cylinder_ratios(16); }, [&] { cylinder[0] = cylinder_ratios(8); }};
+  const std::array<std::function<void()>, 8> solves{
+      [&] { slip[1] = partial_slip(12); },
+      [&] { soft_sphere[1] = sphere_ratios(8, true); },
+      [&] { sphere[1] = sphere_ratios(8, false); },
+      [&] { slip[0] = partial_slip(6); },
+      [&] { soft_sphere[0] = sphere_ratios(4, true); },
+      [&] { sphere[0] = sphere_ratios(4, false); },
+      [&] { cylinder[1] = cylinder_ratios(16); },
+      [&] { cylinder[0] = cylinder_ratios(8); }};
   parallel::run_tasks(solves.size(), options.threads, [&](std::size_t i) { solves[i](); });
   std::vector<Row> rows;
   add_hertz_rows("cylinder", cylinder[0], cylinder[1], rows);
   add_hertz_rows("sphere", sphere[0], sphere[1], rows);
+  add_hertz_rows("soft sphere", soft_sphere[0], soft_sphere[1], rows);
   rows.push_back(compare("M2", "Cattaneo-Mindlin: error of the stick radius over contact radius",
                          slip[1].stick_error, 0, 0.02));
   rows.push_back(compare("M2", "Cattaneo-Mindlin: tangential compliance over Mindlin's",

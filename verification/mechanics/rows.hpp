@@ -9,7 +9,7 @@ namespace ionskin::verification {
 
 /// M1: exact affine displacement through the three layers.
 std::vector<Row> patch_rows();
-/// M2: Hertz (sphere and cylinder) and Cattaneo-Mindlin on deep blocks of one material.
+/// M2: Hertz (rigid and soft sphere, cylinder) and Cattaneo-Mindlin on deep blocks of one material.
 std::vector<Row> round_contact_rows(const Options& options);
 /// M2: a thin bonded layer under a wide cylinder.
 std::vector<Row> thin_layer_rows();

@@ -33,9 +33,11 @@ NO_WATER = "No water flows."
 UNCALIBRATED = ("No measurement calibrates the coupling coefficient k: while the response is linear the currents are in "
                 "proportion to it, and their absolute size is not a prediction.")
 
-SHARP = ("The slider is rigid and its edges are sharp: stress and shear at the edges grow as the mesh is refined. Mean, rms "
+RIGID = "The slider is rigid: what it touches gives way, it does not."
+SOFT = "The slider gives as a linear half-space, or a layer on a rigid body, under small strains."
+SHARP = ("{slider} Its edges are sharp: stress and shear at the edges grow as the mesh is refined. Mean, rms "
          "and percentiles converge; a pointwise maximum does not, and the peak pressure is no result.")
-ROUND = ("The slider is rigid: what it touches gives way, it does not. Without sharp edges pressure and shear are finite, "
+ROUND = ("{slider} Without sharp edges pressure and shear are finite, "
          "but the rim of the contact is known to one cell of the mesh only, and the pressure of that cell is uncertain.")
 
 WET = ("The coupling law “poroelastic” has no fitted coefficient. Pressure drives water, which drags cations and dilutes "
@@ -175,7 +177,8 @@ def limits(results):
     texts = list(LIMITS)
     slider = results.case.get("slider")
     if slider:
-        texts.insert(1, SHARP if has_sharp_edges(slider) else ROUND)
+        edges = SHARP if has_sharp_edges(slider) else ROUND
+        texts.insert(1, edges.format(slider=SOFT if slider.get("youngs_modulus") else RIGID))
     if law(results) in LAW_LIMITS:
         texts.append(LAW_LIMITS[law(results)])
     texts.extend([WET] if law(results) == "poroelastic" else [NO_WATER, UNCALIBRATED])

@@ -59,7 +59,11 @@ struct Slider {
   std::string profile;               ///< absolute path of the height map; empty without one
   shapes::HeightMap profile_heights; ///< what stands in it
   std::array<double, 2> start{};     ///< centre at the start of a cycle, x and y [m]
+  double youngs_modulus = 0;         ///< 0 for a rigid slider [Pa]
+  double poissons_ratio = 0;         ///< of a soft one [1]
+  double pad_thickness = 0;          ///< of the soft layer on a rigid body; 0 for a half-space [m]
 
+  bool rigid() const { return youngs_modulus == 0; }
   std::unique_ptr<const shapes::Shape> underside() const;
   shapes::Plan plan() const { return {size, profile_heights}; }
   /// Flat with sharp edges: it touches all over its plan at once.

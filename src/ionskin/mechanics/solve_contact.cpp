@@ -227,7 +227,7 @@ std::vector<ContactState> solve_steady_sliding(const Case& input,
     const CanonicalPosition position{track.centre(arc_lengths[i]), {false, false}};
     const CondensedPosition condensed(model, position.centre, {options.cache});
     const ContactProblem problem{
-        condensed.compliance(), model.cells.area, model.gap,
+        contact_compliance(model, condensed), model.cells.area, model.gap,
         laws::friction(input.contact.law, input.contact.friction, input.contact.parameters)};
     const SurfaceState steady = steady_sliding(problem, load, track.direction, 0);
     PositionStates states(model);

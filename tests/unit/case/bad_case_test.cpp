@@ -115,6 +115,14 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"RadiusOfAFlatSlider", "[motion]", "radius = \"1 mm\"\n[motion]",
                 "slider.radius does not belong to this shape", "29:10", "^^^^^^",
                 "\"cylinder\" or \"sphere\""},
+        Mistake{"PadOfARigidSlider", "[motion]", "pad_thickness = \"1 mm\"\n[motion]",
+                "slider.pad_thickness is given, but the slider is rigid", "29:17", "^^^^^^",
+                "give slider.youngs_modulus, or remove it"},
+        Mistake{"PoissonsRatioOfARigidSlider", "[motion]", "poissons_ratio = 0.4\n[motion]",
+                "slider.poissons_ratio is given, but the slider is rigid", "29:18", "^^^",
+                "give slider.youngs_modulus, or remove it"},
+        Mistake{"SofterThanAnything", "[motion]", "youngs_modulus = \"1 Pa\"\n[motion]",
+                "slider.youngs_modulus", "29:18", "^^^^^^", "100 Pa"},
         Mistake{"RoundWithoutRadius", "[slider]", "[slider]\nshape = \"sphere\"",
                 "missing key slider.radius", "25:1", "^^^^^^^^", "a length such as"},
         Mistake{"LongerThanItsDiameter", "[slider]",
@@ -327,6 +335,16 @@ TEST(BadCase, CaretsStandUnderWideCharactersAndTabs) {
   EXPECT_THAT(message, HasSubstr("not valid TOML"));
   const std::string quoted = error_of(valid_case("title = \"A touch\"", "\t\"colöur\" = \"é\""));
   EXPECT_THAT(quoted, HasSubstr(" 1 | \t\"colöur\" = \"é\"\n   | \t^^^^^^^^\n"));
+}
+
+TEST(SoftSlider, HasNoPlaceBetweenPlanesOfSymmetry) {
+  std::string text = valid_case("[slider]", "[slider]\nyoungs_modulus = \"1 MPa\"");
+  const std::string before = "width = \"2 mm\"";
+  text.replace(text.find(before), before.size(), before + "\nsides = \"symmetry\"");
+  const std::string message = error_of(text);
+  EXPECT_THAT(message, HasSubstr("a soft slider needs free sides"));
+  EXPECT_THAT(message, HasSubstr("case.toml:27:18\n"));
+  EXPECT_THAT(message, HasSubstr("set skin.sides = \"free\", or remove slider.youngs_modulus"));
 }
 
 } // namespace

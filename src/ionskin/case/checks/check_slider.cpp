@@ -39,10 +39,26 @@ void check_foreign_keys(const CaseDocument& document, Problems& problems) {
     refuse("slider.profile", with_heights);
 }
 
+void check_softness(const CaseDocument& document, Problems& problems) {
+  const Case& input = document.input;
+  if (input.slider.rigid()) {
+    for (const std::string key : {"slider.poissons_ratio", "slider.pad_thickness"})
+      if (const ValueRecord* record = document.find(key); record && record->place)
+        problems.add(fmt::format("{} is given, but the slider is rigid", key),
+                     places(document, {key}), "give slider.youngs_modulus, or remove it");
+  } else if (input.skin.sides == SideCondition::symmetry) {
+    problems.add("a soft slider needs free sides: between planes of symmetry it would be repeated "
+                 "without end",
+                 places(document, {"slider.youngs_modulus", "skin.sides"}),
+                 "set skin.sides = \"free\", or remove slider.youngs_modulus");
+  }
+}
+
 } // namespace
 
 void check_slider(const CaseDocument& document, Problems& problems) {
   check_foreign_keys(document, problems);
+  check_softness(document, problems);
   const Slider& slider = document.input.slider;
   for (const shapes::Misfit& misfit : slider.underside()->misfits(slider.plan())) {
     std::vector<std::string> keys;

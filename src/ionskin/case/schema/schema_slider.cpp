@@ -15,6 +15,10 @@ bool needs_size(const Case& input) {
   return !shapes::shape_row(input.slider.shape).has_whole_plan;
 }
 
+bool is_soft(const Case& input) {
+  return !input.slider.rigid();
+}
+
 bool takes_heights(const Case& input) {
   return shapes::shape_row(input.slider.shape).takes_heights;
 }
@@ -58,6 +62,31 @@ void add_slider(SchemaRows& rows) {
        .applies = goes_in_strokes,
        .help = "Centre of the slider at the start of a cycle, x and y from the skin's corner.",
        .set = into(&Case::slider, &Slider::start)});
+  rows.push_back({.key = "slider.youngs_modulus",
+                  .type = ValueType::quantity,
+                  .dimension = Dimension::stress,
+                  .range = {1e2, 1e13, true, true},
+                  .need = Need::where_known,
+                  .help = "Young's modulus of a soft slider, such as a finger, which gives like a "
+                          "half-space of its material; a slider without one is rigid.",
+                  .set = into(&Case::slider, &Slider::youngs_modulus)});
+  rows.push_back({.key = "slider.poissons_ratio",
+                  .type = ValueType::number,
+                  .range = {0.0, 0.5, true, true},
+                  .applies = is_soft,
+                  .default_value = "0.5",
+                  .help = "Poisson's ratio of a soft slider.",
+                  .source = "rubber and tissue hardly change their volume",
+                  .set = into(&Case::slider, &Slider::poissons_ratio)});
+  rows.push_back({.key = "slider.pad_thickness",
+                  .type = ValueType::quantity,
+                  .dimension = Dimension::length,
+                  .range = extent,
+                  .need = Need::where_known,
+                  .applies = is_soft,
+                  .help = "Thickness of a soft slider that is a layer on a rigid body, such as the "
+                          "flesh on a bone; without it the material is deep.",
+                  .set = into(&Case::slider, &Slider::pad_thickness)});
 }
 
 } // namespace ionskin

@@ -12,7 +12,7 @@
 namespace ionskin::mechanics {
 namespace {
 
-constexpr double tolerance = 1e-8;
+constexpr double kept_tolerance = 1e-8;
 constexpr int most_iterations = 30;
 /// A residual that falls more slowly has outgrown the factorisation.
 constexpr double least_contraction = 0.2;
@@ -147,7 +147,7 @@ bool KeptNewton::solve(const ContactProblem& problem, const SliderStep& step, It
     if (!std::isfinite(at.residual)) {
       return false;
     }
-    if (at.residual <= tolerance * at.scale) {
+    if (at.residual <= kept_tolerance * at.scale) {
       settle(problem, step, at, now);
       iterate = std::move(now);
       return true;

@@ -165,7 +165,7 @@ void PositionNodes::condense(const NodeLines& lines, SharedProgress& progress) {
     base::check_interrupt();
     Place& place = places_[known + i];
     const Condensed condensed = condensed_at(known + i);
-    place.compliance = condensed->compliance();
+    place.compliance = contact_compliance(*model_, *condensed);
     auto test = std::make_shared<ContactState>();
     test->strain = std::move(condensed->respond({load}).front().strain);
     place.test = std::move(test);

@@ -87,7 +87,7 @@ Reach reach_at(const Case& input, const SkinModel& model, const std::array<doubl
   base::check_interrupt();
   const CondensedPosition condensed(model, centre, {.forces = {false, false, false}});
   const ContactProblem problem{
-      condensed.compliance(), model.cells.area, model.gap,
+      contact_compliance(model, condensed), model.cells.area, model.gap,
       laws::friction(input.contact.law, friction, input.contact.parameters)};
   const CellVector none(3 * model.cells.count(), 0.0);
   Reach reach;

@@ -2,7 +2,7 @@
 #include "ionskin/mechanics/path/first_touch.hpp"
 
 #include "ionskin/base/error.hpp"
-#include "ionskin/mechanics/surface/slider_shape.hpp"
+#include "ionskin/mechanics/slider/slider_shape.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 
 #include <fmt/format.h>

@@ -14,7 +14,8 @@ PositionSolver::PositionSolver(const SkinModel& model, const ContactPlan& plan,
                                const PathSteps& steps, const std::vector<double>& surface_before,
                                const CondensedPosition& condensed, const laws::Friction& friction)
     : model_(model), plan_(plan), steps_(steps), surface_before_(surface_before),
-      meshed_share_(model.mesh.half_model() ? 0.5 : 1.0), problem_{condensed.compliance(),
+      meshed_share_(model.mesh.half_model() ? 0.5 : 1.0), problem_{contact_compliance(model,
+                                                                                      condensed),
                                                                    model.cells.area, model.gap,
                                                                    friction},
       states_(model) {}

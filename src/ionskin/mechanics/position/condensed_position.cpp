@@ -259,4 +259,12 @@ CondensedPosition::respond(const std::vector<CellVector>& forces) const {
   return responses;
 }
 
+DenseMatrix contact_compliance(const SkinModel& model, const CondensedPosition& position) {
+  DenseMatrix compliance = position.compliance();
+  for (std::size_t at = 0; at < model.slider_compliance.values.size(); ++at) {
+    compliance.values[at] += model.slider_compliance.values[at];
+  }
+  return compliance;
+}
+
 } // namespace ionskin::mechanics

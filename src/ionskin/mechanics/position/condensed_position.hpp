@@ -36,7 +36,7 @@ public:
                     const PositionUse& use = {});
   ~CondensedPosition();
 
-  /// Compliance of the contact components, docs/model.md (8) [m/N].
+  /// Compliance of the contact components of the skin, docs/model.md (8) [m/N].
   const linear_algebra::DenseMatrix& compliance() const { return compliance_; }
 
   /// True when it keeps a factor in memory, false when it needs none.
@@ -73,5 +73,9 @@ private:
   std::unique_ptr<Factorised> factorised_;
   UnitResponse response_;
 };
+
+/// Compliance between skin and slider at a position, docs/model.md (34) [m/N].
+linear_algebra::DenseMatrix contact_compliance(const SkinModel& model,
+                                               const CondensedPosition& position);
 
 } // namespace ionskin::mechanics

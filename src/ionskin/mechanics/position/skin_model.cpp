@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/position/skin_model.hpp"
 
-#include "ionskin/mechanics/surface/slider_shape.hpp"
+#include "ionskin/mechanics/slider/slider_compliance.hpp"
+#include "ionskin/mechanics/slider/slider_shape.hpp"
 
 #include <utility>
 
@@ -12,6 +13,7 @@ SkinModel::SkinModel(const Case& input, const mesh::Footprint& footprint, mesh::
 
 SkinModel::SkinModel(const Case& input, mesh::SkinMesh mesh_of_case)
     : ElasticSkin(input, mesh_of_case), mesh(std::move(mesh_of_case)),
-      gap(mean_gap(input.slider, cells.lines_x, cells.lines_y, {false, false})) {}
+      gap(mean_gap(input.slider, cells.lines_x, cells.lines_y, {false, false})),
+      slider_compliance(mechanics::slider_compliance(input.slider, mesh, cells)) {}
 
 } // namespace ionskin::mechanics

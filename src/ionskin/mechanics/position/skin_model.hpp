@@ -10,10 +10,12 @@
 namespace ionskin::mechanics {
 
 /// Everything of a case that does not depend on the slider's position: the elastic skin, the mesh
-/// whose lines follow the slider, and the slider's underside. Shared by all threads.
+/// whose lines follow the slider, and the slider with its underside. Shared by all threads.
 struct SkinModel : ElasticSkin {
   mesh::SkinMesh mesh;
   std::vector<double> gap; ///< of the slider's underside over the cells [m]
+  /// Of a soft slider against forces on the cells, [3 cells, 3 cells]; empty of a rigid one [m/N].
+  linear_algebra::DenseMatrix slider_compliance;
 
   /// @param footprint in which the slider may touch
   SkinModel(const Case& input, const mesh::Footprint& footprint,

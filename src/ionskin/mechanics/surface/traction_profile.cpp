@@ -16,14 +16,22 @@ TractionProfile::TractionProfile(const mesh::SkinMesh& mesh, std::size_t directi
   }
 }
 
+// With x = a sin(angle) the weight dx / sqrt(a^2 - x^2) is that of the angle.
+double TractionProfile::angle(double x) const {
+  return std::asin(std::clamp(x / sharp_half_size_, -1.0, 1.0));
+}
+
+double TractionProfile::place_of_share(double from, double to, double share) const {
+  if (even()) {
+    return from + share * (to - from);
+  }
+  return sharp_half_size_ * std::sin(angle(from) + share * (angle(to) - angle(from)));
+}
+
 std::array<double, 3> TractionProfile::mean_shape_values(double from, double to) const {
-  if (sharp_half_size_ == 0) {
+  if (even()) {
     return {1.0 / 6, 2.0 / 3, 1.0 / 6};
   }
-  // With x = a sin(angle) the weight dx / sqrt(a^2 - x^2) is that of the angle.
-  const auto angle = [&](double x) {
-    return std::asin(std::clamp(x / sharp_half_size_, -1.0, 1.0));
-  };
   const double first = angle(from), last = angle(to);
   const auto mean_of = [&](const auto& shape_value) {
     const auto at_angle = [&](double angle_within) {

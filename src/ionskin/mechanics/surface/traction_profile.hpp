@@ -20,11 +20,17 @@ public:
   /// Between sharp edges at +-half_size from the slider's centre [m]; evenly when 0.
   explicit TractionProfile(double half_size) : sharp_half_size_(half_size) {}
 
+  /// Whether the traction is spread evenly.
+  bool even() const { return sharp_half_size_ == 0; }
   /// Means of the three quadratic shape functions of an element edge, from its first to its last
   /// node, weighted with the traction. @param from,to ends of the edge from the slider's centre [m]
   std::array<double, 3> mean_shape_values(double from, double to) const;
+  /// The place in an edge below which a share of its traction lies [m].
+  double place_of_share(double from, double to, double share) const;
 
 private:
+  double angle(double x) const;
+
   double sharp_half_size_;
 };
 

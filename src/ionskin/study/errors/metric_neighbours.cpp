@@ -47,9 +47,10 @@ struct Neighbours {
 
 /// What happens at one place and instant errs together; an upper percentile errs as what lies below
 /// and above it.
-const std::array<Neighbours, 7> neighbours{{
+const std::array<Neighbours, 8> neighbours{{
     {"contact_area_slide", {"mean_pressure_slide"}},
     {"mean_pressure_slide", {"contact_area_slide"}},
+    {"slider_strain_slide", {"contact_area_slide"}},
     {"external_work", {"friction_work"}},
     {"friction_work", {"external_work"}},
     {"p95_shear_slide", {"p99_shear_slide"}},

@@ -223,6 +223,8 @@ std::string mechanics_hash(const Case& input) {
     text += fmt::format(" {} {}", name, value);
   }
   text += heights_text(slider.profile_heights);
+  text += fmt::format(" gives {} {} {}", slider.youngs_modulus, slider.poissons_ratio,
+                      slider.pad_thickness);
   text += fmt::format(" motion {} {} {} {} {} {} {} {} {} {}", static_cast<int>(motion.kind),
                       motion.gap, motion.preload, motion.stroke, motion.direction, motion.touchdown,
                       motion.slide, motion.lift, motion.return_, motion.cycles);

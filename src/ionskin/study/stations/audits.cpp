@@ -37,6 +37,10 @@ const std::vector<AuditRule>& audit_rules() {
        "lower motion.preload or contact.friction, or choose stiffer layers: the model holds for "
        "small "
        "strains"},
+      {"slider_strain_slide", 0.15, 1.0,
+       "the strain of the soft slider, mean pressure over its plane modulus (slider_strain_slide),",
+       "lower motion.preload, or raise slider.youngs_modulus: the slider is a half-space under "
+       "small strains"},
       {"charge_identity_error", 1e-6, 1e-2,
        "the electrodes' charge beyond that of the shear (charge_identity_error)",
        "raise numerics.mesh_refinement, or lower numerics.time_tolerance"}};

@@ -153,6 +153,13 @@ std::vector<readout::Metric> contact_metrics(const Case& input,
       {"external_work", energy.external_work, "J"},
       {"friction_work", energy.friction_work, "J"},
       {"energy_balance_error", energy.relative_error, "1"}};
+  if (const Slider& slider = input.slider; !slider.rigid() && slider.pad_thickness == 0) {
+    const double nu = slider.poissons_ratio;
+    metrics.push_back(
+        {"slider_strain_slide",
+         area > 0 ? slide.normal_force() / area * (1 - nu * nu) / slider.youngs_modulus : 0.0,
+         "1"});
+  }
   const auto pressed = timeline.at(readout::end_of_touchdown(input.motion, input.slider));
   if (!pressed.terms.empty()) {
     metrics.push_back(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/mechanics/surface/slider_shape.hpp"
+#include "ionskin/mechanics/slider/slider_shape.hpp"
 
 #include <algorithm>
 #include <cmath>

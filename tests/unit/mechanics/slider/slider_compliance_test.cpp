@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/slider/slider_compliance.hpp"
+
+#include "ionskin/mechanics/position/condensed_position.hpp"
+#include "ionskin/mechanics/position/skin_model.hpp"
+#include "small_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace ionskin::mechanics {
+namespace {
+
+using linear_algebra::DenseMatrix;
+
+Case soft_case(double pad_thickness = 0) {
+  Case input = small_case();
+  input.slider.youngs_modulus = 1e8;
+  input.slider.poissons_ratio = 0.4;
+  input.slider.pad_thickness = pad_thickness;
+  return input;
+}
+
+DenseMatrix compliance(const Case& input, mesh::MeshedPart part = mesh::MeshedPart::whole) {
+  return SkinModel(input, mesh::largest_footprint(input), part).slider_compliance;
+}
+
+/// Mean displacement of all cells, weighted with their area, under even traction in one direction,
+/// over the traction [m/Pa].
+double even_response(const Case& input, int component, mesh::MeshedPart part) {
+  const SkinModel model(input, mesh::largest_footprint(input), part);
+  double sum = 0, area = 0;
+  for (int at = 0; at < static_cast<int>(model.cells.count()); ++at) {
+    area += model.cells.area[at];
+    for (int from = 0; from < static_cast<int>(model.cells.count()); ++from) {
+      sum += model.cells.area[at] * model.cells.area[from] *
+             model.slider_compliance(3 * at + component, 3 * from + component);
+    }
+  }
+  return sum / area;
+}
+
+TEST(SliderCompliance, IsEmptyOfARigidSlider) {
+  EXPECT_TRUE(compliance(small_case()).values.empty());
+}
+
+TEST(SliderCompliance, IsSymmetricAndInInverseProportionToTheModulus) {
+  Case input = soft_case();
+  const DenseMatrix soft = compliance(input);
+  input.slider.youngs_modulus *= 10;
+  const DenseMatrix stiffer = compliance(input);
+  ASSERT_FALSE(soft.values.empty());
+  for (int i = 0; i < soft.rows; ++i) {
+    EXPECT_GT(soft(i, i), 0);
+    for (int j = 0; j <= i; ++j) {
+      EXPECT_EQ(soft(i, j), soft(j, i));
+      EXPECT_NEAR(soft(i, j), 10 * stiffer(i, j), 1e-12 * soft(i, i));
+    }
+  }
+}
+
+TEST(SliderCompliance, OfAHalfModelIsThatOfTheWholeUnderMirroredForces) {
+  for (const double pad : {0.0, 0.4e-3}) {
+    const Case input = soft_case(pad);
+    for (const int component : {0, 1}) {
+      const double whole = even_response(input, component, mesh::MeshedPart::whole);
+      EXPECT_NEAR(even_response(input, component, mesh::MeshedPart::half_if_symmetric), whole,
+                  4e-3 * whole);
+    }
+  }
+}
+
+TEST(SliderCompliance, HasTheMeanUnderAnEvenlyPressedRectangle) {
+  // Of a square of side a the mean over itself of 1/r is 2.9733 a (Love 1929); of this rectangle
+  // it is summed here.
+  Case input = soft_case();
+  input.slider.size = {0.4e-3, 0.4e-3};
+  input.slider.parameters["edge_radius"] = 0.05e-3; // even tractions
+  const auto footprint = mesh::largest_footprint(input);
+  const double a = 2 * footprint.half_size[0], b = 2 * footprint.half_size[1];
+  ASSERT_NEAR(a, b, 1e-12);
+  const double modulus = 1e8 / (1 - 0.4 * 0.4);
+  EXPECT_NEAR(even_response(input, 0, mesh::MeshedPart::whole),
+              2.9733 * a / (std::numbers::pi * modulus), 3e-3 * a / modulus);
+}
+
+TEST(SliderCompliance, OfAThinPadIsThatOfALayer) {
+  const double nu = 0.4, shear_modulus = 1e8 / (2 * (1 + nu));
+  for (const double thickness : {1e-6, 4e-6}) {
+    Case input = soft_case(thickness);
+    input.slider.parameters["edge_radius"] = 0.05e-3; // even tractions
+    EXPECT_NEAR(even_response(input, 1, mesh::MeshedPart::whole) * shear_modulus / thickness, 1,
+                0.02);
+    EXPECT_NEAR(even_response(input, 0, mesh::MeshedPart::whole) * shear_modulus / thickness,
+                (1 - 2 * nu) / (2 * (1 - nu)), 0.02);
+  }
+}
+
+TEST(SliderCompliance, OfThinAndThickPadsMeet) {
+  // They are summed differently; nothing of that is seen in how the response grows.
+  const auto response = [](double thickness, int component) {
+    Case input = soft_case(thickness);
+    input.slider.parameters["edge_radius"] = 0.05e-3; // even tractions
+    return even_response(input, component, mesh::MeshedPart::whole);
+  };
+  for (const int component : {0, 1}) {
+    double thickness = 20e-6, before = response(thickness, component), growth = 0;
+    while (thickness < 300e-6) {
+      thickness *= 1.5;
+      const double next = response(thickness, component);
+      if (growth > 0) {
+        EXPECT_NEAR(next / before, growth, 0.07) << component << " " << thickness;
+      }
+      growth = next / before;
+      before = next;
+    }
+  }
+}
+
+TEST(SliderCompliance, AddsToTheSkinsAtAPosition) {
+  const Case input = soft_case();
+  const SkinModel model(input, mesh::largest_footprint(input));
+  const CondensedPosition position(model, input.slider.start);
+  const DenseMatrix both = contact_compliance(model, position);
+  for (std::size_t at = 0; at < both.values.size(); ++at) {
+    ASSERT_EQ(both.values[at],
+              position.compliance().values[at] + model.slider_compliance.values[at]);
+  }
+}
+
+TEST(SliderCompliance, OfTheSkinsOwnMaterialLeavesNormalAndTangentialApart) {
+  // Two bodies alike: pressure moves both faces alike sideways, so that nothing slips (Dundurs).
+  Case input = small_case();
+  const double thickness = 3e-3;
+  input.skin.length = input.skin.width = 20e-3;
+  input.slider.start = {10e-3, 10e-3};
+  input.motion.stroke = 1e-3;
+  for (Layer& layer : input.skin.layers) {
+    layer.material = {"same", 1e8, 0.2};
+    layer.thickness = thickness;
+  }
+  input.slider.youngs_modulus = 1e8;
+  input.slider.poissons_ratio = 0.2;
+  const SkinModel model(input, mesh::largest_footprint(input), mesh::MeshedPart::whole);
+  const CondensedPosition position(model, input.slider.start);
+  const DenseMatrix both = contact_compliance(model, position);
+  double skin = 0, rest = 0;
+  for (int i = 0; i < both.rows; i += 3) {
+    for (int j = 0; j < both.rows; j += 3) {
+      skin += std::pow(position.compliance()(i, j + 1), 2);
+      rest += std::pow(both(i, j + 1), 2);
+    }
+  }
+  EXPECT_LT(std::sqrt(rest / skin), 0.25);
+}
+
+} // namespace
+} // namespace ionskin::mechanics
