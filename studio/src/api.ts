@@ -14,7 +14,7 @@ export interface CaseError {
 }
 export interface Cost { memory_bytes: number; seconds: number; threads: number; positions: number; }
 export interface Verdict {
-  valid: boolean; errors?: CaseError[]; values?: CaseValue[]; explanation?: string; warning?: string; cost?: Cost | null;
+  valid: boolean; errors?: CaseError[]; values?: CaseValue[]; applicable?: string[]; explanation?: string; warning?: string; cost?: Cost | null;
 }
 export interface Metric { value: number; unit: string; }
 export interface Outline {

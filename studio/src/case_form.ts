@@ -17,12 +17,13 @@ export class CaseForm {
   constructor(private keys: Key[], private edit: Edit) {}
 
   /// Fields are made once for the same set of keys, so that what one types in stays in place.
-  show(values: CaseValue[]): void {
+  /// @param applicable keys of the table that have a meaning in this case; others have no field
+  show(values: CaseValue[], applicable: string[]): void {
     const given = new Map(values.map((one) => [one.key, one]));
-    const shape = values.map((one) => one.key).join();
+    const shape = [...given.keys(), ...applicable].join();
     if (shape !== this.shape) {
       this.shape = shape;
-      this.build(given);
+      this.build(given, new Set(applicable));
     }
     for (const [key, { control, box }] of this.fields) {
       const value = given.get(key);
@@ -37,7 +38,7 @@ export class CaseForm {
     for (const [key, { control, problem, box }] of this.fields) {
       const own = errors.filter((error) => error.keys.includes(key));
       control.setAttribute("aria-invalid", String(own.length > 0));
-      problem.textContent = own.map((error) => `${error.message} ${error.remedy}`).join("\n");
+      problem.textContent = own.map((error) => `${error.message}: ${error.remedy}`).join("\n");
       if (own.length) box.closest("details")?.setAttribute("open", "");
     }
   }
@@ -47,7 +48,7 @@ export class CaseForm {
     return this.keys.find((one) => one.key === pattern);
   }
 
-  private build(given: Map<string, CaseValue>): void {
+  private build(given: Map<string, CaseValue>, applicable: Set<string>): void {
     this.fields.clear();
     const sections = new Map<string, HTMLElement[]>();
     const listed = new Set<string>();
@@ -61,10 +62,11 @@ export class CaseForm {
     for (const row of this.keys) {
       if (/\[\]|NAME/.test(row.key)) {
         for (const key of given.keys()) if (this.row(key) === row) add(key, row);
-      } else add(row.key, row);
+      } else if (applicable.has(row.key) || given.has(row.key)) add(row.key, row);
     }
+    const open = new Map([...this.element.querySelectorAll<HTMLDetailsElement>(":scope > details")].map((one) => [one.dataset.section, one.open]));
     this.element.replaceChildren(...[...sections].map(([name, fields]) =>
-      el("details", { open: ["title", "slider", "motion", "contact", "coupling", "numerics"].includes(name) },
+      el("details", { "data-section": name, open: open.get(name) ?? ["title", "slider", "motion", "contact", "coupling", "numerics"].includes(name) },
         el("summary", {}, headings[name] ?? words(name)), ...fields)));
   }
 

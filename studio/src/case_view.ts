@@ -40,7 +40,7 @@ export function case_view(): HTMLElement {
   function tell(verdict: Verdict): void {
     const errors = verdict.errors ?? [];
     editor.mark(errors);
-    if (verdict.valid) form.show(verdict.values!);
+    if (verdict.valid) form.show(verdict.values!, verdict.applicable!);
     form.mark(errors);
     actions.allow(verdict.valid ? verdict.values : undefined);
     verdict_line.className = verdict.valid ? "verdict good" : "verdict bad";
@@ -49,7 +49,7 @@ export function case_view(): HTMLElement {
       ? "✓ Valid" + (cost ? `: about ${duration(cost.seconds)} and ${memory(cost.memory_bytes)} with ${cost.threads} threads` + (cost.positions ? "; less when the mechanics is cached" : "") : "")
       : `✕ ${errors.length === 1 ? "One mistake" : `${errors.length} mistakes`}`;
     problems.replaceChildren(...errors.map((error) => el("li", {},
-      button(error.line ? `Line ${error.line}` : "Case", () => editor.go_to(error), "link"), ` ${error.message} `, el("em", {}, error.remedy))),
+      button(error.line ? `Line ${error.line}` : "Case", () => editor.go_to(error), "link"), ` ${error.message}: `, el("em", {}, error.remedy))),
       ...(verdict.warning ? [el("li", { class: "warning" }, verdict.warning)] : []));
     explanation.textContent = verdict.explanation ?? "";
     window.dispatchEvent(new CustomEvent("judged"));

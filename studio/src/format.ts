@@ -36,6 +36,6 @@ export function memory(bytes: number): string {
 
 /// "peak_sampled_current_top" as words.
 export function words(name: string): string {
-  const text = name.replace(/_/g, " ");
+  const text = name.replace(/_/g, " ").replace(/\b(young|poisson)s\b/g, (surname) => `${surname[0].toUpperCase()}${surname.slice(1, -1)}'s`);
   return text.charAt(0).toUpperCase() + text.slice(1);
 }

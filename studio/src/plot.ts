@@ -20,6 +20,7 @@ export class Plot {
   private log = false;
   private bands = true;
   private axis = "time [s]";
+  private line = Object.assign(document.createElement("div"), { className: "instant" });
   private watcher = new ResizeObserver(() => this.fit());
 
   /// @param pick called with the instant that a reader clicks on
@@ -37,9 +38,10 @@ export class Plot {
     this.draw();
   }
 
+  /// The mark is an element of its own: curves need not be drawn again while it moves.
   mark(time: number): void {
     this.time = time;
-    this.chart?.redraw(false, false);
+    this.place_mark();
   }
 
   canvas(): HTMLCanvasElement | undefined { return this.chart?.ctx.canvas; }
@@ -93,7 +95,7 @@ export class Plot {
         ...(this.log ? { splits: decades } : {}), values: (_, marks) => marks.map((mark) => (mark === null ? "" : number(mark, 3))) }],
       cursor: { drag: { x: true, y: false } },
       legend: { live: true },
-      hooks: { draw: [(chart) => this.draw_mark(chart)], ready: [(chart) => {
+      hooks: { draw: [() => this.place_mark()], ready: [(chart) => {
         chart.over.addEventListener("click", () => { if (chart.cursor.left! >= 0) this.pick(chart.posToVal(chart.cursor.left!, "x")); });
         // The edges of bands need no line in the legend.
         chart.root.querySelectorAll(".u-series").forEach((row, i) => { if (i > 0 && !described[i]?.label) (row as HTMLElement).hidden = true; });
@@ -101,17 +103,12 @@ export class Plot {
     }, uPlot.join(tables, tables.map((one) => one.map(() => 1))), this.element);
   }
 
-  private draw_mark(chart: uPlot): void {
-    const x = chart.valToPos(this.time, "x", true);
-    const { left, top, width, height } = chart.bbox;
-    if (this.axis !== "time [s]" || x < left || x > left + width) return;
-    chart.ctx.save();
-    chart.ctx.strokeStyle = is_dark() ? "#fff" : "#000";
-    chart.ctx.setLineDash([4, 4]);
-    chart.ctx.beginPath();
-    chart.ctx.moveTo(x, top);
-    chart.ctx.lineTo(x, top + height);
-    chart.ctx.stroke();
-    chart.ctx.restore();
+  private place_mark(): void {
+    const chart = this.chart;
+    if (!chart) return;
+    if (this.line.parentElement !== chart.over) chart.over.append(this.line);
+    const x = chart.valToPos(this.time, "x");
+    this.line.hidden = this.axis !== "time [s]" || !(x >= 0 && x <= chart.over.clientWidth);
+    this.line.style.transform = `translateX(${x}px)`;
   }
 }

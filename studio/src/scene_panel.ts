@@ -161,14 +161,14 @@ export class ScenePanel {
     // Smoothing leaves a shear that cannot be negative a little below 0.
     const both = (least ?? 0) < -0.1 * (greatest ?? 0) && (greatest ?? 0) > 0;
     const reach = Math.max(Math.abs(least ?? 0), Math.abs(greatest ?? 0));
-    return both ? { least: -reach, greatest: reach, diverging: true } : { least: Math.min(0, least ?? 0), greatest: greatest ?? 1, diverging: false };
+    return both ? { least: -reach, greatest: reach, diverging: true } : { least: 0, greatest: greatest ?? 1, diverging: false };
   }
 
   private tell(shown: Shown | undefined, scale: ColourScale | undefined, pressed: Pressed | undefined, pressures: ColourScale): void {
     const name = [...this.channels.options].find((one) => one.value === this.channel)?.textContent ?? "";
     const bars: HTMLElement[] = [];
     if (shown && scale) bars.push(bar(name, scale, shown.volume.field.unit));
-    if (pressed && this.contact === "pressure") bars.push(bar("Contact pressure, 9 cells of 10", pressures, "Pa"));
+    if (pressed && this.contact === "pressure") bars.push(bar("Contact pressure up to its 90th percentile", pressures, "Pa"));
     if (pressed && this.contact === "slip") bars.push(el("span", { class: "key" }, swatch(stick), " sticks ", swatch(slip), " slips"));
     this.legend.replaceChildren(...bars);
   }

@@ -38,9 +38,9 @@ const groups: [string, string, RegExp][] = [
 /// Everything of a run that can be drawn over time.
 export async function quantities(result: Result): Promise<Quantity[]> {
   const list: Quantity[] = [];
-  for (const name of result.tables.filter((one) => one !== "sweep")) {
+  for (const name of result.tables.filter((one) => one !== "sweep" && !one.endsWith("_error"))) {
     const data = await table_of(result, name);
-    const kind = name === "signals" ? "" : `, ${name}`;
+    const kind = name === "signals" ? "" : `, ${name.replace("_", " ")}`;
     const numeric = data.columns.filter((one) => !one.texts && one.name !== "time" && one.name !== "cycle" && !one.name.endsWith("_error"));
     const taken = new Set<string>();
     const add = (id: string, label: string, columns: Column[]) => {
@@ -48,9 +48,9 @@ export async function quantities(result: Result): Promise<Quantity[]> {
       columns.forEach((one) => taken.add(one.name));
       list.push({ id: `${name}/${id}`, label: label + kind, table: name, columns: columns.map((one) => one.name), unit: columns[0].unit });
     };
-    if (name === "taxels") {
+    if (/taxels$/.test(name)) {
       for (const unit of new Set(numeric.map((one) => one.unit))) {
-        add(`all-${unit}`, unit === "A" ? "Currents of taxels" : unit === "C" ? "Charges of taxels" : `All [${unit}]`, numeric.filter((one) => one.unit === unit));
+        add(`all-${unit}`, (unit === "A" ? "Currents of taxels" : unit === "C" ? "Charges of taxels" : `All of taxels [${unit}]`) + (name === "taxels" ? "" : ", sampled"), numeric.filter((one) => one.unit === unit));
       }
       continue;
     }
@@ -73,10 +73,12 @@ export async function series_of(result: Result, quantity: Quantity, label: strin
   if (!result.tables.includes(quantity.table)) return [];
   const data = await table_of(result, quantity.table);
   const time = column(data, "time")?.values ?? new Float64Array(0);
+  const errors = result.tables.includes(`${quantity.table}_error`) ? await table_of(result, `${quantity.table}_error`) : undefined;
   return quantity.columns.flatMap((name) => {
     const found = column(data, name);
     if (!found) return [];
-    const own = column(data, `${name}_error`)?.values;
+    const stated = errors && column(errors, name)?.values;
+    const own = column(data, `${name}_error`)?.values ?? (stated?.length === found.values.length ? stated : undefined);
     const relative = relative_error(result, name);
     const band = own ?? (relative === undefined ? undefined : found.values.map((value) => Math.abs(value) * relative));
     return [{ label: quantity.columns.length > 1 || !label ? `${label} ${words(name)}`.trim() : label, unit: found.unit, time, values: found.values, band,

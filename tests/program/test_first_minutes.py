@@ -52,6 +52,15 @@ class FirstMinutes(ProgramTest):
         self.assertNotEqual(found["mechanics_unknowns"], guessed["mechanics_unknowns"])
         self.assertNotEqual(found["memory_bytes"], guessed["memory_bytes"])
 
+    def test_keys_without_a_meaning_in_a_case_are_told_apart(self):
+        applicable = json.loads(self.run_program("check", QUICK, "--json").stdout)["applicable"]
+        self.assertIn("slider.youngs_modulus", applicable)
+        self.assertNotIn("slider.poissons_ratio", applicable)
+        self.assertNotIn("contact.kinetic_friction", applicable)
+        stribeck = ("check", QUICK, "--json", "--set", "contact.law=stribeck", "--set", "contact.kinetic_friction=0.2",
+                    "--set", "contact.stribeck_speed=1 mm/s")
+        self.assertIn("contact.kinetic_friction", json.loads(self.run_program(*stribeck).stdout)["applicable"])
+
     def test_files_of_a_run(self):
         self.run_program("run", QUICK, "-o", "out", "--threads", 2)
         out = self.folder / "out"

@@ -97,6 +97,9 @@ const main = async (page, link) => {
   // The first case; a mistake, at the line and at the field.
   await click("Open", ".card");
   await wait(() => document.querySelector(".verdict.good"));
+  // Keys of other friction laws have no field.
+  assert.equal(await page.$('[data-key="contact.kinetic_friction"]'), null);
+  assert.ok(await page.$('[data-key="slider.youngs_modulus"]'));
   begun = performance.now();
   await field("contact.friction", "9");
   await wait(() => document.querySelector('[data-key="contact.friction"][aria-invalid="true"]') && document.querySelector(".gutter .bad"));
@@ -140,8 +143,22 @@ const main = async (page, link) => {
   times["cached rerun to curve (friction)"] = performance.now() - begun;
   await click("What differs between third and second");
   await wait(() => /contact.friction/.test(document.querySelector(".differences pre").textContent));
+  await click("Case");
+  await wait(() => document.querySelector(".verdict.good"));
+  await field("electrochemistry.diffusivity", "5e-11 m2/s");
+  await wait(() => /diffusivity = "5e-11/.test(document.querySelector("textarea").value) && document.querySelector(".verdict.good"));
+  await fill("Name of the results", "fourth");
+  begun = performance.now();
+  await click("Run");
+  await shown(["first", "second", "third", "fourth"]);
+  times["cached rerun to curve (ions)"] = performance.now() - begun;
 
   // The scene follows the time bar, every cut and face.
+  await page.$eval('.time-bar input', (one) => { one.value = "1.5"; one.dispatchEvent(new Event("input")); });
+  const mark = () => page.$eval(".curves .instant", (one) => one.getBoundingClientRect().left);
+  const early = await mark();
+  await page.$eval('.time-bar input', (one) => { one.value = "2.5"; one.dispatchEvent(new Event("input")); });
+  assert.ok(await mark() > early + 100, "the mark on the curves follows the time bar");
   await page.$eval('.time-bar input', (one) => { one.value = "1.5"; one.dispatchEvent(new Event("input")); });
   for (const [label, values] of [["Cut", ["x", "z", "volume", "y"]], ["Face", ["slip", "pressure"]]]) {
     for (const value of values) await fill(label, value);
@@ -210,7 +227,7 @@ const main = async (page, link) => {
   await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: "dark" }]);
   await picture("dark");
   await click("Queue");
-  await wait(() => document.querySelectorAll(".job.finished").length === 5);
+  await wait(() => document.querySelectorAll(".job.finished").length === 6);
   await picture("queue");
   await page.keyboard.press("Tab");
   assert.notEqual(await page.evaluate(() => document.activeElement.tagName), "BODY");

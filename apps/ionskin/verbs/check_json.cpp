@@ -5,6 +5,7 @@
 #include "ionskin/planning/cost_estimate.hpp"
 #include "verbs/explain.hpp"
 
+#include "ionskin/case/schema/schema.hpp"
 #include "ionskin/units/dimension.hpp"
 
 #include <nlohmann/json.hpp>
@@ -41,8 +42,15 @@ std::string check_json(const CaseDocument& document, const std::string& warning,
   for (const ValueRecord& record : document.records) {
     values.push_back(value_json(record));
   }
+  Json applicable = Json::array();
+  for (const SchemaRow& row : schema()) {
+    if (!row.applies || row.applies(document.input)) {
+      applicable.push_back(row.key);
+    }
+  }
   const Json all = {{"valid", true},
                     {"values", values},
+                    {"applicable", applicable},
                     {"warning", warning},
                     {"explanation", explain(document, cost)},
                     {"cost", cost_json(cost)}};

@@ -89,8 +89,8 @@ void look_into(const Workspace& workspace, const fs::path& folder, int depth, st
 
 Json table_names(const fs::path& folder) {
   Json names = Json::array();
-  for (const char* name : {"signals", "sampled", "taxels", "circuit", "fit", "sweep"}) {
-    if (has(folder, (std::string(name) + ".csv").c_str())) {
+  for (const std::string& name : known_tables()) {
+    if (has(folder, (name + ".csv").c_str())) {
       names.push_back(name);
     }
   }
@@ -111,6 +111,20 @@ Json points(const fs::path& folder) {
 }
 
 } // namespace
+
+const std::vector<std::string>& known_tables() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const char* name : {"signals", "sampled", "taxels", "sampled_taxels", "circuit",
+                             "sampled_circuit", "water"}) {
+      all.push_back(name);
+      all.push_back(std::string(name) + "_error");
+    }
+    all.insert(all.end(), {"fit", "sweep"});
+    return all;
+  }();
+  return names;
+}
 
 std::string result_kind(const fs::path& folder) {
   if (has(folder, "sweep.csv")) {

@@ -4,7 +4,14 @@
 #include "studio/data/workspace.hpp"
 #include "studio/server/json.hpp"
 
+#include <string>
+#include <vector>
+
 namespace ionskin::apps::studio {
+
+/// Names of the tables that a folder of results may hold as NAME.csv; those that end in `_error`
+/// hold half the widths of the error bands of the others, row by row.
+const std::vector<std::string>& known_tables();
 
 /// What a folder holds: "run", "sweep", "fit", or "" for no results of ionskin.
 std::string result_kind(const std::filesystem::path& folder);

@@ -7,7 +7,6 @@
 #include "studio/server/server.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace ionskin::apps::studio {
 namespace {
@@ -43,10 +42,8 @@ void Server::serve_result_calls() {
               describe_result(workspace_, workspace_.inside(request.get_param_value("path"))));
   });
   get("/api/table", [this](const httplib::Request& request, httplib::Response& response) {
-    constexpr std::array<const char*, 6> known{"signals", "sampled", "taxels",
-                                               "circuit", "fit",     "sweep"};
     const std::string name = request.get_param_value("name");
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
+    if (std::ranges::find(known_tables(), name) == known_tables().end()) {
       throw HttpError(404, "there is no such table");
     }
     send(response, packed_table(file_of(workspace_, request, name + ".csv")), numbers);
