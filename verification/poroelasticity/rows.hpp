@@ -24,4 +24,7 @@ std::vector<Row> prescribed_load_rows(const Options& options);
 /// from the side of the water.
 std::vector<Row> saxen_rows(const Options& options);
 
+/// P10: thin double layers against the full equations under a bump of pressure that moves along.
+std::vector<Row> thin_double_layer_rows(const Options& options);
+
 } // namespace ionskin::verification

@@ -120,7 +120,7 @@ struct Contact {
 };
 
 /// Ions without size, or ions that take room from one another.
-enum class IonModel { dilute, steric };
+enum class IonModel { dilute, steric, thin_layers };
 
 /// Ions and solvent of the core.
 struct Electrochemistry {

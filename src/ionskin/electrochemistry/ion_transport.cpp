@@ -6,6 +6,7 @@
 #include "ionskin/electrochemistry/circuit/external_circuit.hpp"
 #include "ionskin/electrochemistry/grid/mid_width_mirror.hpp"
 #include "ionskin/electrochemistry/grid/transport_grid.hpp"
+#include "ionskin/electrochemistry/thin_layers.hpp"
 #include "ionskin/electrochemistry/time/solution_rows.hpp"
 #include "ionskin/electrochemistry/time/step_control.hpp"
 #include "ionskin/electrochemistry/time/time_integrator.hpp"
@@ -192,7 +193,9 @@ private:
 IonSolution solve_ion_transport(const Case& input, const history::CoreHistory& history,
                                 const IonOptions& options, base::Timers& timers) {
   const base::Timers::Scope timer(timers, "electrochemistry");
-  return TransportRun(input, history, options).run();
+  return input.electrochemistry.ion_model == IonModel::thin_layers
+             ? solve_thin_layers(input, history, options)
+             : TransportRun(input, history, options).run();
 }
 
 } // namespace ionskin::electrochemistry

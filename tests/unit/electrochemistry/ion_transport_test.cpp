@@ -2,6 +2,7 @@
 #include "ionskin/electrochemistry/ion_transport.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "model_cases.hpp"
 
 #include <gtest/gtest.h>

@@ -73,13 +73,17 @@ void add_electrochemistry(SchemaRows& rows) {
       {.key = "electrochemistry.ion_model",
        .type = ValueType::choice,
        .default_value = "\"dilute\"",
-       .choices = {{"dilute"}, {"steric"}},
+       .choices = {{"dilute"}, {"steric"}, {"thin-layers"}},
        .help = "Whether the cations are points, or take room from one another and so stay below "
-               "electrochemistry.largest_concentration.",
+               "electrochemistry.largest_concentration; or whether their double layers are thin "
+               "capacitors on a conductor, which is quick, to first order, and of the law "
+               "\"poroelastic\" only.",
        .source = "dilute is the paper's model",
-       .set = into<Electrochemistry, IonModel>(
-           &Case::electrochemistry, &Electrochemistry::ion_model,
-           {{"dilute", IonModel::dilute}, {"steric", IonModel::steric}})});
+       .set =
+           into<Electrochemistry, IonModel>(&Case::electrochemistry, &Electrochemistry::ion_model,
+                                            {{"dilute", IonModel::dilute},
+                                             {"steric", IonModel::steric},
+                                             {"thin-layers", IonModel::thin_layers}})});
   rows.push_back({.key = "electrochemistry.largest_concentration",
                   .type = ValueType::quantity,
                   .dimension = Dimension::concentration,

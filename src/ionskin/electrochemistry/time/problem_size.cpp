@@ -147,7 +147,8 @@ ProblemSize problem_size(const Case& input, const history::CoreHistory& history)
   ProblemSize size;
   size.columns_x = grid.x_edges.size() - 1;
   size.columns_y = grid.y_edges.size() - 1;
-  size.levels = grid.z_nodes.size();
+  // Thin layers have a charge at each wall.
+  size.levels = input.electrochemistry.ion_model == IonModel::thin_layers ? 1 : grid.z_nodes.size();
   size.unknowns = 2 * size.columns_x * size.columns_y * size.levels;
   const StepLandings landings = make_step_landings(history, input.output.fields);
   const StepRule rule = step_rule(input.numerics, input.readout, scales);

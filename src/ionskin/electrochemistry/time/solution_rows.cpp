@@ -60,8 +60,10 @@ void SolutionRows::append(double time, const IonState& state, const Relaxation& 
   solution.time.push_back(time);
   solution.charge_top.push_back(charge_unit_ * charges_.total_top);
   solution.charge_bottom.push_back(charge_unit_ * charges_.total_bottom);
-  append_segments(solution);
-  append_water(solution.water);
+  append_segments(segments_, charges_, charge_unit_, solution);
+  if (const poroelasticity::StreamingDrive* water = fixed_charge_.water()) {
+    append_water(*water, area_, solution.water);
+  }
   solution.ramo_charge_top.push_back(mirror_.copies() * charge_unit_ *
                                      ramo_charge_top(scaled_, state, fixed_charge_.ratio()));
   solution.relaxation_charge.push_back(mean_unit_ * relaxation.charge);
@@ -79,32 +81,31 @@ void SolutionRows::append(double time, const IonState& state, const Relaxation& 
   }
 }
 
-void SolutionRows::append_segments(IonSolution& solution) const {
-  const std::vector<double> top = segments_.charges(charges_.top);
-  const std::vector<double> bottom = segments_.charges(charges_.bottom);
+void append_segments(const ElectrodeSegments& segments, const WallCharges& charges, double unit,
+                     IonSolution& solution) {
+  const std::vector<double> top = segments.charges(charges.top);
+  const std::vector<double> bottom = segments.charges(charges.bottom);
   solution.top_segments.resize(top.size());
   for (std::size_t i = 0; i < top.size(); ++i) {
-    solution.top_segments[i].name = segments_.names[i];
-    solution.top_segments[i].charge.push_back(charge_unit_ * top[i]);
-    solution.top_segments[i].bottom_charge.push_back(charge_unit_ * bottom[i]);
+    solution.top_segments[i].name = segments.names[i];
+    solution.top_segments[i].charge.push_back(unit * top[i]);
+    solution.top_segments[i].bottom_charge.push_back(unit * bottom[i]);
   }
 }
 
-void SolutionRows::append_water(WaterRows& rows) const {
-  if (const poroelasticity::StreamingDrive* water = fixed_charge_.water()) {
-    rows.pressure_top.push_back(water->pressure_at_top());
-    rows.pressure_bottom.push_back(water->pressure_at_bottom());
-    rows.streaming_voltage.push_back(water->streaming_voltage());
-    rows.dilution_voltage.push_back(water->dilution_voltage());
-    rows.largest_pressure.push_back(water->largest_pressure());
-    rows.largest_drive.push_back(water->largest_drive());
-    const poroelasticity::Outflow left = water->left(), dragged = water->dragged();
-    rows.outflow_top.push_back(area_ * left.top);
-    rows.outflow_bottom.push_back(area_ * left.bottom);
-    rows.dragged_top.push_back(area_ * dragged.top);
-    rows.dragged_bottom.push_back(area_ * dragged.bottom);
-    rows.dragged_difference.push_back(water->dragged_pressure_difference());
-  }
+void append_water(const poroelasticity::StreamingDrive& water, double area, WaterRows& rows) {
+  rows.pressure_top.push_back(water.pressure_at_top());
+  rows.pressure_bottom.push_back(water.pressure_at_bottom());
+  rows.streaming_voltage.push_back(water.streaming_voltage());
+  rows.dilution_voltage.push_back(water.dilution_voltage());
+  rows.largest_pressure.push_back(water.largest_pressure());
+  rows.largest_drive.push_back(water.largest_drive());
+  const poroelasticity::Outflow left = water.left(), dragged = water.dragged();
+  rows.outflow_top.push_back(area * left.top);
+  rows.outflow_bottom.push_back(area * left.bottom);
+  rows.dragged_top.push_back(area * dragged.top);
+  rows.dragged_bottom.push_back(area * dragged.bottom);
+  rows.dragged_difference.push_back(water.dragged_pressure_difference());
 }
 
 void SolutionRows::finish(const IonState& state, IonSolution& solution) {

@@ -16,6 +16,15 @@
 
 namespace ionskin::electrochemistry {
 
+/// Adds the charges of the parts of the top electrode as they stand.
+/// @param unit of the charges [C]
+void append_segments(const ElectrodeSegments& segments, const WallCharges& charges, double unit,
+                     IonSolution& solution);
+
+/// Adds where the water stands at the last accepted instant.
+/// @param area of the skin [m2]
+void append_water(const poroelasticity::StreamingDrive& water, double area, WaterRows& rows);
+
 /// Turns scaled states into rows and snapshots of an IonSolution in SI units. The fixed charge must
 /// stand at the instant of the state.
 class SolutionRows {
@@ -35,8 +44,6 @@ public:
   void finish(const IonState& state, IonSolution& solution);
 
 private:
-  void append_segments(IonSolution& solution) const;
-  void append_water(WaterRows& water) const;
   IonSnapshot snapshot(double time, const IonState& state) const;
 
   const MidWidthMirror& mirror_;

@@ -74,7 +74,7 @@ private:
   UnitResponse response_;
 };
 
-/// Compliance between skin and slider at a position, docs/model.md (34) [m/N].
+/// Compliance between skin and slider at a position, docs/model.md (36) [m/N].
 linear_algebra::DenseMatrix contact_compliance(const SkinModel& model,
                                                const CondensedPosition& position);
 

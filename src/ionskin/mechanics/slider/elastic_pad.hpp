@@ -7,7 +7,7 @@
 namespace ionskin::mechanics {
 
 /// What a soft layer that is bonded to a rigid body moves less than a half-space of its material
-/// under a point force on its face, docs/model.md (35). Both move alike close to the force, so that
+/// under a point force on its face, docs/model.md (37). Both move alike close to the force, so that
 /// the difference is smooth. Unit: distance / thickness in, amounts of 1 / (2 pi G thickness) out.
 class PadStiffening {
 public:

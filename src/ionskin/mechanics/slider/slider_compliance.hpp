@@ -9,7 +9,7 @@
 namespace ionskin::mechanics {
 
 /// How far the face of a soft slider gives under forces between it and the cells, docs/model.md
-/// (34): what is to be added to the compliance of the skin. The slider is a half-space, or a layer
+/// (36): what is to be added to the compliance of the skin. The slider is a half-space, or a layer
 /// of its material on a rigid body; tractions are spread over the cells as on the skin. Empty for a
 /// rigid slider. On a half model the mirrored forces act, too.
 /// @return [3 cells, 3 cells], symmetric [m/N]

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/errors/error_estimate.hpp"
 
+#include "ionskin/base/largest.hpp"
 #include "ionskin/case/coupling.hpp"
 #include "ionskin/circuits/circuit.hpp"
 #include "ionskin/electrochemistry/coupling/driving_channel.hpp"
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
+#include "ionskin/electrochemistry/thin_layers.hpp"
 #include "ionskin/history/merged_cells.hpp"
 #include "ionskin/history/shear_statistics.hpp"
 #include "ionskin/parallel/task_pool.hpp"
@@ -18,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,6 +70,17 @@ double path_floor(const MechanicsRecord& mechanics) {
 
 double decoupling(const Case& input) {
   return moves_water(input) ? poroelasticity::decoupling_error(input) : 0.0;
+}
+
+/// To first order in the thickness of the layers and in the drive, where a case takes them as thin.
+double thin_layers(const Case& input, double core_thickness,
+                   const electrochemistry::WaterRows& water) {
+  if (input.electrochemistry.ion_model != IonModel::thin_layers) {
+    return 0.0;
+  }
+  const double drive =
+      std::accumulate(water.largest_drive.begin(), water.largest_drive.end(), 0.0, base::larger);
+  return electrochemistry::thin_layer_error(input, core_thickness) + drive;
 }
 
 /// One coarser run of Study 2.
@@ -195,6 +209,7 @@ ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanic
   const ErrorFloors floors{
       path_floor(mechanics),
       decoupling(input),
+      thin_layers(input, mechanics.history.core_thickness(), ions.water),
       charge_rounding * charge_scale(input, mechanics.history),
       input.readout.sample_interval,
       mechanics.cell_errors,

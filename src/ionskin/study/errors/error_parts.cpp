@@ -73,9 +73,13 @@ double relative_norm(const PairDifference& difference, const std::string& signal
   return 0;
 }
 
+bool is_electrical(const std::string& unit) {
+  return unit == "A" || unit == "C" || unit == "V";
+}
+
 /// Whether pressure makes a quantity under a law that moves water: currents, charges and voltages.
 bool is_of_water(const std::string& name, const std::string& unit) {
-  return unit == "A" || unit == "C" || unit == "V" || unit == "V/N" ||
+  return is_electrical(unit) || unit == "V/N" ||
          name.find("pressure_difference") != std::string::npos ||
          name.find("pore_pressure") != std::string::npos || name == "pressure_asymmetry";
 }
@@ -102,6 +106,9 @@ public:
     }
     if (floors_.decoupling > 0 && is_of_water(metric.name, metric.unit)) {
       result[error_parts::decoupling] = floors_.decoupling * std::abs(metric.value);
+    }
+    if (floors_.thin_layers > 0 && is_electrical(metric.unit)) {
+      result[error_parts::thin_layers] = floors_.thin_layers * std::abs(metric.value);
     }
     if (const double left = rounding(metric); left > 0) {
       result[error_parts::rounding] = left;
@@ -196,10 +203,10 @@ SignalTable band(const SignalTable& base, const std::vector<PairDifference>& dif
         }
       }
     }
-    if (floors.decoupling > 0 && is_of_water(column.name, column.unit)) {
-      for (std::size_t row = 0; row < values.size(); ++row) {
-        column.values[row] += floors.decoupling * std::abs(values[row]);
-      }
+    const double relative = (is_of_water(column.name, column.unit) ? floors.decoupling : 0.0) +
+                            (is_electrical(column.unit) ? floors.thin_layers : 0.0);
+    for (std::size_t row = 0; row < values.size(); ++row) {
+      column.values[row] += relative * std::abs(values[row]);
     }
   }
   return result;

@@ -18,7 +18,8 @@ inline constexpr const char* path = "path";
 inline constexpr const char* handover = "handover";
 inline constexpr const char* transport_grid = "transport_grid";
 inline constexpr const char* time_steps = "time_steps";
-inline constexpr const char* decoupling = "decoupling"; ///< of the strain from the water
+inline constexpr const char* decoupling = "decoupling";   ///< of the strain from the water
+inline constexpr const char* thin_layers = "thin_layers"; ///< of the ion model of that name
 inline constexpr const char* rounding = "rounding";
 } // namespace error_parts
 
@@ -47,6 +48,9 @@ struct ErrorFloors {
   /// What the strain, which does not follow the water, leaves in signals that it makes, relative
   /// [1]; 0 under other laws.
   double decoupling = 0;
+  /// What the limit of thin double layers leaves out of charges, currents and voltages, relative
+  /// [1]; 0 under other ion models.
+  double thin_layers = 0;
   double charge = 0;          ///< what rounding may leave in a charge [C]; 0 without currents
   double sample_interval = 0; ///< of the readout [s]
   std::vector<readout::Metric> cells; ///< least error of the mesh, by the name of a metric
