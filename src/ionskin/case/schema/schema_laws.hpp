@@ -57,6 +57,10 @@ template <class Section> struct LawSection {
   Section Case::*section = nullptr;
   std::string Section::*law = nullptr;
 };
+/// Clang deduces none for aggregates before version 17.
+template <class Section>
+LawSection(std::string, std::string, Section Case::*, std::string Section::*)
+    -> LawSection<Section>;
 
 /// One row per parameter of the laws of a section, such as "contact.NAME". Laws may share a
 /// parameter: the first one that has it declares it.
