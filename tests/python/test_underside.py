@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the figures draw of a slider's underside."""
 
-import tempfile
 import unittest
 
 import numpy
 
-from ionskin.drawing.underside import Underside
+from ionskin.drawing.figures_model import slider_words
+from ionskin.drawing.underside import Underside, interpolated
 
 
 class UndersideTest(unittest.TestCase):
@@ -30,18 +30,22 @@ class UndersideTest(unittest.TestCase):
                                       atol=1e-12)
         self.assertTrue(Underside({"size": ["3 mm", "1.5 mm"]}).sharp)
 
-    def test_a_shape_that_figures_do_not_know_is_a_box(self):
+    def test_a_shape_without_stated_heights_is_a_box_that_says_so(self):
         drawn = Underside({"shape": "paraboloid", "radius_x": "8 mm", "size": ["3 mm", "1.5 mm"]})
         self.assertTrue(drawn.sharp)
+        self.assertIn("heights not at hand", slider_words(drawn))
         numpy.testing.assert_allclose(drawn.half_size, [1.5e-3, 0.75e-3])
 
-    def test_height_map(self):
-        with tempfile.NamedTemporaryFile("w", suffix=".csv") as file:
-            file.write("um,-1000,0,1000\n-500,30,10,20\n500,30,10,20\n")
-            file.flush()
-            drawn = Underside({"shape": "profile", "size": ["2 mm", "1 mm"], "profile": file.name})
-            self.assertAlmostEqual(float(drawn.height(0.5e-3, 0.0)), 5e-6, delta=1e-12)
-        self.assertTrue(Underside({"shape": "profile", "size": ["2 mm", "1 mm"], "profile": "/nowhere.csv"}).sharp)
+    def test_any_other_shape_is_drawn_by_what_its_run_states(self):
+        places = numpy.linspace(-1e-3, 1e-3, 41)
+        heights = interpolated(places, 0.5 * places, places**2 / 16e-3 + (0.5 * places[:, None])**2 / 4e-3)
+        drawn = Underside({"shape": "paraboloid", "size": ["2 mm", "1 mm"]}, heights)
+        self.assertFalse(drawn.sharp)
+        self.assertEqual(slider_words(drawn), "slider (paraboloid): 2 mm × 1 mm")
+        # Between the places a parabola lies below its chord by at most the square of half the spacing.
+        self.assertAlmostEqual(float(drawn.height(3.1e-4, 1.7e-4)), 3.1e-4**2 / 16e-3 + 1.7e-4**2 / 4e-3, delta=1e-7)
+        self.assertAlmostEqual(float(drawn.height(-1e-3, 0.5e-3)), 1e-6 / 16e-3 + 0.25e-6 / 4e-3, delta=1e-12)
+        self.assertAlmostEqual(float(drawn.height(-2e-3, 0.0)), 1e-6 / 16e-3, delta=1e-9)  # beyond: that of the border
 
 
 if __name__ == "__main__":

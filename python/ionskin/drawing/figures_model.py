@@ -9,7 +9,7 @@ from ..quantity import si
 from ..words import short
 from . import style
 from .panels import motion_panels, name_phases
-from .underside import Underside
+from .underside import Underside, read_heights
 
 ROLE_COLOURS = {"electrode": "#a9b1bd", "core": "#7fc4b0"}
 SLIDER_COLOUR = "#e3a27c"
@@ -25,7 +25,7 @@ def geometry(results):
         return None
     try:
         skin, slider, motion = case["skin"], case["slider"], case["motion"]
-        return {"length": si(skin["length"]), "width": si(skin["width"]), "slider": Underside(slider),
+        return {"length": si(skin["length"]), "width": si(skin["width"]), "slider": Underside(slider, read_heights(results)),
                 "start": si(slider["start"]), "gap": si(motion["gap"]), "stroke": si(motion["stroke"]),
                 "direction": motion.get("direction", [1, 0]),
                 "layers": [(layer["name"], layer["role"], layer["material"], si(layer["thickness"]))
@@ -78,8 +78,8 @@ def slider_words(slider):
         return f"slider (cylinder): radius {slider.radius * 1e3:.4g} mm, length {slider.size[1] * 1e3:.4g} mm"
     if slider.edge_radius > 0:
         return f"slider (flat): {plan}, edges {slider.edge_radius * 1e3:.4g} mm"
-    if slider.shape == "profile" and slider.map is None:
-        return f"slider (profile): {plan}, heights not at hand"
+    if slider.unknown:
+        return f"slider ({slider.shape}): {plan}, heights not at hand"
     return f"slider ({slider.shape}): {plan}"
 
 

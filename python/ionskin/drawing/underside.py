@@ -1,33 +1,35 @@
 # SPDX-License-Identifier: Apache-2.0
 """The underside of a slider, as far as figures draw it."""
 
-import csv
-
 import numpy
 
-from ..quantity import UNITS, si
+from ..quantity import si
 
 CAP = 0.7e-3  # height of the drawn part of a round slider [m]
 BLOCK = 1.0e-3  # of any other [m]; a slider's height is no part of the model
-DRAWN = ("flat", "cylinder", "sphere", "profile")  # any other shape is drawn as a box
+CLOSED_FORMS = ("flat", "cylinder", "sphere")  # any other shape is drawn by the heights that its run states
 
 
 class Underside:
     """Heights above the lowest point over the plan of a slider. Lengths in metres, from the slider's centre."""
 
-    def __init__(self, slider):
-        """`slider` is the case's table. Raises ValueError and KeyError where it holds what a figure cannot draw."""
+    def __init__(self, slider, heights=None):
+        """`slider` is the case's table, `heights` those that the run states (read_heights). Raises ValueError and KeyError where it holds what a figure cannot draw."""
         self.shape = slider.get("shape", "flat")
         self.radius = si(slider["radius"]) if self.shape in ("cylinder", "sphere") else None
         self.edge_radius = si(slider.get("edge_radius", "0 m")) if self.shape == "flat" else 0.0
         self.size = numpy.array([2 * self.radius] * 2 if "size" not in slider and self.radius else si(slider["size"]))
-        self.map = read_heights(slider["profile"]) if self.shape == "profile" else None
+        self.map = heights if self.shape not in CLOSED_FORMS else None
 
     @property
     def sharp(self):
         """True for a slider that figures draw as a box."""
-        return (self.shape not in DRAWN or self.shape == "flat" and self.edge_radius == 0
-                or self.shape == "profile" and self.map is None)
+        return self.unknown or self.shape == "flat" and self.edge_radius == 0
+
+    @property
+    def unknown(self):
+        """True where neither this file nor the run tells the heights."""
+        return self.shape not in CLOSED_FORMS and self.map is None
 
     @property
     def depth(self):
@@ -78,23 +80,25 @@ def arc(radius, distance):
     return radius - numpy.sqrt(numpy.maximum(0.0, radius**2 - numpy.square(distance)))
 
 
-def read_heights(path):
-    """A height map as a function of x and y above its lowest point [m], or None where the file is not at hand."""
-    try:
-        with open(path, newline="", encoding="utf-8") as file:
-            rows = [row for row in csv.reader(file) if row]
-        unit = UNITS[rows[0][0].strip()]
-        x = unit * numpy.array(rows[0][1:], dtype=float)
-        body = unit * numpy.array(rows[1:], dtype=float)
-    except (OSError, KeyError, ValueError, IndexError):
+def read_heights(results):
+    """Heights that a run states of its slider, as a function of x and y [m], or None where it states none."""
+    if not (results.folder / "results.h5").exists():
         return None
-    y, heights = body[:, 0], body[:, 1:] - body[:, 1:].min()
+    with results.open_fields() as file:
+        if "slider" not in file:
+            return None
+        x, y, heights = (file["slider"][name][...] for name in ("x", "y", "height"))
+    return interpolated(x, y, heights)
 
+
+def interpolated(x, y, heights):
+    """Bilinear between heights [y, x]; beyond them that of the nearest border."""
     def at(places_x, places_y):
+        places_x, places_y = numpy.clip(places_x, x[0], x[-1]), numpy.clip(places_y, y[0], y[-1])
         column = numpy.clip(numpy.searchsorted(x, places_x) - 1, 0, len(x) - 2)
         row = numpy.clip(numpy.searchsorted(y, places_y) - 1, 0, len(y) - 2)
-        across = numpy.clip((places_x - x[column]) / (x[column + 1] - x[column]), 0, 1)
-        along = numpy.clip((places_y - y[row]) / (y[row + 1] - y[row]), 0, 1)
+        across = (places_x - x[column]) / (x[column + 1] - x[column])
+        along = (places_y - y[row]) / (y[row + 1] - y[row])
         near = heights[row, column] * (1 - across) + heights[row, column + 1] * across
         far = heights[row + 1, column] * (1 - across) + heights[row + 1, column + 1] * across
         return near * (1 - along) + far * along

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ionskin/base/files/atomic_file.hpp"
+#include "ionskin/case/case.hpp"
 #include "ionskin/electrochemistry/output/ion_solution.hpp"
 #include "ionskin/history/core_history.hpp"
 #include "ionskin/readout/signals.hpp"
@@ -14,9 +15,9 @@
 
 namespace ionskin::results {
 
-/// results.h5: /signals, /sampled, /strain, /ions, /contact, /case and /manifest. What is written
-/// replaces what stood there; nothing is seen under the final name before `commit`, which seals the
-/// file.
+/// results.h5: /signals, /sampled, /strain, /ions, /contact, /slider, /case and /manifest. What is
+/// written replaces what stood there; nothing is seen under the final name before `commit`, which
+/// seals the file.
 class ResultsFile {
 public:
   enum class Start {
@@ -33,6 +34,9 @@ public:
   void write_ions(const electrochemistry::TransportGrid& grid,
                   const std::vector<electrochemistry::IonSnapshot>& snapshots);
   void write_contact(const ContactMaps& contact);
+  /// The slider's underside for drawings: places /slider/x and /slider/y from its centre [m], and
+  /// the height above its lowest point there, /slider/height [y, x] in m.
+  void write_slider(const Slider& slider);
   /// @param name "case" or "manifest"
   void write_text(const std::string& name, const std::string& text);
 

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace ionskin::results {
 namespace {
 
@@ -51,6 +53,30 @@ TEST(ResultsFile, HoldsIonFieldsByInstant) {
   EXPECT_EQ(file.text_attribute("/ions/1.5/potential", "unit"), "V");
   EXPECT_EQ(file.number_attribute("/ions/1.5", "time"), 1.5);
   EXPECT_EQ(file.read("/ions/grid/x"), grid.x_edges);
+}
+
+TEST(ResultsFile, StatesTheHeightsOfTheUnderside) {
+  const ScratchFolder folder;
+  Slider slider;
+  slider.shape = "cylinder";
+  slider.parameters = {{"radius", 8e-3}};
+  slider.size = {4e-3, 2e-3};
+  ResultsFile results(folder / "results.h5", Start::empty);
+  results.write_slider(slider);
+  results.commit();
+  const Hdf5File file = opened(folder / "results.h5");
+  const std::vector<double> x = file.read("/slider/x"), y = file.read("/slider/y"),
+                            heights = file.read("/slider/height");
+  EXPECT_DOUBLE_EQ(x.front(), -2e-3);
+  EXPECT_DOUBLE_EQ(y.back(), 1e-3);
+  EXPECT_EQ(file.shape("/slider/height"), (Hdf5File::Shape{y.size(), x.size()}));
+  // The axis lies along y: all rows are alike, and rise as a circle.
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double rise = 8e-3 - std::sqrt(64e-6 - x[i] * x[i]);
+    EXPECT_NEAR(heights[i], rise, 1e-15);
+    EXPECT_EQ(heights[heights.size() - x.size() + i], heights[i]);
+  }
+  EXPECT_EQ(file.text_attribute("/slider/height", "unit"), "m");
 }
 
 TEST(ResultsFile, HoldsContactMapsByState) {

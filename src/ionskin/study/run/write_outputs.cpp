@@ -55,7 +55,9 @@ void write_results_file(const Case& input, const MechanicsRecord& mechanics,
   write_optional(file, "taxels_error", outputs.errors.taxels);
   write_optional(file, "circuit_error", outputs.errors.circuit);
   write_optional(file, "water_error", outputs.errors.water);
-  if (!mechanics.has_contact()) {
+  if (mechanics.has_contact()) {
+    file.write_slider(input.slider);
+  } else {
     file.write_strain(mechanics.history);
   }
   if (outputs.ions) {
