@@ -24,17 +24,19 @@ def main(table, picture, scene=None):
         rows = list(csv.reader(file))
     columns = {name: [float(row[i]) for row in rows[1:]] for i, name in enumerate(rows[0])}
     time = columns["time [s]"]
-    whole = pyplot.figure(figsize=(7, 6.4 if scene is None else 8.8), layout="constrained")
+    # Narrow, so that the letters can be read where a telephone shows it at 330 pixels.
+    pyplot.rcParams.update({"font.size": 9, "legend.fontsize": 9})
+    whole = pyplot.figure(figsize=(4, 6.0 if scene is None else 7.6), layout="constrained")
     figure = whole
     if scene is not None:
-        above, figure = whole.subfigures(2, height_ratios=[2, 5])
+        above, figure = whole.subfigures(2, height_ratios=[2, 7])
         axes = above.subplots()
         axes.imshow(pyplot.imread(scene))
         axes.axis("off")
-    force, share, current = figure.subplots(3, sharex=True, height_ratios=[2, 1, 2])
-    force.plot(time, columns["contact_force [N]"], label="normal, of MuJoCo", color="0.6", linewidth=3)
-    force.plot(time, columns["normal_force [N]"], label="normal, of the skin", color="C0", linestyle="--")
-    force.plot(time, columns["tangential_force_x [N]"], label="tangential, of the skin", color="C1")
+    force, share, current = figure.subplots(3, sharex=True, height_ratios=[2, 1, 2.4])
+    force.plot(time, columns["contact_force [N]"], label="normal, MuJoCo", color="0.6", linewidth=3)
+    force.plot(time, columns["normal_force [N]"], label="normal, skin", color="C0", linestyle="--")
+    force.plot(time, columns["tangential_force_x [N]"], label="tangential, skin", color="C1")
     force.set_ylabel("force [N]")
     place = force.twinx()
     place.plot(time, [1e3 * x for x in columns["x [m]"]], color="C2", linestyle=":")
@@ -44,13 +46,14 @@ def main(table, picture, scene=None):
     # Where the finger begins to slide, a peak of some milliseconds stands far above all that follows.
     for name, values in columns.items():
         if name.startswith("current_"):
-            current.plot(time, trailing_means(values, 50), label=name.removesuffix(" [A]").replace("_", " "))
+            current.plot(time, trailing_means(values, 50), label=name.removesuffix(" [A]").removeprefix("current_").replace("_", " "))
     current.set_yscale("symlog", linthresh=10)
-    current.set_ylabel("current, mean of 50 ms [µA]")
+    current.set_ylabel("current [µA], mean of 50 ms")
     current.set_xlabel("time [s]")
-    for axes in (force, current):
-        axes.legend(loc="lower right", bbox_to_anchor=(1, 1), frameon=False, ncols=4, fontsize="small")
-    whole.savefig(picture, dpi=120)
+    for axes, ncols in ((force, 2), (current, 4)):
+        axes.legend(loc="lower right", bbox_to_anchor=(1, 1), frameon=False, ncols=ncols, handlelength=1.2, columnspacing=0.8,
+                    borderaxespad=0)
+    whole.savefig(picture, dpi=200)
 
 
 if __name__ == "__main__":
