@@ -14,7 +14,10 @@ class Underside:
     """Heights above the lowest point over the plan of a slider. Lengths in metres, from the slider's centre."""
 
     def __init__(self, slider, heights=None):
-        """`slider` is the case's table, `heights` those that the run states (read_heights). Raises ValueError and KeyError where it holds what a figure cannot draw."""
+        """`slider` is the case's table, `heights` those that the run states (read_heights).
+
+        Raises ValueError and KeyError where it holds what a figure cannot draw.
+        """
         self.shape = slider.get("shape", "flat")
         self.radius = si(slider["radius"]) if self.shape in ("cylinder", "sphere") else None
         self.edge_radius = si(slider.get("edge_radius", "0 m")) if self.shape == "flat" else 0.0
