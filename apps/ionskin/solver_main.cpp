@@ -13,6 +13,7 @@
 #include "study_verbs/sweep.hpp"
 #include "study_verbs/trial_verbs.hpp"
 #include "study_verbs/verify.hpp"
+#include "terminal/terminal.hpp"
 
 int main(int argc, char** argv) {
   using namespace ionskin::apps;
@@ -23,10 +24,9 @@ int main(int argc, char** argv) {
     if (!command) {
       return exit_code;
     }
-    std::string command_text = "ionskin";
-    for (int i = 1; i < argc; ++i) {
-      command_text.append(" ").append(argv[i]);
-    }
+    std::vector<std::string> words(argv, argv + argc);
+    words.front() = "ionskin";
+    const std::string command_text = shell_text(words);
     if (const auto* check_options = std::get_if<CheckOptions>(&*command)) {
       return check_with_solver(*check_options);
     }

@@ -6,6 +6,7 @@ import json
 import os
 import pty
 import re
+import shlex
 import struct
 import subprocess
 import termios
@@ -51,6 +52,19 @@ class Terminal(ProgramTest):
             self.assertEqual(percentages, sorted(percentages), activity)
             self.assertEqual(percentages[-1], 100, activity)
         return names
+
+    def test_cost_of_a_sweep_fits_the_terminal(self):
+        text = self.on_terminal(80, "sweep", *SMALL, "-o", "out", "--explain", "--over", "contact.friction=0.1:0.5", "--over",
+                                "motion.preload=0.5:1.5 um", "--samples", 20)
+        self.assertIn("less where the cache", " ".join(text.split()))
+        self.assertLessEqual(max(map(len, text.splitlines())), 80, text)
+
+    def test_command_of_a_run_can_be_typed_again(self):
+        words = ["run", str(QUICK), "-o", "an out", "--only", "mechanics", "--no-report", "--set", 'motion.preload="1 um"',
+                 "--set", "numerics.mesh_refinement=0.5"]
+        self.run_program(*words)
+        command = json.loads((self.folder / "an out" / "manifest.json").read_text())["command"]
+        self.assertEqual(shlex.split(command), ["ionskin", *words])
 
     def test_bar_fits_the_terminal(self):
         for columns in (80, 40):

@@ -7,6 +7,7 @@
 #include "ionskin/study/sweep/sweep.hpp"
 #include "study_verbs/python_verbs.hpp"
 #include "study_verbs/sweep_cost.hpp"
+#include "terminal/terminal.hpp"
 
 #include <fmt/core.h>
 
@@ -115,7 +116,8 @@ std::optional<study::SweepPlan> planned(const SweepOptions& options) {
     const int threads =
         here(options) ? thread_count(options.threads) : std::max(1, options.threads);
     const std::string cost = sweep_cost(plan, options.only != "mechanics", threads);
-    fmt::print(options.explain ? stdout : stderr, "{}\n", cost);
+    std::FILE* file = options.explain ? stdout : stderr;
+    fmt::print(file, "{}", paragraph(cost, 2, fileno(file)));
   }
   return options.explain ? std::nullopt : std::optional(std::move(plan));
 }

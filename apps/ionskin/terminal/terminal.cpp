@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -38,10 +39,29 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t indent
   return result;
 }
 
-std::string paragraph(std::string_view text, std::size_t indent) {
-  const bool terminal = isatty(STDOUT_FILENO) != 0;
-  return (terminal ? wrapped(text, terminal_width(STDOUT_FILENO), indent) : std::string(text)) +
-         "\n";
+std::string paragraph(std::string_view text, std::size_t indent, int descriptor) {
+  const bool terminal = isatty(descriptor) != 0;
+  return (terminal ? wrapped(text, terminal_width(descriptor), indent) : std::string(text)) + "\n";
+}
+
+std::string shell_text(const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& word : words) {
+    const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
+      return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+             std::string_view("_-./=,:+").find(c) != std::string_view::npos;
+    });
+    std::string quoted = word;
+    if (!plain) {
+      quoted = "'";
+      for (const char c : word) {
+        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+      }
+      quoted += "'";
+    }
+    line += (line.empty() ? "" : " ") + quoted;
+  }
+  return line;
 }
 
 std::string duration_text(double seconds) {

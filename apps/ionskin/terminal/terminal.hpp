@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ionskin::apps {
 
@@ -15,8 +16,12 @@ std::size_t terminal_width(int descriptor);
 /// `indent` blanks; a longer word stands on a line of its own. Without a newline at its end.
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
 
-/// A paragraph for stdout, with a newline: wrapped on a terminal, one line in a file.
-std::string paragraph(std::string_view text, std::size_t indent);
+/// A paragraph for stdout, or for another file descriptor, with a newline: wrapped on a terminal,
+/// one line in a file.
+std::string paragraph(std::string_view text, std::size_t indent, int descriptor = 1);
+
+/// Words as one would type them in a shell.
+std::string shell_text(const std::vector<std::string>& words);
 
 /// "12 s", "3 min 20 s", "1 h 05 min".
 std::string duration_text(double seconds);

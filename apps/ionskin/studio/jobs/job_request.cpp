@@ -5,6 +5,7 @@
 #include "ionskin/case/schema/schema.hpp"
 #include "studio/data/case_check.hpp"
 #include "studio/server/limits.hpp"
+#include "terminal/terminal.hpp"
 
 #include <fmt/format.h>
 
@@ -125,26 +126,6 @@ Job report_job(const Workspace& workspace, const Json& request) {
 }
 
 } // namespace
-
-std::string shell_text(const std::vector<std::string>& words) {
-  std::string line;
-  for (const std::string& word : words) {
-    const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
-      return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-             std::string_view("_-./=,:+").find(c) != std::string_view::npos;
-    });
-    std::string quoted = word;
-    if (!plain) {
-      quoted = "'";
-      for (const char c : word) {
-        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-      }
-      quoted += "'";
-    }
-    line += (line.empty() ? "" : " ") + quoted;
-  }
-  return line;
-}
 
 Job job_of(const Workspace& workspace, const Json& request) {
   Job job;

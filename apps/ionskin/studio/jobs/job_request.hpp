@@ -17,7 +17,4 @@ namespace ionskin::apps::studio {
 /// Throws HttpError: 400 for a request that makes no sense, 422 for a case with mistakes.
 Job job_of(const Workspace& workspace, const Json& request);
 
-/// Words as one would type them in a shell.
-std::string shell_text(const std::vector<std::string>& words);
-
 } // namespace ionskin::apps::studio
