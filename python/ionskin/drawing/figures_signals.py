@@ -195,10 +195,10 @@ def normalised(study):
     signals, sampled = results.signals, results.sampled
     figure, axes = event_panels.rows(results, [1.1, 1.1])
     travel = signals["slider_x"] - signals["slider_x"][0]
-    for panel in axes:
-        panel.plot(signals["time"], travel / (peak_of(travel) or 1), color=style.PALE, lw=1.4, label="slider x")
+    for panel, names in zip(axes, (("slider x", "mean shear γ"), ("_", "_"))):  # the first panel's legend tells both
+        panel.plot(signals["time"], travel / (peak_of(travel) or 1), color=style.PALE, lw=1.4, label=names[0])
         panel.plot(signals["time"], signals["mean_shear"] / (peak_of(signals["mean_shear"]) or 1), color=style.ORANGE,
-                   lw=1.1, label="mean shear γ")
+                   lw=1.1, label=names[1])
         panel.set_ylabel("divided by its peak")
         panel.set_ylim(-1.12, 1.12)
     for panel, (name, colour) in zip(axes, (("top", style.BLUE), ("difference", style.GREEN))):
@@ -206,7 +206,7 @@ def normalised(study):
         panel.plot(sampled["time"], values / (peak_of(values) or 1), color=colour, lw=0.9, label=f"{name} current, sampled",
                    **STEP)
         style.legend(panel)
-        style.title(panel, title_of(study, "Top electrode") if name == "top" else "Difference")
+        style.title(panel, "Top electrode" if name == "top" else title_of(study, "Difference"))
     event_panels.finish(results, axes)
     return figure
 
@@ -248,8 +248,7 @@ def charge(study):
     axes[1].set_xlabel("phase and cycle")
     figure.subplots_adjust(bottom=0.62 / figure.get_figheight(), hspace=0.25)
     error = results.metrics.get("charge_identity_error")
-    audit = f"; charge identity to {error.value:.0e}" if error and error.value is not None else ""
-    style.title(axes[0], study.label(study.typical) + audit)
-    style.title(axes[1], "Difference (top − bottom)/2")
+    style.title(axes[0], f"Charge identity to {error.value:.0e}" if error and error.value is not None else "Electrodes")
+    style.title(axes[1], f"Difference (top − bottom)/2, {study.label(study.typical)}")
     style.legend(axes[0])
     return figure

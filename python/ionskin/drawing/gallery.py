@@ -31,11 +31,11 @@ ENTRIES = [
           figures_family.shear),
     Entry("fig06_shear_map", "Shear over time and the swept key", "Volume mean of γ over the core.",
           figures_family.shear_map),
-    Entry("fig07_peaks", "Peaks", "Peak of the mean shear with the power laws found in the data, and peaks of the currents: "
+    Entry("fig07_peaks", "Peaks", "Peak of the mean shear, with power laws where a sweep along one key shows them, and peaks of the currents: "
           "resolved peaks are set by how short the contact events are, sampled ones are what an integrating instrument sees.",
           figures_family.peaks),
-    Entry("fig08_means", "Means", "Time mean of the mean shear with the power laws found in the data, and rms of the resolved "
-          "currents over the run.", figures_family.means),
+    Entry("fig08_means", "Means", "Time mean of the mean shear, with power laws where a sweep along one key shows them, and rms of the "
+          "resolved currents over the run.", figures_family.means),
     Entry("fig09_current", "Currents over time", "Sampled currents of both electrodes and their difference, the whole run and "
           "enlarged at the first contact; the vertical axes are common along a column.", figures_family.currents),
     Entry("fig10_current_map", "Currents over time and the swept key", "Sampled; the colour scale is linear within a "

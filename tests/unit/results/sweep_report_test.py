@@ -332,7 +332,7 @@ class SampledSweep(SweepTest):
             summary["metrics"] |= {"time_mean_shear": {"value": 1e-3 * number, "unit": "1"},
                                    "peak_sampled_current_top": {"value": 1e-3 * number, "unit": "A"}}
             path.write_text(json.dumps(summary | {"error_estimate": {"peak_mean_shear": 0.5}}))
-        names = ["fig05_shear", "fig07_peaks", "fig09_currents", "fig21_scatter", "fig22_sensitivity"]
+        names = ["fig05_shear", "fig07_peaks", "fig15_normalised", "fig20_charge", "fig21_scatter", "fig22_sensitivity"]
         for entry, figure in gallery.draw(Study(self.folder), names):
             with self.subTest(entry.name):
                 self.assertEqual(overlapping_texts(figure), [])
