@@ -114,7 +114,8 @@ def report(first, second, tolerance, defaults=None):
     for heading, rows in (
             ("parameters", [f"{key}: {one} | {two}" for key, one, two in parameters(first, second, defaults or {})]),
             ("metrics (relative difference)", [
-                f"{name}: {number(one)} | {number(two)} {unit} ({gap:.2e})" + remark(verdict(first, second, name))
+                f"{name}: {number(one)} | {number(two)}{'' if unit == '1' else ' ' + unit} ({gap:.2e})"
+                + remark(verdict(first, second, name))
                 for name, one, two, unit, gap in metrics(first, second, tolerance)]),
             ("signals (largest difference over the peak)", [
                 f"{table}/{name}: {gap:.2e}" + remark("" if share is None else "within the stated errors" if not share

@@ -116,10 +116,13 @@ class FirstMinutes(ProgramTest):
     def test_comparison_names_defaults(self):
         small = ("--only", "mechanics", "--set", "numerics.mesh_refinement=0.5")
         self.run_case(QUICK, "-o", "one", *small)
-        self.run_case(QUICK, "-o", "two", *small, "--set", "coupling.law=column-neutral", "--set", "contact.law=coulomb")
+        self.run_case(QUICK, "-o", "two", *small, "--set", "coupling.law=column-neutral", "--set", "contact.law=coulomb",
+                      "--set", "contact.friction=0.35")
         compared = self.run_program("compare", "one", "two").stdout
         self.assertIn("  coupling.law: 'fixed-charge' (default) | 'column-neutral'\n", compared)
         self.assertNotIn("contact.law", compared)
+        self.assertRegex(compared, r"  mean_shear_slide: [\d.]+ \| [\d.]+ \(")
+        self.assertRegex(compared, r"  tangential_force_slide: [\d.]+ \| [\d.]+ N \(")
 
     def test_doctor_and_cite(self):
         whole = self.run_program("doctor").stdout
