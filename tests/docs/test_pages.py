@@ -20,6 +20,10 @@ class Pages(unittest.TestCase):
                 page.evaluate("new Promise(done => setTimeout(done, 200))")
                 self.assertLessEqual(page.evaluate("document.documentElement.scrollWidth"), 390)
                 self.assertEqual(page.errors, [])
+                # Charts as wide as the text keep a width at which their letters can be read, and are moved sideways.
+                widths = page.evaluate("[...document.querySelectorAll('a.image-reference img[style*=\"%\"]')]"
+                                       ".map(image => image.clientWidth)")
+                self.assertGreaterEqual(min(widths, default=640), 640)
 
 
 if __name__ == "__main__":
