@@ -6,7 +6,7 @@
 namespace ionskin::circuits {
 
 std::string Load::words() const {
-  return fmt::format("resistor of {:.4g} ohm", resistance);
+  return fmt::format("resistor of {:.8g} ohm", resistance);
 }
 
 } // namespace ionskin::circuits

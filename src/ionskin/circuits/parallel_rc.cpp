@@ -6,7 +6,7 @@
 namespace ionskin::circuits {
 
 std::string ParallelRc::words() const {
-  return fmt::format("resistor of {:.4g} ohm and capacitor of {:.4g} F in parallel", resistance,
+  return fmt::format("resistor of {:.8g} ohm and capacitor of {:.4g} F in parallel", resistance,
                      capacitance);
 }
 
