@@ -8,6 +8,7 @@ seconds=${1:-10}
 work=${2:-$(mktemp -d)}
 cmake --preset fuzz > /dev/null
 cmake --build --preset fuzz
+export LSAN_OPTIONS="suppressions=$PWD/tests/leak_suppressions.txt"
 failures=0
 for fuzzer in build-fuzz/fuzz_*; do
   [ -x "$fuzzer" ] || continue

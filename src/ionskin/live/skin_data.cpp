@@ -79,7 +79,9 @@ public:
         value.resize(data.size() / sizeof(Element));
       }
       require(data.size() == value.size() * sizeof(Element), name);
-      std::memcpy(value.data(), data.data(), data.size());
+      if (!data.empty()) { // an empty list has no address to copy to
+        std::memcpy(value.data(), data.data(), data.size());
+      }
       for (const Element element : value) {
         require(std::isfinite(element), name);
       }
