@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <fstream>
 #include <random>
 #include <string>
@@ -32,7 +32,7 @@ std::string repeated(const std::string& part, std::size_t count) {
 
 /// The message with which the text is refused; fails where it is long or a terminal acts on it.
 std::string refusal(const std::string& text, const std::vector<std::string>& edits = {}) {
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();
   std::string message;
   try {
     read_case_text(text, "case.toml", edits);
@@ -44,8 +44,8 @@ std::string refusal(const std::string& text, const std::vector<std::string>& edi
   EXPECT_TRUE(std::ranges::none_of(message, [](unsigned char letter) {
     return (letter < 0x20 && letter != '\n' && letter != '\t') || letter == 0x7f;
   })) << message;
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  EXPECT_LT(seconds.count(), 60);
+  // Processor time: what else the machine does is no fault of the text.
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 60);
   return message;
 }
 
