@@ -163,8 +163,11 @@ const main = async (page, link) => {
   for (const [label, values] of [["Cut", ["x", "z", "volume", "y"]], ["Face", ["slip", "pressure"]]]) {
     for (const value of values) await fill(label, value);
   }
-  const channels = await page.$$eval(".scene-panel select:first-of-type option", (all) => all.map((one) => one.value));
-  assert.ok(channels.includes("strain/gamma") && channels.includes("ions/concentration") && channels.includes("ions/potential"), channels.join());
+  // Curves stand before the list of stored fields has come.
+  await wait((wanted) => {
+    const listed = [...document.querySelectorAll(".scene-panel option")].map((one) => one.value);
+    return wanted.every((one) => listed.includes(one));
+  }, ["strain/gamma", "ions/concentration", "ions/potential"]);
   await fill("Field", "ions/concentration");
   await wait(() => /Concentration/.test(document.querySelector(".legend").textContent));
   await fill("Thickness stretched", "20");

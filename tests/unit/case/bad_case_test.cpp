@@ -165,7 +165,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "^^^^^^", "it must be below 1 mm"},
         Mistake{"DiluteIonsWithLargestConcentration", "\"1200 mol/m3\"",
                 "\"1200 mol/m3\"\nlargest_concentration = \"5000 mol/m3\"",
-                "largest_concentration is given, but only steric ions have one", "45:25",
+                "largest_concentration is given, but dilute ions have none", "45:25",
                 "^^^^^^^^^^^^^", "set electrochemistry.ion_model = \"steric\""},
         Mistake{"ThinLayersWithoutWater", "\"1200 mol/m3\"",
                 "\"1200 mol/m3\"\nion_model = \"thin-layers\"",

@@ -35,7 +35,7 @@ void check_electrochemistry(const CaseDocument& document, Problems& problems) {
   if (given.empty())
     return;
   if (ions.ion_model != IonModel::steric) {
-    problems.add("electrochemistry.largest_concentration is given, but only steric ions have one",
+    problems.add("electrochemistry.largest_concentration is given, but dilute ions have none",
                  given, "set electrochemistry.ion_model = \"steric\", or remove the key");
   } else if (ions.largest_concentration <= ions.resting_concentration()) {
     problems.add(
