@@ -11,6 +11,8 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/nearest_name.hpp"
 #include "ionskin/case/reading/read_case.hpp"
+#include "ionskin/mechanics/path/find_footprint.hpp"
+#include "ionskin/mesh/skin_mesh.hpp"
 #include "ionskin/study/run/run_case.hpp"
 #include "ionskin/study/sweep/sweep.hpp"
 
@@ -105,6 +107,17 @@ void run(const py::handle& python_case, const py::dict& settings, const py::obje
                          [&] { study::run_case(input, options); });
 }
 
+/// Half the length and width of the area that the case touches [m], and whether its border lies
+/// where the slider ends sharply. Throws UserError where no mesh fits around it.
+std::pair<std::array<double, 2>, bool> footprint(const py::handle& python_case, int threads) {
+  const Case input = read(case_source(python_case)).input;
+  const py::gil_scoped_release release;
+  const mesh::Footprint found =
+      mechanics::find_footprint(input, input.contact.friction, apps::thread_count(threads));
+  const mesh::SkinMesh fits(input, found);
+  return {fits.footprint().half_size, input.slider.sharp()};
+}
+
 std::map<std::string, std::string> sweep(const py::handle& python_case,
                                          const std::vector<std::string>& over,
                                          const py::dict& settings, const py::object& callback) {
@@ -154,6 +167,7 @@ PYBIND11_MODULE(_ionskin_solver, module) {
   module.def("values", &values);
   module.def("key_unit", &key_unit);
   module.def("nearest_key", &nearest_key);
+  module.def("footprint", &footprint);
   module.def("run", &run);
   module.def("sweep", &sweep);
   python::add_fit_bindings(module);

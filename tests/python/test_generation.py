@@ -27,6 +27,12 @@ class Generation(PackageTest):
         longer = Touches(small_case(), 14, seed=7, vary=["contact.friction=uniform(0.2, 0.3)"])
         self.assertEqual(values, [trial.values for trial in longer.trials[:12]])
         self.assertNotEqual(values, [trial.values for trial in Touches(small_case(), 12, seed=8).trials])
+        self.assertTrue(touches.shares_positions)
+        low, high = ([touches.case[f"numerics.shared_positions.{end}[{axis}]"] for axis in (0, 1)] for end in ("from", "to"))
+        for one in values:
+            start = [one["slider.start[0]"], one["slider.start[1]"]]
+            self.assertTrue(all(a <= b for a, b in zip(low, start)) and start[0] + one["motion.stroke"] <= high[0])
+        self.assertFalse(Touches(small_case(), 1, vary=["numerics.mesh_refinement=uniform(0.5, 0.6)"]).shares_positions)
         with self.assertRaises(ionskin.CaseError) as raised:
             Touches(small_case(), 1, vary=["slider.start[0]=uniform(14 mm, 14.5 mm)"])
         self.assertIn("no valid case", str(raised.exception))
@@ -43,6 +49,9 @@ class Generation(PackageTest):
         numpy.testing.assert_allclose(signals[:, 2], result.sampled["current_difference"][-len(time):], rtol=1e-6, atol=1e-12)
         touching = labels[:, COLUMNS.index("touching")]
         self.assertEqual((touching[0], touching[len(time) // 3], touching[-1]), (0, 1, 0))
+        area, stick, slip = (labels[:, COLUMNS.index(name)] for name in ("contact_area", "stick_share", "slip"))
+        self.assertTrue((area[touching > 0] > 0).all() and (stick >= 0).all() and (stick <= 1).all())
+        self.assertAlmostEqual(slip.max() / case["motion.stroke"], 1, delta=0.1)
 
     def test_equal_stores(self):
         subprocess.run([sys.executable, CASES / "make_strain.py", self.folder / "strain.h5"], check=True)

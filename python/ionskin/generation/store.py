@@ -11,7 +11,8 @@ from ..evaluation import Outcome
 from ..libraries import need
 
 SIGNALS = ("current_top", "current_bottom", "current_difference", "charge_top", "charge_bottom")
-LABELS = ("slider_x", "slider_z", "normal_force", "tangential_force", "mean_shear", "p99_shear")
+LABELS = ("slider_x", "slider_z", "normal_force", "tangential_force", "mean_shear", "p99_shear", "slider_y",
+          "contact_area", "stick_share", "slip")
 CONTACT_METRICS = ("stick_fraction_touchdown", "contact_area_slide", "mean_pressure_slide")
 TOUCHING = 1e-9  # of the largest normal force
 
@@ -38,7 +39,7 @@ def tables(outcome: Outcome, rate: float):
 
 
 COLUMNS = (*LABELS, "touching", "slider_speed")
-UNITS = {"slider_x": "m", "slider_z": "m", "normal_force": "N", "tangential_force": "N", "slider_speed": "m/s",
+UNITS = {"slider_x": "m", "slider_y": "m", "contact_area": "m2", "slip": "m", "slider_z": "m", "normal_force": "N", "tangential_force": "N", "slider_speed": "m/s",
          "charge_top": "C", "charge_bottom": "C"}
 
 

@@ -24,27 +24,47 @@ std::size_t place(int rows, int i, int j) {
   return static_cast<std::size_t>(rows) * static_cast<std::size_t>(j) + static_cast<std::size_t>(i);
 }
 
-/// Rows of A as multiples of the units: tiles of rows one behind the other, by columns in each.
-void expand(const FixedPointMatrix& a, int first, int count, std::vector<double>& packed) {
+/// Rows of B that are not zero, so that cells without force cost nothing.
+std::vector<int> nonzero_rows(const DenseMatrix& b) {
+  std::vector<int> result;
+  for (int j = 0; j < b.rows; ++j) {
+    bool zero = true;
+    for (int k = 0; k < b.columns && zero; ++k) {
+      zero = b(j, k) == 0;
+    }
+    if (!zero) {
+      result.push_back(j);
+    }
+  }
+  return result;
+}
+
+/// Rows of A as multiples of the units: tiles of rows one behind the other, by the columns used in
+/// each.
+void expand(const FixedPointMatrix& a, const std::vector<int>& used, int first, int count,
+            std::vector<double>& packed) {
   std::fill(packed.begin(), packed.end(), 0.0);
-  for (int j = 0; j < a.columns; ++j) {
-    const std::int32_t* from = a.values.data() + place(a.rows, first, j);
+  const int columns = static_cast<int>(used.size());
+  for (int j = 0; j < columns; ++j) {
+    const std::int32_t* from = a.values.data() + place(a.rows, first, used[j]);
     for (int row = 0; row < count; row += tile_rows) {
-      double* to = packed.data() + place(row, 0, a.columns) + place(tile_rows, 0, j);
+      double* to = packed.data() + place(row, 0, columns) + place(tile_rows, 0, j);
       std::copy(from + row, from + std::min(count, row + tile_rows), to);
     }
   }
 }
 
-/// B times the units of A: tiles of columns one behind the other, by rows in each.
-std::vector<double> packed_right(const FixedPointMatrix& a, const DenseMatrix& b) {
+/// B times the units of A: tiles of columns one behind the other, by the rows used in each.
+std::vector<double> packed_right(const FixedPointMatrix& a, const std::vector<int>& used,
+                                 const DenseMatrix& b) {
   const int tiles = (b.columns + tile_columns - 1) / tile_columns;
-  std::vector<double> packed(place(tiles * tile_columns, 0, a.columns));
+  const int rows = static_cast<int>(used.size());
+  std::vector<double> packed(place(tiles * tile_columns, 0, rows));
   for (int k = 0; k < b.columns; ++k) {
     const int in_tile = k % tile_columns;
-    double* to = packed.data() + place(k - in_tile, 0, a.columns) + in_tile;
-    for (int j = 0; j < a.columns; ++j) {
-      to[place(tile_columns, 0, j)] = b(j, k) * a.unit[j];
+    double* to = packed.data() + place(k - in_tile, 0, rows) + in_tile;
+    for (int j = 0; j < rows; ++j) {
+      to[place(tile_columns, 0, j)] = b(used[j], k) * a.unit[used[j]];
     }
   }
   return packed;
@@ -92,17 +112,19 @@ double FixedPointMatrix::operator()(int i, int j) const {
 }
 
 void multiply_add(const FixedPointMatrix& a, const DenseMatrix& b, DenseMatrix& c) {
-  const std::vector<double> right = packed_right(a, b);
-  std::vector<double> left(place(block_rows, 0, a.columns));
+  const std::vector<int> used = nonzero_rows(b);
+  const int terms = static_cast<int>(used.size());
+  const std::vector<double> right = packed_right(a, used, b);
+  std::vector<double> left(place(block_rows, 0, terms));
   Tile tile;
   for (int first = 0; first < a.rows; first += block_rows) {
     const int count = std::min(block_rows, a.rows - first);
-    expand(a, first, count, left);
+    expand(a, used, first, count, left);
     for (int column = 0; column < b.columns; column += tile_columns) {
       const int columns = std::min(tile_columns, b.columns - column);
       for (int row = 0; row < count; row += tile_rows) {
-        multiply_tile(left.data() + place(row, 0, a.columns),
-                      right.data() + place(column, 0, a.columns), a.columns, tile);
+        multiply_tile(left.data() + place(row, 0, terms), right.data() + place(column, 0, terms),
+                      terms, tile);
         const int rows = std::min(tile_rows, count - row);
         for (int k = 0; k < columns; ++k) {
           double* to = c.column(column + k) + first + row;

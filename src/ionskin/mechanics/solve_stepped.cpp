@@ -178,7 +178,7 @@ void warn_of_nodes(const Case& input, const PositionNodes& nodes, const ContactO
 } // namespace
 
 bool is_stepped(const Case& input) {
-  return input.motion.kind == MotionKind::waypoints ||
+  return input.motion.kind == MotionKind::waypoints || input.numerics.shared.given() ||
          laws::friction_law(input.contact.law).stepped;
 }
 

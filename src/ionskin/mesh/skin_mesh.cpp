@@ -25,7 +25,7 @@ constexpr double face_reach = 5;
 constexpr double face_layer = 0.5;
 
 bool moves_on_symmetry_plane(const Case& input) {
-  const MotionBox box = motion_box(input.motion, input.slider);
+  const MotionBox box = meshed_box(input);
   const double offset = std::abs(box.low[1] - input.skin.width / 2);
   return box.low[1] == box.high[1] && input.slider.symmetric()[1] &&
          (covers_width(input) || offset <= 1e-12 * input.skin.width);
@@ -105,7 +105,7 @@ SkinMesh::Axis SkinMesh::make_axis(const Case& input, std::size_t direction) con
   }
   const double half_size = footprint_.half_size[direction];
   axis.inner = footprint_lines(footprint_, resolution, direction, axis.half);
-  const MotionBox box = motion_box(input.motion, input.slider);
+  const MotionBox box = meshed_box(input);
   const double low = box.low[direction], high = box.high[direction];
   const double shortest = std::min(low, skin_size - high) - half_size;
   const double longest = std::max(high, skin_size - low) - half_size;

@@ -3,6 +3,7 @@
 
 #include "ionskin/electrochemistry/time/problem_size.hpp"
 #include "ionskin/mechanics/path/contact_plan.hpp"
+#include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/position/memory_estimate.hpp"
 #include "ionskin/mechanics/position/unit_response.hpp"
 #include "ionskin/mechanics/solve_stepped.hpp"
@@ -34,6 +35,9 @@ constexpr double seconds_of_output = 4.0; // files, figures and report
 /// which follows from the softest layer, may be far too large, and the mesh too small: a contact
 /// smaller than its layer feels that layer alone, the highest.
 mesh::SkinMesh expected_mesh(const Case& input) {
+  if (const auto given = mechanics::given_footprint(input); given && !input.slider.sharp()) {
+    return {input, *given};
+  }
   mesh::SkinMesh largest(input);
   if (input.slider.sharp() || mesh::heaviest_load(input).force <= 0) {
     return largest;

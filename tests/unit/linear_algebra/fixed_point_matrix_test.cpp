@@ -76,5 +76,26 @@ TEST(FixedPointMatrix, a_column_of_a_product_is_the_same_bits_in_any_company) {
   }
 }
 
+TEST(FixedPointMatrix, rows_without_force_change_no_bit) {
+  const FixedPointMatrix rounded = fixed(example());
+  DenseMatrix right(5, 2), padded(5, 3);
+  for (const int j : {1, 4}) {
+    for (int k = 0; k < 2; ++k) {
+      right(j, k) = padded(j, k) = std::sin(j + 3.0 * k);
+    }
+  }
+  for (int j = 0; j < 5; ++j) {
+    padded(j, 2) = 1; // another column has force everywhere
+  }
+  DenseMatrix product(700, 2), wider(700, 3), nothing(700, 1);
+  multiply_add(rounded, right, product);
+  multiply_add(rounded, padded, wider);
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_TRUE(std::equal(product.column(k), product.column(k) + 700, wider.column(k)));
+  }
+  multiply_add(rounded, DenseMatrix(5, 1), nothing);
+  EXPECT_EQ(nothing.values, std::vector<double>(700, 0.0));
+}
+
 } // namespace
 } // namespace ionskin::linear_algebra

@@ -46,6 +46,33 @@ CellVector test_load(const SkinModel& model) {
   return force;
 }
 
+using Reflection = std::array<bool, 2>;
+
+std::size_t mirror_index(const Reflection& reflect) {
+  return (reflect[0] ? 1 : 0) + (reflect[1] ? 2 : 0);
+}
+
+/// The strain under the test load of a position and of its mirror images, where the load is the
+/// mirror image of what is applied here: its pressure is the same, its drag is not.
+std::array<SharedState, 4> test_strains(const SkinModel& model,
+                                        const CondensedPosition& condensed) {
+  constexpr std::array<Reflection, 4> reflections{
+      {{false, false}, {true, false}, {false, true}, {true, true}}};
+  std::vector<CellVector> loads;
+  for (const Reflection& reflect : reflections) {
+    loads.push_back(reflected(model.cells, test_load(model), reflect));
+  }
+  std::vector<CondensedPosition::Response> responses = condensed.respond(loads);
+  std::array<SharedState, 4> result;
+  for (std::size_t i = 0; i < reflections.size(); ++i) {
+    auto state = std::make_shared<ContactState>();
+    state->strain = i == 0 ? std::move(responses[i].strain)
+                           : mirrored(std::move(responses[i].strain), reflections[i]);
+    result[mirror_index(reflections[i])] = std::move(state);
+  }
+  return result;
+}
+
 void add_scaled(const CoreStrain& strain, double weight, CoreStrain& sum) {
   sum.points = strain.points;
   for (std::size_t c = 0; c < sum.component.size(); ++c) {
@@ -77,7 +104,7 @@ std::optional<MotionBox> contact_box(const Case& input) {
       include(part.to);
     }
   }
-  return box;
+  return box && input.numerics.shared.given() ? meshed_box(input) : box;
 }
 
 std::array<std::size_t, 2> expected_counts(const Case& input, const MotionBox& box) {
@@ -116,7 +143,7 @@ PositionNodes::PositionNodes(const Case& input, std::shared_ptr<const SkinModel>
   compliance_ = std::make_unique<const ComplianceMap>(lines_, std::move(compliances));
   for (Place& place : places_) {
     place.compliance = {};
-    place.test = nullptr;
+    place.test = {};
   }
 }
 
@@ -155,20 +182,17 @@ void PositionNodes::condense(const NodeLines& lines, SharedProgress& progress) {
       });
       nodes_.push_back({position, static_cast<std::size_t>(same - places_.begin())});
       if (same == places_.end()) {
-        places_.push_back({position.centre, {}, nullptr, nullptr});
+        places_.push_back({position.centre, {}, nullptr, {}});
       }
     }
   }
   progress.add_units(places_.size() - known);
-  const CellVector load = test_load(*model_);
   parallel::run_tasks(places_.size() - known, options_.threads, [&](std::size_t i) {
     base::check_interrupt();
     Place& place = places_[known + i];
     const Condensed condensed = condensed_at(known + i);
     place.compliance = contact_compliance(*model_, *condensed);
-    auto test = std::make_shared<ContactState>();
-    test->strain = std::move(condensed->respond({load}).front().strain);
-    place.test = std::move(test);
+    place.test = test_strains(*model_, *condensed);
     place.condensed = condensed->holds_factor() ? nullptr : condensed;
     progress.finish_unit();
   });
@@ -183,17 +207,8 @@ std::array<std::size_t, 2> PositionNodes::wanted_counts(double tolerance) {
       std::vector<PathState> along;
       for (std::size_t i = 0; i < counts[axis]; ++i) {
         const Node& node = nodes_[axis == 0 ? i + counts[0] * line : line + counts[0] * i];
-        SharedState test = places_[node.condensed].test;
-        if (node.position.reflect[0] || node.position.reflect[1]) {
-          // The load's mirror image, whose pressure is the same and whose drag is not.
-          auto mirror = std::make_shared<ContactState>();
-          const CellVector load =
-              reflected(model_->cells, test_load(*model_), node.position.reflect);
-          mirror->strain = mirrored(condensed_at(node.condensed)->respond({load}).front().strain,
-                                    node.position.reflect);
-          test = std::move(mirror);
-        }
-        along.push_back({lines_[axis][i], std::move(test)});
+        along.push_back(
+            {lines_[axis][i], places_[node.condensed].test[mirror_index(node.position.reflect)]});
       }
       const InterpolationError error = interpolation_error(chebyshev_norms(along));
       error_ = std::max(error_, error.estimate);

@@ -16,8 +16,8 @@
 
 namespace ionskin::mechanics {
 
-/// The smallest rectangle that holds the slider's centre while it touches [m]; empty when it never
-/// does.
+/// The smallest rectangle that holds the slider's centre while it touches, or the case's shared one
+/// [m]; empty when it never touches.
 std::optional<MotionBox> contact_box(const Case& input);
 
 /// Nodes that a rectangle is expected to need along x and y.
@@ -79,7 +79,8 @@ private:
     std::array<double, 2> centre{};         ///< canonical [m]
     linear_algebra::DenseMatrix compliance; ///< as there [m/N]
     Condensed condensed;                    ///< null where it holds a factor
-    SharedState test;                       ///< its strain under the test load
+    /// Its strain under the test load, and those of its mirror images, by `mirror_index`.
+    std::array<SharedState, 4> test;
   };
   std::vector<Place> places_;
   std::unique_ptr<const ComplianceMap> compliance_;

@@ -3,6 +3,7 @@
 #include "ionskin/mechanics/engine/motion_stepper.hpp"
 #include "ionskin/mechanics/engine/path_thinning.hpp"
 #include "ionskin/mechanics/engine/position_nodes.hpp"
+#include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
 #include "ionskin/mechanics/solve_stepped.hpp"
 #include "ionskin/mechanics/surface/contact_diagnostics.hpp"
@@ -12,9 +13,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <random>
+#include <string>
 
 namespace ionskin::mechanics {
 namespace {
@@ -300,6 +304,44 @@ TEST(SteppedMotion, is_the_motion_of_the_legs_in_any_number_of_rows) {
     EXPECT_EQ(stepped.stepped.back().state, nullptr);
     EXPECT_NEAR(stepped.stepped_events.back(), 2.5 + 0.5 / 1001, 1e-12);
   }
+}
+
+TEST(SteppedMotion, touches_with_the_same_shared_positions_solve_the_skin_once) {
+  Case one = small_case();
+  one.slider.shape = "sphere";
+  one.slider.parameters["radius"] = 8e-3;
+  one.motion.preload = 0;
+  one.motion.preload_force = 0.2;
+  one.motion.stroke = 1e-3;
+  Case other = one;
+  other.slider.start = {1.7e-3, 1.05e-3};
+  other.motion.preload_force = 0.1;
+  other.contact.friction = 0.5;
+  const mesh::Footprint largest = find_footprint(one, 0.5, 2);
+  for (Case* input : {&one, &other}) {
+    input->numerics.shared = {{1.4e-3, 0.95e-3}, {2.9e-3, 1.05e-3}, largest.half_size};
+  }
+  std::string name = (std::filesystem::temp_directory_path() / "ionskin-shared-XXXXXX").string();
+  ASSERT_NE(mkdtemp(name.data()), nullptr);
+  base::DiskCache cache(name, 500'000'000);
+  base::Timers timers;
+  ContactOptions options;
+  options.threads = 2;
+  options.cache = &cache;
+  solve_contact(one, options, timers);
+  const std::size_t kept = cache.content().entries;
+  EXPECT_GT(kept, 4u);
+  const ContactSolution shared = solve_contact(other, options, timers);
+  EXPECT_EQ(cache.content().entries, kept);
+  std::filesystem::remove_all(name);
+
+  other.numerics.shared = {};
+  options.cache = nullptr;
+  const ContactSolution alone = solve_contact(other, options, timers);
+  const ContactState &landed = *nearest(shared, 0.5).state, &expected = *alone.legs[0].last();
+  EXPECT_NEAR(landed.normal_force, 0.1, 1e-9);
+  // Meshes differ: that of the own footprint is finer.
+  EXPECT_NEAR(landed.indentation, expected.indentation, 0.05 * expected.indentation);
 }
 
 TEST(SteppedMotion, lands_and_leaves_by_force_on_the_way) {

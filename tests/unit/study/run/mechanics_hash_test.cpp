@@ -54,6 +54,9 @@ const std::set<std::string> decides_study_one{
     "numerics.preset",
     "numerics.mesh_refinement",
     "numerics.time_refinement",
+    "numerics.shared_positions.from",
+    "numerics.shared_positions.to",
+    "numerics.shared_positions.footprint",
     "output.fields"}; // samples of the history
 const std::set<std::string> leaves_study_one{"title",
                                              "skin.layers[].name",
