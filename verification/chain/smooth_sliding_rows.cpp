@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "chain/rows.hpp"
+#include "ionskin/case/slider_motion.hpp"
 #include "ionskin/electrochemistry/grid/transport_grid.hpp"
 #include "ionskin/handover/contact_timeline.hpp"
 #include "ionskin/handover/handover.hpp"
 #include "ionskin/history/strain_projection.hpp"
-#include "ionskin/mechanics/path/slider_track.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
 
 #include <Eigen/Dense>
@@ -19,7 +19,7 @@ constexpr int fresh_positions = 20;
 /// The trend follows the shear's magnitude, which bends where the shear passes near zero, but not
 /// the slider's passing from column to column, 18 times in the interval.
 constexpr int trend_degree = 16;
-/// Of the samples: 80 a slide, four between two columns.
+/// Of the instants that are kept: 80 a slide at least, four between two columns.
 constexpr double sampling_refinement = 4.0;
 
 /// Arc lengths spread over the stroke, none of them a node of the interpolation.
@@ -66,28 +66,33 @@ double relative_ripple(const std::vector<double>& times, const std::vector<doubl
   return (residual.maxCoeff() - residual.minCoeff()) / data.mean();
 }
 
-/// New factorisations against interpolation along the track.
-void add_fresh_rows(const Chain& chain, const Options& options, std::vector<Row>& rows) {
-  const Case& input = chain.input;
+double time_at(const Case& input, double arc_length) {
+  return input.motion.touchdown + input.motion.slide * arc_length / input.motion.stroke;
+}
+
+/// The path against steady sliding that is found by itself on new factorisations.
+void add_fresh_rows(const Case& input, const mechanics::ContactSolution& contact,
+                    const Options& options, std::vector<Row>& rows) {
   const auto arcs = fresh_arc_lengths(input);
+  const MotionLeg slide = first_slide(motion_legs(input.motion, input.slider));
   mechanics::ContactOptions contact_options;
   contact_options.threads = options.threads;
   contact_options.progress = options.progress;
   base::Timers timers;
   const auto states = mechanics::solve_steady_sliding(input, arcs, contact_options, timers);
-  const handover::ContactTimeline timeline(input, chain.contact);
+  const handover::ContactTimeline timeline(input, contact);
   double force_error = 0;
   double shear_error = 0;
   for (std::size_t i = 0; i < arcs.size(); ++i) {
-    const double time = input.motion.touchdown + input.motion.slide * arcs[i] / input.motion.stroke;
+    const double time = time_at(input, arcs[i]);
     const double force = states[i].normal_force;
     force_error = std::max(force_error, std::abs(timeline.at(time).normal_force() / force - 1));
     handover::StateCombination fresh;
     fresh.terms = {{&states[i], 1.0}};
-    fresh.centre = mechanics::SliderTrack(input).centre(arcs[i]);
-    const double shear = handover::mechanics_shear_integral(input, chain.contact.mesh, fresh);
+    fresh.centre = slide.centre(time - slide.begin);
+    const double shear = handover::mechanics_shear_integral(input, contact.mesh, fresh);
     const double interpolated =
-        handover::mechanics_shear_integral(input, chain.contact.mesh, timeline.at(time));
+        handover::mechanics_shear_integral(input, contact.mesh, timeline.at(time));
     shear_error = std::max(shear_error, std::abs(interpolated / shear - 1));
   }
   rows.push_back(at_most("C3", "interpolated normal force against 20 new positions, relative",
@@ -97,15 +102,14 @@ void add_fresh_rows(const Chain& chain, const Options& options, std::vector<Row>
 }
 
 /// Transport grid against mechanics, and the ripple while sliding.
-void add_transport_rows(const Chain& chain, std::vector<Row>& rows) {
-  Case input = chain.input;
-  input.numerics.time_refinement = sampling_refinement;
-  const history::CoreHistory history = handover::build_strain_history(input, chain.contact);
+void add_transport_rows(const Case& input, const mechanics::ContactSolution& contact,
+                        std::vector<Row>& rows) {
+  const history::CoreHistory history = handover::build_strain_history(input, contact);
   const auto grid = electrochemistry::make_transport_grid(input, history);
   const history::StrainProjection projection(
       history, history.channel(history::channel_name::shear), grid.x_edges, grid.y_edges,
       history::hat_averages(history.grid.z_nodes, grid.z_nodes));
-  const handover::ContactTimeline timeline(input, chain.contact);
+  const handover::ContactTimeline timeline(input, contact);
   const double begin = input.motion.touchdown + 0.1 * input.motion.slide;
   const double end = input.motion.touchdown + input.motion.slide;
   std::vector<double> times;
@@ -120,7 +124,7 @@ void add_transport_rows(const Chain& chain, std::vector<Row>& rows) {
     projection.evaluate(time, shear);
     integrals.push_back(integral_on(grid, shear));
     const double mechanics =
-        handover::mechanics_shear_integral(input, chain.contact.mesh, timeline.at(time));
+        handover::mechanics_shear_integral(input, contact.mesh, timeline.at(time));
     difference = std::max(difference, std::abs(integrals.back() / mechanics - 1));
   }
   rows.push_back(at_most("C3", "integral(gamma) on the transport grid against mechanics, relative",
@@ -133,9 +137,20 @@ void add_transport_rows(const Chain& chain, std::vector<Row>& rows) {
 } // namespace
 
 std::vector<Row> smooth_sliding_rows(const Chain& chain, const Options& options) {
+  Case input = chain.input;
+  input.numerics.time_refinement = sampling_refinement;
+  input.output.fields.clear(); // which the path passes
+  for (const double arc_length : fresh_arc_lengths(input)) {
+    input.output.fields.push_back(time_at(input, arc_length));
+  }
+  mechanics::ContactOptions contact_options;
+  contact_options.threads = options.threads;
+  contact_options.progress = options.progress;
+  base::Timers timers;
+  const auto contact = mechanics::solve_contact(input, contact_options, timers);
   std::vector<Row> rows;
-  add_fresh_rows(chain, options, rows);
-  add_transport_rows(chain, rows);
+  add_fresh_rows(input, contact, options, rows);
+  add_transport_rows(input, contact, rows);
   return rows;
 }
 

@@ -39,8 +39,11 @@ def touchdown_state(file):
 
 def middle_state(file):
     """Name of the state of steady sliding nearest the middle of the slide, or of touchdown."""
-    steady = sorted(name for name in file["contact"] if name.startswith("steady_"))
-    return steady[len(steady) // 2] if steady else touchdown_state(file)
+    times = {name: group.attrs["parameter"] for name, group in file["contact"].items() if name.startswith("steady_")}
+    if not times:
+        return touchdown_state(file)
+    middle = (min(times.values()) + max(times.values())) / 2
+    return min(times, key=lambda name: abs(times[name] - middle))
 
 
 def contact_maps(study):

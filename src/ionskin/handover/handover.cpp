@@ -228,7 +228,6 @@ history::CoreHistory build_strain_history(const Case& input,
                              : b;
   };
 
-  // Legs that repeat each other share their fields.
   const std::vector<ChannelRule> rules = channel_rules(input);
   using Fields = std::vector<std::shared_ptr<const history::StrainField>>; // one per channel
   const auto nothing = std::make_shared<const history::StrainField>(

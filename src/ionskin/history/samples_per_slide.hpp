@@ -5,7 +5,7 @@
 
 namespace ionskin::history {
 
-/// Samples of steady sliding over a leg with the usual number of interpolation nodes.
+/// Samples that a usual slide, over two fifths of the skin, is expected to have.
 double samples_per_slide(const Numerics& numerics);
 
 } // namespace ionskin::history

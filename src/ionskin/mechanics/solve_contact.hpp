@@ -5,8 +5,8 @@
 #include "ionskin/base/progress.hpp"
 #include "ionskin/base/timers.hpp"
 #include "ionskin/case/case.hpp"
+#include "ionskin/mechanics/engine/path_steps.hpp"
 #include "ionskin/mechanics/output/contact_solution.hpp"
-#include "ionskin/mechanics/path/contact_path.hpp"
 #include "ionskin/mesh/footprint.hpp"
 
 #include <optional>
@@ -20,7 +20,8 @@ struct ContactOptions {
   base::ProgressCallback progress = base::no_progress; ///< called from one thread at a time
   base::DiskCache* cache = nullptr;                    ///< of condensed positions; none when null
   PathSteps steps;
-  /// Interpolation nodes along every slide; 0 for as many as keep the preset's tolerance.
+  /// Positions along each axis on which the skin is condensed; 0 for as many as keep the preset's
+  /// tolerance.
   std::size_t nodes = 0;
   /// As `find_footprint` found it for these loads and this friction; empty to find it.
   std::optional<mesh::Footprint> footprint;
@@ -53,7 +54,8 @@ std::vector<ContactSolution> solve_variants(const Case& input,
                                             const std::vector<ContactVariant>& variants,
                                             const ContactOptions& options, base::Timers& timers);
 
-/// Steady sliding at any arc lengths of the track [m], each from a factorisation of its own.
+/// Steady sliding at any arc lengths of the first slide [m], each found by itself from a
+/// factorisation of its own: nothing of it comes from the path, so that checks compare with it.
 std::vector<ContactState> solve_steady_sliding(const Case& input,
                                                const std::vector<double>& arc_lengths,
                                                const ContactOptions& options, base::Timers& timers);

@@ -8,7 +8,7 @@
 #include "ionskin/mechanics/engine/path_thinning.hpp"
 #include "ionskin/mechanics/engine/position_nodes.hpp"
 #include "ionskin/mechanics/engine/stepped_strains.hpp"
-#include "ionskin/mechanics/path/position_states.hpp"
+#include "ionskin/mechanics/position/contact_state.hpp"
 #include "ionskin/mechanics/position/interpolation_error.hpp"
 #include "ionskin/mechanics/position/interpolation_nodes.hpp"
 #include "ionskin/mesh/footprint.hpp"
@@ -81,8 +81,8 @@ public:
       largest_indentation_ = std::max(largest_indentation_, state.indentation);
       instant.force = state.force;
       instant.state = std::make_shared<ContactState>();
-      describe(nodes_.model(), state, contact.problem(), {point.centre, {false, false}},
-               largest_force_, largest_indentation_, *instant.state);
+      describe(nodes_.model(), state, contact.problem(), largest_force_, largest_indentation_,
+               *instant.state);
       if (point.time > last_time_) { // an instant that comes twice slips once
         for (std::size_t cell = 0; cell < total_slip_.size(); ++cell) {
           total_slip_[cell] += state.slip[cell];
@@ -124,7 +124,8 @@ ContactSolution empty_solution(const SkinModel& model) {
 
 ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs,
                            const std::shared_ptr<const PositionNodes>& nodes,
-                           const ContactVariant& variant, SharedProgress& progress) {
+                           const ContactVariant& variant, const std::vector<double>& surface_before,
+                           SharedProgress& progress) {
   const SkinModel& model = nodes->model();
   const mesh::HeaviestLoad heaviest = mesh::heaviest_load(input);
   StepperOptions options{.steps = variant.steps,
@@ -142,6 +143,9 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
   SlidingContact contact(
       nodes->compliance(), model.cells.area, model.gap,
       laws::friction(input.contact.law, variant.friction, input.contact.parameters));
+  if (!surface_before.empty()) {
+    contact.start_from(surface_before);
+  }
   MotionStepper stepper(contact, options, [&](const StepPoint& point, const SlidingContact& at) {
     kept.add(point, at);
   });
@@ -177,18 +181,9 @@ void warn_of_nodes(const Case& input, const PositionNodes& nodes, const ContactO
 
 } // namespace
 
-bool is_stepped(const Case& input) {
-  return input.motion.kind == MotionKind::waypoints || input.numerics.shared.given() ||
-         laws::friction_law(input.contact.law).stepped;
-}
-
 std::size_t expected_positions(const Case& input) {
   const auto box = contact_box(input);
-  if (!box) {
-    return 0;
-  }
-  const auto counts = expected_counts(input, *box);
-  return counts[0] * counts[1];
+  return box ? expected_places(input, *box) : 0;
 }
 
 std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footprint& footprint,
@@ -222,7 +217,7 @@ std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footpr
   progress.add_units(units_per_path * variants.size());
   parallel::run_tasks(variants.size(), options.threads, [&](std::size_t i) {
     const base::Timers::Scope scope(timers, "mechanics: contact");
-    solutions[i] = solve_path(input, legs, nodes, variants[i], progress);
+    solutions[i] = solve_path(input, legs, nodes, variants[i], options.surface_before, progress);
     warn_of_nodes(input, *nodes, options, solutions[i]);
   });
   progress.expect_known_units();

@@ -9,17 +9,10 @@
 
 namespace ionskin::mechanics {
 
-/// Whether a motion is stepped on interpolated compliances, or solved leg by leg. Legs are exact
-/// for straight strokes between two places, which share the positions of their ends; a path of
-/// waypoints has any number of legs, of any length and direction, and friction that depends on
-/// slip, speed or direction has no steady sliding that its legs could begin from.
-bool is_stepped(const Case& input);
-
-/// Positions that a stepped motion is expected to need; 0 when it never touches.
+/// Positions that a motion is expected to need; 0 when it never touches.
 std::size_t expected_positions(const Case& input);
 
-/// All of Study 1 for a motion that is stepped, one solution per variant, which share their
-/// positions. `options.surface_before` is not used: a path begins on an unloaded skin.
+/// Study 1 on one footprint, one solution per variant, which share their positions.
 std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footprint& footprint,
                                            const std::vector<ContactVariant>& variants,
                                            const ContactOptions& options, base::Timers& timers,

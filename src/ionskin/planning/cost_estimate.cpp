@@ -2,7 +2,6 @@
 #include "ionskin/planning/cost_estimate.hpp"
 
 #include "ionskin/electrochemistry/time/problem_size.hpp"
-#include "ionskin/mechanics/path/contact_plan.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/position/memory_estimate.hpp"
 #include "ionskin/mechanics/position/unit_response.hpp"
@@ -54,7 +53,7 @@ std::size_t contact_cells(const mesh::SkinMesh& mesh) {
   return (mesh.footprint_lines_x().size() - 1) * (mesh.footprint_lines_y().size() - 1);
 }
 
-/// Responses to unit forces at the nodes of a stepped path, which are kept until its history is
+/// Responses to unit forces at the positions of the path, which are kept until its history is
 /// made wherever they are kept at all [bytes].
 double response_memory(const mesh::SkinMesh& mesh, const CostEstimate& cost) {
   const auto [nx, ny, nz] = mesh.elements();
@@ -68,15 +67,15 @@ double response_memory(const mesh::SkinMesh& mesh, const CostEstimate& cost) {
               : 0;
 }
 
-/// States of the contact that are kept until the history is made, and the dense matrices of the
-/// contact at the positions that are solved at once [bytes].
+/// Strains that are recovered together and those under the test load at the positions, and the
+/// dense matrices of the contact at the positions that are solved at once [bytes].
 double contact_memory(const mesh::SkinMesh& mesh, const CostEstimate& cost, int at_once) {
-  constexpr double chain_states = 40; // usual load steps of one touchdown, onset or lift-off
+  constexpr double block_states = 48, test_states = 4;
   constexpr double points = 8, strains = 6, matrices = 3; // compliance, Newton's and its factor
   const auto [nx, ny, nz] = mesh.elements();
   const auto [bottom, top] = mesh.core_z();
   const double core = static_cast<double>(nx * ny * (top - bottom));
-  const double states = static_cast<double>(cost.positions) + 3 * chain_states;
+  const double states = test_states * static_cast<double>(cost.positions) + block_states;
   const double components = 3.0 * static_cast<double>(cost.contact_cells);
   return sizeof(double) *
          (states * core * points * strains + at_once * matrices * components * components);
@@ -125,10 +124,7 @@ CostEstimate estimate_cost(const Case& input, int threads,
   const mesh::SkinMesh mesh = found ? mesh::SkinMesh(input, *found) : expected_mesh(input);
   cost.mechanics_unknowns = mesh.unknowns();
   cost.contact_cells = contact_cells(mesh);
-  cost.positions =
-      mechanics::is_stepped(input)
-          ? std::max<std::size_t>(1, mechanics::expected_positions(input))
-          : mechanics::plan_contact(input, mechanics::expected_node_counts(input)).positions.size();
+  cost.positions = std::max<std::size_t>(1, mechanics::expected_positions(input));
   const auto ions = electrochemistry::estimate_problem_size(input);
   cost.ion_unknowns = ions.unknowns;
   cost.ion_steps = ions.steps;
@@ -143,9 +139,9 @@ CostEstimate estimate_cost(const Case& input, int threads,
   cost.ion_seconds = ion_seconds(ions, threads);
   cost.seconds = cost.mechanics_seconds + cost.ion_seconds + seconds_of_output;
   const double factors = mechanics::factorisations_memory(cost.mechanics_unknowns, at_once);
-  const double responses = mechanics::is_stepped(input) ? response_memory(mesh, cost) : 0;
-  cost.memory = bytes_at_rest +
-                std::max(factors + contact_memory(mesh, cost, at_once) + responses, ions.memory);
+  cost.memory = bytes_at_rest + std::max(factors + contact_memory(mesh, cost, at_once) +
+                                             response_memory(mesh, cost),
+                                         ions.memory);
   return cost;
 }
 

@@ -12,7 +12,7 @@ struct ContactMap {
   std::string state;
   double parameter = 0; ///< instant of the first cycle at which it is passed [s]
   std::vector<double> pressure, shear_x, shear_y; ///< [Pa]
-  /// Since the state before; in steady sliding the way of the whole leg [m].
+  /// Since the state before [m].
   std::vector<double> slip;
 };
 

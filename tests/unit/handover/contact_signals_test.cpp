@@ -26,16 +26,13 @@ mechanics::ContactSolution dragged_cell(const Case& input) {
       state.stick_area = loaded ? 2e-6 * stick : 0;
     }
   };
-  for (const auto& point : contact.legs[2].path) {
-    give(point.state, 0.4e-6, 0);
+  for (const auto& instant : contact.stepped) {
+    give(instant.state, 0.4e-6, 0);
   }
-  for (const auto& point : contact.legs[1].steady) {
-    give(point.state, 0.4e-6, 0);
-  }
-  const auto& onset = contact.legs[1].path;
-  give(onset[0].state, 0, 1);
-  give(onset[1].state, 0.3e-6, 0.25);
-  give(onset[2].state, 0.4e-6, 0);
+  const auto& instants = contact.stepped; // detached, landing, pressed, two of the onset
+  give(instants[2].state, 0, 1);
+  give(instants[3].state, 0.3e-6, 0.25);
+  give(instants[4].state, 0.4e-6, 0);
   return contact;
 }
 

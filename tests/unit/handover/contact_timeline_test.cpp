@@ -35,7 +35,7 @@ TEST_F(ContactTimelineTest, TouchesInTheLastPartOfTouchdown) {
   EXPECT_DOUBLE_EQ(timeline.at(0.5).normal_force(), 1.0);
 }
 
-TEST_F(ContactTimelineTest, OnsetRunsThroughItsStatesAndJoinsSteadySliding) {
+TEST_F(ContactTimelineTest, OnsetRunsThroughItsStatesIntoSteadySliding) {
   const double speed = 3e-3;
   EXPECT_NEAR(timeline.at(0.5 + 1e-6 / speed).normal_force(), 1.5, 1e-5);
   EXPECT_NEAR(timeline.at(0.5 + 3e-6 / speed).normal_force(), 1.9, 1e-4);
@@ -46,7 +46,7 @@ TEST_F(ContactTimelineTest, OnsetRunsThroughItsStatesAndJoinsSteadySliding) {
   EXPECT_NEAR(timeline.at(0.5 + 1e-12).normal_force(), 1.0, 1e-6);
 }
 
-TEST_F(ContactTimelineTest, InterpolatesSteadySlidingAlongTheTrack) {
+TEST_F(ContactTimelineTest, PassesThroughSteadySlidingAlongTheTrack) {
   const auto middle = timeline.at(1.5);
   EXPECT_NEAR(middle.centre[0], 7.5e-3, 1e-15);
   EXPECT_NEAR(middle.height, -1e-6, 1e-18);
@@ -81,7 +81,7 @@ TEST(ContactTimeline, ZeroStrokeHoldsTheTouchdownState) {
   Case input = small_case();
   input.motion.stroke = 0;
   auto contact = synthetic_press(input);
-  add_lift_off(contact, 0.4);
+  add_lift_off(input, contact, 0.4);
   const ContactTimeline timeline(input, contact);
   EXPECT_DOUBLE_EQ(timeline.at(1.7).normal_force(), 1.0);
   EXPECT_DOUBLE_EQ(timeline.join_time(), 0.5);
@@ -92,7 +92,7 @@ TEST(ContactTimeline, ShortStrokeEndsWithinOnset) {
   input.motion.stroke = 3e-6;
   auto contact = synthetic_press(input);
   add_onset(input, contact);
-  add_lift_off(contact, 0.9);
+  add_lift_off(input, contact, 0.9);
   const ContactTimeline timeline(input, contact);
   EXPECT_NEAR(timeline.at(0.5 + 2.0 / 3).normal_force(), 1.5, 1e-12);
   EXPECT_NEAR(timeline.at(2.5).normal_force(), 1.9, 1e-12);

@@ -101,10 +101,9 @@ TEST(Handover, TouchdownIsProportionalToTheIndentation) {
 TEST(Handover, RefusesShearThatIsNoNumberAndNamesTheContact) {
   const Case input = small_case();
   auto contact = synthetic_contact(input);
-  mechanics::ContactState broken = *contact.legs[1].steady[3].state;
+  mechanics::ContactState broken = *contact.stepped[8].state;
   broken.strain.component[4][17] = std::nan("");
-  contact.legs[1].steady[3].state =
-      std::make_shared<const mechanics::ContactState>(std::move(broken));
+  contact.stepped[8].state = std::make_shared<const mechanics::ContactState>(std::move(broken));
   try {
     build_strain_history(input, contact);
     FAIL() << "a NaN passed the handover";

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/case/case.hpp"
+#include "ionskin/case/slider_motion.hpp"
 #include "ionskin/mechanics/output/contact_solution.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace ionskin::handover {
 
@@ -61,47 +63,66 @@ inline mechanics::SharedState shared_state(const mesh::SkinMesh& mesh, double am
   return std::make_shared<const mechanics::ContactState>(synthetic_state(mesh, amplitude, pattern));
 }
 
-/// Touchdown to a normal force of 1 N, kept on through the slide.
+/// Appends an instant of the motion.
+inline void add_instant(const Case& input, mechanics::ContactSolution& contact, double time,
+                        mechanics::SharedState state) {
+  const auto legs = motion_legs(input.motion, input.slider);
+  const auto leg = std::partition_point(legs.begin(), legs.end() - 1,
+                                        [&](const MotionLeg& other) { return other.end() < time; });
+  const double part = (time - leg->begin) / leg->duration;
+  const double from = leg->from_level.value, to = leg->to_level.value;
+  contact.stepped.push_back({time, leg->centre(time - leg->begin),
+                             part == 1 ? to : from + part * (to - from), std::move(state)});
+}
+
+/// Touchdown to a normal force of 1 N.
 inline mechanics::ContactSolution synthetic_press(const Case& input) {
   const mesh::SkinMesh mesh(input);
   mechanics::ContactSolution contact{mesh};
-  contact.legs.resize(4);
   const double contact_time = 0.5 * 1000.0 / 1001.0;
-  contact.legs[0].path = {{contact_time, nullptr}, {0.5, shared_state(mesh, 1.0)}};
-  contact.legs[1].path = {{0, contact.legs[0].last()}};
+  add_instant(input, contact, 0, nullptr);
+  add_instant(input, contact, contact_time, nullptr);
+  add_instant(input, contact, 0.5, shared_state(mesh, 1.0));
+  contact.stepped_events = {contact_time, 0.5, 2.5, 2.5 + 0.5 / 1001};
   return contact;
 }
 
-/// Lift-off from the end of the slide; `half_force` is the normal force at half the indentation.
-inline void add_lift_off(mechanics::ContactSolution& contact, double half_force) {
+/// Lift-off from the end of the slide and the way back; `half_force` is the normal force at half
+/// the indentation.
+inline void add_lift_off(const Case& input, mechanics::ContactSolution& contact,
+                         double half_force) {
   const double duration = 0.5 / 1001; // the preload's part of lift-off
-  contact.legs[2].path = {{0, contact.legs[1].last()},
-                          {0.5 * duration, shared_state(contact.mesh, half_force, 0.3)},
-                          {duration, shared_state(contact.mesh, 0.0)}};
+  if (contact.stepped.back().time < 2.5) {
+    add_instant(input, contact, 2.5, contact.stepped.back().state);
+  }
+  add_instant(input, contact, 2.5 + 0.5 * duration, shared_state(contact.mesh, half_force, 0.3));
+  add_instant(input, contact, 2.5 + duration, shared_state(contact.mesh, 0.0));
+  add_instant(input, contact, 3, nullptr);
+  add_instant(input, contact, 4, nullptr);
 }
 
 /// Onset states after 1 and 3 um of travel.
 inline void add_onset(const Case& input, mechanics::ContactSolution& contact) {
   const double speed = input.motion.stroke / input.motion.slide;
-  auto& path = contact.legs[1].path;
-  path.push_back({1e-6 / speed, shared_state(contact.mesh, 1.5, 0.1)});
-  path.push_back({3e-6 / speed, shared_state(contact.mesh, 1.9, 0.2)});
+  add_instant(input, contact, 0.5 + 1e-6 / speed, shared_state(contact.mesh, 1.5, 0.1));
+  add_instant(input, contact, std::min(2.5, 0.5 + 3e-6 / speed),
+              shared_state(contact.mesh, 1.9, 0.2));
+  contact.stepped_onsets = {{0.5, std::min(2.5, 0.5 + 5e-6 / speed)}};
 }
 
-/// Nine steady positions whose normal force is 2 + (s/mm)^2, onset and lift-off states of round
-/// numbers.
+/// Steady sliding whose normal force is 2 + (s/mm)^2 at the end of the onset and eight places
+/// behind it, onset and lift-off states of round numbers.
 inline mechanics::ContactSolution synthetic_contact(const Case& input) {
   mechanics::ContactSolution contact = synthetic_press(input);
   add_onset(input, contact);
-  mechanics::LegSolution& slide = contact.legs[1];
   for (int i = 0; i < 9; ++i) {
-    const double fraction = 0.5 * (1 - std::cos(M_PI * i / 8)), s = input.motion.stroke * fraction;
-    slide.steady.push_back(
-        {input.motion.slide * fraction, shared_state(contact.mesh, 2 + s * s * 1e6, 0.3)});
+    const double fraction =
+                     i == 0 ? 5e-6 / input.motion.stroke : 0.5 * (1 - std::cos(M_PI * i / 8)),
+                 s = input.motion.stroke * fraction;
+    add_instant(input, contact, 0.5 + input.motion.slide * fraction,
+                shared_state(contact.mesh, 2 + s * s * 1e6, 0.3));
   }
-  slide.reference.assign(slide.path.size(), slide.steady.front().state);
-  slide.joined = 5e-6 * input.motion.slide / input.motion.stroke;
-  add_lift_off(contact, 0.4 * slide.last()->normal_force);
+  add_lift_off(input, contact, 0.4 * contact.stepped.back().state->normal_force);
   return contact;
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "small_case.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace ionskin::mechanics {
 
 Case small_case() {
@@ -23,6 +26,12 @@ Case small_case() {
   input.numerics.preset = Preset::coarse;
   input.numerics.mesh_refinement = 0.5;
   return input;
+}
+
+const SteppedInstant& nearest(const ContactSolution& solution, double time) {
+  return *std::ranges::min_element(solution.stepped, {}, [&](const SteppedInstant& instant) {
+    return std::abs(instant.time - time);
+  });
 }
 
 } // namespace ionskin::mechanics

@@ -2,11 +2,10 @@
 #include "ionskin/mechanics/solve_contact.hpp"
 
 #include "ionskin/mechanics/elasticity/core_strain.hpp"
-#include "ionskin/mechanics/path/contact_plan.hpp"
-#include "ionskin/mechanics/path/slider_track.hpp"
+#include "ionskin/mechanics/engine/motion_stepper.hpp"
 #include "ionskin/mechanics/position/condensed_position.hpp"
 #include "ionskin/mechanics/position/interpolation_error.hpp"
-#include "ionskin/mechanics/position/interpolation_nodes.hpp"
+#include "ionskin/mechanics/solve_stepped.hpp"
 #include "small_case.hpp"
 
 #include <gtest/gtest.h>
@@ -30,30 +29,36 @@ const ContactSolution& solved_small_case() {
   return solution;
 }
 
+const ContactState& at(const ContactSolution& solution, double time) {
+  return *nearest(solution, time).state;
+}
 const ContactState& touchdown(const ContactSolution& solution) {
-  return *solution.legs[0].last();
+  return at(solution, 0.5);
 }
-const LegSolution& slide(const ContactSolution& solution) {
-  return solution.legs[1];
-}
-const LegSolution& lift_off(const ContactSolution& solution) {
-  return solution.legs[2];
+
+/// States of the slide after its begin, those of the onset or those behind it.
+std::vector<const SteppedInstant*> sliding(const ContactSolution& solution, const Case& input,
+                                           bool onset) {
+  const double joined = solution.stepped_onsets.empty() ? 0.5 : solution.stepped_onsets.front()[1];
+  std::vector<const SteppedInstant*> found;
+  for (const SteppedInstant& instant : solution.stepped) {
+    if (instant.time > 0.5 && instant.time <= 0.5 + input.motion.slide &&
+        (instant.time < joined) == onset) {
+      found.push_back(&instant);
+    }
+  }
+  return found;
 }
 
 void expect_same_bits(const ContactSolution& one, const ContactSolution& other) {
-  ASSERT_EQ(one.legs.size(), other.legs.size());
-  for (std::size_t leg = 0; leg < one.legs.size(); ++leg) {
-    for (const auto points : {&LegSolution::path, &LegSolution::steady}) {
-      const auto &first = one.legs[leg].*points, &second = other.legs[leg].*points;
-      ASSERT_EQ(first.size(), second.size());
-      for (std::size_t i = 0; i < first.size(); ++i) {
-        ASSERT_EQ(first[i].time, second[i].time);
-        ASSERT_EQ(!first[i].state, !second[i].state);
-        if (first[i].state) {
-          EXPECT_EQ(first[i].state->normal_traction, second[i].state->normal_traction);
-          EXPECT_EQ(first[i].state->strain.component, second[i].state->strain.component);
-        }
-      }
+  ASSERT_EQ(one.stepped.size(), other.stepped.size());
+  for (std::size_t i = 0; i < one.stepped.size(); ++i) {
+    const SteppedInstant &first = one.stepped[i], &second = other.stepped[i];
+    ASSERT_EQ(first.time, second.time);
+    ASSERT_EQ(!first.state, !second.state);
+    if (first.state) {
+      EXPECT_EQ(first.state->normal_traction, second.state->normal_traction);
+      EXPECT_EQ(core_strain(*first.state).component, core_strain(*second.state).component);
     }
   }
 }
@@ -62,56 +67,70 @@ double total_friction(const ContactState& state) {
   return std::hypot(state.tangential_force[0], state.tangential_force[1]);
 }
 
-TEST(SolveContact, path_goes_from_touchdown_through_steady_sliding_to_nothing) {
+TEST(SolveContact, path_goes_from_touchdown_through_full_slip_to_nothing) {
   const ContactSolution& solution = solved_small_case();
-  EXPECT_GT(touchdown(solution).normal_force, 1.0);
-  EXPECT_EQ(slide(solution).path.size(), 31u);
-  EXPECT_EQ(slide(solution).steady.size(), 8u);
-  EXPECT_LT(solution.worst_interpolation_error, interpolation_tolerance(Preset::coarse));
-  for (const PathState& point : slide(solution).steady) {
-    EXPECT_NEAR(total_friction(*point.state), 0.3 * point.state->normal_force,
-                1e-8 * point.state->normal_force);
-    EXPECT_EQ(point.state->stick_fraction, 0.0);
-  }
-  EXPECT_NEAR(lift_off(solution).path.back().time, 0.5 / 1001, 1e-15);
-  EXPECT_NEAR(lift_off(solution).last()->normal_force, 0, 1e-12);
-  EXPECT_FALSE(solution.legs[3].in_contact());
-  EXPECT_LT(solution.worst_equilibrium_residual, 1e-9);
-  EXPECT_LT(solution.worst_complementarity_residual, 1e-8);
-}
-
-TEST(SolveContact, onset_joins_steady_sliding) {
-  const ContactSolution& solution = solved_small_case();
-  const ContactState &last = *slide(solution).path.back().state,
-                     &steady = *slide(solution).steady.front().state;
-  EXPECT_NEAR(last.normal_force, steady.normal_force, 1e-5 * steady.normal_force);
-  const auto &a = last.strain.component[4], &b = steady.strain.component[4];
-  double difference = 0, size = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    difference = std::max(difference, std::abs(a[i] - b[i]));
-    size = std::max(size, std::abs(b[i]));
-  }
-  EXPECT_LT(difference, 1e-5 * size);
-}
-
-TEST(SolveContact, reflected_nodes_agree_with_their_own_factorisation) {
   const Case input = small_case();
-  const ContactSolution& solution = solved_small_case();
-  // Shares the factorisation of the first node.
-  const ContactState& last = *slide(solution).steady.back().state;
-  base::Timers timers;
-  const ContactState direct =
-      solve_steady_sliding(input, {input.motion.stroke}, ContactOptions{}, timers).front();
-  EXPECT_NEAR(last.normal_force, direct.normal_force, 1e-9 * direct.normal_force);
-  EXPECT_NEAR(last.tangential_force[0], direct.tangential_force[0], 1e-9 * direct.normal_force);
-  for (std::size_t i = 0; i < direct.normal_traction.size(); ++i) {
-    EXPECT_NEAR(last.normal_traction[i], direct.normal_traction[i], 1e-2);
+  EXPECT_GT(touchdown(solution).normal_force, 1.0);
+  EXPECT_LT(solution.worst_interpolation_error, interpolation_tolerance(Preset::coarse));
+  EXPECT_GT(sliding(solution, input, true).size(), 8u);
+  const auto steady = sliding(solution, input, false);
+  EXPECT_GT(steady.size(), 10u);
+  for (const SteppedInstant* instant : steady) {
+    const ContactState& state = *instant->state;
+    const double left = instant->time < 1 ? 1e-2 : 1e-8; // the first ones still come near
+    EXPECT_NEAR(total_friction(state), 0.3 * state.normal_force, left * state.normal_force);
+    EXPECT_EQ(state.stick_fraction, 0.0);
   }
-  for (int c = 0; c < 6; ++c) {
-    const auto &a = last.strain.component[c], &b = direct.strain.component[c];
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      ASSERT_NEAR(a[i], b[i], 1e-10) << c;
+  EXPECT_EQ(solution.stepped_events.size(), 4u); // lands, slides, lifts, leaves
+  EXPECT_NEAR(solution.stepped_events.back(), 2.5 + 0.5 / 1001, 1e-12);
+  EXPECT_EQ(solution.stepped.back().state, nullptr);
+  EXPECT_LT(solution.worst_complementarity_residual, 1e-8);
+  for (const SteppedInstant& instant : solution.stepped) {
+    if (instant.state) {
+      core_strain(*instant.state);
     }
+  }
+  EXPECT_LT(at(solution, 0.5).source->worst_equilibrium_residual(), 1e-9);
+}
+
+TEST(SolveContact, the_path_passes_through_steady_sliding_found_by_itself) {
+  const Case input = small_case();
+  base::Timers timers;
+  ContactOptions options;
+  options.threads = 2;
+  // The end shares the factorisation of its mirror image, where the slide begins.
+  for (const double fraction : {0.13, 0.5, 1.0}) {
+    Case asked = input;
+    asked.output.fields = {0.5 + fraction * input.motion.slide};
+    const ContactSolution solution = solve(asked);
+    const SteppedInstant& passed = nearest(solution, asked.output.fields.front());
+    EXPECT_NEAR(passed.time, asked.output.fields.front(), 1e-12);
+    const ContactState direct =
+        solve_steady_sliding(input, {fraction * input.motion.stroke}, options, timers).front();
+    EXPECT_NEAR(passed.state->normal_force, direct.normal_force, 1e-5 * direct.normal_force);
+    const CoreStrain strain = core_strain(*passed.state);
+    double difference = 0, size = 0;
+    for (std::size_t c = 0; c < 6; ++c) {
+      for (std::size_t i = 0; i < strain.component[c].size(); ++i) {
+        difference += std::pow(strain.component[c][i] - direct.strain.component[c][i], 2);
+        size += std::pow(direct.strain.component[c][i], 2);
+      }
+    }
+    EXPECT_LT(std::sqrt(difference / size), interpolation_tolerance(Preset::coarse)) << fraction;
+  }
+}
+
+TEST(SolveContact, a_slide_of_ten_times_the_steps_is_the_same) {
+  const Case input = small_case();
+  ContactOptions options;
+  options.steps = {200, 200, 300, 1.01, 4};
+  const ContactSolution fine = solve(input, options);
+  const ContactSolution& usual = solved_small_case();
+  for (const double time : {0.5, 1.5, 2.5}) {
+    EXPECT_NEAR(at(fine, time).normal_force, at(usual, time).normal_force,
+                1e-5 * at(usual, time).normal_force);
+    EXPECT_NEAR(at(fine, time).tangential_force[0], at(usual, time).tangential_force[0],
+                1e-5 * at(usual, time).normal_force);
   }
 }
 
@@ -121,20 +140,27 @@ TEST(SolveContact, touchdown_in_one_increment_is_exact) {
   const CondensedPosition position(model, input.slider.start);
   const ContactProblem problem{position.compliance(), model.cells.area, model.gap,
                                laws::friction("coulomb", 0.3, {})};
-  const PathSteps steps;
-  ContactPath path(problem, steps, 0.5);
-  path.start_detached();
-  ASSERT_EQ(path.follow(motion_legs(input.motion, input.slider)[0], {}).points.size(), 1u);
-  const SurfaceState& once = path.state();
-  SurfaceState stepped{CellVector(once.force.size()), CellVector(once.force.size()), {}, {}};
+  const ContactSolution& solution = solved_small_case();
+  EXPECT_EQ(std::ranges::count_if(
+                solution.stepped,
+                [](const SteppedInstant& instant) { return instant.state && instant.time <= 0.5; }),
+            1);
+  SurfaceState stepped{
+      CellVector(3 * model.cells.count()), CellVector(3 * model.cells.count()), {}, {}};
   for (int i = 1; i <= 4; ++i) {
     const SliderStep step{
         {LoadKind::indentation, input.motion.preload * i / 4}, {0, 0}, 0.1, stepped.surface};
     stepped = solve_contact_step(problem, step, stepped.force);
   }
-  const double sum = std::accumulate(once.force.begin(), once.force.end(), 0.0);
-  for (std::size_t i = 0; i < once.force.size(); ++i) {
-    EXPECT_NEAR(once.force[i], stepped.force[i], 1e-7 * sum);
+  double sum = 0;
+  for (std::size_t i = 0; i < stepped.force.size(); i += 3) {
+    sum += stepped.force[i];
+  }
+  for (std::size_t i = 0; i < model.cells.count(); ++i) {
+    EXPECT_NEAR(touchdown(solution).normal_traction[i] * model.cells.area[i], stepped.force[3 * i],
+                1e-7 * sum);
+    EXPECT_NEAR(touchdown(solution).tangential_traction_x[i] * model.cells.area[i],
+                stepped.force[3 * i + 1], 1e-7 * sum);
   }
 }
 
@@ -143,46 +169,58 @@ TEST(SolveContact, a_second_cycle_repeats_the_first) {
   ContactOptions options;
   options.surface_before = first.final_surface;
   const ContactSolution second = solve(small_case(), options);
-  EXPECT_NEAR(touchdown(second).normal_force, touchdown(first).normal_force,
-              1e-10 * touchdown(first).normal_force);
-  for (std::size_t i = 1; i < slide(first).path.size(); ++i) {
-    EXPECT_NEAR(slide(second).path[i].state->tangential_force[0],
-                slide(first).path[i].state->tangential_force[0],
-                1e-8 * touchdown(first).normal_force);
+  ASSERT_EQ(second.stepped.size(), first.stepped.size());
+  for (std::size_t i = 0; i < first.stepped.size(); ++i) {
+    if (first.stepped[i].state) {
+      EXPECT_NEAR(second.stepped[i].state->tangential_force[0],
+                  first.stepped[i].state->tangential_force[0],
+                  1e-8 * touchdown(first).normal_force);
+    }
   }
+}
+
+TEST(SolveContact, a_surface_that_was_left_sheared_shows_in_the_next_touchdown) {
+  const ContactSolution& first = solved_small_case();
+  ContactOptions options;
+  options.surface_before.assign(first.final_surface.size(), 0.0);
+  for (std::size_t i = 1; i < options.surface_before.size(); i += 3) {
+    options.surface_before[i] = 1e-7;
+  }
+  EXPECT_GT(std::abs(touchdown(solve(small_case(), options)).tangential_force[0]),
+            1e-2 * touchdown(first).normal_force);
 }
 
 TEST(SolveContact, without_friction_nothing_drags) {
   Case input = small_case();
   input.contact.friction = 0;
   const ContactSolution solution = solve(input);
-  EXPECT_TRUE(slide(solution).path.empty());
-  EXPECT_NEAR(slide(solution).steady.front().state->normal_force, touchdown(solution).normal_force,
-              1e-8 * touchdown(solution).normal_force);
-  EXPECT_EQ(total_friction(*slide(solution).steady.front().state), 0.0);
+  EXPECT_TRUE(solution.stepped_onsets.empty());
+  EXPECT_NEAR(at(solution, 0.6).normal_force, touchdown(solution).normal_force,
+              1e-3 * touchdown(solution).normal_force);
+  EXPECT_EQ(total_friction(at(solution, 1.5)), 0.0);
 }
 
 TEST(SolveContact, press_and_hold_lifts_off_where_it_touched_down) {
   Case input = small_case();
   input.motion.stroke = 0;
   const ContactSolution solution = solve(input);
-  EXPECT_EQ(slide(solution).path.size(), 1u);
-  EXPECT_TRUE(slide(solution).steady.empty());
-  ASSERT_EQ(lift_off(solution).path.size(), 21u);
+  EXPECT_TRUE(solution.stepped_onsets.empty());
+  EXPECT_EQ(at(solution, 2.5).normal_force, touchdown(solution).normal_force);
   // Unloading nearly retraces the loading; only a rim of reversed slip differs.
-  EXPECT_NEAR(lift_off(solution).path[10].state->normal_force,
-              0.5 * touchdown(solution).normal_force, 5e-3 * touchdown(solution).normal_force);
+  const SteppedInstant& half = nearest(solution, 2.5 + 0.25 / 1001);
+  EXPECT_NEAR(half.state->normal_force, -half.height / 1e-6 * touchdown(solution).normal_force,
+              5e-3 * touchdown(solution).normal_force);
 }
 
-TEST(SolveContact, a_short_stroke_ends_before_full_sliding_and_says_so) {
+TEST(SolveContact, a_short_stroke_ends_before_full_sliding) {
   Case input = small_case();
   input.motion.stroke = 2e-7;
   const ContactSolution solution = solve(input);
-  EXPECT_TRUE(slide(solution).steady.empty());
-  EXPECT_EQ(solution.warnings.size(), 1u);
-  EXPECT_DOUBLE_EQ(slide(solution).path.back().time, input.motion.slide);
-  EXPECT_GT(slide(solution).last()->stick_fraction, 0.0);
-  EXPECT_EQ(lift_off(solution).path.size(), 21u);
+  EXPECT_TRUE(solution.warnings.empty());
+  ASSERT_EQ(solution.stepped_onsets.size(), 1u);
+  EXPECT_DOUBLE_EQ(solution.stepped_onsets.front()[1], 2.5);
+  EXPECT_GT(at(solution, 2.5).stick_fraction, 0.0);
+  EXPECT_EQ(solution.stepped.back().state, nullptr);
 }
 
 TEST(SolveContact, oblique_tracks_use_the_full_model) {
@@ -192,13 +230,13 @@ TEST(SolveContact, oblique_tracks_use_the_full_model) {
   input.slider.start = {2.3e-3, 0.85e-3}; // symmetric about the middle of the skin
   const ContactSolution solution = solve(input);
   EXPECT_FALSE(solution.mesh.half_model());
-  const ContactState &first = *slide(solution).steady.front().state,
-                     &last = *slide(solution).steady.back().state;
-  EXPECT_NEAR(first.tangential_force[0], 0.8 * 0.3 * first.normal_force, 1e-8 * first.normal_force);
-  EXPECT_NEAR(first.tangential_force[1], 0.6 * 0.3 * first.normal_force, 1e-8 * first.normal_force);
+  const ContactState &first = *sliding(solution, input, false).front()->state,
+                     &last = at(solution, 2.5);
+  EXPECT_NEAR(last.tangential_force[0], 0.8 * 0.3 * last.normal_force, 1e-3 * last.normal_force);
+  EXPECT_NEAR(last.tangential_force[1], 0.6 * 0.3 * last.normal_force, 1e-3 * last.normal_force);
+  EXPECT_NEAR(total_friction(last), 0.3 * last.normal_force, 1e-6 * last.normal_force);
   EXPECT_GT(std::abs(first.normal_force / last.normal_force - 1),
             1e-6); // leading and trailing differ
-  EXPECT_LT(solution.worst_equilibrium_residual, 1e-9);
 }
 
 TEST(SolveContact, half_and_full_model_agree) {
@@ -218,19 +256,22 @@ TEST(SolveContact, a_stroke_back_starts_from_sliding_forth) {
   ContactOptions options;
   options.nodes = 3;
   const ContactSolution solution = solve(input, options);
-  const LegSolution &forth = solution.legs[1], &rest = solution.legs[2], &back = solution.legs[3];
-  EXPECT_EQ(rest.last(), forth.last());
-  EXPECT_EQ(back.path.front().state, forth.last());
+  const ContactState &forth = at(solution, 2.5), &rested = at(solution, 2.6);
+  EXPECT_EQ(rested.normal_traction, forth.normal_traction);
+  ASSERT_EQ(solution.stepped_onsets.size(), 3u);
+  const auto back = std::ranges::find_if(
+      solution.stepped, [](const SteppedInstant& instant) { return instant.time > 2.6; });
   // It sticks at first and ends in sliding the other way.
-  EXPECT_GT(back.path[1].state->stick_fraction, 0.9);
-  const ContactState &last = *back.path.back().state, &steady = *back.steady.front().state;
-  EXPECT_NEAR(last.tangential_force[0], steady.tangential_force[0], 1e-5 * steady.normal_force);
-  EXPECT_NEAR(steady.tangential_force[0], -0.3 * steady.normal_force, 1e-8 * steady.normal_force);
+  EXPECT_GT(back->state->stick_fraction, 0.9);
+  const ContactState& end = at(solution, 4.6);
+  EXPECT_NEAR(end.tangential_force[0], -0.3 * end.normal_force, 1e-8 * end.normal_force);
   // The skin is symmetric about its middle, and the third stroke repeats the first.
-  EXPECT_NEAR(steady.normal_force, forth.steady.front().state->normal_force,
-              1e-8 * steady.normal_force);
-  EXPECT_EQ(solution.legs[5].steady.front().state, forth.steady.front().state);
-  EXPECT_EQ(plan_contact(input, NodeCounts(solution.legs.size(), 3)).positions.size(), 2u);
+  EXPECT_NEAR(end.normal_force, forth.normal_force, 1e-5 * forth.normal_force);
+  EXPECT_NEAR(at(solution, 6.7).normal_force, forth.normal_force, 1e-6 * forth.normal_force);
+}
+
+TEST(SolveContact, mirrored_places_are_solved_once) {
+  EXPECT_EQ(expected_positions(small_case()), 4u); // of eight along the slide
 }
 
 TEST(SolveContact, a_friction_coefficient_is_solved_the_same_beside_others) {
@@ -257,31 +298,6 @@ TEST(SolveContact, a_round_slider_is_solved_the_same_beside_larger_frictions) {
   expect_same_bits(together[1], solve(input));
 }
 
-TEST(SolveContact, steady_sliding_between_the_nodes_is_as_close_as_estimated) {
-  const Case input = small_case();
-  const std::vector<PathState>& nodes = slide(solved_small_case()).steady;
-  base::Timers timers;
-  ContactOptions options;
-  options.threads = 2;
-  for (const double fraction : {0.02, 0.13, 0.71}) {
-    const ContactState direct =
-        solve_steady_sliding(input, {fraction * input.motion.stroke}, options, timers).front();
-    const auto weights = interpolation_weights(nodes, fraction * input.motion.slide);
-    double difference = 0, size = 0;
-    for (std::size_t c = 0; c < 6; ++c) {
-      for (std::size_t i = 0; i < direct.strain.component[c].size(); ++i) {
-        double value = -direct.strain.component[c][i];
-        size += value * value;
-        for (std::size_t node = 0; node < nodes.size(); ++node) {
-          value += weights[node] * nodes[node].state->strain.component[c][i];
-        }
-        difference += value * value;
-      }
-    }
-    EXPECT_LT(std::sqrt(difference / size), solved_small_case().worst_interpolation_error);
-  }
-}
-
 TEST(SolveContact, a_force_is_held_with_the_indentation_free) {
   Case input = small_case();
   input.motion.preload = 0;
@@ -289,25 +305,23 @@ TEST(SolveContact, a_force_is_held_with_the_indentation_free) {
   ContactOptions options;
   options.nodes = 3;
   const ContactSolution solution = solve(input, options);
-  for (const auto* path : {&slide(solution).path, &slide(solution).steady}) {
-    for (const PathState& point : *path) {
-      EXPECT_NEAR(point.state->normal_force, 1, 1e-9);
+  for (const bool onset : {true, false}) {
+    for (const SteppedInstant* instant : sliding(solution, input, onset)) {
+      EXPECT_NEAR(instant->state->normal_force, 1, 1e-7);
+      EXPECT_NEAR(instant->height, -instant->state->indentation, 1e-15);
     }
   }
   EXPECT_GT(touchdown(solution).indentation, 1e-9);
   // Held at the indentation that the slide ends with, the slider presses with the same force; the
   // lift-off starts from there.
-  const double indentation = slide(solution).last()->indentation;
   Case held = input;
   held.motion.preload_force = 0;
-  held.motion.preload = indentation;
+  held.motion.preload = at(solution, 2.5).indentation;
   base::Timers timers;
   EXPECT_NEAR(
       solve_steady_sliding(held, {held.motion.stroke}, options, timers).front().normal_force, 1,
-      1e-8);
-  EXPECT_NEAR(lift_off(solution).path[10].state->indentation, 0.5 * indentation,
-              1e-12 * indentation);
-  EXPECT_NEAR(lift_off(solution).last()->normal_force, 0, 1e-12);
+      1e-5);
+  EXPECT_EQ(solution.stepped.back().state, nullptr);
 }
 
 TEST(SolveContact, a_path_may_land_and_leave_on_the_way) {
@@ -320,20 +334,15 @@ TEST(SolveContact, a_path_may_land_and_leave_on_the_way) {
   ContactOptions options;
   options.nodes = 3;
   const ContactSolution solution = solve(input, options);
-  const auto at = [&](double time) {
-    return std::ranges::find_if(solution.stepped, [&](const SteppedInstant& instant) {
-      return std::abs(instant.time - time) < 1e-12;
-    });
-  };
-  ASSERT_NE(at(0.5), solution.stepped.end());
-  EXPECT_EQ(at(0.5)->state, nullptr);
-  ASSERT_NE(at(1.0), solution.stepped.end());
+  EXPECT_EQ(nearest(solution, 0.5).time, 0.5);
+  EXPECT_EQ(nearest(solution, 0.5).state, nullptr);
+  EXPECT_EQ(nearest(solution, 1.0).time, 1.0);
   // Slides from the first, and on in the same direction.
-  EXPECT_EQ(at(1.0)->state->stick_fraction, 0);
-  EXPECT_NEAR(at(1.0)->state->tangential_force[0], 0.3 * at(1.0)->state->normal_force,
-              1e-8 * at(1.0)->state->normal_force);
-  ASSERT_NE(at(2.5), solution.stepped.end());
-  EXPECT_EQ(at(2.5)->state, nullptr);
+  const ContactState& landed = at(solution, 1.0);
+  EXPECT_EQ(landed.stick_fraction, 0);
+  EXPECT_NEAR(landed.tangential_force[0], 0.3 * landed.normal_force, 1e-8 * landed.normal_force);
+  EXPECT_EQ(nearest(solution, 2.5).time, 2.5);
+  EXPECT_EQ(nearest(solution, 2.5).state, nullptr);
   EXPECT_EQ(solution.stepped.back().state, nullptr);
   EXPECT_EQ(solution.stepped_events.front(), 0.5);
   EXPECT_EQ(solution.stepped_events.back(), 2.5);
@@ -344,10 +353,10 @@ TEST(SolveContact, plane_strain_with_symmetric_sides) {
   input.skin.sides = SideCondition::symmetry;
   input.slider.size[1] = 3e-3;
   const ContactSolution solution = solve(input);
-  const ContactState& state = *slide(solution).steady.front().state;
+  const ContactState& state = at(solution, 1.5);
   EXPECT_NEAR(state.tangential_force[0], 0.3 * state.normal_force, 1e-8 * state.normal_force);
   for (const int c : {1, 3, 5}) { // yy, yz, xy
-    for (const double value : state.strain.component[c]) {
+    for (const double value : core_strain(state).component[c]) {
       ASSERT_NEAR(value, 0, 1e-12);
     }
   }

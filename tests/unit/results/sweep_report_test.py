@@ -7,6 +7,7 @@ import re
 import shutil
 import tempfile
 import unittest
+from types import SimpleNamespace
 
 import matplotlib.text
 import matplotlib.transforms
@@ -104,8 +105,9 @@ class ContactStates(unittest.TestCase):
             file = {"contact": dict.fromkeys(names)}
             self.assertEqual(figures_contact.touchdown_state(file), last)
             self.assertEqual(figures_contact.middle_state(file), last)
-        self.assertEqual(figures_contact.middle_state({"contact": {"touchdown": 0, "steady_0": 0, "steady_1": 0, "steady_2": 0}}),
-                         "steady_1")
+        times = {"touchdown": 0.5, "steady_0": 1, "steady_1": 1.1, "steady_2": 1.9, "steady_10": 3}
+        file = {"contact": {name: SimpleNamespace(attrs={"parameter": time}) for name, time in times.items()}}
+        self.assertEqual(figures_contact.middle_state(file), "steady_2")
 
     def test_colours_of_a_round_contact_reach_its_peak(self):
         """Only under sharp edges, where peaks depend on the mesh, does the scale end below the largest value."""

@@ -61,9 +61,7 @@ template <class Law> Friction friction_with(double coefficient, const LawValues&
 }
 
 template <class Law> FrictionLaw friction_row(std::string_view name) {
-  return {name, declared_parameters<Law>(),
-          HasSlipSlope<Law> || HasElasticSlip<Law> || HasLag<Law> || HasAcross<Law>,
-          friction_with<Law>};
+  return {name, declared_parameters<Law>(), friction_with<Law>};
 }
 
 } // namespace

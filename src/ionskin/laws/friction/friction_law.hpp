@@ -48,9 +48,6 @@ struct Friction {
 struct FrictionLaw {
   std::string_view name; ///< that a case gives in `contact.law`
   std::span<const LawParameter> parameters;
-  /// Whether it needs the motion in steps of time, as steady sliding does not determine its limit
-  /// or the direction of its traction.
-  bool stepped = false;
   Friction (*with)(double coefficient, const LawValues& values);
 };
 

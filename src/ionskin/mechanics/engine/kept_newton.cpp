@@ -12,7 +12,7 @@
 namespace ionskin::mechanics {
 namespace {
 
-constexpr double kept_tolerance = 1e-8;
+constexpr double kept_tolerance = 1e-10;
 constexpr int most_iterations = 30;
 /// A residual that falls more slowly has outgrown the factorisation.
 constexpr double least_contraction = 0.2;

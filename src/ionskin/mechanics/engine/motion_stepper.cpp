@@ -13,6 +13,8 @@ namespace {
 
 /// Of the surface's displacement in full slip: with less than this left, nothing sticks any more.
 constexpr double negligible_onset = 1e-6;
+/// With less than this left, the onset is over.
+constexpr double end_of_onset = 1e-2;
 /// A turn by more than this is a new onset [rad].
 constexpr double sharp_turn = 0.1;
 /// Behind an onset steps lengthen faster.
@@ -128,6 +130,36 @@ void MotionStepper::begin_travel(const MotionLeg& leg) {
   }
 }
 
+bool MotionStepper::slides_fully(const MotionLeg& leg) const {
+  if (contact_.sticks()) {
+    return false;
+  }
+  const auto distance =
+      contact_.onset_distance(direction_, options_.meshed_share < 1, leg.length(), leg.duration);
+  return distance.left <= end_of_onset * distance.whole;
+}
+
+/// From no load the problem of a flat slider is homogeneous in the indentation where the limit of
+/// friction is in proportion to the pressure: one step is exact.
+int MotionStepper::touchdown_steps() const {
+  const ContactProblem& problem = contact_.problem();
+  const bool flat = std::ranges::all_of(problem.gap, [](double gap) { return gap == 0; });
+  const bool proportional =
+      !problem.friction.rate_dependent && problem.friction.elastic_slip == 0 &&
+      2 * problem.friction_limit(0, 1, 0, 0) == problem.friction_limit(0, 2, 0, 0);
+  return flat && proportional && !contact_.in_contact() ? 1 : options_.steps.touchdown;
+}
+
+/// A slider that sets off, halts, or begins to change its load starts a fresh transient.
+void MotionStepper::note_change(const MotionLeg& leg, const Levels& levels) {
+  const bool travels = leg.length() > 0, loads = levels.from != levels.to;
+  if (contact_.in_contact() && (travels != travels_ || loads != loads_)) {
+    note_event(leg.begin);
+  }
+  travels_ = travels;
+  loads_ = loads;
+}
+
 double MotionStepper::next_fraction(const MotionLeg& leg, const Levels& levels, double at) const {
   double next = levels.end;
   if (const double travel = leg.length(); travel > 0) {
@@ -138,7 +170,7 @@ double MotionStepper::next_fraction(const MotionLeg& leg, const Levels& levels, 
   const double scale = std::max({heaviest, levels.by_force ? levels.from : -levels.from,
                                  levels.by_force ? levels.to : -levels.to});
   const bool loads = levels.by_force ? levels.to > levels.from : levels.to < levels.from;
-  const int count = loads ? options_.steps.touchdown : options_.steps.lift_off;
+  const int count = loads ? touchdown_steps() : options_.steps.lift_off;
   if (const double change = std::abs(levels.to - levels.from); change > 0) {
     next = std::min(next, at + scale / count / change);
   }
@@ -178,6 +210,7 @@ void MotionStepper::advance(const MotionLeg& leg, const Levels& levels, double f
 
 void MotionStepper::touch(const MotionLeg& leg) {
   const Levels levels = this->levels(leg);
+  note_change(leg, levels);
   const double travel = leg.length();
   if (levels.begin > 0) {
     contact_.step(levels.begin * leg.duration, leg.centre(levels.begin * leg.duration),
@@ -191,6 +224,7 @@ void MotionStepper::touch(const MotionLeg& leg) {
   }
   if (travel == 0) {
     direction_ = {};
+    onset_open_ = false;
     if (levels.from == levels.to && !contact_.problem().friction.rate_dependent) {
       emit(leg, 1, levels.to, false); // nothing happens while the slider rests
       return;
@@ -221,11 +255,9 @@ void MotionStepper::touch(const MotionLeg& leg) {
     rest_step_ *= growth_of_rest;
     const double time = leg.begin + at * leg.duration;
     const bool leaves = at == levels.end && levels.end < 1;
-    if (onset_open_ && (!contact_.sticks() || leaves)) {
+    if (onset_open_) {
       onsets_.back()[1] = time;
-      onset_open_ = false;
-    } else if (onset_open_) {
-      onsets_.back()[1] = time;
+      onset_open_ = !leaves && !slides_fully(leg);
     }
     if (travel > 0) {
       increment_ *= contact_.sticks() ? options_.steps.onset_growth : growth_of_full_slip;

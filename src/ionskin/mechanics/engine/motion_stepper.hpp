@@ -2,8 +2,8 @@
 #pragma once
 
 #include "ionskin/case/slider_motion.hpp"
+#include "ionskin/mechanics/engine/path_steps.hpp"
 #include "ionskin/mechanics/engine/sliding_contact.hpp"
-#include "ionskin/mechanics/path/contact_path.hpp"
 
 #include <array>
 #include <functional>
@@ -56,6 +56,9 @@ private:
   double next_fraction(const MotionLeg& leg, const Levels& levels, double at) const;
   void begin_travel(const MotionLeg& leg);
   void advance(const MotionLeg& leg, const Levels& levels, double from, double to, int depth);
+  bool slides_fully(const MotionLeg& leg) const;
+  int touchdown_steps() const;
+  void note_change(const MotionLeg& leg, const Levels& levels);
   void emit(const MotionLeg& leg, double fraction, double height, bool required);
   bool asked_for(double time) const;
   void note_event(double time);
@@ -67,6 +70,7 @@ private:
   double increment_ = 0;              ///< longest travel of the next step [m]
   double rest_step_ = 0;              ///< longest of the next step while the slider rests; 0: moves
   bool onset_open_ = false;
+  bool travels_ = false, loads_ = false; ///< whether the leg before moved, and changed its level
   std::vector<double> events_;
   std::vector<std::array<double, 2>> onsets_;
   int steps_taken_ = 0;

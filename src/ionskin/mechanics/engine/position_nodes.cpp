@@ -3,7 +3,6 @@
 
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/mechanics/elasticity/core_strain.hpp"
-#include "ionskin/mechanics/path/position_states.hpp"
 #include "ionskin/mechanics/position/interpolation_error.hpp"
 #include "ionskin/mechanics/position/interpolation_nodes.hpp"
 #include "ionskin/parallel/task_pool.hpp"
@@ -52,25 +51,53 @@ std::size_t mirror_index(const Reflection& reflect) {
   return (reflect[0] ? 1 : 0) + (reflect[1] ? 2 : 0);
 }
 
+/// Which mirror images of a position a rectangle may hold.
+std::vector<Reflection> reflections_in(const Skin& skin, const MotionBox& box) {
+  const Reflection low = canonical_position(skin, box.low).reflect,
+                   high = canonical_position(skin, box.high).reflect;
+  std::vector<Reflection> reflections;
+  for (const Reflection& one :
+       {low, Reflection{high[0], low[1]}, Reflection{low[0], high[1]}, high}) {
+    if (std::ranges::find(reflections, one) == reflections.end()) {
+      reflections.push_back(one);
+    }
+  }
+  return reflections;
+}
+
 /// The strain under the test load of a position and of its mirror images, where the load is the
 /// mirror image of what is applied here: its pressure is the same, its drag is not.
-std::array<SharedState, 4> test_strains(const SkinModel& model,
-                                        const CondensedPosition& condensed) {
-  constexpr std::array<Reflection, 4> reflections{
-      {{false, false}, {true, false}, {false, true}, {true, true}}};
+std::array<std::shared_ptr<const CoreStrain>, 4>
+test_strains(const SkinModel& model, const CondensedPosition& condensed,
+             const std::vector<Reflection>& reflections) {
   std::vector<CellVector> loads;
   for (const Reflection& reflect : reflections) {
     loads.push_back(reflected(model.cells, test_load(model), reflect));
   }
   std::vector<CondensedPosition::Response> responses = condensed.respond(loads);
-  std::array<SharedState, 4> result;
+  std::array<std::shared_ptr<const CoreStrain>, 4> result;
   for (std::size_t i = 0; i < reflections.size(); ++i) {
-    auto state = std::make_shared<ContactState>();
-    state->strain = i == 0 ? std::move(responses[i].strain)
-                           : mirrored(std::move(responses[i].strain), reflections[i]);
-    result[mirror_index(reflections[i])] = std::move(state);
+    CoreStrain& strain = responses[i].strain;
+    result[mirror_index(reflections[i])] = std::make_shared<const CoreStrain>(
+        reflections[i] == Reflection{} ? std::move(strain)
+                                       : mirrored(std::move(strain), reflections[i]));
   }
   return result;
+}
+
+NodeLines lines_of(const MotionBox& box, const std::array<std::size_t, 2>& counts) {
+  NodeLines lines;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double extent = box.high[axis] - box.low[axis];
+    if (counts[axis] == 1) {
+      lines[axis] = {box.low[axis] + extent / 2};
+      continue;
+    }
+    for (const double way : interpolation_nodes(extent, counts[axis])) {
+      lines[axis].push_back(box.low[axis] + way);
+    }
+  }
+  return lines;
 }
 
 void add_scaled(const CoreStrain& strain, double weight, CoreStrain& sum) {
@@ -111,6 +138,22 @@ std::array<std::size_t, 2> expected_counts(const Case& input, const MotionBox& b
   return {expected_count(input, box, 0), expected_count(input, box, 1)};
 }
 
+std::size_t expected_places(const Case& input, const MotionBox& box) {
+  const NodeLines lines = lines_of(box, expected_counts(input, box));
+  std::vector<std::array<double, 2>> places;
+  for (const double y : lines[1]) {
+    for (const double x : lines[0]) {
+      const auto centre = canonical_position(input.skin, {x, y}).centre;
+      if (std::ranges::none_of(places, [&](const std::array<double, 2>& other) {
+            return same_place(input.skin, other, centre);
+          })) {
+        places.push_back(centre);
+      }
+    }
+  }
+  return places.size();
+}
+
 double node_tolerance(const Case& input, const MotionBox& box) {
   constexpr double looser = 10; // positions along both axes multiply
   const auto counts = expected_counts(input, box);
@@ -121,7 +164,8 @@ double node_tolerance(const Case& input, const MotionBox& box) {
 PositionNodes::PositionNodes(const Case& input, std::shared_ptr<const SkinModel> model,
                              const MotionBox& box, const NodeOptions& options,
                              SharedProgress& progress)
-    : model_(std::move(model)), skin_(input.skin), box_(box), options_(options) {
+    : model_(std::move(model)), skin_(input.skin), options_(options),
+      reflections_(reflections_in(input.skin, box)) {
   const double tolerance = node_tolerance(input, box);
   std::array<std::size_t, 2> counts{};
   for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -131,7 +175,7 @@ PositionNodes::PositionNodes(const Case& input, std::shared_ptr<const SkinModel>
                                        : std::min(expected, first_count);
   }
   for (bool settled = false; !settled;) {
-    condense(lines(counts), progress);
+    condense(lines_of(box, counts), progress);
     const auto wanted = wanted_counts(tolerance);
     settled = options.count > 0 || wanted == counts;
     counts = wanted;
@@ -145,21 +189,6 @@ PositionNodes::PositionNodes(const Case& input, std::shared_ptr<const SkinModel>
     place.compliance = {};
     place.test = {};
   }
-}
-
-NodeLines PositionNodes::lines(const std::array<std::size_t, 2>& counts) const {
-  NodeLines lines;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const double extent = box_.high[axis] - box_.low[axis];
-    if (counts[axis] == 1) {
-      lines[axis] = {box_.low[axis] + extent / 2};
-      continue;
-    }
-    for (const double way : interpolation_nodes(extent, counts[axis])) {
-      lines[axis].push_back(box_.low[axis] + way);
-    }
-  }
-  return lines;
 }
 
 PositionNodes::Condensed PositionNodes::condensed_at(std::size_t index) const {
@@ -177,8 +206,7 @@ void PositionNodes::condense(const NodeLines& lines, SharedProgress& progress) {
     for (const double x : lines[0]) {
       const CanonicalPosition position = canonical_position(skin_, {x, y});
       const auto same = std::ranges::find_if(places_, [&](const Place& place) {
-        return std::abs(place.centre[0] - position.centre[0]) <= 1e-10 * skin_.length &&
-               std::abs(place.centre[1] - position.centre[1]) <= 1e-10 * skin_.width;
+        return same_place(skin_, place.centre, position.centre);
       });
       nodes_.push_back({position, static_cast<std::size_t>(same - places_.begin())});
       if (same == places_.end()) {
@@ -192,7 +220,7 @@ void PositionNodes::condense(const NodeLines& lines, SharedProgress& progress) {
     Place& place = places_[known + i];
     const Condensed condensed = condensed_at(known + i);
     place.compliance = contact_compliance(*model_, *condensed);
-    place.test = test_strains(*model_, *condensed);
+    place.test = test_strains(*model_, *condensed, reflections_);
     place.condensed = condensed->holds_factor() ? nullptr : condensed;
     progress.finish_unit();
   });
@@ -204,7 +232,7 @@ std::array<std::size_t, 2> PositionNodes::wanted_counts(double tolerance) {
   error_ = 0;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     for (std::size_t line = 0; line < counts[1 - axis] && counts[axis] > 1; ++line) {
-      std::vector<PathState> along;
+      std::vector<NodeStrain> along;
       for (std::size_t i = 0; i < counts[axis]; ++i) {
         const Node& node = nodes_[axis == 0 ? i + counts[0] * line : line + counts[0] * i];
         along.push_back(

@@ -5,7 +5,7 @@
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/mechanics/engine/compliance_map.hpp"
 #include "ionskin/mechanics/path/shared_progress.hpp"
-#include "ionskin/mechanics/path/slider_track.hpp"
+#include "ionskin/mechanics/position/canonical_position.hpp"
 #include "ionskin/mechanics/position/condensed_position.hpp"
 
 #include <array>
@@ -22,6 +22,9 @@ std::optional<MotionBox> contact_box(const Case& input);
 
 /// Nodes that a rectangle is expected to need along x and y.
 std::array<std::size_t, 2> expected_counts(const Case& input, const MotionBox& box);
+
+/// Different places up to reflection that they are expected to have, each of which is factorised.
+std::size_t expected_places(const Case& input, const MotionBox& box);
 
 /// Of the strain between the nodes over its largest norm: `interpolation_tolerance` along a line,
 /// ten times that over a rectangle.
@@ -62,7 +65,6 @@ private:
   };
   using Condensed = std::shared_ptr<const CondensedPosition>;
 
-  NodeLines lines(const std::array<std::size_t, 2>& counts) const;
   void condense(const NodeLines& lines, SharedProgress& progress);
   Condensed condensed_at(std::size_t index) const;
   /// Of the strain under the test load along each axis: error and lines that would keep it.
@@ -71,16 +73,17 @@ private:
 
   std::shared_ptr<const SkinModel> model_;
   Skin skin_;
-  MotionBox box_;
   NodeOptions options_;
+  std::vector<std::array<bool, 2>> reflections_; ///< that the rectangle holds
   NodeLines lines_;
   std::vector<Node> nodes_; ///< x fastest
   struct Place {
     std::array<double, 2> centre{};         ///< canonical [m]
     linear_algebra::DenseMatrix compliance; ///< as there [m/N]
     Condensed condensed;                    ///< null where it holds a factor
-    /// Its strain under the test load, and those of its mirror images, by `mirror_index`.
-    std::array<SharedState, 4> test;
+    /// Its strain under the test load, and those of its mirror images in the rectangle, by
+    /// `mirror_index`.
+    std::array<std::shared_ptr<const CoreStrain>, 4> test;
   };
   std::vector<Place> places_;
   std::unique_ptr<const ComplianceMap> compliance_;

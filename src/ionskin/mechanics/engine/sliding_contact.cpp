@@ -78,8 +78,10 @@ void SlidingContact::keep_elastic_slip() {
 void SlidingContact::detach(const SliderStep& step) {
   elastic_slip_.clear();
   problem_.lagged_speed.clear();
-  std::fill(state_.force.begin(), state_.force.end(), 0.0);
-  std::fill(state_.surface.begin(), state_.surface.end(), 0.0);
+  if (in_contact()) {
+    std::fill(state_.force.begin(), state_.force.end(), 0.0);
+    std::fill(state_.surface.begin(), state_.surface.end(), 0.0);
+  }
   std::fill(state_.slip.begin(), state_.slip.end(), 0.0);
   const double first_touch = *std::min_element(problem_.gap.begin(), problem_.gap.end());
   state_.indentation =

@@ -6,8 +6,8 @@
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/mechanics/path/first_touch.hpp"
 #include "ionskin/mechanics/path/shared_progress.hpp"
-#include "ionskin/mechanics/path/slider_track.hpp"
 #include "ionskin/mechanics/path/steady_sliding.hpp"
+#include "ionskin/mechanics/position/canonical_position.hpp"
 #include "ionskin/mechanics/position/condensed_position.hpp"
 #include "ionskin/mesh/mesh_resolution.hpp"
 #include "ionskin/parallel/task_pool.hpp"
@@ -291,13 +291,6 @@ std::optional<mesh::Footprint> widened_footprint(const Case& input,
       }
     }
   };
-  for (const LegSolution& leg : solution.legs) {
-    for (const auto* states : {&leg.path, &leg.steady}) {
-      for (const PathState& point : *states) {
-        widen(point.state);
-      }
-    }
-  }
   for (const SteppedInstant& instant : solution.stepped) {
     widen(instant.state);
   }

@@ -12,13 +12,14 @@
 namespace ionskin::mechanics {
 namespace {
 
-double inner_product(const SharedState& a, const SharedState& b) {
+double inner_product(const std::shared_ptr<const CoreStrain>& a,
+                     const std::shared_ptr<const CoreStrain>& b) {
   if (!a || !b) {
     return 0;
   }
   double sum = 0;
-  for (std::size_t c = 0; c < a->strain.component.size(); ++c) {
-    const auto &in_a = a->strain.component[c], &in_b = b->strain.component[c];
+  for (std::size_t c = 0; c < a->component.size(); ++c) {
+    const auto &in_a = a->component[c], &in_b = b->component[c];
     sum = std::inner_product(in_a.begin(), in_a.end(), in_b.begin(), sum);
   }
   return sum;
@@ -26,22 +27,26 @@ double inner_product(const SharedState& a, const SharedState& b) {
 
 /// Values at the Chebyshev points of the second kind of the polynomial through given nodes; shape
 /// [points, nodes].
-std::vector<std::vector<double>> chebyshev_values(const std::vector<PathState>& steady) {
-  const double begin = steady.front().time, duration = steady.back().time - begin;
+std::vector<std::vector<double>> chebyshev_values(const std::vector<NodeStrain>& nodes) {
+  std::vector<double> places;
+  for (const NodeStrain& node : nodes) {
+    places.push_back(node.at);
+  }
+  const double begin = places.front(), length = places.back() - begin;
   std::vector<std::vector<double>> values;
-  for (std::size_t i = 0; i < steady.size(); ++i) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
     const double angle =
-        std::numbers::pi * static_cast<double>(i) / static_cast<double>(steady.size() - 1);
+        std::numbers::pi * static_cast<double>(i) / static_cast<double>(nodes.size() - 1);
     values.push_back(
-        interpolation_weights(steady, begin + duration * std::pow(std::cos(angle / 2), 2)));
+        interpolation_weights(places, begin + length * std::pow(std::cos(angle / 2), 2)));
   }
   return values;
 }
 
 /// By which the values at the nodes give the Chebyshev coefficients; shape [orders, nodes].
-std::vector<std::vector<double>> coefficient_weights(const std::vector<PathState>& steady) {
-  const std::vector<std::vector<double>> values = chebyshev_values(steady);
-  const std::size_t count = steady.size(), last = count - 1;
+std::vector<std::vector<double>> coefficient_weights(const std::vector<NodeStrain>& nodes) {
+  const std::vector<std::vector<double>> values = chebyshev_values(nodes);
+  const std::size_t count = nodes.size(), last = count - 1;
   std::vector<std::vector<double>> weights(count, std::vector<double>(count));
   for (std::size_t order = 0; order < count; ++order) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -58,18 +63,18 @@ std::vector<std::vector<double>> coefficient_weights(const std::vector<PathState
 
 } // namespace
 
-std::vector<double> chebyshev_norms(const std::vector<PathState>& steady) {
-  const std::size_t count = steady.size();
+std::vector<double> chebyshev_norms(const std::vector<NodeStrain>& nodes) {
+  const std::size_t count = nodes.size();
   std::vector<double> gram(count * count);
   double largest = 0;
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
-      gram[count * i + j] = gram[count * j + i] = inner_product(steady[i].state, steady[j].state);
+      gram[count * i + j] = gram[count * j + i] = inner_product(nodes[i].strain, nodes[j].strain);
     }
     largest = base::larger(largest, gram[count * i + i]);
   }
   std::vector<double> norms;
-  for (const std::vector<double>& weights : coefficient_weights(steady)) {
+  for (const std::vector<double>& weights : coefficient_weights(nodes)) {
     double square = 0;
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t j = 0; j < count; ++j) {

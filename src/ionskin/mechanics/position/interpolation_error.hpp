@@ -5,18 +5,25 @@
 #include "ionskin/mechanics/output/contact_solution.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace ionskin::mechanics {
 
-/// Norms of the Chebyshev coefficients of the polynomial through the nodes of a leg, from order 0
-/// on: of the strain in the core, over that of the largest state [1].
-/// @param steady at distinct instants; null states count as zero strain
-std::vector<double> chebyshev_norms(const std::vector<PathState>& steady);
+/// The strain in the core at an interpolation node of a line.
+struct NodeStrain {
+  double at = 0;                            ///< along the line, in any unit
+  std::shared_ptr<const CoreStrain> strain; ///< null: none
+};
 
-/// How far the polynomial through the nodes of a leg is from steady sliding between them.
+/// Norms of the Chebyshev coefficients of the polynomial through the nodes of a line, from order 0
+/// on: of the strain in the core, over that of the largest node [1].
+/// @param nodes at distinct places
+std::vector<double> chebyshev_norms(const std::vector<NodeStrain>& nodes);
+
+/// How far the polynomial through the nodes is from the strain between them.
 struct InterpolationError {
-  double estimate = 0; ///< of the strain in the core, over its largest norm on the leg [1]
+  double estimate = 0; ///< of the strain in the core, over its largest norm on the line [1]
   double decay = 0;    ///< of the coefficients, from one order to the next [1]
 };
 

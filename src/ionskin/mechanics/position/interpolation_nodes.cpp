@@ -35,14 +35,6 @@ std::vector<double> interpolation_weights(const std::vector<double>& nodes, doub
   return weights;
 }
 
-std::vector<double> interpolation_weights(const std::vector<PathState>& nodes, double time) {
-  std::vector<double> times;
-  for (const PathState& node : nodes) {
-    times.push_back(node.time);
-  }
-  return interpolation_weights(times, time);
-}
-
 std::size_t expected_node_count(const Case& input, const std::array<double, 2>& from,
                                 const std::array<double, 2>& to) {
   // The error falls by the decay with each node. On cases/paper.toml, over two fifths of the skin,

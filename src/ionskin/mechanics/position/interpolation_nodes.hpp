@@ -2,7 +2,6 @@
 #pragma once
 
 #include "ionskin/case/case.hpp"
-#include "ionskin/mechanics/output/contact_solution.hpp"
 
 #include <array>
 #include <cstddef>
@@ -21,8 +20,6 @@ std::vector<double> interpolation_nodes(double stroke, std::size_t count);
 
 /// By which the values at the nodes give the value of their polynomial at a point (Lagrange).
 std::vector<double> interpolation_weights(const std::vector<double>& nodes, double at);
-/// The same at an instant, for states along a leg.
-std::vector<double> interpolation_weights(const std::vector<PathState>& nodes, double time);
 
 /// Even number of nodes that a straight piece of a track is expected to need. A short piece needs
 /// fewer, since the error of interpolation falls with the power of its length that is the count.

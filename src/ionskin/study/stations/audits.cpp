@@ -26,7 +26,7 @@ const std::vector<AuditRule>& audit_rules() {
        "the violation of the contact's and friction's conditions (complementarity_residual)",
        "lower contact.friction, or change numerics.mesh_refinement"},
       {"interpolation_error", 0.02, 0.2,
-       "the error of steady sliding between the solved positions (interpolation_error)",
+       "the error of the strain between the solved positions (interpolation_error)",
        "choose a finer numerics.preset, or a longer distance to the skin's edges"},
       {"energy_balance_error", 0.02, 0.2,
        "the energy that the steps of contact gain or lose (energy_balance_error)",

@@ -13,69 +13,14 @@
 #include <algorithm>
 
 #include <map>
-#include <set>
+#include <string_view>
 #include <utility>
 
 namespace ionskin::study {
 namespace {
 
-/// Names the states of a cycle and collects their maps, each state once.
-class MapCollector {
-public:
-  explicit MapCollector(const std::vector<MotionLeg>& legs) : legs_(legs) {}
-
-  void add_leg(std::size_t index, const mechanics::LegSolution& leg) {
-    const MotionLeg& motion = legs_[index];
-    if (motion.slides()) {
-      const std::string prefix = numbered(slides_);
-      add_path(index, leg, prefix + "onset");
-      for (std::size_t i = 0; i < leg.steady.size(); ++i) {
-        add(fmt::format("{}steady_{}", prefix, i), index, leg.steady[i]);
-      }
-    } else if (motion.lands()) {
-      const std::string prefix = numbered(touchdowns_);
-      add_path(index, leg, prefix + "touchdown");
-      if (leg.path.size() == 2 && !maps_.empty()) {
-        maps_.back().state = prefix + "touchdown"; // one increment is the whole touchdown
-      }
-    } else if (motion.leaves()) {
-      add_path(index, leg, numbered(lifts_) + "lift_off");
-    } else {
-      add_path(index, leg, numbered(changes_) + "load_change");
-    }
-  }
-  std::vector<results::ContactMap> take() { return std::move(maps_); }
-
-private:
-  /// "" for the first of its kind, "2_" for the second.
-  static std::string numbered(int& count) {
-    return ++count == 1 ? "" : std::to_string(count) + "_";
-  }
-
-  void add_path(std::size_t leg, const mechanics::LegSolution& solution, const std::string& name) {
-    // The first state of a path is the last of the leg before.
-    for (std::size_t i = 1; i < solution.path.size(); ++i) {
-      add(fmt::format("{}_{:02}", name, i), leg, solution.path[i]);
-    }
-  }
-
-  void add(std::string name, std::size_t leg, const mechanics::PathState& point) {
-    if (!point.state || !known_.insert(point.state.get()).second) {
-      return;
-    }
-    const mechanics::ContactState& state = *point.state;
-    maps_.push_back({std::move(name), legs_[leg].begin + point.time, state.normal_traction,
-                     state.tangential_traction_x, state.tangential_traction_y, state.slip});
-  }
-
-  const std::vector<MotionLeg>& legs_;
-  int touchdowns_ = 0, slides_ = 0, lifts_ = 0, changes_ = 0;
-  std::set<const mechanics::ContactState*> known_;
-  std::vector<results::ContactMap> maps_;
-};
-
-/// Names the states of a stepped path as those of legs are named: "touchdown_03", "onset_12",
-/// "steady_04", "lift_off_07", and "2_onset_01" where a kind comes for the second time.
+/// Names the states of a path: "touchdown_03", "onset_12", "steady_4", "lift_off_07", and
+/// "2_onset_01" where a kind comes for the second time.
 class StepNames {
 public:
   StepNames(const std::vector<MotionLeg>& legs, const mechanics::ContactSolution& contact)
@@ -89,7 +34,8 @@ public:
       count_ = 0;
     }
     const std::string prefix = runs_[kind] == 1 ? "" : std::to_string(runs_[kind]) + "_";
-    return fmt::format("{}{}_{:02}", prefix, kind, ++count_);
+    return kind == "steady" ? fmt::format("{}steady_{}", prefix, count_++)
+                            : fmt::format("{}{}_{:02}", prefix, kind, ++count_);
   }
 
 private:
@@ -117,15 +63,21 @@ private:
   int count_ = 0;
 };
 
-std::vector<results::ContactMap> make_maps(const std::vector<MotionLeg>& legs,
-                                           const mechanics::ContactSolution& contact) {
-  MapCollector collector(legs);
-  for (std::size_t i = 0; i < legs.size(); ++i) {
-    if (!contact.legs.empty() && legs[i].touches()) {
-      collector.add_leg(i, contact.legs[i]);
+/// One increment is the whole touchdown of a flat slider.
+void name_whole_touchdowns(std::vector<results::ContactMap>& maps) {
+  constexpr std::string_view first = "touchdown_01", number = "_01";
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    std::string& name = maps[i].state;
+    if (name.ends_with(first) &&
+        (i + 1 == maps.size() || !maps[i + 1].state.ends_with("touchdown_02"))) {
+      name.resize(name.size() - number.size());
     }
   }
-  std::vector<results::ContactMap> maps = collector.take();
+}
+
+std::vector<results::ContactMap> make_maps(const std::vector<MotionLeg>& legs,
+                                           const mechanics::ContactSolution& contact) {
+  std::vector<results::ContactMap> maps;
   StepNames names(legs, contact);
   // A long path passes more instants than anybody looks at: the first all, of the others some.
   constexpr std::size_t first = 100, others = 100;
@@ -138,6 +90,7 @@ std::vector<results::ContactMap> make_maps(const std::vector<MotionLeg>& legs,
                       instant.state->slip});
     }
   }
+  name_whole_touchdowns(maps);
   return maps;
 }
 
@@ -192,7 +145,7 @@ std::vector<readout::Metric> contact_cell_errors(const Case& input,
   return errors;
 }
 
-/// From which the strains of a stepped path came; null when there is none.
+/// From which the strains of the path came; null when there is none.
 const mechanics::StrainSource* strain_source(const mechanics::ContactSolution& contact) {
   for (const mechanics::SteppedInstant& instant : contact.stepped) {
     if (instant.state) {
@@ -200,28 +153,6 @@ const mechanics::StrainSource* strain_source(const mechanics::ContactSolution& c
     }
   }
   return nullptr;
-}
-
-/// Per electrode layer, over all states of the motion.
-std::vector<double> largest_electrode_stress(const mechanics::ContactSolution& contact) {
-  std::vector<double> largest;
-  if (const mechanics::StrainSource* source = strain_source(contact)) {
-    largest = source->largest_electrode_stress();
-  }
-  for (const mechanics::LegSolution& leg : contact.legs) {
-    for (const auto* points : {&leg.path, &leg.steady}) {
-      for (const mechanics::PathState& point : *points) {
-        if (point.state) {
-          const std::vector<double>& stress = point.state->electrode_stress;
-          largest.resize(std::max(largest.size(), stress.size()));
-          for (std::size_t i = 0; i < stress.size(); ++i) {
-            largest[i] = std::max(largest[i], stress[i]);
-          }
-        }
-      }
-    }
-  }
-  return largest;
 }
 
 } // namespace
@@ -250,14 +181,13 @@ MechanicsRecord make_mechanics_record(const Case& input,
   record.join_time = timeline.join_time();
   record.onsets = timeline.onsets();
   record.maps = {contact.cell_lines_x, contact.cell_lines_y, make_maps(legs, contact)};
-  record.worst_equilibrium_residual = contact.worst_equilibrium_residual;
   if (const mechanics::StrainSource* source = strain_source(contact)) {
     record.worst_equilibrium_residual = source->worst_equilibrium_residual();
+    record.electrode_stress = source->largest_electrode_stress();
   }
   record.worst_complementarity_residual = contact.worst_complementarity_residual;
   record.worst_interpolation_error = contact.worst_interpolation_error;
   record.contact_solves = contact.contact_solves;
-  record.electrode_stress = largest_electrode_stress(contact);
   record.warnings = contact.warnings;
   record.metrics = contact_metrics(input, contact, timeline);
   record.cell_errors = contact_cell_errors(input, timeline);

@@ -4,7 +4,6 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/files/atomic_file.hpp"
 #include "ionskin/base/files/sealed_file.hpp"
-#include "ionskin/case/slider_motion.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/position/memory_estimate.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
@@ -28,8 +27,8 @@ namespace {
 // For the contact solutions held at once: so many bytes, or so much of what a factorisation takes
 // anyway. What does not fit is solved in a further batch, which factorises all positions again.
 constexpr double least_solution_memory = 1.2e9, share_of_factorisation = 0.5;
-// States of a touchdown, an onset with the steady sliding behind it, and a lift-off.
-constexpr double touchdown_states = 20, slide_states = 38, lift_off_states = 20;
+// A solution holds the strains that it recovered last.
+constexpr double held_states = 48;
 
 /// Points with one and the same Study 1.
 struct SharedMechanics {
@@ -77,21 +76,12 @@ std::vector<FrictionGroup> group_points(const std::vector<SweepPoint>& points,
   return result;
 }
 
-double states_per_solution(const Case& input) {
-  double states = 0;
-  for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
-    states += (leg.lands() ? touchdown_states : 0) + (leg.slides() ? slide_states : 0) +
-              (leg.leaves() ? lift_off_states : 0);
-  }
-  return states;
-}
-
-double solution_memory(const Case& input, const mesh::SkinMesh& mesh) {
+double solution_memory(const mesh::SkinMesh& mesh) {
   const auto elements = mesh.elements();
   const auto core = mesh.core_z();
   const double gauss_points =
       8.0 * static_cast<double>(elements[0] * elements[1] * (core[1] - core[0]));
-  return states_per_solution(input) * 6 * sizeof(double) * gauss_points;
+  return held_states * 6 * sizeof(double) * gauss_points;
 }
 
 double most_memory(const mesh::SkinMesh& mesh) {
@@ -102,8 +92,8 @@ double most_memory(const mesh::SkinMesh& mesh) {
 /// Friction coefficients whose solutions fit into memory together.
 std::size_t batch_size(const Case& input, const mesh::Footprint& footprint) {
   const mesh::SkinMesh mesh(input, footprint);
-  return std::max<std::size_t>(
-      1, static_cast<std::size_t>(most_memory(mesh) / solution_memory(input, mesh)));
+  return std::max<std::size_t>(1,
+                               static_cast<std::size_t>(most_memory(mesh) / solution_memory(mesh)));
 }
 
 /// How the entries of a group are solved.
@@ -328,7 +318,7 @@ std::vector<std::size_t> points_to_solve(const std::vector<SweepPoint>& points,
 
 double solutions_memory(const Case& input, std::size_t solutions) {
   const mesh::SkinMesh mesh(input);
-  return std::min(most_memory(mesh), static_cast<double>(solutions) * solution_memory(input, mesh));
+  return std::min(most_memory(mesh), static_cast<double>(solutions) * solution_memory(mesh));
 }
 
 std::vector<MechanicsGroup> mechanics_groups(const std::vector<SweepPoint>& points) {

@@ -103,13 +103,5 @@ TEST(ReturnMapping, DerivativesAgreeWithFiniteDifferences) {
   }
 }
 
-TEST(FrictionLaws, SayWhetherSteadySlidingDeterminesThem) {
-  EXPECT_FALSE(friction_law("coulomb").stepped);
-  EXPECT_FALSE(friction_law("saturating").stepped);
-  for (const char* law : {"regularised", "viscous", "stribeck", "anisotropic"}) {
-    EXPECT_TRUE(friction_law(law).stepped) << law;
-  }
-}
-
 } // namespace
 } // namespace ionskin::laws

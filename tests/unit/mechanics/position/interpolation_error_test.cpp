@@ -15,13 +15,13 @@ namespace {
 /// A strain whose first component is given at two points.
 using Strain = std::function<std::array<double, 2>(double)>;
 
-std::vector<PathState> sliding(const Strain& strain, std::size_t count) {
-  std::vector<PathState> steady;
+std::vector<NodeStrain> sliding(const Strain& strain, std::size_t count) {
+  std::vector<NodeStrain> steady;
   for (const double time : interpolation_nodes(2, count)) {
     const auto values = strain(time);
-    ContactState state;
-    state.strain.component[0] = {values[0], values[1]};
-    steady.push_back({3 + time, std::make_shared<const ContactState>(state)});
+    CoreStrain strain_here;
+    strain_here.component[0] = {values[0], values[1]};
+    steady.push_back({3 + time, std::make_shared<const CoreStrain>(strain_here)});
   }
   return steady;
 }
@@ -82,13 +82,13 @@ TEST(InterpolationError, is_large_across_a_kink) {
   EXPECT_GT(estimate, 0.02);
 }
 
-TEST(InterpolationError, states_without_load_count_as_zero) {
-  std::vector<PathState> steady = sliding([](double) { return std::array<double, 2>{1, 1}; }, 4);
+TEST(InterpolationError, nodes_without_strain_count_as_zero) {
+  std::vector<NodeStrain> steady = sliding([](double) { return std::array<double, 2>{1, 1}; }, 4);
   EXPECT_NEAR(interpolation_error(chebyshev_norms(steady)).estimate, 0, 1e-7);
-  steady.front().state = nullptr;
+  steady.front().strain = nullptr;
   EXPECT_GT(interpolation_error(chebyshev_norms(steady)).estimate, 0.1);
-  for (PathState& point : steady) {
-    point.state = nullptr;
+  for (NodeStrain& node : steady) {
+    node.strain = nullptr;
   }
   EXPECT_EQ(interpolation_error(chebyshev_norms(steady)).estimate, 0);
 }
