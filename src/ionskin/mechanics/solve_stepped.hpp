@@ -11,8 +11,9 @@ namespace ionskin::mechanics {
 
 /// Whether a motion is stepped on interpolated compliances, or solved leg by leg. Legs are exact
 /// for straight strokes between two places, which share the positions of their ends; a path of
-/// waypoints has any number of legs, of any length and direction, and friction that depends on
-/// slip, speed or direction has no steady sliding that its legs could begin from.
+/// waypoints has any number of legs, of any length and direction, friction that depends on
+/// slip, speed or direction has no steady sliding that its legs could begin from, and a slider on a
+/// drive leaves the path.
 bool is_stepped(const Case& input);
 
 /// Positions that a stepped motion is expected to need; 0 when it never touches.

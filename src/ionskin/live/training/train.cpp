@@ -116,6 +116,11 @@ void check_trainable(const Case& input) {
                     "another law without slip_length or lag_time",
                     input.contact.law));
   }
+  if (input.motion.drive.given()) {
+    throw UserError(
+        "motion.drive: a live skin is told where the slider is, and knows no drive that "
+        "gives\n  = remove motion.drive, and give each step the place of the slider");
+  }
   touch_range(input);
 }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace ionskin::mechanics {
@@ -83,6 +84,27 @@ void add_scaled(const CoreStrain& strain, double weight, CoreStrain& sum) {
   }
 }
 
+/// A slider on a drive that halts swings on by its speed over the natural angular frequency.
+void add_swing(const Case& input, MotionBox& box) {
+  constexpr double most = 0.5; // of the room beside it
+  const double seconds = input.motion.drive.natural_period() / (2 * std::numbers::pi);
+  const std::array<double, 2> skin{input.skin.length, input.skin.width};
+  const auto half_size = input.slider.flat_half_size();
+  std::array<double, 2> fastest{};
+  for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
+    for (std::size_t d = 0; d < 2 && leg.touches() && leg.duration > 0; ++d) {
+      fastest[d] = std::max(fastest[d], std::abs(leg.to[d] - leg.from[d]) / leg.duration);
+    }
+  }
+  for (std::size_t d = 0; d < 2; ++d) {
+    const double swing = fastest[d] * seconds;
+    const double below = std::max(0.0, box.low[d] - half_size[d]),
+                 above = std::max(0.0, skin[d] - half_size[d] - box.high[d]);
+    box.low[d] -= std::min(swing, most * below);
+    box.high[d] += std::min(swing, most * above);
+  }
+}
+
 } // namespace
 
 std::optional<MotionBox> contact_box(const Case& input) {
@@ -104,7 +126,13 @@ std::optional<MotionBox> contact_box(const Case& input) {
       include(part.to);
     }
   }
-  return box && input.numerics.shared.given() ? meshed_box(input) : box;
+  if (box && input.numerics.shared.given()) {
+    return meshed_box(input);
+  }
+  if (box && input.motion.drive.given()) {
+    add_swing(input, *box);
+  }
+  return box;
 }
 
 std::array<std::size_t, 2> expected_counts(const Case& input, const MotionBox& box) {

@@ -17,7 +17,7 @@
 namespace ionskin::mechanics {
 
 /// The smallest rectangle that holds the slider's centre while it touches, or the case's shared one
-/// [m]; empty when it never touches.
+/// [m]; empty when it never touches. That of a slider on a drive may turn out to be wider.
 std::optional<MotionBox> contact_box(const Case& input);
 
 /// Nodes that a rectangle is expected to need along x and y.

@@ -102,10 +102,11 @@ struct LegSolution {
 
 /// An instant of a motion that is stepped.
 struct SteppedInstant {
-  double time = 0;                ///< since the begin of the cycle [s]
-  std::array<double, 2> centre{}; ///< of the slider [m]
-  double height = 0;              ///< of its underside above the undeformed top face [m]
-  SharedState state;              ///< null: detached
+  double time = 0;                     ///< since the begin of the cycle [s]
+  std::array<double, 2> centre{};      ///< of the slider [m]
+  double height = 0;                   ///< of its underside above the undeformed top face [m]
+  SharedState state;                   ///< null: detached
+  std::array<double, 2> drive_force{}; ///< of a drive on the slider; 0 without load [N]
 };
 
 /// All of Study 1 for one friction coefficient. One cycle stands for all: after complete lift-off

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace ionskin::study {
 namespace {
@@ -46,6 +47,16 @@ readout::SignalInputs mechanical_inputs(const Case& input, const MechanicsRecord
     inputs.contact_area = at_rows(mechanics.contact_area);
     inputs.stick_share = at_rows(mechanics.stick_share);
     inputs.slip = at_rows(mechanics.slip);
+    if (!mechanics.drive_force_x.empty()) {
+      // The path of the motion is that of the drive's end; the slider goes its own way.
+      inputs.drive_x = std::move(inputs.slider_x);
+      inputs.drive_y = std::move(inputs.slider_y);
+      inputs.slider_x = at_rows(mechanics.history.slider_x);
+      inputs.slider_y =
+          mechanics.history.slider_y.empty() ? inputs.drive_y : at_rows(mechanics.history.slider_y);
+      inputs.drive_force_x = at_rows(mechanics.drive_force_x);
+      inputs.drive_force_y = at_rows(mechanics.drive_force_y);
+    }
   } else {
     inputs.cycle.assign(time.size(), 1);
     inputs.phase.assign(time.size(), "");

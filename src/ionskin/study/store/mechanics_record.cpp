@@ -245,6 +245,10 @@ MechanicsRecord make_mechanics_record(const Case& input,
       record.contact_area.push_back(signals.area[i]);
       record.stick_share.push_back(signals.stick_share[i]);
       record.slip.push_back(signals.slip[i]);
+      if (input.motion.drive.given()) {
+        record.drive_force_x.push_back(combination.drive_force[0]);
+        record.drive_force_y.push_back(combination.drive_force[1]);
+      }
     }
   }
   record.join_time = timeline.join_time();
