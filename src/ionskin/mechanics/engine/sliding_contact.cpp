@@ -126,9 +126,10 @@ void SlidingContact::condense_at(const std::array<double, 2>& place) {
 }
 
 bool SlidingContact::reaches(const SliderLoad& load) const {
-  return load.value > (load.kind == LoadKind::force
+  const double least = load.kind == LoadKind::force
                            ? 0
-                           : *std::min_element(problem_.gap.begin(), problem_.gap.end()));
+                           : *std::min_element(problem_.gap.begin(), problem_.gap.end());
+  return !(load.value <= least); // what is no number is left to the solver to refuse
 }
 
 SurfaceState SlidingContact::solve(const ContactProblem& problem, const SliderStep& step) {
@@ -170,7 +171,9 @@ const SurfaceState& SlidingContact::step_yielding(double time_step, const Slider
       const ContactProblem yielding = yielding_problem(problem_, guide.compliance);
       SurfaceState found = solve(yielding, step);
       for (std::size_t c = 0; c < 2; ++c) {
-        place[c] -= guide.compliance[c] * total_force(found.force, c + 1);
+        // As it was found: cells that stick must not slip by what others were settled by.
+        place[c] -=
+            guide.compliance[c] * (total_force(found.force, c + 1) - newton_.settled_by()[c]);
         step.travel[c] = place[c] - from[c];
       }
       state_ = surface_state(problem_, step, std::move(found.force), found.indentation,
