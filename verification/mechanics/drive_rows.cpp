@@ -193,8 +193,9 @@ StickSlip as_case(double time_refinement, const Options& options) {
   const auto solution = mechanics::solve_contact(input, contact, timers);
   PeakCounter peaks;
   for (const mechanics::SteppedInstant& instant : solution.stepped) {
-    if (instant.state) {
-      peaks.add(instant.time - input.motion.touchdown, instant.drive_force[0]);
+    const double time = instant.time - input.motion.touchdown;
+    if (instant.state && time < block::duration) {
+      peaks.add(time, instant.drive_force[0]);
     }
   }
   return peaks.mean();
