@@ -164,7 +164,7 @@ private:
         at_least(value * own(name, difference) / other);
       }
     }
-    return safety(difference.pair->part) * largest;
+    return safety(difference.pair->part, metric.name) * largest;
   }
 
   const Signals& base_;
@@ -214,18 +214,18 @@ SignalTable band(const SignalTable& base, const std::vector<PairDifference>& dif
 
 } // namespace
 
-double safety(const std::string& part) {
-  if (part == error_parts::transport_grid || part == error_parts::time_steps) {
-    return richardson_safety / (std::pow(2.0, verified_order) - 1);
-  }
-  return 1;
+double safety(const std::string& part, const std::string& quantity) {
+  const bool of_second_order = part == error_parts::transport_grid ||
+                               part == error_parts::time_steps ||
+                               (part == error_parts::mechanics_mesh && !hangs_on_edges(quantity));
+  return of_second_order ? richardson_safety / (std::pow(2.0, verified_order) - 1) : 1.0;
 }
 
 std::vector<double> pair_band(const std::vector<double>& values, const std::string& part,
                               const TableDifference& difference, const std::string& column,
                               double path_floor) {
   const std::vector<double>& gaps = difference.table.column(column).values;
-  const double norm = difference.relative_norm.at(column), factor = safety(part);
+  const double norm = difference.relative_norm.at(column), factor = safety(part, column);
   const double least = part == error_parts::path ? path_floor : 0.0;
   std::vector<double> result;
   for (std::size_t row = 0; row < values.size(); ++row) {

@@ -40,13 +40,18 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 25> signal_o
     {"nonlinearity", "p99_shear"},
 }};
 
+/// Parts of the names of what is made at the edges of the contact.
+constexpr std::array<std::string_view, 9> made_at_edges{
+    "first_moment", "p95_shear",    "p99_shear",     "element_max", "membrane_stress",
+    "nonlinearity", "contact_area", "mean_pressure", "stick"};
+
 struct Neighbours {
   std::string_view metric;
   std::vector<std::string> others;
 };
 
-/// What happens at one place and instant errs together; an upper percentile errs as what lies below
-/// and above it.
+/// What happens at one place and instant errs together; an upper percentile errs as the other one.
+/// The largest value of the shear is no neighbour: under sharp edges it does not converge.
 const std::array<Neighbours, 8> neighbours{{
     {"contact_area_slide", {"mean_pressure_slide"}},
     {"mean_pressure_slide", {"contact_area_slide"}},
@@ -54,14 +59,20 @@ const std::array<Neighbours, 8> neighbours{{
     {"external_work", {"friction_work"}},
     {"friction_work", {"external_work"}},
     {"p95_shear_slide", {"p99_shear_slide"}},
-    {"p99_shear_slide", {"p95_shear_slide", "element_max_shear_slide"}},
-    {"nonlinearity", {"p95_shear_slide", "element_max_shear_slide"}},
+    {"p99_shear_slide", {"p95_shear_slide"}},
+    {"nonlinearity", {"p95_shear_slide"}},
 }};
 
 } // namespace
 
 bool is_audit(const std::string& metric) {
   return metric.ends_with("_residual") || metric.ends_with("_error");
+}
+
+bool hangs_on_edges(const std::string& quantity) {
+  return std::ranges::any_of(made_at_edges, [&](const std::string_view name) {
+    return quantity.find(name) != std::string::npos;
+  });
 }
 
 std::vector<std::string> related_signals(const std::string& metric) {
