@@ -36,8 +36,7 @@ CODES = {
 FOREIGN = {
     "contact": [("CalculiX", "calculix_contact.py", [("0.12", "2"), ("0.06", "3")]),
                 ("GetFEM", "getfem_contact.py", [("0.12", "2"), ("0.06", "3")])],
-    "transport": [("FEniCSx", "fenicsx_transport.py", [("20", "1", "2", "1.5", "0.1"), ("40", "1", "2", "1.4", "0.05"),
-                                                       ("80", "1", "2", "1.4", "0.05")])],
+    "transport": [("FEniCSx", "fenicsx_transport.py", [("20", "1", "2", "1.5", "0.1"), ("40", "1", "2", "1.4", "0.05")])],
 }
 # Runs whose mean is the reference of each part, of --reference. Contact: of two codes with different methods.
 FINE = {"contact": [("GetFEM", "getfem_contact.py", ("0.06", "3")), ("ionskin", None, ("standard", "1"))],
@@ -47,6 +46,7 @@ REFERENCE = {
                 "shear of the slide": 4.8169e-4},
     "transport": {"charge": 9.431565e-07, "current": -1.1926245e-06},
 }
+RESOLVED = {"contact": 2e-3, "transport": 0.0}  # errors below are alike: the two runs of the contact differ by 0.23 %
 
 
 def version(code):
@@ -146,7 +146,7 @@ def main():
     for part in parts:
         runs = []
         for run in compare(Path(program).resolve(), part, versions, arguments.settings):
-            runs.append(with_errors(run, REFERENCE[part]))
+            runs.append(with_errors(run, REFERENCE[part], RESOLVED[part]))
             print(f"  {run['code']} {run['setting']}: {run['processor_s']:.1f} s", file=sys.stderr, flush=True)
         told["runs"][part] = equal_accuracy(runs)
         print(f"\n{part}\n\n" + markdown(told["runs"][part]), flush=True)

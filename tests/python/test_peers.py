@@ -33,6 +33,13 @@ class Ratios(unittest.TestCase):
         self.assertEqual(other["time_ratio"], 0.5)
         self.assertIn("below 0.5", tables.markdown([other]))
 
+    def test_errors_that_the_reference_does_not_tell_are_alike(self):
+        ours, other = tables.equal_accuracy([tables.with_errors(one, {"charge": 2.0}, 2e-3)
+                                             for one in (run("ionskin", 1, 5, 2.002), run("other", 8, 40, 2.001))])
+        self.assertFalse(other["bound"])
+        self.assertEqual(other["time_ratio"], 8)
+        self.assertIn("below 0.20%", tables.markdown([ours]))
+
     def test_rows_are_as_long_as_the_head(self):
         rows = tables.markdown(self.compared(run("ionskin", 1, 5, 2.2), run("other", 8, 40, 1.9))).splitlines()
         self.assertEqual(len({row.count("|") for row in rows}), 1)
