@@ -27,8 +27,8 @@ def equal_accuracy(runs, home="ionskin"):
 
 def markdown(runs):
     """A row for each run."""
-    head = ["code", "setting", "unknowns", "processor time", "peak memory", "largest error", "ionskin as accurate",
-            "time over ionskin's", "memory over ionskin's"]
+    head = ["code", "setting", "unknowns", "processor time", "peak memory", "largest error", "beside", "time ratio",
+            "memory ratio"]
     rows = [head, ["---"] * len(head)]
     for run in runs:
         worst = max(run["errors"], key=run["errors"].get)
