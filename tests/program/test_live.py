@@ -33,8 +33,8 @@ class LiveTest(ProgramTest):
     def setUpClass(cls):
         super().setUpClass()
         cls.trained = pathlib.Path(os.environ.get("TMPDIR", "/tmp")) / f"ionskin-live-{os.getpid()}.live"
-        subprocess.run([PROGRAM, "live", ROOT / "cases" / "taxels.toml", *SMALL, "--trajectories", "6", "--seed", "5",
-                        "-o", cls.trained, "--overwrite", "--quiet"], check=True,
+        subprocess.run([PROGRAM, "live", ROOT / "cases" / "taxels.toml", *SMALL, "--trajectories", "6", "--validation", "6",
+                        "--seed", "5", "-o", cls.trained, "--overwrite", "--quiet"], check=True,
                        env={**os.environ, "IONSKIN_CACHE_LIMIT": "0 GB"})
         cls.addClassCleanup(cls.trained.unlink)
 
@@ -44,8 +44,12 @@ class LiveTest(ProgramTest):
 
     def test_tells_what_the_full_model_tells(self):
         """Within the errors that the file states, and these are small."""
-        path = self.folder / "touch.csv"
-        path.write_text(TOUCH)
+        rows = numpy.array([[float(value) for value in line.split(",")] for line in TOUCH.splitlines()[1:]])
+        times = numpy.arange(2001) / 1000
+        x, heights = (numpy.interp(times, rows[:, 0], rows[:, i]) for i in (1, 3))
+        # Both get the same rows, so that the full model steps to where it is compared.
+        numpy.savetxt(self.folder / "touch.csv", numpy.column_stack([times, x, numpy.ones_like(x), heights]), "%.9g", ",",
+                      header=TOUCH.splitlines()[0], comments="")
         case = self.folder / "touch.toml"
         motion = '[motion]\nkind = "waypoints"\nfile = "touch.csv"\n'
         text = (ROOT / "cases" / "taxels.toml").read_text()
@@ -56,9 +60,6 @@ class LiveTest(ProgramTest):
                        cwd=self.folder)
         full = ionskin.open_results(self.folder / "full")
         skin = ionskin.live.Skin(self.trained)
-        rows = numpy.array([[float(value) for value in line.split(",")] for line in TOUCH.splitlines()[1:]])
-        times = numpy.arange(0, 2, 1e-3)
-        x, heights = (numpy.interp(times, rows[:, 0], rows[:, i]) for i in (1, 3))
         signals = skin.run(times, numpy.column_stack([1e-3 * x, numpy.full_like(x, 1e-3)]), heights=1e-6 * heights)
         self.assertFalse(signals.flags.any())
         for name, table in (("normal_force", full.signals), ("charge_top", full.signals),
@@ -186,7 +187,8 @@ class LiveTest(ProgramTest):
                                 ((quick, "--set", "contact.law=regularised", "--set", "contact.slip_length=1 um", "-o",
                                   "a.live"), "contact.law"),
                                 ((ROOT / "cases" / "bending.toml", "-o", "a.live"), "strain.source"),
-                                ((quick, "--trajectories", "0", "-o", "a.live"), "--trajectories")):
+                                ((quick, "--trajectories", "0", "-o", "a.live"), "--trajectories"),
+                                ((quick, "--validation", "0", "-o", "a.live"), "--validation")):
             with self.subTest(part):
                 ended = self.live(*arguments)
                 self.assertEqual(ended.returncode, 2, ended.stderr)
