@@ -15,8 +15,7 @@ from program import PROGRAM, ROOT, ProgramTest
 sys.path.insert(0, str(PROGRAM.parent / "python"))
 import ionskin.live  # noqa: E402
 
-SMALL = ["--set", "numerics.mesh_refinement=0.5", "--set", "numerics.time_refinement=0.3", "--set", "motion.stroke=2 mm",
-         "--set", "motion.slide=0.7 s"]
+SMALL = ["--set", "numerics.mesh_refinement=0.5", "--set", "motion.stroke=2 mm", "--set", "motion.slide=0.7 s"]
 TOUCH = """time [s],x [mm],y [mm],height [um]
 0,5,1,100
 0.1,5,1,-0.6
@@ -33,8 +32,8 @@ class LiveTest(ProgramTest):
     def setUpClass(cls):
         super().setUpClass()
         cls.trained = pathlib.Path(os.environ.get("TMPDIR", "/tmp")) / f"ionskin-live-{os.getpid()}.live"
-        subprocess.run([PROGRAM, "live", ROOT / "cases" / "taxels.toml", *SMALL, "--trajectories", "6", "--validation", "6",
-                        "--seed", "5", "-o", cls.trained, "--overwrite", "--quiet"], check=True,
+        subprocess.run([PROGRAM, "live", ROOT / "cases" / "taxels.toml", *SMALL, "--validation", "6", "--seed", "5",
+                        "-o", cls.trained, "--overwrite", "--quiet"], check=True,
                        env={**os.environ, "IONSKIN_CACHE_LIMIT": "0 GB"})
         cls.addClassCleanup(cls.trained.unlink)
 
@@ -56,7 +55,7 @@ class LiveTest(ProgramTest):
         begin = text.index("[motion]")
         text = text[:begin] + motion + text[text.index("[contact]"):]
         case.write_text("\n".join(line for line in text.splitlines() if not line.startswith("start =")))
-        subprocess.run([PROGRAM, "run", case, *SMALL[:4], "-o", "full", "--no-report", "--quiet"], check=True,
+        subprocess.run([PROGRAM, "run", case, *SMALL[:2], "-o", "full", "--no-report", "--quiet"], check=True,
                        cwd=self.folder)
         full = ionskin.open_results(self.folder / "full")
         skin = ionskin.live.Skin(self.trained)
@@ -69,7 +68,7 @@ class LiveTest(ProgramTest):
                 error = signals[name] - reference
                 stated = skin.errors["charge_top_taxels" if name == "charge_top_b" else name]
                 self.assertLess(numpy.abs(error).max(), stated.worst + 0.01 * stated.largest)
-                self.assertLess(numpy.sqrt((error**2).mean()), 0.02 * stated.largest)
+                self.assertLess(numpy.sqrt((error**2).mean()), 0.005 * stated.largest)
 
     def test_steps_runs_and_batches_are_the_same_bits(self):
         skin = ionskin.live.Skin(self.trained)
