@@ -151,7 +151,7 @@ struct LiveOptions {
   std::string fmu;       ///< a file; empty for none
   std::vector<std::string> set_edits;
   std::size_t trajectories = 12;
-  std::size_t validation = 59;
+  std::size_t validation = 90;
   std::uint64_t seed = 1;
   bool trains = false; ///< whether an option is given that only a training has a use for
   int threads = 0;

@@ -67,7 +67,7 @@ TEST(StatedErrors, AreTheLargestOfAnyTouch) {
   EXPECT_EQ(stated[0].rms, 0.3);
   EXPECT_EQ(stated[0].worst, 4);
   EXPECT_EQ(stated[0].largest, 5);
-  EXPECT_LT(std::pow(0.95, validation_touches), 0.05);
+  EXPECT_LT(std::pow(0.95, validation_touches), 0.01);
 }
 
 } // namespace

@@ -12,10 +12,10 @@
 
 namespace ionskin::live {
 
-/// So many touches that with a confidence of 95 % at least 95 % of all touches have no larger error
-/// than the largest of theirs, whatever the distribution: 0.95^59 < 0.05 (Wilks 1941,
+/// So many touches that with a confidence of 99 % at least 95 % of all touches have no larger error
+/// than the largest of theirs, whatever the distribution: 0.95^90 < 0.01 (Wilks 1941,
 /// doi 10.1214/aoms/1177731788).
-inline constexpr std::size_t validation_touches = 59;
+inline constexpr std::size_t validation_touches = 90;
 
 /// How a live skin is trained.
 struct TrainingOptions {
