@@ -45,9 +45,7 @@ ionskin_live_skin* ionskin_live_open(const char* path, char* message, size_t siz
 
 ionskin_live_skin* ionskin_live_copy(const ionskin_live_skin* skin) {
   try {
-    auto copy = std::make_unique<ionskin_live_skin>(skin->data);
-    copy->skin.restore(skin->skin.state());
-    return copy.release();
+    return new ionskin_live_skin(*skin);
   } catch (const std::bad_alloc&) {
     return nullptr;
   }
