@@ -59,6 +59,11 @@ def slip_at(file, instant):
     return numpy.where(group["slip_state"][...] > 0, group["slip_since_landing"][...], numpy.nan)
 
 
+def error(results, name):
+    """The stated error of a metric in its unit, whether it is marked as not converging or not; 0 where none is stated."""
+    return sum(results.summary.get("error_parts", {}).get(name, {}).values())
+
+
 class Told(NamedTuple):
     """Whether a current tells a slip before it happens.
 
@@ -88,5 +93,5 @@ def told(results, current):
     time = results.sampled["time"] if "time" in results.sampled else ()
     interval = float(time[0]) if len(time) else numpy.nan
     name = f"precursor_current_{current}"
-    return Told(number(name), results.stated_error(name) or 0.0, number("precursor_noise_floor"),
+    return Told(number(name), error(results, name), number("precursor_noise_floor"),
                 number(f"precursor_lead_time_{current}"), interval)

@@ -2,6 +2,7 @@
 """Figure 23: whether the currents tell a slip before it happens; and how the slide of one run begins."""
 
 import numpy
+from matplotlib.ticker import EngFormatter, NullFormatter
 
 from ..analysis import slip
 from ..words import quantity
@@ -110,20 +111,21 @@ def current_panels(panels, results, found, divisor, span):
     for panel, current in zip(panels, slip.CURRENTS):
         column = f"current_{current}"
         tells = slip.told(results, current)
-        if not signals.has(column) or not tells.departure > tells.noise:
-            panel.text(0.5, 0.5, "no current" if not signals.has(column) else "not above the noise floor", ha="center",
-                       va="center", transform=panel.transAxes, color=style.QUIET, fontsize=7.5)
+        r = slip.value(results, f"precursor_correlation_{current}")
+        if r is None:
+            panel.text(0.5, 0.5, "no current above rounding", ha="center", va="center", transform=panel.transAxes,
+                       color=style.QUIET, fontsize=7.5)
             panel.set_yticks([])
             style.title(panel, f"{current.capitalize()} current")
             continue
         unit = scaled(panel, "current", "A", peak_of(signals[column][shown]))
         panel.plot(time[shown] / divisor, signals[column][shown] / unit, color=LOOKS[current][0], lw=1.0, **STEP)
         value = float(numpy.interp(found.micro, signals["time"], signals[column]))
-        panel.axhspan((value - slip.SEEN * tells.noise) / unit, (value + slip.SEEN * tells.noise) / unit, color=style.PALE,
-                      alpha=0.5, lw=0)
-        r = slip.value(results, f"precursor_correlation_{current}")
-        about = "" if r is None else f", correlation with the stuck share {r:.2f}"
-        style.title(panel, f"{current.capitalize()} current{about}")
+        if numpy.isfinite(tells.noise):
+            panel.axhspan((value - slip.SEEN * tells.noise) / unit, (value + slip.SEEN * tells.noise) / unit,
+                          color=style.PALE, alpha=0.5, lw=0)
+        seen = "" if tells.departure > tells.noise else "; no reading before full slip shows it"
+        style.title(panel, f"{current.capitalize()} current, correlation with the stuck share {r:.2f}{seen}")
 
 
 def friction_window(study):
@@ -134,16 +136,18 @@ def friction_window(study):
         return "a single run has no window: sweep contact.friction"
     if not numpy.isfinite(leads).any():
         return NO_ONSET
-    figure = style.canvas(height=2.9, left=0.095, right=0.965, top=0.86, bottom=0.17, wspace=0.32)
+    figure = style.canvas(height=2.9, left=0.105, right=0.975, top=0.90, bottom=0.17, wspace=0.36)
     axes = figure.subplots(1, 2)
     lead_panel(study, axes[0], leads, told)
     departure_panel(study, axes[1], told)
-    for panel in axes:
+    for panel, unit in zip(axes, "sA"):
         panel.set_yscale("log")
+        panel.yaxis.set_major_formatter(EngFormatter(unit))
+        panel.yaxis.set_minor_formatter(NullFormatter())
         panel.set_xlabel(study.axis_label())
         shade_window(panel, study, told)
     style.title(axes[0], "Lead before full slip")
-    style.title(axes[1], f"Departure of a reading: {window_words(study, told)}")
+    style.title(axes[1], f"Departure: {window_words(study, told)}")
     return figure
 
 
@@ -151,18 +155,18 @@ def lead_panel(study, panel, leads, told):
     """From the first micro-slip, and from where each current is seen, to full slip."""
     values = [member.value for member in study.members]
     line = "" if study.scattered else "-"
-    errors = leads * numpy.array(study.errors("slip_lead_time"))
-    panel.errorbar(values, leads * 1e3, below(leads, errors) * 1e3, color=style.BLUE, marker="^", markersize=3.5, ls=line,
+    errors = numpy.array([slip.error(member.results, "slip_lead_time") for member in study.members])
+    panel.errorbar(values, leads, below(leads, errors), color=style.BLUE, marker="^", markersize=3.5, ls=line,
                    capsize=2, lw=0.9, label="micro-slip")
     for current, (colour, marker) in LOOKS.items():
         own = numpy.array([each.lead for each in told[current]])
         if numpy.isfinite(own).any():
-            panel.plot(values, own * 1e3, color=colour, marker=marker, markersize=3, ls=line and "--", lw=0.9,
+            panel.plot(values, own, color=colour, marker=marker, markersize=3, ls=line and "--", lw=0.9,
                        markerfacecolor="white", label=current)
     interval = told["difference"][0].interval
     if numpy.isfinite(interval):
-        panel.axhline(interval * 1e3, color=style.INK, lw=0.8, ls=":", label="readout interval")
-    panel.set_ylabel("lead [ms]")
+        panel.axhline(interval, color=style.INK, lw=0.8, ls=":", label="readout interval")
+    panel.set_ylabel("lead")
     panel.legend(fontsize=6.5, loc="best")
 
 
@@ -181,12 +185,12 @@ def departure_panel(study, panel, told):
         if not (own > noise).any():
             continue
         errors = numpy.array([each.error for each in told[current]])
-        panel.errorbar(values, own * 1e6, below(own, errors) * 1e6, color=colour, marker=marker, markersize=3.5, ls=line,
+        panel.errorbar(values, own, below(own, errors), color=colour, marker=marker, markersize=3.5, ls=line,
                        capsize=2, lw=0.9, label=current)
     floor = slip.SEEN * numpy.array([each.noise for each in told["difference"]])
     if numpy.isfinite(floor).any():
-        panel.plot(values, floor * 1e6, color=style.INK, lw=0.8, ls=":", label=f"{slip.SEEN} × noise floor")
-    panel.set_ylabel("departure [µA]")
+        panel.plot(values, floor, color=style.INK, lw=0.8, ls=":", label=f"{slip.SEEN} × noise floor")
+    panel.set_ylabel("departure of a reading")
     panel.legend(fontsize=6.5, loc="best")
 
 

@@ -13,15 +13,18 @@ inline constexpr double seen_above_noise = 3;
 
 /// What one current tells of a slip between its first micro-slip and full slip. A reading is the
 /// charge gained over the last readout interval divided by it, docs/model.md (30), at any instant:
-/// where the readings of a run fall is chance.
+/// where the readings of a run fall is chance. Readings that hold some of what was before the slide
+/// do not count.
 struct SlipPrecursor {
-  double departure = 0; ///< of a reading from that at the first micro-slip, the largest [A]
-  /// Pearson's coefficient of the current with the stuck share, weighted by time; none where one of
-  /// them does not change.
-  std::optional<double> correlation;
+  /// The largest, of a reading from the first that counts [A]; none where none does.
+  std::optional<double> departure;
   /// From where the reading has departed by `seen_above_noise` times the noise to full slip [s];
   /// none where it never does.
   std::optional<double> lead_time;
+  double charge = 0; ///< the largest that has passed since the first micro-slip [C]
+  /// Pearson's coefficient of the current with the stuck share, weighted by time; none where one of
+  /// them does not change.
+  std::optional<double> correlation;
 };
 
 /// @param time of the rows [s]

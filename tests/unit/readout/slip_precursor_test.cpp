@@ -30,7 +30,8 @@ TEST(SlipPrecursor, IsHowFarAReadingDepartsBeforeFullSlip) {
   const auto found =
       slip_precursor(signal.time, signal.charge, signal.share, signal.onset, interval, 0.1);
   // The mean over the last 0.1 s lags by half of that.
-  EXPECT_NEAR(found.departure, 2 * (1 - 0.05), 1e-9);
+  EXPECT_NEAR(found.departure.value(), 2 * (1 - 0.05), 1e-9);
+  EXPECT_NEAR(found.charge, 1, 1e-9);
   ASSERT_TRUE(found.lead_time);
   EXPECT_NEAR(*found.lead_time, 1 - (0.3 / 2 + 0.05), 1e-3);
   ASSERT_TRUE(found.correlation);
@@ -42,7 +43,7 @@ TEST(SlipPrecursor, IsNotSeenWithinTheNoise) {
   const auto found =
       slip_precursor(signal.time, signal.charge, signal.share, signal.onset, 0.1, 1.0);
   EXPECT_FALSE(found.lead_time);
-  EXPECT_NEAR(found.departure, 1.9, 1e-9);
+  EXPECT_NEAR(found.departure.value(), 1.9, 1e-9);
 }
 
 TEST(SlipPrecursor, HasTheSignOfItsCurrent) {
@@ -53,7 +54,7 @@ TEST(SlipPrecursor, HasTheSignOfItsCurrent) {
   const auto found =
       slip_precursor(signal.time, signal.charge, signal.share, signal.onset, 0.1, 0.1);
   EXPECT_NEAR(*found.correlation, -1, 1e-9);
-  EXPECT_NEAR(found.departure, 1.9, 1e-9);
+  EXPECT_NEAR(found.departure.value(), 1.9, 1e-9);
 }
 
 TEST(SlipPrecursor, OfAConstantCurrentCorrelatesWithNothing) {
@@ -65,7 +66,23 @@ TEST(SlipPrecursor, OfAConstantCurrentCorrelatesWithNothing) {
       slip_precursor(signal.time, signal.charge, signal.share, signal.onset, 0.1, 0.0);
   EXPECT_FALSE(found.correlation);
   EXPECT_FALSE(found.lead_time);
-  EXPECT_EQ(found.departure, 0);
+  EXPECT_EQ(found.departure, 0.0);
+  EXPECT_EQ(found.charge, 0);
+}
+
+TEST(SlipPrecursor, CountsReadingsOfTheSlideAlone) {
+  const Falling signal;
+  // The slide began at 0.5 s: the first reading over 0.8 s that counts ends at 1.3 s.
+  const auto found =
+      slip_precursor(signal.time, signal.charge, signal.share, signal.onset, 0.8, 1e-3);
+  EXPECT_NEAR(found.departure.value(), (0.96 - 0.09) / 0.8, 1e-9);
+  ASSERT_TRUE(found.lead_time);
+  EXPECT_LT(*found.lead_time, 0.7);
+  const auto slow =
+      slip_precursor(signal.time, signal.charge, signal.share, signal.onset, 1.5, 1e-3);
+  EXPECT_FALSE(slow.departure);
+  EXPECT_FALSE(slow.lead_time);
+  EXPECT_NEAR(slow.correlation.value(), 1, 1e-9);
 }
 
 } // namespace

@@ -60,7 +60,7 @@ double path_floor(const MechanicsRecord& mechanics) {
 /// That cells of the contact and steps of the path leave, however little two solutions differ by.
 std::vector<readout::Metric> least_errors(const Case& input, const MechanicsRecord& mechanics) {
   std::vector<readout::Metric> errors = mechanics.cell_errors;
-  const auto of_slip = slip_step_errors(input, mechanics);
+  const auto of_slip = slip_least_errors(input, mechanics);
   errors.insert(errors.end(), of_slip.begin(), of_slip.end());
   return errors;
 }

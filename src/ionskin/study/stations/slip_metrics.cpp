@@ -32,13 +32,27 @@ double way_between(const Case& input, double from, double to) {
   return way;
 }
 
-/// rms of a reading [A].
-double reading_noise(const Case& input, const MechanicsRecord& mechanics) {
+/// What a current is told from.
+struct NoiseFloor {
+  double charge = 0;  ///< that rounding leaves [C]
+  double reading = 0; ///< rms, of the instrument or by that charge [A]
+};
+
+NoiseFloor noise_floor(const Case& input, const MechanicsRecord& mechanics) {
   const circuits::Circuit circuit =
       circuits::circuit(input.readout.circuit, input.readout.parameters);
   const double interval = input.readout.sample_interval;
   const double instrument = circuit.reading_noise ? circuit.reading_noise(interval) : 0.0;
-  return std::max(instrument, charge_rounding(input, mechanics.history) / interval);
+  const double charge = charge_rounding(input, mechanics.history);
+  return {charge, std::max(instrument, charge / interval)};
+}
+
+/// Share of the contact that half a row of cells along the border of what sticks takes when the
+/// touchdown ends.
+double cell_share(const MechanicsRecord& mechanics) {
+  const auto found =
+      std::ranges::find(mechanics.cell_errors, "stick_fraction_touchdown", &Metric::name);
+  return found == mechanics.cell_errors.end() ? 0.0 : found->value;
 }
 
 std::vector<double> common_charge(const readout::SignalTable& signals) {
@@ -51,13 +65,18 @@ std::vector<double> common_charge(const readout::SignalTable& signals) {
 }
 
 void add_precursor(const std::string& current, const readout::SlipPrecursor& precursor,
-                   double noise, std::vector<Metric>& metrics) {
-  metrics.push_back({"precursor_current_" + current, precursor.departure, "A"});
-  if (!precursor.lead_time) {
-    return; // what stays within the noise correlates with nothing
+                   const NoiseFloor& noise, std::vector<Metric>& metrics) {
+  if (precursor.departure) {
+    metrics.push_back({"precursor_current_" + current, *precursor.departure, "A"});
   }
-  metrics.push_back({"precursor_lead_time_" + current, *precursor.lead_time, "s"});
-  metrics.push_back({"precursor_signal_to_noise_" + current, precursor.departure / noise, "1"});
+  if (precursor.charge <= readout::seen_above_noise * noise.charge) {
+    return; // rounding alone makes it
+  }
+  if (precursor.lead_time) {
+    metrics.push_back({"precursor_lead_time_" + current, *precursor.lead_time, "s"});
+    metrics.push_back(
+        {"precursor_signal_to_noise_" + current, *precursor.departure / noise.reading, "1"});
+  }
   if (precursor.correlation) {
     metrics.push_back({"precursor_correlation_" + current, *precursor.correlation, "1"});
   }
@@ -96,15 +115,22 @@ std::vector<Metric> slip_metrics(const Case& input, const MechanicsRecord& mecha
   return metrics;
 }
 
-std::vector<Metric> slip_step_errors(const Case& input, const MechanicsRecord& mechanics) {
+std::vector<Metric> slip_least_errors(const Case& input, const MechanicsRecord& mechanics) {
   const std::optional<SlipOnset> onset = slip_onset(input, mechanics);
   if (!onset) {
     return {};
   }
-  const double micro = 0.5 * onset->micro_slip_step, full = 0.5 * onset->full_slip_step;
+  const double share = cell_share(mechanics) / readout::micro_slip_share;
+  const double micro =
+      std::max(0.5 * onset->micro_slip_step, share * (onset->micro_slip - onset->begin));
   std::vector<Metric> errors{{"micro_slip_time", micro, "s"}};
+  for (const Metric& metric : slip_metrics(input, mechanics)) {
+    if (metric.name == "micro_slip_force_ratio") {
+      errors.push_back({metric.name, share * metric.value, metric.unit});
+    }
+  }
   if (onset->full_slip) {
-    const double lead = *onset->full_slip - onset->micro_slip;
+    const double full = 0.5 * onset->full_slip_step, lead = *onset->full_slip - onset->micro_slip;
     const double way = way_between(input, onset->micro_slip, *onset->full_slip);
     errors.push_back({"full_slip_time", full, "s"});
     errors.push_back({"slip_lead_time", micro + full, "s"});
@@ -122,13 +148,13 @@ std::vector<Metric> precursor_metrics(const Case& input, const MechanicsRecord& 
   if (!onset || !onset->full_slip) {
     return {};
   }
-  const double noise = reading_noise(input, mechanics);
-  std::vector<Metric> metrics{{"precursor_noise_floor", noise, "A"}};
+  const NoiseFloor noise = noise_floor(input, mechanics);
+  std::vector<Metric> metrics{{"precursor_noise_floor", noise.reading, "A"}};
   const auto add = [&](const std::string& current, const std::vector<double>& charge) {
     add_precursor(current,
                   readout::slip_precursor(signals.column("time").values, charge,
                                           signals.column("stick_share").values, *onset,
-                                          input.readout.sample_interval, noise),
+                                          input.readout.sample_interval, noise.reading),
                   noise, metrics);
   };
   add("difference", readout::charge_difference(signals.column("charge_top").values,

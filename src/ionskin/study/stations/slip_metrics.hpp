@@ -20,8 +20,10 @@ std::optional<readout::SlipOnset> slip_onset(const Case& input, const MechanicsR
 /// the slide comes to.
 std::vector<readout::Metric> slip_metrics(const Case& input, const MechanicsRecord& mechanics);
 
-/// Least errors of these by the steps of the path, half the step in which an instant lies, by name.
-std::vector<readout::Metric> slip_step_errors(const Case& input, const MechanicsRecord& mechanics);
+/// Least errors of these by name: half the step of the path in which an instant lies, and of the
+/// first micro-slip what half a row of cells along the border of what sticks is beside the share
+/// that it is told from.
+std::vector<readout::Metric> slip_least_errors(const Case& input, const MechanicsRecord& mechanics);
 
 /// What the difference and the common current tell before full slip (readout/slip_precursor.hpp),
 /// and the noise that they are told from: that of the instrument, or else rounding.

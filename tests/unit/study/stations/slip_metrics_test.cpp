@@ -35,10 +35,20 @@ TEST(SlipMetrics, TellHowTheFirstSlideBegins) {
   EXPECT_NEAR(value(metrics, "slip_lead_time"), 0.94e-3, 1e-12);
   EXPECT_NEAR(value(metrics, "slip_lead_travel"), 0.94e-3 * 3e-3, 1e-14);
   EXPECT_NEAR(value(metrics, "micro_slip_force_ratio"), 0.05 * 0.3, 1e-9);
-  const auto errors = slip_step_errors(handover::small_case(), linear_onset());
+  const auto errors = slip_least_errors(handover::small_case(), linear_onset());
   EXPECT_NEAR(value(errors, "micro_slip_time"), 0.5e-3, 1e-12);
   EXPECT_NEAR(value(errors, "slip_lead_time"), 1e-3, 1e-12);
   EXPECT_NEAR(value(errors, "slip_lead_travel"), 3e-6, 1e-14);
+}
+
+TEST(SlipMetrics, OfTheFirstMicroSlipErrByCellsOfTheStuckBorder) {
+  MechanicsRecord record = linear_onset();
+  record.cell_errors = {{"stick_fraction_touchdown", 0.6, "1"}};
+  const auto errors = slip_least_errors(handover::small_case(), record);
+  EXPECT_NEAR(value(errors, "micro_slip_time"), 0.6 / 0.05 * 0.05e-3, 1e-12);
+  EXPECT_NEAR(value(errors, "micro_slip_force_ratio"), 0.6 / 0.05 * 0.015, 1e-9);
+  EXPECT_NEAR(value(errors, "slip_lead_time"), 0.6e-3 + 0.5e-3, 1e-12);
+  EXPECT_NEAR(value(errors, "full_slip_time"), 0.5e-3, 1e-12);
 }
 
 TEST(SlipMetrics, AreNoneWithoutASlideOrWhatSticks) {
