@@ -68,7 +68,7 @@ class Told(NamedTuple):
     """Whether a current tells a slip before it happens.
 
     departure, error, noise  of a reading, its stated error, and the noise floor [A]; NaN where there are none
-    lead                     from where it is seen to full slip [s]; NaN where it is not
+    lead, lead_error         from where it is seen to full slip [s]; NaN where it is not
     interval                 between two readings [s]
     """
 
@@ -76,12 +76,13 @@ class Told(NamedTuple):
     error: float
     noise: float
     lead: float
+    lead_error: float
     interval: float
 
     @property
     def told(self):
         """A reading falls for certain between where the current is seen and full slip, and stands above noise and error."""
-        return bool(self.lead >= self.interval and self.departure - self.error > SEEN * self.noise)
+        return bool(self.lead - self.lead_error >= self.interval and self.departure - self.error > SEEN * self.noise)
 
 
 def told(results, current):
@@ -93,5 +94,6 @@ def told(results, current):
     time = results.sampled["time"] if "time" in results.sampled else ()
     interval = float(time[0]) if len(time) else numpy.nan
     name = f"precursor_current_{current}"
-    return Told(number(name), error(results, name), number("precursor_noise_floor"),
-                number(f"precursor_lead_time_{current}"), interval)
+    lead = f"precursor_lead_time_{current}"
+    return Told(number(name), error(results, name), number("precursor_noise_floor"), number(lead), error(results, lead),
+                interval)

@@ -147,7 +147,8 @@ def friction_window(study):
         panel.set_xlabel(study.axis_label())
         shade_window(panel, study, told)
     style.title(axes[0], "Lead before full slip")
-    style.title(axes[1], f"Departure: {window_words(study, told)}")
+    style.title(axes[1], "Departure")
+    axes[1].set_title(window_words(study, told), loc="right", pad=4, color=style.QUIET, fontsize=7.5)
     return figure
 
 
@@ -167,12 +168,12 @@ def lead_panel(study, panel, leads, told):
     if numpy.isfinite(interval):
         panel.axhline(interval, color=style.INK, lw=0.8, ls=":", label="readout interval")
     panel.set_ylabel("lead")
-    panel.legend(fontsize=6.5, loc="best")
+    panel.legend(fontsize=6.5, loc="best", frameon=True, framealpha=0.85, facecolor="white", edgecolor="none")
 
 
 def below(values, errors):
-    """Bars of a logarithmic axis: what reaches below 0 ends at a hundredth of the value."""
-    return numpy.array([numpy.minimum(errors, 0.99 * numpy.abs(values)), errors])
+    """Bars of a logarithmic axis: downwards they end at a fifth of the value."""
+    return numpy.array([numpy.minimum(errors, 0.8 * numpy.abs(values)), errors])
 
 
 def departure_panel(study, panel, told):
@@ -191,7 +192,7 @@ def departure_panel(study, panel, told):
     if numpy.isfinite(floor).any():
         panel.plot(values, floor, color=style.INK, lw=0.8, ls=":", label=f"{slip.SEEN} × noise floor")
     panel.set_ylabel("departure of a reading")
-    panel.legend(fontsize=6.5, loc="best")
+    panel.legend(fontsize=6.5, loc="best", frameon=True, framealpha=0.85, facecolor="white", edgecolor="none")
 
 
 def inside(told):
@@ -212,10 +213,12 @@ def shade_window(panel, study, told):
 
 
 def window_words(study, told):
-    """The shaded values in words."""
-    values = [member.value for member, tells in zip(study.members, inside(told)) if tells]
-    if not values:
-        return "no window"
+    """The shaded values in words: "told at 0.1–0.3, 0.5"."""
     unit = study.unit if study.unit != "1" else ""
-    ends = [quantity(value, unit, 3) if unit else f"{value:.3g}" for value in (values[0], values[-1])]
-    return f"told at {ends[0]}" if len(values) == 1 else f"told from {ends[0]} to {ends[1]}"
+    runs = []
+    for before, member, tells in zip([False, *inside(told)], study.members, inside(told)):
+        if tells:
+            words = quantity(member.value, unit, 3) if unit else f"{member.value:.3g}"
+            runs = [*runs[:-1], (runs[-1][0], words)] if before else [*runs, (words, words)]
+    texts = [first if first == last else f"{first}–{last}" for first, last in runs]
+    return "told at " + ", ".join(texts) if texts else "no window"

@@ -92,7 +92,7 @@ class Onset(SlipTest):
 
 
 class Window(SlipTest):
-    def write(self, lead=0.05, noise=1e-9, error=1e-7):
+    def write(self, lead=0.05, noise=1e-9, error=1e-7, lead_error=0.0):
         """A sweep whose difference current is seen above µ = 0.25 only."""
         write_sweep(self.folder)
         for number, friction in enumerate(FRICTIONS, 1):
@@ -102,7 +102,7 @@ class Window(SlipTest):
             else:
                 metrics["precursor_lead_time_difference"] = (lead, "s")
             point = self.folder / "points" / f"{number:04}"
-            add_metrics(point, metrics, {"precursor_current_difference": error})
+            add_metrics(point, metrics, {"precursor_current_difference": error, "precursor_lead_time_difference": lead_error})
             (point / "sampled.csv").write_text("time [s],current_difference [A]\n0.01,1e-6\n0.02,1e-6\n")
         return Study(self.folder)
 
@@ -115,15 +115,21 @@ class Window(SlipTest):
         return words
 
     def test_is_where_a_reading_falls_between_and_stands_out(self):
-        self.assertEqual(self.words(), "told from 0.3 to 0.5")
+        self.assertEqual(self.words(), "told at 0.3–0.5")
+        self.assertEqual(self.words(lead_error=0.0401), "no window", "the lead may be shorter than the interval")
         self.assertEqual(self.words(lead=0.009), "no window", "shorter than the interval between readings")
         self.assertEqual(self.words(noise=1e-6), "no window", "within three times the noise")
         self.assertEqual(self.words(error=1.9999e-6), "no window", "within the stated error")
 
+    def test_names_each_part_of_a_window(self):
+        study = self.write()
+        yes, no = (slip.Told(1.0, 0.0, 0.1, lead, 0.0, 0.5) for lead in (1.0, 0.1))
+        self.assertEqual(figures_slip.window_words(study, {"difference": [yes, yes, no, no, yes]}), "told at 0.1–0.2, 0.5")
+
     def test_is_drawn_of_a_sweep_alone(self):
         figure = figures_slip.friction_window(self.write())
         self.assertEqual(crowded_words(figure), [])
-        self.assertIn("told from 0.3 to 0.5", figure.axes[1].get_title(loc="left"))
+        self.assertIn("told at 0.3–0.5", figure.axes[1].get_title(loc="right"))
         self.assertIn("sweep contact.friction", figures_slip.friction_window(Study(self.folder / "points" / "0001")))
 
 

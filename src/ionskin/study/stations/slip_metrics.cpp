@@ -20,6 +20,10 @@ namespace {
 using readout::Metric;
 using readout::SlipOnset;
 
+/// A current that moves no more than this times the charge that rounding leaves tells nothing: it
+/// would seem to correlate with what it does not know.
+constexpr double far_above_rounding = 100;
+
 /// Way of the slider from one instant of the first cycle to another [m].
 double way_between(const Case& input, double from, double to) {
   double way = 0;
@@ -69,8 +73,8 @@ void add_precursor(const std::string& current, const readout::SlipPrecursor& pre
   if (precursor.departure) {
     metrics.push_back({"precursor_current_" + current, *precursor.departure, "A"});
   }
-  if (precursor.charge <= readout::seen_above_noise * noise.charge) {
-    return; // rounding alone makes it
+  if (precursor.charge <= far_above_rounding * noise.charge) {
+    return;
   }
   if (precursor.lead_time) {
     metrics.push_back({"precursor_lead_time_" + current, *precursor.lead_time, "s"});
