@@ -15,6 +15,9 @@ from program import PROGRAM, ROOT, ProgramTest
 sys.path.insert(0, str(PROGRAM.parent / "python"))
 import ionskin.live  # noqa: E402
 
+sys.path.insert(0, str(ROOT / "tests" / "unit" / "results"))
+from browser import browser_page, chromium  # noqa: E402
+
 SMALL = ["--set", "numerics.mesh_refinement=0.5", "--set", "motion.stroke=2 mm", "--set", "motion.slide=0.7 s"]
 TOUCH = """time [s],x [mm],y [mm],height [um]
 0,5,1,100
@@ -88,6 +91,73 @@ class LiveTest(ProgramTest):
             for name in run:
                 numpy.testing.assert_array_equal(other[name], run[name])
         numpy.testing.assert_allclose(run["normal_force"], forces, rtol=1e-4)
+
+    def play(self):
+        """A press, a slide and a lift as a page; its path and the signals."""
+        times = 1e-3 * numpy.arange(2000)
+        x = numpy.interp(times, [0.5, 1], [5e-3, 6e-3])
+        skin = ionskin.live.Skin(self.trained)
+        signals = skin.play(self.folder / "play.html", times, numpy.column_stack([x, numpy.full_like(x, 1e-3)]),
+                            forces=numpy.interp(times, [0.1, 0.3, 1.5, 1.6], [0, 30, 30, 0]))
+        expected = skin.copy()
+        expected.reset()
+        run = expected.run(times, numpy.column_stack([x, numpy.full_like(x, 1e-3)]),
+                           forces=numpy.interp(times, [0.1, 0.3, 1.5, 1.6], [0, 30, 30, 0]))
+        numpy.testing.assert_array_equal(signals["current_top"], run["current_top"])
+        return self.folder / "play.html", signals
+
+    def test_knows_where_its_taxels_are(self):
+        skin = ionskin.live.Skin(self.trained)
+        self.assertEqual(["a", "b", "c", "d"], list(skin.taxels))
+        length, width = skin.size
+        self.assertEqual((length, width), (15e-3, 2e-3))
+        for low_x, low_y, high_x, high_y in skin.taxels.values():
+            self.assertTrue(0 <= low_x < high_x <= length and 0 <= low_y < high_y <= width)
+
+    def test_page_refuses_nothing_to_play(self):
+        skin = ionskin.live.Skin(self.trained)
+        with self.assertRaisesRegex(ValueError, "no step to play"):
+            skin.play(self.folder / "none.html", [], numpy.empty((0, 2)), forces=[])
+        self.assertFalse((self.folder / "none.html").exists())
+        skin.play(self.folder / "one.html", [0], [(5e-3, 1e-3)], forces=[30])
+        self.assertIn("in 1 step of", (self.folder / "one.html").read_text())
+
+    @unittest.skipUnless(chromium(), "no browser")
+    def test_page_plays_in_a_browser(self):
+        path, signals = self.play()
+        with browser_page(path) as page:
+            def press(key):
+                page.evaluate(f"document.body.dispatchEvent(new KeyboardEvent('keydown', {{key: {key!r}, bubbles: true}}))")
+                return page.evaluate("document.getElementById('now').textContent")
+
+            self.assertIn("0.000 s · in the air", press("Home"))
+            self.assertIn("1.999 s · in the air", press("End"))
+            # While it presses, the time of the frame's text tells which step is shown.
+            press("Home")
+            for _ in range(40):
+                text = press("ArrowRight")
+            step = round(1e3 * float(text.split(" s")[0]))
+            self.assertIn(f"{signals['normal_force'][step]:.3g} N", text)
+            self.assertIn(f"{100 * signals['stick_share'][step]:.0f} % sticks", text)
+            window = round(1e3 * page.evaluate("DATA.window"))
+            for i, name in enumerate(ionskin.live.Skin(self.trained).taxels):
+                charge = signals[f"charge_top_{name}"]
+                fill = page.evaluate(f"document.querySelectorAll('.taxel')[{i}].style.fill")
+                self.assertIn("blue" if charge[step] < charge[step - window] else "orange", fill)
+            begun = page.evaluate("document.getElementById('toggle').click(); "
+                                  "document.getElementById('toggle').textContent")
+            self.assertEqual(begun, "Pause")
+            deadline = time.monotonic() + 30
+            while page.evaluate("document.getElementById('now').textContent") == text:
+                self.assertLess(time.monotonic(), deadline, "it does not play")
+            press(" ")
+            self.assertEqual(page.evaluate("document.getElementById('toggle').textContent"), "Play")
+            for width in (390, 1300):
+                page.call("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=False)
+                page.evaluate("dispatchEvent(new Event('resize'))")
+                self.assertLessEqual(page.evaluate("document.documentElement.scrollWidth"), width)
+                self.assertEqual(page.overlapping_labels(".chart svg"), [])
+            self.assertEqual((page.errors, page.requests), ([], []))
 
     def test_wrong_arguments_raise(self):
         skin = ionskin.live.Skin(self.trained)

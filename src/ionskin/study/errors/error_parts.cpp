@@ -130,7 +130,8 @@ public:
     for (std::size_t row = 1; row < time.size(); ++row) {
       shortest = std::min(shortest, time[row] - time[row - 1]);
     }
-    if (metric.name.starts_with("peak_sampled") || metric.name.starts_with("tail")) {
+    if (metric.name.starts_with("peak_sampled") || metric.name.starts_with("tail") ||
+        metric.name.starts_with("precursor")) {
       return floors_.charge / floors_.sample_interval;
     }
     const double span = metric.name.starts_with("rms")
@@ -249,7 +250,7 @@ ErrorEstimate combine_errors(const Signals& base, const std::vector<ErrorPair>& 
   for (const Metric& metric : base.metrics) {
     if (is_audit(metric.name)) {
       estimate.not_estimated[metric.name] =
-          "it is an audit of the solution, no quantity of the skin";
+          "it is an audit of the solution or of the instrument, no quantity of the skin";
       continue;
     }
     const auto parts = errors.parts(metric);

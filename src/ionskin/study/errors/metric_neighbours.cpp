@@ -12,7 +12,13 @@ namespace ionskin::study {
 namespace {
 
 /// A metric whose name holds the first goes with the signal of the second; the first that fits.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 25> signal_of{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 31> signal_of{{
+    {"slip_time", "stick_share"},
+    {"slip_lead", "stick_share"},
+    {"slip_force_ratio", "stick_share"},
+    {"precursor_lead_time", "stick_share"},
+    {"signal_to_noise_difference", "current_difference"},
+    {"signal_to_noise_common", "current_common"},
     {"open_circuit_voltage", "open_circuit_voltage"},
     {"streaming_voltage", "streaming_voltage"},
     {"dilution_voltage", "dilution_voltage"},
@@ -66,7 +72,8 @@ const std::array<Neighbours, 8> neighbours{{
 } // namespace
 
 bool is_audit(const std::string& metric) {
-  return metric.ends_with("_residual") || metric.ends_with("_error");
+  return metric.ends_with("_residual") || metric.ends_with("_error") ||
+         metric.ends_with("_noise_floor");
 }
 
 bool hangs_on_edges(const std::string& quantity) {

@@ -6,7 +6,8 @@
 
 namespace ionskin::study {
 
-/// Whether a metric judges the solution, such as a residual, and has no error of its own.
+/// Whether a metric judges the solution, such as a residual, or the instrument, and has no error of
+/// its own.
 bool is_audit(const std::string& metric);
 
 /// Whether a metric or a signal is made at the edges of the contact, where the strain is singular
