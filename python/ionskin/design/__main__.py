@@ -65,7 +65,8 @@ def main() -> int:
                 "seed": arguments.seed, "budget": arguments.budget}
     kept = StudyFolder(arguments.output, question, resume=arguments.resume, overwrite=arguments.overwrite, free=("budget",))
     kept.write("case.toml", case.text)
-    finished, progress, runner = kept.finished(), Progress(arguments.budget, arguments.quiet), engine(arguments)
+    finished, runner = kept.finished(), engine(arguments)
+    progress = Progress(arguments.budget, arguments.quiet, runner)
 
     def told(trial, outcome):
         study.tell(trial, outcome)

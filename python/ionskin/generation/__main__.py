@@ -31,7 +31,8 @@ def main() -> int:
             print(f"{touches.redrawn} draws made no valid case and were drawn again")
     finished = kept.finished()
     asked = [trial for trial in touches.trials if trial.number not in finished]
-    progress, failed = Progress(len(asked), arguments.quiet), []
+    runner, failed = engine(arguments, positions=touches.shares_positions), []
+    progress = Progress(len(asked), arguments.quiet, runner)
 
     def told(trial, outcome):
         progress(outcome)
@@ -39,7 +40,7 @@ def main() -> int:
             failed.append(outcome.reason)
 
     begin = time.monotonic()
-    engine(arguments).evaluate(case, asked, kept.points, told)
+    runner.evaluate(case, asked, kept.points, told)
     seconds = time.monotonic() - begin
     size = store.write(kept.folder / "touches.h5", touches, kept.points,
                        {"case": touches.case.text, "seed": arguments.seed, "made_by": "ionskin generate"})

@@ -49,13 +49,14 @@ def main() -> int:
         if number < len(study.trials):
             study.tell(study.trials[number], outcome)
     asked = study.ask()
-    progress = Progress(len(asked), arguments.quiet)
+    runner = engine(arguments)
+    progress = Progress(len(asked), arguments.quiet, runner)
 
     def told(trial, outcome):
         study.tell(trial, outcome)
         progress(outcome)
 
-    engine(arguments).evaluate(case, asked, kept.points, told)
+    runner.evaluate(case, asked, kept.points, told)
     if not study.finished():
         print(f"error: every sample failed; the first: {study.outcomes[0].reason}", file=sys.stderr)
         return SOLVER_GAVE_UP
