@@ -107,8 +107,11 @@ class Cluster(ProgramTest):
         self.assertEqual(address.scheme, "tls")
         for name in ("key.pem", "certificate.pem"):
             self.assertEqual(stat.S_IMODE((scheduler.parent / name).stat().st_mode), 0o600)
-        self.run_program("sweep", QUICK, *SMALL, "--only", "mechanics", "--over", "motion.preload=1 um", "--no-report", "-o",
-                         "out", "--on", scheduler)
+        sweep = ("sweep", QUICK, *SMALL, "--only", "mechanics", "--over", "motion.preload=1 um", "--no-report", "-o", "out", "--on",
+                 scheduler)
+        self.run_program(*sweep)
+        self.run_program(*sweep, "--overwrite")
+        self.assertIn("finished", (self.folder / "out" / "sweep.csv").read_text())
         foreign = self.folder / "foreign"
         shutil.copytree(scheduler.parent, foreign)
         for name in ("key.pem", "certificate.pem"):
@@ -165,8 +168,9 @@ class Cluster(ProgramTest):
         refused = self.run_program(*study, "-o", "no", "--on", scheduler, "--threads", 2, expect=2)
         self.assertIn("one thread", refused.stderr)
         self.run_program("cluster", "stop", "cluster")
-        refused = self.run_program(*study, "-o", "no", "--on", scheduler, "--resume", expect=2)
+        refused = self.run_program(*study, "-o", "no", "--on", scheduler, expect=2)
         self.assertIn("no file of a scheduler", refused.stderr)
+        self.assertFalse((self.folder / "no").exists())
 
     def test_refusals(self):
         process = self.run_program("cluster", "start", "open", "--address", "0.0.0.0", expect=2)

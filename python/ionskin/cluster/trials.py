@@ -11,6 +11,7 @@ from ..errors import CaseError
 from ..evaluation.local import TrialProcess, task_of
 from ..evaluation.trial import Outcome
 from .client import Job, connected, work_off
+from .security import read_scheduler
 
 OUTCOME = "outcome.npz"
 _own = threading.local()  # the process of each of the worker's threads
@@ -37,6 +38,8 @@ class ClusterEngine:
     """
 
     def __init__(self, on, *, cache: bool | str = True) -> None:
+        """Raises CaseError for a file that is none of a scheduler that may be connected to."""
+        read_scheduler(on)
         self.on, self.cache, self.workers = on, cache, 0
 
     def evaluate(self, case, trials, folder, told) -> None:
