@@ -79,6 +79,7 @@ struct FitOptions {
 /// Of uncertainty, design and generate, which ionskin's Python package carries out.
 struct TrialOptions {
   std::string case_path, output;
+  std::string on; ///< file of a cluster's scheduler; empty for this machine
   std::vector<std::string> set_edits;
   int threads = 0;
   bool overwrite = false;

@@ -175,22 +175,24 @@ std::vector<ErrorPair> pairs_of(const std::vector<NamedPair>& names,
 }
 
 /// Nothing is stated rather than a part for the whole.
-ErrorEstimate no_estimate(const Signals& signals) {
+constexpr const char* no_companions = "Study 1 has no solution on a coarser mesh";
+
+} // namespace
+
+ErrorEstimate no_estimate(const Signals& signals, const std::string& reason) {
   ErrorEstimate estimate;
   for (const readout::Metric& metric : signals.metrics) {
-    estimate.not_estimated[metric.name] = "Study 1 has no solution on a coarser mesh";
+    estimate.not_estimated[metric.name] = reason;
   }
   return estimate;
 }
-
-} // namespace
 
 ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanics,
                               const electrochemistry::IonSolution& ions, const Signals& signals,
                               int threads, base::Timers& timers) {
   const base::Timers::Scope timer(timers, "error estimate");
   if (mechanics.has_contact() && !has_companions(mechanics)) {
-    return no_estimate(signals);
+    return no_estimate(signals, no_companions);
   }
   const Case quiet = without_noise(input);
   const CoarserRuns coarser(mechanics);
@@ -254,7 +256,7 @@ std::vector<double> estimate_data_errors(const Case& input, const MechanicsRecor
 ErrorEstimate estimate_mechanics_errors(const Case& input, const MechanicsRecord& mechanics,
                                         const Signals& signals, int threads) {
   if (!has_companions(mechanics)) {
-    return no_estimate(signals);
+    return no_estimate(signals, no_companions);
   }
   std::map<std::string, Signals> results{
       {reference, signals}, {cells, read_out_mechanics(input, on_wider_cells(mechanics), threads)}};
