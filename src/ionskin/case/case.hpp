@@ -237,7 +237,8 @@ struct Numerics {
   /// Multiplies the elements through core and top electrode's face beside `mesh_refinement`; no key
   /// of a case, but for companions that tell errors.
   double thickness_refinement = 1;
-  double time_tolerance = 0; ///< relative error of the charge per time step; 0: the preset's
+  double time_tolerance = 0;  ///< relative error of the charge per time step; 0: the preset's
+  bool error_estimate = true; ///< solve coarser companions, which tell the errors of results
   SharedPositions shared;
 };
 

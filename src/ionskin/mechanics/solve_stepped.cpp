@@ -253,11 +253,7 @@ bool is_stepped(const Case& input) {
 
 std::size_t expected_positions(const Case& input) {
   const auto box = contact_box(input);
-  if (!box) {
-    return 0;
-  }
-  const auto counts = expected_counts(input, *box);
-  return counts[0] * counts[1];
+  return box ? expected_places(input, *box) : 0;
 }
 
 std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footprint& footprint,

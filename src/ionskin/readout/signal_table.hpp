@@ -23,6 +23,7 @@ struct SignalInputs {
   std::vector<double> contact_area;       ///< of the full skin [m2]
   std::vector<double> stick_share;        ///< of that area, where nothing slips, 0 to 1
   std::vector<double> slip;               ///< mean over the contact since it began [m]
+  std::vector<double> slip_state;         ///< numbers of SlipState
   std::vector<double> mean_shear;         ///< volume mean over the core [1]
   std::vector<double> rms_shear;          ///< [1]
   std::vector<double> p99_shear;          ///< percentile by volume [1]

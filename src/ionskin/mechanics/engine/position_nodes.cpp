@@ -47,6 +47,13 @@ CellVector test_load(const SkinModel& model) {
   return force;
 }
 
+bool is_same_place(const Skin& skin, const std::array<double, 2>& a,
+                   const std::array<double, 2>& b) {
+  constexpr double rounding = 1e-10;
+  return std::abs(a[0] - b[0]) <= rounding * skin.length &&
+         std::abs(a[1] - b[1]) <= rounding * skin.width;
+}
+
 using Reflection = std::array<bool, 2>;
 
 std::size_t mirror_index(const Reflection& reflect) {
@@ -139,6 +146,21 @@ std::array<std::size_t, 2> expected_counts(const Case& input, const MotionBox& b
   return {expected_count(input, box, 0), expected_count(input, box, 1)};
 }
 
+NodeLines node_lines(const MotionBox& box, const std::array<std::size_t, 2>& counts) {
+  NodeLines lines;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double extent = box.high[axis] - box.low[axis];
+    if (counts[axis] == 1) {
+      lines[axis] = {box.low[axis] + extent / 2};
+      continue;
+    }
+    for (const double way : interpolation_nodes(extent, counts[axis])) {
+      lines[axis].push_back(box.low[axis] + way);
+    }
+  }
+  return lines;
+}
+
 double node_tolerance(const Case& input, const MotionBox& box) {
   constexpr double looser = 10; // positions along both axes multiply
   const auto counts = expected_counts(input, box);
@@ -159,7 +181,7 @@ PositionNodes::PositionNodes(const Case& input, std::shared_ptr<const SkinModel>
                                        : std::min(expected, first_count);
   }
   for (bool settled = false; !settled;) {
-    condense(lines(counts), progress);
+    condense(node_lines(box_, counts), progress);
     const auto wanted = wanted_counts(tolerance);
     settled = options.count > 0 || wanted == counts;
     counts = wanted;
@@ -175,19 +197,20 @@ PositionNodes::PositionNodes(const Case& input, std::shared_ptr<const SkinModel>
   }
 }
 
-NodeLines PositionNodes::lines(const std::array<std::size_t, 2>& counts) const {
-  NodeLines lines;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const double extent = box_.high[axis] - box_.low[axis];
-    if (counts[axis] == 1) {
-      lines[axis] = {box_.low[axis] + extent / 2};
-      continue;
-    }
-    for (const double way : interpolation_nodes(extent, counts[axis])) {
-      lines[axis].push_back(box_.low[axis] + way);
+std::size_t expected_places(const Case& input, const MotionBox& box) {
+  const NodeLines lines = node_lines(box, expected_counts(input, box));
+  std::vector<std::array<double, 2>> places;
+  for (const double y : lines[1]) {
+    for (const double x : lines[0]) {
+      const auto centre = canonical_position(input.skin, {x, y}).centre;
+      if (std::ranges::none_of(places, [&](const auto& known) {
+            return is_same_place(input.skin, known, centre);
+          })) {
+        places.push_back(centre);
+      }
     }
   }
-  return lines;
+  return places.size();
 }
 
 PositionNodes::Condensed PositionNodes::condensed_at(std::size_t index) const {
@@ -205,8 +228,7 @@ void PositionNodes::condense(const NodeLines& lines, SharedProgress& progress) {
     for (const double x : lines[0]) {
       const CanonicalPosition position = canonical_position(skin_, {x, y});
       const auto same = std::ranges::find_if(places_, [&](const Place& place) {
-        return std::abs(place.centre[0] - position.centre[0]) <= 1e-10 * skin_.length &&
-               std::abs(place.centre[1] - position.centre[1]) <= 1e-10 * skin_.width;
+        return is_same_place(skin_, place.centre, position.centre);
       });
       nodes_.push_back({position, static_cast<std::size_t>(same - places_.begin())});
       if (same == places_.end()) {

@@ -23,6 +23,12 @@ std::optional<MotionBox> contact_box(const Case& input);
 /// Nodes that a rectangle is expected to need along x and y.
 std::array<std::size_t, 2> expected_counts(const Case& input, const MotionBox& box);
 
+/// Places that these nodes factorise: those that mirror each other are one.
+std::size_t expected_places(const Case& input, const MotionBox& box);
+
+/// Coordinates of the nodes along x and y [m].
+NodeLines node_lines(const MotionBox& box, const std::array<std::size_t, 2>& counts);
+
 /// Of the strain between the nodes over its largest norm: `interpolation_tolerance` along a line,
 /// ten times that over a rectangle.
 double node_tolerance(const Case& input, const MotionBox& box);
@@ -62,7 +68,6 @@ private:
   };
   using Condensed = std::shared_ptr<const CondensedPosition>;
 
-  NodeLines lines(const std::array<std::size_t, 2>& counts) const;
   void condense(const NodeLines& lines, SharedProgress& progress);
   Condensed condensed_at(std::size_t index) const;
   /// Of the strain under the test load along each axis: error and lines that would keep it.

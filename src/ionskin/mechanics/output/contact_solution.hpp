@@ -50,6 +50,9 @@ struct ContactState {
   /// Largest von Mises stress of each electrode layer as a membrane, averaged through its thickness
   /// and over each column of elements; bottom to top [Pa].
   std::vector<double> electrode_stress;
+  /// Of each cell: how much more tangential traction it takes before it slips; 0 where it slips or
+  /// does not touch [Pa].
+  std::vector<double> stick_reserve;
   double contact_area = 0; ///< of the full skin, see covered_area.hpp [m2]
   double stick_area = 0;   ///< of it, where nothing slips [m2]
   // By how much whole cells leave the borders of both in doubt, see border_area [m2].

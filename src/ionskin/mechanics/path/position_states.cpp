@@ -74,6 +74,10 @@ void describe(const SkinModel& model, const SurfaceState& state, const ContactPr
   destination.contact_area = parts * contact_area(model.cells, state.force);
   const std::vector<double> reserve = stick_reserve(problem, state.force);
   destination.stick_area = parts * covered_area(model.cells, reserve);
+  for (std::size_t cell = 0; cell < model.cells.count(); ++cell) {
+    destination.stick_reserve.push_back(
+        reserve[reflected_cell(model.cells, cell, position.reflect)]);
+  }
   destination.contact_border =
       parts * border_area(model.cells, normal_pressure(model.cells, state.force));
   destination.stick_border = parts * border_area(model.cells, reserve);

@@ -54,6 +54,7 @@ const std::set<std::string> decides_study_one{
     "numerics.preset",
     "numerics.mesh_refinement",
     "numerics.time_refinement",
+    "numerics.error_estimate",
     "numerics.shared_positions.from",
     "numerics.shared_positions.to",
     "numerics.shared_positions.footprint",
