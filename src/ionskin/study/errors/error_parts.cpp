@@ -259,7 +259,8 @@ ErrorEstimate combine_errors(const Signals& base, const std::vector<ErrorPair>& 
       sum += error;
     }
     if (!std::isfinite(sum) || !std::isfinite(metric.value)) {
-      estimate.not_estimated[metric.name] = not_a_number;
+      estimate.not_estimated[metric.name] =
+          metric.name.starts_with("precursor_") ? too_few_readings : not_a_number;
     } else if (metric.unit == "A" && std::abs(metric.value) <= errors.rounding(metric)) {
       estimate.not_estimated[metric.name] = "rounding alone makes it";
     } else {

@@ -34,6 +34,10 @@ double safety(const std::string& part, const std::string& quantity);
 
 /// Reason that a metric whose estimate is NaN or infinite has none.
 inline constexpr const char* not_a_number = "its estimate is no number";
+/// Likewise of what few readings at the onset of sliding tell, of which a coarser solution may have
+/// fewer than it takes: no defect, and no warning.
+inline constexpr const char* too_few_readings =
+    "a coarser solution has too few readings of the onset for it";
 
 /// Results at two degrees of one numerical choice, all else alike: what it leaves is their
 /// difference.

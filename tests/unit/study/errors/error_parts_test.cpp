@@ -100,6 +100,15 @@ TEST(ErrorParts, what_is_no_number_is_not_estimated) {
   EXPECT_TRUE(estimate.relative.contains("mean_shear_slide"));
 }
 
+TEST(ErrorParts, few_readings_of_the_onset_are_no_defect) {
+  Signals base = scaled_signals(1, 1);
+  base.metrics.push_back({"precursor_correlation_common", 0.9, "1"});
+  Signals mesh = base;
+  mesh.metrics.back().value = nan;
+  const auto estimate = combine_errors(base, {{error_parts::mechanics_mesh, &base, &mesh}}, {});
+  EXPECT_EQ(estimate.not_estimated.at("precursor_correlation_common"), too_few_readings);
+}
+
 TEST(ErrorParts, audits_and_what_rounding_makes_have_none) {
   Signals base = scaled_signals(1, 1);
   base.metrics.push_back({"equilibrium_residual", 1e-12, "1"});
