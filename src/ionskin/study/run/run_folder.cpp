@@ -232,9 +232,8 @@ std::string mechanics_hash(const Case& input) {
   text +=
       fmt::format(" force {} strokes {} {}", motion.preload_force, motion.strokes, motion.dwell);
   text += waypoints_text(motion);
-  if (motion.drive.given()) {
-    text += fmt::format(" drive {} {} {}", motion.drive.stiffness, motion.drive.damping,
-                        motion.drive.mass);
+  if (const Drive& drive = motion.drive; drive.stiffness + drive.damping + drive.mass > 0) {
+    text += fmt::format(" drive {} {} {}", drive.stiffness, drive.damping, drive.mass);
   }
   text += fmt::format(" contact {} {} measure {}", input.contact.law, input.contact.friction,
                       input.coupling.measure);
