@@ -45,6 +45,7 @@ check: setup
 	@/usr/bin/python3 scripts/check_equations.py
 	@$(MAKE) --no-print-directory build sanitize
 	@scripts/check_threads.sh $(JOBS)
+	@scripts/fuzz.sh --smoke 8
 	@cmake --build --preset release --target benchmarks --parallel $(JOBS)
 	@ctest --preset release
 

@@ -3,8 +3,9 @@
 """Random motions under every friction law: how many have a solution, and how well it fulfils contact and friction.
 
     benchmarks/random_motions.py build/ionskin [--rows 150] [--seeds 1] [--laws WORD ...] [--sliders WORD ...]
+                                 [--drives WORD ...]
 
-For each law, slider and kind of load (height, force) a path of random rows, 1 um to the whole stroke each, with presses,
+For each law, drive, slider and kind of load (height, force) a path of random rows, 1 um to the whole stroke each, with presses,
 turns, rests, landings and lift-offs, is solved on a small skin, and its worst violation of the contact's and friction's
 conditions printed, relative. Fails when a path has no solution or a violation is above 1e-6.
 """
@@ -55,6 +56,7 @@ coefficient = 0.1
 [numerics]
 preset = "coarse"
 mesh_refinement = 0.5
+{drive}
 """
 
 # Keys of the slider; greatest depth [um] and force [N].
@@ -73,6 +75,14 @@ LAWS = {
     "stribeck": 'kinetic_friction = 0.25\nstribeck_speed = "10 mm/s"',
     "stribeck, strong": 'kinetic_friction = 0.1\nstribeck_speed = "1 mm/s"',
     "anisotropic": "transverse_friction = 0.1",
+}
+# What the slider hangs on; "none" is a rail.
+DRIVES = {
+    "none": "",
+    "stiff": 'stiffness = "50 kN/m"\ndamping = "5 N s/m"\nmass = "2 g"',
+    "soft": 'stiffness = "2 kN/m"\ndamping = "1 N s/m"\nmass = "5 g"',
+    "undamped": 'stiffness = "5 kN/m"\nmass = "1 g"',
+    "massless": 'stiffness = "2 kN/m"\ndamping = "2 N s/m"',
 }
 
 
@@ -99,7 +109,7 @@ def path_rows(rng, rows, depth, force, oblique):
     return path
 
 
-def trial(program, folder, slider, law, by_force, rows, seed):
+def trial(program, folder, slider, law, drive, by_force, rows, seed):
     """Steps and worst violation of one path, or what went wrong."""
     keys, depth, force = SLIDERS[slider]
     rng = random.Random(f"{slider} {by_force} {seed}")
@@ -108,7 +118,8 @@ def trial(program, folder, slider, law, by_force, rows, seed):
     text += "".join(f"{t:.6f},{x:.6f},{y:.6f},{h},{f}\n" for t, x, y, h, f in rows)
     (folder / "path.csv").write_text(text)
     own = f'law = "{law.split(",")[0]}"\n' + LAWS[law]
-    (folder / "case.toml").write_text(CASE.format(slider=keys, law=own))
+    hangs = f"[motion.drive]\n{DRIVES[drive]}\n" if DRIVES[drive] else ""
+    (folder / "case.toml").write_text(CASE.format(slider=keys, law=own, drive=hangs))
     command = [program, "run", folder / "case.toml", "-o", folder / "out", "--overwrite", "--only", "mechanics", "--quiet"]
     process = subprocess.run(command, capture_output=True, text=True, check=False)
     if process.returncode != 0:
@@ -124,22 +135,23 @@ def main():
     parser.add_argument("--seeds", type=int, default=1)
     parser.add_argument("--laws", nargs="+", default=list(LAWS))
     parser.add_argument("--sliders", nargs="+", default=list(SLIDERS))
+    parser.add_argument("--drives", nargs="+", default=list(DRIVES))
     options = parser.parse_args()
     failures = paths = 0
-    for law in options.laws:
+    for law, drive in itertools.product(options.laws, options.drives):
         worst = 0.0
         for slider, by_force, seed in itertools.product(options.sliders, (False, True), range(options.seeds)):
             with tempfile.TemporaryDirectory() as folder:
-                residual, problem = trial(options.program.resolve(), pathlib.Path(folder), slider, law, by_force,
+                residual, problem = trial(options.program.resolve(), pathlib.Path(folder), slider, law, drive, by_force,
                                           options.rows, seed)
             paths += 1
             if residual is None or not residual <= 1e-6:
                 failures += 1
                 load = "force" if by_force else "height"
-                print(f"{law}, {slider} by {load}, seed {seed}: {problem or residual}", flush=True)
+                print(f"{law}, drive {drive}, {slider} by {load}, seed {seed}: {problem or residual}", flush=True)
             if residual is not None:
                 worst = max(worst, residual)
-        print(f"{law:22} worst violation {worst:.1e}", flush=True)
+        print(f"{law:20} drive {drive:9} worst violation {worst:.1e}", flush=True)
     print(f"{paths} paths of {options.rows} rows, {failures} failures")
     return 1 if failures else 0
 

@@ -6,7 +6,7 @@ import shutil
 HEAD = """# Figure gallery
 
 What `ionskin report` draws. Figures 1 to 16 are those of the paper (*Sensors* 2026, 26(10),
-2930), 17 to 20 what it lacks; figures 21 and 22, of sampled sweeps, are not in this one. These are of the coarse
+2930), 17 to 20 and 23 what it lacks; figures 21 and 22, of sampled sweeps, are not in this one. These are of the coarse
 sweep
 
     ionskin sweep cases/quick.toml --over contact.friction=0.05:0.05:0.5 -o sweep
@@ -26,7 +26,7 @@ TITLES = {
     "fig13_cycle": "One cycle", "fig14_phases": "Phases on the current", "fig15_normalised": "The three normalised",
     "fig16_correlation": "Peak current against peak shear", "fig17_stick_slip": "Stick and slip",
     "fig18_contact_maps": "Pressure and shear in contact", "fig19_ions": "Ions and potential",
-    "fig20_charge": "Charge and its audit",
+    "fig20_charge": "Charge and its audit", "fig23_friction_window": "The friction window",
 }
 
 

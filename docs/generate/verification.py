@@ -15,7 +15,7 @@ TITLES = {
     "M9": "Symmetry", "M10": "Reciprocating motion", "M11": "Force control", "E1": "Gauss identity",
     "E2": "Ramo identity", "E3": "Linear step of shear", "E4": "Impedance", "E5": "Nonlinear double layer",
     "E6": "Conservation of ions", "E7": "Manufactured solution", "E8": "Averages across the skin",
-    "E9": "Ions of finite size", "M12": "Paths in rows", "M13": "Friction laws",
+    "E9": "Ions of finite size", "M12": "Paths in rows", "M13": "Friction laws", "M14": "Slider on a drive",
     "P1": "Consolidation", "P2": "Water between sealed walls", "P3": "Voltage of a step of pressure",
     "P4": "Charge of a step of pressure", "P5": "Waves of pressure", "P6": "Symmetries", "P7": "Conservation of water",
     "P8": "Bench loads", "P9": "Saxen's relation", "P10": "Thin double layers",

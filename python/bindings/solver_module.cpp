@@ -10,9 +10,13 @@
 #include "command_line/threads.hpp"
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/nearest_name.hpp"
+#include "ionskin/base/system/own_build.hpp"
 #include "ionskin/case/reading/read_case.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
+#include "ionskin/mechanics/position/position_memory.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
+#include "ionskin/planning/cost_estimate.hpp"
+#include "ionskin/results/strain_file/strain_file.hpp"
 #include "ionskin/study/run/run_case.hpp"
 #include "ionskin/study/sweep/sweep.hpp"
 
@@ -102,7 +106,8 @@ Options common(const py::dict& settings, python::PythonProgress& progress) {
 void run(const py::handle& python_case, const py::dict& settings, const py::object& callback) {
   const Case input = read(case_source(python_case)).input;
   python::PythonProgress progress(callback);
-  const auto options = common<study::RunOptions>(settings, progress);
+  auto options = common<study::RunOptions>(settings, progress);
+  options.keep_mechanics = settings["keep_mechanics"].cast<bool>();
   python::solve_unlocked(settings["main_thread"].cast<bool>(), progress,
                          [&] { study::run_case(input, options); });
 }
@@ -116,6 +121,16 @@ std::pair<std::array<double, 2>, bool> footprint(const py::handle& python_case, 
       mechanics::find_footprint(input, input.contact.friction, apps::thread_count(threads));
   const mesh::SkinMesh fits(input, found);
   return {fits.footprint().half_size, input.slider.sharp()};
+}
+
+/// Estimate of what a run by one thread takes [bytes].
+double memory(const py::handle& python_case) {
+  const Case input = read(case_source(python_case)).input;
+  return input.strain.kind == StrainSourceKind::file
+             ? planning::estimate_cost(input,
+                                       results::read_strain_file(input.strain.file, input.skin), 1)
+                   .memory
+             : planning::estimate_cost(input, 1).memory;
 }
 
 std::map<std::string, std::string> sweep(const py::handle& python_case,
@@ -168,6 +183,14 @@ PYBIND11_MODULE(_ionskin_solver, module) {
   module.def("key_unit", &key_unit);
   module.def("nearest_key", &nearest_key);
   module.def("footprint", &footprint);
+  module.def("memory", &memory);
+  module.def("keep_positions", [](std::size_t most_bytes) {
+    mechanics::PositionMemory::of_process().set_bound(most_bytes);
+  });
+  module.def("build", [] {
+    const auto build = base::own_build();
+    return build ? build->hex() : std::string();
+  });
   module.def("run", &run);
   module.def("sweep", &sweep);
   python::add_fit_bindings(module);

@@ -5,7 +5,7 @@ run would need for it."""
 from typing import Callable, NamedTuple
 
 from .analysis import derived
-from .drawing import figures_contact, figures_fields, figures_model, figures_readout, figures_water, style
+from .drawing import figures_contact, figures_fields, figures_model, figures_readout, figures_slip, figures_water, style
 from .drawing.panels import (STEP, error_band, first_cycle_names, motion_panels, name_phases, peak_of, rows_within,
                              sampled_label, scaled, shade_phases, signed_log_axis, slide_start, time_axis)
 from .page import report_text
@@ -222,6 +222,9 @@ FIGURES = [
     Entry("motion", "Motion", "Prescribed motion of the slider. Bands, here and below: pale where slider and skin touch, darker "
           "while it slides.", motion),
     Entry("contact", "Contact", report_text.contact_caption, of_run(figures_contact.contact_maps)),
+    Entry("slip", "How the slide begins", "Above, in the slider's frame: when each place slips for good, with the front between what "
+          "sticks and what slips at a fifth to four fifths of that time in white, and how far the slider has slipped over it. Below: "
+          "the stuck share and the currents; grey about a current: three times the noise floor of a reading.", figures_slip.onset),
     Entry("shear", "Shear of the core", report_text.shear_caption, shear),
     Entry("currents", "Electrode currents", "Currents on a symmetric logarithmic axis, linear around zero. A resolved "
           "current is the mean over one time step: its spikes are as high as the events are short. The sampled current "

@@ -47,7 +47,8 @@ def _declared(library: ctypes.CDLL) -> ctypes.CDLL:
                            ctypes.POINTER(ctypes.c_uint32)]),
             ("state_size", size, [skin]), ("save", None, [skin, _NUMBERS]),
             ("restore", ctypes.c_int, [skin, _NUMBERS, size]), ("reset", None, [skin]),
-            ("text", text, [skin, text]), ("range", None, [skin, _NUMBERS]),
+            ("text", text, [skin, text]), ("range", None, [skin, _NUMBERS]), ("size", None, [skin, _NUMBERS]),
+            ("taxel", ctypes.c_int, [skin, size, texts, _NUMBERS]),
             ("error", ctypes.c_int, [skin, size, texts, _NUMBERS, _NUMBERS, _NUMBERS])):
         function = getattr(library, "ionskin_live_" + name)
         function.restype, function.argtypes = result, arguments
@@ -171,6 +172,21 @@ class Skin:
         return Range(tuple(values[:2].tolist()), tuple(values[2:4].tolist()), *values[4:].tolist())
 
     @property
+    def size(self) -> tuple[float, float]:
+        """Length and width of the skin [m]."""
+        values = numpy.empty(2)
+        self._library.ionskin_live_size(self._handle, _pointer(values))
+        return tuple(values.tolist())
+
+    @property
+    def taxels(self) -> dict[str, tuple[float, float, float, float]]:
+        """Lowest x, y, highest x, y of every taxel [m]."""
+        taxels, name, corners = {}, ctypes.c_char_p(), numpy.empty(4)
+        while self._library.ionskin_live_taxel(self._handle, len(taxels), ctypes.byref(name), _pointer(corners)):
+            taxels[name.value.decode()] = tuple(corners.tolist())
+        return taxels
+
+    @property
     def errors(self) -> dict[str, SignalError]:
         """By signal; those of currents over the sampling interval of the case are named sampled_NAME."""
         errors, name, values = {}, ctypes.c_char_p(), numpy.empty(3)
@@ -212,6 +228,15 @@ class Skin:
                                            flags.ctypes.data_as(ctypes.POINTER(ctypes.c_uint32)))
             self._time = float(times[-1])
         return Signals(self._columns, signals, flags)
+
+    def play(self, path: str | os.PathLike, times: Sequence[float], positions, *, heights=None, forces=None) -> Signals:
+        """Runs as `run` does, and writes a page that plays it in a browser, without any network: the slider over the
+        skin, the taxels coloured by their currents, the signals as they grow."""
+        from .page import live_page  # a controller needs no templates
+
+        signals = self.run(times, positions, heights=heights, forces=forces)
+        live_page.write(path, self, numpy.asarray(times, dtype=float), signals)
+        return signals
 
     def batch(self, trajectories: Sequence[Mapping], threads: int | None = None) -> list[Signals]:
         """Runs of many trajectories, each from the present state: mappings with the arguments of `run`."""

@@ -18,11 +18,12 @@ from .sweep_results import Sweep
 
 Progress = Callable[[str, float], None]
 SAMPLINGS = ("sobol", "latin")
+CACHES = (True, False, "positions")
 STUDIES = ("", "mechanics", "electrochemistry")
 
 
 def run(case: Case, output: str | os.PathLike | None = None, *, threads: int = 0, progress: Progress | None = None,
-        overwrite: bool = False, resume: bool = False, only: str = "", report: bool = False, cache: bool = True) -> Results:
+        overwrite: bool = False, resume: bool = False, only: str = "", report: bool = False, cache: bool | str = True) -> Results:
     """Runs a case and returns what it wrote.
 
     output     folder of the results; None: a temporary one that goes with the returned object
@@ -33,15 +34,17 @@ def run(case: Case, output: str | os.PathLike | None = None, *, threads: int = 0
     resume     finish an interrupted run of the same case in its folder
     only       "mechanics", or "electrochemistry" on the finished mechanics in the folder
     report     draw the figures and write report.html
-    cache      use the user's cache of factorised slider positions
+    cache      use the user's cache of factorised slider positions and of mechanics; "positions": of the former alone
 
     Raises CaseError before any work, SolverError, and KeyboardInterrupt; what was finished then stays in the folder.
     Other Python threads go on meanwhile; a second run waits for the first, but `progress` cannot begin one. A process
     that was forked during a run cannot run either: both are a CaseError.
     """
     _require("only", only, STUDIES)
+    _require("cache", cache, CACHES)
     with_folder, keep = _folder(output)
-    settings = solve_settings(with_folder, threads, overwrite, resume, only, report, cache, "run")
+    settings = solve_settings(with_folder, threads, overwrite, resume, only, report, bool(cache), "run")
+    settings["keep_mechanics"] = cache is True
     solver.load().run(case, settings, progress)
     return Results(with_folder, keep)
 
@@ -115,6 +118,6 @@ def solve_settings(folder: str, threads: int, overwrite: bool, resume: bool, onl
             "main_thread": threading.current_thread() is threading.main_thread()}
 
 
-def _require(name: str, value: str, known: Sequence[str]) -> None:
+def _require(name: str, value: Any, known: Sequence[Any]) -> None:
     if value not in known:
         raise CaseError(f"{name} = {value!r} is unknown\n  = choose one of {', '.join(map(repr, known))}")

@@ -58,6 +58,9 @@ class Pages(DocumentedTest):
     def test_friction(self):
         self.check_page("friction.md")
 
+    def test_what_slip_looks_like(self):
+        self.check_page("what-slip-looks-like.md")
+
     def test_errors(self):
         self.shell("ionskin init my_skin.toml --from quick")
         for page in sorted((DOCS / "errors").glob("*.md")):

@@ -10,6 +10,7 @@ import socket
 import ssl
 import stat
 import subprocess
+import sys
 import time
 import unittest
 from urllib.parse import urlsplit
@@ -37,6 +38,23 @@ def processes(*words):
 def parent(process):
     """Id of the parent of a process."""
     return int(pathlib.Path(f"/proc/{process}/stat").read_text().rsplit(")", maxsplit=1)[1].split()[1])
+
+
+def children(process):
+    """Ids of the processes that a process started."""
+    return [int(one) for path in pathlib.Path(f"/proc/{process}/task").glob("*/children") for one in path.read_text().split()]
+
+
+def listening(process):
+    """Addresses, in hexadecimal, at which a process waits for connections of IPv4."""
+    sockets = set()
+    for link in pathlib.Path(f"/proc/{process}/fd").iterdir():
+        try:
+            sockets.add(os.readlink(link))
+        except OSError:  # closed meanwhile
+            continue
+    rows = [row.split() for row in pathlib.Path("/proc/net/tcp").read_text().splitlines()[1:]]
+    return [row[1].split(":")[0] for row in rows if row[3] == "0A" and f"socket:[{row[9]}]" in sockets]
 
 
 def wait_until(holds, seconds=120):
@@ -89,8 +107,11 @@ class Cluster(ProgramTest):
         self.assertEqual(address.scheme, "tls")
         for name in ("key.pem", "certificate.pem"):
             self.assertEqual(stat.S_IMODE((scheduler.parent / name).stat().st_mode), 0o600)
-        self.run_program("sweep", QUICK, *SMALL, "--only", "mechanics", "--over", "motion.preload=1 um", "--no-report", "-o",
-                         "out", "--on", scheduler)
+        sweep = ("sweep", QUICK, *SMALL, "--only", "mechanics", "--over", "motion.preload=1 um", "--no-report", "-o", "out", "--on",
+                 scheduler)
+        self.run_program(*sweep)
+        self.run_program(*sweep, "--overwrite")
+        self.assertIn("finished", (self.folder / "out" / "sweep.csv").read_text())
         foreign = self.folder / "foreign"
         shutil.copytree(scheduler.parent, foreign)
         for name in ("key.pem", "certificate.pem"):
@@ -119,6 +140,38 @@ class Cluster(ProgramTest):
                                    expect=2)
         self.assertIn("can be read by others", process.stderr)
 
+    def test_nobody_else_is_served(self):
+        """Scheduler, workers, and the pages /info and /metrics of all of them wait on 127.0.0.1."""
+        scheduler = self.start(workers=1)
+        nannies = processes("ionskin.cluster", "worker", "cluster")
+        wait_until(lambda: [one for nanny in nannies for one in children(nanny) if listening(one)])
+        served = [json.loads(scheduler.read_text())["pid"], *nannies, *(one for nanny in nannies for one in children(nanny))]
+        addresses = [address for process in served for address in listening(process)]
+        self.assertGreaterEqual(len(addresses), 5)
+        self.assertEqual(set(addresses), {"0100007F"})
+
+    def test_studies(self):
+        """Runs of a study go to the workers too: the store is that of this machine, though a worker was killed."""
+        subprocess.run([sys.executable, QUICK.parent / "make_strain.py", self.folder / "strain.h5"], check=True)
+        shutil.copy(QUICK.parent / "strain_file.toml", self.folder)
+        study = ("generate", "strain_file.toml", "--set", "numerics.preset=coarse", "--touches", 6, "--vary",
+                 "coupling.coefficient=uniform(0.05, 0.15)", "--quiet")
+        self.run_program(*study, "-o", "here")
+        scheduler = self.start()
+        with subprocess.Popen([PROGRAM, *map(str, study), "-o", "out", "--on", scheduler], cwd=self.folder) as process:
+            wait_until(lambda: processes("ionskin.evaluation.worker"))
+            child = processes("ionskin.evaluation.worker")[0]
+            os.kill(parent(child), signal.SIGKILL)
+            wait_until(lambda: child not in processes("ionskin.evaluation.worker"))
+            self.assertEqual(process.wait(), 0)
+        self.assertEqual(*((self.folder / name / "touches.h5").read_bytes() for name in ("here", "out")))
+        refused = self.run_program(*study, "-o", "no", "--on", scheduler, "--threads", 2, expect=2)
+        self.assertIn("one thread", refused.stderr)
+        self.run_program("cluster", "stop", "cluster")
+        refused = self.run_program(*study, "-o", "no", "--on", scheduler, expect=2)
+        self.assertIn("no file of a scheduler", refused.stderr)
+        self.assertFalse((self.folder / "no").exists())
+
     def test_refusals(self):
         process = self.run_program("cluster", "start", "open", "--address", "0.0.0.0", expect=2)
         self.assertIn("--tls", process.stderr)
@@ -130,6 +183,11 @@ class Cluster(ProgramTest):
         scheduler = self.start(workers=1)
         process = self.run_program("sweep", QUICK, *GRID, "-o", "out", "--on", scheduler, "--threads", 2, "--resume", expect=2)
         self.assertIn("needs 2 threads", process.stderr)
+        self.assertFalse(list(self.folder.glob("out/staging/*")), "nothing was submitted")
+        self.run_program("cluster", "start", "small", "--workers", 1, "--threads", 1, "--memory", "50 MB")
+        self.addCleanup(subprocess.run, [PROGRAM, "cluster", "stop", "small"], cwd=self.folder, capture_output=True, check=False)
+        process = self.run_program("sweep", QUICK, *GRID, "-o", "out", "--on", "small/scheduler.json", "--resume", expect=2)
+        self.assertIn("the largest have 1 threads and 0.05 GB", process.stderr)
         self.assertIn("has a running cluster", self.run_program("cluster", "start", "cluster", expect=2).stderr)
 
 

@@ -103,7 +103,7 @@ class Install(ProgramTest):
         """Controllers that link to the live skin alone, and an FMU with the installed library in it."""
         path = {"PYTHONPATH": str(self.prefix / "lib/python3/dist-packages"), "PYTHONDONTWRITEBYTECODE": "1"}
         self.command(self.prefix / "bin" / "ionskin", "live", "case.toml", "-o", "skin.live", "--fmu", "skin.fmu",
-                     "--trajectories", "2", "--set", "numerics.time_refinement=0.3", "--quiet")
+                     "--trajectories", "2", "--validation", "2", "--set", "numerics.time_refinement=0.3", "--quiet")
         source = self.folder / "controller"
         self.command("cp", "-r", self.prefix / "share/doc/ionskin/examples/live", source)
         self.command("cmake", "-S", source, "-B", "live", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={self.prefix}")

@@ -20,7 +20,7 @@ sys.path.insert(0, str(PROGRAM.parent / "python"))
 import ionskin.live  # noqa: E402
 
 SMALL = ["--set", "numerics.mesh_refinement=0.5", "--set", "numerics.time_refinement=0.3", "--set", "motion.stroke=2 mm",
-         "--set", "motion.slide=0.7 s", "--trajectories", "2"]
+         "--set", "motion.slide=0.7 s", "--trajectories", "2", "--validation", "2"]
 STEP = 1e-3
 
 

@@ -37,6 +37,17 @@ class StatedErrors(ProgramTest):
         self.assertGreater(stating["error_parts"]["rms_current_top"]["mechanics_mesh"], 0)
         self.assertIn("element_max_shear_slide", stating["not_converging"])
         self.bands_stand_beside_the_signals()
+        self.without_errors_the_results_are_the_same(stating)
+
+    def without_errors_the_results_are_the_same(self, stating):
+        """To the last bit, and every metric says why it has no error."""
+        silent = self.summary("silent", "numerics.mesh_refinement=0.7", "numerics.error_estimate=off")
+        self.assertEqual(silent["metrics"], stating["metrics"])
+        self.assertEqual((silent["error_estimate"], silent["error_parts"]), ({}, {}))
+        self.assertEqual(silent["not_estimated"], dict.fromkeys(silent["metrics"], "numerics.error_estimate is off"))
+        for table in ("signals", "sampled"):
+            self.assertEqual(*((self.folder / folder / f"{table}.csv").read_text() for folder in ("out", "silent")))
+        self.assertFalse(list((self.folder / "silent").glob("*_error.csv")))
 
     def bands_stand_beside_the_signals(self):
         """Same rows and columns as the signals; widths are no negative numbers."""

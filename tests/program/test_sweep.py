@@ -35,10 +35,10 @@ class Sweep(ProgramTest):
             self.assertEqual(one, two)
 
     def test_kill_and_resume(self):
-        """Killed without warning at several instants, or without one of its points, the sweep ends with the table of
+        """Killed without warning ten times, or without one of its points, the sweep ends with the table of
         an untouched one on one thread, which equals a run of its point's case, which has the ParaView files, too."""
         self.run_program(*SWEEP[:2], "-o", "whole", *SWEEP[4:], "--threads", 1)
-        for share in (0.0, 0.2, 0.35, 0.8):
+        for share in (0.0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.5, 0.8):
             self.kill_after_points(share)
         self.run_program(*SWEEP, "--resume")
         self.assert_same_tables(self.folder / "out", self.folder / "whole")

@@ -77,6 +77,19 @@ class KnownFunctions(unittest.TestCase):
         self.assertTrue(48 < found.samples_needed < 1000, found.refusal)
         self.assertIn(f"({found.samples_needed - 48} more)", found.refusal)
 
+    def test_few_samples_of_many_keys_do_not_condemn_the_function(self):
+        """16 samples cannot tell a quadratic function of six keys; four times as many can."""
+        def study(samples):
+            return ionskin.Uncertainty(None, {f"x{i}": "uniform(-1, 1)" for i in range(6)}, samples=samples)
+
+        def product(x):
+            return x[0] * x[1] + x[2] * x[3] + x[4] * x[5]
+
+        found = told(study(16), product)
+        self.assertEqual((found.first, found.samples_needed), ({}, 64))
+        self.assertNotIn("hardly help", found.refusal)
+        self.assertEqual(told(study(64), product).refusal, "")
+
     def test_failures_are_left_out(self):
         study = ionskin.Uncertainty(None, {"a": "uniform(0, 1)"}, samples=32)
         for trial in study.ask():

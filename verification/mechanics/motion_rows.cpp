@@ -37,14 +37,14 @@ ContactSolution solve(const Case& input, const Options& options, bool full_model
   return mechanics::solve_contact(input, contact, timers);
 }
 
-const SteppedInstant& at(const ContactSolution& solution, double time) {
+const SteppedInstant& instant_at(const ContactSolution& solution, double time) {
   return *std::ranges::min_element(solution.stepped, {}, [&](const SteppedInstant& instant) {
     return std::abs(instant.time - time);
   });
 }
 
 const SteppedInstant& in_mid_slide(const ContactSolution& solution) {
-  return at(solution, 1.5);
+  return instant_at(solution, 1.5);
 }
 
 /// Integral of the off-diagonal shear over the whole core [m3].
@@ -61,7 +61,7 @@ double difference(const ContactSolution& a, const ContactSolution& b,
                   const std::array<double, 2>& mirror) {
   double largest = 0;
   for (const double time : {0.5, 0.502, 1.0, 1.5, 2.0, 2.5}) {
-    const SteppedInstant &here = at(a, time), &there = at(b, time);
+    const SteppedInstant &here = instant_at(a, time), &there = instant_at(b, time);
     const ContactState &one = *here.state, &other = *there.state;
     const double scale = one.normal_force;
     largest = std::max(largest, std::abs(other.normal_force - scale) / scale);
@@ -145,8 +145,8 @@ double instant_of_stroke(int stroke, int index) {
 double loop_gap(const ContactSolution& solution, int stroke, int other) {
   double gap = 0, scale = 0;
   for (int i = 1; i <= instants_of_stroke; ++i) {
-    const double a = at(solution, instant_of_stroke(stroke, i)).state->tangential_force[0],
-                 b = at(solution, instant_of_stroke(other, i)).state->tangential_force[0];
+    const double a = instant_at(solution, instant_of_stroke(stroke, i)).state->tangential_force[0],
+                 b = instant_at(solution, instant_of_stroke(other, i)).state->tangential_force[0];
     gap = std::max(gap, std::abs(a - b));
     scale = std::max(scale, std::abs(a));
   }
@@ -210,10 +210,10 @@ void add_force_rows(const Options& options, std::vector<Row>& rows) {
                          handover::energy_balance(timeline, solution).relative_error, 1e-3));
   // The indentation that was found, given instead, carries the force.
   Case given = input;
-  given.motion.preload = at(solution, 0.5).state->indentation;
+  given.motion.preload = instant_at(solution, 0.5).state->indentation;
   given.motion.preload_force = 0;
   rows.push_back(compare("M11", "normal force under the indentation found for 1 N [N]",
-                         at(solve(given, options), 0.5).state->normal_force, 1, 1e-8));
+                         instant_at(solve(given, options), 0.5).state->normal_force, 1, 1e-8));
 }
 
 } // namespace

@@ -27,7 +27,7 @@ history::CoreHistory stroke(double duration) {
     time.push_back(duration * static_cast<double>(i) / samples);
   }
   history::CoreHistory all = held_pressure_history(
-      length, columns, [](double, double) { return 0.0; }, time);
+      length, cells_along, [](double, double) { return 0.0; }, time);
   history::HistoryChannel& channel = all.channels.front();
   for (std::size_t i = 0; i <= samples; ++i) {
     const double part = static_cast<double>(i) / samples;

@@ -121,6 +121,13 @@ void add_live(CLI::App& app, Command& command) {
       verb->add_option("--trajectories", options->trajectories, "Random touches to train on")
           ->check(CLI::Range(2, 1000))
           ->capture_default_str();
+  CLI::Option* validation =
+      verb->add_option(
+              "--validation", options->validation,
+              "Other random touches that tell the errors; 90 give 99 % confidence that 95 % "
+              "of all touches keep them")
+          ->check(CLI::Range(1, 1000))
+          ->capture_default_str();
   CLI::Option* seed =
       verb->add_option("--seed", options->seed, "Seed of the touches")->capture_default_str();
   verb->add_flag("--overwrite", options->overwrite, "Replace existing files");
@@ -130,7 +137,7 @@ void add_live(CLI::App& app, Command& command) {
   add_log_options(*verb, options->log);
   verb->callback([=, &command] {
     options->trains = !options->output.empty() || !options->set_edits.empty() ||
-                      trajectories->count() + seed->count() > 0;
+                      trajectories->count() + validation->count() + seed->count() > 0;
     command = *options;
   });
 }

@@ -12,6 +12,9 @@ void add_trial_options(CLI::App& verb, TrialOptions& options) {
   add_set_option(verb, options.set_edits);
   add_threads_option(verb, options.threads);
   add_cache_option(verb, options.use_cache);
+  verb.add_option("--on", options.on,
+                  "Do the runs on the workers of a cluster, see ionskin cluster")
+      ->type_name("SCHEDULER.json");
   verb.add_flag("-q,--quiet", options.quiet, "Print errors only");
 }
 

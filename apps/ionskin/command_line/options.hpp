@@ -79,6 +79,7 @@ struct FitOptions {
 /// Of uncertainty, design and generate, which ionskin's Python package carries out.
 struct TrialOptions {
   std::string case_path, output;
+  std::string on; ///< file of a cluster's scheduler; empty for this machine
   std::vector<std::string> set_edits;
   int threads = 0;
   bool overwrite = false;
@@ -151,6 +152,7 @@ struct LiveOptions {
   std::string fmu;       ///< a file; empty for none
   std::vector<std::string> set_edits;
   std::size_t trajectories = 12;
+  std::size_t validation = 90;
   std::uint64_t seed = 1;
   bool trains = false; ///< whether an option is given that only a training has a use for
   int threads = 0;

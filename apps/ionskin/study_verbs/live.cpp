@@ -85,10 +85,11 @@ void write_files(const LiveOptions& options, const ionskin::live::SkinData& data
 /// Of a skin that is there, nothing but an FMU is made.
 int export_skin(const LiveOptions& options) {
   if (options.trains) {
-    throw UserError(fmt::format("{} is a live skin, trained already: --output, --set, "
-                                "--trajectories and --seed have no use\n  = give --fmu alone, or "
-                                "the case file to train anew",
-                                options.case_path));
+    throw UserError(
+        fmt::format("{} is a live skin, trained already: --output, --set, "
+                    "--trajectories, --validation and --seed have no use\n  = give --fmu alone, or "
+                    "the case file to train anew",
+                    options.case_path));
   }
   write_files(options, ionskin::live::read_skin(options.case_path));
   return static_cast<int>(ExitCode::success);
@@ -125,6 +126,7 @@ int live(const LiveOptions& options, const std::string& command) {
     ProgressDisplay display(options.log);
     ionskin::live::TrainingOptions settings;
     settings.trajectories = options.trajectories;
+    settings.validation = options.validation;
     settings.seed = options.seed;
     settings.threads = thread_count(options.threads);
     settings.cache = cache.get();

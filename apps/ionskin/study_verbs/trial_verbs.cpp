@@ -27,6 +27,9 @@ void add_all(Words& words, const std::string& name, const std::vector<std::strin
 Words common(const TrialOptions& options) {
   Words words{word("output", options.output), fmt::format("--threads={}", options.threads)};
   add_all(words, "set", options.set_edits);
+  if (!options.on.empty()) {
+    words.push_back(word("on", options.on));
+  }
   for (const auto& [given, flag] :
        {std::pair{options.overwrite, "--overwrite"}, std::pair{options.resume, "--resume"},
         std::pair{!options.use_cache, "--no-cache"}, std::pair{options.quiet, "--quiet"}}) {

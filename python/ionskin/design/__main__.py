@@ -60,12 +60,13 @@ def main() -> int:
     study = Design(case, dict(free_range(text) for text in arguments.free), arguments.maximise or arguments.minimise,
                    maximise=bool(arguments.maximise), subject_to=arguments.subject_to, budget=arguments.budget,
                    seed=arguments.seed)
+    runner = engine(arguments)
     question = {"study": "design", "case": case.text, "free": {one.key: one.written for one in study.parameters},
                 "objective": study.objective, "maximise": bool(arguments.maximise), "subject_to": arguments.subject_to,
                 "seed": arguments.seed, "budget": arguments.budget}
     kept = StudyFolder(arguments.output, question, resume=arguments.resume, overwrite=arguments.overwrite, free=("budget",))
     kept.write("case.toml", case.text)
-    finished, progress, runner = kept.finished(), Progress(arguments.budget, arguments.quiet), engine(arguments)
+    finished, progress = kept.finished(), Progress(arguments.budget, arguments.quiet, runner)
 
     def told(trial, outcome):
         study.tell(trial, outcome)

@@ -4,7 +4,7 @@
 from typing import Callable, NamedTuple
 
 from .. import output_folder
-from . import figures_contact, figures_family, figures_fields, figures_model, figures_sensitivity, figures_signals
+from . import figures_contact, figures_family, figures_fields, figures_model, figures_sensitivity, figures_signals, figures_slip
 
 PNG_DPI = 300
 
@@ -66,6 +66,10 @@ ENTRIES = [
           "the share of the metric's variance that a parabola in this key alone explains, an estimate of the first-order "
           "index; what the shares of a row lack to 1 is due to interplay of keys, or to a course that no parabola follows.",
           figures_sensitivity.sensitivity),
+    Entry("fig23_friction_window", "The window in which a slip is told before it happens", "Left: from the first micro-slip, and "
+          "from where a current departs by three times the noise floor, to full slip. Right: how far a reading of each current "
+          "departs in that time. Shaded: a reading falls between for certain, and stands above noise floor and stated error.",
+          figures_slip.friction_window),
 ]
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Many runs of one case with other values: trials, the engine that runs them, and the folder that keeps what they gave.
 
-An engine has one function, `evaluate(case, trials, folder, told)`. Another one, on other machines, takes the place of
-`LocalEngine` here alone.
+An engine has one function, `evaluate(case, trials, folder, told)`, and tells its number of workers: `LocalEngine` here,
+`ionskin.cluster.trials.ClusterEngine` on other machines.
 """
 
 from .folder import StudyFolder

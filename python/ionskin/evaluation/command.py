@@ -3,13 +3,18 @@
 
 import argparse
 import contextlib
+import os
 import sys
+import time
 
 from ..case import Case
+from ..cluster.client import LOST, SchedulerLost
+from ..cluster.trials import ClusterEngine
 from ..errors import CaseError
 from .local import LocalEngine
 
 SOLVER_GAVE_UP, INTERRUPTED = 3, 130
+EVERY = 60  # seconds
 
 
 def parser(prog: str) -> argparse.ArgumentParser:
@@ -19,6 +24,7 @@ def parser(prog: str) -> argparse.ArgumentParser:
     result.add_argument("--output", required=True)
     result.add_argument("--set", action="append", default=[], dest="edits")
     result.add_argument("--threads", type=int, default=0)
+    result.add_argument("--on", default="")
     for flag in ("--overwrite", "--resume", "--no-cache", "--quiet"):
         result.add_argument(flag, action="store_true")
     return result
@@ -33,30 +39,55 @@ def base_case(arguments) -> Case:
     return case.check()
 
 
-def engine(arguments) -> LocalEngine:
-    """On this machine."""
-    return LocalEngine(arguments.threads, cache=not arguments.no_cache)
+def engine(arguments, *, positions: bool = False) -> LocalEngine | ClusterEngine:
+    """On this machine, or on the cluster that --on names.
+
+    positions  the runs share positions of the slider, and no two of them their mechanics
+    """
+    cache = not arguments.no_cache and ("positions" if positions else True)
+    if arguments.on:
+        if arguments.threads > 1:
+            raise CaseError(f"a run of a study takes one thread, not --threads {arguments.threads}\n  = leave out --threads: "
+                            "the cluster's workers say how many runs they do at once")
+        return ClusterEngine(arguments.on, cache=cache)
+    return LocalEngine(arguments.threads, cache=cache)
 
 
 class Progress:
-    """Lines on standard error, one for each tenth."""
+    """Lines on standard error: what failed, and how far the runs are, once for each tenth and after each minute."""
 
-    def __init__(self, total: int, quiet: bool) -> None:
-        self._total, self._done, self._quiet = total, 0, quiet
+    def __init__(self, total: int, quiet: bool, runner) -> None:
+        """runner: the engine, which knows its number of workers"""
+        self._total, self._quiet, self._runner = total, quiet, runner
+        self._done = self._failed = 0
+        self._begin = self._told = time.monotonic()
 
     def __call__(self, outcome) -> None:
         self._done += 1
-        if outcome.reason and not self._quiet:
+        self._failed += bool(outcome.reason)
+        if self._quiet:
+            return
+        if outcome.reason:
             print(f"failed: {outcome.reason}", file=sys.stderr, flush=True)
-        if not self._quiet and self._done * 10 // self._total != (self._done - 1) * 10 // self._total:
-            print(f"{self._done} of {self._total} runs ended", file=sys.stderr, flush=True)
+        now = time.monotonic()
+        if self._done * 10 // self._total != (self._done - 1) * 10 // self._total or now - self._told > EVERY:
+            self._told = now
+            left = (now - self._begin) / self._done * (self._total - self._done)
+            workers = self._runner.workers
+            print(f"{self._done} of {self._total} runs ended, {self._failed} failed; {workers} worker{'s' * (workers != 1)}"
+                  + (f"; about {left:.0f} s left" if self._done < self._total else ""), file=sys.stderr, flush=True)
 
 
 @contextlib.contextmanager
 def guarded():
-    """The user's mistake ends with 2, an interrupt with 130."""
+    """The user's mistake ends with 2, a lost scheduler with 5, an interrupt with 130."""
     try:
         yield
+    except SchedulerLost:
+        print("error: the scheduler is lost; what was finished is kept\n  = start the cluster again, and finish with --resume",
+              file=sys.stderr, flush=True)
+        sys.stdout.flush()
+        os._exit(LOST)  # Dask would go on trying to connect
     except (CaseError, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         sys.exit(2)

@@ -12,9 +12,11 @@ import sys
 import tempfile
 import threading
 
+from .. import solver
 from ..errors import CaseError
 from .trial import Outcome
 
+NO_ERRORS = {"numerics.error_estimate": "off"}  # which an outcome does not keep; its numbers are the same bits
 LAUNCHER = pathlib.Path(__file__).parent.parent / "isolated.py"
 
 
@@ -22,10 +24,10 @@ class LocalEngine:
     """Runs trials in processes of one thread each, so that their numbers do not depend on how many there are.
 
     workers  processes; 0: one for each processor
-    cache    use the user's cache of factorised slider positions
+    cache    as for ionskin.run; a process keeps positions in memory too, from one trial to the next
     """
 
-    def __init__(self, workers: int = 0, *, cache: bool = True) -> None:
+    def __init__(self, workers: int = 0, *, cache: bool | str = True) -> None:
         self.workers, self.cache = workers or len(os.sched_getaffinity(0)), cache
 
     def evaluate(self, case, trials, folder, told) -> None:
@@ -36,7 +38,7 @@ class LocalEngine:
         """
         del case  # every trial holds its own
         free: queue.SimpleQueue = queue.SimpleQueue()
-        workers = [_Worker() for _ in range(min(self.workers, len(trials)))]
+        workers = [TrialProcess() for _ in range(min(self.workers, len(trials)))]
         for worker in workers:
             free.put(worker)
         stopped = threading.Event()
@@ -44,7 +46,8 @@ class LocalEngine:
         def work(trial):
             worker = free.get()
             try:
-                return None if stopped.is_set() else worker.run(trial, folder / f"{trial.number:06}.npz", self.cache)
+                return None if stopped.is_set() else worker.run(task_of(trial, self.cache),
+                                                                       folder / f"{trial.number:06}.npz")
             finally:
                 free.put(worker)
 
@@ -60,18 +63,24 @@ class LocalEngine:
             pool.shutdown(wait=True, cancel_futures=True)
 
 
-class _Worker:
+def task_of(trial, cache) -> dict:
+    """What a TrialProcess needs to know of a trial."""
+    return {"text": trial.case._original, "path": os.path.abspath(trial.case._path), "edits": trial.case._edits | NO_ERRORS,
+            "cache": cache, "build": solver.load().build()}
+
+
+class TrialProcess:
     """A process that runs one trial after another; started again when it died."""
 
     def __init__(self) -> None:
         self._process, self._stopped = None, False
 
-    def run(self, trial, path, cache) -> Outcome:
+    def run(self, task: dict, path) -> Outcome:
+        """Writes the outcome of a task and returns it. Raises CaseError."""
         with tempfile.TemporaryDirectory(prefix="ionskin-trial-", ignore_cleanup_errors=True) as scratch:
-            task = {"text": trial.case._original, "path": os.path.abspath(trial.case._path), "edits": trial.case._edits,
-                    "scratch": scratch, "file": os.fspath(path), "cache": cache}
+            line = json.dumps(task | {"scratch": scratch, "file": os.fspath(path)})
             for _ in range(2):  # a killed process is no fault of the trial
-                answer = self._ask(json.dumps(task))
+                answer = self._ask(line)
                 if answer == "done":
                     return Outcome.read(path)
                 if answer:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """One evaluation of a case, and what came of it."""
 
+import contextlib
 import difflib
 import json
 import os
@@ -27,6 +28,17 @@ class Trial(NamedTuple):
     number: int
     values: dict
     case: Case | None = None
+
+
+@contextlib.contextmanager
+def _pending(path: pathlib.Path):
+    """A file that appears under its name when it is whole."""
+    pending = path.with_name(f"{path.name}.{os.getpid()}.pending")
+    with open(pending, "wb") as file:
+        yield file
+        file.flush()
+        os.fsync(file.fileno())
+    os.replace(pending, path)
 
 
 class Outcome:
@@ -69,12 +81,14 @@ class Outcome:
     def write(self, path: pathlib.Path) -> None:
         """Writes one file, which appears when it is whole."""
         head = json.dumps({"metrics": self.metrics, "units": self.units, "reason": self.reason})
-        pending = path.with_name(f"{path.name}.{os.getpid()}.pending")
-        with open(pending, "wb") as file:
+        with _pending(path) as file:
             numpy.savez_compressed(file, head=numpy.array(head), **self.columns)
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(pending, path)
+
+    @staticmethod
+    def keep(content: bytes, path: pathlib.Path) -> None:
+        """Writes the file that another machine wrote."""
+        with _pending(path) as file:
+            file.write(content)
 
     @classmethod
     def read(cls, path: pathlib.Path) -> "Outcome | None":

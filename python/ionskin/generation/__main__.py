@@ -19,6 +19,7 @@ def main() -> int:
     arguments = options.parse_args()
     case = base_case(arguments)
     touches = Touches(case, arguments.touches, seed=arguments.seed, vary=arguments.vary)
+    runner = engine(arguments, positions=touches.shares_positions)
     varying = {one.key: one.written for one in touches.parameters}
     kept = StudyFolder(arguments.output, {"study": "generate", "case": touches.case.text, "vary": varying,
                                           "seed": arguments.seed, "touches": arguments.touches},
@@ -31,7 +32,7 @@ def main() -> int:
             print(f"{touches.redrawn} draws made no valid case and were drawn again")
     finished = kept.finished()
     asked = [trial for trial in touches.trials if trial.number not in finished]
-    progress, failed = Progress(len(asked), arguments.quiet), []
+    progress, failed = Progress(len(asked), arguments.quiet, runner), []
 
     def told(trial, outcome):
         progress(outcome)
@@ -39,7 +40,7 @@ def main() -> int:
             failed.append(outcome.reason)
 
     begin = time.monotonic()
-    engine(arguments).evaluate(case, asked, kept.points, told)
+    runner.evaluate(case, asked, kept.points, told)
     seconds = time.monotonic() - begin
     size = store.write(kept.folder / "touches.h5", touches, kept.points,
                        {"case": touches.case.text, "seed": arguments.seed, "made_by": "ionskin generate"})

@@ -9,7 +9,8 @@ from .hdf5 import open_hdf5
 # Columns by their places in results.h5.
 PLACES = {"time": "path/time", "slider_x": "strain/slider_x", "slider_z": "path/slider_z",
           "normal_force": "path/normal_force", "tangential_force": "path/tangential_force",
-          "contact_area": "path/contact_area", "stick_share": "path/stick_share", "slip": "path/slip"}
+          "contact_area": "path/contact_area", "stick_share": "path/stick_share", "slip": "path/slip",
+          "drive_force_x": "path/drive_force_x", "drive_force_y": "path/drive_force_y"}
 
 
 def mechanics(path):

@@ -40,6 +40,7 @@ def main() -> int:
     case = base_case(arguments)
     study = Uncertainty(case, arguments.vary, samples=arguments.samples, design=arguments.design, seed=arguments.seed,
                         metrics=[name for name in arguments.metrics.split(",") if name], least_q2=arguments.least_q2)
+    runner = engine(arguments)
     question = {"study": "uncertainty", "case": case.text, "vary": {one.key: one.written for one in study.parameters},
                 "design": arguments.design, "seed": arguments.seed, "samples": arguments.samples}
     kept = StudyFolder(arguments.output, question, resume=arguments.resume, overwrite=arguments.overwrite,
@@ -49,13 +50,13 @@ def main() -> int:
         if number < len(study.trials):
             study.tell(study.trials[number], outcome)
     asked = study.ask()
-    progress = Progress(len(asked), arguments.quiet)
+    progress = Progress(len(asked), arguments.quiet, runner)
 
     def told(trial, outcome):
         study.tell(trial, outcome)
         progress(outcome)
 
-    engine(arguments).evaluate(case, asked, kept.points, told)
+    runner.evaluate(case, asked, kept.points, told)
     if not study.finished():
         print(f"error: every sample failed; the first: {study.outcomes[0].reason}", file=sys.stderr)
         return SOLVER_GAVE_UP

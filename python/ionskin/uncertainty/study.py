@@ -161,9 +161,10 @@ class Uncertainty:
         return Analysis(*moments, quantiles, *about, first, total, "", 0)
 
     def _samples_needed(self, germs, data, laws, error) -> int:
-        """By how the error fell from half of the samples to all; 0 where it hardly did."""
-        half = len(data) // 2
-        if half < FEWEST // 2:
+        """By how the error fell from half of the samples to all; 0 where it hardly did. Too few samples to tell a quadratic
+        function of the keys say nothing of more."""
+        half, keys = len(data) // 2, len(laws)
+        if half < max(FEWEST // 2, (keys + 1) * (keys + 2) // 2):
             return 4 * len(data)
         former = 1 - chaos.fit(germs[:half], data[:half], laws).q2
         rate = numpy.log2(former / error) if error > 0 and former > error else 0.0

@@ -87,6 +87,17 @@ struct Waypoint {
   std::size_t line = 0;             ///< in the file it was read from, from 1; 0 in a case
 };
 
+/// What the slider hangs on along the skin while it touches: a spring and a damper from the path of
+/// the motion, which the drive's end follows, to the mass of the slider.
+struct Drive {
+  double stiffness = 0; ///< 0 where nothing gives [N/m]
+  double damping = 0;   ///< [N s/m]
+  double mass = 0;      ///< [kg]
+
+  bool given() const { return stiffness > 0; }
+  double natural_period() const; ///< of the mass on the spring [s]; 0 without mass
+};
+
 /// How the slider moves, repeated `cycles` times. What it does in one cycle, whatever the kind, is
 /// said by motion_legs (case/slider_motion.hpp).
 struct Motion {
@@ -107,6 +118,7 @@ struct Motion {
   // waypoints: these alone say what happens, and what stands above is not used but for `cycles`
   std::vector<Waypoint> waypoints; ///< ascending in time
   std::string file; ///< absolute path of the file they were read from; empty for those of the case
+  Drive drive;
 
   bool force_controlled() const { return preload_force > 0; }
   double cycle_duration() const; ///< [s]
@@ -225,7 +237,8 @@ struct Numerics {
   /// Multiplies the elements through core and top electrode's face beside `mesh_refinement`; no key
   /// of a case, but for companions that tell errors.
   double thickness_refinement = 1;
-  double time_tolerance = 0; ///< relative error of the charge per time step; 0: the preset's
+  double time_tolerance = 0;  ///< relative error of the charge per time step; 0: the preset's
+  bool error_estimate = true; ///< solve coarser companions, which tell the errors of results
   SharedPositions shared;
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ionskin {
 
@@ -115,6 +116,10 @@ Point MotionLeg::centre(double since_begin) const {
 bool MotionLeg::repeats(const MotionLeg& other) const {
   return duration == other.duration && from == other.from && to == other.to &&
          from_level == other.from_level && to_level == other.to_level;
+}
+
+double Drive::natural_period() const {
+  return given() ? 2 * std::numbers::pi * std::sqrt(mass / stiffness) : 0;
 }
 
 double Motion::cycle_duration() const {

@@ -30,6 +30,9 @@ template <class Kind> Circuit circuit_with(const laws::LawValues& values) {
       return kind.read(time, charge);
     };
   }
+  if constexpr (requires { &Kind::reading_noise; }) {
+    result.reading_noise = [kind](double interval) { return kind.reading_noise(interval); };
+  }
   return result;
 }
 

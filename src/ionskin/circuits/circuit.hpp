@@ -36,6 +36,9 @@ struct Circuit {
   std::function<InstrumentReading(const std::vector<double>& time,
                                   const std::vector<double>& charge)>
       read{};
+  /// Noise of the mean over an interval [s] of what the instrument shows, rms [A]; empty without
+  /// one.
+  std::function<double(double interval)> reading_noise{};
 };
 
 /// One row of the table of circuits.

@@ -70,6 +70,8 @@ StateCombination ContactTimeline::at(double local_time) const {
   result.add(to.state, weight);
   for (const std::size_t d : {0, 1}) {
     result.centre[d] = from.centre[d] + weight * (to.centre[d] - from.centre[d]);
+    result.drive_force[d] =
+        from.drive_force[d] + weight * (to.drive_force[d] - from.drive_force[d]);
   }
   result.height = from.height + weight * (to.height - from.height);
   return result;

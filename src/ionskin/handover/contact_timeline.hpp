@@ -16,9 +16,10 @@ struct StateCombination {
     const mechanics::ContactState* state;
     double weight;
   };
-  std::vector<Term> terms;        ///< of different states; empty while the slider is detached
-  std::array<double, 2> centre{}; ///< of the slider [m]
-  double height = 0;              ///< of its underside above the undeformed top face [m]
+  std::vector<Term> terms;             ///< of different states; empty while the slider is detached
+  std::array<double, 2> centre{};      ///< of the slider [m]
+  double height = 0;                   ///< of its underside above the undeformed top face [m]
+  std::array<double, 2> drive_force{}; ///< of a drive on the slider [N]
 
   /// Adds a share of a state; nothing for no state and for one without load.
   void add(const mechanics::SharedState& state, double weight);

@@ -180,13 +180,31 @@ void require_finite(const history::StrainField& field, const Case& input, double
   }
 }
 
+/// That of the motion, and where a drive let the slider go beside it.
+MotionBox box_of_path(const Case& input, const mechanics::ContactSolution& contact) {
+  constexpr double negligible = 1e-9; // of the skin
+  const std::array<double, 2> skin{input.skin.length, input.skin.width};
+  MotionBox box = motion_box(input.motion, input.slider);
+  for (const mechanics::SteppedInstant& instant : contact.stepped) {
+    for (std::size_t d = 0; d < 2; ++d) {
+      if (instant.centre[d] < box.low[d] - negligible * skin[d]) {
+        box.low[d] = instant.centre[d];
+      }
+      if (instant.centre[d] > box.high[d] + negligible * skin[d]) {
+        box.high[d] = instant.centre[d];
+      }
+    }
+  }
+  return box;
+}
+
 } // namespace
 
 history::CoreHistory build_strain_history(const Case& input,
                                           const mechanics::ContactSolution& contact) {
   const ContactTimeline timeline(input, contact);
   const mesh::SkinMesh& mesh = contact.mesh;
-  const MotionBox box = motion_box(input.motion, input.slider);
+  const MotionBox box = box_of_path(input, contact);
   const auto start_lines = mesh.lines(box.low);
   const auto z_lines = core_lines(mesh, start_lines);
   const double limit = outer_cell_limit(input.skin);

@@ -45,9 +45,7 @@ ionskin_live_skin* ionskin_live_open(const char* path, char* message, size_t siz
 
 ionskin_live_skin* ionskin_live_copy(const ionskin_live_skin* skin) {
   try {
-    auto copy = std::make_unique<ionskin_live_skin>(skin->data);
-    copy->skin.restore(skin->skin.state());
-    return copy.release();
+    return new ionskin_live_skin(*skin);
   } catch (const std::bad_alloc&) {
     return nullptr;
   }
@@ -112,6 +110,22 @@ void ionskin_live_range(const ionskin_live_skin* skin, double range[7]) {
                          data.highest_place[1], data.heaviest_force,  data.deepest_indentation,
                          data.fastest};
   std::ranges::copy(values, range);
+}
+
+void ionskin_live_size(const ionskin_live_skin* skin, double size[2]) {
+  size[0] = skin->data->length;
+  size[1] = skin->data->width;
+}
+
+int ionskin_live_taxel(const ionskin_live_skin* skin, size_t index, const char** name,
+                       double corners[4]) {
+  const ionskin::live::SkinData& data = *skin->data;
+  if (index >= data.taxels.size()) {
+    return 0;
+  }
+  *name = data.taxels[index].c_str();
+  std::copy_n(data.taxel_corners.data() + 4 * index, 4, corners);
+  return 1;
 }
 
 int ionskin_live_error(const ionskin_live_skin* skin, size_t index, const char** name, double* rms,

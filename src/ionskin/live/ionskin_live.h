@@ -58,6 +58,10 @@ void ionskin_live_reset(ionskin_live_skin* skin);
 const char* ionskin_live_text(const ionskin_live_skin* skin, const char* what);
 /* Trained: lowest x, y, highest x, y [m], force [N], indentation [m], speed [m/s]. */
 void ionskin_live_range(const ionskin_live_skin* skin, double range[7]);
+/* Length and width of the skin [m]. */
+void ionskin_live_size(const ionskin_live_skin* skin, double size[2]);
+/* Lowest x, y, highest x, y of a taxel [m]; 0 behind the last. */
+int ionskin_live_taxel(const ionskin_live_skin* skin, size_t index, const char** name, double corners[4]);
 /* Error of a signal on touches that it was not trained on; 0 behind the last. */
 int ionskin_live_error(const ionskin_live_skin* skin, size_t index, const char** name, double* rms, double* worst,
                        double* largest);

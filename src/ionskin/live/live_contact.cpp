@@ -2,28 +2,22 @@
 #include "ionskin/live/live_contact.hpp"
 
 #include "ionskin/laws/friction/return_mapping.hpp"
+#include "ionskin/live/place_amplitudes.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace ionskin::live {
 namespace {
 
 constexpr double tolerance = 1e-6; // change of a force in a sweep, over the largest
 constexpr int most_sweeps = 60, most_landing_sweeps = 2000;
+constexpr int most_factors = 8, most_landing_factors = 60;
 /// The compliance changes by less than 1e-5 of itself meanwhile [m].
 constexpr double assembly_distance = 5e-6;
-
-void lagrange(const std::vector<double>& lines, double at, std::span<double> weights) noexcept {
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    weights[i] = 1;
-    for (std::size_t j = 0; j < lines.size(); ++j) {
-      if (j != i) {
-        weights[i] *= (at - lines[j]) / (lines[i] - lines[j]);
-      }
-    }
-  }
-}
+/// The stiffness falls with the contact, over that of the heaviest one.
+constexpr double softest = 0.1;
 
 } // namespace
 
@@ -39,51 +33,67 @@ bool friction_remembers(const laws::Friction& friction) {
   return friction.elastic_slip > 0 || friction.lag > 0;
 }
 
-void place_amplitudes(const PlaceMap& map, const std::array<double, 2>& place,
-                      std::span<double> amplitudes) noexcept {
-  std::array<double, most_lines> x{}, y{};
-  lagrange(map.lines_x, place[0], x);
-  lagrange(map.lines_y, place[1], y);
-  std::fill(amplitudes.begin(), amplitudes.end(), 0.0);
-  const std::size_t modes = map.modes();
-  for (std::size_t j = 0, node = 0; j < map.lines_y.size(); ++j) {
-    for (std::size_t i = 0; i < map.lines_x.size(); ++i, ++node) {
-      for (std::size_t k = 0; k < modes; ++k) {
-        amplitudes[k] += x[i] * y[j] * map.amplitude[modes * node + k];
-      }
-    }
-  }
-}
-
 LiveContact::LiveContact(const SkinData& data)
     : data_(data), friction_(friction_of(data)), size_(3 * data.area.size()),
       first_touch_(*std::min_element(data.gap.begin(), data.gap.end())), compliance_(size_ * size_),
-      before_(size_), amplitude_(data.compliance.modes()), slips_(data.area.size()) {}
+      assembled_(size_), own_(size_), before_(size_), amplitude_(data.compliance.modes()),
+      drag_(data.area.size()), slips_(data.area.size()), correction_(data.area.size()),
+      touching_(data.area.size()), from_gaps_(data.area.size()),
+      from_indentation_(data.area.size()) {}
 
 void LiveContact::assemble(const State& state) noexcept {
   if (std::isnan(state.assembled_x)) {
     return;
   }
   place_amplitudes(data_.compliance, {state.assembled_x, state.assembled_y}, amplitude_);
-  const float* mode = data_.compliance.values.data();
-  std::copy(mode, mode + compliance_.size(), compliance_.begin());
-  for (const double amplitude : amplitude_) {
-    mode += compliance_.size();
-    for (std::size_t i = 0; i < compliance_.size(); ++i) {
-      compliance_[i] += amplitude * static_cast<double>(mode[i]);
+  std::ranges::fill(assembled_, char{0});
+  for (std::size_t at = 0; at < size_; ++at) {
+    const float* mode = data_.compliance.values.data() + at * (size_ + 1);
+    own_[at] = static_cast<double>(*mode);
+    for (const double amplitude : amplitude_) {
+      mode += compliance_.size();
+      own_[at] += amplitude * static_cast<double>(*mode);
     }
   }
 }
 
-double LiveContact::sweep(double time_step, const std::array<double, 2>& travel,
-                          State& state) noexcept {
-  double change = 0;
+const float* LiveContact::column(std::size_t at) noexcept {
+  float* column = compliance_.data() + at * size_;
+  if (!assembled_[at]) {
+    assembled_[at] = 1;
+    const float* mode = data_.compliance.values.data() + at * size_;
+    std::copy(mode, mode + size_, column);
+    for (const double amplitude : amplitude_) {
+      mode += compliance_.size();
+      for (std::size_t row = 0; row < size_; ++row) {
+        column[row] += static_cast<float>(amplitude) * mode[row];
+      }
+    }
+  }
+  return column;
+}
+
+void LiveContact::add(std::size_t cell, const std::array<double, 3>& force, State& state) noexcept {
+  const float *x = column(3 * cell), *y = column(3 * cell + 1), *z = column(3 * cell + 2);
+  double* surface = state.surface.data();
+  for (std::size_t row = 0; row < size_; ++row) {
+    surface[row] += force[0] * static_cast<double>(x[row]) +
+                    force[1] * static_cast<double>(y[row]) + force[2] * static_cast<double>(z[row]);
+  }
+}
+
+LiveContact::Sweep LiveContact::sweep(double time_step, const std::array<double, 2>& travel,
+                                      State& state) noexcept {
+  Sweep result;
   for (std::size_t cell = 0, at = 0; at < size_; ++cell, at += 3) {
-    const double own = compliance_[at * (size_ + 1)];
-    const double own_tangential =
-        std::max(compliance_[(at + 1) * (size_ + 1)], compliance_[(at + 2) * (size_ + 1)]);
-    const double normal = std::max(
-        0.0, state.force[at] + (state.indentation - data_.gap[cell] - state.surface[at]) / own);
+    const double own_tangential = std::max(own_[at + 1], own_[at + 2]);
+    const double normal =
+        std::max(0.0, state.force[at] +
+                          (state.indentation - data_.gap[cell] - state.surface[at]) / own_[at]);
+    const double* force = &state.force[at];
+    if (normal == 0 && force[0] == 0 && force[1] == 0 && force[2] == 0) {
+      continue; // open as it was
+    }
     const double slip_x = travel[0] - (state.surface[at + 1] - before_[at + 1]),
                  slip_y = travel[1] - (state.surface[at + 2] - before_[at + 2]);
     const double area = data_.area[cell];
@@ -94,21 +104,86 @@ double LiveContact::sweep(double time_step, const std::array<double, 2>& travel,
                                          own_tangential * area,
                                          time_step});
     slips_[cell] = !response.sticks;
+    drag_[cell] = response.by_normal;
     const std::array<double, 3> next{normal, area * response.traction[0],
                                      area * response.traction[1]};
+    std::array<double, 3> difference{};
     for (std::size_t c = 0; c < 3; ++c) {
-      const double difference = next[c] - state.force[at + c];
-      if (difference != 0) {
-        const double* column = compliance_.data() + (at + c) * size_;
-        for (std::size_t row = 0; row < size_; ++row) {
-          state.surface[row] += difference * column[row];
-        }
-        state.force[at + c] = next[c];
-        change = std::max(change, std::abs(difference));
-      }
+      difference[c] = next[c] - state.force[at + c];
+      state.force[at + c] = next[c];
+      result.change = std::max(result.change, std::abs(difference[c]));
+    }
+    result.normal_change = std::max(result.normal_change, std::abs(difference[0]));
+    if (difference != std::array<double, 3>{}) {
+      add(cell, difference, state);
     }
   }
-  return change;
+  return result;
+}
+
+/// Newton's step for the normal forces of the cells that touch, while friction follows them where a
+/// cell slips; under a force the indentation follows too.
+/// @param total of the normal forces [N]
+/// @returns false when nothing has changed
+bool LiveContact::correct(const Load& load, double total, State& state) noexcept {
+  std::size_t count = 0;
+  for (std::size_t cell = 0; cell < data_.area.size(); ++cell) {
+    if (state.force[3 * cell] > 0) {
+      touching_[count++] = cell;
+    }
+  }
+  const std::span touching = std::span(touching_).first(count);
+  if (count == 0) {
+    return false;
+  }
+  if (!correction_.is_of(touching)) {
+    correction_.take(touching);
+    for (std::size_t j = 0; j < count; ++j) {
+      const std::size_t cell = touching[j];
+      const float *normal = column(3 * cell), *x = column(3 * cell + 1), *y = column(3 * cell + 2);
+      const auto drag_x = static_cast<float>(drag_[cell][0]),
+                 drag_y = static_cast<float>(drag_[cell][1]);
+      const std::span<float> into = correction_.column(j);
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t row = 3 * touching[i];
+        into[i] = normal[row] + drag_x * x[row] + drag_y * y[row];
+      }
+    }
+    if (!correction_.factor()) {
+      return false;
+    }
+  }
+  const std::span from_gaps = std::span(from_gaps_).first(count),
+                  from_indentation = std::span(from_indentation_).first(count);
+  for (std::size_t j = 0; j < count; ++j) {
+    const std::size_t cell = touching[j];
+    from_gaps[j] =
+        static_cast<float>(state.indentation - data_.gap[cell] - state.surface[3 * cell]);
+    from_indentation[j] = 1;
+  }
+  correction_.solve(from_gaps);
+  double deeper = 0;
+  if (load.is_force) {
+    correction_.solve(from_indentation);
+    const auto sum = [](std::span<const float> values) {
+      return std::accumulate(values.begin(), values.end(), 0.0);
+    };
+    const double left = load.value - total - sum(from_gaps);
+    deeper = left / std::max(sum(from_indentation), softest * data_.stiffness);
+    state.indentation += deeper;
+  }
+  for (std::size_t j = 0; j < count; ++j) {
+    const std::size_t cell = touching[j], at = 3 * cell;
+    const double own = static_cast<double>(from_gaps[j]) +
+                       deeper * static_cast<double>(from_indentation[j]),
+                 change = std::max(own, -state.force[at]);
+    const std::array<double, 3> force{change, change * drag_[cell][0], change * drag_[cell][1]};
+    for (std::size_t c = 0; c < 3; ++c) {
+      state.force[at + c] += force[c];
+    }
+    add(cell, force, state);
+  }
+  return true;
 }
 
 double LiveContact::step(double time_step, const std::array<double, 2>& place,
@@ -121,59 +196,50 @@ double LiveContact::step(double time_step, const std::array<double, 2>& place,
     state.assembled_y = place[1];
     assemble(state);
   }
+  std::ranges::fill(slips_, char{0});
   if (load.value <= (load.is_force ? 0.0 : first_touch_)) {
     std::fill(state.force.begin(), state.force.end(), 0.0);
     std::fill(state.surface.begin(), state.surface.end(), 0.0);
-    std::fill(slips_.begin(), slips_.end(), char{0});
     state.indentation = load.is_force ? first_touch_ : load.value;
     return 0;
   }
   std::copy(state.surface.begin(), state.surface.end(), before_.begin());
   std::fill(state.surface.begin(), state.surface.end(), 0.0);
-  for (std::size_t at = 0; at < size_; ++at) {
-    const double* column = compliance_.data() + at * size_;
-    for (std::size_t row = 0; row < size_ && state.force[at] != 0; ++row) {
-      state.surface[row] += state.force[at] * column[row];
+  double largest = 0, total = 0;
+  const auto add_up = [&] {
+    largest = total = 0;
+    for (std::size_t at = 0; at < size_; at += 3) {
+      largest = std::max(largest, state.force[at]);
+      total += state.force[at];
+    }
+  };
+  for (std::size_t cell = 0, at = 0; at < size_; ++cell, at += 3) {
+    if (state.force[at] != 0) {
+      add(cell, {state.force[at], state.force[at + 1], state.force[at + 2]}, state);
     }
   }
-  const auto largest = [&] {
-    double result = 0;
-    for (std::size_t at = 0; at < size_; at += 3) {
-      result = std::max(result, state.force[at]);
-    }
-    return result;
-  };
-  const bool landing = largest() == 0;
+  add_up();
+  const bool landing = largest == 0;
+  int factors = landing ? most_landing_factors : most_factors;
   if (!load.is_force) {
     state.indentation = load.value;
   }
-  double residual = 1, stiffness = data_.stiffness, last_indentation = state.indentation,
-         last_total = -1;
+  correction_.forget();
+  double residual = 1;
   for (int i = 0; i < (landing ? most_landing_sweeps : most_sweeps); ++i) {
-    const double change = sweep(time_step, travel, state), scale = largest();
-    residual = scale > 0 ? change / scale : 0;
-    double left = 0;
-    if (load.is_force) {
-      constexpr int sweeps_between = 3; // of two indentations that a secant joins
-      double total = 0;
-      for (std::size_t at = 0; at < size_; at += 3) {
-        total += state.force[at];
-      }
-      left = std::abs(load.value - total) / load.value;
-      if (left > tolerance && i % sweeps_between == 0) {
-        const double way = state.indentation - last_indentation;
-        if (last_total >= 0 && way != 0) {
-          stiffness =
-              std::clamp((total - last_total) / way, 0.1 * data_.stiffness, 4 * data_.stiffness);
-        }
-        last_indentation = state.indentation;
-        last_total = total;
-        state.indentation += (load.value - total) / stiffness;
-      }
-    }
-    residual = std::max(residual, left);
+    const Sweep changed = sweep(time_step, travel, state);
+    add_up();
+    const double scale = largest > 0 ? 1 / largest : 0;
+    const double left = load.is_force ? std::abs(load.value - total) / load.value : 0;
+    residual = std::max(changed.change * scale, left);
     if (residual <= tolerance) {
       break;
+    }
+    const bool rough = changed.normal_change * scale > tolerance || left > tolerance;
+    if (rough && factors > 0 && correct(load, total, state)) {
+      --factors;
+    } else if (left > tolerance) {
+      state.indentation += (load.value - total) / data_.stiffness;
     }
   }
   return residual;

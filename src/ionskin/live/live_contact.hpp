@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ionskin/laws/friction/friction_law.hpp"
+#include "ionskin/live/normal_correction.hpp"
 #include "ionskin/live/skin_data.hpp"
 
 #include <array>
@@ -11,8 +12,8 @@
 namespace ionskin::live {
 
 /// One increment of contact and friction by at most so many sweeps of projected Gauss-Seidel, which
-/// start from the forces of the step before. Never fails; what is left is told. Nothing is
-/// allocated after construction.
+/// start from the forces of the step before, with Newton's steps for the normal forces between
+/// them. Never fails; what is left is told. Nothing is allocated after construction.
 class LiveContact {
 public:
   /// What passes from step to step; memory of the owner.
@@ -33,20 +34,32 @@ public:
   /// @returns the largest change of a force in the last sweep over the largest force
   double step(double time_step, const std::array<double, 2>& place,
               const std::array<double, 2>& travel, const Load& load, State state) noexcept;
-  /// Makes the compliance of the state's assembled place again, after a restore.
+  /// Takes the compliance of the state's assembled place, after a restore.
   void assemble(const State& state) noexcept;
   bool slips(std::size_t cell) const { return slips_[cell] != 0; } ///< of the last step
 
 private:
-  double sweep(double time_step, const std::array<double, 2>& travel, State& state) noexcept;
+  struct Sweep { // changes of a force at most, of all and of the normal ones [N]
+    double change = 0, normal_change = 0;
+  };
+  const float* column(std::size_t at) noexcept;
+  void add(std::size_t cell, const std::array<double, 3>& force, State& state) noexcept;
+  Sweep sweep(double time_step, const std::array<double, 2>& travel, State& state) noexcept;
+  bool correct(const Load& load, double total, State& state) noexcept;
 
   const SkinData& data_;
   laws::Friction friction_;
   std::size_t size_;
   double first_touch_;
-  std::vector<double> compliance_, before_; ///< [column][row], [3 cells]
-  std::vector<double> amplitude_;
+  std::vector<float> compliance_;           ///< [column][row], where `assembled_` says so
+  std::vector<char> assembled_;             ///< columns
+  std::vector<double> own_, before_;        ///< [3 cells] diagonal; surface of the step before
+  std::vector<double> amplitude_;           ///< of the modes at the assembled place
+  std::vector<std::array<double, 2>> drag_; ///< derivative of the friction by the normal force
   std::vector<char> slips_;
+  NormalCorrection correction_;
+  std::vector<std::size_t> touching_;
+  std::vector<float> from_gaps_, from_indentation_;
 };
 
 /// The friction law of a skin. Throws where there is none of its name.
@@ -54,9 +67,5 @@ laws::Friction friction_of(const SkinData& data);
 /// Whether a law needs more of the steps before than the tractions, which a live skin does not
 /// keep.
 bool friction_remembers(const laws::Friction& friction);
-
-/// Amplitudes of the modes at a place.
-void place_amplitudes(const PlaceMap& map, const std::array<double, 2>& place,
-                      std::span<double> amplitudes) noexcept;
 
 } // namespace ionskin::live

@@ -71,14 +71,8 @@ Skin::Skin(const SkinData& data)
   charges_ = drives_ + outputs * data.rates.size();
   signals_ = charges_ + outputs;
   state_.resize(signals_ + names_.size());
-  force_single_.resize(size);
   for (const ChannelMap& channel : data.channels) {
-    const std::size_t points = channel.strain.size() / (channel.rows_per_point * size);
-    strains_.resize(std::max(strains_.size(), points * channel.rows_per_point));
-    points_.resize(std::max(points_.size(), points));
-    amplitude_.resize(std::max(amplitude_.size(), channel.strain.modes()));
-    field_.resize(std::max(field_.size(), channel.mean.size() * (channel.x_edges.size() - 1) *
-                                              (channel.y_edges.size() - 1)));
+    fields_.emplace_back(channel, data.area.size());
     levels_.resize(std::max(levels_.size(), regions_ * channel.mean.size()));
   }
   charge_.resize(outputs);
@@ -127,68 +121,6 @@ void Skin::add_contact(std::span<double> signals) noexcept {
   signals[tangential_force_y] = sum[2];
   signals[contact_area] = area / data_.meshed_share;
   signals[stick_share] = area > 0 ? stick / area : 0;
-}
-
-void Skin::fill_field(const ChannelMap& channel, const std::array<double, 2>& place) noexcept {
-  const std::size_t size = force_single_.size(), modes = channel.strain.modes(),
-                    rows = channel.strain.size() / size, per = channel.rows_per_point,
-                    points = rows / per;
-  place_amplitudes(channel.strain, place, amplitude_);
-  for (std::size_t i = 0; i < size; ++i) {
-    force_single_[i] = static_cast<float>(state_[force_ + i]);
-  }
-  std::fill_n(strains_.begin(), rows, 0.0f);
-  for (std::size_t mode = 0; mode <= modes; ++mode) {
-    const auto scale = static_cast<float>(mode == 0 ? 1.0 : amplitude_[mode - 1]);
-    // [3 cells][row]: sums along the rows vectorise
-    const float* column = channel.strain.values.data() + mode * rows * size;
-    for (std::size_t i = 0; i < size; ++i, column += rows) {
-      const float force = scale * force_single_[i];
-      for (std::size_t row = 0; row < rows && force != 0; ++row) {
-        strains_[row] += force * column[row];
-      }
-    }
-  }
-  for (std::size_t point = 0; point < points; ++point) {
-    const float* strain = strains_.data() + per * point;
-    double square = 0;
-    for (std::size_t row = 0; row < per; ++row) {
-      square += static_cast<double>(strain[row]) * static_cast<double>(strain[row]);
-    }
-    points_[point] = per == 1 ? static_cast<double>(strain[0]) : std::sqrt(square);
-  }
-  const std::size_t values =
-      channel.mean.size() * (channel.x_edges.size() - 1) * (channel.y_edges.size() - 1);
-  std::fill_n(field_.begin(), values, 0.0);
-  const float *fit = channel.fit.data(), *of_mode = channel.field.data();
-  for (std::size_t mode = 0; mode < channel.fit.size() / points; ++mode) {
-    double amplitude = 0;
-    for (std::size_t point = 0; point < points; ++point) {
-      amplitude += static_cast<double>(*fit++) * points_[point];
-    }
-    for (std::size_t i = 0; i < values; ++i) {
-      field_[i] += amplitude * static_cast<double>(*of_mode++);
-    }
-  }
-}
-
-void Skin::integrate(const ChannelMap& channel, const std::array<double, 2>& place,
-                     const double* corners, std::span<double> levels) const noexcept {
-  const std::size_t columns = channel.x_edges.size() - 1, rows = channel.y_edges.size() - 1;
-  const auto overlap = [&](const std::vector<double>& edges, std::size_t i, std::size_t axis) {
-    return std::min(edges[i + 1] + place[axis], corners[2 + axis]) -
-           std::max(edges[i] + place[axis], corners[axis]);
-  };
-  std::fill(levels.begin(), levels.end(), 0.0);
-  for (std::size_t j = 0; j < rows; ++j) {
-    const double height = overlap(channel.y_edges, j, 1);
-    for (std::size_t i = 0; i < columns && height > 0; ++i) {
-      const double width = overlap(channel.x_edges, i, 0);
-      for (std::size_t level = 0; level < levels.size() && width > 0; ++level) {
-        levels[level] += width * height * field_[(level * rows + j) * columns + i];
-      }
-    }
-  }
 }
 
 void Skin::add_charges(double time_step, bool first) noexcept {
@@ -276,22 +208,22 @@ std::uint32_t Skin::step(double time, const std::array<double, 2>& place, bool i
     flags |= flag::outside_load;
   }
   signals[mean_shear] = signals[shear_first_moment] = 0;
-  for (const ChannelMap& channel : data_.channels) {
-    const std::size_t levels = channel.mean.size();
+  for (ChannelField& field : fields_) {
+    const std::size_t levels = field.levels();
     if (!touches) {
       std::fill(levels_.begin(), levels_.end(), 0.0);
       continue;
     }
-    fill_field(channel, at);
+    field.set(at, std::span(state_).subspan(force_, 3 * data_.area.size()));
     for (std::size_t region = 0; region < regions_; ++region) {
-      integrate(channel, at, region == 0 ? whole_.data() : &data_.taxel_corners[4 * (region - 1)],
-                std::span(levels_).subspan(region * levels, levels));
+      field.integrate(at, region == 0 ? whole_.data() : &data_.taxel_corners[4 * (region - 1)],
+                      std::span(levels_).subspan(region * levels, levels));
     }
-    if (&channel == data_.channels.data()) {
+    if (&field == fields_.data()) {
       const double volume = data_.length * data_.width * data_.thickness;
       for (std::size_t i = 0; i < levels; ++i) {
-        signals[mean_shear] += channel.mean[i] * levels_[i] / volume;
-        signals[shear_first_moment] += channel.moment[i] * levels_[i] / volume;
+        signals[mean_shear] += field.map().mean[i] * levels_[i] / volume;
+        signals[shear_first_moment] += field.map().moment[i] * levels_[i] / volume;
       }
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/live/channel_field.hpp"
 #include "ionskin/live/live_contact.hpp"
 #include "ionskin/live/skin_data.hpp"
 
@@ -26,7 +27,7 @@ inline constexpr std::uint32_t refused = 16;
 
 /// The reduced skin: asked step by step where the slider is and how it presses, it tells forces,
 /// charges and currents. After construction nothing is allocated and nothing is thrown. Each thread
-/// takes a skin of its own; they may share the data.
+/// takes a skin of its own; they may share the data, and copies share tables too.
 class Skin {
 public:
   /// @param data outlives this
@@ -53,14 +54,8 @@ public:
   bool restore(std::span<const double> state) noexcept;
 
 private:
-  struct Output { // memory of a region's charges within the state
-    std::size_t region = 0, side = 0;
-  };
   LiveContact::State contact_state() noexcept;
   void add_contact(std::span<double> signals) noexcept;
-  void fill_field(const ChannelMap& channel, const std::array<double, 2>& place) noexcept;
-  void integrate(const ChannelMap& channel, const std::array<double, 2>& place,
-                 const double* corners, std::span<double> levels) const noexcept;
   void add_charges(double time_step, bool first) noexcept;
 
   const SkinData& data_;
@@ -70,8 +65,8 @@ private:
   std::size_t force_ = 0, surface_ = 0, filters_ = 0, drives_ = 0, charges_ = 0, signals_ = 0;
   std::size_t regions_;
   std::vector<double> whole_; ///< corners of the core
-  std::vector<float> force_single_, strains_;
-  std::vector<double> amplitude_, points_, field_, levels_, charge_;
+  std::vector<ChannelField> fields_;
+  std::vector<double> levels_, charge_;
 };
 
 } // namespace ionskin::live

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/solve_stepped.hpp"
 
+#include "ionskin/base/error.hpp"
 #include "ionskin/base/largest.hpp"
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/case/slider_motion.hpp"
@@ -40,12 +41,13 @@ constexpr double usual_slide = 0.4;        // of the skin's length
 constexpr double force_share = 0.4;        // of the resolution's square
 constexpr double area_tolerance = 0.02;
 constexpr double steps_per_interval = 4; // of the finest preset, between instants that are kept
+constexpr int most_passes = 3;           // over wider rectangles of a slider on a drive
 
 ThinningTolerance thinning_tolerance(const Case& input, const mesh::Footprint& footprint) {
   const double resolution = path_resolution(input.numerics);
   return {force_share * resolution * resolution, area_tolerance,
           resolution * resolution * std::min(footprint.half_size[0], footprint.half_size[1]),
-          resolution * usual_slide * input.skin.length};
+          resolution * usual_slide * input.skin.length, resolution * resolution};
 }
 
 /// The middle of the slide, the end of touchdown and the instants of field output, within a cycle.
@@ -73,8 +75,8 @@ public:
         total_slip_(nodes.model().cells.count(), 0.0) {}
 
   void add(const StepPoint& point, const SlidingContact& contact) {
-    PathThinning::Instant instant{point.time, point.centre, point.height, point.required, 0, 0, {},
-                                  {}};
+    PathThinning::Instant instant{point.time, point.centre, point.height, point.required,   0,
+                                  0,          {},           {},           point.drive_force};
     const SurfaceState& state = contact.state();
     if (point.touches) {
       largest_force_ = std::max(largest_force_, largest_normal_force(state.force));
@@ -105,8 +107,8 @@ private:
       instant.state->place = strains_->add(instant.centre, std::move(instant.force));
       instant.state->source = strains_;
     }
-    solution_.stepped.push_back(
-        {instant.time, instant.centre, instant.height, std::move(instant.state)});
+    solution_.stepped.push_back({instant.time, instant.centre, instant.height,
+                                 std::move(instant.state), instant.drive_force});
   }
 
   const PositionNodes& nodes_;
@@ -116,6 +118,60 @@ private:
   std::vector<double> total_slip_;
   double largest_force_ = 0, largest_indentation_ = 0, last_time_ = -1;
 };
+
+/// Within which a slider on a drive may swing: with its footprint on the skin.
+MotionBox room_on_skin(const Case& input, const mesh::Footprint& footprint) {
+  constexpr double margin = 1e-3; // of the skin; the mesh needs some room at its edges
+  MotionBox room{{}, {input.skin.length, input.skin.width}};
+  for (std::size_t d = 0; d < 2; ++d) {
+    if (d == 1 && covers_width(input)) {
+      continue; // it does not yield along y
+    }
+    const double edge = footprint.half_size[d] + margin * room.high[d];
+    room.low[d] = edge;
+    room.high[d] -= edge;
+  }
+  return room;
+}
+
+std::optional<DriveOptions> drive_options(const Case& input, const SkinModel& model,
+                                          double longest_travel) {
+  constexpr double share = 0.2; // of the square of the resolution
+  if (!input.motion.drive.given()) {
+    return std::nullopt;
+  }
+  const double resolution = path_resolution(input.numerics);
+  const bool along_y = !model.mesh.half_model() && !covers_width(input);
+  return DriveOptions{input.motion.drive,
+                      {true, along_y},
+                      share * resolution * resolution,
+                      longest_travel,
+                      room_on_skin(input, model.mesh.footprint())};
+}
+
+/// The rectangle that a slider on a drive turned out to need, grown by some part of what it was
+/// left by; empty where it stayed near enough.
+std::optional<MotionBox> widened_box(const Case& input, const MotionBox& box, const MotionBox& room,
+                                     const ContactSolution& solution) {
+  constexpr double near_enough = 1e-3; // of the skin: there the compliance hardly changes
+  constexpr double growth = 1.2;
+  const std::array<double, 2> skin{input.skin.length, input.skin.width};
+  MotionBox wider = box;
+  for (const SteppedInstant& instant : solution.stepped) {
+    for (std::size_t d = 0; d < 2 && instant.state; ++d) {
+      wider.low[d] = std::min(wider.low[d], instant.centre[d]);
+      wider.high[d] = std::max(wider.high[d], instant.centre[d]);
+    }
+  }
+  bool stays = true;
+  for (std::size_t d = 0; d < 2; ++d) {
+    const double low = box.low[d] - wider.low[d], high = wider.high[d] - box.high[d];
+    stays = stays && std::max(low, high) <= near_enough * skin[d];
+    wider.low[d] = std::max(box.low[d] - growth * low, std::min(box.low[d], room.low[d]));
+    wider.high[d] = std::min(box.high[d] + growth * high, std::max(box.high[d], room.high[d]));
+  }
+  return stays ? std::nullopt : std::optional(wider);
+}
 
 ContactSolution empty_solution(const SkinModel& model) {
   return {
@@ -137,6 +193,7 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
   options.heaviest_force = heaviest.force * options.meshed_share;
   const ThinningTolerance tolerance = thinning_tolerance(input, model.mesh.footprint());
   options.longest_travel = tolerance.travel / steps_per_interval;
+  options.drive = drive_options(input, model, options.longest_travel);
 
   ContactSolution solution = empty_solution(model);
   KeptPath kept(*nodes, std::make_shared<SteppedStrains>(nodes), tolerance, solution);
@@ -149,7 +206,7 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
   MotionStepper stepper(contact, options, [&](const StepPoint& point, const SlidingContact& at) {
     kept.add(point, at);
   });
-  kept.add({0, legs.front().from, legs.front().from_level.value, false, true}, contact);
+  kept.add({0, legs.front().from, legs.front().from_level.value, false, true, {}}, contact);
   for (std::size_t i = 0; i < legs.size(); ++i) {
     base::check_interrupt();
     stepper.follow(legs[i]);
@@ -168,9 +225,21 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
   return solution;
 }
 
-void warn_of_nodes(const Case& input, const PositionNodes& nodes, const ContactOptions& options,
-                   ContactSolution& solution) {
-  const double tolerance = node_tolerance(input, *contact_box(input));
+/// Cases with shared positions are solved at those alone.
+void require_unshared(const Case& input, const MotionBox& needed) {
+  if (input.numerics.shared.given()) {
+    throw SolverError(
+        fmt::format("the slider on its drive leaves numerics.shared_positions: its centre goes "
+                    "from {:.4g} mm to {:.4g} mm along x and from {:.4g} mm to {:.4g} mm along y",
+                    needed.low[0] * 1e3, needed.high[0] * 1e3, needed.low[1] * 1e3,
+                    needed.high[1] * 1e3),
+        "widen numerics.shared_positions to hold that, or remove it");
+  }
+}
+
+void warn_of_nodes(const Case& input, const PositionNodes& nodes, const MotionBox& box,
+                   const ContactOptions& options, ContactSolution& solution) {
+  const double tolerance = node_tolerance(input, box);
   if (options.nodes == 0 && nodes.error() > tolerance) {
     solution.warnings.push_back(fmt::format(
         "between the {} positions that are solved, {} along each axis at most, the strain of the "
@@ -218,7 +287,23 @@ std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footpr
   parallel::run_tasks(variants.size(), options.threads, [&](std::size_t i) {
     const base::Timers::Scope scope(timers, "mechanics: contact");
     solutions[i] = solve_path(input, legs, nodes, variants[i], options.surface_before, progress);
-    warn_of_nodes(input, *nodes, options, solutions[i]);
+    // Each by itself, so that no solution depends on its neighbours.
+    std::shared_ptr<const PositionNodes> own = nodes;
+    MotionBox own_box = *box;
+    const MotionBox room = room_on_skin(input, footprint);
+    for (int pass = 0; pass < most_passes && input.motion.drive.given(); ++pass) {
+      const auto wider = widened_box(input, own_box, room, solutions[i]);
+      if (!wider) {
+        break;
+      }
+      require_unshared(input, *wider);
+      own_box = *wider;
+      own = std::make_shared<const PositionNodes>(
+          input, model, own_box, NodeOptions{1, options.cache, options.nodes}, progress);
+      progress.add_units(units_per_path);
+      solutions[i] = solve_path(input, legs, own, variants[i], options.surface_before, progress);
+    }
+    warn_of_nodes(input, *own, own_box, options, solutions[i]);
   });
   progress.expect_known_units();
   return solutions;

@@ -28,6 +28,7 @@ constexpr double seconds_per_ion_step = 7e-8;
 // A round slider under a force: the search for its contact, and for the indentation at every step.
 constexpr double solves_of_round_force = 2.5;
 constexpr double companion_share = 0.1;   // of the mechanics, on twice the mesh sizes
+constexpr double own_share_of_ions = 0.6; // the rest is the error estimate's
 constexpr double seconds_of_output = 4.0; // files, figures and report
 
 /// The mesh fits the contact that a coarse solution will find. Under a force the largest contact,
@@ -81,9 +82,9 @@ double contact_memory(const mesh::SkinMesh& mesh, const CostEstimate& cost, int 
          (states * core * points * strains + at_once * matrices * components * components);
 }
 
-double ion_seconds(const electrochemistry::ProblemSize& ions, int threads) {
-  return seconds_per_ion_step * static_cast<double>(ions.unknowns) *
-         static_cast<double>(ions.steps) / threads;
+double ion_seconds(const Case& input, const electrochemistry::ProblemSize& ions, int threads) {
+  return (input.numerics.error_estimate ? 1 : own_share_of_ions) * seconds_per_ion_step *
+         static_cast<double>(ions.unknowns) * static_cast<double>(ions.steps) / threads;
 }
 
 /// Of a case without contact.
@@ -93,7 +94,7 @@ CostEstimate estimate_ion_cost(const Case& input, int threads) {
   cost.ion_unknowns = ions.unknowns;
   cost.ion_steps = ions.steps;
   cost.memory = bytes_at_rest + ions.memory;
-  cost.ion_seconds = ion_seconds(ions, threads);
+  cost.ion_seconds = ion_seconds(input, ions, threads);
   cost.seconds = cost.ion_seconds + seconds_of_output;
   return cost;
 }
@@ -105,7 +106,7 @@ CostEstimate estimate_cost(const Case& input, const history::CoreHistory& given,
   CostEstimate cost;
   cost.ion_unknowns = ions.unknowns;
   cost.ion_steps = ions.steps;
-  cost.ion_seconds = ion_seconds(ions, threads);
+  cost.ion_seconds = ion_seconds(input, ions, threads);
   cost.seconds = cost.ion_seconds + seconds_of_output;
   double history = 0;
   for (const history::HistoryChannel& channel : given.channels) {
@@ -134,9 +135,10 @@ CostEstimate estimate_cost(const Case& input, int threads,
   const double rounds = std::ceil(static_cast<double>(cost.positions) / at_once);
   const double solves =
       mesh::heaviest_load(input).force > 0 && !input.slider.sharp() ? solves_of_round_force : 1;
-  cost.mechanics_seconds = (1 + companion_share) * solves * rounds * seconds_per_position *
-                           std::pow(scale, seconds_power);
-  cost.ion_seconds = ion_seconds(ions, threads);
+  const double companions = input.numerics.error_estimate ? companion_share : 0;
+  cost.mechanics_seconds =
+      (1 + companions) * solves * rounds * seconds_per_position * std::pow(scale, seconds_power);
+  cost.ion_seconds = ion_seconds(input, ions, threads);
   cost.seconds = cost.mechanics_seconds + cost.ion_seconds + seconds_of_output;
   const double factors = mechanics::factorisations_memory(cost.mechanics_unknowns, at_once);
   cost.memory = bytes_at_rest + std::max(factors + contact_memory(mesh, cost, at_once) +

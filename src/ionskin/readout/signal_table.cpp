@@ -82,6 +82,13 @@ SignalTable build_signal_table(const SignalInputs& inputs) {
   table.columns.push_back(optional("contact_area", "m2", inputs.contact_area, rows));
   table.columns.push_back(optional("stick_share", "1", inputs.stick_share, rows));
   table.columns.push_back(optional("slip", "m", inputs.slip, rows));
+  table.columns.push_back(optional("slip_state", "1", inputs.slip_state, rows));
+  if (!inputs.drive_x.empty()) {
+    table.columns.push_back(required("drive_x", "m", inputs.drive_x, rows));
+    table.columns.push_back(required("drive_y", "m", inputs.drive_y, rows));
+    table.columns.push_back(required("drive_force_x", "N", inputs.drive_force_x, rows));
+    table.columns.push_back(required("drive_force_y", "N", inputs.drive_force_y, rows));
+  }
   return table;
 }
 

@@ -23,12 +23,16 @@ struct SignalInputs {
   std::vector<double> contact_area;       ///< of the full skin [m2]
   std::vector<double> stick_share;        ///< of that area, where nothing slips, 0 to 1
   std::vector<double> slip;               ///< mean over the contact since it began [m]
+  std::vector<double> slip_state;         ///< numbers of SlipState
   std::vector<double> mean_shear;         ///< volume mean over the core [1]
   std::vector<double> rms_shear;          ///< [1]
   std::vector<double> p99_shear;          ///< percentile by volume [1]
   std::vector<double> shear_first_moment; ///< mean of gamma (zeta/h - 1/2) [1]
   std::vector<double> charge_top;         ///< on the metal [C]
   std::vector<double> charge_bottom;      ///< on the metal [C]
+  // Of a slider on a drive; left empty, their columns are left out.
+  std::vector<double> drive_x, drive_y;             ///< end of the drive [m]
+  std::vector<double> drive_force_x, drive_force_y; ///< of the drive on the slider [N]
 };
 
 /// Fills cycle, phase, slider_x and slider_y at the rows of `inputs.time` from the prescribed

@@ -14,6 +14,9 @@ struct ContactMap {
   std::vector<double> pressure, shear_x, shear_y; ///< [Pa]
   /// Since the state before [m].
   std::vector<double> slip;
+  std::vector<double> slip_state; ///< 0 detached, 1 sticks, 3 slips, as readout::SlipState
+  /// Length of the way that the slider slipped over each cell since it touches [m].
+  std::vector<double> slip_since_landing;
 };
 
 /// The contact states of a run.

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <system_error>
 
@@ -40,6 +41,17 @@ bool is_folder(const fs::path& path) {
 
 bool is_ours(const fs::path& folder) {
   return is_ionskin_manifest(folder / file_names::manifest) || read_file_list(folder).has_value();
+}
+
+/// Whether a folder holds nothing, or no more than a list of files that a killed program had not
+/// yet renamed: the list is the first that is written.
+bool is_fresh(const fs::path& folder) {
+  const std::string pending = std::string(file_list_name) + ".";
+  return std::all_of(fs::directory_iterator(folder), fs::directory_iterator(),
+                     [&](const fs::directory_entry& entry) {
+                       return fs::is_regular_file(status_of(entry.path())) &&
+                              entry.path().filename().string().starts_with(pending);
+                     });
 }
 
 void require_own(const fs::path& folder, ExistingFolder existing) {
@@ -124,7 +136,7 @@ OutputFolder::OutputFolder(fs::path folder, ExistingFolder existing, LockKind lo
 }
 
 void OutputFolder::make_ready(ExistingFolder existing, LockKind lock) {
-  if (fs::is_empty(folder_)) {
+  if (is_fresh(folder_)) {
     clear_file_list(folder_);
     return;
   }

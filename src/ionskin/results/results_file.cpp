@@ -102,6 +102,8 @@ void ResultsFile::write_contact(const ContactMaps& contact) {
     file_.write_with_unit(group + "/shear_x", map.shear_x, "Pa", shape);
     file_.write_with_unit(group + "/shear_y", map.shear_y, "Pa", shape);
     file_.write_with_unit(group + "/slip", map.slip, "m", shape);
+    file_.write_with_unit(group + "/slip_state", map.slip_state, "1", shape);
+    file_.write_with_unit(group + "/slip_since_landing", map.slip_since_landing, "m", shape);
     file_.set_attribute(group, "parameter", map.parameter);
   }
 }

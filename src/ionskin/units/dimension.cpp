@@ -31,6 +31,9 @@ const std::map<Dimension, DimensionInfo>& table() {
       {Dimension::curvature, {"a curvature", "1/m", {"1/m", "1/mm", "1/cm"}}},
       {Dimension::speed, {"a speed", "m/s", {"mm/s", "um/s", "m/s"}}},
       {Dimension::capacitance, {"a capacitance", "F", {"pF", "nF", "uF", "mF", "F"}}},
+      {Dimension::stiffness, {"a stiffness", "N/m", {"N/m", "N/mm", "kN/m"}}},
+      {Dimension::damping, {"a damping", "N s/m", {"N s/m", "mN s/m"}}},
+      {Dimension::mass, {"a mass", "kg", {"g", "mg", "kg"}}},
   };
   return rows;
 }
@@ -49,13 +52,10 @@ std::vector<std::string> usual_units() {
 }
 
 const std::vector<DimensionInfo>& other_dimensions() {
-  static const std::vector<DimensionInfo> rows = {{"a volume", "m3", {}},
-                                                  {"a mass", "kg", {}},
-                                                  {"an energy", "J", {}},
-                                                  {"a power", "W", {}},
-                                                  {"an electric charge", "C", {}},
-                                                  {"a voltage", "V", {}},
-                                                  {"an amount of substance", "mol", {}}};
+  static const std::vector<DimensionInfo> rows = {
+      {"a volume", "m3", {}}, {"an energy", "J", {}},
+      {"a power", "W", {}},   {"an electric charge", "C", {}},
+      {"a voltage", "V", {}}, {"an amount of substance", "mol", {}}};
   return rows;
 }
 

@@ -26,7 +26,10 @@ enum class Dimension {
   hydraulic_mobility,
   curvature,
   speed,
-  capacitance
+  capacitance,
+  stiffness,
+  damping,
+  mass
 };
 
 /// Name and SI unit of a dimension, for messages and pages.

@@ -265,6 +265,35 @@ TEST(BadCase, SharedPositionsHoldTheSlidersWayOnTheSkin) {
               HasSubstr("but the slider has sharp edges"));
 }
 
+std::string with_drive(const std::string& keys) {
+  return valid_case() + "[motion.drive]\n" + keys;
+}
+
+TEST(BadCase, DriveHasASpringAndPositiveValues) {
+  EXPECT_THAT(error_of(with_drive("mass = \"5 g\"\n")),
+              HasSubstr("motion.drive.mass is given, but the drive has no spring"));
+  EXPECT_THAT(error_of(with_drive("stiffness = \"0 N/m\"\n")), HasSubstr("motion.drive.stiffness"));
+  EXPECT_THAT(error_of(with_drive("stiffness = \"200 N\"\n")), HasSubstr("a stiffness"));
+  EXPECT_THAT(error_of(with_drive("stiffness = \"200 N/m\"\nmass = \"-1 g\"\n")),
+              HasSubstr("motion.drive.mass"));
+  EXPECT_THAT(error_of(with_drive("stifness = \"200 N/m\"\n")),
+              HasSubstr("motion.drive.stiffness"));
+}
+
+TEST(BadCase, DriveOfFrictionThatFallsWithSpeedNeedsMassOrDamping) {
+  const std::string law = "[contact]\nlaw = \"stribeck\"\nfriction = 0.3\n"
+                          "kinetic_friction = 0.2\nstribeck_speed = \"1 mm/s\"\n";
+  const auto with = [&](const std::string& friction, const std::string& drive) {
+    return valid_case("[contact]\nfriction = 0.3 # a comment\n", friction) +
+           "[motion.drive]\nstiffness = \"200 N/m\"\n" + drive;
+  };
+  EXPECT_THAT(error_of(with(law, "")), HasSubstr("has neither mass nor damping"));
+  EXPECT_EQ(error_of(with(law, "mass = \"5 g\"\n")), "");
+  EXPECT_EQ(error_of(with(law, "damping = \"0.1 N s/m\"\n")), "");
+  EXPECT_EQ(error_of(with("[contact]\nfriction = 0.3\n", "")), "");
+  EXPECT_THAT(error_of(with(law, "mass = \"1e-9 g\"\n")), HasSubstr("raise motion.drive.mass"));
+}
+
 TEST(BadCase, TaxelsAreAValue) {
   EXPECT_THAT(error_of(with_taxels("[readout]\ntaxels = 4\n")),
               HasSubstr("write one section [[readout.taxels]] for each taxel"));

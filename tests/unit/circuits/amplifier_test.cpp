@@ -36,6 +36,29 @@ TEST(Amplifier, FollowsAStepOfCurrentExactlyOnAnySteps) {
   EXPECT_TRUE(reading.warnings.empty());
 }
 
+TEST(Amplifier, TellsTheNoiseOfAMean) {
+  const double density = 1e-9;
+  const Amplifier amplifier{bandwidth, density, 0, 1};
+  // White beside a long interval, constant beside a short one.
+  const double white = density / std::sqrt(200.0);
+  EXPECT_NEAR(amplifier.reading_noise(100), white, 1e-3 * white);
+  const double rms = density * std::sqrt(0.5 * std::numbers::pi * bandwidth);
+  EXPECT_NEAR(amplifier.reading_noise(1e-9), rms, 1e-6 * rms);
+  // Means of what it shows without a current, over 20000 intervals.
+  const double interval = 2e-3;
+  std::vector<double> time;
+  for (int i = 0; i <= 20000; ++i) {
+    time.push_back(interval * i);
+  }
+  const auto reading = amplifier.read(time, std::vector<double>(time.size(), 0.0));
+  double sum = 0;
+  for (std::size_t i = 1; i < time.size(); ++i) {
+    sum += std::pow((reading.charge[i] - reading.charge[i - 1]) / interval, 2);
+  }
+  const double expected = amplifier.reading_noise(interval);
+  EXPECT_NEAR(std::sqrt(sum / 20000), expected, 0.03 * expected);
+}
+
 TEST(Amplifier, PassesTheWholeChargeOfAnImpulse) {
   const InstrumentReading reading =
       Amplifier{bandwidth, 0, 0, 1}.read({0, 0.1, 1}, {5e-9, 5e-9, 5e-9});

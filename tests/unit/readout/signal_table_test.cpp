@@ -46,7 +46,8 @@ TEST(SignalTable, HasTheColumnsOfSignalsCsvInOrder) {
                                              "slider_y [m]",
                                              "contact_area [m2]",
                                              "stick_share [1]",
-                                             "slip [m]"}));
+                                             "slip [m]",
+                                             "slip_state [1]"}));
 }
 
 TEST(SignalTable, RatesAndCurrentsAreMeansOverTheStepThatEndsAtTheRow) {
@@ -58,7 +59,7 @@ TEST(SignalTable, RatesAndCurrentsAreMeansOverTheStepThatEndsAtTheRow) {
 TEST(SignalTable, LeavesMotionAndForcesEmptyInRunsFromAStrainFile) {
   const SignalTable table = build_signal_table(three_rows());
   for (const char* name : {"slider_x", "slider_y", "slider_z", "normal_force", "tangential_force",
-                           "contact_area", "stick_share", "slip"}) {
+                           "contact_area", "stick_share", "slip", "slip_state"}) {
     EXPECT_TRUE(std::isnan(table.column(name).values[1])) << name;
   }
   EXPECT_EQ(table.cycle, (std::vector<int>{0, 0, 0}));

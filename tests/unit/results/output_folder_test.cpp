@@ -46,6 +46,17 @@ TEST(OutputFolder, AnEmptyOneIsTaken) {
   EXPECT_NO_THROW(OutputFolder(scratch.path(), ExistingFolder::refuse));
 }
 
+TEST(OutputFolder, OneWhoseListAKilledProgramLeftUnfinishedIsTaken) {
+  const ScratchFolder scratch;
+  write_all(scratch / ".ionskin-files.1234-0.tmp", "# What");
+  EXPECT_NO_THROW(OutputFolder(scratch.path(), ExistingFolder::resume));
+  EXPECT_TRUE(fs::exists(scratch / ".ionskin-files"));
+  fs::remove(scratch / ".ionskin-files");
+  write_all(scratch / "notes.txt", "the user's own");
+  EXPECT_NE(refusal(scratch.path(), ExistingFolder::resume).find("manifest.json"),
+            std::string::npos);
+}
+
 TEST(OutputFolder, AFilledOneIsRefusedWithTheRemedies) {
   const ScratchFolder scratch;
   fill_with_results(scratch.path());

@@ -24,7 +24,7 @@ from ionskin.words import percent, quantity, si_scale
 COLUMNS = ["time [s]", "cycle", "phase", "slider_x [m]", "slider_z [m]", "normal_force [N]", "tangential_force [N]",
            "mean_shear [1]", "rms_shear [1]", "p99_shear [1]", "shear_first_moment [1]", "mean_shear_rate [1/s]",
            "charge_top [C]", "charge_bottom [C]", "current_top [A]", "current_bottom [A]", "current_difference [A]",
-           "current_common [A]", "slider_y [m]", "contact_area [m2]", "stick_share [1]", "slip [m]"]
+           "current_common [A]", "slider_y [m]", "contact_area [m2]", "stick_share [1]", "slip [m]", "slip_state [1]"]
 PHASES = ["touchdown", "touchdown", "slide", "lift", "return"]
 
 

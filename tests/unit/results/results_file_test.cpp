@@ -84,7 +84,7 @@ TEST(ResultsFile, HoldsContactMapsByState) {
   ContactMaps contact;
   contact.cell_lines_x = {-1e-3, 0, 1e-3};
   contact.cell_lines_y = {-5e-4, 0};
-  contact.maps = {{"touchdown", 1.0, {1e7, 2e7}, {1, 2}, {3, 4}, {0, 0}}};
+  contact.maps = {{"touchdown", 1.0, {1e7, 2e7}, {1, 2}, {3, 4}, {0, 0}, {1, 3}, {0, 2e-6}}};
   ResultsFile results(folder / "results.h5", Start::empty);
   results.write_contact(contact);
   results.commit();
@@ -92,6 +92,9 @@ TEST(ResultsFile, HoldsContactMapsByState) {
   EXPECT_EQ(file.shape("/contact/touchdown/pressure"), (Hdf5File::Shape{1, 2}));
   EXPECT_EQ(file.read("/contact/touchdown/shear_y"), (std::vector<double>{3, 4}));
   EXPECT_EQ(file.text_attribute("/contact/touchdown/slip", "unit"), "m");
+  EXPECT_EQ(file.read("/contact/touchdown/slip_state"), (std::vector<double>{1, 3}));
+  EXPECT_EQ(file.read("/contact/touchdown/slip_since_landing"), (std::vector<double>{0, 2e-6}));
+  EXPECT_EQ(file.text_attribute("/contact/touchdown/slip_since_landing", "unit"), "m");
 }
 
 TEST(ResultsFile, IsExtendedAndItsPartsReplaced) {

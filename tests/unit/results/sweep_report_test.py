@@ -88,7 +88,7 @@ class Figures(SweepTest):
     def test_one_run_leaves_out_the_maps_with_a_reason(self):
         write_run(self.folder)
         drawn = {entry.name: figure for entry, figure in gallery.draw(Study(self.folder))}
-        self.assertEqual(len(drawn), 22)
+        self.assertEqual(len(drawn), 23)
         for name in ("fig06_shear_map", "fig10_current_map", "fig16_correlation"):
             self.assertIn("several runs", drawn[name])
         self.assertNotIsInstance(drawn["fig13_cycle"], str)

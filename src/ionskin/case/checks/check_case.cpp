@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/checks/check_case.hpp"
 
+#include "ionskin/case/checks/check_drive.hpp"
 #include "ionskin/case/checks/check_electrochemistry.hpp"
 #include "ionskin/case/checks/check_laws.hpp"
 #include "ionskin/case/checks/check_motion.hpp"
@@ -134,6 +135,7 @@ void check_case(const CaseDocument& document) {
       check_track(document, problems);
       check_shared_positions(document, problems);
       check_friction_of_speed(document, problems);
+      check_drive(document, problems);
       check_instants(document, problems);
       check_sizes(document, problems);
     }

@@ -143,7 +143,8 @@ std::string kind_name(MotionKind kind) {
 void check_kind(const CaseDocument& document, Problems& problems) {
   for (const SchemaRow& row : schema()) {
     const bool of_motion = row.key.starts_with("motion.") || row.key == "slider.start";
-    if (!of_motion || !row.applies || row.applies(document.input))
+    if (!of_motion || row.key.starts_with("motion.drive.") || !row.applies ||
+        row.applies(document.input))
       continue;
     const std::size_t wildcard = row.key.find("[]");
     const std::string key = wildcard == std::string::npos ? row.key

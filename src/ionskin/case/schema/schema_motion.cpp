@@ -66,6 +66,43 @@ Setter into_waypoint(const std::function<void(Waypoint&, const Value&)>& store_v
   };
 }
 
+bool is_driven(const Case& input) {
+  return input.motion.drive.given();
+}
+
+void add_drive(SchemaRows& rows) {
+  const auto add = [&](const std::string& name, Dimension dimension, const Range& range,
+                       const std::string& help, double Drive::*member) -> SchemaRow& {
+    rows.push_back({.key = "motion.drive." + name,
+                    .type = ValueType::quantity,
+                    .dimension = dimension,
+                    .range = range,
+                    .need = Need::where_known,
+                    .help = help,
+                    .set = [member](CaseDraft& draft, const KeyIndex&, const Value& value) {
+                      draft.input.motion.drive.*member = value.numbers[0];
+                    }});
+    return rows.back();
+  };
+  add("stiffness", Dimension::stiffness, {1e-3, 1e9, true, true},
+      "Spring along the skin between the path of the motion and the slider; without one the slider "
+      "follows the path itself.",
+      &Drive::stiffness);
+  SchemaRow& damping = add("damping", Dimension::damping, {0.0, 1e6, true, true},
+                           "Damper beside that spring.", &Drive::damping);
+  damping.need = Need::optional;
+  damping.applies = is_driven;
+  damping.default_value = "\"0 N s/m\"";
+  damping.source = "a spring alone";
+  SchemaRow& mass =
+      add("mass", Dimension::mass, {0.0, 1e3, true, true},
+          "Mass of the slider, of which its inertia along the skin counts.", &Drive::mass);
+  mass.need = Need::optional;
+  mass.applies = is_driven;
+  mass.default_value = "\"0 kg\"";
+  mass.source = "a slider in balance at every instant";
+}
+
 void add_waypoints(SchemaRows& rows) {
   const auto add = [&](const std::string& name, ValueType type, Dimension dimension,
                        const std::string& help, const Setter& set) -> SchemaRow& {
@@ -176,6 +213,7 @@ void add_motion(SchemaRows& rows) {
                   .help = "Number of cycles.",
                   .set = into(&Case::motion, &Motion::cycles)});
   add_waypoints(rows);
+  add_drive(rows);
 }
 
 void add_contact(SchemaRows& rows) {

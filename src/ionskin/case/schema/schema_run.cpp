@@ -59,6 +59,14 @@ void add_run_control(SchemaRows& rows) {
                           "charge so far; 0 takes the preset's, 3e-4, 5e-5 or 1.5e-6.",
                   .source = "measured: docs/electrochemistry.md",
                   .set = into(&Case::numerics, &Numerics::time_tolerance)});
+  rows.push_back({.key = "numerics.error_estimate",
+                  .type = ValueType::choice,
+                  .default_value = "\"on\"",
+                  .choices = {{"on"}, {"off"}},
+                  .help = "Whether coarser solutions tell the errors of the results. Off, the "
+                          "results are the same bits, without a stated error.",
+                  .set = into<Numerics, bool>(&Case::numerics, &Numerics::error_estimate,
+                                              {{"on", true}, {"off", false}})});
   rows.push_back(of_shared_positions(
       "from", place_on_skin,
       "Least x and y of a rectangle that holds the centre of the slider. The skin is solved for "

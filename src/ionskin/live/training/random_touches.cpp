@@ -12,6 +12,8 @@ namespace ionskin::live {
 namespace {
 
 constexpr double clearance = 1e-4;      // between touches [m]
+constexpr int rows_behind_corner = 50;  // the longest onset of sliding lasts about as long [ms]
+constexpr double milliseconds = 1e3;    // in a second
 constexpr double least_load = 0.15;     // over the heaviest
 constexpr double least_speed = 0.1;     // over the fastest
 constexpr double slowest_landing = 0.1; // [s]
@@ -52,11 +54,13 @@ public:
   Motion motion;
 
 private:
+  /// Whole milliseconds: a corner between two steps of a loop would be another path for the loop.
   void add(double wait, const std::array<double, 2>& place) {
-    const double time = motion.waypoints.empty() ? 0 : motion.waypoints.back().time + wait;
-    motion.waypoints.push_back({time, place, {}, {}, 0});
+    time_ += motion.waypoints.empty() ? 0 : std::ceil(milliseconds * wait);
+    motion.waypoints.push_back({time_ / milliseconds, place, {}, {}, 0});
   }
   const TouchRange& range_;
+  double time_ = 0; ///< [ms]
 };
 
 } // namespace
@@ -86,6 +90,50 @@ TouchRange touch_range(const Case& input) {
     range.fastest = usual_speed;
   }
   return range;
+}
+
+std::vector<double> landings(const Motion& motion) {
+  std::vector<double> times;
+  for (std::size_t i = 0; i + 1 < motion.waypoints.size(); ++i) {
+    const auto lifted = [&](const Waypoint& point) { return point.height.value_or(-1) > 0; };
+    if (lifted(motion.waypoints[i]) && !lifted(motion.waypoints[i + 1])) {
+      times.push_back(motion.waypoints[i].time);
+    }
+  }
+  return times;
+}
+
+Motion with_rows_behind_corners(const Motion& motion) {
+  Motion dense = motion;
+  dense.waypoints.clear();
+  for (const Waypoint& to : motion.waypoints) {
+    if (!dense.waypoints.empty()) {
+      const Waypoint from = dense.waypoints.back();
+      const bool forces = from.force && to.force,
+                 heights = from.height.value_or(1) < 0 && to.height.value_or(1) < 0;
+      const double duration = to.time - from.time;
+      const int rows = forces || heights
+                           ? std::min(rows_behind_corner,
+                                      static_cast<int>(std::lround(duration * milliseconds)) - 1)
+                           : 0;
+      for (int row = 1; row <= rows; ++row) {
+        const double weight = row / milliseconds / duration;
+        Waypoint between = to;
+        between.time = (std::round(from.time * milliseconds) + row) / milliseconds;
+        for (std::size_t d = 0; d < 2; ++d) {
+          between.position[d] = from.position[d] + weight * (to.position[d] - from.position[d]);
+        }
+        if (forces) {
+          between.force = *from.force + weight * (*to.force - *from.force);
+        } else {
+          between.height = *from.height + weight * (*to.height - *from.height);
+        }
+        dense.waypoints.push_back(between);
+      }
+    }
+    dense.waypoints.push_back(to);
+  }
+  return dense;
 }
 
 Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t seed) {

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace ionskin::live {
 
@@ -20,9 +21,16 @@ struct TouchRange {
 /// Throws UserError where the slider never touches.
 TouchRange touch_range(const Case& input);
 
-/// Random touches one after the other, as waypoints: landing anywhere in the range, strokes, rests
-/// and changes of load at any speed in it, lift-off. The first one goes through the corners of the
-/// range under the heaviest load.
+/// Random touches one after the other, as waypoints at whole milliseconds: landing anywhere in the
+/// range, strokes, rests and changes of load at any speed in it, lift-off. The first one goes
+/// through the corners of the range under the heaviest load, whatever the seed.
 Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t seed);
+
+/// When the slider begins to come down for each touch of such a motion [s].
+std::vector<double> landings(const Motion& motion);
+
+/// The same path with a row at each of the first milliseconds behind every corner in contact: the
+/// full model then takes steps that end where a loop steps, while its own would be longer.
+Motion with_rows_behind_corners(const Motion& motion);
 
 } // namespace ionskin::live

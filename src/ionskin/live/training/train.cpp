@@ -12,7 +12,7 @@
 #include "ionskin/live/training/channel_reduction.hpp"
 #include "ionskin/live/training/full_run.hpp"
 #include "ionskin/live/training/random_touches.hpp"
-#include "ionskin/live/training/validation.hpp"
+#include "ionskin/live/training/stated_errors.hpp"
 #include "ionskin/mechanics/engine/position_nodes.hpp"
 #include "ionskin/results/build_info.hpp"
 
@@ -26,8 +26,9 @@
 namespace ionskin::live {
 namespace {
 
-constexpr std::size_t rate_count = 5;
+constexpr std::size_t least_rates = 5, most_rates = 12;
 constexpr std::size_t candidate_rates = 20;
+constexpr std::size_t least_validation = 12;                        // touches that tell the errors
 constexpr std::uint64_t validation_seed_shift = 0x9e3779b97f4a7c15; // apart from every small seed
 
 /// From the slowest motion of ions through the core to the fastest in a double layer [1/s].
@@ -84,8 +85,8 @@ void set_contact(const FullRun& run, const mechanics::PositionNodes& nodes, Skin
 
 void set_charges(const FullRun& run, SkinData& data) {
   const auto whole = charge_records(run, false);
-  data.rates =
-      choose_rates(whole, drive_inputs(run, false), rate_candidates(run.input), rate_count);
+  data.rates = choose_rates(whole, drive_inputs(run, false), rate_candidates(run.input),
+                            least_rates, most_rates);
   data.whole = fit_charges(whole, drive_inputs(run, false), data.rates);
   data.part = data.whole;
   for (const Taxel& taxel : run.input.readout.taxels) {
@@ -116,6 +117,11 @@ void check_trainable(const Case& input) {
                     "another law without slip_length or lag_time",
                     input.contact.law));
   }
+  if (input.motion.drive.given()) {
+    throw UserError(
+        "motion.drive: a live skin is told where the slider is, and knows no drive that "
+        "gives\n  = remove motion.drive, and give each step the place of the slider");
+  }
   touch_range(input);
 }
 
@@ -144,8 +150,9 @@ SkinData train_skin(const Case& input, const TrainingOptions& options) {
 
   TrainingOptions own = options;
   own.progress = part_of(options.progress, "training");
-  const FullRun run =
-      full_run(input, random_touches(range, options.trajectories, options.seed), std::nullopt, own);
+  const FullRun run = full_run(
+      input, with_rows_behind_corners(random_touches(range, options.trajectories, options.seed)),
+      std::nullopt, own);
   {
     mechanics::SharedProgress progress("positions", own.progress);
     const auto model = std::make_shared<const mechanics::SkinModel>(
@@ -162,11 +169,9 @@ SkinData train_skin(const Case& input, const TrainingOptions& options) {
   set_charges(run, data);
 
   own.progress = part_of(options.progress, "validation");
-  const std::size_t validation = std::max<std::size_t>(3, options.trajectories / 3);
-  const FullRun unseen =
-      full_run(input, random_touches(range, validation, options.seed + validation_seed_shift),
-               run.contact.mesh.footprint(), own);
-  data.errors = validate(data, unseen);
+  data.errors = stated_errors(errors_on_touches(data, input, range, options.validation,
+                                                options.seed + validation_seed_shift,
+                                                run.contact.mesh.footprint(), own));
   return data;
 }
 

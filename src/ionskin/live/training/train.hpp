@@ -12,10 +12,16 @@
 
 namespace ionskin::live {
 
+/// So many touches that with a confidence of 99 % at least 95 % of all touches have no larger error
+/// than the largest of theirs, whatever the distribution: 0.95^90 < 0.01 (Wilks 1941,
+/// doi 10.1214/aoms/1177731788).
+inline constexpr std::size_t validation_touches = 90;
+
 /// How a live skin is trained.
 struct TrainingOptions {
-  std::size_t trajectories = 12; ///< random touches that it is trained on
-  std::uint64_t seed = 1;        ///< of the touches
+  std::size_t trajectories = 12;               ///< random touches that it is trained on
+  std::size_t validation = validation_touches; ///< other random touches that tell its errors
+  std::uint64_t seed = 1;                      ///< of the touches
   int threads = 1;
   base::DiskCache* cache = nullptr; ///< of condensed positions; none when null
   base::ProgressCallback progress = base::no_progress;

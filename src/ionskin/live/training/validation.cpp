@@ -3,15 +3,17 @@
 
 #include "ionskin/handover/contact_timeline.hpp"
 #include "ionskin/live/skin.hpp"
+#include "ionskin/live/training/random_touches.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
 namespace ionskin::live {
 namespace {
 
-constexpr double interval = 1e-3; // between steps [s]
+constexpr double rate = 1e3; // of the steps [1/s]
 
 double at_time(const std::vector<double>& times, const std::vector<double>& values, double time) {
   const auto next = std::ranges::upper_bound(times, time);
@@ -30,32 +32,47 @@ bool presses_by_force(const Motion& motion) {
 
 class Comparison {
 public:
+  void begin_touch() { ++touch_; }
   void add(const std::string& name, double value, double reference) {
+    if (touch_ == 0) {
+      return;
+    }
     Sums& sums = sums_[name];
     const double error = value - reference;
-    sums.square += error * error;
-    sums.count += 1;
-    sums.worst = std::max(sums.worst, std::abs(error));
+    sums.touches.resize(touch_);
+    Touch& touch = sums.touches.back();
+    touch.square += error * error;
+    touch.count += 1;
+    touch.worst = std::max(touch.worst, std::abs(error));
     sums.largest = std::max(sums.largest, std::abs(reference));
   }
-  std::vector<SignalError> errors() const {
-    std::vector<SignalError> result;
+  std::vector<TouchErrors> errors() const {
+    std::vector<TouchErrors> result;
     for (const auto& [name, sums] : sums_) {
-      result.push_back({name, std::sqrt(sums.square / sums.count), sums.worst, sums.largest});
+      TouchErrors& errors = result.emplace_back(TouchErrors{name, sums.largest, {}, {}});
+      for (const Touch& touch : sums.touches) {
+        errors.rms.push_back(std::sqrt(touch.square / std::max(1.0, touch.count)));
+        errors.worst.push_back(touch.worst);
+      }
     }
     return result;
   }
 
 private:
-  struct Sums {
-    double square = 0, count = 0, worst = 0, largest = 0;
+  struct Touch {
+    double square = 0, count = 0, worst = 0;
   };
+  struct Sums {
+    std::vector<Touch> touches;
+    double largest = 0;
+  };
+  std::size_t touch_ = 0;
   std::map<std::string, Sums> sums_;
 };
 
 } // namespace
 
-std::vector<SignalError> validate(const SkinData& data, const FullRun& run) {
+std::vector<TouchErrors> validate(const SkinData& data, const FullRun& run) {
   Skin skin(data);
   const std::vector<std::string>& names = skin.names();
   std::vector<double> signals(names.size());
@@ -66,14 +83,21 @@ std::vector<SignalError> validate(const SkinData& data, const FullRun& run) {
   const bool by_force = presses_by_force(run.input.motion);
   const auto& ions = run.ions;
   const double end = ions.time.back(), sampling = run.input.readout.sample_interval;
-  const auto per_sample = static_cast<std::size_t>(std::max(1.0, std::round(sampling / interval)));
+  const auto per_sample = static_cast<std::size_t>(std::max(1.0, std::round(sampling * rate)));
   std::map<std::string, std::pair<double, double>> sampled; // charges at the last sample
+  const std::vector<double> begins = landings(run.input.motion);
+  std::size_t touches = 0; // that have begun
   Comparison comparison;
-  for (std::size_t step = 0; static_cast<double>(step) * interval <= end; ++step) {
-    const double time = static_cast<double>(step) * interval;
+  for (std::size_t step = 0; static_cast<double>(step) / rate <= end; ++step) {
+    const double time = static_cast<double>(step) / rate;
     const handover::StateCombination at = timeline.at(time);
     const double force = at.normal_force();
     skin.step(time, at.centre, by_force, by_force ? force : at.height, signals);
+    if (touches < begins.size() && time >= begins[touches]) {
+      if (touches++ > 0) {
+        comparison.begin_touch();
+      }
+    }
     comparison.add("normal_force", signals[column("normal_force")], force);
     const auto tangential = at.tangential_force();
     comparison.add("tangential_force", signals[column("tangential_force")],
@@ -82,27 +106,38 @@ std::vector<SignalError> validate(const SkinData& data, const FullRun& run) {
     if (!by_force || force > 0) {
       comparison.add("slider_z", force > 0 ? signals[column("slider_z")] : at.height, at.height);
     }
-    const auto compare_charge = [&](const std::string& charge, const std::string& current,
-                                    const std::vector<double>& full, const std::string& reported) {
-      const double value = signals[column(charge)], reference = at_time(ions.time, full, time);
+    const bool samples = step % per_sample == 0;
+    const auto compare_current = [&](const std::string& of, const std::string& reported,
+                                     double value, double reference) {
+      const auto last = sampled.find(of);
+      if (last != sampled.end()) {
+        const double length = static_cast<double>(per_sample) / rate;
+        comparison.add("sampled_current_" + reported, (value - last->second.first) / length,
+                       (reference - last->second.second) / length);
+      }
+      sampled[of] = {value, reference};
+    };
+    std::array<double, 2> difference{}; // half that of both electrodes, here and there
+    const auto compare_charge = [&](const std::string& of, const std::vector<double>& full,
+                                    const std::string& reported, double share) {
+      const double value = signals[column("charge_" + of)],
+                   reference = at_time(ions.time, full, time);
       comparison.add("charge_" + reported, value, reference);
-      if (step % per_sample == 0) {
-        const auto last = sampled.find(charge);
-        if (last != sampled.end()) {
-          const double length = static_cast<double>(per_sample) * interval;
-          comparison.add("sampled_" + current, (value - last->second.first) / length,
-                         (reference - last->second.second) / length);
-        }
-        sampled[charge] = {value, reference};
+      difference[0] += share * value;
+      difference[1] += share * reference;
+      if (samples) {
+        compare_current(of, reported, value, reference);
       }
     };
-    compare_charge("charge_top", "current_top", ions.charge_top, "top");
-    compare_charge("charge_bottom", "current_bottom", ions.charge_bottom, "bottom");
+    compare_charge("top", ions.charge_top, "top", 0.5);
+    compare_charge("bottom", ions.charge_bottom, "bottom", -0.5);
+    if (samples) {
+      compare_current("difference", "difference", difference[0], difference[1]);
+    }
     for (const Taxel& taxel : run.input.readout.taxels) {
       const auto segment =
           std::ranges::find(ions.top_segments, taxel.name, &electrochemistry::SegmentCharge::name);
-      compare_charge("charge_top_" + taxel.name, "current_top_taxels", segment->charge,
-                     "top_taxels");
+      compare_charge("top_" + taxel.name, segment->charge, "top_taxels", 0);
     }
   }
   return comparison.errors();

@@ -3,13 +3,21 @@
 
 #include "ionskin/live/training/full_run.hpp"
 
+#include <string>
 #include <vector>
 
 namespace ionskin::live {
 
-/// Steps the reduced skin along the motion of a full run, each millisecond, and compares its
-/// signals; currents over the case's sampling interval. Under force control the force is the one
-/// that the full run reached.
-std::vector<SignalError> validate(const SkinData& data, const FullRun& run);
+/// How far one signal of the reduced skin is from that of the full model, touch by touch.
+struct TouchErrors {
+  std::string name;
+  double largest = 0;             ///< of the full model over all touches [unit of the signal]
+  std::vector<double> rms, worst; ///< of the error in each touch [unit of the signal]
+};
+
+/// Steps the reduced skin along the motion of a full run of random touches, each millisecond, and
+/// compares its signals; currents over the case's sampling interval. Under force control the force
+/// is the one that the full run reached. The first touch, which every training has, is left out.
+std::vector<TouchErrors> validate(const SkinData& data, const FullRun& run);
 
 } // namespace ionskin::live

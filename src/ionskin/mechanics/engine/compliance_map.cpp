@@ -5,6 +5,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -26,8 +27,11 @@ Eigen::Map<const Eigen::VectorXd> entries(const DenseMatrix& matrix) {
 } // namespace
 
 std::vector<double> node_weights(const NodeLines& lines, const std::array<double, 2>& place) {
-  const std::vector<double> x = interpolation_weights(lines[0], place[0]),
-                            y = interpolation_weights(lines[1], place[1]);
+  const auto along = [&](std::size_t axis) {
+    return interpolation_weights(lines[axis],
+                                 std::clamp(place[axis], lines[axis].front(), lines[axis].back()));
+  };
+  const std::vector<double> x = along(0), y = along(1);
   std::vector<double> weights;
   for (const double of_y : y) {
     for (const double of_x : x) {

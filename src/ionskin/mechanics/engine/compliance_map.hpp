@@ -14,7 +14,8 @@ namespace ionskin::mechanics {
 /// Lines of interpolation nodes along x and y; the nodes are where they cross, x fastest [m].
 using NodeLines = std::array<std::vector<double>, 2>;
 
-/// By which the values at the nodes give that at a place: products of Lagrange polynomials.
+/// By which the values at the nodes give that at a place: products of Lagrange polynomials. Beside
+/// the rectangle of the nodes it is that of the nearest place in it.
 std::vector<double> node_weights(const NodeLines& lines, const std::array<double, 2>& place);
 
 /// The compliance of the contact cells as a polynomial of the slider's place. Along a slide it

@@ -148,7 +148,13 @@ bool KeptNewton::solve(const ContactProblem& problem, const SliderStep& step, It
       return false;
     }
     if (at.residual <= kept_tolerance * at.scale) {
+      const CellVector found = now.force;
       settle(problem, step, at, now);
+      settled_by_ = {};
+      for (std::size_t at_cell = 0; at_cell < found.size(); at_cell += 3) {
+        settled_by_[0] += now.force[at_cell + 1] - found[at_cell + 1];
+        settled_by_[1] += now.force[at_cell + 2] - found[at_cell + 2];
+      }
       iterate = std::move(now);
       return true;
     }

@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 
+#include <array>
 #include <vector>
 
 namespace ionskin::mechanics {
@@ -22,7 +23,13 @@ public:
   int iterations() const { return iterations_; } ///< of the last solve
   int factorisations() const { return factorisations_; }
   /// Forgets pattern and factorisation, as after a solution by other means.
-  void forget() { factor_size_ = 0; }
+  void forget() {
+    factor_size_ = 0;
+    settled_by_ = {};
+  }
+  /// By what the last solution moved the sums of the tangential forces in the end, within the
+  /// tolerance, so that slipping cells carry their limits [N].
+  const std::array<double, 2>& settled_by() const { return settled_by_; }
 
 private:
   /// Where the cells stand at an iterate.
@@ -45,6 +52,7 @@ private:
   Eigen::Index factor_size_ = 0;       ///< 0: none
   std::vector<CellStatus> factorised_; ///< the pattern it belongs to
   int iterations_ = 0, factorisations_ = 0;
+  std::array<double, 2> settled_by_{};
 };
 
 } // namespace ionskin::mechanics

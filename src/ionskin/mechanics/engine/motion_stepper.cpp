@@ -41,7 +41,11 @@ struct MotionStepper::Levels {
 };
 
 MotionStepper::MotionStepper(SlidingContact& contact, StepperOptions options, Sink sink)
-    : contact_(contact), options_(std::move(options)), sink_(std::move(sink)) {}
+    : contact_(contact), options_(std::move(options)), sink_(std::move(sink)) {
+  if (options_.drive) {
+    driven_.emplace(contact_, *options_.drive, options_.meshed_share);
+  }
+}
 
 MotionStepper::Levels MotionStepper::levels(const MotionLeg& leg) const {
   Levels levels;
@@ -58,7 +62,7 @@ MotionStepper::Levels MotionStepper::levels(const MotionLeg& leg) const {
     SlidingContact trial = contact_;
     levels.at_end = leg.to_level.value;
     levels.to = -trial
-                     .step(leg.duration, leg.to,
+                     .step(leg.duration, driven_ && trial.in_contact() ? trial.place() : leg.to,
                            {LoadKind::force, leg.to_level.value * options_.meshed_share})
                      .indentation;
   }
@@ -87,9 +91,17 @@ bool MotionStepper::asked_for(double time) const {
 void MotionStepper::emit(const MotionLeg& leg, double fraction, double height, bool required) {
   const double time = fraction == 1 ? leg.end() : leg.begin + fraction * leg.duration;
   const bool touches = contact_.in_contact();
-  sink_({time, leg.centre(fraction * leg.duration),
-         touches ? -contact_.state().indentation : height, touches, required || asked_for(time)},
-        contact_);
+  StepPoint point{time,
+                  leg.centre(fraction * leg.duration),
+                  touches ? -contact_.state().indentation : height,
+                  touches,
+                  required || asked_for(time),
+                  {}};
+  if (driven_ && touches) {
+    point.centre = contact_.place();
+    point.drive_force = driven_->force(leg, fraction);
+  }
+  sink_(point, contact_);
 }
 
 void MotionStepper::follow(const MotionLeg& leg) {
@@ -131,8 +143,8 @@ void MotionStepper::begin_travel(const MotionLeg& leg) {
 }
 
 bool MotionStepper::slides_fully(const MotionLeg& leg) const {
-  if (contact_.sticks()) {
-    return false;
+  if (driven_ || contact_.sticks()) {
+    return !contact_.sticks(); // how fast a driven slider goes is not the path's to say
   }
   const auto distance =
       contact_.onset_distance(direction_, options_.meshed_share < 1, leg.length(), leg.duration);
@@ -187,17 +199,22 @@ double MotionStepper::next_fraction(const MotionLeg& leg, const Levels& levels, 
   return next > levels.end - 1e-3 * (next - at) ? levels.end : next;
 }
 
+SliderLoad MotionStepper::load_at(const Levels& levels, double fraction) const {
+  if (levels.by_force) {
+    return {LoadKind::force, levels.at(fraction) * options_.meshed_share};
+  }
+  if (fraction == 1 && levels.at_end) {
+    return {LoadKind::force, *levels.at_end * options_.meshed_share};
+  }
+  // Where it leaves no rounding must hold it back.
+  return {LoadKind::indentation,
+          fraction == levels.end && levels.end < 1 ? 0.0 : -levels.at(fraction)};
+}
+
 void MotionStepper::advance(const MotionLeg& leg, const Levels& levels, double from, double to,
                             int depth) {
-  // Where it leaves no rounding must hold it back.
-  SliderLoad load{LoadKind::indentation, to == levels.end && levels.end < 1 ? 0.0 : -levels.at(to)};
-  if (levels.by_force) {
-    load = {LoadKind::force, levels.at(to) * options_.meshed_share};
-  } else if (to == 1 && levels.at_end) {
-    load = {LoadKind::force, *levels.at_end * options_.meshed_share};
-  }
   try {
-    contact_.step((to - from) * leg.duration, leg.centre(to * leg.duration), load);
+    contact_.step((to - from) * leg.duration, leg.centre(to * leg.duration), load_at(levels, to));
     ++steps_taken_;
   } catch (const SolverError&) {
     if (depth == most_halvings) {
@@ -225,7 +242,7 @@ void MotionStepper::touch(const MotionLeg& leg) {
   if (travel == 0) {
     direction_ = {};
     onset_open_ = false;
-    if (levels.from == levels.to && !contact_.problem().friction.rate_dependent) {
+    if (levels.from == levels.to && !contact_.problem().friction.rate_dependent && !driven_) {
       emit(leg, 1, levels.to, false); // nothing happens while the slider rests
       return;
     }
@@ -236,7 +253,13 @@ void MotionStepper::touch(const MotionLeg& leg) {
     direction_ = leg.direction();
     increment_ = std::numeric_limits<double>::infinity();
   }
-  const bool rests = travel == 0 && levels.from == levels.to;
+  if (driven_) { // steps find their length themselves
+    increment_ = std::numeric_limits<double>::infinity();
+    if (lands) {
+      driven_->hold(leg, levels.begin);
+    }
+  }
+  const bool rests = travel == 0 && levels.from == levels.to && !driven_;
   if (!rests) {
     rest_step_ = 0;
   } else if (rest_step_ == 0) {
@@ -250,8 +273,14 @@ void MotionStepper::touch(const MotionLeg& leg) {
       first_of_travel = false;
     }
     const double next = next_fraction(leg, levels, at);
-    advance(leg, levels, at, next, 0);
-    at = next;
+    if (driven_) {
+      at = driven_->advance(leg, at, next,
+                            [&](double fraction) { return load_at(levels, fraction); });
+      ++steps_taken_;
+    } else {
+      advance(leg, levels, at, next, 0);
+      at = next;
+    }
     rest_step_ *= growth_of_rest;
     const double time = leg.begin + at * leg.duration;
     const bool leaves = at == levels.end && levels.end < 1;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ionskin/case/slider_motion.hpp"
+#include "ionskin/mechanics/engine/driven_steps.hpp"
 #include "ionskin/mechanics/engine/path_steps.hpp"
 #include "ionskin/mechanics/engine/sliding_contact.hpp"
 
@@ -19,16 +20,18 @@ struct StepPoint {
   double height = 0;              ///< of the underside above the undeformed top face [m]
   bool touches = false;           ///< whether the contact carries load
   bool required = false; ///< an instant that must stay: an event, or one that was asked for
+  std::array<double, 2> drive_force{}; ///< of a drive on the slider; 0 without load [N]
 };
 
 /// How a motion is cut into steps.
 struct StepperOptions {
   PathSteps steps;
-  double longest_travel = 0;       ///< of a step [m]
-  double heaviest_indentation = 0; ///< [m]
-  double heaviest_force = 0;       ///< on the meshed part [N]
-  double meshed_share = 1;         ///< part of the force that the mesh carries
-  std::vector<double> instants;    ///< that must be passed, ascending [s]
+  double longest_travel = 0;         ///< of a step [m]
+  double heaviest_indentation = 0;   ///< [m]
+  double heaviest_force = 0;         ///< on the meshed part [N]
+  double meshed_share = 1;           ///< part of the force that the mesh carries
+  std::vector<double> instants;      ///< that must be passed, ascending [s]
+  std::optional<DriveOptions> drive; ///< that the slider hangs on
 };
 
 /// Moves a slider through the legs of a cycle. A leg is cut where the slider lands and leaves, so
@@ -55,6 +58,7 @@ private:
   void touch(const MotionLeg& leg);
   double next_fraction(const MotionLeg& leg, const Levels& levels, double at) const;
   void begin_travel(const MotionLeg& leg);
+  SliderLoad load_at(const Levels& levels, double fraction) const;
   void advance(const MotionLeg& leg, const Levels& levels, double from, double to, int depth);
   bool slides_fully(const MotionLeg& leg) const;
   int touchdown_steps() const;
@@ -66,6 +70,7 @@ private:
   SlidingContact& contact_;
   StepperOptions options_;
   Sink sink_;
+  std::optional<DrivenSteps> driven_;
   std::array<double, 2> direction_{}; ///< of the last travel; 0 after landing or a rest
   double increment_ = 0;              ///< longest travel of the next step [m]
   double rest_step_ = 0;              ///< longest of the next step while the slider rests; 0: moves

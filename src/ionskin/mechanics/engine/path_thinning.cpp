@@ -29,6 +29,7 @@ bool PathThinning::straight(const Instant& to) const {
     return false;
   }
   const double allowed = tolerance_.force * largest_force_;
+  const double drive_allowed = tolerance_.drive_force * largest_drive_force_;
   for (const Instant& between : waiting_) {
     const double weight = (between.time - kept_.time) / (to.time - kept_.time);
     const auto off = [&](double from, double at, double end) {
@@ -37,6 +38,8 @@ bool PathThinning::straight(const Instant& to) const {
     if (off(kept_.centre[0], between.centre[0], to.centre[0]) > tolerance_.place ||
         off(kept_.centre[1], between.centre[1], to.centre[1]) > tolerance_.place ||
         off(kept_.height, between.height, to.height) > tolerance_.place ||
+        off(kept_.drive_force[0], between.drive_force[0], to.drive_force[0]) > drive_allowed ||
+        off(kept_.drive_force[1], between.drive_force[1], to.drive_force[1]) > drive_allowed ||
         off(kept_.area, between.area, to.area) > tolerance_.area * largest_area_ ||
         off(kept_.stick_share, between.stick_share, to.stick_share) > tolerance_.area) {
       return false;
@@ -55,8 +58,8 @@ bool PathThinning::straight(const Instant& to) const {
 void PathThinning::keep() {
   Instant last = std::move(waiting_.back());
   waiting_.clear();
-  kept_ = {last.time, last.centre,      last.height, last.required,
-           last.area, last.stick_share, last.force,  nullptr};
+  kept_ = {last.time,        last.centre, last.height, last.required,   last.area,
+           last.stick_share, last.force,  nullptr,     last.drive_force};
   has_kept_ = true;
   if (last.state) {
     std::vector<double> total = last.state->slip;
@@ -74,6 +77,8 @@ void PathThinning::add(Instant instant) {
     largest_force_ = std::max(largest_force_, instant.force[i]);
   }
   largest_area_ = std::max(largest_area_, instant.area);
+  largest_drive_force_ =
+      std::max(largest_drive_force_, way(instant.drive_force, std::array<double, 2>{}));
   if (!waiting_.empty() && instant.time <= waiting_.back().time) {
     instant.required = instant.required || waiting_.back().required;
     waiting_.pop_back();

@@ -18,6 +18,7 @@ struct ThinningTolerance {
   double area = 0;   ///< of the contact, over the largest so far, and share of it that sticks [1]
   double place = 0;  ///< of the slider's centre, and its height in contact [m]
   double travel = 0; ///< longest way between instants that are kept [m]
+  double drive_force = 0; ///< of the drive, over the largest so far [1]
 };
 
 /// Keeps of a path the instants between which cell forces and the slider's place are linear, as it
@@ -32,6 +33,7 @@ public:
     double area = 0, stick_share = 0;    ///< [m2], [1]
     CellVector force;                    ///< empty: detached
     std::shared_ptr<ContactState> state; ///< null: detached; slip since the begin of the path
+    std::array<double, 2> drive_force{}; ///< [N]
   };
   using Sink = std::function<void(Instant&&)>;
 
@@ -50,7 +52,7 @@ private:
   Instant kept_; ///< the last one that was kept, without its state
   bool has_kept_ = false;
   std::vector<Instant> waiting_; ///< behind it
-  double largest_force_ = 0, largest_area_ = 0;
+  double largest_force_ = 0, largest_area_ = 0, largest_drive_force_ = 0;
   std::vector<double> slip_kept_; ///< of the last that was kept
 };
 

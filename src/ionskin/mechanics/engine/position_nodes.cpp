@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace ionskin::mechanics {
@@ -85,21 +86,6 @@ test_strains(const SkinModel& model, const CondensedPosition& condensed,
   return result;
 }
 
-NodeLines lines_of(const MotionBox& box, const std::array<std::size_t, 2>& counts) {
-  NodeLines lines;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const double extent = box.high[axis] - box.low[axis];
-    if (counts[axis] == 1) {
-      lines[axis] = {box.low[axis] + extent / 2};
-      continue;
-    }
-    for (const double way : interpolation_nodes(extent, counts[axis])) {
-      lines[axis].push_back(box.low[axis] + way);
-    }
-  }
-  return lines;
-}
-
 void add_scaled(const CoreStrain& strain, double weight, CoreStrain& sum) {
   sum.points = strain.points;
   for (std::size_t c = 0; c < sum.component.size(); ++c) {
@@ -107,6 +93,27 @@ void add_scaled(const CoreStrain& strain, double weight, CoreStrain& sum) {
     for (std::size_t i = 0; i < strain.component[c].size(); ++i) {
       sum.component[c][i] += weight * strain.component[c][i];
     }
+  }
+}
+
+/// A slider on a drive that halts swings on by its speed over the natural angular frequency.
+void add_swing(const Case& input, MotionBox& box) {
+  constexpr double most = 0.5; // of the room beside it
+  const double seconds = input.motion.drive.natural_period() / (2 * std::numbers::pi);
+  const std::array<double, 2> skin{input.skin.length, input.skin.width};
+  const auto half_size = input.slider.flat_half_size();
+  std::array<double, 2> fastest{};
+  for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
+    for (std::size_t d = 0; d < 2 && leg.touches() && leg.duration > 0; ++d) {
+      fastest[d] = std::max(fastest[d], std::abs(leg.to[d] - leg.from[d]) / leg.duration);
+    }
+  }
+  for (std::size_t d = 0; d < 2; ++d) {
+    const double swing = fastest[d] * seconds;
+    const double below = std::max(0.0, box.low[d] - half_size[d]),
+                 above = std::max(0.0, skin[d] - half_size[d] - box.high[d]);
+    box.low[d] -= std::min(swing, most * below);
+    box.high[d] += std::min(swing, most * above);
   }
 }
 
@@ -131,22 +138,42 @@ std::optional<MotionBox> contact_box(const Case& input) {
       include(part.to);
     }
   }
-  return box && input.numerics.shared.given() ? meshed_box(input) : box;
+  if (box && input.numerics.shared.given()) {
+    return meshed_box(input);
+  }
+  if (box && input.motion.drive.given()) {
+    add_swing(input, *box);
+  }
+  return box;
 }
 
 std::array<std::size_t, 2> expected_counts(const Case& input, const MotionBox& box) {
   return {expected_count(input, box, 0), expected_count(input, box, 1)};
 }
 
+NodeLines node_lines(const MotionBox& box, const std::array<std::size_t, 2>& counts) {
+  NodeLines lines;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double extent = box.high[axis] - box.low[axis];
+    if (counts[axis] == 1) {
+      lines[axis] = {box.low[axis] + extent / 2};
+      continue;
+    }
+    for (const double way : interpolation_nodes(extent, counts[axis])) {
+      lines[axis].push_back(box.low[axis] + way);
+    }
+  }
+  return lines;
+}
+
 std::size_t expected_places(const Case& input, const MotionBox& box) {
-  const NodeLines lines = lines_of(box, expected_counts(input, box));
+  const NodeLines lines = node_lines(box, expected_counts(input, box));
   std::vector<std::array<double, 2>> places;
   for (const double y : lines[1]) {
     for (const double x : lines[0]) {
       const auto centre = canonical_position(input.skin, {x, y}).centre;
-      if (std::ranges::none_of(places, [&](const std::array<double, 2>& other) {
-            return same_place(input.skin, other, centre);
-          })) {
+      if (std::ranges::none_of(
+              places, [&](const auto& known) { return same_place(input.skin, known, centre); })) {
         places.push_back(centre);
       }
     }
@@ -175,7 +202,7 @@ PositionNodes::PositionNodes(const Case& input, std::shared_ptr<const SkinModel>
                                        : std::min(expected, first_count);
   }
   for (bool settled = false; !settled;) {
-    condense(lines_of(box, counts), progress);
+    condense(node_lines(box, counts), progress);
     const auto wanted = wanted_counts(tolerance);
     settled = options.count > 0 || wanted == counts;
     counts = wanted;

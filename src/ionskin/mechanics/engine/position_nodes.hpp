@@ -17,14 +17,17 @@
 namespace ionskin::mechanics {
 
 /// The smallest rectangle that holds the slider's centre while it touches, or the case's shared one
-/// [m]; empty when it never touches.
+/// [m]; empty when it never touches. That of a slider on a drive may turn out to be wider.
 std::optional<MotionBox> contact_box(const Case& input);
 
 /// Nodes that a rectangle is expected to need along x and y.
 std::array<std::size_t, 2> expected_counts(const Case& input, const MotionBox& box);
 
-/// Different places up to reflection that they are expected to have, each of which is factorised.
+/// Places that these nodes factorise: those that mirror each other are one.
 std::size_t expected_places(const Case& input, const MotionBox& box);
+
+/// Coordinates of the nodes along x and y [m].
+NodeLines node_lines(const MotionBox& box, const std::array<std::size_t, 2>& counts);
 
 /// Of the strain between the nodes over its largest norm: `interpolation_tolerance` along a line,
 /// ten times that over a rectangle.

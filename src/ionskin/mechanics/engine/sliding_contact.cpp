@@ -14,6 +14,34 @@ bool is_loaded(const CellVector& force) {
   return std::any_of(force.begin(), force.end(), [](double value) { return value != 0; });
 }
 
+double total_force(const CellVector& force, std::size_t component) {
+  double sum = 0;
+  for (std::size_t at = component; at < force.size(); at += 3) {
+    sum += force[at];
+  }
+  return sum;
+}
+
+/// The same contact as a slider has that yields: to the cells it is one more compliance, alike for
+/// all of them, docs/model.md (39).
+ContactProblem yielding_problem(const ContactProblem& problem,
+                                const std::array<double, 2>& compliance) {
+  ContactProblem yielding = problem;
+  yielding.common = compliance;
+  const int size = yielding.compliance.rows;
+  for (int column = 0; column < size; ++column) {
+    const int component = column % 3;
+    if (component == 0) {
+      continue;
+    }
+    double* values = yielding.compliance.column(column);
+    for (int row = component; row < size; row += 3) {
+      values[row] += compliance[static_cast<std::size_t>(component) - 1];
+    }
+  }
+  return yielding;
+}
+
 } // namespace
 
 SlidingContact::SlidingContact(const ComplianceMap& map, std::vector<double> area,
@@ -32,20 +60,21 @@ bool SlidingContact::sticks() const {
   return stick_fraction(problem_, state_.force) > 0;
 }
 
-/// After the step before; what friction remembered in that step stays known until the next.
-std::vector<double> SlidingContact::next_lagged_speed() const {
-  const double lag = problem_.friction.lag, time_step = state_.step.time_step;
-  if (lag == 0 || time_step == 0) {
-    return problem_.lagged_speed;
+/// A speed that lags behind that of the last step's slip, some time further.
+std::vector<double> SlidingContact::followed(const std::vector<double>& speed,
+                                             double time_step) const {
+  const double lag = problem_.friction.lag, last = state_.step.time_step;
+  if (lag == 0 || last == 0) {
+    return speed;
   }
-  std::vector<double> speed = problem_.lagged_speed;
-  speed.resize(problem_.area.size(), 0.0);
+  std::vector<double> result = speed;
+  result.resize(problem_.area.size(), 0.0);
   const double left = std::exp(-time_step / lag);
-  for (std::size_t cell = 0; cell < speed.size(); ++cell) {
+  for (std::size_t cell = 0; cell < result.size(); ++cell) {
     const bool touches = state_.force[3 * cell] > 0;
-    speed[cell] = touches ? left * speed[cell] + (1 - left) * state_.slip[cell] / time_step : 0.0;
+    result[cell] = touches ? left * result[cell] + (1 - left) * state_.slip[cell] / last : 0.0;
   }
-  return speed;
+  return result;
 }
 
 /// The surface displacement as it would be without the elastic slip, which is to be slipped again.
@@ -78,6 +107,7 @@ void SlidingContact::keep_elastic_slip() {
 void SlidingContact::detach(const SliderStep& step) {
   elastic_slip_.clear();
   problem_.lagged_speed.clear();
+  remembered_speed_.clear();
   if (in_contact()) {
     std::fill(state_.force.begin(), state_.force.end(), 0.0);
     std::fill(state_.surface.begin(), state_.surface.end(), 0.0);
@@ -90,46 +120,87 @@ void SlidingContact::detach(const SliderStep& step) {
   state_.iterations = 0;
 }
 
-const SurfaceState& SlidingContact::step(double time_step, const std::array<double, 2>& place,
-                                         const SliderLoad& load) {
-  const std::array<double, 2> from = place_.value_or(place);
-  SliderStep step{load, {place[0] - from[0], place[1] - from[1]}, time_step, held_surface()};
-  if (!place_ || place != from) {
+void SlidingContact::condense_at(const std::array<double, 2>& place) {
+  if (condensed_at_ != place) {
     map_.at(place, problem_.compliance);
+    condensed_at_ = place;
   }
-  const double reach = load.kind == LoadKind::force
+}
+
+bool SlidingContact::reaches(const SliderLoad& load) const {
+  const double least = load.kind == LoadKind::force
                            ? 0
                            : *std::min_element(problem_.gap.begin(), problem_.gap.end());
-  if (load.value <= reach) {
-    detach(step);
-    place_ = place;
-    return state_;
-  }
-  std::vector<double> lagged_speed = next_lagged_speed();
-  problem_.lagged_speed.swap(lagged_speed);
+  return !(load.value <= least); // what is no number is left to the solver to refuse
+}
+
+SurfaceState SlidingContact::solve(const ContactProblem& problem, const SliderStep& step) {
   Iterate iterate{state_.force, state_.indentation};
   // From no load a force says nothing of the indentation, which the other way searches.
-  const bool found = (load.kind == LoadKind::indentation || in_contact()) &&
-                     newton_.solve(problem_, step, iterate);
+  if ((step.load.kind == LoadKind::indentation || in_contact()) &&
+      newton_.solve(problem, step, iterate)) {
+    return surface_state(problem, step, std::move(iterate.force), iterate.indentation,
+                         newton_.iterations());
+  }
+  ++fallbacks_;
+  newton_.forget();
+  return solve_contact_step(problem, step, state_.force);
+}
+
+const SurfaceState& SlidingContact::step(double time_step, const std::array<double, 2>& place,
+                                         const SliderLoad& load) {
+  return step_yielding(time_step, {place, place, {}}, load);
+}
+
+const SurfaceState& SlidingContact::step_yielding(double time_step, const SliderGuide& guide,
+                                                  const SliderLoad& load) {
+  const std::array<double, 2> from = place_.value_or(guide.expected);
+  SliderStep step{
+      load, {guide.place[0] - from[0], guide.place[1] - from[1]}, time_step, held_surface()};
+  const bool yields = guide.compliance != std::array<double, 2>{};
+  condense_at(guide.expected);
+  if (!reaches(load)) {
+    detach(step);
+    place_ = guide.place;
+    return state_;
+  }
+  std::vector<double> remembered = followed(remembered_speed_, state_.step.time_step);
+  std::vector<double> lagged = yields ? followed(remembered, time_step) : remembered;
+  problem_.lagged_speed.swap(lagged);
+  std::array<double, 2> place = guide.place;
   try {
-    if (found) {
-      state_ = surface_state(problem_, step, std::move(iterate.force), iterate.indentation,
-                             newton_.iterations());
+    if (yields) {
+      const ContactProblem yielding = yielding_problem(problem_, guide.compliance);
+      SurfaceState found = solve(yielding, step);
+      for (std::size_t c = 0; c < 2; ++c) {
+        // As it was found: cells that stick must not slip by what others were settled by.
+        place[c] -=
+            guide.compliance[c] * (total_force(found.force, c + 1) - newton_.settled_by()[c]);
+        step.travel[c] = place[c] - from[c];
+      }
+      state_ = surface_state(problem_, step, std::move(found.force), found.indentation,
+                             found.iterations);
     } else {
-      ++fallbacks_;
-      newton_.forget();
-      state_ = solve_contact_step(problem_, step, state_.force);
+      state_ = solve(problem_, step);
     }
     keep_elastic_slip();
   } catch (...) {
-    problem_.lagged_speed.swap(lagged_speed);
+    problem_.lagged_speed.swap(lagged);
     if (place_) {
-      map_.at(*place_, problem_.compliance);
+      condense_at(*place_);
     }
     throw;
   }
+  remembered_speed_ = std::move(remembered);
   place_ = place;
   return state_;
+}
+
+void SlidingContact::go_back(Moment moment) {
+  state_ = std::move(moment.state);
+  elastic_slip_ = std::move(moment.elastic_slip);
+  remembered_speed_ = std::move(moment.remembered_speed);
+  place_ = moment.place;
 }
 
 SlidingContact::OnsetDistance SlidingContact::onset_distance(const std::array<double, 2>& direction,

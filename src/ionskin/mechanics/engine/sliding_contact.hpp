@@ -11,6 +11,13 @@
 
 namespace ionskin::mechanics {
 
+/// Where a slider goes that yields to the tangential force of the skin.
+struct SliderGuide {
+  std::array<double, 2> place{};      ///< of its centre without that force [m]
+  std::array<double, 2> expected{};   ///< about where it will be [m]
+  std::array<double, 2> compliance{}; ///< yield by the sum of the cells' forces [m/N]
+};
+
 /// A slider on the skin, moved step by step to any place, height or force. Each step is the exact
 /// incremental problem of contact and friction on the compliance at its end; it starts from the
 /// forces of the step before and keeps their factorisation.
@@ -32,6 +39,23 @@ public:
   const SurfaceState& step(double time_step, const std::array<double, 2>& place,
                            const SliderLoad& load);
 
+  /// The same with a slider that yields along the skin; where it comes to be is `place()`. The
+  /// compliance of the skin is that of the place where it was expected, and friction that lags
+  /// follows the speed of slip, continued from the step before, to the end of the step.
+  const SurfaceState& step_yielding(double time_step, const SliderGuide& guide,
+                                    const SliderLoad& load);
+
+  /// What a step changes but for the compliance.
+  struct Moment {
+    SurfaceState state;
+    std::vector<std::array<double, 2>> elastic_slip;
+    std::vector<double> remembered_speed;
+    std::optional<std::array<double, 2>> place;
+  };
+  Moment moment() const { return {state_, elastic_slip_, remembered_speed_, place_}; }
+  void go_back(Moment moment);
+
+  const std::array<double, 2>& place() const { return *place_; } ///< after a step [m]
   const SurfaceState& state() const { return state_; }
   /// At the present place.
   const ContactProblem& problem() const { return problem_; }
@@ -51,8 +75,11 @@ public:
   int fallbacks() const { return fallbacks_; } ///< steps that the kept method did not solve
 
 private:
+  void condense_at(const std::array<double, 2>& place);
+  bool reaches(const SliderLoad& load) const;
+  SurfaceState solve(const ContactProblem& problem, const SliderStep& step);
   void detach(const SliderStep& step);
-  std::vector<double> next_lagged_speed() const;
+  std::vector<double> followed(const std::vector<double>& speed, double time_step) const;
   CellVector held_surface() const;
   void keep_elastic_slip();
 
@@ -61,7 +88,9 @@ private:
   KeptNewton newton_;
   SurfaceState state_;
   std::vector<std::array<double, 2>> elastic_slip_; ///< of the cells [m]; empty without
+  std::vector<double> remembered_speed_;            ///< by friction, before the present state [m/s]
   std::optional<std::array<double, 2>> place_;
+  std::optional<std::array<double, 2>> condensed_at_; ///< of the compliance
   int fallbacks_ = 0;
 };
 

@@ -48,8 +48,11 @@ struct ContactState {
   CoreStrain strain;                    ///< empty where `source` recovers it
   std::shared_ptr<StrainSource> source; ///< null where the strain is held
   std::size_t place = 0;                ///< in the source
-  double contact_area = 0;              ///< of the full skin, see covered_area.hpp [m2]
-  double stick_area = 0;                ///< of it, where nothing slips [m2]
+  /// Of each cell: how much more tangential traction it takes before it slips; 0 where it slips or
+  /// does not touch [Pa].
+  std::vector<double> stick_reserve;
+  double contact_area = 0; ///< of the full skin, see covered_area.hpp [m2]
+  double stick_area = 0;   ///< of it, where nothing slips [m2]
   // By how much whole cells leave the borders of both in doubt, see border_area [m2].
   double contact_border = 0, stick_border = 0;
   // diagnostics
@@ -68,10 +71,11 @@ using SharedState = std::shared_ptr<const ContactState>;
 
 /// An instant of the motion.
 struct SteppedInstant {
-  double time = 0;                ///< since the begin of the cycle [s]
-  std::array<double, 2> centre{}; ///< of the slider [m]
-  double height = 0;              ///< of its underside above the undeformed top face [m]
-  SharedState state;              ///< null: detached
+  double time = 0;                     ///< since the begin of the cycle [s]
+  std::array<double, 2> centre{};      ///< of the slider [m]
+  double height = 0;                   ///< of its underside above the undeformed top face [m]
+  SharedState state;                   ///< null: detached
+  std::array<double, 2> drive_force{}; ///< of a drive on the slider; 0 without load [N]
 };
 
 /// All of Study 1 for one friction coefficient. One cycle stands for all: after complete lift-off

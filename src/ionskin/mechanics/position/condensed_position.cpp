@@ -7,6 +7,7 @@
 #include "ionskin/linear_algebra/dense_kernels.hpp"
 #include "ionskin/mechanics/elasticity/elastic_system.hpp"
 #include "ionskin/mechanics/position/position_input.hpp"
+#include "ionskin/mechanics/position/position_memory.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +51,11 @@ double equilibrium_residual(const ElasticSpace& space, const std::array<double, 
     }
   }
   return largest == 0 && worst == 0 ? 0.0 : worst / largest;
+}
+
+bool holds(const StoredPosition& position, const ForceDirections& directions) {
+  return std::ranges::all_of(std::array<std::size_t, 3>{0, 1, 2},
+                             [&](std::size_t d) { return position.response[d] || !directions[d]; });
 }
 
 } // namespace
@@ -131,32 +137,38 @@ CondensedPosition::CondensedPosition(const ElasticSkin& skin, mesh::MeshLines li
   const int cells = static_cast<int>(skin.cells.count());
   if (!responses_fit(lattice_.rows(), membrane_.rows(), 3 * cells)) {
     factorise();
+    stored_ = std::make_shared<const StoredPosition>(factorised_->compliance(), UnitResponse{});
     return;
   }
   ForceDirections directions = use.forces;
+  PositionMemory& memory = PositionMemory::of_process();
   const base::Digest key = use.cache != nullptr ? position_key(skin, lines_) : base::Digest{};
   if (use.cache != nullptr) {
-    auto stored = read_position(*use.cache, key, lattice_.rows(), membrane_.rows(), cells);
-    bool complete = stored.has_value();
-    for (std::size_t d = 0; stored && d < directions.size(); ++d) {
-      complete = complete && (stored->response[d] || !directions[d]);
-      directions[d] = directions[d] || stored->response[d]; // of an entry that is replaced
-    }
-    if (complete) {
-      compliance_ = std::move(stored->compliance);
-      response_ = std::move(stored->response);
+    if (stored_ = memory.find(key); stored_ && holds(*stored_, directions)) {
       return;
+    }
+    stored_ = read_position(*use.cache, key, lattice_.rows(), membrane_.rows(), cells);
+    if (stored_ && holds(*stored_, directions)) {
+      memory.keep(key, stored_);
+      return;
+    }
+    for (std::size_t d = 0; stored_ && d < directions.size(); ++d) {
+      directions[d] = directions[d] || stored_->response[d]; // of an entry that is replaced
     }
   }
   factorise();
+  auto made = std::make_shared<StoredPosition>();
+  made->compliance = factorised_->compliance();
   for (std::size_t d = 0; d < directions.size(); ++d) {
     if (directions[d]) {
-      response_[d] = unit_response(static_cast<int>(d));
+      made->response[d] = unit_response(static_cast<int>(d));
     }
   }
   factorised_.reset();
+  stored_ = std::move(made);
   if (use.cache != nullptr) {
-    write_position(*use.cache, key, compliance_, response_);
+    write_position(*use.cache, key, stored_->compliance, stored_->response);
+    memory.keep(key, stored_);
   }
 }
 
@@ -164,11 +176,10 @@ CondensedPosition::~CondensedPosition() = default;
 
 void CondensedPosition::factorise() {
   factorised_ = std::make_unique<Factorised>(skin_, lines_);
-  compliance_ = factorised_->compliance();
 }
 
 DirectionResponse CondensedPosition::unit_response(int direction) const {
-  const int cells = compliance_.columns / 3;
+  const int cells = static_cast<int>(skin_.cells.count());
   DirectionResponse result{
       {lattice_.rows(), cells}, {membrane_.rows(), cells}, DenseMatrix(3, cells)};
   std::vector<double> lattice(static_cast<std::size_t>(lattice_.rows())),
@@ -193,12 +204,12 @@ CondensedPosition::Response CondensedPosition::response(const double* lattice,
                                                         const std::array<double, 3>& reaction,
                                                         const double* force) const {
   return {lattice_.strain(lines_, lattice), membrane_.largest_stress(membrane),
-          equilibrium_residual(skin_.space, reaction, force, compliance_.columns)};
+          equilibrium_residual(skin_.space, reaction, force, compliance().columns)};
 }
 
 void CondensedPosition::respond_by_products(const DenseMatrix& forces,
                                             std::vector<Response>& responses) const {
-  const int cells = compliance_.columns / 3;
+  const int cells = compliance().columns / 3;
   DenseMatrix core(lattice_.rows(), forces.columns), strain(membrane_.rows(), forces.columns),
       direct(cells, forces.columns);
   std::vector<std::array<double, 3>> reaction(static_cast<std::size_t>(forces.columns));
@@ -208,7 +219,7 @@ void CondensedPosition::respond_by_products(const DenseMatrix& forces,
         direct(cell, k) = forces(3 * cell + d, k);
       }
     }
-    const auto& unit = response_[static_cast<std::size_t>(d)];
+    const auto& unit = stored_->response[static_cast<std::size_t>(d)];
     if (!unit) {
       if (std::ranges::any_of(direct.values, [](double force) { return force != 0; })) {
         throw InternalError("a slider position has no response in the direction of a force");

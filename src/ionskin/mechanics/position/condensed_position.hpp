@@ -37,7 +37,7 @@ public:
   ~CondensedPosition();
 
   /// Compliance of the contact components of the skin, docs/model.md (8) [m/N].
-  const linear_algebra::DenseMatrix& compliance() const { return compliance_; }
+  const linear_algebra::DenseMatrix& compliance() const { return stored_->compliance; }
 
   /// True when it keeps a factor in memory, false when it needs none.
   bool holds_factor() const { return factorised_ != nullptr; }
@@ -69,9 +69,8 @@ private:
   mesh::MeshLines lines_;
   CoreLattice lattice_;
   ElectrodeMembrane membrane_;
-  linear_algebra::DenseMatrix compliance_;
   std::unique_ptr<Factorised> factorised_;
-  UnitResponse response_;
+  std::shared_ptr<const StoredPosition> stored_; ///< without responses where it holds a factor
 };
 
 /// Compliance between skin and slider at a position, docs/model.md (36) [m/N].

@@ -31,19 +31,20 @@ bool responses_fit(int core_rows, int membrane_rows, int components) {
          static_cast<double>(base::default_cache_limit);
 }
 
-std::optional<StoredPosition> read_position(base::DiskCache& cache, const base::Digest& key,
-                                            int core_rows, int membrane_rows, int cells) {
+std::shared_ptr<const StoredPosition> read_position(base::DiskCache& cache, const base::Digest& key,
+                                                    int core_rows, int membrane_rows, int cells) {
   const auto content = cache.read(key);
   if (!content) {
-    return std::nullopt;
+    return nullptr;
   }
   base::ByteReader reader(*content);
   Sizes sizes;
-  StoredPosition result;
+  auto stored = std::make_shared<StoredPosition>();
+  StoredPosition& result = *stored;
   result.compliance = DenseMatrix(3 * cells, 3 * cells);
   if (!reader.take(sizes) || sizes.cells != cells || sizes.core_rows != core_rows ||
       sizes.membrane_rows != membrane_rows || !reader.take_known(result.compliance.values)) {
-    return std::nullopt;
+    return nullptr;
   }
   for (std::size_t d = 0; d < result.response.size(); ++d) {
     if (sizes.held[d] == 0) {
@@ -56,10 +57,10 @@ std::optional<StoredPosition> read_position(base::DiskCache& cache, const base::
         !reader.take_known(response.core.unit) || !reader.take_known(response.core.values) ||
         !reader.take_known(response.membrane.unit) ||
         !reader.take_known(response.membrane.values)) {
-      return std::nullopt;
+      return nullptr;
     }
   }
-  return reader.at_end() ? std::optional(std::move(result)) : std::nullopt;
+  return reader.at_end() ? stored : nullptr;
 }
 
 void write_position(base::DiskCache& cache, const base::Digest& key, const DenseMatrix& compliance,

@@ -6,6 +6,7 @@
 #include "ionskin/linear_algebra/fixed_point_matrix.hpp"
 
 #include <array>
+#include <memory>
 #include <optional>
 
 namespace ionskin::mechanics {
@@ -34,8 +35,9 @@ struct StoredPosition {
 };
 
 /// @param core_rows,membrane_rows sizes that an entry of this model must have
-std::optional<StoredPosition> read_position(base::DiskCache& cache, const base::Digest& key,
-                                            int core_rows, int membrane_rows, int cells);
+/// Null where there is none, or a damaged one.
+std::shared_ptr<const StoredPosition> read_position(base::DiskCache& cache, const base::Digest& key,
+                                                    int core_rows, int membrane_rows, int cells);
 /// Keeps nothing where the responses of a slide exceed the bound of the cache.
 void write_position(base::DiskCache& cache, const base::Digest& key,
                     const linear_algebra::DenseMatrix& compliance, const UnitResponse& response);

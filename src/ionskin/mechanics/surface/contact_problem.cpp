@@ -6,13 +6,11 @@
 namespace ionskin::mechanics {
 
 double ContactProblem::own_compliance(int cell, int component) const {
-  const int at = 3 * cell + component;
-  const double own = compliance(at, at);
-  if (own > 0 || component == 0) {
-    return own;
-  }
-  const int other = 3 * cell + 3 - component;
-  return compliance(other, other);
+  const auto own = [&](int c) {
+    const int at = 3 * cell + c;
+    return compliance(at, at) - (c > 0 ? common[static_cast<std::size_t>(c) - 1] : 0.0);
+  };
+  return component == 0 || own(component) > 0 ? own(component) : own(3 - component);
 }
 
 double ContactProblem::lagged_speed_of(int cell) const {

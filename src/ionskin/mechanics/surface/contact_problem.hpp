@@ -25,10 +25,13 @@ struct ContactProblem {
   laws::Friction friction;
   /// Speed of slip that friction follows with its lag [m/s]; empty where all cells rest.
   std::vector<double> lagged_speed = {};
+  /// Part of the compliance that is the same between any two cells, along x and y: of a slider that
+  /// yields [m/N].
+  std::array<double, 2> common = {};
 
   int cells() const { return static_cast<int>(area.size()); }
-  /// Compliance of one component against its own force; in a direction in which the skin is held
-  /// (plane strain) that of the other tangential direction.
+  /// Compliance of one component against its own force, less `common`; in a direction in which the
+  /// skin is held (plane strain) that of the other tangential direction.
   double own_compliance(int cell, int component) const;
   /// C f.
   CellVector surface_displacement(const CellVector& force) const;

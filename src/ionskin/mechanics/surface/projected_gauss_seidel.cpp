@@ -18,8 +18,8 @@ std::array<double, 3> relaxed(const ContactProblem& problem, const SliderStep& s
       base::larger(0.0, force[at] + (indentation - problem.gap[cell] - surface[at]) /
                                         problem.own_compliance(cell, 0));
   const auto slip = slip_increment(step, surface, cell);
-  const double compliance =
-      std::max(problem.own_compliance(cell, 1), problem.own_compliance(cell, 2));
+  const double compliance = std::max(problem.own_compliance(cell, 1) + problem.common[0],
+                                     problem.own_compliance(cell, 2) + problem.common[1]);
   const std::array<double, 2> trial{force[at + 1] + slip[0] / compliance,
                                     force[at + 2] + slip[1] / compliance};
   const auto tangential =

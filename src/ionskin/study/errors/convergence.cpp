@@ -20,6 +20,12 @@ constexpr std::array extremes{"element_max_shear_slide", "electrode_membrane_str
 /// Stated relative error above which an extreme is not told from one that grows for ever.
 constexpr double most_of_extreme = 1.0 / 3.0;
 
+/// Of the onset of sliding.
+bool is_of_onset(const std::string& metric) {
+  return metric.starts_with("micro_slip_") || metric.starts_with("slip_lead_") ||
+         metric.starts_with("full_slip_") || metric.starts_with("precursor_");
+}
+
 /// Edges that the skin bends around: none of a slider that covers its width between symmetry planes
 /// along y.
 bool has_sharp_edge(const Case& input) {
@@ -64,6 +70,11 @@ std::map<std::string, std::string> not_converging(const Case& input, const Signa
       mark(name, "extreme under a sharp edge, where finer meshes raise the strain");
     } else if (error != stated.end() && error->second > most_of_extreme) {
       mark(name, "extreme that this mesh does not resolve: two meshes differ by more than a third");
+    }
+  }
+  for (const auto& [name, error] : stated) {
+    if (is_of_onset(name) && error > most_of_extreme) {
+      mark(name, "onset of sliding that this mesh does not resolve: its error is above a third");
     }
   }
   for (const char* name :

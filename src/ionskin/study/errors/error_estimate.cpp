@@ -16,6 +16,8 @@
 #include "ionskin/study/errors/companions.hpp"
 #include "ionskin/study/errors/convergence.hpp"
 #include "ionskin/study/errors/signal_difference.hpp"
+#include "ionskin/study/stations/charge_rounding.hpp"
+#include "ionskin/study/stations/slip_metrics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,9 +31,6 @@ namespace ionskin::study {
 namespace {
 
 namespace parts = error_parts;
-
-/// Part of the largest charge that the shear can move which rounding may leave in a charge.
-constexpr double charge_rounding = 5e-11;
 
 // Names of the runs beside those of the companions.
 constexpr const char* run = "run";
@@ -51,21 +50,19 @@ bool has_companions(const MechanicsRecord& mechanics) {
   return mechanics.companions.contains(companions::mesh);
 }
 
-/// Largest charge that the history can move [C].
-double charge_scale(const Case& input, const history::CoreHistory& history) {
-  const history::HistoryChannel& channel = electrochemistry::driving_channel(input, history);
-  double largest = 0;
-  for (const double time : history.time) {
-    largest = std::max(largest, history::channel_integrals(history, channel, time).magnitude);
-  }
-  return std::abs(electrochemistry::charge_density_of_channel(input, channel)) * largest;
-}
-
 double path_floor(const MechanicsRecord& mechanics) {
   return mechanics.has_contact()
              ? mechanics.worst_interpolation_error + mechanics.worst_equilibrium_residual +
                    mechanics.worst_complementarity_residual
              : 0.0;
+}
+
+/// That cells of the contact and steps of the path leave, however little two solutions differ by.
+std::vector<readout::Metric> least_errors(const Case& input, const MechanicsRecord& mechanics) {
+  std::vector<readout::Metric> errors = mechanics.cell_errors;
+  const auto of_slip = slip_least_errors(input, mechanics);
+  errors.insert(errors.end(), of_slip.begin(), of_slip.end());
+  return errors;
 }
 
 double decoupling(const Case& input) {
@@ -178,22 +175,24 @@ std::vector<ErrorPair> pairs_of(const std::vector<NamedPair>& names,
 }
 
 /// Nothing is stated rather than a part for the whole.
-ErrorEstimate no_estimate(const Signals& signals) {
+constexpr const char* no_companions = "Study 1 has no solution on a coarser mesh";
+
+} // namespace
+
+ErrorEstimate no_estimate(const Signals& signals, const std::string& reason) {
   ErrorEstimate estimate;
   for (const readout::Metric& metric : signals.metrics) {
-    estimate.not_estimated[metric.name] = "Study 1 has no solution on a coarser mesh";
+    estimate.not_estimated[metric.name] = reason;
   }
   return estimate;
 }
-
-} // namespace
 
 ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanics,
                               const electrochemistry::IonSolution& ions, const Signals& signals,
                               int threads, base::Timers& timers) {
   const base::Timers::Scope timer(timers, "error estimate");
   if (mechanics.has_contact() && !has_companions(mechanics)) {
-    return no_estimate(signals);
+    return no_estimate(signals, no_companions);
   }
   const Case quiet = without_noise(input);
   const CoarserRuns coarser(mechanics);
@@ -210,9 +209,9 @@ ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanic
       path_floor(mechanics),
       decoupling(input),
       thin_layers(input, mechanics.history.core_thickness(), ions.water),
-      charge_rounding * charge_scale(input, mechanics.history),
+      charge_rounding(input, mechanics.history),
       input.readout.sample_interval,
-      mechanics.cell_errors,
+      least_errors(input, mechanics),
       readout::in_tail(base.sampled, input.readout.sample_interval, mechanics.history.event_time,
                        electrochemistry::derive_scales(input.electrochemistry,
                                                        mechanics.history.core_thickness())
@@ -257,7 +256,7 @@ std::vector<double> estimate_data_errors(const Case& input, const MechanicsRecor
 ErrorEstimate estimate_mechanics_errors(const Case& input, const MechanicsRecord& mechanics,
                                         const Signals& signals, int threads) {
   if (!has_companions(mechanics)) {
-    return no_estimate(signals);
+    return no_estimate(signals, no_companions);
   }
   std::map<std::string, Signals> results{
       {reference, signals}, {cells, read_out_mechanics(input, on_wider_cells(mechanics), threads)}};
@@ -266,7 +265,7 @@ ErrorEstimate estimate_mechanics_errors(const Case& input, const MechanicsRecord
   }
   ErrorEstimate estimate =
       combine_errors(signals, pairs_of(mechanics_pairs(mechanics), results),
-                     {.path = path_floor(mechanics), .cells = mechanics.cell_errors});
+                     {.path = path_floor(mechanics), .cells = least_errors(input, mechanics)});
   estimate.not_converging = not_converging(input, signals, estimate.relative);
   return estimate;
 }

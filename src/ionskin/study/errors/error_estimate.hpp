@@ -9,6 +9,7 @@
 #include "ionskin/study/store/fit_data.hpp"
 #include "ionskin/study/store/mechanics_record.hpp"
 
+#include <string>
 #include <vector>
 
 namespace ionskin::study {
@@ -29,6 +30,9 @@ ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanic
 std::vector<double> estimate_data_errors(const Case& input, const MechanicsRecord& mechanics,
                                          const electrochemistry::IonSolution& ions,
                                          const FitData& data, int threads);
+
+/// No error of any metric, with the reason.
+ErrorEstimate no_estimate(const Signals& signals, const std::string& reason);
 
 /// Those of Study 1 alone.
 ErrorEstimate estimate_mechanics_errors(const Case& input, const MechanicsRecord& mechanics,

@@ -130,7 +130,8 @@ public:
     for (std::size_t row = 1; row < time.size(); ++row) {
       shortest = std::min(shortest, time[row] - time[row - 1]);
     }
-    if (metric.name.starts_with("peak_sampled") || metric.name.starts_with("tail")) {
+    if (metric.name.starts_with("peak_sampled") || metric.name.starts_with("tail") ||
+        metric.name.starts_with("precursor")) {
       return floors_.charge / floors_.sample_interval;
     }
     const double span = metric.name.starts_with("rms")
@@ -164,7 +165,7 @@ private:
         at_least(value * own(name, difference) / other);
       }
     }
-    return safety(difference.pair->part) * largest;
+    return safety(difference.pair->part, metric.name) * largest;
   }
 
   const Signals& base_;
@@ -214,18 +215,18 @@ SignalTable band(const SignalTable& base, const std::vector<PairDifference>& dif
 
 } // namespace
 
-double safety(const std::string& part) {
-  if (part == error_parts::transport_grid || part == error_parts::time_steps) {
-    return richardson_safety / (std::pow(2.0, verified_order) - 1);
-  }
-  return 1;
+double safety(const std::string& part, const std::string& quantity) {
+  const bool of_second_order = part == error_parts::transport_grid ||
+                               part == error_parts::time_steps ||
+                               (part == error_parts::mechanics_mesh && !hangs_on_edges(quantity));
+  return of_second_order ? richardson_safety / (std::pow(2.0, verified_order) - 1) : 1.0;
 }
 
 std::vector<double> pair_band(const std::vector<double>& values, const std::string& part,
                               const TableDifference& difference, const std::string& column,
                               double path_floor) {
   const std::vector<double>& gaps = difference.table.column(column).values;
-  const double norm = difference.relative_norm.at(column), factor = safety(part);
+  const double norm = difference.relative_norm.at(column), factor = safety(part, column);
   const double least = part == error_parts::path ? path_floor : 0.0;
   std::vector<double> result;
   for (std::size_t row = 0; row < values.size(); ++row) {
@@ -249,7 +250,7 @@ ErrorEstimate combine_errors(const Signals& base, const std::vector<ErrorPair>& 
   for (const Metric& metric : base.metrics) {
     if (is_audit(metric.name)) {
       estimate.not_estimated[metric.name] =
-          "it is an audit of the solution, no quantity of the skin";
+          "it is an audit of the solution or of the instrument, no quantity of the skin";
       continue;
     }
     const auto parts = errors.parts(metric);
@@ -258,7 +259,8 @@ ErrorEstimate combine_errors(const Signals& base, const std::vector<ErrorPair>& 
       sum += error;
     }
     if (!std::isfinite(sum) || !std::isfinite(metric.value)) {
-      estimate.not_estimated[metric.name] = not_a_number;
+      estimate.not_estimated[metric.name] =
+          metric.name.starts_with("precursor_") ? too_few_readings : not_a_number;
     } else if (metric.unit == "A" && std::abs(metric.value) <= errors.rounding(metric)) {
       estimate.not_estimated[metric.name] = "rounding alone makes it";
     } else {

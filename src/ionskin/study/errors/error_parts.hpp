@@ -23,16 +23,21 @@ inline constexpr const char* thin_layers = "thin_layers"; ///< of the ion model 
 inline constexpr const char* rounding = "rounding";
 } // namespace error_parts
 
-/// What the differences of a part are multiplied with: 0.8 for grid and time steps of the ion
-/// transport, which is twice what Richardson's extrapolation makes of them at the order of 1.8 that
-/// `ionskin verify` asserts (E3), and 1 for all others. For the mesh of the mechanics that is the
-/// grid convergence index of two meshes, a factor of safety of 3 over 2^2 - 1 at second order
-/// (Roache, Journal of Fluids Engineering 116, 1994, doi 10.1115/1.2910291); it covers every order
-/// of convergence from 1 on. Two meshes cannot tell theirs.
-double safety(const std::string& part);
+/// What the differences of a part are multiplied with, for a metric or a signal. For meshes and
+/// time steps that is 0.8, twice what Richardson's extrapolation makes of a difference at the order
+/// of 1.8 that `ionskin verify` asserts (E3): a grid convergence index with a factor of safety of
+/// 2, between the 3 of two meshes and the 1.25 of three (Roache, Journal of Fluids Engineering 116,
+/// 1994, doi 10.1115/1.2910291). It covers every order of convergence from 1.2 on. What hangs on
+/// the edges of the contact converges in first order: there the mesh of the mechanics counts 1, as
+/// do all other parts.
+double safety(const std::string& part, const std::string& quantity);
 
 /// Reason that a metric whose estimate is NaN or infinite has none.
 inline constexpr const char* not_a_number = "its estimate is no number";
+/// Likewise of what few readings at the onset of sliding tell, of which a coarser solution may have
+/// fewer than it takes: no defect, and no warning.
+inline constexpr const char* too_few_readings =
+    "a coarser solution has too few readings of the onset for it";
 
 /// Results at two degrees of one numerical choice, all else alike: what it leaves is their
 /// difference.

@@ -12,7 +12,13 @@ namespace ionskin::study {
 namespace {
 
 /// A metric whose name holds the first goes with the signal of the second; the first that fits.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 25> signal_of{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 31> signal_of{{
+    {"slip_time", "stick_share"},
+    {"slip_lead", "stick_share"},
+    {"slip_force_ratio", "stick_share"},
+    {"precursor_lead_time", "stick_share"},
+    {"signal_to_noise_difference", "current_difference"},
+    {"signal_to_noise_common", "current_common"},
     {"open_circuit_voltage", "open_circuit_voltage"},
     {"streaming_voltage", "streaming_voltage"},
     {"dilution_voltage", "dilution_voltage"},
@@ -40,13 +46,18 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 25> signal_o
     {"nonlinearity", "p99_shear"},
 }};
 
+/// Parts of the names of what is made at the edges of the contact.
+constexpr std::array<std::string_view, 9> made_at_edges{
+    "first_moment", "p95_shear",    "p99_shear",     "element_max", "membrane_stress",
+    "nonlinearity", "contact_area", "mean_pressure", "stick"};
+
 struct Neighbours {
   std::string_view metric;
   std::vector<std::string> others;
 };
 
-/// What happens at one place and instant errs together; an upper percentile errs as what lies below
-/// and above it.
+/// What happens at one place and instant errs together; an upper percentile errs as the other one.
+/// The largest value of the shear is no neighbour: under sharp edges it does not converge.
 const std::array<Neighbours, 8> neighbours{{
     {"contact_area_slide", {"mean_pressure_slide"}},
     {"mean_pressure_slide", {"contact_area_slide"}},
@@ -54,14 +65,21 @@ const std::array<Neighbours, 8> neighbours{{
     {"external_work", {"friction_work"}},
     {"friction_work", {"external_work"}},
     {"p95_shear_slide", {"p99_shear_slide"}},
-    {"p99_shear_slide", {"p95_shear_slide", "element_max_shear_slide"}},
-    {"nonlinearity", {"p95_shear_slide", "element_max_shear_slide"}},
+    {"p99_shear_slide", {"p95_shear_slide"}},
+    {"nonlinearity", {"p95_shear_slide"}},
 }};
 
 } // namespace
 
 bool is_audit(const std::string& metric) {
-  return metric.ends_with("_residual") || metric.ends_with("_error");
+  return metric.ends_with("_residual") || metric.ends_with("_error") ||
+         metric.ends_with("_noise_floor");
+}
+
+bool hangs_on_edges(const std::string& quantity) {
+  return std::ranges::any_of(made_at_edges, [&](const std::string_view name) {
+    return quantity.find(name) != std::string::npos;
+  });
 }
 
 std::vector<std::string> related_signals(const std::string& metric) {

@@ -64,7 +64,11 @@ std::vector<double> fitted_values(const FitResult& result) {
 void add_errors(FitModel& model, const FitData& data, FitResult& result) {
   std::string reason = "the mechanics has no solution on a mesh of twice the size";
   try {
-    result.fitted_error = model.errors(data, fitted_values(result));
+    if (model.start_case().numerics.error_estimate) {
+      result.fitted_error = model.errors(data, fitted_values(result));
+    } else {
+      reason = "numerics.error_estimate is off";
+    }
   } catch (const SolverError& error) {
     reason = std::string("on a mesh of twice the size ") + error.what();
   }

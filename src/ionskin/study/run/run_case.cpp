@@ -92,7 +92,8 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, base::Disk
                     "--only electrochemistry takes up: run without --only, or with "
                     "--only mechanics, first");
   }
-  if (cache != nullptr) {
+  const bool keeps = cache != nullptr && options.keep_mechanics;
+  if (keeps) {
     const double begin = base::wall_time();
     if (auto record = recall_mechanics(*cache, hash, input.skin, results_path)) {
       folder.add_finished("strain", base::wall_time() - begin);
@@ -117,7 +118,7 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, base::Disk
       }
     }
     write_mechanics(results_path, hash, record);
-    if (cache != nullptr && record.warnings.size() == own_warnings) {
+    if (keeps && record.warnings.size() == own_warnings) {
       keep_mechanics(*cache, hash, results_path);
     }
     options.progress("strain history", 1.0);
@@ -170,6 +171,10 @@ IonSolution study_2(const Case& input, const RunOptions& options, RunFolder& fol
 /// A run keeps its results where their error cannot be estimated.
 void add_errors(const Case& input, const MechanicsRecord& mechanics, const RunOptions& options,
                 base::Timers& timers, RunOutputs& outputs) {
+  if (!input.numerics.error_estimate) {
+    outputs.errors = no_estimate(outputs.signals, "numerics.error_estimate is off");
+    return;
+  }
   options.progress("error estimate", 0.0);
   try {
     outputs.errors = outputs.ions ? estimate_errors(input, mechanics, *outputs.ions,

@@ -209,7 +209,8 @@ std::string input_hash(const Case& input) {
 
 std::string mechanics_hash(const Case& input) {
   // The record holds the companions of the errors; without them it is another one.
-  std::string text = "companions mesh path thickness signals area stick slip ";
+  std::string text = input.numerics.error_estimate ? "companions mesh path thickness " : "";
+  text += "signals area stick slip ";
   text += fmt::format("skin {} {} {}", input.skin.length, input.skin.width,
                       static_cast<int>(input.skin.sides));
   for (const Layer& layer : input.skin.layers) {
@@ -231,6 +232,9 @@ std::string mechanics_hash(const Case& input) {
   text +=
       fmt::format(" force {} strokes {} {}", motion.preload_force, motion.strokes, motion.dwell);
   text += waypoints_text(motion);
+  if (const Drive& drive = motion.drive; drive.stiffness + drive.damping + drive.mass > 0) {
+    text += fmt::format(" drive {} {} {}", drive.stiffness, drive.damping, drive.mass);
+  }
   text += fmt::format(" contact {} {} measure {}", input.contact.law, input.contact.friction,
                       input.coupling.measure);
   for (const auto& [name, value] : input.contact.parameters) {

@@ -103,7 +103,9 @@ std::vector<SolvedMechanics> solve_mechanics(const Case& input,
   }
   std::string problem;
   std::vector<Companions> solved_companions;
-  {
+  if (!input.numerics.error_estimate) {
+    solved_companions.resize(frictions.size());
+  } else {
     const base::Timers::Scope scope(timers, "mechanics: companion");
     options.progress(companion_activity, 0.0);
     solved_companions = try_companions(input, frictions, both, problem);

@@ -11,19 +11,39 @@
 #include "ionskin/readout/phases.hpp"
 #include "ionskin/readout/sampling.hpp"
 #include "ionskin/readout/signal_table.hpp"
+#include "ionskin/readout/slip_onset.hpp"
 #include "ionskin/readout/tail_current.hpp"
 #include "ionskin/readout/taxels.hpp"
 #include "ionskin/readout/water_signals.hpp"
+#include "ionskin/study/stations/slip_metrics.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace ionskin::study {
 namespace {
 
 using electrochemistry::IonSolution;
+
+/// Stuck and touched area are linear between the samples, their ratio is not: it has a jump where
+/// the slider lands.
+template <class AtRows>
+void add_stick(const MechanicsRecord& mechanics, const AtRows& at_rows,
+               readout::SignalInputs& inputs) {
+  std::vector<double> stuck = mechanics.stick_share;
+  for (std::size_t i = 0; i < stuck.size(); ++i) {
+    stuck[i] *= mechanics.contact_area[i];
+  }
+  stuck = at_rows(stuck);
+  for (std::size_t row = 0; row < stuck.size(); ++row) {
+    const double area = inputs.contact_area[row], share = area > 0 ? stuck[row] / area : 0;
+    inputs.stick_share.push_back(share);
+    inputs.slip_state.push_back(static_cast<double>(readout::slip_state(area, share)));
+  }
+}
 
 /// Motion, forces and shear at the rows' instants; charges are left to the caller.
 readout::SignalInputs mechanical_inputs(const Case& input, const MechanicsRecord& mechanics,
@@ -44,8 +64,18 @@ readout::SignalInputs mechanical_inputs(const Case& input, const MechanicsRecord
     inputs.normal_force = at_rows(mechanics.normal_force);
     inputs.tangential_force = at_rows(mechanics.tangential_force);
     inputs.contact_area = at_rows(mechanics.contact_area);
-    inputs.stick_share = at_rows(mechanics.stick_share);
     inputs.slip = at_rows(mechanics.slip);
+    add_stick(mechanics, at_rows, inputs);
+    if (!mechanics.drive_force_x.empty()) {
+      // The path of the motion is that of the drive's end; the slider goes its own way.
+      inputs.drive_x = std::move(inputs.slider_x);
+      inputs.drive_y = std::move(inputs.slider_y);
+      inputs.slider_x = at_rows(mechanics.history.slider_x);
+      inputs.slider_y =
+          mechanics.history.slider_y.empty() ? inputs.drive_y : at_rows(mechanics.history.slider_y);
+      inputs.drive_force_x = at_rows(mechanics.drive_force_x);
+      inputs.drive_force_y = at_rows(mechanics.drive_force_y);
+    }
   } else {
     inputs.cycle.assign(time.size(), 1);
     inputs.phase.assign(time.size(), "");
@@ -82,6 +112,8 @@ void add_slide_metrics(const Case& input, const MechanicsRecord& mechanics,
   metrics.push_back({"p95_shear_slide", slide.p95, "1"});
   metrics.push_back({"element_max_shear_slide", slide.element_max, "1"});
   metrics.insert(metrics.end(), mechanics.metrics.begin(), mechanics.metrics.end());
+  const auto slip = slip_metrics(input, mechanics);
+  metrics.insert(metrics.end(), slip.begin(), slip.end());
   if (!mechanics.electrode_stress.empty()) {
     metrics.push_back(
         {"electrode_membrane_stress",
@@ -238,6 +270,8 @@ Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonS
   if (const auto identity = charge_identity(input, mechanics, ions, threads)) {
     signals.metrics.push_back(*identity);
   }
+  const auto precursors = precursor_metrics(input, mechanics, signals.resolved);
+  signals.metrics.insert(signals.metrics.end(), precursors.begin(), precursors.end());
   add_ion_metrics(input, ions, signals.resolved, signals.metrics);
   const bool moves_water = ionskin::moves_water(input);
   const circuits::Circuit circuit =

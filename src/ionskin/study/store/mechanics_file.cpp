@@ -73,6 +73,10 @@ void write_path(results::Hdf5File& file, const std::string& root, const Mechanic
   file.write_with_unit(root + "/contact_area", record.contact_area, "m2");
   file.write_with_unit(root + "/stick_share", record.stick_share, "1");
   file.write_with_unit(root + "/slip", record.slip, "m");
+  if (!record.drive_force_x.empty()) {
+    file.write_with_unit(root + "/drive_force_x", record.drive_force_x, "N");
+    file.write_with_unit(root + "/drive_force_y", record.drive_force_y, "N");
+  }
   file.write_with_unit(root + "/onset_begin", onset_column(record, 0), "s");
   file.write_with_unit(root + "/onset_end", onset_column(record, 1), "s");
   file.write_with_unit(root + "/electrode_stress", record.electrode_stress, "Pa");
@@ -96,6 +100,10 @@ void require_samples(const results::ForeignHdf5File& file, const std::string& ro
   require_length(file, root + "/contact_area", record.contact_area.size(), samples);
   require_length(file, root + "/stick_share", record.stick_share.size(), samples);
   require_length(file, root + "/slip", record.slip.size(), samples);
+  if (!record.drive_force_x.empty() || !record.drive_force_y.empty()) {
+    require_length(file, root + "/drive_force_x", record.drive_force_x.size(), samples);
+    require_length(file, root + "/drive_force_y", record.drive_force_y.size(), samples);
+  }
 }
 
 MechanicsRecord read_path(const results::ForeignHdf5File& file, const std::string& root) {
@@ -109,6 +117,10 @@ MechanicsRecord read_path(const results::ForeignHdf5File& file, const std::strin
   record.contact_area = file.read(root + "/contact_area");
   record.stick_share = file.read(root + "/stick_share");
   record.slip = file.read(root + "/slip");
+  if (file.has(root + "/drive_force_x")) {
+    record.drive_force_x = file.read(root + "/drive_force_x");
+    record.drive_force_y = file.read(root + "/drive_force_y");
+  }
   const auto begins = file.read(root + "/onset_begin"), ends = file.read(root + "/onset_end");
   require_length(file, root + "/onset_end", ends.size(), begins.size());
   for (std::size_t i = 0; i < begins.size(); ++i) {

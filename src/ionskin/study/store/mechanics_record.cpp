@@ -7,92 +7,12 @@
 #include "ionskin/handover/energy_balance.hpp"
 #include "ionskin/handover/handover.hpp"
 #include "ionskin/readout/phases.hpp"
-
-#include <fmt/core.h>
+#include "ionskin/study/store/contact_maps.hpp"
 
 #include <algorithm>
 
-#include <map>
-#include <string_view>
-#include <utility>
-
 namespace ionskin::study {
 namespace {
-
-/// Names the states of a path: "touchdown_03", "onset_12", "steady_4", "lift_off_07", and
-/// "2_onset_01" where a kind comes for the second time.
-class StepNames {
-public:
-  StepNames(const std::vector<MotionLeg>& legs, const mechanics::ContactSolution& contact)
-      : legs_(legs), contact_(contact) {}
-
-  std::string next(const mechanics::SteppedInstant& instant) {
-    const std::string kind = kind_of(instant);
-    if (kind != kind_) {
-      kind_ = kind;
-      ++runs_[kind];
-      count_ = 0;
-    }
-    const std::string prefix = runs_[kind] == 1 ? "" : std::to_string(runs_[kind]) + "_";
-    return kind == "steady" ? fmt::format("{}steady_{}", prefix, count_++)
-                            : fmt::format("{}{}_{:02}", prefix, kind, ++count_);
-  }
-
-private:
-  std::string kind_of(const mechanics::SteppedInstant& instant) const {
-    const auto leg =
-        std::partition_point(legs_.begin(), legs_.end() - 1, [&](const MotionLeg& other) {
-          return other.end() < instant.time * (1 - 1e-12);
-        });
-    if (leg->lands()) {
-      return "touchdown";
-    }
-    if (leg->leaves()) {
-      return "lift_off";
-    }
-    const bool in_onset = std::ranges::any_of(contact_.stepped_onsets, [&](const auto& onset) {
-      return instant.time > onset[0] && instant.time <= onset[1];
-    });
-    return in_onset ? "onset" : leg->slides() ? "steady" : "load_change";
-  }
-
-  const std::vector<MotionLeg>& legs_;
-  const mechanics::ContactSolution& contact_;
-  std::string kind_;
-  std::map<std::string, int> runs_;
-  int count_ = 0;
-};
-
-/// One increment is the whole touchdown of a flat slider.
-void name_whole_touchdowns(std::vector<results::ContactMap>& maps) {
-  constexpr std::string_view first = "touchdown_01", number = "_01";
-  for (std::size_t i = 0; i < maps.size(); ++i) {
-    std::string& name = maps[i].state;
-    if (name.ends_with(first) &&
-        (i + 1 == maps.size() || !maps[i + 1].state.ends_with("touchdown_02"))) {
-      name.resize(name.size() - number.size());
-    }
-  }
-}
-
-std::vector<results::ContactMap> make_maps(const std::vector<MotionLeg>& legs,
-                                           const mechanics::ContactSolution& contact) {
-  std::vector<results::ContactMap> maps;
-  StepNames names(legs, contact);
-  // A long path passes more instants than anybody looks at: the first all, of the others some.
-  constexpr std::size_t first = 100, others = 100;
-  const std::size_t stride = contact.stepped.size() / others + 1;
-  for (std::size_t i = 0; i < contact.stepped.size(); i += i < first ? 1 : stride) {
-    const mechanics::SteppedInstant& instant = contact.stepped[i];
-    if (instant.state) {
-      maps.push_back({names.next(instant), instant.time, instant.state->normal_traction,
-                      instant.state->tangential_traction_x, instant.state->tangential_traction_y,
-                      instant.state->slip});
-    }
-  }
-  name_whole_touchdowns(maps);
-  return maps;
-}
 
 std::vector<readout::Metric> contact_metrics(const Case& input,
                                              const mechanics::ContactSolution& contact,
@@ -176,11 +96,15 @@ MechanicsRecord make_mechanics_record(const Case& input,
       record.contact_area.push_back(signals.area[i]);
       record.stick_share.push_back(signals.stick_share[i]);
       record.slip.push_back(signals.slip[i]);
+      if (input.motion.drive.given()) {
+        record.drive_force_x.push_back(combination.drive_force[0]);
+        record.drive_force_y.push_back(combination.drive_force[1]);
+      }
     }
   }
   record.join_time = timeline.join_time();
   record.onsets = timeline.onsets();
-  record.maps = {contact.cell_lines_x, contact.cell_lines_y, make_maps(legs, contact)};
+  record.maps = make_contact_maps(legs, contact, timeline);
   if (const mechanics::StrainSource* source = strain_source(contact)) {
     record.worst_equilibrium_residual = source->worst_equilibrium_residual();
     record.electrode_stress = source->largest_electrode_stress();

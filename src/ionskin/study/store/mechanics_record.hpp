@@ -26,7 +26,9 @@ struct MechanicsRecord {
   std::vector<double> contact_area;     ///< [m2]
   std::vector<double> stick_share;      ///< of that area, 0 to 1
   std::vector<double> slip;             ///< mean over the contact since it began [m]
-  double join_time = 0;                 ///< from which all slips its way in the first slide [s]
+  /// Of a slider on a drive, on which it pulls; empty without one.
+  std::vector<double> drive_force_x, drive_force_y; ///< [N]
+  double join_time = 0; ///< from which all slips its way in the first slide [s]
   /// Begin of each slide of a cycle, and from when all of the contact slips its way [s].
   std::vector<std::array<double, 2>> onsets;
   results::ContactMaps maps; ///< half models hold y <= 0 only

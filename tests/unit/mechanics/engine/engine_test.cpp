@@ -57,6 +57,20 @@ double difference(const std::vector<double>& a, const std::vector<double>& b) {
   return worst / scale;
 }
 
+TEST(PositionNodes, that_mirror_each_other_are_expected_as_one_place) {
+  const Case input = small_case();
+  const auto at = [&](double x, double y) {
+    return std::array<double, 2>{x * input.skin.length, y * input.skin.width};
+  };
+  const MotionBox central{at(0.3, 0.4), at(0.7, 0.6)}, aside{at(0.1, 0.1), at(0.4, 0.3)};
+  const auto count = [&](const MotionBox& box) {
+    const auto counts = expected_counts(input, box);
+    return counts[0] * counts[1];
+  };
+  EXPECT_EQ(4 * expected_places(input, central), count(central));
+  EXPECT_EQ(expected_places(input, aside), count(aside));
+}
+
 TEST(PositionNodes, give_the_skin_at_places_that_were_not_solved) {
   const double tolerance = node_tolerance(line().input, {{1.5e-3, 1e-3}, {3.5e-3, 1e-3}});
   EXPECT_LE(line().nodes->error(), tolerance);

@@ -44,7 +44,7 @@ TEST(UnitResponse, what_a_position_gives_is_read_back_to_the_last_bit) {
   const base::Digest key = base::DigestBuilder().add("a position").finish();
   write_position(cache, key, given.compliance, given.response);
   const auto read = read_position(cache, key, core_rows, membrane_rows, cells);
-  ASSERT_TRUE(read.has_value());
+  ASSERT_TRUE(read);
   expect_same_bits(read->compliance.values, given.compliance.values);
   ASSERT_FALSE(read->response[1].has_value());
   for (const std::size_t d : {0u, 2u}) {

@@ -38,6 +38,15 @@ TEST(Convergence, an_extreme_that_a_mesh_does_not_resolve_has_no_error) {
                    .contains("stick_fraction_touchdown"));
 }
 
+TEST(Convergence, an_onset_that_a_mesh_does_not_resolve_is_marked) {
+  Signals signals = with_current({0, 1, 1, 1});
+  for (const char* name : {"micro_slip_time", "precursor_current_common"}) {
+    signals.metrics.push_back({name, 1e-3, "1"});
+    EXPECT_TRUE(not_converging({}, signals, {{name, 0.4}}).contains(name));
+    EXPECT_FALSE(not_converging({}, signals, {{name, 0.3}}).contains(name));
+  }
+}
+
 TEST(Convergence, a_spike_of_one_step_has_no_peak) {
   Case input;
   input.slider.parameters["edge_radius"] = 1e-4;

@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace ionskin::study {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+const double mesh_safety = safety(error_parts::mechanics_mesh, "mean_shear");
 
 /// Signals of three rows in which the mean shear and the force of a run are multiplied.
 Signals scaled_signals(double shear, double force) {
@@ -40,11 +42,12 @@ TEST(ErrorParts, add_up_to_the_error) {
   const auto estimate = combine_errors(
       base, {{error_parts::mechanics_mesh, &base, &mesh}, {error_parts::path, &mesh, &path}}, {});
   const auto& parts = estimate.parts.at("mean_shear_slide");
-  EXPECT_NEAR(parts.at("mechanics_mesh"), 2e-5, 1e-12);
+  EXPECT_NEAR(parts.at("mechanics_mesh"), mesh_safety * 2e-5, 1e-12);
   EXPECT_GT(parts.at("path"), 1.9e-6);
   EXPECT_NEAR(estimate.relative.at("mean_shear_slide"),
               (parts.at("mechanics_mesh") + parts.at("path")) / 2e-3, 1e-12);
-  EXPECT_NEAR(estimate.parts.at("normal_force_slide").at("mechanics_mesh"), 0.4, 1e-9);
+  EXPECT_NEAR(estimate.parts.at("normal_force_slide").at("mechanics_mesh"), mesh_safety * 0.4,
+              1e-9);
 }
 
 TEST(ErrorParts, a_difference_that_happens_to_vanish_is_no_small_error) {
@@ -52,18 +55,37 @@ TEST(ErrorParts, a_difference_that_happens_to_vanish_is_no_small_error) {
   Signals mesh = scaled_signals(1.01, 1);
   mesh.metrics[1].value = base.metrics[1].value; // the mean shear is off at every other instant
   const auto estimate = combine_errors(base, {{error_parts::mechanics_mesh, &base, &mesh}}, {});
-  EXPECT_GE(estimate.relative.at("mean_shear_slide"), 0.0099);
+  EXPECT_GE(estimate.relative.at("mean_shear_slide"), mesh_safety * 0.0099);
 }
 
-TEST(ErrorParts, an_upper_percentile_errs_as_its_neighbours) {
+TEST(ErrorParts, meshes_and_steps_count_twice_what_richardson_makes_of_them) {
+  const double twice = 2 / (std::pow(2.0, 1.8) - 1); // at the order that verification asserts
+  for (const char* part :
+       {error_parts::mechanics_mesh, error_parts::transport_grid, error_parts::time_steps}) {
+    EXPECT_NEAR(safety(part, "mean_shear"), twice, 1e-12) << part;
+  }
+  EXPECT_EQ(safety(error_parts::path, "mean_shear"), 1);
+  EXPECT_EQ(safety(error_parts::handover, "mean_shear"), 1);
+}
+
+TEST(ErrorParts, what_hangs_on_edges_counts_the_whole_difference_of_two_meshes) {
+  for (const char* name : {"p99_shear_slide", "shear_first_moment_touchdown", "contact_area_slide",
+                           "stick_fraction_touchdown"}) {
+    EXPECT_EQ(safety(error_parts::mechanics_mesh, name), 1) << name;
+    EXPECT_LT(safety(error_parts::time_steps, name), 1) << name;
+  }
+}
+
+TEST(ErrorParts, an_upper_percentile_errs_as_the_other_one_and_not_as_the_largest_value) {
   Signals base = scaled_signals(1, 1), mesh = scaled_signals(1, 1);
   base.resolved.columns.push_back({"p99_shear", "1", {0, 0.02, 0.02}});
   mesh.resolved.columns.push_back(base.resolved.columns.back());
   base.metrics.push_back({"p99_shear_slide", 0.02, "1"});
-  base.metrics.push_back({"p95_shear_slide", 0.01, "1"});
   base.metrics.push_back({"element_max_shear_slide", 0.04, "1"});
+  base.metrics.push_back({"p95_shear_slide", 0.01, "1"});
   mesh.metrics = base.metrics;
-  mesh.metrics.back().value = 0.05;
+  mesh.metrics[3].value = 0.08;
+  mesh.metrics[4].value = 0.0125;
   const auto estimate = combine_errors(base, {{error_parts::mechanics_mesh, &base, &mesh}}, {});
   EXPECT_NEAR(estimate.relative.at("p99_shear_slide"), 0.25, 1e-12);
 }
@@ -76,6 +98,15 @@ TEST(ErrorParts, what_is_no_number_is_not_estimated) {
   EXPECT_FALSE(estimate.relative.contains("normal_force_slide"));
   EXPECT_EQ(estimate.not_estimated.at("normal_force_slide"), not_a_number);
   EXPECT_TRUE(estimate.relative.contains("mean_shear_slide"));
+}
+
+TEST(ErrorParts, few_readings_of_the_onset_are_no_defect) {
+  Signals base = scaled_signals(1, 1);
+  base.metrics.push_back({"precursor_correlation_common", 0.9, "1"});
+  Signals mesh = base;
+  mesh.metrics.back().value = nan;
+  const auto estimate = combine_errors(base, {{error_parts::mechanics_mesh, &base, &mesh}}, {});
+  EXPECT_EQ(estimate.not_estimated.at("precursor_correlation_common"), too_few_readings);
 }
 
 TEST(ErrorParts, audits_and_what_rounding_makes_have_none) {
@@ -109,7 +140,7 @@ TEST(ErrorParts, bands_hold_the_difference_of_the_rows_nearby) {
   EXPECT_EQ(estimate.signals.column("time").values, base.resolved.column("time").values);
   const auto& band = estimate.signals.column("mean_shear").values;
   for (const double half_width : band) {
-    EXPECT_NEAR(half_width, 2e-5, 1e-12);
+    EXPECT_NEAR(half_width, mesh_safety * 2e-5, 1e-12);
   }
 }
 

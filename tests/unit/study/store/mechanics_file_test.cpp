@@ -10,6 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+
 namespace ionskin::study {
 namespace {
 
@@ -35,6 +38,7 @@ mechanics::ContactSolution small_contact(const Case& input) {
       state->normal_traction = {2e6};
       state->tangential_traction_x = state->tangential_traction_y = {1e5};
       state->slip = {1e-6};
+      state->stick_reserve = {point.time > 0 ? 0.0 : 1e5};
       state->surface = {1e-6, 0, 0};
       state->place = held->strains.size();
       state->source = held;
@@ -57,6 +61,13 @@ TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
   EXPECT_EQ(record.electrode_stress, (std::vector<double>{3e6, 4e6}));
   ASSERT_EQ(record.normal_force.size(), record.history.time.size());
   ASSERT_EQ(record.maps.maps.size(), 1u + 2 + 9 + 2);
+  for (const results::ContactMap& map : record.maps.maps) {
+    ASSERT_EQ(map.slip_state.size(), 1u) << map.state;
+    const bool sticks =
+        std::set<std::string>{"touchdown", "steady_0", "steady_8"}.contains(map.state);
+    EXPECT_EQ(map.slip_state[0], sticks ? 1 : 3) << map.state;
+    ASSERT_EQ(map.slip_since_landing.size(), 1u) << map.state;
+  }
 
   const auto path = folder.path() / "results.h5";
   write_mechanics(path, "hash", record);

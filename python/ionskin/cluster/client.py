@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A client of a cluster: connecting, room on its workers, and working off jobs with as many known to the scheduler as it has
+places for."""
+
+import asyncio
+import contextlib
+import logging
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from ..errors import CaseError
+from .security import read_scheduler
+
+LOST = 5  # exit code
+CONNECT, FIRST_WORKER = 30, 60  # seconds to wait
+WINDOW = 2  # jobs per place that the scheduler knows of: it never queues tasks with resources
+
+
+class SchedulerLost(Exception):
+    """The connection to the scheduler ended."""
+
+
+class Job(NamedTuple):
+    """What a worker is to do.
+
+    name     for messages: "batch 3"
+    key      a client that comes back with the same finds what is under way
+    call     function and arguments
+    threads, memory [bytes]  that it takes of a worker
+    """
+
+    name: str
+    key: str
+    call: tuple
+    threads: int
+    memory: float
+
+
+@contextlib.contextmanager
+def connected(scheduler):
+    """A client of the scheduler whose file is given, with a worker at least. Raises CaseError."""
+    address, security = read_scheduler(scheduler)
+    from distributed import Client  # pylint: disable=import-outside-toplevel
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what is lost is told here
+    try:
+        client = Client(address, security=security, timeout=CONNECT, name="ionskin")
+    except OSError as error:
+        raise CaseError(f"the scheduler at {address}, which {scheduler} names, does not answer: {error}\n  = start the cluster "
+                        "again: ionskin cluster start FOLDER") from error
+    try:
+        try:
+            client.wait_for_workers(1, timeout=FIRST_WORKER)
+        except TimeoutError as late:
+            raise CaseError(f"no worker came to {address} within {FIRST_WORKER} s\n  = start one: ionskin cluster worker "
+                            "FOLDER") from late
+        yield client
+    finally:
+        if client.status == "running":
+            client.close(timeout=5)
+
+
+def workers_of(client):
+    """The workers there are. Raises SchedulerLost."""
+    if client.status != "running":
+        raise SchedulerLost
+    try:
+        return client.scheduler_info()["workers"]
+    except OSError as error:
+        raise SchedulerLost from error
+
+
+def places(workers, job):
+    """How many jobs of this kind the workers can do at once."""
+    return sum(min(worker["resources"].get("THREADS", 0) // job.threads,
+                   worker["resources"].get("MEMORY", 0) // max(1, job.memory)) for worker in workers.values())
+
+
+def require_room(workers, jobs):
+    """Raises CaseError for a job that no worker can ever take."""
+    for job in jobs:
+        if places(workers, job) < 1:
+            threads, memory = (max(worker["resources"].get(name, 0) for worker in workers.values())
+                               for name in ("THREADS", "MEMORY"))
+            raise CaseError(f"{job.name} needs {job.threads} threads and {job.memory / 1e9:.2g} GB, "
+                            f"and no worker has both: the largest have {threads:.0f} threads and {memory / 1e9:.2g} GB\n  = "
+                            "give fewer --threads, start larger workers (ionskin cluster worker --memory), or choose a coarser "
+                            "numerics.preset")
+
+
+def work_off(client, jobs, took: Callable[[Job, Any, str], None], show: Callable[[int, int], None]):
+    """Does every job; the first are the first to be submitted.
+
+    took  called with (job, result, problem) as each ends; the result is None where the problem, a text, is not empty
+    show  called with the numbers of running jobs and of workers, about once a second
+
+    Raises CaseError before any work, and SchedulerLost.
+    """
+    from distributed import wait  # pylint: disable=import-outside-toplevel
+    require_room(workers_of(client), jobs)
+    pending, running = list(reversed(jobs)), {}
+    try:
+        while pending or running:
+            workers = workers_of(client)
+            while pending and len(running) < WINDOW * max(1, places(workers, pending[-1])):
+                job = pending.pop()
+                running[client.submit(*job.call, key=job.key, pure=False, retries=0,
+                                      resources={"THREADS": job.threads, "MEMORY": job.memory})] = job
+            busy = sum(len(tasks) for tasks in client.processing().values())
+            show(min(busy, len(running)), len(workers))
+            with contextlib.suppress(TimeoutError):
+                wait(list(running), timeout=1, return_when="FIRST_COMPLETED")
+            for future in [future for future in running if future.done()]:
+                job = running.pop(future)
+                if future.status == "finished":
+                    took(job, future.result(), "")
+                elif client.status != "running":
+                    raise SchedulerLost
+                else:
+                    took(job, None, f"{type(future.exception()).__name__}: it ended the workers that did it, or could not be "
+                                    "started")
+                future.release()
+    except (Exception, asyncio.CancelledError) as error:
+        if client.status != "running":
+            raise SchedulerLost from error
+        raise

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Trials of a study on the workers of a cluster: one process of one thread each, as on this machine."""
+
+import pathlib
+import tempfile
+import threading
+import uuid
+
+from .. import solver
+from ..errors import CaseError
+from ..evaluation.local import TrialProcess, task_of
+from ..evaluation.trial import Outcome
+from .client import Job, connected, work_off
+from .security import read_scheduler
+
+OUTCOME = "outcome.npz"
+_own = threading.local()  # the process of each of the worker's threads
+
+
+def do_trial(task: dict) -> dict:
+    """Runs one trial on a worker and returns {"outcome": bytes of its file, "mistake": what is wrong with the case}."""
+    from distributed import get_worker  # pylint: disable=import-outside-toplevel
+    if not hasattr(_own, "process"):
+        _own.process = TrialProcess()
+    with tempfile.TemporaryDirectory(dir=get_worker().local_directory) as place:
+        path = pathlib.Path(place, OUTCOME)
+        try:
+            _own.process.run(task, path)
+        except CaseError as error:
+            return {"outcome": b"", "mistake": str(error)}
+        return {"outcome": path.read_bytes(), "mistake": ""}
+
+
+class ClusterEngine:
+    """Runs trials on the workers of the scheduler whose file is `on`; outcomes come back through the scheduler.
+
+    cache  as of LocalEngine, on the workers
+    """
+
+    def __init__(self, on, *, cache: bool | str = True) -> None:
+        """Raises CaseError for a file that is none of a scheduler that may be connected to."""
+        read_scheduler(on)
+        self.on, self.cache, self.workers = on, cache, 0
+
+    def evaluate(self, case, trials, folder, told) -> None:
+        """As LocalEngine.evaluate. Raises SchedulerLost too."""
+        del case  # every trial holds its own
+        if not trials:
+            return
+        study, by_number = uuid.uuid4().hex, {trial.number: trial for trial in trials}
+        jobs = [Job(f"run {trial.number}", f"ionskin-{study}-{trial.number}", (do_trial, task_of(trial, self.cache)), 1,
+                    solver.load().memory(trial.case)) for trial in trials]
+
+        def took(job, result, problem):
+            trial = by_number[int(job.key.rsplit("-", maxsplit=1)[1])]
+            path = folder / f"{trial.number:06}.npz"
+            if problem:
+                Outcome({}, {}, reason=problem).write(path)
+            elif result["mistake"]:
+                raise CaseError(result["mistake"])
+            else:
+                Outcome.keep(result["outcome"], path)
+            told(trial, Outcome.read(path))
+
+        def show(running, workers):
+            del running
+            self.workers = workers
+
+        with connected(self.on) as client:
+            work_off(client, jobs, took, show)

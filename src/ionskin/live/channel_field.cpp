@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/live/channel_field.hpp"
+
+#include "ionskin/live/place_amplitudes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ionskin::live {
+namespace {
+
+std::vector<float> integrals(const ChannelMap& channel, std::size_t modes) {
+  const std::size_t columns = channel.x_edges.size() - 1, rows = channel.y_edges.size() - 1,
+                    levels = channel.mean.size();
+  std::vector<float> result((columns + 1) * (rows + 1) * levels * modes);
+  std::vector<double> below(columns + 1); // to the edges of x, up to one of y
+  for (std::size_t mode = 0; mode < modes; ++mode) {
+    for (std::size_t level = 0; level < levels; ++level) {
+      const float* field = channel.field.data() + (mode * levels + level) * rows * columns;
+      std::ranges::fill(below, 0.0);
+      for (std::size_t j = 0; j < rows; ++j) {
+        const double height = channel.y_edges[j + 1] - channel.y_edges[j];
+        double row = 0;
+        for (std::size_t i = 0; i < columns; ++i) {
+          row += height * (channel.x_edges[i + 1] - channel.x_edges[i]) *
+                 static_cast<double>(field[j * columns + i]);
+          below[i + 1] += row;
+          result[(((i + 1) * (rows + 1) + j + 1) * levels + level) * modes + mode] =
+              static_cast<float>(below[i + 1]);
+        }
+      }
+    }
+  }
+  return result;
+}
+
+/// A coordinate between two edges, taken to the nearest of all where it lies outside.
+struct Between {
+  std::array<std::size_t, 2> edge{};
+  std::array<double, 2> weight{};
+};
+
+Between between(const std::vector<double>& edges, double at) noexcept {
+  const auto above = std::ranges::upper_bound(edges, at);
+  if (above == edges.begin() || above == edges.end()) {
+    const std::size_t end = above == edges.begin() ? 0 : edges.size() - 1;
+    return {{end, end}, {1, 0}};
+  }
+  const auto i = static_cast<std::size_t>(above - edges.begin());
+  const double weight = (at - edges[i - 1]) / (edges[i] - edges[i - 1]);
+  return {{i - 1, i}, {1 - weight, weight}};
+}
+
+} // namespace
+
+ChannelField::ChannelField(const ChannelMap& channel, std::size_t cells) : channel_(channel) {
+  const std::size_t rows = channel.strain.size() / (3 * cells),
+                    points = rows / channel.rows_per_point, modes = channel.fit.size() / points;
+  integral_ = std::make_shared<const std::vector<float>>(integrals(channel, modes));
+  strain_.resize(rows);
+  place_amplitude_.resize(channel.strain.modes());
+  point_.resize(points);
+  amplitude_.resize(modes);
+  sum_.resize(levels() * modes);
+}
+
+void ChannelField::set(const std::array<double, 2>& place, std::span<const double> force) noexcept {
+  const std::size_t rows = strain_.size(), per = channel_.rows_per_point;
+  place_amplitudes(channel_.strain, place, place_amplitude_);
+  std::ranges::fill(strain_, 0.0f);
+  for (std::size_t mode = 0; mode <= place_amplitude_.size(); ++mode) {
+    const double scale = mode == 0 ? 1 : place_amplitude_[mode - 1];
+    // [3 cells][row]: sums along the rows vectorise, those of a cell together
+    const float* column = channel_.strain.values.data() + mode * rows * force.size();
+    for (std::size_t at = 0; at < force.size(); at += 3, column += 3 * rows) {
+      if (force[at] == 0 && force[at + 1] == 0 && force[at + 2] == 0) {
+        continue;
+      }
+      const auto x = static_cast<float>(scale * force[at]),
+                 y = static_cast<float>(scale * force[at + 1]),
+                 z = static_cast<float>(scale * force[at + 2]);
+      float* strain = strain_.data();
+      for (std::size_t row = 0; row < rows; ++row) {
+        strain[row] += x * column[row] + y * column[rows + row] + z * column[2 * rows + row];
+      }
+    }
+  }
+  for (std::size_t point = 0; point < point_.size(); ++point) {
+    const float* strain = strain_.data() + per * point;
+    double square = 0;
+    for (std::size_t row = 0; row < per; ++row) {
+      square += static_cast<double>(strain[row]) * static_cast<double>(strain[row]);
+    }
+    point_[point] = per == 1 ? static_cast<double>(strain[0]) : std::sqrt(square);
+  }
+  const float* fit = channel_.fit.data();
+  for (double& amplitude : amplitude_) {
+    std::array<double, 4> part{}; // sums that do not wait for each other
+    std::size_t point = 0;
+    for (; point + part.size() <= point_.size(); point += part.size()) {
+      for (std::size_t i = 0; i < part.size(); ++i) {
+        part[i] += static_cast<double>(fit[point + i]) * point_[point + i];
+      }
+    }
+    for (; point < point_.size(); ++point) {
+      part[0] += static_cast<double>(fit[point]) * point_[point];
+    }
+    amplitude = (part[0] + part[1]) + (part[2] + part[3]);
+    fit += point_.size();
+  }
+}
+
+void ChannelField::integrate(const std::array<double, 2>& place, const double* corners,
+                             std::span<double> levels) noexcept {
+  const std::size_t size = sum_.size(), modes = amplitude_.size(),
+                    y_edges = channel_.y_edges.size();
+  std::ranges::fill(sum_, 0.0);
+  for (std::size_t side = 0; side < 4; ++side) {
+    const std::size_t right = side % 2, upper = side / 2;
+    const Between x = between(channel_.x_edges, corners[2 * right] - place[0]),
+                  y = between(channel_.y_edges, corners[2 * upper + 1] - place[1]);
+    for (std::size_t node = 0; node < 4; ++node) {
+      const std::size_t i = x.edge[node % 2], j = y.edge[node / 2];
+      const double weight = (right == upper ? 1 : -1) * x.weight[node % 2] * y.weight[node / 2];
+      if (weight == 0 || i == 0 || j == 0) {
+        continue;
+      }
+      const float* integral = integral_->data() + (i * y_edges + j) * size;
+      for (std::size_t k = 0; k < size; ++k) {
+        sum_[k] += weight * static_cast<double>(integral[k]);
+      }
+    }
+  }
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    double sum = 0;
+    for (std::size_t mode = 0; mode < modes; ++mode) {
+      sum += amplitude_[mode] * sum_[level * modes + mode];
+    }
+    levels[level] = sum;
+  }
+}
+
+} // namespace ionskin::live

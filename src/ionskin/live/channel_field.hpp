@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/live/skin_data.hpp"
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace ionskin::live {
+
+/// A channel of the core while a slider presses: modes of its field from the forces of the cells,
+/// and integrals over rectangles. Copies share their tables; nothing is allocated after
+/// construction.
+class ChannelField {
+public:
+  /// @param channel of so many cells; outlives this
+  ChannelField(const ChannelMap& channel, std::size_t cells);
+
+  const ChannelMap& map() const { return channel_; }
+  std::size_t levels() const { return channel_.mean.size(); }
+
+  /// @param force of the cells [3 cells] [N]
+  void set(const std::array<double, 2>& place, std::span<const double> force) noexcept;
+  /// Integrals over a rectangle, one for each level.
+  /// @param corners x low, y low, x high, y high [m]
+  void integrate(const std::array<double, 2>& place, const double* corners,
+                 std::span<double> levels) noexcept;
+
+private:
+  const ChannelMap& channel_;
+  /// Integral of each mode from the lowest corner of the slider's frame to the crossings of the
+  /// edges, between which it is bilinear: [x edge][y edge][level][mode].
+  std::shared_ptr<const std::vector<float>> integral_;
+  std::vector<float> strain_;
+  std::vector<double> place_amplitude_, point_, amplitude_, sum_;
+};
+
+} // namespace ionskin::live

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/live/place_amplitudes.hpp"
+
+#include <algorithm>
+
+namespace ionskin::live {
+namespace {
+
+void lagrange(const std::vector<double>& lines, double at, std::span<double> weights) noexcept {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    weights[i] = 1;
+    for (std::size_t j = 0; j < lines.size(); ++j) {
+      if (j != i) {
+        weights[i] *= (at - lines[j]) / (lines[i] - lines[j]);
+      }
+    }
+  }
+}
+
+} // namespace
+
+void place_amplitudes(const PlaceMap& map, const std::array<double, 2>& place,
+                      std::span<double> amplitudes) noexcept {
+  std::array<double, most_lines> x{}, y{};
+  lagrange(map.lines_x, place[0], x);
+  lagrange(map.lines_y, place[1], y);
+  std::fill(amplitudes.begin(), amplitudes.end(), 0.0);
+  const std::size_t modes = map.modes();
+  for (std::size_t j = 0, node = 0; j < map.lines_y.size(); ++j) {
+    for (std::size_t i = 0; i < map.lines_x.size(); ++i, ++node) {
+      for (std::size_t k = 0; k < modes; ++k) {
+        amplitudes[k] += x[i] * y[j] * map.amplitude[modes * node + k];
+      }
+    }
+  }
+}
+
+} // namespace ionskin::live

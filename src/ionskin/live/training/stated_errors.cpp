@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/live/training/stated_errors.hpp"
+
+#include <algorithm>
+
+namespace ionskin::live {
+namespace {
+
+/// The memory of a run grows with its touches.
+constexpr std::size_t touches_together = 6;
+
+void join(std::vector<TouchErrors>&& more, std::vector<TouchErrors>& all) {
+  if (all.empty()) {
+    all = std::move(more);
+    return;
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i].largest = std::max(all[i].largest, more[i].largest);
+    all[i].rms.insert(all[i].rms.end(), more[i].rms.begin(), more[i].rms.end());
+    all[i].worst.insert(all[i].worst.end(), more[i].worst.begin(), more[i].worst.end());
+  }
+}
+
+} // namespace
+
+std::vector<TouchErrors> errors_on_touches(const SkinData& data, const Case& input,
+                                           const TouchRange& range, std::size_t count,
+                                           std::uint64_t seed, const mesh::Footprint& footprint,
+                                           const TrainingOptions& options,
+                                           const std::function<void(std::size_t)>& done) {
+  std::vector<TouchErrors> errors;
+  for (std::size_t begun = 0; begun < count; begun += touches_together) {
+    const std::size_t together = std::min(touches_together, count - begun);
+    TrainingOptions own = options;
+    own.progress = base::no_progress;
+    options.progress("touches", static_cast<double>(begun) / static_cast<double>(count));
+    const FullRun run =
+        full_run(input, with_rows_behind_corners(random_touches(range, 1 + together, seed++)),
+                 footprint, own);
+    join(validate(data, run), errors);
+    if (done) {
+      done(begun + together);
+    }
+  }
+  options.progress("touches", 1);
+  return errors;
+}
+
+std::vector<SignalError> stated_errors(const std::vector<TouchErrors>& errors) {
+  std::vector<SignalError> stated;
+  for (const TouchErrors& signal : errors) {
+    stated.push_back({signal.name, *std::ranges::max_element(signal.rms),
+                      *std::ranges::max_element(signal.worst), signal.largest});
+  }
+  return stated;
+}
+
+} // namespace ionskin::live

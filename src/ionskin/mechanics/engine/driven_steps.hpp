@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/slider_motion.hpp"
+#include "ionskin/mechanics/engine/compliant_drive.hpp"
+
+#include <array>
+#include <functional>
+
+namespace ionskin::mechanics {
+
+/// How a slider on a drive is stepped.
+struct DriveOptions {
+  Drive drive;
+  std::array<bool, 2> along{true, true}; ///< axes along which the slider yields
+  double tolerance = 0;                  ///< of a step, of the way that the slider may yield [1]
+  double longest_travel = 0;             ///< of the slider in a step [m]
+  MotionBox room;                        ///< that its centre must not leave [m]
+};
+
+/// Steps of a slider on a compliant drive, as long as the place at their end is foreseen within a
+/// tolerance from velocity and acceleration at their begin: short while the slider swings, slips or
+/// catches, long while it sticks or slides evenly.
+class DrivenSteps {
+public:
+  using Load = std::function<SliderLoad(double fraction)>; ///< of the leg, at a fraction of it
+
+  /// @param contact outlives this
+  DrivenSteps(SlidingContact& contact, const DriveOptions& options, double meshed_share);
+
+  /// The slider stands at the end of the drive at a fraction of a leg, as where it lands.
+  void hold(const MotionLeg& leg, double fraction);
+  /// One step from a fraction of a leg towards another. @returns the fraction that it reached
+  /// Throws SolverError when the contact has no solution, or the slider leaves its room.
+  double advance(const MotionLeg& leg, double from, double to, const Load& load);
+  /// Of the drive on the slider [N].
+  std::array<double, 2> force(const MotionLeg& leg, double fraction) const;
+
+private:
+  double longest_step(const MotionLeg& leg) const;
+  void require_room(double time) const;
+
+  SlidingContact& contact_;
+  DriveOptions options_;
+  CompliantDrive drive_;
+  double meshed_share_;
+  double longest_ = 0; ///< next step at most [s]; 0 for any
+  double yield_ = 0;   ///< largest so far, between slider and end of the drive [m]
+};
+
+} // namespace ionskin::mechanics

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/readout/metrics.hpp"
+#include "ionskin/readout/signals.hpp"
+#include "ionskin/readout/slip_onset.hpp"
+#include "ionskin/study/store/mechanics_record.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace ionskin::study {
+
+/// How the first slide begins; nothing without a slide, or where nothing sticks.
+std::optional<readout::SlipOnset> slip_onset(const Case& input, const MechanicsRecord& mechanics);
+
+/// Instants of the first micro-slip and of full slip since the slide began, the lead between them
+/// in time and way of the slider, and the ratio of the forces at the first micro-slip. Only what
+/// the slide comes to.
+std::vector<readout::Metric> slip_metrics(const Case& input, const MechanicsRecord& mechanics);
+
+/// Least errors of these by name: half the step of the path in which an instant lies, and of the
+/// first micro-slip what half a row of cells along the border of what sticks is beside the share
+/// that it is told from.
+std::vector<readout::Metric> slip_least_errors(const Case& input, const MechanicsRecord& mechanics);
+
+/// What the difference and the common current tell before full slip (readout/slip_precursor.hpp),
+/// and the noise that they are told from: that of the instrument, or else rounding.
+/// @param signals the resolved table with charges
+std::vector<readout::Metric> precursor_metrics(const Case& input, const MechanicsRecord& mechanics,
+                                               const readout::SignalTable& signals);
+
+} // namespace ionskin::study

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Kernels of the linear algebra for several processors, which round otherwise: each gives the same bits after a kill, and
+all agree within the bound of docs/sweeps.md."""
+
+import csv
+import os
+import pathlib
+import signal
+import subprocess
+import time
+import unittest
+from unittest import mock
+
+from program import PROGRAM, QUICK, ProgramTest
+
+# Kernel of OpenBLAS and what the processor must be able to do for it.
+KERNELS = {"Nehalem": "sse4_2", "Haswell": "avx2", "Zen": "avx2", "SkylakeX": "avx512vl"}
+SWEEP = ("sweep", QUICK, "--no-report", "--set", "numerics.mesh_refinement=0.5", "--set",
+         "numerics.time_refinement=0.3", "--over", "contact.friction=0.1,0.4")
+# Relative bounds; steps follow the rounding, and what differs between the electrodes is left of terms that cancel.
+BOUND, REMAINDER_BOUND = 1e-7, 1e-5
+
+
+def usable():
+    """The kernels that this processor can run."""
+    flags = pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8").partition("flags")[2].partition("\n")[0].split()
+    return [kernel for kernel, needed in KERNELS.items() if needed in flags]
+
+
+class Processors(ProgramTest):
+    def kill(self, out):
+        """Starts the sweep and kills it once the first point is whole, or late in its mechanics."""
+        with subprocess.Popen([PROGRAM, *map(str, SWEEP), "-o", out], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                              cwd=self.folder) as process:
+            deadline = time.monotonic() + 120
+            while process.poll() is None and time.monotonic() < deadline:
+                if list((self.folder / out).glob("points/*/results.h5")):
+                    break
+                time.sleep(0.01)
+            process.send_signal(signal.SIGKILL)
+
+    def table(self, out):
+        """Bytes of the sweep's table."""
+        return (self.folder / out / "sweep.csv").read_bytes()
+
+    def test_killed_sweeps_end_with_the_same_bits_and_kernels_agree(self):
+        metrics = {}
+        for kernel in usable():
+            with self.subTest(kernel), mock.patch.dict(os.environ, {"OPENBLAS_CORETYPE": kernel}):
+                whole, killed, single = f"whole_{kernel}", f"killed_{kernel}", f"single_{kernel}"
+                self.run_program(*SWEEP, "-o", whole, "--threads", 1)
+                self.kill(killed)
+                self.run_program(*SWEEP, "-o", killed, "--resume")
+                self.assertEqual(self.table(killed), self.table(whole))
+                point = self.folder / whole / "points" / "0002_friction=0.4"
+                self.run_case(point / "case.toml", "-o", single)
+                for name in ("signals.csv", "sampled.csv"):
+                    self.assertEqual((point / name).read_bytes(), (self.folder / single / name).read_bytes())
+                with open(self.folder / whole / "sweep.csv", newline="", encoding="utf-8") as file:
+                    metrics[kernel] = list(csv.DictReader(file))
+        self.assertGreaterEqual(len(metrics), 3 if "Haswell" in usable() else 1)
+        first, *others = metrics.items()
+        for kernel, rows in others:
+            for row, reference in zip(rows, first[1], strict=True):
+                for name, text in reference.items():
+                    with self.subTest(f"{kernel} against {first[0]}: {name}"):
+                        self.compare(name, text, row[name])
+
+    def compare(self, name, reference, other):
+        """Residuals consist of rounding alone, and stated errors are differences of near numbers."""
+        if "residual" in name or "error" in name or "seconds" in name:
+            return
+        try:
+            expected, value = float(reference), float(other)
+        except ValueError:
+            self.assertEqual(reference, other)
+            return
+        bound = REMAINDER_BOUND if "difference" in name else BOUND
+        self.assertLessEqual(abs(value - expected), bound * abs(expected))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/live/channel_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ionskin::live {
+namespace {
+
+/// Two cells of contact, two points whose strain has two rows, and three modes on two levels, 4 x 3
+/// cells with edges at uneven distances; all numbers different.
+ChannelMap uneven_map() {
+  ChannelMap map;
+  map.rows_per_point = 2;
+  map.strain.lines_x = {0, 2};
+  map.strain.lines_y = {0};
+  map.strain.amplitude = {-0.5, 0.5};
+  for (int i = 0; i < 2 * 6 * 4; ++i) {
+    map.strain.values.push_back(static_cast<float>(std::sin(1.0 + 3 * i)));
+  }
+  map.x_edges = {-2, -1.2, 0, 0.3, 2};
+  map.y_edges = {-1, -0.5, 0.4, 1};
+  map.mean = {1, 1};
+  map.moment = {-1, 1};
+  for (int i = 0; i < 3 * 2; ++i) {
+    map.fit.push_back(static_cast<float>(std::cos(2.0 + i)));
+  }
+  for (int i = 0; i < 3 * 2 * 3 * 4; ++i) {
+    map.field.push_back(static_cast<float>(std::sin(5.0 + 7 * i)));
+  }
+  return map;
+}
+
+/// The field's cells one by one, as they are defined.
+std::array<double, 2> by_cells(const ChannelMap& map, const std::array<double, 2>& place,
+                               const std::array<double, 6>& force,
+                               const std::array<double, 4>& corners) {
+  const double amplitude = (place[0] - 1) / 2;
+  std::array<double, 2> point{}, levels{};
+  for (std::size_t p = 0; p < 2; ++p) {
+    std::array<double, 2> strain{};
+    for (std::size_t i = 0; i < 6; ++i) {
+      for (std::size_t row = 0; row < 2; ++row) {
+        const std::size_t at = i * 4 + 2 * p + row;
+        strain[row] += force[i] * (static_cast<double>(map.strain.values[at]) +
+                                   amplitude * static_cast<double>(map.strain.values[24 + at]));
+      }
+    }
+    point[p] = std::hypot(strain[0], strain[1]);
+  }
+  for (std::size_t mode = 0, at = 0; mode < 3; ++mode) {
+    const double of_mode = static_cast<double>(map.fit[2 * mode]) * point[0] +
+                           static_cast<double>(map.fit[2 * mode + 1]) * point[1];
+    for (std::size_t level = 0; level < 2; ++level) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        for (std::size_t i = 0; i < 4; ++i, ++at) {
+          const double width = std::min(map.x_edges[i + 1] + place[0], corners[2]) -
+                               std::max(map.x_edges[i] + place[0], corners[0]),
+                       height = std::min(map.y_edges[j + 1] + place[1], corners[3]) -
+                                std::max(map.y_edges[j] + place[1], corners[1]);
+          levels[level] += of_mode * static_cast<double>(map.field[at]) * std::max(0.0, width) *
+                           std::max(0.0, height);
+        }
+      }
+    }
+  }
+  return levels;
+}
+
+TEST(ChannelField, IntegratesOverAnyRectangle) {
+  const ChannelMap map = uneven_map();
+  ChannelField field(map, 2);
+  const std::array<double, 2> place{1.7, 0.2};
+  const std::array<double, 6> force{1, 0.3, -0.2, 2, 0.6, 0.1};
+  field.set(place, force);
+  ChannelField copy = field;
+  for (const std::array<double, 4>& corners : {std::array<double, 4>{-9, -9, 9, 9},
+                                               {1, 0, 1.1, 0.1},
+                                               {1.5, -9, 2.5, 0.5},
+                                               {-9, 0.3, 1.71, 9},
+                                               {0.5, -0.3, 1.7, 0.6},
+                                               {5, 0, 6, 1},
+                                               {-9, -9, -1, -1}}) {
+    std::array<double, 2> levels{};
+    field.integrate(place, corners.data(), levels);
+    const std::array<double, 2> expected = by_cells(map, place, force, corners);
+    for (std::size_t level = 0; level < 2; ++level) {
+      EXPECT_NEAR(levels[level], expected[level], 1e-5) << corners[0] << " " << level;
+    }
+    std::array<double, 2> copied{};
+    copy.integrate(place, corners.data(), copied);
+    EXPECT_EQ(copied, levels);
+  }
+}
+
+} // namespace
+} // namespace ionskin::live

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/live/training/random_touches.hpp"
+#include "ionskin/live/training/stated_errors.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ionskin::live {
+namespace {
+
+const TouchRange range{{{4e-3, 1e-3}, {10e-3, 1.5e-3}}, false, 1e-6, 3e-3};
+
+/// Height or place between the rows of a path [m].
+template <class Of> double between(const Motion& motion, double time, Of&& of) {
+  const auto next =
+      std::ranges::find_if(motion.waypoints, [&](const Waypoint& row) { return row.time >= time; });
+  if (next == motion.waypoints.begin()) {
+    return of(*next);
+  }
+  const Waypoint &from = *(next - 1), &to = *next;
+  return of(from) + (time - from.time) / (to.time - from.time) * (of(to) - of(from));
+}
+
+TEST(RandomTouches, TurnAtWholeMillisecondsWithinTheirRange) {
+  const Motion motion = random_touches(range, 30, 7);
+  EXPECT_EQ(landings(motion).size(), 30u);
+  for (std::size_t i = 0; i < motion.waypoints.size(); ++i) {
+    const Waypoint& row = motion.waypoints[i];
+    EXPECT_NEAR(std::round(1e3 * row.time), 1e3 * row.time, 1e-9);
+    for (const std::size_t d : {0u, 1u}) {
+      EXPECT_GE(row.position[d], range.box.low[d]);
+      EXPECT_LE(row.position[d], range.box.high[d]);
+    }
+    EXPECT_GE(*row.height, -range.heaviest);
+    if (i > 0 && *row.height < 0 && *motion.waypoints[i - 1].height < 0) {
+      const Waypoint& from = motion.waypoints[i - 1];
+      const double way =
+          std::hypot(row.position[0] - from.position[0], row.position[1] - from.position[1]);
+      EXPECT_LE(way, range.fastest * (row.time - from.time) * (1 + 1e-9));
+    }
+  }
+  EXPECT_EQ(random_touches(range, 30, 7).waypoints.back().time, motion.waypoints.back().time);
+  EXPECT_NE(random_touches(range, 30, 8).waypoints.back().time, motion.waypoints.back().time);
+}
+
+TEST(RandomTouches, RowsBehindCornersLieOnThePath) {
+  const Motion motion = random_touches(range, 10, 3), dense = with_rows_behind_corners(motion);
+  EXPECT_GT(dense.waypoints.size(), 2 * motion.waypoints.size());
+  EXPECT_EQ(landings(dense), landings(motion));
+  double before = -1;
+  for (const Waypoint& row : dense.waypoints) {
+    EXPECT_GT(row.time, before + 0.9e-3);
+    before = row.time;
+    const auto height = [](const Waypoint& at) { return *at.height; };
+    const auto x = [](const Waypoint& at) { return at.position[0]; };
+    EXPECT_NEAR(*row.height, between(motion, row.time, height), 1e-12);
+    EXPECT_NEAR(row.position[0], between(motion, row.time, x), 1e-12);
+  }
+}
+
+TEST(StatedErrors, AreTheLargestOfAnyTouch) {
+  const auto stated = stated_errors({{"charge_top", 5, {0.1, 0.3, 0.2}, {1, 2, 4}}});
+  ASSERT_EQ(stated.size(), 1u);
+  EXPECT_EQ(stated[0].name, "charge_top");
+  EXPECT_EQ(stated[0].rms, 0.3);
+  EXPECT_EQ(stated[0].worst, 4);
+  EXPECT_EQ(stated[0].largest, 5);
+  EXPECT_LT(std::pow(0.95, validation_touches), 0.01);
+}
+
+} // namespace
+} // namespace ionskin::live
