@@ -27,9 +27,6 @@ struct ContactOptions {
   std::optional<mesh::Footprint> footprint;
   /// Meshes the whole skin where half of it would do, to compare.
   bool full_model = false;
-  /// Surface displacement that an earlier cycle left under the slider's start [m], as in
-  /// ContactSolution::final_surface; empty for none.
-  std::vector<double> surface_before;
 };
 
 /// What may differ between solutions that share their factorisations.

@@ -40,7 +40,7 @@ constexpr std::size_t units_per_path = 10; // of the progress
 constexpr double usual_slide = 0.4;        // of the skin's length
 constexpr double force_share = 0.4;        // of the resolution's square
 constexpr double area_tolerance = 0.02;
-constexpr double steps_per_interval = 4; // of the finest preset, between instants that are kept
+constexpr double steps_per_interval = 2; // that are kept at most
 constexpr int most_passes = 3;           // over wider rectangles of a slider on a drive
 
 ThinningTolerance thinning_tolerance(const Case& input, const mesh::Footprint& footprint) {
@@ -180,8 +180,7 @@ ContactSolution empty_solution(const SkinModel& model) {
 
 ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs,
                            const std::shared_ptr<const PositionNodes>& nodes,
-                           const ContactVariant& variant, const std::vector<double>& surface_before,
-                           SharedProgress& progress) {
+                           const ContactVariant& variant, SharedProgress& progress) {
   const SkinModel& model = nodes->model();
   const mesh::HeaviestLoad heaviest = mesh::heaviest_load(input);
   StepperOptions options{.steps = variant.steps,
@@ -200,9 +199,6 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
   SlidingContact contact(
       nodes->compliance(), model.cells.area, model.gap,
       laws::friction(input.contact.law, variant.friction, input.contact.parameters));
-  if (!surface_before.empty()) {
-    contact.start_from(surface_before);
-  }
   MotionStepper stepper(contact, options, [&](const StepPoint& point, const SlidingContact& at) {
     kept.add(point, at);
   });
@@ -210,9 +206,6 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
   for (std::size_t i = 0; i < legs.size(); ++i) {
     base::check_interrupt();
     stepper.follow(legs[i]);
-    if (legs[i].leaves() && solution.final_surface.empty()) {
-      solution.final_surface = contact.state().surface;
-    }
     if ((i + 1) * units_per_path / legs.size() > i * units_per_path / legs.size()) {
       progress.finish_unit();
     }
@@ -280,13 +273,16 @@ std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footpr
   std::shared_ptr<const PositionNodes> nodes;
   {
     const base::Timers::Scope scope(timers, "mechanics: factorisation");
-    nodes = std::make_shared<const PositionNodes>(
-        input, model, *box, NodeOptions{options.threads, options.cache, options.nodes}, progress);
+    nodes = std::make_shared<const PositionNodes>(input, model, *box,
+                                                  NodeOptions{options.threads, options.cache,
+                                                              options.nodes,
+                                                              loads_across_at_ends(input, *box)},
+                                                  progress);
   }
   progress.add_units(units_per_path * variants.size());
   parallel::run_tasks(variants.size(), options.threads, [&](std::size_t i) {
     const base::Timers::Scope scope(timers, "mechanics: contact");
-    solutions[i] = solve_path(input, legs, nodes, variants[i], options.surface_before, progress);
+    solutions[i] = solve_path(input, legs, nodes, variants[i], progress);
     // Each by itself, so that no solution depends on its neighbours.
     std::shared_ptr<const PositionNodes> own = nodes;
     MotionBox own_box = *box;
@@ -301,7 +297,7 @@ std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footpr
       own = std::make_shared<const PositionNodes>(
           input, model, own_box, NodeOptions{1, options.cache, options.nodes}, progress);
       progress.add_units(units_per_path);
-      solutions[i] = solve_path(input, legs, own, variants[i], options.surface_before, progress);
+      solutions[i] = solve_path(input, legs, own, variants[i], progress);
     }
     warn_of_nodes(input, *own, own_box, options, solutions[i]);
   });

@@ -71,8 +71,8 @@ double response_memory(const mesh::SkinMesh& mesh, const CostEstimate& cost) {
 /// Strains that are recovered together and those under the test load at the positions, and the
 /// dense matrices of the contact at the positions that are solved at once [bytes].
 double contact_memory(const mesh::SkinMesh& mesh, const CostEstimate& cost, int at_once) {
-  constexpr double block_states = 48, test_states = 4;
-  constexpr double points = 8, strains = 6, matrices = 3; // compliance, Newton's and its factor
+  constexpr double block_states = 48 + 48, test_states = 4; // with the patterns they combine
+  constexpr double points = 8, strains = 6, matrices = 3;   // compliance, Newton's and its factor
   const auto [nx, ny, nz] = mesh.elements();
   const auto [bottom, top] = mesh.core_z();
   const double core = static_cast<double>(nx * ny * (top - bottom));

@@ -25,9 +25,7 @@ mechanics::ContactSolution two_cells(const Case& input) {
   };
   for (const auto& instant : contact.stepped) {
     const double since_set_off = instant.time - 0.5;
-    const double surface = since_set_off <= 0      ? 0
-                           : since_set_off <= 0.5e-3 ? 0.3e-6
-                                                   : 0.4e-6;
+    const double surface = since_set_off <= 0 ? 0 : since_set_off <= 0.5e-3 ? 0.3e-6 : 0.4e-6;
     give(instant.state, surface, instant.time > 2.5 ? 0 : 1);
   }
   return contact;

@@ -107,7 +107,8 @@ TEST(SolveContact, the_path_passes_through_steady_sliding_found_by_itself) {
     EXPECT_NEAR(passed.time, asked.output.fields.front(), 1e-12);
     const ContactState direct =
         solve_steady_sliding(input, {fraction * input.motion.stroke}, options, timers).front();
-    EXPECT_NEAR(passed.state->normal_force, direct.normal_force, 1e-5 * direct.normal_force);
+    // Cells slip against what the surface itself moves too: 4e-7 of the force.
+    EXPECT_NEAR(passed.state->normal_force, direct.normal_force, 1e-6 * direct.normal_force);
     const CoreStrain strain = core_strain(*passed.state);
     double difference = 0, size = 0;
     for (std::size_t c = 0; c < 6; ++c) {
@@ -116,7 +117,7 @@ TEST(SolveContact, the_path_passes_through_steady_sliding_found_by_itself) {
         size += std::pow(direct.strain.component[c][i], 2);
       }
     }
-    EXPECT_LT(std::sqrt(difference / size), interpolation_tolerance(Preset::coarse)) << fraction;
+    EXPECT_LT(std::sqrt(difference / size), solution.worst_interpolation_error) << fraction;
   }
 }
 
@@ -164,30 +165,53 @@ TEST(SolveContact, touchdown_in_one_increment_is_exact) {
   }
 }
 
-TEST(SolveContact, a_second_cycle_repeats_the_first) {
-  const ContactSolution& first = solved_small_case();
-  ContactOptions options;
-  options.surface_before = first.final_surface;
-  const ContactSolution second = solve(small_case(), options);
-  ASSERT_EQ(second.stepped.size(), first.stepped.size());
-  for (std::size_t i = 0; i < first.stepped.size(); ++i) {
-    if (first.stepped[i].state) {
-      EXPECT_NEAR(second.stepped[i].state->tangential_force[0],
-                  first.stepped[i].state->tangential_force[0],
-                  1e-8 * touchdown(first).normal_force);
+/// The cycle of a case twice in one path.
+Case twice(Case input) {
+  const std::vector<MotionLeg> legs = motion_legs(input.motion, input.slider);
+  const double cycle = legs.back().end();
+  input.motion.kind = MotionKind::waypoints;
+  input.motion.waypoints = {{0, legs.front().from, legs.front().from_level.value, {}}};
+  const std::vector<double> fields = input.output.fields;
+  for (const double begin : {0.0, cycle}) {
+    for (const MotionLeg& leg : legs) {
+      input.motion.waypoints.push_back({begin + leg.end(), leg.to, leg.to_level.value, {}});
     }
   }
+  for (const double instant : fields) {
+    input.output.fields.push_back(instant + cycle);
+  }
+  return input;
 }
 
-TEST(SolveContact, a_surface_that_was_left_sheared_shows_in_the_next_touchdown) {
-  const ContactSolution& first = solved_small_case();
-  ContactOptions options;
-  options.surface_before.assign(first.final_surface.size(), 0.0);
-  for (std::size_t i = 1; i < options.surface_before.size(); i += 3) {
-    options.surface_before[i] = 1e-7;
+TEST(SolveContact, a_second_touch_repeats_the_first) {
+  for (const char* law : {"coulomb", "regularised"}) {
+    Case input = small_case();
+    input.contact.law = law;
+    if (input.contact.law == "regularised") {
+      input.contact.parameters = {{"slip_length", 1e-7}};
+    }
+    const double cycle = motion_legs(input.motion, input.slider).back().end();
+    input.output.fields = {0.5, 0.502, 0.51, 0.55, 1.5, 2.5, 2.5002};
+    const std::vector<double> instants = input.output.fields;
+    ContactOptions options;
+    options.nodes = 3;
+    const ContactSolution both = solve(twice(input), options);
+    for (const double instant : instants) {
+      const SteppedInstant &first = nearest(both, instant),
+                           &second = nearest(both, instant + cycle);
+      ASSERT_NEAR(first.time, instant, 1e-12);
+      ASSERT_NEAR(second.time, instant + cycle, 1e-12);
+      ASSERT_TRUE(first.state && second.state) << instant;
+      EXPECT_GT(first.state->normal_force, 0);
+      for (std::size_t c = 0; c < first.state->normal_traction.size(); ++c) {
+        const double scale = 1e-8 * first.state->normal_force / (1e-3 * 1e-3);
+        EXPECT_NEAR(first.state->normal_traction[c], second.state->normal_traction[c], scale);
+        EXPECT_NEAR(first.state->tangential_traction_x[c], second.state->tangential_traction_x[c],
+                    scale)
+            << law << instant;
+      }
+    }
   }
-  EXPECT_GT(std::abs(touchdown(solve(small_case(), options)).tangential_force[0]),
-            1e-2 * touchdown(first).normal_force);
 }
 
 TEST(SolveContact, without_friction_nothing_drags) {
@@ -195,8 +219,9 @@ TEST(SolveContact, without_friction_nothing_drags) {
   input.contact.friction = 0;
   const ContactSolution solution = solve(input);
   EXPECT_TRUE(solution.stepped_onsets.empty());
-  EXPECT_NEAR(at(solution, 0.6).normal_force, touchdown(solution).normal_force,
-              1e-3 * touchdown(solution).normal_force);
+  // The end of the slide mirrors its begin.
+  EXPECT_NEAR(at(solution, 2.5).normal_force, touchdown(solution).normal_force,
+              1e-8 * touchdown(solution).normal_force);
   EXPECT_EQ(total_friction(at(solution, 1.5)), 0.0);
 }
 
@@ -232,9 +257,10 @@ TEST(SolveContact, oblique_tracks_use_the_full_model) {
   EXPECT_FALSE(solution.mesh.half_model());
   const ContactState &first = *sliding(solution, input, false).front()->state,
                      &last = at(solution, 2.5);
-  EXPECT_NEAR(last.tangential_force[0], 0.8 * 0.3 * last.normal_force, 1e-3 * last.normal_force);
-  EXPECT_NEAR(last.tangential_force[1], 0.6 * 0.3 * last.normal_force, 1e-3 * last.normal_force);
-  EXPECT_NEAR(total_friction(last), 0.3 * last.normal_force, 1e-6 * last.normal_force);
+  // Cells slip along the way less what the surface itself moves, which changes along the skin.
+  EXPECT_NEAR(last.tangential_force[0], 0.8 * 0.3 * last.normal_force, 1e-4 * last.normal_force);
+  EXPECT_NEAR(last.tangential_force[1], 0.6 * 0.3 * last.normal_force, 1e-4 * last.normal_force);
+  EXPECT_NEAR(total_friction(last), 0.3 * last.normal_force, 1e-7 * last.normal_force);
   EXPECT_GT(std::abs(first.normal_force / last.normal_force - 1),
             1e-6); // leading and trailing differ
 }
@@ -266,8 +292,8 @@ TEST(SolveContact, a_stroke_back_starts_from_sliding_forth) {
   const ContactState& end = at(solution, 4.6);
   EXPECT_NEAR(end.tangential_force[0], -0.3 * end.normal_force, 1e-8 * end.normal_force);
   // The skin is symmetric about its middle, and the third stroke repeats the first.
-  EXPECT_NEAR(end.normal_force, forth.normal_force, 1e-5 * forth.normal_force);
-  EXPECT_NEAR(at(solution, 6.7).normal_force, forth.normal_force, 1e-6 * forth.normal_force);
+  EXPECT_NEAR(end.normal_force, forth.normal_force, 1e-7 * forth.normal_force);
+  EXPECT_NEAR(at(solution, 6.7).normal_force, forth.normal_force, 1e-7 * forth.normal_force);
 }
 
 TEST(SolveContact, mirrored_places_are_solved_once) {
@@ -307,7 +333,7 @@ TEST(SolveContact, a_force_is_held_with_the_indentation_free) {
   const ContactSolution solution = solve(input, options);
   for (const bool onset : {true, false}) {
     for (const SteppedInstant* instant : sliding(solution, input, onset)) {
-      EXPECT_NEAR(instant->state->normal_force, 1, 1e-7);
+      EXPECT_NEAR(instant->state->normal_force, 1, 1e-9);
       EXPECT_NEAR(instant->height, -instant->state->indentation, 1e-15);
     }
   }
@@ -320,7 +346,7 @@ TEST(SolveContact, a_force_is_held_with_the_indentation_free) {
   base::Timers timers;
   EXPECT_NEAR(
       solve_steady_sliding(held, {held.motion.stroke}, options, timers).front().normal_force, 1,
-      1e-5);
+      1e-7);
   EXPECT_EQ(solution.stepped.back().state, nullptr);
 }
 

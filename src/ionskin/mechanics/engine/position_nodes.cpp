@@ -21,8 +21,6 @@ using linear_algebra::DenseMatrix;
 /// there by less than any tolerance.
 constexpr double narrow = 1e-5;
 constexpr std::size_t first_count = 4;
-/// Electrode stress and residual are those of nodes with at least this weight.
-constexpr double counting_weight = 0.3;
 
 std::size_t expected_count(const Case& input, const MotionBox& box, std::size_t axis) {
   const double size = axis == 0 ? input.skin.length : input.skin.width;
@@ -34,14 +32,14 @@ std::size_t expected_count(const Case& input, const MotionBox& box, std::size_t 
   return expected_node_count(input, box.low, to);
 }
 
-/// Uniform pressure with usual drag in the directions in which the mesh lets the slider go.
-CellVector test_load(const SkinModel& model) {
+/// Uniform pressure with usual drag in given directions.
+CellVector test_load(const SkinModel& model, const ForceDirections& directions) {
   constexpr double friction = 0.3;
   CellVector force(3 * model.cells.count());
   for (std::size_t cell = 0; cell < model.cells.count(); ++cell) {
     force[3 * cell] = model.cells.area[cell];
-    force[3 * cell + 1] = friction * model.cells.area[cell];
-    force[3 * cell + 2] = model.mesh.half_model() ? 0 : friction * model.cells.area[cell];
+    force[3 * cell + 1] = directions[1] ? friction * model.cells.area[cell] : 0;
+    force[3 * cell + 2] = directions[2] ? friction * model.cells.area[cell] : 0;
   }
   return force;
 }
@@ -70,10 +68,10 @@ std::vector<Reflection> reflections_in(const Skin& skin, const MotionBox& box) {
 /// mirror image of what is applied here: its pressure is the same, its drag is not.
 std::array<std::shared_ptr<const CoreStrain>, 4>
 test_strains(const SkinModel& model, const CondensedPosition& condensed,
-             const std::vector<Reflection>& reflections) {
+             const ForceDirections& directions, const std::vector<Reflection>& reflections) {
   std::vector<CellVector> loads;
   for (const Reflection& reflect : reflections) {
-    loads.push_back(reflected(model.cells, test_load(model), reflect));
+    loads.push_back(reflected(model.cells, test_load(model, directions), reflect));
   }
   std::vector<CondensedPosition::Response> responses = condensed.respond(loads);
   std::array<std::shared_ptr<const CoreStrain>, 4> result;
@@ -84,16 +82,6 @@ test_strains(const SkinModel& model, const CondensedPosition& condensed,
                                        : mirrored(std::move(strain), reflections[i]));
   }
   return result;
-}
-
-void add_scaled(const CoreStrain& strain, double weight, CoreStrain& sum) {
-  sum.points = strain.points;
-  for (std::size_t c = 0; c < sum.component.size(); ++c) {
-    sum.component[c].resize(strain.component[c].size());
-    for (std::size_t i = 0; i < strain.component[c].size(); ++i) {
-      sum.component[c][i] += weight * strain.component[c][i];
-    }
-  }
 }
 
 /// A slider on a drive that halts swings on by its speed over the natural angular frequency.
@@ -181,6 +169,26 @@ std::size_t expected_places(const Case& input, const MotionBox& box) {
   return places.size();
 }
 
+bool loads_across_at_ends(const Case& input, const MotionBox& box) {
+  constexpr double rounding = 1e-9;
+  const auto counts = expected_counts(input, box);
+  if ((counts[0] > 1) == (counts[1] > 1) || input.numerics.shared.given() ||
+      input.motion.drive.given()) {
+    return false;
+  }
+  const std::size_t axis = counts[0] > 1 ? 0 : 1;
+  const auto at_end = [&](const std::array<double, 2>& place) {
+    return std::min(place[axis] - box.low[axis], box.high[axis] - place[axis]) <=
+           rounding * (box.high[axis] - box.low[axis]);
+  };
+  const std::vector<MotionLeg> legs = motion_legs(input.motion, input.slider);
+  const bool held = std::ranges::all_of(
+      legs, [](const MotionLeg& leg) { return !leg.slides() || leg.from_level == leg.to_level; });
+  return held && std::ranges::all_of(joined_slides(legs), [&](const MotionLeg& leg) {
+           return !leg.touches() || (at_end(leg.from) && at_end(leg.to));
+         });
+}
+
 double node_tolerance(const Case& input, const MotionBox& box) {
   constexpr double looser = 10; // positions along both axes multiply
   const auto counts = expected_counts(input, box);
@@ -192,8 +200,7 @@ PositionNodes::PositionNodes(const Case& input, std::shared_ptr<const SkinModel>
                              const MotionBox& box, const NodeOptions& options,
                              SharedProgress& progress)
     : model_(std::move(model)), skin_(input.skin), options_(options),
-      reflections_(reflections_in(input.skin, box)) {
-  const double tolerance = node_tolerance(input, box);
+      reflections_(reflections_in(input.skin, box)), tolerance_(node_tolerance(input, box)) {
   std::array<std::size_t, 2> counts{};
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const std::size_t expected = expected_counts(input, box)[axis];
@@ -203,7 +210,7 @@ PositionNodes::PositionNodes(const Case& input, std::shared_ptr<const SkinModel>
   }
   for (bool settled = false; !settled;) {
     condense(node_lines(box, counts), progress);
-    const auto wanted = wanted_counts(tolerance);
+    const auto wanted = wanted_counts(tolerance_);
     settled = options.count > 0 || wanted == counts;
     counts = wanted;
   }
@@ -221,8 +228,16 @@ PositionNodes::PositionNodes(const Case& input, std::shared_ptr<const SkinModel>
 PositionNodes::Condensed PositionNodes::condensed_at(std::size_t index) const {
   const Place& place = places_[index];
   return place.condensed ? place.condensed
-                         : std::make_shared<const CondensedPosition>(*model_, place.centre,
-                                                                     PositionUse{options_.cache});
+                         : std::make_shared<const CondensedPosition>(
+                               *model_, place.centre, PositionUse{options_.cache, place.forces});
+}
+
+ForceDirections PositionNodes::along_line() const {
+  ForceDirections directions{true, true, true};
+  if (options_.across_at_ends) {
+    directions[lines_[0].size() > 1 ? 2 : 1] = false;
+  }
+  return directions;
 }
 
 void PositionNodes::condense(const NodeLines& lines, SharedProgress& progress) {
@@ -237,17 +252,21 @@ void PositionNodes::condense(const NodeLines& lines, SharedProgress& progress) {
       });
       nodes_.push_back({position, static_cast<std::size_t>(same - places_.begin())});
       if (same == places_.end()) {
-        places_.push_back({position.centre, {}, nullptr, {}});
+        places_.push_back({position.centre, along_line(), {}, nullptr, {}});
       }
     }
   }
+  places_[nodes_.front().condensed].forces =
+      places_[nodes_.back().condensed].forces = {true, true, true};
+  ForceDirections test_directions = along_line();
+  test_directions[2] = test_directions[2] && !model_->mesh.half_model();
   progress.add_units(places_.size() - known);
   parallel::run_tasks(places_.size() - known, options_.threads, [&](std::size_t i) {
     base::check_interrupt();
     Place& place = places_[known + i];
     const Condensed condensed = condensed_at(known + i);
     place.compliance = contact_compliance(*model_, *condensed);
-    place.test = test_strains(*model_, *condensed, reflections_);
+    place.test = test_strains(*model_, *condensed, test_directions, reflections_);
     place.condensed = condensed->holds_factor() ? nullptr : condensed;
     progress.finish_unit();
   });
@@ -289,51 +308,6 @@ DenseMatrix PositionNodes::reflected_compliance(const Node& node) const {
   reflect_columns(canonical, rows);
   reflect_columns(rows, result);
   return result;
-}
-
-std::vector<CondensedPosition::Response>
-PositionNodes::respond(const std::vector<std::array<double, 2>>& places,
-                       const std::vector<CellVector>& forces) const {
-  std::vector<CondensedPosition::Response> sums(places.size());
-  std::vector<std::vector<double>> weights;
-  for (const auto& place : places) {
-    weights.push_back(node_weights(lines_, place));
-  }
-  const auto parts =
-      std::min(places.size(), static_cast<std::size_t>(std::max(1, options_.threads)));
-  for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    base::check_interrupt();
-    const Node& node = nodes_[n];
-    if (std::ranges::all_of(weights, [&](const auto& own) { return own[n] == 0; })) {
-      continue; // places on nodes
-    }
-    const Condensed condensed = condensed_at(node.condensed);
-    parallel::run_tasks(parts, options_.threads, [&](std::size_t part) {
-      const std::size_t begin = places.size() * part / parts,
-                        end = places.size() * (part + 1) / parts;
-      std::vector<CellVector> turned;
-      for (std::size_t i = begin; i < end; ++i) {
-        turned.push_back(reflected(model_->cells, forces[i], node.position.reflect));
-      }
-      std::vector<CondensedPosition::Response> responses = condensed->respond(turned);
-      for (std::size_t i = begin; i < end; ++i) {
-        CondensedPosition::Response& own = responses[i - begin];
-        CondensedPosition::Response& sum = sums[i];
-        const bool reflect = node.position.reflect[0] || node.position.reflect[1];
-        add_scaled(reflect ? mirrored(std::move(own.strain), node.position.reflect) : own.strain,
-                   weights[i][n], sum.strain);
-        if (std::abs(weights[i][n]) >= counting_weight) {
-          sum.electrode_stress.resize(own.electrode_stress.size());
-          for (std::size_t layer = 0; layer < own.electrode_stress.size(); ++layer) {
-            sum.electrode_stress[layer] =
-                std::max(sum.electrode_stress[layer], own.electrode_stress[layer]);
-          }
-          sum.equilibrium_residual = std::max(sum.equilibrium_residual, own.equilibrium_residual);
-        }
-      }
-    });
-  }
-  return sums;
 }
 
 } // namespace ionskin::mechanics

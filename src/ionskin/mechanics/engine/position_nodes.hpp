@@ -38,7 +38,15 @@ struct NodeOptions {
   int threads = 1;
   base::DiskCache* cache = nullptr; ///< of condensed positions; none when null
   std::size_t count = 0;            ///< of lines each way; 0 for as many as keep the tolerance
+  /// Of nodes along one line: forces across it act near its ends alone, see `loads_across_at_ends`.
+  bool across_at_ends = false;
 };
+
+/// Whether the slider lands, rests, turns and leaves at the ends of one line alone and slides from
+/// end to end under a held level. Cells that stick also pull across the line; once all slip their
+/// way, none does. The response to such forces, a third of a position's work and memory, is then
+/// made at both ends and taken as linear between them.
+bool loads_across_at_ends(const Case& input, const MotionBox& box);
 
 /// The skin condensed at the nodes of a rectangle of slider positions, and what it does in between.
 /// As many lines along x and along y as the polynomials through them need: the strain under a test
@@ -53,6 +61,8 @@ public:
   const SkinModel& model() const { return *model_; }
   const ComplianceMap& compliance() const { return *compliance_; }
   std::size_t count() const { return lines_[0].size() * lines_[1].size(); }
+  /// Whether `respond` factorises again, as the responses to all unit forces do not fit.
+  bool holds_factors() const { return !places_.front().condensed; }
   /// Estimated error of the strain between the nodes over its largest norm.
   double error() const { return error_; }
 
@@ -67,12 +77,19 @@ private:
     std::size_t condensed = 0; ///< index
   };
   using Condensed = std::shared_ptr<const CondensedPosition>;
+  /// Of the nodes at a place, for forces along the line, or any, and for those across it.
+  struct Weights {
+    std::vector<double> along, across;
+  };
 
   void condense(const NodeLines& lines, SharedProgress& progress);
   Condensed condensed_at(std::size_t index) const;
   /// Of the strain under the test load along each axis: error and lines that would keep it.
   std::array<std::size_t, 2> wanted_counts(double tolerance);
   linear_algebra::DenseMatrix reflected_compliance(const Node& node) const;
+  ForceDirections along_line() const; ///< all but those across it
+  Weights weights_at(const std::array<double, 2>& place) const;
+  CellVector weighted(const CellVector& force, double along, double across) const;
 
   std::shared_ptr<const SkinModel> model_;
   Skin skin_;
@@ -82,6 +99,7 @@ private:
   std::vector<Node> nodes_; ///< x fastest
   struct Place {
     std::array<double, 2> centre{};         ///< canonical [m]
+    ForceDirections forces{};               ///< that it responds to
     linear_algebra::DenseMatrix compliance; ///< as there [m/N]
     Condensed condensed;                    ///< null where it holds a factor
     /// Its strain under the test load, and those of its mirror images in the rectangle, by
@@ -90,7 +108,7 @@ private:
   };
   std::vector<Place> places_;
   std::unique_ptr<const ComplianceMap> compliance_;
-  double error_ = 0;
+  double tolerance_ = 0, error_ = 0;
 };
 
 } // namespace ionskin::mechanics

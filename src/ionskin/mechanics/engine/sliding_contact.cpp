@@ -108,10 +108,8 @@ void SlidingContact::detach(const SliderStep& step) {
   elastic_slip_.clear();
   problem_.lagged_speed.clear();
   remembered_speed_.clear();
-  if (in_contact()) {
-    std::fill(state_.force.begin(), state_.force.end(), 0.0);
-    std::fill(state_.surface.begin(), state_.surface.end(), 0.0);
-  }
+  std::fill(state_.force.begin(), state_.force.end(), 0.0);
+  std::fill(state_.surface.begin(), state_.surface.end(), 0.0);
   std::fill(state_.slip.begin(), state_.slip.end(), 0.0);
   const double first_touch = *std::min_element(problem_.gap.begin(), problem_.gap.end());
   state_.indentation =

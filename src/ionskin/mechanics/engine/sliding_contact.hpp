@@ -28,9 +28,6 @@ public:
   SlidingContact(const ComplianceMap& map, std::vector<double> area, std::vector<double> gap,
                  const laws::Friction& friction);
 
-  /// Surface displacement that is left while nothing touches [m], as in ContactSolution.
-  void start_from(const std::vector<double>& surface) { state_.surface = surface; }
-
   /// Moves the slider. A load that does not reach the skin leaves it unloaded.
   /// @param time_step [s]
   /// @param place of the slider's centre at the end [m]

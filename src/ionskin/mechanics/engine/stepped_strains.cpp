@@ -9,8 +9,9 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// Enough for an efficient product, and little beside what the nodes take.
-constexpr std::size_t states_per_block = 48;
+/// Enough for an efficient product, and little beside what the nodes take; more where every block
+/// factorises all positions again.
+constexpr std::size_t states_per_block = 48, states_per_factor = 144;
 
 } // namespace
 
@@ -22,10 +23,10 @@ std::size_t SteppedStrains::add(const std::array<double, 2>& centre, CellVector 
 
 const CoreStrain& SteppedStrains::at(std::size_t place) {
   if (place < first_ || place >= first_ + block_.size()) {
-    first_ = place / states_per_block * states_per_block;
+    const std::size_t size = nodes_->holds_factors() ? states_per_factor : states_per_block;
+    first_ = place / size * size;
     const auto begin = static_cast<std::ptrdiff_t>(first_),
-               end = static_cast<std::ptrdiff_t>(
-                   std::min(centres_.size(), first_ + states_per_block));
+               end = static_cast<std::ptrdiff_t>(std::min(centres_.size(), first_ + size));
     block_ = nodes_->respond({centres_.begin() + begin, centres_.begin() + end},
                              {forces_.begin() + begin, forces_.begin() + end});
     for (const CondensedPosition::Response& response : block_) {

@@ -89,9 +89,6 @@ struct ContactSolution {
   /// displacement, or to where the slide ends [s].
   std::vector<double> stepped_events;
   std::vector<std::array<double, 2>> stepped_onsets;
-  /// Surface displacement per cell left after the first lift-off [m]: normal, x, y; zero to
-  /// rounding.
-  std::vector<double> final_surface;
   std::vector<std::string> warnings;
   double worst_complementarity_residual = 0;
   /// Estimate of the error between the positions that are solved, of the strain in the core over

@@ -48,10 +48,15 @@ public:
     /// Largest membrane stress of each electrode layer, bottom to top [Pa].
     std::vector<double> electrode_stress;
     double equilibrium_residual = 0; ///< loads against base reactions over the largest load sum
+    std::vector<double> electrode_strain; ///< as of ElectrodeMembrane [1]
   };
   /// Responses to many states at once. Without a factor each is the same bits in any company.
   /// @param forces each [3 cells] [N]
   std::vector<Response> respond(const std::vector<CellVector>& forces) const;
+  /// Of a combination of electrode strains [Pa].
+  std::vector<double> electrode_stress(const std::vector<double>& electrode_strain) const {
+    return membrane_.largest_stress(electrode_strain.data());
+  }
 
 private:
   class Factorised;

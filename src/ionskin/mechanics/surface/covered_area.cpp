@@ -9,7 +9,10 @@ namespace {
 
 /// Mean of sqrt(border - x) over an interval that may reach beyond the border.
 double mean_root(double from, double to, double border) {
-  const auto power = [&](double x) { return std::pow(std::max(0.0, border - x), 1.5); };
+  const auto power = [&](double x) {
+    const double way = std::max(0.0, border - x);
+    return way * std::sqrt(way);
+  };
   return 2.0 / 3 * (power(from) - power(to)) / (to - from);
 }
 

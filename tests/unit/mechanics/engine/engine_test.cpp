@@ -105,6 +105,81 @@ TEST(PositionNodes, share_places_that_mirror_each_other) {
       1e-9);
 }
 
+TEST(PositionNodes, respond_to_many_states_as_to_each_of_them) {
+  std::vector<std::array<double, 2>> places;
+  std::vector<CellVector> forces;
+  for (int k = 0; k <= 20; ++k) {
+    const double part = 0.05 * k;
+    places.push_back({1.5e-3 + 2e-3 * part, 1e-3});
+    CellVector& force = forces.emplace_back(3 * line().model->cells.count());
+    for (std::size_t i = 0; i < force.size(); ++i) {
+      const double at = static_cast<double>(i) / static_cast<double>(force.size());
+      force[i] = (i % 3 == 0 ? 1 : i % 3 == 1 ? 0.3 * part : 0) * (1 + std::sin(3 * at + part));
+    }
+  }
+  const auto together = line().nodes->respond(places, forces);
+  const double tolerance = node_tolerance(line().input, {{1.5e-3, 1e-3}, {3.5e-3, 1e-3}});
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const auto alone = line().nodes->respond({places[k]}, {forces[k]}).front();
+    EXPECT_LT(difference(together[k].strain.component[4], alone.strain.component[4]),
+              0.1 * tolerance)
+        << k;
+    EXPECT_LT(difference(together[k].electrode_stress, alone.electrode_stress), 10 * tolerance)
+        << k;
+    EXPECT_LT(together[k].equilibrium_residual, 1e-9);
+  }
+}
+
+TEST(PositionNodes, respond_across_their_line_at_its_ends) {
+  const base::ProgressCallback none = base::no_progress;
+  SharedProgress progress("mechanics", none);
+  NodeOptions options{.threads = 2};
+  options.across_at_ends = true;
+  const PositionNodes nodes(line().input, line().model, {{1.5e-3, 1e-3}, {3.5e-3, 1e-3}}, options,
+                            progress);
+  CellVector force(3 * line().model->cells.count());
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    force[i] = i % 3 == 0 ? 1 : i % 3 == 1 ? 0.2 : 0.1 * std::sin(static_cast<double>(i));
+  }
+  for (const double x : {1.5e-3, 3.5e-3}) {
+    const CondensedPosition direct(*line().model, {x, 1e-3});
+    EXPECT_LT(difference(nodes.respond({{x, 1e-3}}, {force}).front().strain.component[5],
+                         direct.respond({force}).front().strain.component[5]),
+              1e-9)
+        << x;
+  }
+  for (std::size_t i = 2; i < force.size(); i += 3) {
+    force[i] = 0; // as where all slips along the line
+  }
+  EXPECT_EQ(nodes.respond({{2.2e-3, 1e-3}}, {force}).front().strain.component,
+            line().nodes->respond({{2.2e-3, 1e-3}}, {force}).front().strain.component);
+}
+
+TEST(PositionNodes, are_loaded_across_at_the_ends_alone_where_nothing_sticks_between) {
+  const auto at_ends = [](const Case& input) {
+    return loads_across_at_ends(input, *contact_box(input));
+  };
+  Case input = small_case();
+  EXPECT_TRUE(at_ends(input));
+  input.motion.kind = MotionKind::reciprocating;
+  input.motion.strokes = 3;
+  input.motion.dwell = 0.1;
+  EXPECT_TRUE(at_ends(input));
+  input.motion.drive.stiffness = 100;
+  EXPECT_FALSE(at_ends(input)) << "a slider on a drive may stick anywhere";
+  Case rows = small_case();
+  rows.motion.kind = MotionKind::waypoints;
+  const auto path = [&](double back, double height) {
+    rows.motion.waypoints = {{0, {1.5e-3, 1e-3}, 1e-3, {}},   {0.5, {1.5e-3, 1e-3}, -1e-6, {}},
+                             {1, {2.5e-3, 1e-3}, height, {}}, {2, {3.5e-3, 1e-3}, height, {}},
+                             {3, {back, 1e-3}, height, {}},   {4, {back, 1e-3}, 1e-3, {}}};
+    return rows;
+  };
+  EXPECT_TRUE(at_ends(path(1.5e-3, -1e-6)));
+  EXPECT_FALSE(at_ends(path(1.6e-3, -1e-6))) << "it halts on the way";
+  EXPECT_FALSE(at_ends(path(1.5e-3, -2e-6))) << "its load changes on the way";
+}
+
 TEST(SlidingContact, is_the_contact_of_single_steps) {
   SlidingContact slider = line().slider();
   slider.step(0.1, {2e-3, 1e-3}, {LoadKind::indentation, 1e-6});
