@@ -137,7 +137,8 @@ CondensedPosition::CondensedPosition(const ElasticSkin& skin, mesh::MeshLines li
   const int cells = static_cast<int>(skin.cells.count());
   if (!responses_fit(lattice_.rows(), membrane_.rows(), 3 * cells)) {
     factorise();
-    stored_ = std::make_shared<const StoredPosition>(factorised_->compliance(), UnitResponse{});
+    stored_ = std::make_shared<const StoredPosition>(
+        StoredPosition{factorised_->compliance(), UnitResponse{}});
     return;
   }
   ForceDirections directions = use.forces;
