@@ -24,19 +24,17 @@ SkinCut cut_of(const mesh::SkinMesh& mesh) {
   return {axis, axis == 0 ? mesh.footprint_x() : mesh.footprint_y()};
 }
 
-/// Positions whose factors are held at the same time, within the memory meant for them.
+/// Positions whose factors are held at the same time, within the memory meant for them. Room for a
+/// part under the slider is counted for each, though they share it: a position takes about as much
+/// beside its factors.
 std::ptrdiff_t factors_within_memory(const SkinParts& parts) {
   constexpr double with_zeros = 1.1; // kept in the panels of the factor
-  double each = 0;
+  double entries = parts.inner.part->symbolic.factor_entries();
   for (const PlacedPart& placed : parts.outer) {
-    each += placed.part->symbolic.factor_entries();
+    entries += placed.part->symbolic.factor_entries();
   }
-  const double shared = parts.inner.part->symbolic.factor_entries();
-  const double entries = memory_for_factors / (sizeof(double) * with_zeros);
-  if (each == 0) {
-    each = shared; // no two positions
-  }
-  return std::max(std::ptrdiff_t{1}, static_cast<std::ptrdiff_t>((entries - shared) / each));
+  return std::max(std::ptrdiff_t{1},
+                  static_cast<std::ptrdiff_t>(memory_for_factors / (8 * with_zeros * entries)));
 }
 
 } // namespace
