@@ -53,14 +53,15 @@ std::shared_ptr<SharedInner> SkinAnalysis::inner(const mesh::MeshLines& lines) c
 
 ElasticSkin::ElasticSkin(const Case& input, const mesh::SkinMesh& mesh)
     : fixed(skin_boundary(input.skin, mesh.half_model())),
-      space(mesh.lines(input.slider.start), fixed), law_of_row(laws_of_rows(input.skin, mesh)),
-      layer_of_row(mesh.layer_of_row()), core_z(mesh.core_z()), cells(contact_cells(mesh, space)),
-      cut(cut_of(mesh)), any_lines_(mesh.lines(input.slider.start)) {}
+      space(mesh.lines(input.slider.start), fixed, ElasticSpace::Structure::none),
+      law_of_row(laws_of_rows(input.skin, mesh)), layer_of_row(mesh.layer_of_row()),
+      core_z(mesh.core_z()), cells(contact_cells(mesh, space)), cut(cut_of(mesh)),
+      any_lines_(mesh.lines(input.slider.start)) {}
 
 ElasticSkin::ElasticSkin(const PositionInput& input)
-    : fixed(input.fixed), space(input.lines, fixed), law_of_row(input.law_of_row),
-      layer_of_row(input.layer_of_row), core_z(input.core_z), cells(input.cells), cut(input.cut),
-      any_lines_(input.lines) {}
+    : fixed(input.fixed), space(input.lines, fixed, ElasticSpace::Structure::none),
+      law_of_row(input.law_of_row), layer_of_row(input.layer_of_row), core_z(input.core_z),
+      cells(input.cells), cut(input.cut), any_lines_(input.lines) {}
 
 const SkinAnalysis& ElasticSkin::analysis() const {
   std::call_once(analysed_, [this] {

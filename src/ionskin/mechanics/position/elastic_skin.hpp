@@ -63,7 +63,7 @@ private:
 /// cells, the parts of the skin. Independent of the places of the mesh lines. Thread-safe.
 struct ElasticSkin {
   std::vector<FixedFace> fixed;
-  ElasticSpace space;
+  ElasticSpace space;                    ///< numbering alone: stiffness is assembled by parts
   std::vector<ElasticLaw> law_of_row;    ///< per element row along z
   std::vector<std::size_t> layer_of_row; ///< index of the layer, per element row along z
   std::array<std::size_t, 2> core_z{};   ///< first and one-past-last element row of the core

@@ -36,9 +36,10 @@ struct Direct {
   DenseMatrix displacement, reaction;
 
   Direct(const SkinModel& model, const mesh::MeshLines& lines) {
-    const ElasticSystem system = assemble(model.space, lines, model.law_of_row);
-    const linear_algebra::SymbolicCholesky symbolic(model.space.pattern(),
-                                                    model.space.elimination_order({}), 0);
+    const ElasticSpace space(lines, model.fixed);
+    const ElasticSystem system = assemble(space, lines, model.law_of_row);
+    const linear_algebra::SymbolicCholesky symbolic(space.pattern(), space.elimination_order({}),
+                                                    0);
     const std::vector<int> loaded = model.space.unknowns_of(model.cells.nodes);
     displacement = DenseMatrix(model.space.unknowns(), model.cells.unit_load.columns);
     for (int j = 0; j < displacement.columns; ++j) {
