@@ -27,8 +27,8 @@ TEST(Taxels, WithABottomChargeTheOddAndTheEvenPartAreTold) {
 }
 
 TEST(Taxels, LargestCurrentIsThatOfATaxelAndNotOfTheRest) {
-  const SignalTable table = taxel_signals(
-      {0, 0.5, 1.5}, {{"a", {1, 2, 4}}, {"b", {0, -1.5, -2}}, {"rest", {0, -9, -3}}});
+  const SignalTable table =
+      taxel_signals({0, 0.5, 1.5}, {{"a", {1, 2, 4}}, {"b", {0, -1.5, -2}}, {"rest", {0, -9, -3}}});
   EXPECT_DOUBLE_EQ(largest_taxel_current(table), 3);
 }
 
