@@ -2,6 +2,8 @@
 #include "ionskin/live/training/stated_errors.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 
 namespace ionskin::live {
 namespace {
@@ -21,6 +23,13 @@ void join(std::vector<TouchErrors>&& more, std::vector<TouchErrors>& all) {
   }
 }
 
+/// Anywhere in the trained range, by the seed.
+double friction_of_run(const SkinData& data, std::uint64_t seed) {
+  constexpr double range = 0x1p-53;
+  const double share = static_cast<double>(std::mt19937_64(~seed)() >> 11u) * range;
+  return std::lerp(data.lowest_friction, data.highest_friction, share);
+}
+
 } // namespace
 
 std::vector<TouchErrors> errors_on_touches(const SkinData& data, const Case& input,
@@ -34,8 +43,12 @@ std::vector<TouchErrors> errors_on_touches(const SkinData& data, const Case& inp
     TrainingOptions own = options;
     own.progress = base::no_progress;
     options.progress("touches", static_cast<double>(begun) / static_cast<double>(count));
+    Case own_input = input;
+    if (data.lowest_friction < data.highest_friction) {
+      own_input.contact.friction = friction_of_run(data, seed);
+    }
     const FullRun run =
-        full_run(input, with_rows_behind_corners(random_touches(range, 1 + together, seed++)),
+        full_run(own_input, with_rows_behind_corners(random_touches(range, 1 + together, seed++)),
                  footprint, own);
     join(validate(data, run), errors);
     if (done) {
