@@ -166,14 +166,14 @@ class LiveTest(ProgramTest):
                             "--validation", "7", "-o", "range.live")
         self.assertEqual(trained.returncode, 0, trained.stderr)
         times = 1e-3 * numpy.arange(400)
-        positions = numpy.column_stack([5e-3 + 2e-3 * times, numpy.full_like(times, 1e-3)])
+        positions = numpy.column_stack([5e-3 + 1e-4 * times, numpy.full_like(times, 1e-3)])  # 0.1 um a step
         for friction in (None, 0.1, 0.25, 0.4):
             skin = ionskin.live.Skin(self.folder / "range.live", friction=friction)
             self.assertEqual(skin.friction, friction or 0.3)
             signals = skin.copy().run(times, positions, heights=numpy.full_like(times, -0.5e-6))
             self.assertFalse(signals.flags.any())
             self.assertAlmostEqual(signals["tangential_force"][-1] / signals["normal_force"][-1], skin.friction, delta=1e-5)
-            self.assertLess(signals["tangential_force"][10], signals["tangential_force"][-1] / 2)  # it gives way at first
+            self.assertLess(signals["tangential_force"][1], 0.95 * signals["tangential_force"][-1])  # it gives way at first
         self.assertEqual(skin.range.friction, (0.1, 0.4))
         for name in ("charge_top", "tangential_force", "contact_area"):
             self.assertLess(skin.errors[name].rms, 0.02 * skin.errors[name].largest)
@@ -279,7 +279,7 @@ class LiveTest(ProgramTest):
                                 ((quick, "--set", "motion.drive.stiffness=1000 N/m", "-o", "a.live"), "motion.drive"),
                                 ((quick, "--friction", "0.5", "0.1", "-o", "a.live"), "--friction 0.5 0.1"),
                                 ((quick, "--friction", "0.4", "0.5", "-o", "a.live"), "contact.friction = 0.3"),
-                                ((quick, "--friction", "0.4", "-o", "a.live"), "--friction"),
+                                ((quick, "-o", "a.live", "--friction", "0.4"), "--friction"),
                                 ((ROOT / "cases" / "bending.toml", "-o", "a.live"), "strain.source"),
                                 ((quick, "--trajectories", "0", "-o", "a.live"), "--trajectories"),
                                 ((quick, "--validation", "0", "-o", "a.live"), "--validation")):
