@@ -95,8 +95,8 @@ def main():
         arguments.keep = arguments.keep or pathlib.Path(temporary)
         arguments.keep.mkdir(parents=True, exist_ok=True)
         latencies = []
-        print(f"rms and worst over {arguments.touches} unseen touches at {arguments.preset}, mesh refinement {arguments.refinement:g}, in % of the largest value; "
-              "and the least share of touches that keep a stated error\n")
+        print(f"rms and worst over {arguments.touches} unseen touches at {arguments.preset}, mesh refinement "
+              f"{arguments.refinement:g}, in % of the largest value; and the least share of touches that keep a stated error\n")
         print("| case | coupling | friction | " + " | ".join(COLUMNS) + " | keep |")
         print("|---" * (len(COLUMNS) + 4) + "|")
         for case, coupling, friction in SKINS:

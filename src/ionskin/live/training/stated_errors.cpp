@@ -10,6 +10,8 @@ namespace {
 
 /// The memory of a run grows with its touches.
 constexpr std::size_t touches_together = 6;
+/// Over the largest of the touches, since each of some twenty errors is to hold.
+constexpr double margin = 1.25;
 
 void join(std::vector<TouchErrors>&& more, std::vector<TouchErrors>& all) {
   if (all.empty()) {
@@ -62,8 +64,8 @@ std::vector<TouchErrors> errors_on_touches(const SkinData& data, const Case& inp
 std::vector<SignalError> stated_errors(const std::vector<TouchErrors>& errors) {
   std::vector<SignalError> stated;
   for (const TouchErrors& signal : errors) {
-    stated.push_back({signal.name, *std::ranges::max_element(signal.rms),
-                      *std::ranges::max_element(signal.worst), signal.largest});
+    stated.push_back({signal.name, margin * *std::ranges::max_element(signal.rms),
+                      margin * *std::ranges::max_element(signal.worst), signal.largest});
   }
   return stated;
 }
