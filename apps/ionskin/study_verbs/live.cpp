@@ -98,7 +98,7 @@ int export_skin(const LiveOptions& options) {
 void print_errors(const ionskin::live::SkinData& data) {
   fmt::print("errors on unseen touches, of the largest value:\n");
   for (const ionskin::live::SignalError& error : data.errors) {
-    if (error.largest > 0 && error.name.find("charge_top_") == std::string::npos) {
+    if (error.largest > 0) {
       fmt::print("{:<28} {:8.3f} % rms {:8.3f} % at worst\n", error.name,
                  100 * error.rms / error.largest, 100 * error.worst / error.largest);
     }
