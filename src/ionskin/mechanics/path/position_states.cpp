@@ -71,16 +71,16 @@ void describe(const SkinModel& model, const SurfaceState& state, const ContactPr
   }
   destination.indentation = state.indentation;
   const double parts = model.mesh.half_model() ? 2 : 1;
-  destination.contact_area = parts * contact_area(model.cells, state.force);
+  destination.contact_area = parts * contact_area(model.cells.grid(), state.force);
   const std::vector<double> reserve = stick_reserve(problem, state.force);
-  destination.stick_area = parts * covered_area(model.cells, reserve);
+  destination.stick_area = parts * covered_area(model.cells.grid(), reserve);
   for (std::size_t cell = 0; cell < model.cells.count(); ++cell) {
     destination.stick_reserve.push_back(
         reserve[reflected_cell(model.cells, cell, position.reflect)]);
   }
   destination.contact_border =
-      parts * border_area(model.cells, normal_pressure(model.cells, state.force));
-  destination.stick_border = parts * border_area(model.cells, reserve);
+      parts * border_area(model.cells.grid(), normal_pressure(model.cells.grid(), state.force));
+  destination.stick_border = parts * border_area(model.cells.grid(), reserve);
   destination.complementarity_residual =
       contact_violations(problem, state, reference_force, reference_indentation).largest();
   destination.stick_fraction = stick_fraction(problem, state.force);
