@@ -69,7 +69,7 @@ bool SlidingContact::in_contact() const {
 }
 
 double SlidingContact::energy() const {
-  return potential_energy(problem_, state_);
+  return in_contact() ? potential_energy(problem_, state_) : 0.0;
 }
 
 bool SlidingContact::sticks() const {

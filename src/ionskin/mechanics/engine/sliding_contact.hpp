@@ -60,7 +60,7 @@ public:
   /// Whether the last step of a contact with adhesion may have jumped: it was not found near the
   /// state before.
   bool may_have_jumped() const { return may_have_jumped_; }
-  /// Elastic less binding energy [J].
+  /// Elastic less binding energy; 0 off the skin [J].
   double energy() const;
   /// Whether a cell that touches does not slip.
   bool sticks() const;
