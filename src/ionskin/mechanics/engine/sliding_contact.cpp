@@ -15,15 +15,19 @@ bool is_loaded(const CellVector& force) {
   return std::any_of(force.begin(), force.end(), [](double value) { return value != 0; });
 }
 
-/// Of a contact with adhesion: cells that let go or snap on in a step that nothing jumps in.
-constexpr double most_changed = 0.25;
+/// Of a contact with adhesion: by so much of itself the load of the cells changes in a step that
+/// nothing jumps in.
+constexpr double most_changed = 0.5;
 
-double loaded_area(const ContactProblem& problem, const CellVector& force) {
-  double sum = 0;
-  for (std::size_t cell = 0; cell < problem.area.size(); ++cell) {
-    sum += force[3 * cell] != 0 ? problem.area[cell] : 0.0;
+/// Change of the cells' normal forces over their size.
+double change_of_load(const CellVector& before, const CellVector& after) {
+  double change = 0, first = 0, last = 0;
+  for (std::size_t at = 0; at < before.size(); at += 3) {
+    change += std::abs(after[at] - before[at]);
+    first += std::abs(before[at]);
+    last += std::abs(after[at]);
   }
-  return sum;
+  return change > 0 ? change / std::max(first, last) : 0.0;
 }
 
 double total_force(const CellVector& force, std::size_t component) {
@@ -157,8 +161,7 @@ SurfaceState SlidingContact::solve_adhesive(const ContactProblem& problem, const
   Iterate iterate{state_.force, state_.indentation};
   if (in_contact() && newton_.solve(problem, step, iterate)) {
     // Newton may end far away, where a slow motion would not come to.
-    const double before = loaded_area(problem, state_.force);
-    if (std::abs(loaded_area(problem, iterate.force) - before) <= most_changed * before) {
+    if (change_of_load(state_.force, iterate.force) <= most_changed) {
       return surface_state(problem, step, std::move(iterate.force), iterate.indentation,
                            newton_.iterations());
     }
