@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -80,7 +81,7 @@ public:
     const SurfaceState& state = contact.state();
     if (point.touches) {
       largest_force_ = std::max(largest_force_, largest_normal_force(state.force));
-      largest_indentation_ = std::max(largest_indentation_, state.indentation);
+      largest_indentation_ = std::max(largest_indentation_, std::abs(state.indentation));
       instant.force = state.force;
       instant.state = std::make_shared<ContactState>();
       describe(nodes_.model(), state, contact.problem(), {point.centre, {false, false}},
@@ -217,6 +218,7 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
   solution.stepped_events = stepper.events();
   solution.stepped_onsets = stepper.onsets();
   solution.contact_solves = stepper.steps();
+  solution.adhesion_loss = stepper.adhesion_loss() / options.meshed_share;
   solution.worst_interpolation_error = nodes->error();
   return solution;
 }
@@ -230,6 +232,45 @@ void require_unshared(const Case& input, const MotionBox& needed) {
                     needed.low[0] * 1e3, needed.high[0] * 1e3, needed.low[1] * 1e3,
                     needed.high[1] * 1e3),
         "widen numerics.shared_positions to hold that, or remove it");
+  }
+}
+
+/// How much of its stiffness a cell loses to the adhesion, at the most: the pull falls over a few
+/// cells where it is below a quarter, and cells let go one by one, each with a jump, near 1.
+double softening(const ContactProblem& problem) {
+  double largest = 0;
+  for (int cell = 0; cell < problem.cells(); ++cell) {
+    largest = std::max(largest, problem.pull_slope(cell) * problem.own_compliance(cell, 0));
+  }
+  return largest;
+}
+
+/// The cells must resolve the border over which adhesion lets go.
+void require_resolved_adhesion(const Case& input, const PositionNodes& nodes, const MotionBox& box,
+                               ContactSolution& solution) {
+  constexpr double resolved = 0.25, most = 0.8;
+  const laws::Friction law =
+      laws::friction(input.contact.law, input.contact.friction, input.contact.parameters);
+  if (!law.adhesion.pulls()) {
+    return;
+  }
+  ContactProblem problem{{}, nodes.model().cells.area, nodes.model().gap, law};
+  nodes.compliance().at({0.5 * (box.low[0] + box.high[0]), 0.5 * (box.low[1] + box.high[1])},
+                        problem.compliance);
+  const double found = softening(problem);
+  const std::string remedy =
+      fmt::format("raise numerics.mesh_refinement by a factor of {:.2g}, or lower "
+                  "contact.cohesive_strength to {:.3g} Pa",
+                  found / resolved, law.adhesion.strength * std::sqrt(resolved / found));
+  const std::string what =
+      fmt::format("the mesh is too coarse for the border over which adhesion lets go: a cell loses "
+                  "{:.0f} % of its stiffness to it, and should lose 25 %",
+                  100 * found);
+  if (found > most) {
+    throw SolverError(what, remedy);
+  }
+  if (found > resolved) {
+    solution.warnings.push_back(what + "; to mend it, " + remedy);
   }
 }
 
@@ -287,7 +328,10 @@ std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footpr
   progress.add_units(units_per_path * variants.size());
   parallel::run_tasks(variants.size(), options.threads, [&](std::size_t i) {
     const base::Timers::Scope scope(timers, "mechanics: contact");
+    ContactSolution checked = empty_solution(*model);
+    require_resolved_adhesion(input, *nodes, *box, checked);
     solutions[i] = solve_path(input, legs, nodes, variants[i], progress);
+    std::ranges::move(checked.warnings, std::back_inserter(solutions[i].warnings));
     // Each by itself, so that no solution depends on its neighbours.
     std::shared_ptr<const PositionNodes> own = nodes;
     MotionBox own_box = *box;

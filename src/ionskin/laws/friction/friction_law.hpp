@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/laws/friction/cohesive_zone.hpp"
 #include "ionskin/laws/law_parameter.hpp"
 
 #include <array>
@@ -42,6 +43,7 @@ struct Friction {
   double elastic_slip = 0;     ///< the slip that is given back when the traction goes [m]
   double lag = 0;              ///< time constant with which the lagged speed follows the speed [s]
   bool rate_dependent = false; ///< traction changes while the slider rests
+  CohesiveZone adhesion;       ///< that pulls along the normal, with or without a coefficient
 };
 
 /// One row of the table of friction laws.
@@ -51,6 +53,7 @@ struct FrictionLaw {
   /// Whether it needs the motion in steps of time, as steady sliding does not determine its limit
   /// or the direction of its traction.
   bool stepped = false;
+  bool adheres = false; ///< whether it pulls along the normal
   Friction (*with)(double coefficient, const LawValues& values);
 };
 

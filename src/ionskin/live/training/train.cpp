@@ -175,6 +175,12 @@ void check_trainable(const Case& input, const TrainingOptions& options) {
                       low, high, input.contact.friction));
     }
   }
+  if (laws::friction_law(input.contact.law).adheres) {
+    throw UserError(
+        fmt::format("contact.law = \"{}\": a live skin knows no pull between slider and skin\n  "
+                    "= set contact.law = \"coulomb\"",
+                    input.contact.law));
+  }
   if (input.motion.drive.given()) {
     throw UserError(
         "motion.drive: a live skin is told where the slider is, and knows no drive that "

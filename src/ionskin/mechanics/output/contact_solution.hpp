@@ -57,6 +57,7 @@ struct ContactState {
   double stick_area = 0;   ///< of it, where nothing slips [m2]
   // By how much whole cells leave the borders of both in doubt, see border_area [m2].
   double contact_border = 0, stick_border = 0;
+  double binding_energy = 0; ///< of adhesion, full skin [J]
   // diagnostics
   double equilibrium_residual = 0; ///< contact forces against base reactions, relative
   double complementarity_residual =
@@ -135,6 +136,8 @@ struct ContactSolution {
   /// Largest estimate over the legs of the error between the nodes of steady sliding, of the strain
   /// in the core over its largest norm (see interpolation_error.hpp).
   double worst_interpolation_error = 0;
+  /// Energy that the contact loses in jumps of adhesion, full skin [J].
+  double adhesion_loss = 0;
   int contact_solves = 0;
 };
 

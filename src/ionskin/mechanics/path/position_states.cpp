@@ -2,10 +2,12 @@
 #include "ionskin/mechanics/path/position_states.hpp"
 
 #include "ionskin/mechanics/elasticity/core_strain.hpp"
+#include "ionskin/mechanics/surface/adhesive_contact.hpp"
 #include "ionskin/mechanics/surface/contact_diagnostics.hpp"
 #include "ionskin/mechanics/surface/covered_area.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -42,7 +44,7 @@ void store_sums(const CellVector& force, bool half_model, ContactState& state) {
 double largest_normal_force(const CellVector& force) {
   double largest = 0;
   for (std::size_t at = 0; at < force.size(); at += 3) {
-    largest = std::max(largest, force[at]);
+    largest = std::max(largest, std::abs(force[at]));
   }
   return largest;
 }
@@ -83,6 +85,7 @@ void describe(const SkinModel& model, const SurfaceState& state, const ContactPr
   destination.stick_border = parts * border_area(model.cells.grid(), reserve);
   destination.complementarity_residual =
       contact_violations(problem, state, reference_force, reference_indentation).largest();
+  destination.binding_energy = parts * binding_energy(problem, state);
   destination.stick_fraction = stick_fraction(problem, state.force);
   destination.iterations = state.iterations;
 }

@@ -72,7 +72,7 @@ ContactSolution solved(const Case& input) {
   return solve_contact(input, options, timers);
 }
 
-const SteppedInstant& nearest(const ContactSolution& solution, double time) {
+const SteppedInstant& nearest_instant(const ContactSolution& solution, double time) {
   return *std::ranges::min_element(solution.stepped, {}, [&](const SteppedInstant& instant) {
     return std::abs(instant.time - time);
   });
@@ -82,7 +82,7 @@ TEST(DrivenSlider, lags_by_friction_over_stiffness_and_lands_at_the_drive) {
   Case input = driven_case();
   EXPECT_TRUE(is_stepped(input));
   const ContactSolution solution = solved(input);
-  const SteppedInstant& sliding = nearest(solution, 1.5); // the middle of the slide
+  const SteppedInstant& sliding = nearest_instant(solution, 1.5); // the middle of the slide
   const double friction = sliding.state->tangential_force[0];
   EXPECT_NEAR(friction, 0.3, 1e-4);
   EXPECT_NEAR(sliding.drive_force[0], friction, 1e-4);
@@ -107,7 +107,7 @@ TEST(DrivenSlider, of_a_stiff_drive_is_the_slider_without_one) {
   input.motion.drive = {};
   const ContactSolution led = solved(input);
   for (const double time : {0.5, 1.0, 1.5}) {
-    const SteppedInstant &a = nearest(driven, time), &b = nearest(led, time);
+    const SteppedInstant &a = nearest_instant(driven, time), &b = nearest_instant(led, time);
     ASSERT_TRUE(a.state && b.state) << time;
     EXPECT_NEAR(a.time, b.time, 1e-12);
     EXPECT_NEAR(a.state->tangential_force[0], b.state->tangential_force[0], 2e-4) << time;
