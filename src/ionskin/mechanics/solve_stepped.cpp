@@ -5,6 +5,7 @@
 #include "ionskin/base/largest.hpp"
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/case/slider_motion.hpp"
+#include "ionskin/mechanics/engine/adhesion_resolution.hpp"
 #include "ionskin/mechanics/engine/motion_stepper.hpp"
 #include "ionskin/mechanics/engine/path_thinning.hpp"
 #include "ionskin/mechanics/engine/position_nodes.hpp"
@@ -235,45 +236,6 @@ void require_unshared(const Case& input, const MotionBox& needed) {
   }
 }
 
-/// How much of its stiffness a cell loses to the adhesion, at the most: the pull falls over a few
-/// cells where it is below a quarter, and cells let go one by one, each with a jump, near 1.
-double softening(const ContactProblem& problem) {
-  double largest = 0;
-  for (int cell = 0; cell < problem.cells(); ++cell) {
-    largest = std::max(largest, problem.pull_slope(cell) * problem.own_compliance(cell, 0));
-  }
-  return largest;
-}
-
-/// The cells must resolve the border over which adhesion lets go.
-void require_resolved_adhesion(const Case& input, const PositionNodes& nodes, const MotionBox& box,
-                               ContactSolution& solution) {
-  constexpr double resolved = 0.25, most = 0.8;
-  const laws::Friction law =
-      laws::friction(input.contact.law, input.contact.friction, input.contact.parameters);
-  if (!law.adhesion.pulls()) {
-    return;
-  }
-  ContactProblem problem{{}, nodes.model().cells.area, nodes.model().gap, law};
-  nodes.compliance().at({0.5 * (box.low[0] + box.high[0]), 0.5 * (box.low[1] + box.high[1])},
-                        problem.compliance);
-  const double found = softening(problem);
-  const std::string remedy =
-      fmt::format("raise numerics.mesh_refinement by a factor of {:.2g}, or lower "
-                  "contact.cohesive_strength to {:.3g} Pa",
-                  found / resolved, law.adhesion.strength * std::sqrt(resolved / found));
-  const std::string what =
-      fmt::format("the mesh is too coarse for the border over which adhesion lets go: a cell loses "
-                  "{:.0f} % of its stiffness to it, and should lose 25 %",
-                  100 * found);
-  if (found > most) {
-    throw SolverError(what, remedy);
-  }
-  if (found > resolved) {
-    solution.warnings.push_back(what + "; to mend it, " + remedy);
-  }
-}
-
 void warn_of_nodes(const Case& input, const PositionNodes& nodes, const MotionBox& box,
                    const ContactOptions& options, ContactSolution& solution) {
   const double tolerance = node_tolerance(input, box);
@@ -329,7 +291,7 @@ std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footpr
   parallel::run_tasks(variants.size(), options.threads, [&](std::size_t i) {
     const base::Timers::Scope scope(timers, "mechanics: contact");
     ContactSolution checked = empty_solution(*model);
-    require_resolved_adhesion(input, *nodes, *box, checked);
+    require_resolved_adhesion(input, *nodes, *box, checked.warnings);
     solutions[i] = solve_path(input, legs, nodes, variants[i], progress);
     std::ranges::move(checked.warnings, std::back_inserter(solutions[i].warnings));
     // Each by itself, so that no solution depends on its neighbours.
