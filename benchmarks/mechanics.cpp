@@ -11,8 +11,8 @@
 #include "ionskin/linear_algebra/dense_kernels.hpp"
 #include "ionskin/mechanics/elasticity/elastic_system.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
+#include "ionskin/mechanics/position/factorised_skin.hpp"
 #include "ionskin/mechanics/position/skin_model.hpp"
-#include "ionskin/mechanics/position/unit_response.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
 #include "ionskin/parallel/task_pool.hpp"
 #include "ionskin/study/store/mechanics_record.hpp"
@@ -69,6 +69,28 @@ void line(const std::string& name, const std::string& value) {
   fmt::print("  {:<52} {}\n", name, value);
 }
 
+/// A part of the skin, on one core. @returns its factor
+std::unique_ptr<const linear_algebra::Cholesky>
+measure_part(const std::string& name, const mechanics::SkinPart& part, const mesh::MeshLines& lines,
+             const mechanics::ElasticSkin& skin, double rate) {
+  mechanics::ElasticSystem system;
+  const double assembly =
+      seconds_of([&] { system = mechanics::assemble(part.space, lines, skin.law_of_row); });
+  std::unique_ptr<const linear_algebra::Cholesky> factor;
+  const double factorisation = seconds_of([&] {
+    factor = std::make_unique<const linear_algebra::Cholesky>(part.symbolic, system.stiffness);
+  });
+  line(name,
+       fmt::format("{} unknowns, {} in the interface", part.space.unknowns(), part.interface));
+  line("  entries, operations of its factor",
+       fmt::format("{:.3g}, {:.3g}", part.symbolic.factor_entries(), part.symbolic.operations()));
+  line("  assembly", fmt::format("{:.2f} s", assembly));
+  line("  factorisation", fmt::format("{:.2f} s, {:.1f} GFlop/s; floor {:.2f} s", factorisation,
+                                      part.symbolic.operations() / factorisation * 1e-9,
+                                      part.symbolic.operations() / rate));
+  return factor;
+}
+
 /// One position, on one core.
 void measure_position(const Case& input, double rate) {
   std::unique_ptr<mechanics::SkinModel> model;
@@ -79,38 +101,31 @@ void measure_position(const Case& input, double rate) {
                    })));
   line("symbolic analysis, once for all positions",
        fmt::format("{:.2f} s", seconds_of([&] { model->analysis(); })));
-  const auto& symbolic = model->analysis().symbolic;
+  const mechanics::SkinParts& parts = model->analysis().parts;
+  const int cells = static_cast<int>(model->cells.count());
   line("displacement unknowns", fmt::format("{}", model->space.unknowns()));
-  line("contact cells", fmt::format("{}", model->cells.count()));
-  line("entries of the factor", fmt::format("{:.3g}", symbolic.factor_entries()));
-  line("operations of a factorisation", fmt::format("{:.3g}", symbolic.operations()));
-  line("  floor", fmt::format("{:.2f} s", symbolic.operations() / rate));
+  line("contact cells", fmt::format("{}", cells));
   const auto lines = model->mesh.lines(input.slider.start);
-  mechanics::ElasticSystem system;
-  line("assembly", fmt::format("{:.2f} s", seconds_of([&] {
-                                 system =
-                                     mechanics::assemble(model->space, lines, model->law_of_row);
-                               })));
-  std::unique_ptr<linear_algebra::Cholesky> factor;
-  const double factorisation = seconds_of(
-      [&] { factor = std::make_unique<linear_algebra::Cholesky>(symbolic, system.stiffness); });
-  line("factorisation", fmt::format("{:.2f} s, {:.1f} GFlop/s", factorisation,
-                                    symbolic.operations() / factorisation * 1e-9));
-  linear_algebra::DenseMatrix forward;
-  line("compliance from the trailing block",
-       fmt::format("{:.2f} s", seconds_of([&] {
-                     forward = factor->trailing_forward(model->cells.unit_load);
-                     linear_algebra::gram(forward);
-                   })));
-  linear_algebra::DenseMatrix block(forward.rows, std::min(64, forward.columns));
-  std::copy_n(forward.values.begin(), block.values.size(), block.values.begin());
-  const double backward = seconds_of([&] { factor->backward_from_trailing(block); });
-  line("fields by backward substitution, a state",
-       fmt::format("{:.1f} ms ({:.3g} operations, {:.1f} GFlop/s)", backward / block.columns * 1e3,
-                   2 * symbolic.factor_entries(),
-                   2 * symbolic.factor_entries() * block.columns / backward * 1e-9));
-  line("response to all unit forces",
-       fmt::format("{:.2f} s", backward / block.columns * forward.columns));
+  measure_part("part under the slider, once for all positions", *parts.inner.part,
+               parts.inner_lines(model->cells, lines), *model, rate);
+  double entries = parts.inner.part->symbolic.factor_entries();
+  for (const mechanics::PlacedPart& placed : parts.outer) {
+    measure_part("part beside it, at each position", *placed.part, parts.outer_lines(placed, lines),
+                 *model, rate);
+    entries += placed.part->symbolic.factor_entries();
+  }
+  std::unique_ptr<const mechanics::FactorisedSkin> factor;
+  const double first = seconds_of(
+      [&] { factor = std::make_unique<const mechanics::FactorisedSkin>(*model, lines); });
+  factor.reset();
+  const double next = seconds_of(
+      [&] { factor = std::make_unique<const mechanics::FactorisedSkin>(*model, lines); });
+  line("first position, compliance included", fmt::format("{:.2f} s", first));
+  line("each further position", fmt::format("{:.2f} s", next));
+  const double backward = seconds_of([&] { factor->unit_displacement(0, 0, cells); });
+  line("displacement under a unit force, of one block",
+       fmt::format("{:.1f} ms ({:.3g} operations, {:.1f} GFlop/s)", backward / cells * 1e3,
+                   2 * entries, 2 * entries * cells / backward * 1e-9));
 }
 
 struct Total {

@@ -88,8 +88,8 @@ class Case:
 
     def copy(self) -> "Case":
         """A case of its own with the same values."""
-        twin = Case(self._original, self._path)
-        twin._edits = dict(self._edits)
+        twin = Case.__new__(Case)  # the text was checked when this one was made
+        twin._original, twin._path, twin._edits = self._original, self._path, dict(self._edits)
         return twin
 
     def __setitem__(self, key: str, value: Any) -> None:

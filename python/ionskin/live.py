@@ -47,6 +47,7 @@ def _declared(library: ctypes.CDLL) -> ctypes.CDLL:
                            ctypes.POINTER(ctypes.c_uint32)]),
             ("state_size", size, [skin]), ("save", None, [skin, _NUMBERS]),
             ("restore", ctypes.c_int, [skin, _NUMBERS, size]), ("reset", None, [skin]),
+            ("set_friction", ctypes.c_int, [skin, number]), ("friction", None, [skin, _NUMBERS]),
             ("text", text, [skin, text]), ("range", None, [skin, _NUMBERS]), ("size", None, [skin, _NUMBERS]),
             ("taxel", ctypes.c_int, [skin, size, texts, _NUMBERS]),
             ("error", ctypes.c_int, [skin, size, texts, _NUMBERS, _NUMBERS, _NUMBERS])):
@@ -66,13 +67,15 @@ class SignalError:
 
 @dataclasses.dataclass(frozen=True)
 class Range:
-    """What the skin was trained for: places of the slider's centre [m], force [N], indentation [m], speed [m/s]."""
+    """What the skin was trained for: places of the slider's centre [m], force [N], indentation [m], speed [m/s],
+    lowest and highest coefficient of friction."""
 
     lowest: tuple[float, float]
     highest: tuple[float, float]
     force: float
     indentation: float
     speed: float
+    friction: tuple[float, float]
 
 
 class Signals(Mapping):
@@ -125,15 +128,18 @@ def _one_load(height, force, plural: str) -> tuple[int, object]:
 
 
 class Skin:
-    """A reduced skin. Times ascend; the first step may begin in contact. One thread at a time steps it."""
+    """A reduced skin. Times ascend; the first step may begin in contact. One thread at a time steps it. `friction` is a
+    coefficient within `range.friction`, that of the case without it; it can be set again between two steps."""
 
-    def __init__(self, path: str | os.PathLike) -> None:
+    def __init__(self, path: str | os.PathLike, *, friction: float | None = None) -> None:
         self._library = _load()
         message = ctypes.create_string_buffer(4096)
         self._handle = self._library.ionskin_live_open(os.fsencode(path), message, len(message))
         if not self._handle:
             raise CaseError(message.value.decode(errors="replace"))
         self._take_names()
+        if friction is not None:
+            self.friction = friction
 
     def _take_names(self) -> None:
         self._time = None
@@ -169,7 +175,26 @@ class Skin:
     def range(self) -> Range:
         values = numpy.empty(7)
         self._library.ionskin_live_range(self._handle, _pointer(values))
-        return Range(tuple(values[:2].tolist()), tuple(values[2:4].tolist()), *values[4:].tolist())
+        return Range(tuple(values[:2].tolist()), tuple(values[2:4].tolist()), *values[4:].tolist(),
+                     tuple(self._friction()[1:].tolist()))
+
+    def _friction(self) -> numpy.ndarray:
+        values = numpy.empty(3)
+        self._library.ionskin_live_friction(self._handle, _pointer(values))
+        return values
+
+    @property
+    def friction(self) -> float:
+        """Coefficient of friction; no part of what `save` keeps. ValueError: set outside the trained range."""
+        return float(self._friction()[0])
+
+    @friction.setter
+    def friction(self, coefficient: float) -> None:
+        coefficient = float(_finite("friction", coefficient, ()))
+        if not self._library.ionskin_live_set_friction(self._handle, coefficient):
+            low, high = self.range.friction
+            raise ValueError(f"friction: {coefficient:g} is outside the trained range, {low:g} to {high:g}; train a wider "
+                             "one by ionskin live --friction LOW HIGH")
 
     @property
     def size(self) -> tuple[float, float]:

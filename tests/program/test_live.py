@@ -159,6 +159,29 @@ class LiveTest(ProgramTest):
                 self.assertEqual(page.overlapping_labels(".chart svg"), [])
             self.assertEqual((page.errors, page.requests), ([], []))
 
+    def test_friction_is_chosen_within_its_range(self):
+        """Of a law that remembers slip, trained over a range of coefficients."""
+        trained = self.live(ROOT / "cases" / "taxels.toml", *SMALL, "--set", "contact.law=regularised", "--set",
+                            "contact.slip_length=0.1 um", "--friction", "0.1", "0.4", "--trajectories", "4",
+                            "--validation", "7", "-o", "range.live")
+        self.assertEqual(trained.returncode, 0, trained.stderr)
+        times = 1e-3 * numpy.arange(400)
+        positions = numpy.column_stack([5e-3 + 1e-4 * times, numpy.full_like(times, 1e-3)])  # 0.1 um a step
+        for friction in (None, 0.1, 0.25, 0.4):
+            skin = ionskin.live.Skin(self.folder / "range.live", friction=friction)
+            self.assertEqual(skin.friction, friction or 0.3)
+            signals = skin.copy().run(times, positions, heights=numpy.full_like(times, -0.5e-6))
+            self.assertFalse(signals.flags.any())
+            self.assertAlmostEqual(signals["tangential_force"][-1] / signals["normal_force"][-1], skin.friction, delta=1e-5)
+            self.assertLess(signals["tangential_force"][1], 0.95 * signals["tangential_force"][-1])  # it gives way at first
+        self.assertEqual(skin.range.friction, (0.1, 0.4))
+        for name in ("charge_top", "tangential_force", "contact_area"):
+            self.assertLess(skin.errors[name].rms, 0.02 * skin.errors[name].largest)
+        for wrong in (0.5, -0.1, numpy.nan, "much"):
+            with self.assertRaisesRegex(ValueError, "friction"):
+                skin.friction = wrong
+        self.assertEqual(ionskin.live.Skin(self.trained).range.friction, (0.3, 0.3))
+
     def test_wrong_arguments_raise(self):
         skin = ionskin.live.Skin(self.trained)
         skin.step(1, (5e-3, 1e-3), height=-1e-7)
@@ -253,8 +276,10 @@ class LiveTest(ProgramTest):
                                 ((quick, "-o", "."), "is a folder"),
                                 ((quick, "-o", "/proc/skin.live"), "cannot be written"),
                                 ((quick, "--set", "readout.circuit=open", "-o", "a.live"), "readout.circuit"),
-                                ((quick, "--set", "contact.law=regularised", "--set", "contact.slip_length=1 um", "-o",
-                                  "a.live"), "contact.law"),
+                                ((quick, "--set", "motion.drive.stiffness=1000 N/m", "-o", "a.live"), "motion.drive"),
+                                ((quick, "--friction", "0.5", "0.1", "-o", "a.live"), "--friction 0.5 0.1"),
+                                ((quick, "--friction", "0.4", "0.5", "-o", "a.live"), "contact.friction = 0.3"),
+                                ((quick, "-o", "a.live", "--friction", "0.4"), "--friction"),
                                 ((ROOT / "cases" / "bending.toml", "-o", "a.live"), "strain.source"),
                                 ((quick, "--trajectories", "0", "-o", "a.live"), "--trajectories"),
                                 ((quick, "--validation", "0", "-o", "a.live"), "--validation")):

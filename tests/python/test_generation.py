@@ -28,6 +28,7 @@ class Generation(PackageTest):
         self.assertEqual(values, [trial.values for trial in longer.trials[:12]])
         self.assertNotEqual(values, [trial.values for trial in Touches(small_case(), 12, seed=8).trials])
         self.assertTrue(touches.shares_positions)
+        self.assertEqual(touches.case["output.fields"], [])
         low, high = ([touches.case[f"numerics.shared_positions.{end}[{axis}]"] for axis in (0, 1)] for end in ("from", "to"))
         for one in values:
             start = [one["slider.start[0]"], one["slider.start[1]"]]

@@ -33,12 +33,12 @@ double PressedSkin::force(std::size_t component) const {
 }
 
 double PressedSkin::contact_area() const {
-  return parts() * mechanics::contact_area(model_.cells, state_.force);
+  return parts() * mechanics::contact_area(model_.cells.grid(), state_.force);
 }
 
 double PressedSkin::stick_area() const {
-  return parts() *
-         mechanics::covered_area(model_.cells, mechanics::stick_reserve(problem_, state_.force));
+  return parts() * mechanics::covered_area(model_.cells.grid(),
+                                           mechanics::stick_reserve(problem_, state_.force));
 }
 
 double PressedSkin::central_pressure(double contact_radius) const {

@@ -128,6 +128,11 @@ void add_live(CLI::App& app, Command& command) {
               "of all touches keep them")
           ->check(CLI::Range(1, 1000))
           ->capture_default_str();
+  CLI::Option* friction =
+      verb->add_option("--friction", options->friction,
+                       "Lowest and highest coefficient of friction, any of which can be set later; "
+                       "the case's alone without it")
+          ->type_name("LOW HIGH");
   CLI::Option* seed =
       verb->add_option("--seed", options->seed, "Seed of the touches")->capture_default_str();
   verb->add_flag("--overwrite", options->overwrite, "Replace existing files");
@@ -136,8 +141,9 @@ void add_live(CLI::App& app, Command& command) {
   add_cache_option(*verb, options->use_cache);
   add_log_options(*verb, options->log);
   verb->callback([=, &command] {
-    options->trains = !options->output.empty() || !options->set_edits.empty() ||
-                      trajectories->count() + validation->count() + seed->count() > 0;
+    options->trains =
+        !options->output.empty() || !options->set_edits.empty() ||
+        trajectories->count() + validation->count() + seed->count() + friction->count() > 0;
     command = *options;
   });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -154,6 +155,7 @@ struct LiveOptions {
   std::size_t trajectories = 12;
   std::size_t validation = 90;
   std::uint64_t seed = 1;
+  std::optional<std::array<double, 2>> friction;
   bool trains = false; ///< whether an option is given that only a training has a use for
   int threads = 0;
   bool overwrite = false;

@@ -85,11 +85,11 @@ void write_files(const LiveOptions& options, const ionskin::live::SkinData& data
 /// Of a skin that is there, nothing but an FMU is made.
 int export_skin(const LiveOptions& options) {
   if (options.trains) {
-    throw UserError(
-        fmt::format("{} is a live skin, trained already: --output, --set, "
-                    "--trajectories, --validation and --seed have no use\n  = give --fmu alone, or "
-                    "the case file to train anew",
-                    options.case_path));
+    throw UserError(fmt::format(
+        "{} is a live skin, trained already: --output, --set, "
+        "--trajectories, --friction, --validation and --seed have no use\n  = give --fmu alone, or "
+        "the case file to train anew",
+        options.case_path));
   }
   write_files(options, ionskin::live::read_skin(options.case_path));
   return static_cast<int>(ExitCode::success);
@@ -98,7 +98,7 @@ int export_skin(const LiveOptions& options) {
 void print_errors(const ionskin::live::SkinData& data) {
   fmt::print("errors on unseen touches, of the largest value:\n");
   for (const ionskin::live::SignalError& error : data.errors) {
-    if (error.largest > 0 && error.name.find("charge_top_") == std::string::npos) {
+    if (error.largest > 0) {
       fmt::print("{:<28} {:8.3f} % rms {:8.3f} % at worst\n", error.name,
                  100 * error.rms / error.largest, 100 * error.worst / error.largest);
     }
@@ -115,7 +115,9 @@ int live(const LiveOptions& options, const std::string& command) {
   }
   const Case input = read_case(options.case_path, options.set_edits);
   require_outputs(options);
-  ionskin::live::check_trainable(input);
+  ionskin::live::TrainingOptions settings;
+  settings.friction = options.friction;
+  ionskin::live::check_trainable(input, settings);
   planning::require_resources(input, thread_count(options.threads));
   study::RunOptions cache_options;
   cache_options.use_cache = options.use_cache;
@@ -124,7 +126,6 @@ int live(const LiveOptions& options, const std::string& command) {
   bool interrupted = false;
   {
     ProgressDisplay display(options.log);
-    ionskin::live::TrainingOptions settings;
     settings.trajectories = options.trajectories;
     settings.validation = options.validation;
     settings.seed = options.seed;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 "use strict";
 (() => {
-  const SVG = "http://www.w3.org/2000/svg";
   const LEFT = 74, RIGHT = 14, TOP = 24, BOTTOM = 24, HEIGHT = 154, MARGIN = 8;
   const PREFIX = [[1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"], [1e-12, "p"], [1e-15, "f"]];
   const COLOURS = ["blue", "orange", "green", "purple"];
@@ -12,27 +11,10 @@
   const state = { frame: 0, playing: false, begun: 0, from: 0 };
   let width = 0, moving = null, charts = [];
 
-  function make(parent, tag, attributes = {}, text = "") {
-    const node = document.createElementNS(SVG, tag);
-    for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
-    if (text) node.textContent = text;
-    parent.append(node);
-    return node;
-  }
-
   function withUnit(value, unit, digits = 3) {
     if (value === 0) return `0 ${unit}`;
     const [scale, prefix] = PREFIX.find(([size]) => Math.abs(value) >= size) || PREFIX[PREFIX.length - 1];
     return `${Number((value / scale).toPrecision(digits))} ${prefix}${unit}`.replace("-", "−");
-  }
-
-  function ticks(low, high, count) {
-    const raw = (high - low) / count, power = 10 ** Math.floor(Math.log10(raw));
-    const step = [1, 2, 5, 10].find((factor) => factor * power >= raw) * power, found = [];
-    for (let value = Math.ceil(low / step) * step; value <= high + step * 1e-9; value += step) {
-      found.push(Math.abs(value) < step * 1e-9 ? 0 : value);
-    }
-    return found;
   }
 
   function canvas(parent, height, label) {

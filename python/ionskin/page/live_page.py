@@ -11,7 +11,6 @@ from ..quantity import si
 from ..words import quantity
 from . import pages
 
-SCRIPT = pathlib.Path(__file__).with_name("live_page.js")
 MOST_FRAMES = 1500
 DIGITS = 5
 FULL_COLOUR = 0.95  # of the frames have a weaker current than that of the fullest colour
@@ -101,5 +100,5 @@ def write(path, skin, times, signals):
                             {"speeds": SPEEDS, "frames": len(content["time"]), "notes": notes})
     subtitle = (f"{quantity(times[-1] - times[0], 's')} in {len(times)} step{'s' * (len(times) != 1)} of a reduced skin · "
                 f"ionskin {skin.version}")
-    script = f"const DATA={payload};\n{SCRIPT.read_text(encoding='utf-8')}"
+    script = pages.chart_script(payload, "live_page.js")
     return pages.write_page(pathlib.Path(path), pages.page(title, subtitle, [section], script=script))

@@ -55,6 +55,12 @@ def page(title, subtitle, sections, *, cards=(), script=None):
         style=Markup(style), script=Markup(script) if script else "")
 
 
+def chart_script(payload, name):
+    """The script NAME of this folder behind what all charts are drawn with. payload: JSON, its DATA."""
+    parts = (FOLDER / one for one in ("charts.js", name))
+    return "\n".join([f"const DATA={payload};", *(part.read_text(encoding="utf-8") for part in parts)])
+
+
 def write_page(path, text):
     """Writes a page so that readers see the old one or the whole new one."""
     output_folder.write_text(path, text)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 "use strict";
 (() => {
-  const SVG = "http://www.w3.org/2000/svg";
   const LEFT = 74, RIGHT = 14, TOP = 24, BOTTOM = 42, NARROWEST = 280;
   let WIDTH = 900; // of the charts in pixels, so that their letters keep their size on every screen
   const PREFIX = [[1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"], [1e-12, "p"]];
+  const STEPS = [1, 2, 2.5, 5, 10];
   const PANELS = [
     { title: "Motion", height: 146, curves: ["slider_x", "slider_z"], colours: ["--blue", "--orange"] },
     { title: "Mean shear γ of the core", height: 156, curves: ["mean_shear"], colours: ["--blue"] },
@@ -15,30 +15,12 @@
   ];
   const state = { member: DATA.typical, span: null, metric: 0, key: 0 };
 
-  function make(parent, tag, attributes = {}, text = "") {
-    const node = document.createElementNS(SVG, tag);
-    for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
-    if (text) node.textContent = text;
-    parent.append(node);
-    return node;
-  }
-
   function withUnit(value, unit, digits = 4) {
     if (value === null || value === undefined) return "–";
     if (unit === "1") return Number(value.toPrecision(digits)).toString();
     if (value === 0) return "0";
     const [scale, prefix] = PREFIX.find(([size]) => Math.abs(value) >= size) || PREFIX[PREFIX.length - 1];
     return `${Number((value / scale).toPrecision(digits))} ${prefix}${unit}`;
-  }
-
-  function ticks(low, high, count) {
-    const raw = (high - low) / count, power = 10 ** Math.floor(Math.log10(raw));
-    const step = [1, 2, 2.5, 5, 10].find((factor) => factor * power >= raw) * power;
-    const found = [];
-    for (let value = Math.ceil(low / step) * step; value <= high + step * 1e-9; value += step) {
-      found.push(Math.abs(value) < step * 1e-9 ? 0 : value);
-    }
-    return found;
   }
 
   // Common over all members, so that picking another run changes the curve and not the scale.
@@ -63,17 +45,17 @@
   }
 
   function axes(svg, frame, xTitle, unit, xUnit = "") {
-    for (const value of ticks(...frame.x, Math.max(3, Math.round(WIDTH / 110)))) {
+    for (const value of ticks(...frame.x, Math.max(3, Math.round(WIDTH / 110)), STEPS)) {
       make(svg, "line", { class: "gridline", x1: frame.px(value), x2: frame.px(value), y1: TOP, y2: frame.bottom });
       make(svg, "text", { x: frame.px(value), y: frame.bottom + 15, "text-anchor": "middle" },
            xUnit ? withUnit(value, xUnit, 4) : Number(value.toPrecision(8)).toString());
     }
-    for (const value of ticks(...frame.y, 5)) {
+    for (const value of ticks(...frame.y, 5, STEPS)) {
       make(svg, "line", { class: "gridline", x1: LEFT, x2: WIDTH - RIGHT, y1: frame.py(value), y2: frame.py(value) });
       make(svg, "text", { x: LEFT - 6, y: frame.py(value) + 4, "text-anchor": "end" }, withUnit(value, unit, 3));
     }
     make(svg, "rect", { class: "axis", x: LEFT, y: TOP, width: WIDTH - LEFT - RIGHT, height: frame.bottom - TOP });
-    make(svg, "text", { x: (LEFT + WIDTH - RIGHT) / 2, y: frame.bottom + 32, "text-anchor": "middle" }, xTitle);
+    make(svg, "text", { class: "along", x: (LEFT + WIDTH - RIGHT) / 2, y: frame.bottom + 32, "text-anchor": "middle" }, xTitle);
   }
 
   function makeFrame(x, y, height) {
@@ -86,12 +68,17 @@
     };
   }
 
-  function legend(svg, labels, colours) {
+  function legend(svg, frame, labels, colours) {
     const name = svg.querySelector(".name"), room = WIDTH - (name ? LEFT + name.getComputedTextLength() + 16 : LEFT);
     const widths = labels.map((label) => 7 * label.length + 16);
-    // Where the title leaves no room, the legend goes inside the chart.
-    const y = widths.reduce((sum, width) => sum + width, 0) > room ? TOP + 13 : 15;
-    let x = WIDTH - RIGHT - (y > 15 ? 6 : 0);
+    // Where the title leaves no room, the legend goes below the chart, behind the name of the axis.
+    const below = widths.reduce((sum, width) => sum + width, 0) > room, y = below ? frame.bottom + 32 : 15;
+    if (below) {
+      const along = svg.querySelector(".along");
+      along.setAttribute("x", LEFT);
+      along.setAttribute("text-anchor", "start");
+    }
+    let x = WIDTH - RIGHT;
     for (let i = labels.length - 1; i >= 0; --i) {
       const text = make(svg, "text", { x, y, "text-anchor": "end", style: `fill: var(${colours[i]})` }, labels[i]);
       x -= (text.getComputedTextLength ? text.getComputedTextLength() : labels[i].length * 6) + 16;
@@ -130,7 +117,7 @@
     });
     title(svg, panel.title, DATA.members.length > 1 ? `${panel.title}, ${member.short}` : panel.title);
     if (names.length > 1) {
-      legend(svg, names.map((name) => DATA.curves.find((curve) => curve.name === name).label), panel.colours);
+      legend(svg, frame, names.map((name) => DATA.curves.find((curve) => curve.name === name).label), panel.colours);
     }
     interact(svg, frame);
   }

@@ -4,7 +4,6 @@
 import base64
 import io
 import json
-import pathlib
 
 import numpy
 
@@ -14,7 +13,6 @@ from ..sweep_results import value_text
 from ..words import quantity
 from . import pages, report_text
 
-SCRIPT = pathlib.Path(__file__).with_name("sweep_page.js")
 EMBEDDED_DPI = 130
 TREND_NOTE = "A click on a mark shows its run in the charts above."
 DIGITS = 5
@@ -110,7 +108,7 @@ def script(study):
     if "time" not in study.typical.results.sampled:
         return None
     payload = json.dumps(data(study), separators=(",", ":"), ensure_ascii=False).replace("</", "<\\/").replace("<!", "<\\u0021")
-    return f"const DATA={payload};\n{SCRIPT.read_text(encoding='utf-8')}"
+    return pages.chart_script(payload, "sweep_page.js")
 
 
 def page(study, verdicts):

@@ -88,7 +88,7 @@ def indices_figure(study, analyses):
         panel.set_xticks(places, [key.split(".", 1)[-1] for key in study.keys])
         panel.set_ylabel("Sobol' index")
         style.title(panel, name.replace("_", " "))
-    axes[0].legend(loc="upper right")
+    style.legend(axes[0])
     return drawing
 
 
@@ -106,7 +106,7 @@ def bands_figure(found, known):
         panel.plot(time, shown[2], color=style.BLUE, label="median")
         word = name.split("/")[1].replace("_", " ")
         panel.set_ylabel(word if unit == "1" else f"{word} [{prefix}{unit}]")
-    axes[0].legend(loc="upper right")
+    style.legend(axes[0])
     axes[-1].set_xlabel("time [s]")
     return drawing
 

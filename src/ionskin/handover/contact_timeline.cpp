@@ -6,7 +6,9 @@
 namespace ionskin::handover {
 
 void StateCombination::add(const mechanics::SharedState& state, double weight) {
-  if (!state || state->indentation <= 0 || weight == 0) {
+  // Adhesion holds it above the height at which it landed.
+  const bool loaded = state && (state->indentation > 0 || state->normal_force < 0);
+  if (!loaded || weight == 0) {
     return;
   }
   const auto same = std::find_if(terms.begin(), terms.end(),

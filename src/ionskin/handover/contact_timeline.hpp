@@ -29,8 +29,6 @@ struct StateCombination {
   double contact_area() const;                    ///< of the full skin [m2]
   double stick_area() const;                      ///< of it, where nothing slips [m2]
   double contact_border() const;                  ///< in doubt, see mechanics::border_area [m2]
-
-private:
   double sum(double mechanics::ContactState::*quantity) const;
 };
 

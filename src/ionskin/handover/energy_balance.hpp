@@ -9,7 +9,8 @@ namespace ionskin::handover {
 struct EnergyBalance {
   double external_work = 0;  ///< of the slider: forces times its displacement [J]
   double friction_work = 0;  ///< dissipated: tangential tractions times slip [J]
-  double elastic_energy = 0; ///< left at the end of the cycle [J]
+  double elastic_energy = 0; ///< left at the end of the cycle, less what adhesion binds [J]
+  double adhesion_loss = 0;  ///< in jumps of adhesion, on landing and letting go [J]
   /// What is missing, over the sum of the magnitudes of the slider's work. It holds the error of
   /// the load steps, where cells open and close within one, and the work against the skin's change
   /// along the track, which goes with the convective part of the slip that the model leaves out.

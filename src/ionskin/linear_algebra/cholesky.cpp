@@ -47,27 +47,19 @@ struct Cholesky::Numbers {
 
 namespace {
 
-/// The dense lower triangle of the last `count` columns of a supernodal factor.
-DenseMatrix trailing_block(const cholmod_factor& factor, int count) {
-  const int* super = static_cast<const int*>(factor.super);
-  const int* row_start = static_cast<const int*>(factor.pi);
-  const int* value_start = static_cast<const int*>(factor.px);
-  const int* rows = static_cast<const int*>(factor.s);
-  const double* values = static_cast<const double*>(factor.x);
-  const int first = static_cast<int>(factor.n) - count;
-  DenseMatrix block(count, count);
-  for (std::size_t s = 0; s < factor.nsuper; ++s) {
-    const int height = row_start[s + 1] - row_start[s];
-    for (int column = std::max(first, super[s]); column < super[s + 1]; ++column) {
-      const int local = column - super[s];
-      const double* x = values + value_start[s] + static_cast<std::ptrdiff_t>(local) * height;
-      for (int r = local; r < height; ++r) {
-        block(rows[row_start[s] + r] - first, column - first) = x[r];
-      }
-    }
-  }
-  return block;
-}
+/// The panels of a supernodal factor: dense columns over a common list of rows, which begins with
+/// their own.
+struct Panels {
+  const int *first_column, *row_start, *value_start, *rows;
+  const double* values;
+
+  explicit Panels(const cholmod_factor& factor)
+      : first_column(static_cast<const int*>(factor.super)),
+        row_start(static_cast<const int*>(factor.pi)),
+        value_start(static_cast<const int*>(factor.px)), rows(static_cast<const int*>(factor.s)),
+        values(static_cast<const double*>(factor.x)) {}
+  int height(std::size_t s) const { return row_start[s + 1] - row_start[s]; }
+};
 
 } // namespace
 
@@ -85,7 +77,6 @@ Cholesky::Cholesky(const SymbolicCholesky& symbolic, const std::vector<double>& 
                           std::to_string(numbers_->factor->minor),
                       "check the elastic constants and layer thicknesses for extreme ratios");
   }
-  trailing_block_ = trailing_block(*numbers_->factor, symbolic.trailing());
 }
 
 Cholesky::~Cholesky() = default;
@@ -102,47 +93,78 @@ DenseMatrix Cholesky::solve(DenseMatrix right_hand_sides) const {
   return right_hand_sides;
 }
 
-DenseMatrix Cholesky::trailing_forward(DenseMatrix loads) const {
-  const KernelThreads kernel_threads(threads_);
-  solve_left(loads.rows, loads.columns, trailing_block_.values.data(), trailing_block_.rows,
-             loads.values.data(), loads.rows);
-  return loads;
-}
-
-DenseMatrix Cholesky::backward_from_trailing(const DenseMatrix& forward) const {
-  const KernelThreads kernel_threads(threads_);
-  CholmodWorkspace& workspace = numbers_->workspace;
-  const int size = symbolic_.pattern().size;
-  DenseMatrix permuted(size, forward.columns);
-  for (int j = 0; j < forward.columns; ++j) {
-    std::copy(forward.column(j), forward.column(j) + forward.rows,
-              permuted.column(j) + size - forward.rows);
-  }
-  DenseMatrix gather(forward.columns, static_cast<int>(numbers_->factor->maxesize));
-  cholmod_dense x = view(permuted), work = view(gather);
-  cholmod_super_ltsolve(numbers_->factor, &x, &work, *workspace);
-  workspace.check("backward substitution");
-  DenseMatrix solution(size, forward.columns);
-  const std::vector<int>& order = symbolic_.order();
-  for (int j = 0; j < forward.columns; ++j) {
-    const double* from = permuted.column(j);
-    double* to = solution.column(j);
-    for (int k = 0; k < size; ++k) {
-      to[order[k]] = from[k];
+DenseMatrix Cholesky::trailing_block() const {
+  const Panels panels(*numbers_->factor);
+  const int count = symbolic_.trailing(), first = symbolic_.pattern().size - count;
+  DenseMatrix block(count, count);
+  for (std::size_t s = numbers_->factor->nsuper; s-- > 0 && panels.first_column[s + 1] > first;) {
+    const int height = panels.height(s);
+    const int* rows = panels.rows + panels.row_start[s];
+    for (int column = std::max(first, panels.first_column[s]); column < panels.first_column[s + 1];
+         ++column) {
+      const int local = column - panels.first_column[s];
+      const double* x =
+          panels.values + panels.value_start[s] + static_cast<std::ptrdiff_t>(local) * height;
+      for (int r = local; r < height; ++r) {
+        block(rows[r] - first, column - first) = x[r];
+      }
     }
   }
-  return solution;
+  return block;
 }
+
+void Cholesky::complete(int known, DenseMatrix& states) const {
+  const KernelThreads kernel_threads(threads_);
+  const Panels panels(*numbers_->factor);
+  const int unknown = symbolic_.pattern().size - known, count = states.rows;
+  const auto columns_before = [&](std::size_t s) {
+    return std::min(panels.first_column[s + 1], unknown) - panels.first_column[s];
+  };
+  std::size_t end = 0;
+  int most_rows = 0;
+  for (; end < numbers_->factor->nsuper && panels.first_column[end] < unknown; ++end) {
+    most_rows = std::max(most_rows, panels.height(end) - columns_before(end));
+  }
+  DenseMatrix gathered(count, most_rows);
+  for (std::size_t s = end; s-- > 0;) {
+    const int height = panels.height(s), columns = columns_before(s);
+    const int* rows = panels.rows + panels.row_start[s] + columns;
+    for (int r = 0; r < height - columns; ++r) {
+      std::copy_n(states.column(rows[r]), count, gathered.column(r));
+    }
+    const double* panel = panels.values + panels.value_start[s];
+    double* own = states.column(panels.first_column[s]);
+    product(false, count, columns, height - columns, -1.0, gathered.values.data(), count,
+            panel + columns, height, 1.0, own, count);
+    solve_right(count, columns, panel, height, own, count);
+  }
+}
+
+namespace {
+
+void copy_lower_triangle(DenseMatrix& matrix) {
+  for (int j = 0; j < matrix.columns; ++j) {
+    for (int i = 0; i < j; ++i) {
+      matrix(i, j) = matrix(j, i);
+    }
+  }
+}
+
+} // namespace
 
 DenseMatrix gram(const DenseMatrix& y) {
   DenseMatrix result(y.columns, y.columns);
   symmetric_product(true, y.columns, y.rows, 1.0, y.values.data(), y.rows, result.values.data(),
                     result.rows);
-  for (int j = 0; j < result.columns; ++j) {
-    for (int i = 0; i < j; ++i) {
-      result(i, j) = result(j, i);
-    }
-  }
+  copy_lower_triangle(result);
+  return result;
+}
+
+DenseMatrix gram_of_rows(const DenseMatrix& l) {
+  DenseMatrix result(l.rows, l.rows);
+  symmetric_product(false, l.rows, l.columns, 1.0, l.values.data(), l.rows, result.values.data(),
+                    result.rows);
+  copy_lower_triangle(result);
   return result;
 }
 

@@ -46,26 +46,27 @@ public:
   /// Solves A X = B; shapes [size, any].
   DenseMatrix solve(DenseMatrix right_hand_sides) const;
 
-  /// L22^-1 B, shapes [trailing, any]. For loads F = S B on the trailing unknowns (S selects them)
-  /// the compliance S^T A^-1 S is L22^-T L22^-1, so the Gram matrix of this result is B^T S^T A^-1
-  /// S B.
-  DenseMatrix trailing_forward(DenseMatrix trailing_loads) const;
+  /// L22, lower triangle. L22 L22^T is the Schur complement of the trailing unknowns: what they
+  /// feel of the others.
+  DenseMatrix trailing_block() const;
 
-  /// Completes the solution for loads on trailing unknowns only: X = A^-1 S B from Y = L22^-1 B, by
-  /// backward substitution alone. Shapes [trailing, any] to [size, any], in the matrix's own
-  /// numbering.
-  DenseMatrix backward_from_trailing(const DenseMatrix& forward) const;
+  /// Backward substitution for any number of states at once, whose values stand side by side for
+  /// each unknown: shape [states, size], in the elimination order. The last `known` columns hold
+  /// the solution; from L^-1 B in those before, it makes the solution.
+  /// @param known at most trailing()
+  void complete(int known, DenseMatrix& states) const;
 
 private:
   struct Numbers;
   const SymbolicCholesky& symbolic_;
   int threads_;
   std::unique_ptr<Numbers> numbers_;
-  DenseMatrix trailing_block_; ///< L22, lower triangle
 };
 
 /// Y^T Y, both triangles.
 DenseMatrix gram(const DenseMatrix& y);
+/// L L^T, both triangles.
+DenseMatrix gram_of_rows(const DenseMatrix& l);
 /// A B.
 DenseMatrix multiply(const DenseMatrix& a, const DenseMatrix& b);
 

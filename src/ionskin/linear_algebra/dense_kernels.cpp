@@ -5,12 +5,19 @@
 #include <f77blas.h>
 #include <omp.h>
 
+#include <algorithm>
+
 namespace ionskin::linear_algebra {
 namespace {
 
 // The Fortran interface takes pointers to non-const but does not write through these.
 double* input(const double* values) {
   return const_cast<double*>(values);
+}
+
+/// BLAS refuses the leading dimension 0 of an empty matrix.
+int lead(int given) {
+  return std::max(1, given);
 }
 
 } // namespace
@@ -33,6 +40,7 @@ std::string kernel_name() {
 
 void product(bool transpose_a, int m, int n, int k, double alpha, const double* a, int lead_a,
              const double* b, int lead_b, double beta, double* c, int lead_c) {
+  lead_a = lead(lead_a), lead_b = lead(lead_b), lead_c = lead(lead_c);
   char form_a = transpose_a ? 'T' : 'N', form_b = 'N';
   dgemm_(&form_a, &form_b, &m, &n, &k, &alpha, input(a), &lead_a, input(b), &lead_b, &beta, c,
          &lead_c);
@@ -40,15 +48,32 @@ void product(bool transpose_a, int m, int n, int k, double alpha, const double* 
 
 void symmetric_product(bool transpose_first, int n, int k, double alpha, const double* a,
                        int lead_a, double* c, int lead_c) {
+  lead_a = lead(lead_a), lead_c = lead(lead_c);
   char triangle = 'L', form = transpose_first ? 'T' : 'N';
   double beta = 0;
   dsyrk_(&triangle, &form, &n, &k, &alpha, input(a), &lead_a, &beta, c, &lead_c);
 }
 
-void solve_left(int m, int n, const double* l, int lead_l, double* b, int lead_b) {
-  char side = 'L', triangle = 'L', form = 'N', diagonal = 'N';
+void solve_left(bool transpose, int m, int n, const double* l, int lead_l, double* b, int lead_b) {
+  lead_l = lead(lead_l), lead_b = lead(lead_b);
+  char side = 'L', triangle = 'L', form = transpose ? 'T' : 'N', diagonal = 'N';
   double alpha = 1;
   dtrsm_(&side, &triangle, &form, &diagonal, &m, &n, &alpha, input(l), &lead_l, b, &lead_b);
+}
+
+void solve_right(int m, int n, const double* l, int lead_l, double* b, int lead_b) {
+  lead_l = lead(lead_l), lead_b = lead(lead_b);
+  char side = 'R', triangle = 'L', form = 'N', diagonal = 'N';
+  double alpha = 1;
+  dtrsm_(&side, &triangle, &form, &diagonal, &m, &n, &alpha, input(l), &lead_l, b, &lead_b);
+}
+
+bool factorise(int n, double* a, int lead_a) {
+  lead_a = lead(lead_a);
+  char triangle = 'L';
+  int info = 0;
+  dpotrf_(&triangle, &n, a, &lead_a, &info);
+  return info == 0;
 }
 
 } // namespace ionskin::linear_algebra

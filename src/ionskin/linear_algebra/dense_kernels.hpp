@@ -32,7 +32,14 @@ void product(bool transpose_a, int m, int n, int k, double alpha, const double* 
 void symmetric_product(bool transpose_first, int n, int k, double alpha, const double* a,
                        int lead_a, double* c, int lead_c);
 
-/// B := L^-1 B with the lower triangle L [m, m]; B has shape [m, n].
-void solve_left(int m, int n, const double* l, int lead_l, double* b, int lead_b);
+/// B := L^-1 B, or L^-T B, with the lower triangle L [m, m]; B has shape [m, n].
+void solve_left(bool transpose, int m, int n, const double* l, int lead_l, double* b, int lead_b);
+
+/// B := B L^-1 with the lower triangle L [n, n]; B has shape [m, n].
+void solve_right(int m, int n, const double* l, int lead_l, double* b, int lead_b);
+
+/// Lower triangle of A := L with A = L L^T; A has shape [n, n]. False when it is not positive
+/// definite.
+bool factorise(int n, double* a, int lead_a);
 
 } // namespace ionskin::linear_algebra

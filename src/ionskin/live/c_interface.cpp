@@ -95,6 +95,20 @@ void ionskin_live_reset(ionskin_live_skin* skin) {
   skin->skin.reset();
 }
 
+int ionskin_live_set_friction(ionskin_live_skin* skin, double coefficient) {
+  try {
+    return skin->skin.set_friction(coefficient) ? 1 : 0;
+  } catch (const std::exception&) { // no memory
+    return 0;
+  }
+}
+
+void ionskin_live_friction(const ionskin_live_skin* skin, double friction[3]) {
+  friction[0] = skin->skin.friction();
+  friction[1] = skin->data->lowest_friction;
+  friction[2] = skin->data->highest_friction;
+}
+
 const char* ionskin_live_text(const ionskin_live_skin* skin, const char* what) {
   const std::string_view word = what;
   const ionskin::live::SkinData& data = *skin->data;

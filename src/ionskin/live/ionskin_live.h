@@ -54,6 +54,12 @@ int ionskin_live_restore(ionskin_live_skin* skin, const double* state, size_t si
 /* Back to a detached skin at rest. */
 void ionskin_live_reset(ionskin_live_skin* skin);
 
+/* Another coefficient of friction, which is no part of the state; takes memory. 1, or 0 when it is outside the trained
+   range; nothing changes then. */
+int ionskin_live_set_friction(ionskin_live_skin* skin, double coefficient);
+/* The present coefficient of friction, the lowest and the highest that were trained. */
+void ionskin_live_friction(const ionskin_live_skin* skin, double friction[3]);
+
 /* "case", "version" or "command" of the training; NULL for another word. */
 const char* ionskin_live_text(const ionskin_live_skin* skin, const char* what);
 /* Trained: lowest x, y, highest x, y [m], force [N], indentation [m], speed [m/s]. */

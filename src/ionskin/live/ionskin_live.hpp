@@ -93,6 +93,18 @@ public:
   /// Back to a detached skin at rest.
   void reset() noexcept { ionskin_live_reset(handle_.get()); }
 
+  /// Another coefficient of friction, which is no part of the state. Takes memory.
+  /// @returns whether it is within the trained range; if not nothing changes
+  bool set_friction(double coefficient) noexcept {
+    return ionskin_live_set_friction(handle_.get(), coefficient) != 0;
+  }
+  /// The present coefficient of friction, the lowest and the highest that were trained.
+  std::array<double, 3> friction() const noexcept {
+    std::array<double, 3> values{};
+    ionskin_live_friction(handle_.get(), values.data());
+    return values;
+  }
+
   /// Trained: lowest x, y, highest x, y [m], force [N], indentation [m], speed [m/s].
   std::array<double, 7> range() const noexcept {
     std::array<double, 7> values{};

@@ -18,28 +18,39 @@ constexpr int most_factors = 8, most_landing_factors = 60;
 constexpr double assembly_distance = 5e-6;
 /// The stiffness falls with the contact, over that of the heaviest one.
 constexpr double softest = 0.1;
+/// Of a step that takes no time, since some laws take 0 for steady sliding [s].
+constexpr double shortest_step = 1e-9;
+/// A traction nearer to its limit slips.
+constexpr double slipping = 1e-9;
+
+/// With any coefficient that may be set.
+std::size_t memory_per_cell(const SkinData& data) {
+  const laws::Friction friction = friction_of(data, data.highest_friction);
+  return friction.elastic_slip > 0 ? 2 : friction.lag > 0 ? 1 : 0;
+}
 
 } // namespace
 
-laws::Friction friction_of(const SkinData& data) {
+laws::Friction friction_of(const SkinData& data, double coefficient) {
   laws::LawValues values;
   for (std::size_t i = 0; i < data.friction_values.size(); ++i) {
     values[data.friction_parameters[i]] = data.friction_values[i];
   }
-  return laws::friction(data.friction_law, data.friction, values);
-}
-
-bool friction_remembers(const laws::Friction& friction) {
-  return friction.elastic_slip > 0 || friction.lag > 0;
+  return laws::friction(data.friction_law, coefficient, values);
 }
 
 LiveContact::LiveContact(const SkinData& data)
-    : data_(data), friction_(friction_of(data)), size_(3 * data.area.size()),
+    : data_(data), friction_(friction_of(data, data.friction)), size_(3 * data.area.size()),
+      memory_size_(memory_per_cell(data) * data.area.size()),
       first_touch_(*std::min_element(data.gap.begin(), data.gap.end())), compliance_(size_ * size_),
       assembled_(size_), own_(size_), before_(size_), amplitude_(data.compliance.modes()),
       drag_(data.area.size()), slips_(data.area.size()), correction_(data.area.size()),
       touching_(data.area.size()), from_gaps_(data.area.size()),
       from_indentation_(data.area.size()) {}
+
+void LiveContact::set_friction(double coefficient) {
+  friction_ = friction_of(data_, coefficient);
+}
 
 void LiveContact::assemble(const State& state) noexcept {
   if (std::isnan(state.assembled_x)) {
@@ -102,8 +113,8 @@ LiveContact::Sweep LiveContact::sweep(double time_step, const std::array<double,
                                          {(state.force[at + 1] + slip_x / own_tangential) / area,
                                           (state.force[at + 2] + slip_y / own_tangential) / area},
                                          own_tangential * area,
-                                         time_step});
-    slips_[cell] = !response.sticks;
+                                         time_step,
+                                         friction_.lag > 0 ? state.memory[cell] : 0.0});
     drag_[cell] = response.by_normal;
     const std::array<double, 3> next{normal, area * response.traction[0],
                                      area * response.traction[1]};
@@ -186,6 +197,31 @@ bool LiveContact::correct(const Load& load, double total, State& state) noexcept
   return true;
 }
 
+/// Which cells slip, and what friction keeps of their slip.
+void LiveContact::remember(double time_step, const std::array<double, 2>& travel,
+                           State& state) noexcept {
+  const double most = friction_.elastic_slip;
+  for (std::size_t cell = 0, at = 0; at < size_; ++cell, at += 3) {
+    const bool touches = state.force[at] > 0;
+    const double area = data_.area[cell], lagged = friction_.lag > 0 ? state.memory[cell] : 0;
+    const double limit = friction_.limit({state.force[at] / area, 0, 0, lagged});
+    slips_[cell] = touches && laws::limit_norm(friction_, {state.force[at + 1] / area,
+                                                           state.force[at + 2] / area}) >=
+                                  (1 - slipping) * limit;
+    const double slip_x = travel[0] - (state.surface[at + 1] - before_[at + 1]),
+                 slip_y = travel[1] - (state.surface[at + 2] - before_[at + 2]),
+                 length = std::hypot(slip_x, slip_y);
+    if (most > 0) {
+      const double share = !touches ? 0 : length > most ? most / length : 1;
+      state.memory[2 * cell] = share * slip_x;
+      state.memory[2 * cell + 1] = share * slip_y;
+    } else if (friction_.lag > 0) {
+      const double left = std::exp(-time_step / friction_.lag);
+      state.memory[cell] = touches ? left * lagged + (1 - left) * length / time_step : 0;
+    }
+  }
+}
+
 double LiveContact::step(double time_step, const std::array<double, 2>& place,
                          const std::array<double, 2>& travel, const Load& load,
                          State state) noexcept {
@@ -200,10 +236,16 @@ double LiveContact::step(double time_step, const std::array<double, 2>& place,
   if (load.value <= (load.is_force ? 0.0 : first_touch_)) {
     std::fill(state.force.begin(), state.force.end(), 0.0);
     std::fill(state.surface.begin(), state.surface.end(), 0.0);
+    std::fill(state.memory.begin(), state.memory.end(), 0.0);
     state.indentation = load.is_force ? first_touch_ : load.value;
     return 0;
   }
+  time_step = std::max(time_step, shortest_step);
   std::copy(state.surface.begin(), state.surface.end(), before_.begin());
+  for (std::size_t cell = 0; friction_.elastic_slip > 0 && cell < data_.area.size(); ++cell) {
+    before_[3 * cell + 1] += state.memory[2 * cell];
+    before_[3 * cell + 2] += state.memory[2 * cell + 1];
+  }
   std::fill(state.surface.begin(), state.surface.end(), 0.0);
   double largest = 0, total = 0;
   const auto add_up = [&] {
@@ -242,6 +284,7 @@ double LiveContact::step(double time_step, const std::array<double, 2>& place,
       state.indentation += (load.value - total) / data_.stiffness;
     }
   }
+  remember(time_step, travel, state);
   return residual;
 }
 

@@ -19,6 +19,7 @@ public:
   /// What passes from step to step; memory of the owner.
   struct State {
     std::span<double> force, surface; ///< [3 cells] [N], [m]
+    std::span<double> memory;         ///< of friction, as many as `memory_size()`
     double& indentation;              ///< [m]
     double& assembled_x;              ///< the place whose compliance is used; NaN for none [m]
     double& assembled_y;
@@ -37,6 +38,13 @@ public:
   /// Takes the compliance of the state's assembled place, after a restore.
   void assemble(const State& state) noexcept;
   bool slips(std::size_t cell) const { return slips_[cell] != 0; } ///< of the last step
+  /// Numbers that the friction law keeps from step to step: of each cell its elastic slip along x
+  /// and y [m], or the speed that it follows with a lag [m/s]; none for a law that remembers
+  /// nothing.
+  std::size_t memory_size() const { return memory_size_; }
+  /// Another coefficient of the law, which takes memory. Throws where the law has none of it.
+  void set_friction(double coefficient);
+  double friction() const { return friction_.coefficient; }
 
 private:
   struct Sweep { // changes of a force at most, of all and of the normal ones [N]
@@ -45,15 +53,19 @@ private:
   const float* column(std::size_t at) noexcept;
   void add(std::size_t cell, const std::array<double, 3>& force, State& state) noexcept;
   Sweep sweep(double time_step, const std::array<double, 2>& travel, State& state) noexcept;
+  void remember(double time_step, const std::array<double, 2>& travel, State& state) noexcept;
   bool correct(const Load& load, double total, State& state) noexcept;
 
   const SkinData& data_;
   laws::Friction friction_;
-  std::size_t size_;
+  std::size_t size_, memory_size_;
   double first_touch_;
-  std::vector<float> compliance_;           ///< [column][row], where `assembled_` says so
-  std::vector<char> assembled_;             ///< columns
-  std::vector<double> own_, before_;        ///< [3 cells] diagonal; surface of the step before
+  std::vector<float> compliance_; ///< [column][row], where `assembled_` says so
+  std::vector<char> assembled_;   ///< columns
+  std::vector<double> own_;       ///< [3 cells] diagonal
+  /// [3 cells] surface of the step before, as it was without the elastic slip, which is to be
+  /// slipped again.
+  std::vector<double> before_;
   std::vector<double> amplitude_;           ///< of the modes at the assembled place
   std::vector<std::array<double, 2>> drag_; ///< derivative of the friction by the normal force
   std::vector<char> slips_;
@@ -62,10 +74,7 @@ private:
   std::vector<float> from_gaps_, from_indentation_;
 };
 
-/// The friction law of a skin. Throws where there is none of its name.
-laws::Friction friction_of(const SkinData& data);
-/// Whether a law needs more of the steps before than the tractions, which a live skin does not
-/// keep.
-bool friction_remembers(const laws::Friction& friction);
+/// The friction law of a skin with a coefficient. Throws where there is none of its name.
+laws::Friction friction_of(const SkinData& data, double coefficient);
 
 } // namespace ionskin::live

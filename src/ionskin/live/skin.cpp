@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/live/skin.hpp"
 
+#include "ionskin/mechanics/surface/covered_area.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -66,7 +68,8 @@ Skin::Skin(const SkinData& data)
   const std::size_t size = 3 * data.area.size(), outputs = sides * regions_;
   force_ = singles;
   surface_ = force_ + size;
-  filters_ = surface_ + size;
+  memory_ = surface_ + size;
+  filters_ = memory_ + contact_.memory_size();
   drives_ = filters_ + outputs * data.rates.size();
   charges_ = drives_ + outputs * data.rates.size();
   signals_ = charges_ + outputs;
@@ -76,7 +79,16 @@ Skin::Skin(const SkinData& data)
     levels_.resize(std::max(levels_.size(), regions_ * channel.mean.size()));
   }
   charge_.resize(outputs);
+  pressure_.resize(data.area.size());
   reset();
+}
+
+bool Skin::set_friction(double coefficient) {
+  if (!(coefficient >= data_.lowest_friction && coefficient <= data_.highest_friction)) {
+    return false;
+  }
+  contact_.set_friction(coefficient);
+  return true;
 }
 
 void Skin::reset() noexcept {
@@ -95,21 +107,26 @@ bool Skin::restore(std::span<const double> state) noexcept {
 
 LiveContact::State Skin::contact_state() noexcept {
   const std::size_t size = 3 * data_.area.size();
-  return {std::span(state_).subspan(force_, size), std::span(state_).subspan(surface_, size),
-          state_[indentation], state_[assembled_x], state_[assembled_y]};
+  return {std::span(state_).subspan(force_, size),
+          std::span(state_).subspan(surface_, size),
+          std::span(state_).subspan(memory_, contact_.memory_size()),
+          state_[indentation],
+          state_[assembled_x],
+          state_[assembled_y]};
 }
 
 void Skin::add_contact(std::span<double> signals) noexcept {
-  double area = 0, stick = 0;
+  double touching = 0, sticking = 0;
   std::array<double, 3> sum{};
   for (std::size_t cell = 0; cell < data_.area.size(); ++cell) {
     const double* force = state_.data() + force_ + 3 * cell;
     for (std::size_t c = 0; c < 3; ++c) {
       sum[c] += force[c] / data_.meshed_share;
     }
+    pressure_[cell] = force[0] / data_.area[cell];
     if (force[0] > 0) {
-      area += data_.area[cell];
-      stick += contact_.slips(cell) ? 0 : data_.area[cell];
+      touching += data_.area[cell];
+      sticking += contact_.slips(cell) ? 0 : data_.area[cell];
     }
   }
   if (data_.meshed_share < 1) {
@@ -119,8 +136,10 @@ void Skin::add_contact(std::span<double> signals) noexcept {
   signals[tangential_force] = sum[1] * data_.direction[0] + sum[2] * data_.direction[1];
   signals[tangential_force_x] = sum[1];
   signals[tangential_force_y] = sum[2];
-  signals[contact_area] = area / data_.meshed_share;
-  signals[stick_share] = area > 0 ? stick / area : 0;
+  signals[contact_area] =
+      mechanics::covered_area({data_.cell_lines_x, data_.cell_lines_y, data_.area}, pressure_) /
+      data_.meshed_share;
+  signals[stick_share] = touching > 0 ? sticking / touching : 0;
 }
 
 void Skin::add_charges(double time_step, bool first) noexcept {

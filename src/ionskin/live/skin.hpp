@@ -45,6 +45,12 @@ public:
   std::uint32_t step(double time, const std::array<double, 2>& place, bool is_force, double value,
                      std::span<double> signals) noexcept;
 
+  /// Another coefficient of friction, of the slider that touches now; it is no part of the state,
+  /// and takes memory.
+  /// @returns whether it is within the trained range; if not nothing changes
+  bool set_friction(double coefficient);
+  double friction() const { return contact_.friction(); }
+
   /// Back to a detached skin at rest.
   void reset() noexcept;
   /// All that passes from step to step.
@@ -62,11 +68,12 @@ private:
   LiveContact contact_;
   std::vector<std::string> names_;
   std::vector<double> state_;
-  std::size_t force_ = 0, surface_ = 0, filters_ = 0, drives_ = 0, charges_ = 0, signals_ = 0;
+  std::size_t force_ = 0, surface_ = 0, memory_ = 0, filters_ = 0, drives_ = 0, charges_ = 0,
+              signals_ = 0;
   std::size_t regions_;
   std::vector<double> whole_; ///< corners of the core
   std::vector<ChannelField> fields_;
-  std::vector<double> levels_, charge_;
+  std::vector<double> levels_, charge_, pressure_;
 };
 
 } // namespace ionskin::live

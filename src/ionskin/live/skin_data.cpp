@@ -5,125 +5,25 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/files/atomic_file.hpp"
 #include "ionskin/live/live_contact.hpp"
+#include "ionskin/live/skin_archive.hpp"
 
+#include <array>
 #include <bit>
-#include <cmath>
-#include <cstring>
 #include <fstream>
-#include <type_traits>
 
 namespace ionskin::live {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the file is little-endian");
 
-constexpr std::string_view magic = "ionskin live skin, format 1\n";
+constexpr std::string_view magic = "ionskin live skin, format 2\n";
 constexpr std::size_t largest_file = 256u << 20u;
 
-[[noreturn]] void refuse(const std::string& what) {
-  throw UserError(what + "\n  = make it again: ionskin live CASE.toml -o FILE");
-}
-
-/// Every entry: its name, its size in bytes as 8 bytes, its bytes.
-class Writer {
-public:
-  template <class T> void entry(const std::string& name, const T& value) {
-    if constexpr (std::is_arithmetic_v<T>) {
-      put(name, &value, sizeof value);
-    } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
-      std::string joined;
-      for (const std::string& text : value) {
-        joined += text + '\n';
-      }
-      put(name, joined.data(), joined.size());
-    } else {
-      put(name, value.data(), value.size() * sizeof value[0]);
-    }
-  }
-  /// The number of elements of a list of structs, which follow.
-  template <class T> void list(const std::string& name, const std::vector<T>& values) {
-    entry(name, static_cast<std::uint64_t>(values.size()));
-  }
-  std::string bytes{magic};
-
-private:
-  void put(const std::string& name, const void* data, std::uint64_t size) {
-    bytes += name + '\n';
-    bytes.append(reinterpret_cast<const char*>(&size), sizeof size);
-    bytes.append(static_cast<const char*>(data), size);
-  }
-};
-
-class Reader {
-public:
-  Reader(std::string_view bytes, std::string path) : rest_(bytes), path_(std::move(path)) {}
-
-  template <class T> void entry(const std::string& name, T& value) {
-    const std::string_view data = take(name);
-    if constexpr (std::is_arithmetic_v<T>) {
-      require(data.size() == sizeof value, name);
-      std::memcpy(&value, data.data(), sizeof value);
-    } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
-      for (std::size_t from = 0; from < data.size();) {
-        const std::size_t end = data.find('\n', from);
-        require(end != std::string_view::npos, name);
-        value.emplace_back(data.substr(from, end - from));
-        from = end + 1;
-      }
-    } else if constexpr (std::is_same_v<T, std::string>) {
-      value = data;
-    } else {
-      using Element = typename T::value_type;
-      require(data.size() % sizeof(Element) == 0, name);
-      if constexpr (requires { value.resize(1); }) {
-        value.resize(data.size() / sizeof(Element));
-      }
-      require(data.size() == value.size() * sizeof(Element), name);
-      if (!data.empty()) { // an empty list has no address to copy to
-        std::memcpy(value.data(), data.data(), data.size());
-      }
-      for (const Element element : value) {
-        require(std::isfinite(element), name);
-      }
-    }
-  }
-  template <class T> void list(const std::string& name, std::vector<T>& values) {
-    std::uint64_t count = 0;
-    entry(name, count);
-    require(count <= 1000, name);
-    values.resize(count);
-  }
-  void require(bool fits, const std::string& name) const {
-    if (!fits) {
-      refuse(path_ + ": entry " + name + " does not fit the others");
-    }
-  }
-  bool at_end() const { return rest_.empty(); }
-
-private:
-  std::string_view take(const std::string& name) {
-    std::uint64_t size = 0;
-    require(rest_.substr(0, name.size() + 1) == name + '\n', name);
-    rest_.remove_prefix(name.size() + 1);
-    require(rest_.size() >= sizeof size, name);
-    std::memcpy(&size, rest_.data(), sizeof size);
-    rest_.remove_prefix(sizeof size);
-    require(rest_.size() >= size, name);
-    const std::string_view data = rest_.substr(0, size);
-    rest_.remove_prefix(size);
-    return data;
-  }
-
-  std::string_view rest_;
-  std::string path_;
-};
-
 template <class Archive, class Map>
-void visit_map(Archive& archive, const std::string& name, Map& map) {
+void visit_nodes(Archive& archive, const std::string& name, Map& map) {
   archive.entry(name + ".lines_x", map.lines_x);
   archive.entry(name + ".lines_y", map.lines_y);
   archive.entry(name + ".amplitude", map.amplitude);
-  archive.entry(name + ".values", map.values);
 }
 
 template <class Archive, class Model>
@@ -142,11 +42,16 @@ template <class Archive, class Data> void visit(Archive& archive, Data& data) {
   archive.entry("trajectories", data.trajectories);
   archive.entry("friction_law", data.friction_law);
   archive.entry("friction", data.friction);
+  archive.entry("lowest_friction", data.lowest_friction);
+  archive.entry("highest_friction", data.highest_friction);
   archive.entry("friction_parameters", data.friction_parameters);
   archive.entry("friction_values", data.friction_values);
+  archive.entry("cell_lines_x", data.cell_lines_x);
+  archive.entry("cell_lines_y", data.cell_lines_y);
   archive.entry("area", data.area);
   archive.entry("gap", data.gap);
-  visit_map(archive, "compliance", data.compliance);
+  visit_nodes(archive, "compliance", data.compliance);
+  archive.symmetric("compliance.values", data.compliance.values, 3 * data.area.size());
   archive.entry("meshed_share", data.meshed_share);
   archive.entry("stiffness", data.stiffness);
   archive.entry("direction", data.direction);
@@ -156,7 +61,8 @@ template <class Archive, class Data> void visit(Archive& archive, Data& data) {
   archive.list("channels", data.channels);
   for (auto& channel : data.channels) {
     archive.entry("channel.rows_per_point", channel.rows_per_point);
-    visit_map(archive, "channel.strain", channel.strain);
+    visit_nodes(archive, "channel.strain", channel.strain);
+    archive.entry("channel.strain.values", channel.strain.values);
     archive.entry("channel.fit", channel.fit);
     archive.entry("channel.field", channel.field);
     archive.entry("channel.x_edges", channel.x_edges);
@@ -196,9 +102,15 @@ void check_map(const Reader& reader, const std::string& name, const PlaceMap& ma
 void check(const Reader& reader, const SkinData& data) {
   const std::size_t cells = data.area.size();
   reader.require(cells > 0 && cells < 10000 && data.gap.size() == cells, "gap");
+  reader.require(data.cell_lines_x.size() >= 2 && data.cell_lines_y.size() >= 2 &&
+                     (data.cell_lines_x.size() - 1) * (data.cell_lines_y.size() - 1) == cells,
+                 "cell_lines_x");
+  reader.require(data.lowest_friction >= 0 && data.lowest_friction <= data.friction &&
+                     data.friction <= data.highest_friction,
+                 "lowest_friction");
   reader.require(data.friction_parameters.size() == data.friction_values.size(), "friction_values");
   try {
-    reader.require(!friction_remembers(friction_of(data)), "friction_law");
+    friction_of(data, data.friction);
   } catch (const std::exception&) { // a law or a parameter that this version lacks
     reader.require(false, "friction_law");
   }
@@ -239,7 +151,7 @@ void check(const Reader& reader, const SkinData& data) {
 } // namespace
 
 std::string skin_bytes(const SkinData& data) {
-  Writer writer;
+  Writer writer(magic);
   visit(writer, data);
   writer.bytes +=
       base::DigestBuilder().add_bytes(std::as_bytes(std::span(writer.bytes))).finish().hex();

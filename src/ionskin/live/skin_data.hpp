@@ -55,12 +55,14 @@ struct SkinData {
   std::string case_text, version, command;
   std::uint64_t seed = 0, trajectories = 0;
   std::string friction_law;
-  double friction = 0;
+  double friction = 0; ///< of the case
+  double lowest_friction = 0, highest_friction = 0;
   std::vector<std::string> friction_parameters;
   std::vector<double> friction_values;
   // contact
-  std::vector<double> area, gap;     ///< of the cells [m2], [m]
-  PlaceMap compliance;               ///< [3 cells][3 cells] [m/N]
+  std::vector<double> cell_lines_x, cell_lines_y; ///< edges of the cells from the centre [m]
+  std::vector<double> area, gap;                  ///< of the cells, x fastest [m2], [m]
+  PlaceMap compliance;                            ///< [3 cells][3 cells], symmetric [m/N]
   double meshed_share = 1;           ///< of the skin, 0.5 for the half beside its plane of symmetry
   double stiffness = 0;              ///< of the trained contact under the heaviest load [N/m]
   std::array<double, 2> direction{}; ///< along which the tangential force is told

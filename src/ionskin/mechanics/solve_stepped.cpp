@@ -5,6 +5,7 @@
 #include "ionskin/base/largest.hpp"
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/case/slider_motion.hpp"
+#include "ionskin/mechanics/engine/adhesion_resolution.hpp"
 #include "ionskin/mechanics/engine/motion_stepper.hpp"
 #include "ionskin/mechanics/engine/path_thinning.hpp"
 #include "ionskin/mechanics/engine/position_nodes.hpp"
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -80,7 +82,7 @@ public:
     const SurfaceState& state = contact.state();
     if (point.touches) {
       largest_force_ = std::max(largest_force_, largest_normal_force(state.force));
-      largest_indentation_ = std::max(largest_indentation_, state.indentation);
+      largest_indentation_ = std::max(largest_indentation_, std::abs(state.indentation));
       instant.force = state.force;
       instant.state = std::make_shared<ContactState>();
       describe(nodes_.model(), state, contact.problem(), largest_force_, largest_indentation_,
@@ -214,6 +216,7 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
   solution.stepped_events = stepper.events();
   solution.stepped_onsets = stepper.onsets();
   solution.contact_solves = stepper.steps();
+  solution.adhesion_loss = stepper.adhesion_loss() / options.meshed_share;
   solution.worst_interpolation_error = nodes->error();
   return solution;
 }
@@ -282,7 +285,10 @@ std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footpr
   progress.add_units(units_per_path * variants.size());
   parallel::run_tasks(variants.size(), options.threads, [&](std::size_t i) {
     const base::Timers::Scope scope(timers, "mechanics: contact");
+    ContactSolution checked = empty_solution(*model);
+    require_resolved_adhesion(input, *nodes, *box, checked.warnings);
     solutions[i] = solve_path(input, legs, nodes, variants[i], progress);
+    std::ranges::move(checked.warnings, std::back_inserter(solutions[i].warnings));
     // Each by itself, so that no solution depends on its neighbours.
     std::shared_ptr<const PositionNodes> own = nodes;
     MotionBox own_box = *box;

@@ -24,6 +24,10 @@ constexpr double face_reach = 5;
 /// layers' ends and the corners between them the strain varies within about half of one.
 constexpr double face_layer = 0.5;
 
+std::size_t longest_way(const MotionBox& box) {
+  return box.high[1] - box.low[1] > box.high[0] - box.low[0] ? 1 : 0;
+}
+
 bool moves_on_symmetry_plane(const Case& input) {
   const MotionBox box = meshed_box(input);
   const double offset = std::abs(box.low[1] - input.skin.width / 2);
@@ -143,6 +147,7 @@ SkinMesh::SkinMesh(const Case& input, MeshedPart part)
 SkinMesh::SkinMesh(const Case& input, const Footprint& footprint, MeshedPart part)
     : skin_(input.skin), footprint_(footprint) {
   half_model_ = part == MeshedPart::half_if_symmetric && moves_on_symmetry_plane(input);
+  main_axis_ = longest_way(meshed_box(input));
   x_ = make_axis(input, 0);
   y_ = make_axis(input, 1);
   ThicknessLines thickness = thickness_lines(skin_, footprint_, mesh_resolution(input, footprint_));

@@ -14,6 +14,7 @@ namespace ionskin::mesh {
 /// x and y count from the skin's corner, z from the bottom of the lowest layer.
 struct MeshLines {
   std::vector<double> x, y, z;
+  bool operator==(const MeshLines&) const = default;
 };
 
 /// Half the skin suffices where the motion lies on the symmetry plane.
@@ -46,6 +47,8 @@ public:
   std::array<std::size_t, 2> footprint_y() const {
     return {y_.outer, y_.outer + y_.inner_elements()};
   }
+  /// Horizontal axis along which the slider goes the longest way.
+  std::size_t main_axis() const { return main_axis_; }
   /// Footprint lines from the slider's centre [m]; half models end at 0 along y.
   const std::vector<double>& footprint_lines_x() const { return x_.inner; }
   const std::vector<double>& footprint_lines_y() const { return y_.inner; }
@@ -84,6 +87,7 @@ private:
   Skin skin_;
   Footprint footprint_;
   bool half_model_ = false;
+  std::size_t main_axis_ = 0;
   Axis x_, y_;
   std::array<std::size_t, 2> core_z_{};
   std::vector<std::size_t> layer_of_row_;

@@ -6,12 +6,14 @@
 
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <utility>
 
 namespace ionskin::readout {
 namespace {
 
 constexpr const char* current_prefix = "current_top_";
+constexpr const char* rest_name = "rest"; // what no taxel covers
 
 /// Half of the top charges plus `sign` times the bottom ones.
 void add_part(const std::vector<double>& time, const std::vector<TaxelCharge>& taxels,
@@ -48,6 +50,17 @@ SignalTable taxel_signals(const std::vector<double>& time, const std::vector<Tax
     add_part(time, taxels, part, sign, table);
   }
   return table;
+}
+
+double largest_taxel_current(const SignalTable& taxels) {
+  const std::string of_rest = std::string(current_prefix) + rest_name;
+  double largest = 0;
+  for (const Signal& column : taxels.columns) {
+    if (column.name.starts_with(current_prefix) && column.name != of_rest) {
+      largest = std::fmax(largest, peak_magnitude(column.values));
+    }
+  }
+  return largest;
 }
 
 double taxel_balance_error(const SignalTable& taxels, const std::vector<double>& current_top) {

@@ -22,6 +22,9 @@ struct TaxelCharge {
 /// held at the potential of the whole electrode, as a virtual ground of its own does.
 SignalTable taxel_signals(const std::vector<double>& time, const std::vector<TaxelCharge>& taxels);
 
+/// Largest |current_top_NAME| of any taxel; what is left of the electrode between them is none [A].
+double largest_taxel_current(const SignalTable& taxels);
+
 /// Largest |sum of the taxels' currents - current of the whole electrode| over the peak of the
 /// latter; 0 when both vanish.
 /// @param current_top of the whole electrode [A]

@@ -34,6 +34,7 @@ const std::map<Dimension, DimensionInfo>& table() {
       {Dimension::stiffness, {"a stiffness", "N/m", {"N/m", "N/mm", "kN/m"}}},
       {Dimension::damping, {"a damping", "N s/m", {"N s/m", "mN s/m"}}},
       {Dimension::mass, {"a mass", "kg", {"g", "mg", "kg"}}},
+      {Dimension::surface_energy, {"an energy per area", "J/m2", {"mJ/m2", "J/m2"}}},
   };
   return rows;
 }

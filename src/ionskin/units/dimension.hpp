@@ -29,7 +29,8 @@ enum class Dimension {
   capacitance,
   stiffness,
   damping,
-  mass
+  mass,
+  surface_energy
 };
 
 /// Name and SI unit of a dimension, for messages and pages.

@@ -101,22 +101,50 @@ TEST_F(CholeskyOnGrid, solve_agrees_with_a_dense_solver) {
   EXPECT_LT((map(factor.solve(right)) - expected).norm(), 1e-12 * expected.norm());
 }
 
-TEST_F(CholeskyOnGrid, trailing_block_gives_compliance_and_solution) {
+TEST_F(CholeskyOnGrid, trailing_block_gives_the_compliance_of_the_trailing_unknowns) {
   const int count = static_cast<int>(trailing.size());
   const SymbolicCholesky symbolic(graph, trailing_ordering(graph, trailing), count);
   const Cholesky factor(symbolic, values_on(graph, 0));
-  DenseMatrix loads(count, 4), right(graph.size, 4);
-  for (int j = 0; j < 4; ++j) {
+  DenseMatrix unit(graph.size, count);
+  for (int j = 0; j < count; ++j) {
+    unit(trailing[j], j) = 1;
+  }
+  const Eigen::MatrixXd compliance = map(unit).transpose() * map(factor.solve(unit));
+  const Eigen::MatrixXd product = map(gram_of_rows(factor.trailing_block())) * compliance;
+  EXPECT_LT((product - Eigen::MatrixXd::Identity(count, count)).norm(), 1e-12);
+}
+
+TEST_F(CholeskyOnGrid, completes_solutions_of_loads_on_trailing_unknowns) {
+  const int count = static_cast<int>(trailing.size()), states = 4;
+  const std::vector<int> order = trailing_ordering(graph, trailing);
+  const SymbolicCholesky symbolic(graph, order, count);
+  const Cholesky factor(symbolic, values_on(graph, 0));
+  DenseMatrix right(graph.size, states);
+  Eigen::MatrixXd loads(count, states);
+  for (int j = 0; j < states; ++j) {
     for (int i = 0; i < count; ++i) {
       loads(i, j) = right(trailing[i], j) = std::cos(i + 3.0 * j);
     }
   }
-  const DenseMatrix forward = factor.trailing_forward(loads);
-  const DenseMatrix solution = factor.solve(right);
-  EXPECT_LT((map(factor.backward_from_trailing(forward)) - map(solution)).norm(),
-            1e-12 * map(solution).norm());
-  const Eigen::MatrixXd compliance = map(right).transpose() * map(solution);
-  EXPECT_LT((map(gram(forward)) - compliance).norm(), 1e-12 * compliance.norm());
+  const DenseMatrix solution = factor.solve(right), block = factor.trailing_block();
+  const Eigen::MatrixXd forward = map(block).triangularView<Eigen::Lower>().solve(loads);
+  const int first = graph.size - count;
+  for (const int known : {0, 1, count / 3, count}) {
+    DenseMatrix columns(states, graph.size);
+    for (int k = first; k < graph.size; ++k) {
+      for (int j = 0; j < states; ++j) {
+        columns(j, k) = k < graph.size - known ? forward(k - first, j) : solution(order[k], j);
+      }
+    }
+    factor.complete(known, columns);
+    double error = 0;
+    for (int k = 0; k < graph.size; ++k) {
+      for (int j = 0; j < states; ++j) {
+        error = std::max(error, std::abs(columns(j, k) - solution(order[k], j)));
+      }
+    }
+    EXPECT_LT(error, 1e-14 * map(solution).norm()) << known << " known";
+  }
 }
 
 TEST_F(CholeskyOnGrid, one_analysis_serves_several_threads) {

@@ -197,11 +197,8 @@ TEST_F(LiveSkin, RefusesAFileWhoseSizesDoNotFit) {
   refused([](SkinData& wrong) { wrong.taxel_corners.pop_back(); });
   refused([](SkinData& wrong) { wrong.stiffness = -1; });
   refused([](SkinData& wrong) { wrong.friction_law = "unheard-of"; });
-  refused([](SkinData& wrong) { // a law that remembers
-    wrong.friction_law = "regularised";
-    wrong.friction_parameters = {"slip_length"};
-    wrong.friction_values = {1e-6};
-  });
+  refused([](SkinData& wrong) { wrong.highest_friction = 0.2; }); // the case has more
+  refused([](SkinData& wrong) { wrong.cell_lines_x.pop_back(); });
   std::filesystem::remove(path);
 }
 

@@ -11,7 +11,9 @@ SkinData small_skin() {
   data.case_text = "title = \"small\"\n";
   data.version = "test";
   data.friction_law = "coulomb";
-  data.friction = 0.3;
+  data.friction = data.lowest_friction = data.highest_friction = 0.3;
+  data.cell_lines_x = {-2e-3, -1e-3, 0, 1e-3, 2e-3};
+  data.cell_lines_y = {-5e-4, 5e-4};
   data.area.assign(cells, 1e-6);
   data.gap = {1e-7, 0, 0, 1e-7};
   data.compliance.lines_x = {1e-3, 5e-3};

@@ -26,6 +26,12 @@ TEST(Taxels, WithABottomChargeTheOddAndTheEvenPartAreTold) {
   EXPECT_EQ(taxel_balance_error(table, {0, 4}), 0);
 }
 
+TEST(Taxels, LargestCurrentIsThatOfATaxelAndNotOfTheRest) {
+  const SignalTable table =
+      taxel_signals({0, 0.5, 1.5}, {{"a", {1, 2, 4}}, {"b", {0, -1.5, -2}}, {"rest", {0, -9, -3}}});
+  EXPECT_DOUBLE_EQ(largest_taxel_current(table), 3);
+}
+
 TEST(Taxels, BalanceIsAgainstTheWholeElectrode) {
   const SignalTable table =
       taxel_signals({0, 0.5, 1.5}, {{"left", {1, 2, 4}}, {"rest", {0, -3, -3}}});

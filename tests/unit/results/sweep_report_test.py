@@ -360,6 +360,11 @@ class SampledSweep(SweepTest):
             self.assertGreater(page.evaluate("Math.min(...[...document.querySelectorAll('#charts text')].map("
                                              "t => t.getBoundingClientRect().height))"), 9)
             self.assertEqual(page.overlapping_labels("#charts svg, #trend svg"), [])
+            covered = page.evaluate("""[...document.querySelectorAll('#charts svg')].flatMap((svg) => {
+                const axis = svg.querySelector('.axis').getBBox();
+                return [...svg.querySelectorAll('text[style]')].filter((text) => text.getBBox().y < axis.y + axis.height
+                    && text.getBBox().y + text.getBBox().height > axis.y + 1).map((text) => text.textContent); })""")
+            self.assertEqual(covered, [])  # names of curves stand beside the curves
             self.assertIn("sideways", page.evaluate("getComputedStyle(document.querySelector('.wide'), '::before').content"))
             self.assertEqual(page.errors, [])
 

@@ -135,6 +135,7 @@ void check_case(const CaseDocument& document) {
       check_track(document, problems);
       check_shared_positions(document, problems);
       check_friction_of_speed(document, problems);
+      check_adhesion(document, problems);
       check_drive(document, problems);
       check_instants(document, problems);
       check_sizes(document, problems);

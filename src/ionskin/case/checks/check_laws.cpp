@@ -36,6 +36,11 @@ void check_section(const CaseDocument& document, const std::string& section,
   }
 }
 
+bool is_complete(const laws::FrictionLaw& row, const laws::LawValues& given) {
+  return std::ranges::all_of(
+      row.parameters, [&](const laws::LawParameter& own) { return given.contains(own.name); });
+}
+
 } // namespace
 
 void check_laws(const CaseDocument& document, Problems& problems) {
@@ -47,10 +52,7 @@ void check_laws(const CaseDocument& document, Problems& problems) {
 void check_friction_of_speed(const CaseDocument& document, Problems& problems) {
   const Case& input = document.input;
   const laws::FrictionLaw& row = laws::friction_law(input.contact.law);
-  const bool complete = std::ranges::all_of(row.parameters, [&](const laws::LawParameter& own) {
-    return input.contact.parameters.contains(own.name);
-  });
-  if (!complete) // and said to be missing
+  if (!is_complete(row, input.contact.parameters)) // and said to be missing
     return;
   double fastest = 0;
   for (const MotionLeg& leg : motion_legs(input.motion, input.slider))
@@ -69,6 +71,28 @@ void check_friction_of_speed(const CaseDocument& document, Problems& problems) {
         document.point_at("contact.law"),
         "lower contact.friction or the speed of the motion, or change the parameters of "
         "the law");
+}
+
+void check_adhesion(const CaseDocument& document, Problems& problems) {
+  const Case& input = document.input;
+  const laws::FrictionLaw& row = laws::friction_law(input.contact.law);
+  if (!row.adheres || !is_complete(row, input.contact.parameters))
+    return;
+  if (input.motion.drive.given())
+    problems.add(fmt::format("contact.law = \"{}\" knows no slider on a drive", input.contact.law),
+                 document.point_at("motion.drive.stiffness"),
+                 "remove motion.drive, or choose another contact.law");
+  const double range =
+      laws::friction(input.contact.law, input.contact.friction, input.contact.parameters)
+          .adhesion.range;
+  if (range >= input.skin.thickness())
+    problems.add(
+        fmt::format("slider and skin pull each other over {:.4g} mm, twice "
+                    "contact.work_of_adhesion over contact.cohesive_strength, and the skin "
+                    "is {:.4g} mm thick",
+                    range * 1e3, input.skin.thickness() * 1e3),
+        document.point_at("contact.cohesive_strength"),
+        "raise contact.cohesive_strength, or lower contact.work_of_adhesion");
 }
 
 } // namespace ionskin

@@ -4,6 +4,7 @@
 #include "ionskin/case/schema/schema.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/case/text/read_text_file.hpp"
+#include "ionskin/laws/friction/friction_law.hpp"
 #include "ionskin/units/quantity.hpp"
 
 #include <fmt/format.h>
@@ -78,16 +79,22 @@ private:
     check_range(i, "position", waypoint.position[1]);
     if (waypoint.height)
       check_range(i, "height", *waypoint.height);
-    if (waypoint.force && *waypoint.force > 0)
+    if (waypoint.force)
       check_range(i, "force", *waypoint.force);
     if (waypoint.height.has_value() == waypoint.force.has_value())
       add(fmt::format("waypoint {} has {}", i + 1,
                       waypoint.force ? "both a height and a force" : "neither height nor force"),
           point_at_waypoint(document_, i), "give it one of the two");
-    if (waypoint.force && *waypoint.force <= 0)
+    constexpr double least_force = 1e-9; // N
+    if (waypoint.force && *waypoint.force > 0 && *waypoint.force < least_force)
+      add(fmt::format("waypoint {}: force = {:.6g} N is out of range", i + 1, *waypoint.force),
+          point_at_waypoint(document_, i), "it must be at least 1e-09 N");
+    const bool adheres = laws::friction_law(document_.input.contact.law).adheres;
+    if (waypoint.force && *waypoint.force <= 0 && !adheres)
       add(fmt::format("waypoint {} has a force of {:.6g} N", i + 1, *waypoint.force),
           point_at_waypoint(document_, i),
-          "a force must be above 0 N; a detached slider has a height");
+          "a force must be above 0 N; a detached slider has a height, and one that pulls needs "
+          "contact.law = \"adhesive\"");
     const double thickness = document_.input.skin.thickness();
     if (waypoint.height && -*waypoint.height >= thickness)
       add(fmt::format("waypoint {} reaches through the skin, which is {:.6g} mm thick: its height "

@@ -134,10 +134,11 @@ void add_waypoints(SchemaRows& rows) {
       into_waypoint(
           [](Waypoint& waypoint, const Value& value) { waypoint.height = value.numbers[0]; }))
       .range = {-0.1, 1.0, true, true};
-  add("force", ValueType::quantity, Dimension::force, "Normal force, in place of a height.",
+  add("force", ValueType::quantity, Dimension::force,
+      "Normal force, in place of a height; above 0 N but under contact.law = \"adhesive\".",
       into_waypoint(
           [](Waypoint& waypoint, const Value& value) { waypoint.force = value.numbers[0]; }))
-      .range = {1e-9, 1e6, true, true};
+      .range = {-1e6, 1e6, true, true};
   rows.push_back({.key = "motion.file",
                   .type = ValueType::text,
                   .need = Need::one_of_several,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/laws/friction/friction_law.hpp"
 
+#include "ionskin/laws/friction/adhesive_friction.hpp"
 #include "ionskin/laws/friction/anisotropic_friction.hpp"
 #include "ionskin/laws/friction/coulomb_friction.hpp"
 #include "ionskin/laws/friction/regularised_friction.hpp"
@@ -31,11 +32,18 @@ template <class Law>
 concept HasAcross = requires(const Law& law) {
   law.across();
 };
+template <class Law>
+concept HasAdhesion = requires(const Law& law) {
+  law.adhesion();
+};
 
 template <class Law> Friction friction_with(double coefficient, const LawValues& values) {
   const Law law = law_with<Law>(coefficient, values);
   Friction result;
   result.coefficient = coefficient;
+  if constexpr (HasAdhesion<Law>) {
+    result.adhesion = law.adhesion();
+  }
   if (coefficient == 0) {
     return result;
   }
@@ -61,7 +69,7 @@ template <class Law> Friction friction_with(double coefficient, const LawValues&
 }
 
 template <class Law> FrictionLaw friction_row(std::string_view name) {
-  return {name, declared_parameters<Law>(), friction_with<Law>};
+  return {name, declared_parameters<Law>(), HasAdhesion<Law>, friction_with<Law>};
 }
 
 } // namespace
@@ -74,6 +82,7 @@ std::span<const FrictionLaw> friction_laws() {
       friction_row<ViscousFriction>("viscous"),
       friction_row<StribeckFriction>("stribeck"),
       friction_row<AnisotropicFriction>("anisotropic"),
+      friction_row<AdhesiveFriction>("adhesive"),
   };
   return laws;
 }

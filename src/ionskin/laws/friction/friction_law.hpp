@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/laws/friction/cohesive_zone.hpp"
 #include "ionskin/laws/law_parameter.hpp"
 
 #include <array>
@@ -42,12 +43,14 @@ struct Friction {
   double elastic_slip = 0;     ///< the slip that is given back when the traction goes [m]
   double lag = 0;              ///< time constant with which the lagged speed follows the speed [s]
   bool rate_dependent = false; ///< traction changes while the slider rests
+  CohesiveZone adhesion;       ///< that pulls along the normal, with or without a coefficient
 };
 
 /// One row of the table of friction laws.
 struct FrictionLaw {
   std::string_view name; ///< that a case gives in `contact.law`
   std::span<const LawParameter> parameters;
+  bool adheres = false; ///< whether it pulls along the normal
   Friction (*with)(double coefficient, const LawValues& values);
 };
 

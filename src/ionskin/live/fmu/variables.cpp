@@ -37,7 +37,7 @@ std::string description_of(const std::string& name) {
       {"tangential_force", "Force on the skin along the first slide of the case"},
       {"tangential_force_x", "Force on the skin along x"},
       {"tangential_force_y", "Force on the skin along y"},
-      {"contact_area", "Area of the cells that touch"},
+      {"contact_area", "Area of the contact"},
       {"stick_share", "Share of the contact area in which nothing slips"},
       {"mean_shear", "Mean shear of the core"},
       {"shear_first_moment", "First moment of the shear over the thickness"},

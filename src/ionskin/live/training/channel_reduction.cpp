@@ -26,7 +26,7 @@ using Matrix = Eigen::MatrixXd;
 constexpr std::size_t most_snapshots = 800, most_modes = 60;
 constexpr double negligible_mode = 1e-4; // of the snapshots, over their norm
 constexpr std::size_t points_per_mode = 2;
-constexpr double negligible_place_mode = 1e-6;
+constexpr double negligible_place_mode = 1e-5;
 constexpr std::size_t unit_loads_at_once = 48;
 
 /// Rows whose norm is the channel, or the one row that it is.
@@ -130,30 +130,37 @@ Eigen::VectorXd point_weights(const mesh::SkinMesh& mesh, const std::array<doubl
   return weights / weights.maxCoeff();
 }
 
-/// States of the path, and the samples of the history at their instants.
-struct Snapshots {
-  std::vector<const mechanics::ContactState*> states;
-  std::vector<std::size_t> samples;
+/// A state of a path, and where the history of its run has the instant.
+struct Snapshot {
+  const mechanics::ContactState* state = nullptr;
+  const history::CoreHistory* history = nullptr;
+  std::size_t sample = 0;
 };
 
-Snapshots snapshots_of(const mechanics::ContactSolution& contact,
-                       const history::CoreHistory& history) {
-  Snapshots all;
-  for (const mechanics::SteppedInstant& instant : contact.stepped) {
-    const auto sample = std::ranges::lower_bound(history.time, instant.time - 1e-12);
-    if (instant.state && instant.state->normal_force > 0 && sample != history.time.end() &&
-        std::abs(*sample - instant.time) < 1e-12) {
-      all.states.push_back(instant.state.get());
-      all.samples.push_back(static_cast<std::size_t>(sample - history.time.begin()));
+std::vector<Snapshot> snapshots_of(const std::vector<FullRun>& runs) {
+  std::vector<Snapshot> all;
+  for (const FullRun& run : runs) {
+    const history::CoreHistory& history = run.history;
+    if (history.grid.x_edges != runs.front().history.grid.x_edges ||
+        history.grid.y_edges != runs.front().history.grid.y_edges ||
+        history.grid.z_nodes != runs.front().history.grid.z_nodes) {
+      throw InternalError("the runs of a training are not on one grid");
+    }
+    for (const mechanics::SteppedInstant& instant : run.contact.stepped) {
+      const auto sample = std::ranges::lower_bound(history.time, instant.time - 1e-12);
+      if (instant.state && instant.state->normal_force > 0 && sample != history.time.end() &&
+          std::abs(*sample - instant.time) < 1e-12) {
+        all.push_back({instant.state.get(), &history,
+                       static_cast<std::size_t>(sample - history.time.begin())});
+      }
     }
   }
-  const std::size_t stride = (all.states.size() + most_snapshots - 1) / most_snapshots;
-  Snapshots kept;
-  for (std::size_t i = 0; i < all.states.size(); i += std::max<std::size_t>(1, stride)) {
-    kept.states.push_back(all.states[i]);
-    kept.samples.push_back(all.samples[i]);
+  const std::size_t stride = (all.size() + most_snapshots - 1) / most_snapshots;
+  std::vector<Snapshot> kept;
+  for (std::size_t i = 0; i < all.size(); i += std::max<std::size_t>(1, stride)) {
+    kept.push_back(all[i]);
   }
-  if (kept.states.empty()) {
+  if (kept.empty()) {
     throw InternalError("no snapshot of the training carries load");
   }
   return kept;
@@ -214,10 +221,11 @@ struct Wanted {
   std::vector<Eigen::Index> points;
 };
 
-ChannelMap reduce_fields(const Snapshots& snapshots, const history::CoreHistory& history,
-                         const history::HistoryChannel& channel, const Eigen::VectorXd& weights,
-                         Matrix values, std::vector<Eigen::Index>& points) {
-  const auto count = static_cast<Eigen::Index>(snapshots.states.size());
+ChannelMap reduce_fields(const std::vector<Snapshot>& snapshots, const std::string& channel,
+                         const Eigen::VectorXd& weights, Matrix values,
+                         std::vector<Eigen::Index>& points) {
+  const history::StrainGrid& grid = snapshots.front().history->grid;
+  const auto count = static_cast<Eigen::Index>(snapshots.size());
   values.array().colwise() *= weights.array(); // [points, snapshots]
   const Eigen::SelfAdjointEigenSolver<Matrix> eigen(values.transpose() * values);
   Eigen::Index modes = 0;
@@ -237,15 +245,17 @@ ChannelMap reduce_fields(const Snapshots& snapshots, const history::CoreHistory&
   }
   ChannelMap map;
   append(map.fit, sampled.completeOrthogonalDecomposition().pseudoInverse());
-  Matrix fields = Matrix::Zero(static_cast<Eigen::Index>(history.grid.values()), modes);
+  Matrix fields = Matrix::Zero(static_cast<Eigen::Index>(grid.values()), modes);
   for (Eigen::Index k = 0; k < count; ++k) {
-    const history::StrainField& field = *channel.samples[snapshots.samples[k]];
+    const Snapshot& snapshot = snapshots[static_cast<std::size_t>(k)];
+    const history::StrainField& field =
+        *snapshot.history->channel(channel).samples[snapshot.sample];
     fields += Eigen::Map<const Eigen::VectorXd>(field.data(), fields.rows()) * combine.row(k);
   }
   append(map.field, fields.transpose());
-  map.x_edges = history.grid.x_edges;
-  map.y_edges = history.grid.y_edges;
-  set_level_weights(history.grid.z_nodes, map);
+  map.x_edges = grid.x_edges;
+  map.y_edges = grid.y_edges;
+  set_level_weights(grid.z_nodes, map);
   return map;
 }
 
@@ -330,32 +340,29 @@ PlaceMap reduce_compliance(const mechanics::PositionNodes& nodes) {
   return place_map(lines, values, negligible_place_mode);
 }
 
-std::vector<ChannelMap> reduce_channels(const Case& input,
-                                        const mechanics::ContactSolution& contact,
-                                        const history::CoreHistory& history,
+std::vector<ChannelMap> reduce_channels(const std::vector<FullRun>& runs,
                                         const mechanics::PositionNodes& nodes,
                                         const std::vector<std::string>& channels) {
-  const Snapshots snapshots = snapshots_of(contact, history);
+  const std::vector<Snapshot> snapshots = snapshots_of(runs);
   std::vector<Wanted> wanted;
   for (const std::string& channel : channels) {
-    wanted.push_back({rows_of(input, channel), {}});
+    wanted.push_back({rows_of(runs.front().input, channel), {}});
   }
   std::vector<Matrix> values(channels.size());
   Eigen::VectorXd weights;
-  for (std::size_t k = 0; k < snapshots.states.size(); ++k) {
+  for (std::size_t k = 0; k < snapshots.size(); ++k) {
     base::check_interrupt();
-    const CoreStrain& strain = mechanics::core_strain(*snapshots.states[k]);
+    const CoreStrain& strain = mechanics::core_strain(*snapshots[k].state);
     const std::size_t points = strain.component[0].size();
     if (k == 0) {
       const mechanics::NodeLines& lines = nodes.compliance().lines();
-      weights = point_weights(contact.mesh,
+      weights = point_weights(runs.front().contact.mesh,
                               {lines[0][lines[0].size() / 2], lines[1][lines[1].size() / 2]},
                               strain.points);
     }
     for (std::size_t c = 0; c < channels.size(); ++c) {
       values[c].resize(static_cast<Eigen::Index>(points),
-                       k == 0 ? static_cast<Eigen::Index>(snapshots.states.size())
-                              : values[c].cols());
+                       k == 0 ? static_cast<Eigen::Index>(snapshots.size()) : values[c].cols());
       for (std::size_t point = 0; point < points; ++point) {
         values[c](static_cast<Eigen::Index>(point), static_cast<Eigen::Index>(k)) =
             value_of(wanted[c].rows, strain_at(strain, point));
@@ -364,8 +371,8 @@ std::vector<ChannelMap> reduce_channels(const Case& input,
   }
   std::vector<ChannelMap> maps;
   for (std::size_t c = 0; c < channels.size(); ++c) {
-    maps.push_back(reduce_fields(snapshots, history, history.channel(channels[c]), weights,
-                                 std::move(values[c]), wanted[c].points));
+    maps.push_back(
+        reduce_fields(snapshots, channels[c], weights, std::move(values[c]), wanted[c].points));
   }
   add_unit_strains(nodes, wanted, maps);
   return maps;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/case/case.hpp"
-#include "ionskin/history/core_history.hpp"
 #include "ionskin/live/skin_data.hpp"
+#include "ionskin/live/training/full_run.hpp"
 #include "ionskin/mechanics/engine/position_nodes.hpp"
-#include "ionskin/mechanics/output/contact_solution.hpp"
 
+#include <string>
 #include <vector>
 
 namespace ionskin::live {
@@ -18,13 +17,11 @@ PlaceMap place_map(const mechanics::NodeLines& lines, const std::vector<std::vec
 /// The compliance of the contact cells over the nodes.
 PlaceMap reduce_compliance(const mechanics::PositionNodes& nodes);
 
-/// Reduces channels of a trained run: proper orthogonal decomposition of each at the Gauss points,
-/// weighted with their volumes, then the points from which its modes are told best (QR with
+/// Reduces channels of runs on one mesh: proper orthogonal decomposition of each at the Gauss
+/// points, weighted with their volumes, then the points from which its modes are told best (QR with
 /// pivoting, Drmac and Gugercin 2016, doi 10.1137/15M1019271).
 /// @param channels of the history, by name
-std::vector<ChannelMap> reduce_channels(const Case& input,
-                                        const mechanics::ContactSolution& contact,
-                                        const history::CoreHistory& history,
+std::vector<ChannelMap> reduce_channels(const std::vector<FullRun>& runs,
                                         const mechanics::PositionNodes& nodes,
                                         const std::vector<std::string>& channels);
 

@@ -2,12 +2,16 @@
 #include "ionskin/live/training/stated_errors.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 
 namespace ionskin::live {
 namespace {
 
 /// The memory of a run grows with its touches.
 constexpr std::size_t touches_together = 6;
+/// Over the largest of the touches, since each of some twenty errors is to hold.
+constexpr double margin = 1.25;
 
 void join(std::vector<TouchErrors>&& more, std::vector<TouchErrors>& all) {
   if (all.empty()) {
@@ -19,6 +23,13 @@ void join(std::vector<TouchErrors>&& more, std::vector<TouchErrors>& all) {
     all[i].rms.insert(all[i].rms.end(), more[i].rms.begin(), more[i].rms.end());
     all[i].worst.insert(all[i].worst.end(), more[i].worst.begin(), more[i].worst.end());
   }
+}
+
+/// Anywhere in the trained range, by the seed.
+double friction_of_run(const SkinData& data, std::uint64_t seed) {
+  constexpr double range = 0x1p-53;
+  const double share = static_cast<double>(std::mt19937_64(~seed)() >> 11u) * range;
+  return std::lerp(data.lowest_friction, data.highest_friction, share);
 }
 
 } // namespace
@@ -34,8 +45,12 @@ std::vector<TouchErrors> errors_on_touches(const SkinData& data, const Case& inp
     TrainingOptions own = options;
     own.progress = base::no_progress;
     options.progress("touches", static_cast<double>(begun) / static_cast<double>(count));
+    Case own_input = input;
+    if (data.lowest_friction < data.highest_friction) {
+      own_input.contact.friction = friction_of_run(data, seed);
+    }
     const FullRun run =
-        full_run(input, with_rows_behind_corners(random_touches(range, 1 + together, seed++)),
+        full_run(own_input, with_rows_behind_corners(random_touches(range, 1 + together, seed++)),
                  footprint, own);
     join(validate(data, run), errors);
     if (done) {
@@ -49,8 +64,8 @@ std::vector<TouchErrors> errors_on_touches(const SkinData& data, const Case& inp
 std::vector<SignalError> stated_errors(const std::vector<TouchErrors>& errors) {
   std::vector<SignalError> stated;
   for (const TouchErrors& signal : errors) {
-    stated.push_back({signal.name, *std::ranges::max_element(signal.rms),
-                      *std::ranges::max_element(signal.worst), signal.largest});
+    stated.push_back({signal.name, margin * *std::ranges::max_element(signal.rms),
+                      margin * *std::ranges::max_element(signal.worst), signal.largest});
   }
   return stated;
 }

@@ -20,15 +20,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <numbers>
+#include <optional>
+#include <string_view>
+#include <tuple>
 
 namespace ionskin::live {
 namespace {
 
 constexpr std::size_t least_rates = 5, most_rates = 12;
 constexpr std::size_t candidate_rates = 20;
-constexpr std::size_t least_validation = 12;                        // touches that tell the errors
+constexpr std::size_t least_validation = 12;  // touches that tell the errors
+constexpr std::size_t runs_over_friction = 3; // from its lowest to its highest
+constexpr double most_friction = 2;           // as in a case
+constexpr std::string_view law_with_tension = "adhesive";
 constexpr std::uint64_t validation_seed_shift = 0x9e3779b97f4a7c15; // apart from every small seed
 
 /// From the slowest motion of ions through the core to the fastest in a double layer [1/s].
@@ -53,38 +60,54 @@ base::ProgressCallback part_of(const base::ProgressCallback& progress, const std
   };
 }
 
-void set_contact(const FullRun& run, const mechanics::PositionNodes& nodes, SkinData& data) {
+void set_contact(const std::vector<FullRun>& runs, const mechanics::PositionNodes& nodes,
+                 SkinData& data) {
   const mechanics::SkinModel& model = nodes.model();
+  data.cell_lines_x = model.cells.lines_x;
+  data.cell_lines_y = model.cells.lines_y;
   data.area = model.cells.area;
   data.gap = model.gap;
   data.compliance = reduce_compliance(nodes);
   data.meshed_share = model.mesh.half_model() ? 0.5 : 1;
-  // Of the heaviest state by a secant to the lightest within a part of it.
-  double heavy_force = 0, heavy_indentation = 0, light_force = 0, light_indentation = 0;
-  for (const auto& instant : run.contact.stepped) {
-    if (instant.state && instant.state->normal_force > heavy_force) {
-      heavy_force = instant.state->normal_force;
-      heavy_indentation = instant.state->indentation;
+  std::vector<const mechanics::ContactState*> states;
+  for (const FullRun& run : runs) {
+    for (const auto& instant : run.contact.stepped) {
+      if (instant.state) {
+        states.push_back(instant.state.get());
+      }
     }
   }
-  for (const auto& instant : run.contact.stepped) {
-    if (instant.state && instant.state->normal_force < 0.9 * heavy_force &&
-        instant.state->normal_force > light_force) {
-      light_force = instant.state->normal_force;
-      light_indentation = instant.state->indentation;
+  // Of the heaviest state by a secant to the heaviest within a part of it.
+  double heavy_force = 0, heavy_indentation = 0, light_force = 0, light_indentation = 0;
+  for (const mechanics::ContactState* state : states) {
+    if (state->normal_force > heavy_force) {
+      heavy_force = state->normal_force;
+      heavy_indentation = state->indentation;
+    }
+    data.deepest_indentation = std::max(data.deepest_indentation, state->indentation);
+  }
+  for (const mechanics::ContactState* state : states) {
+    if (state->normal_force < 0.9 * heavy_force && state->normal_force > light_force) {
+      light_force = state->normal_force;
+      light_indentation = state->indentation;
     }
   }
   data.stiffness =
       data.meshed_share * (heavy_force - light_force) / (heavy_indentation - light_indentation);
   data.heaviest_force = heavy_force;
-  for (const auto& instant : run.contact.stepped) {
-    data.deepest_indentation =
-        std::max(data.deepest_indentation, instant.state ? instant.state->indentation : 0.0);
-  }
 }
 
-void set_charges(const FullRun& run, SkinData& data) {
-  const auto whole = charge_records(run, false);
+std::vector<ChargeRecord> charge_records(const std::vector<FullRun>& runs, bool of_taxels) {
+  std::vector<ChargeRecord> records;
+  for (const FullRun& run : runs) {
+    std::ranges::move(charge_records(run, of_taxels), std::back_inserter(records));
+  }
+  return records;
+}
+
+void set_charges(const std::vector<FullRun>& runs, SkinData& data) {
+  const FullRun& run = runs.front();
+  const auto whole = charge_records(runs, false);
   data.rates = choose_rates(whole, drive_inputs(run, false), rate_candidates(run.input),
                             least_rates, most_rates);
   data.whole = fit_charges(whole, drive_inputs(run, false), data.rates);
@@ -95,13 +118,35 @@ void set_charges(const FullRun& run, SkinData& data) {
                               {taxel.lower[0], taxel.lower[1], taxel.upper[0], taxel.upper[1]});
   }
   if (!data.taxels.empty()) {
-    data.part = fit_charges(charge_records(run, true), drive_inputs(run, true), data.rates);
+    data.part = fit_charges(charge_records(runs, true), drive_inputs(run, true), data.rates);
   }
+}
+
+/// Touches at the case's friction, or parts of them at some coefficients of a range.
+std::vector<FullRun> training_runs(const Case& input, const TouchRange& range, const SkinData& data,
+                                   const TrainingOptions& options) {
+  const std::size_t count = options.friction ? runs_over_friction : 1;
+  std::optional<mesh::Footprint> footprint;
+  std::vector<FullRun> runs;
+  for (std::size_t i = 0; i < count; ++i) {
+    Case own = input;
+    if (count > 1) {
+      own.contact.friction = std::lerp(data.lowest_friction, data.highest_friction,
+                                       static_cast<double>(i) / static_cast<double>(count - 1));
+    }
+    // The first touch is in all of them.
+    const std::size_t touches = 1 + (options.trajectories - 1 + count - 1) / count;
+    runs.push_back(
+        full_run(own, with_rows_behind_corners(random_touches(range, touches, options.seed + i)),
+                 footprint, options));
+    footprint = runs.back().contact.mesh.footprint();
+  }
+  return runs;
 }
 
 } // namespace
 
-void check_trainable(const Case& input) {
+void check_trainable(const Case& input, const TrainingOptions& options) {
   if (input.strain.kind != StrainSourceKind::contact) {
     throw UserError("strain.source: a live skin is stepped by contact, and this case has none\n"
                     "  = set strain.source = \"contact\"");
@@ -110,11 +155,30 @@ void check_trainable(const Case& input) {
     throw UserError("readout.circuit: a live skin knows shorted electrodes alone\n"
                     "  = set readout.circuit = \"short\"");
   }
-  if (friction_remembers(laws::friction(input.contact.law, 1, input.contact.parameters))) {
+  if (input.contact.law == law_with_tension) {
+    throw UserError(fmt::format("contact.law = \"{}\": a live skin knows no contact that pulls\n"
+                                "  = choose another contact.law, such as \"coulomb\"",
+                                input.contact.law));
+  }
+  if (options.friction) {
+    const auto [low, high] = *options.friction;
+    if (!(low >= 0 && low < high && high <= most_friction)) {
+      throw UserError(
+          fmt::format("--friction {} {}: must be two coefficients, the lower one first, "
+                      "from 0 to {}",
+                      low, high, most_friction));
+    }
+    if (input.contact.friction < low || input.contact.friction > high) {
+      throw UserError(
+          fmt::format("--friction {} {}: does not hold contact.friction = {}, with which "
+                      "the skin begins\n  = widen the range, or set contact.friction",
+                      low, high, input.contact.friction));
+    }
+  }
+  if (laws::friction_law(input.contact.law).adheres) {
     throw UserError(
-        fmt::format("contact.law = \"{}\": a live skin knows no friction that remembers "
-                    "the slip of earlier steps\n  = set contact.law = \"coulomb\", or "
-                    "another law without slip_length or lag_time",
+        fmt::format("contact.law = \"{}\": a live skin knows no pull between slider and skin\n  "
+                    "= set contact.law = \"coulomb\"",
                     input.contact.law));
   }
   if (input.motion.drive.given()) {
@@ -126,7 +190,7 @@ void check_trainable(const Case& input) {
 }
 
 SkinData train_skin(const Case& input, const TrainingOptions& options) {
-  check_trainable(input);
+  check_trainable(input, options);
   const TouchRange range = touch_range(input);
   SkinData data;
   data.case_text = input.text;
@@ -135,7 +199,11 @@ SkinData train_skin(const Case& input, const TrainingOptions& options) {
   data.seed = options.seed;
   data.trajectories = options.trajectories;
   data.friction_law = input.contact.law;
-  data.friction = input.contact.friction;
+  data.friction = data.lowest_friction = data.highest_friction = input.contact.friction;
+  if (options.friction) {
+    std::tie(data.lowest_friction, data.highest_friction) =
+        std::pair((*options.friction)[0], (*options.friction)[1]);
+  }
   for (const auto& [name, value] : input.contact.parameters) {
     data.friction_parameters.push_back(name);
     data.friction_values.push_back(value);
@@ -150,9 +218,8 @@ SkinData train_skin(const Case& input, const TrainingOptions& options) {
 
   TrainingOptions own = options;
   own.progress = part_of(options.progress, "training");
-  const FullRun run = full_run(
-      input, with_rows_behind_corners(random_touches(range, options.trajectories, options.seed)),
-      std::nullopt, own);
+  const std::vector<FullRun> runs = training_runs(input, range, data, own);
+  const FullRun& run = runs.front();
   {
     mechanics::SharedProgress progress("positions", own.progress);
     const auto model = std::make_shared<const mechanics::SkinModel>(
@@ -163,10 +230,10 @@ SkinData train_skin(const Case& input, const TrainingOptions& options) {
     if (moves_water(input)) {
       channels.emplace_back(electrochemistry::driving_channel(run.input, run.history).name);
     }
-    set_contact(run, nodes, data);
-    data.channels = reduce_channels(run.input, run.contact, run.history, nodes, channels);
+    set_contact(runs, nodes, data);
+    data.channels = reduce_channels(runs, nodes, channels);
   }
-  set_charges(run, data);
+  set_charges(runs, data);
 
   own.progress = part_of(options.progress, "validation");
   data.errors = stated_errors(errors_on_touches(data, input, range, options.validation,

@@ -6,8 +6,10 @@
 #include "ionskin/case/case.hpp"
 #include "ionskin/live/skin_data.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace ionskin::live {
@@ -22,6 +24,8 @@ struct TrainingOptions {
   std::size_t trajectories = 12;               ///< random touches that it is trained on
   std::size_t validation = validation_touches; ///< other random touches that tell its errors
   std::uint64_t seed = 1;                      ///< of the touches
+  /// Lowest and highest coefficient of friction, in place of the case's alone.
+  std::optional<std::array<double, 2>> friction;
   int threads = 1;
   base::DiskCache* cache = nullptr; ///< of condensed positions; none when null
   base::ProgressCallback progress = base::no_progress;
@@ -29,8 +33,9 @@ struct TrainingOptions {
 };
 
 /// Whether the reduced skin can stand for a case. Throws UserError where not: the strain must come
-/// from contact, the electrodes be shorted, the slider touch.
-void check_trainable(const Case& input);
+/// from contact, the electrodes be shorted, the slider touch, the range of friction hold the
+/// case's.
+void check_trainable(const Case& input, const TrainingOptions& options);
 
 /// Trains on random touches within the range of the case's motion, by the full model, and measures
 /// the errors on others. Throws UserError, SolverError, Interrupted.

@@ -4,26 +4,19 @@
 #include "ionskin/handover/contact_timeline.hpp"
 #include "ionskin/live/skin.hpp"
 #include "ionskin/live/training/random_touches.hpp"
+#include "ionskin/readout/charge_relaxation.hpp"
+#include "ionskin/readout/sampling.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace ionskin::live {
 namespace {
 
 constexpr double rate = 1e3; // of the steps [1/s]
-
-double at_time(const std::vector<double>& times, const std::vector<double>& values, double time) {
-  const auto next = std::ranges::upper_bound(times, time);
-  if (next == times.begin() || next == times.end()) {
-    return next == times.begin() ? values.front() : values.back();
-  }
-  const auto i = static_cast<std::size_t>(next - times.begin());
-  const double weight = (time - times[i - 1]) / (times[i] - times[i - 1]);
-  return (1 - weight) * values[i - 1] + weight * values[i];
-}
 
 bool presses_by_force(const Motion& motion) {
   return std::ranges::any_of(motion.waypoints,
@@ -33,7 +26,8 @@ bool presses_by_force(const Motion& motion) {
 class Comparison {
 public:
   void begin_touch() { ++touch_; }
-  void add(const std::string& name, double value, double reference) {
+  /// @param weight in the mean of squares: how long it stands for
+  void add(const std::string& name, double value, double reference, double weight = 1 / rate) {
     if (touch_ == 0) {
       return;
     }
@@ -41,8 +35,8 @@ public:
     const double error = value - reference;
     sums.touches.resize(touch_);
     Touch& touch = sums.touches.back();
-    touch.square += error * error;
-    touch.count += 1;
+    touch.square += weight * error * error;
+    touch.weight += weight;
     touch.worst = std::max(touch.worst, std::abs(error));
     sums.largest = std::max(sums.largest, std::abs(reference));
   }
@@ -51,7 +45,7 @@ public:
     for (const auto& [name, sums] : sums_) {
       TouchErrors& errors = result.emplace_back(TouchErrors{name, sums.largest, {}, {}});
       for (const Touch& touch : sums.touches) {
-        errors.rms.push_back(std::sqrt(touch.square / std::max(1.0, touch.count)));
+        errors.rms.push_back(touch.weight > 0 ? std::sqrt(touch.square / touch.weight) : 0.0);
         errors.worst.push_back(touch.worst);
       }
     }
@@ -60,7 +54,7 @@ public:
 
 private:
   struct Touch {
-    double square = 0, count = 0, worst = 0;
+    double square = 0, weight = 0, worst = 0;
   };
   struct Sums {
     std::vector<Touch> touches;
@@ -70,10 +64,19 @@ private:
   std::map<std::string, Sums> sums_;
 };
 
+/// Whether the full model has a value within the step that ends at a time. Between its own steps,
+/// which take up to some hundredths of a second, a taxel's charge is on no straight line: its edge
+/// is passed.
+bool has_row(const std::vector<double>& rows, double time) {
+  const auto after = std::ranges::upper_bound(rows, time + 1e-9 / rate);
+  return after != rows.begin() && *(after - 1) > time - (1 - 1e-9) / rate;
+}
+
 } // namespace
 
 std::vector<TouchErrors> validate(const SkinData& data, const FullRun& run) {
   Skin skin(data);
+  skin.set_friction(run.input.contact.friction);
   const std::vector<std::string>& names = skin.names();
   std::vector<double> signals(names.size());
   const auto column = [&](const std::string& name) {
@@ -82,11 +85,13 @@ std::vector<TouchErrors> validate(const SkinData& data, const FullRun& run) {
   const handover::ContactTimeline timeline(run.input, run.contact);
   const bool by_force = presses_by_force(run.input.motion);
   const auto& ions = run.ions;
+  const readout::ChargeRelaxation relaxation{ions.relaxation_charge, ions.relaxation_current};
   const double end = ions.time.back(), sampling = run.input.readout.sample_interval;
   const auto per_sample = static_cast<std::size_t>(std::max(1.0, std::round(sampling * rate)));
   std::map<std::string, std::pair<double, double>> sampled; // charges at the last sample
   const std::vector<double> begins = landings(run.input.motion);
   std::size_t touches = 0; // that have begun
+  double compared = 0;     // when charges were, last [s]
   Comparison comparison;
   for (std::size_t step = 0; static_cast<double>(step) / rate <= end; ++step) {
     const double time = static_cast<double>(step) / rate;
@@ -107,25 +112,32 @@ std::vector<TouchErrors> validate(const SkinData& data, const FullRun& run) {
       comparison.add("slider_z", force > 0 ? signals[column("slider_z")] : at.height, at.height);
     }
     const bool samples = step % per_sample == 0;
+    const bool tells_charge = has_row(ions.time, time);
+    const double since = time - std::exchange(compared, tells_charge ? time : compared);
     const auto compare_current = [&](const std::string& of, const std::string& reported,
                                      double value, double reference) {
       const auto last = sampled.find(of);
       if (last != sampled.end()) {
         const double length = static_cast<double>(per_sample) / rate;
         comparison.add("sampled_current_" + reported, (value - last->second.first) / length,
-                       (reference - last->second.second) / length);
+                       (reference - last->second.second) / length, length);
       }
       sampled[of] = {value, reference};
     };
     std::array<double, 2> difference{}; // half that of both electrodes, here and there
     const auto compare_charge = [&](const std::string& of, const std::vector<double>& full,
                                     const std::string& reported, double share) {
-      const double value = signals[column("charge_" + of)],
-                   reference = at_time(ions.time, full, time);
-      comparison.add("charge_" + reported, value, reference);
-      difference[0] += share * value;
-      difference[1] += share * reference;
+      const double value = signals[column("charge_" + of)];
+      if (tells_charge) {
+        comparison.add("charge_" + reported, value, readout::value_at(ions.time, full, time),
+                       since);
+      }
       if (samples) {
+        const double reference =
+            readout::value_at(ions.time, full, time) +
+            2 * share * readout::departure_from_line(ions.time, relaxation, time);
+        difference[0] += share * value;
+        difference[1] += share * reference;
         compare_current(of, reported, value, reference);
       }
     };

@@ -30,17 +30,20 @@ std::vector<FixedFace> skin_boundary(const Skin& skin, bool half_model) {
   return fixed;
 }
 
-ElasticSpace::ElasticSpace(const mesh::MeshLines& lines, const std::vector<FixedFace>& fixed)
+ElasticSpace::ElasticSpace(const mesh::MeshLines& lines, const std::vector<FixedFace>& fixed,
+                           Structure structure)
     : elements_{lines.x.size() - 1, lines.y.size() - 1, lines.z.size() - 1},
       lattice_{2 * elements_[0] + 1, 2 * elements_[1] + 1, 2 * elements_[2] + 1} {
   number_nodes();
   for (const FixedFace& face : fixed) {
     hold(face);
   }
-  build_node_graph();
   number_unknowns();
-  build_pattern();
-  build_offsets();
+  if (structure == Structure::stiffness) {
+    build_node_graph();
+    build_pattern();
+    build_offsets();
+  }
 }
 
 int ElasticSpace::node_at(std::size_t i, std::size_t j, std::size_t k) const {

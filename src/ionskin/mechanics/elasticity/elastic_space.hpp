@@ -29,8 +29,12 @@ std::vector<FixedFace> skin_boundary(const Skin& skin, bool half_model);
 /// nodes and unknowns, sparsity. Independent of the positions of the mesh lines.
 class ElasticSpace {
 public:
+  /// What is built beside the numbering.
+  enum class Structure { none, stiffness };
   /// @param lines any lines of this topology
-  ElasticSpace(const mesh::MeshLines& lines, const std::vector<FixedFace>& fixed);
+  /// @param structure none for a space that no stiffness matrix is assembled on: it takes memory
+  ElasticSpace(const mesh::MeshLines& lines, const std::vector<FixedFace>& fixed,
+               Structure structure = Structure::stiffness);
 
   /// Elements along x, y, z; elements are numbered x fastest.
   const std::array<std::size_t, 3>& elements() const { return elements_; }

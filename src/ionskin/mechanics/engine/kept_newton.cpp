@@ -35,7 +35,7 @@ KeptNewton::Standing KeptNewton::standing(const ContactProblem& problem, const S
     const CellPredictor& now = at.predictors.back();
     at.status.push_back(now.status);
     at.residual = base::larger(at.residual, now.residual);
-    at.scale = std::max(at.scale, iterate.force[3 * static_cast<std::size_t>(cell)]);
+    at.scale = std::max(at.scale, std::abs(iterate.force[3 * static_cast<std::size_t>(cell)]));
     if (now.status != CellStatus::separated) {
       at.touching.push_back(cell);
     }
@@ -46,16 +46,7 @@ KeptNewton::Standing KeptNewton::standing(const ContactProblem& problem, const S
 void KeptNewton::factorise(const ContactProblem& problem, const SliderStep& step,
                            const Iterate& iterate, const Standing& at) {
   LinearSystem system(problem, step, at.touching);
-  system.add_normal_rows();
-  for (std::size_t i = 0; i < at.touching.size(); ++i) {
-    const int cell = at.touching[i];
-    if (at.status[cell] == CellStatus::sticking) {
-      system.add_stick_rows(static_cast<int>(i));
-    } else {
-      system.add_slip_rows(static_cast<int>(i), at.predictors[cell],
-                           std::max(0.0, iterate.force[3 * static_cast<std::size_t>(cell)]));
-    }
-  }
+  system.add_rows(at.predictors, iterate);
   factor_.compute(system.matrix());
   factor_size_ = system.matrix().rows();
   factorised_ = at.status;
@@ -76,8 +67,15 @@ void KeptNewton::correct(const ContactProblem& problem, const SliderStep& step, 
     const std::size_t from = 3 * static_cast<std::size_t>(cell);
     const auto row = static_cast<Eigen::Index>(3 * i);
     const std::array<double, 2> tangential{iterate.force[from + 1], iterate.force[from + 2]};
-    residual[row] =
-        (surface[from] + problem.gap[cell] - iterate.indentation) / problem.own_compliance(cell, 0);
+    const double opening = problem.opening(cell, iterate.indentation, surface);
+    if (at.status[cell] == CellStatus::pulled) {
+      residual[row] =
+          iterate.force[from] + problem.largest_pull(cell) - problem.pull_slope(cell) * opening;
+      residual[row + 1] = tangential[0];
+      residual[row + 2] = tangential[1];
+      continue;
+    }
+    residual[row] = opening / problem.own_compliance(cell, 0);
     const auto slip = slip_increment(step, surface, cell);
     const double compliance = problem.own_compliance(cell, 1);
     std::array<double, 2> rest{};
@@ -115,14 +113,16 @@ void KeptNewton::correct(const ContactProblem& problem, const SliderStep& step, 
 }
 
 /// Moves forces within the tolerance to where their cells stand: open ones carry nothing, slipping
-/// ones their limit.
+/// ones their limit, and none is pulled by more than its adhesion.
 void KeptNewton::settle(const ContactProblem& problem, const SliderStep& step, const Standing& at,
                         Iterate& iterate) {
   for (int cell = 0; cell < problem.cells(); ++cell) {
     double* force = iterate.force.data() + 3 * static_cast<std::ptrdiff_t>(cell);
     const CellPredictor& predictor = at.predictors[cell];
-    force[0] = at.status[cell] == CellStatus::separated ? 0.0 : std::max(0.0, force[0]);
-    if (at.status[cell] == CellStatus::separated) {
+    force[0] = at.status[cell] == CellStatus::separated
+                   ? 0.0
+                   : std::max(-problem.largest_pull(cell), force[0]);
+    if (at.status[cell] == CellStatus::separated || at.status[cell] == CellStatus::pulled) {
       force[1] = force[2] = 0;
     } else if (at.status[cell] == CellStatus::slipping) {
       const auto friction =
@@ -132,6 +132,15 @@ void KeptNewton::settle(const ContactProblem& problem, const SliderStep& step, c
       force[2] = friction.traction[1];
     }
   }
+}
+
+bool KeptNewton::is_stable(const ContactProblem& problem, const SliderStep& step,
+                           const Iterate& iterate, const Standing& at) {
+  if (at.touching.empty()) {
+    return true;
+  }
+  factorise(problem, step, iterate, at);
+  return has_positive_determinant(factor_);
 }
 
 bool KeptNewton::solve(const ContactProblem& problem, const SliderStep& step, Iterate& iterate) {
@@ -148,6 +157,9 @@ bool KeptNewton::solve(const ContactProblem& problem, const SliderStep& step, It
       return false;
     }
     if (at.residual <= kept_tolerance * at.scale) {
+      if (problem.friction.adhesion.pulls() && !is_stable(problem, step, now, at)) {
+        return false;
+      }
       const CellVector found = now.force;
       settle(problem, step, at, now);
       settled_by_ = {};

@@ -17,7 +17,8 @@ namespace ionskin::mechanics {
 class KeptNewton {
 public:
   /// @param iterate start on entry, such as the state before; the solution on return when converged
-  /// @returns whether it converged, to 1e-8 of the largest normal force
+  /// @returns whether it converged, to 1e-8 of the largest normal force, and with adhesion to an
+  /// equilibrium that can last
   bool solve(const ContactProblem& problem, const SliderStep& step, Iterate& iterate);
 
   int iterations() const { return iterations_; } ///< of the last solve
@@ -42,6 +43,8 @@ private:
   static Standing standing(const ContactProblem& problem, const SliderStep& step,
                            const Iterate& iterate);
   void factorise(const ContactProblem& problem, const SliderStep& step, const Iterate& iterate,
+                 const Standing& at);
+  bool is_stable(const ContactProblem& problem, const SliderStep& step, const Iterate& iterate,
                  const Standing& at);
   void correct(const ContactProblem& problem, const SliderStep& step, const Standing& at,
                Iterate& iterate) const;

@@ -2,6 +2,7 @@
 #include "ionskin/mechanics/engine/motion_stepper.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/mechanics/surface/adhesive_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,8 @@ constexpr int most_halvings = 6;
 /// Of the rest of a slider, while friction that depends on rate relaxes: first step over its
 /// duration, and growth of the steps.
 constexpr double first_of_rest = 1.0 / 1024, growth_of_rest = 1.5;
+/// A step that may have jumped is halved so often, to find where.
+constexpr int halvings_of_jump = 8;
 constexpr double instant_tolerance = 1e-12; // of the time itself
 
 } // namespace
@@ -55,7 +58,8 @@ MotionStepper::Levels MotionStepper::levels(const MotionLeg& leg) const {
     levels.to = leg.to_level.value;
     return levels;
   }
-  levels.from = leg.from_level.is_force ? -contact_.state().indentation : leg.from_level.value;
+  const double off = contact_.in_contact() ? -contact_.state().indentation : range();
+  levels.from = leg.from_level.is_force ? off : leg.from_level.value;
   levels.to = leg.to_level.value;
   if (leg.to_level.is_force) {
     // The height at which the force will be carried: tried out, then taken back.
@@ -66,10 +70,11 @@ MotionStepper::Levels MotionStepper::levels(const MotionLeg& leg) const {
                            {LoadKind::force, leg.to_level.value * options_.meshed_share})
                      .indentation;
   }
-  if (levels.from > 0) {
-    levels.begin = levels.from / (levels.from - levels.to);
+  const bool adheres = range() > 0;
+  if (levels.from > range() && !(adheres && contact_.in_contact())) {
+    levels.begin = (levels.from - range()) / (levels.from - levels.to);
   }
-  if (levels.to > 0) {
+  if (levels.to > 0 && !adheres) {
     levels.end = levels.from / (levels.from - levels.to);
   }
   return levels;
@@ -97,6 +102,9 @@ void MotionStepper::emit(const MotionLeg& leg, double fraction, double height, b
                   touches,
                   required || asked_for(time),
                   {}};
+  if (touches) {
+    last_height_ = point.height;
+  }
   if (driven_ && touches) {
     point.centre = contact_.place();
     point.drive_force = driven_->force(leg, fraction);
@@ -104,8 +112,16 @@ void MotionStepper::emit(const MotionLeg& leg, double fraction, double height, b
   sink_(point, contact_);
 }
 
+/// With adhesion also near the skin, and wherever it still holds on.
+bool MotionStepper::may_touch(const MotionLeg& leg) const {
+  const auto near = [&](const SliderLevel& level) {
+    return !level.is_force && level.value < range();
+  };
+  return leg.touches() || contact_.in_contact() || near(leg.from_level) || near(leg.to_level);
+}
+
 void MotionStepper::follow(const MotionLeg& leg) {
-  if (!leg.touches()) {
+  if (!may_touch(leg)) {
     direction_ = {};
     emit(leg, 1, leg.to_level.value, false);
     return;
@@ -225,14 +241,55 @@ void MotionStepper::advance(const MotionLeg& leg, const Levels& levels, double f
   }
 }
 
+/// Shortens the steps where the contact jumps; what is passed is emitted here.
+void MotionStepper::advance_adhering(const MotionLeg& leg, const Levels& levels, double from,
+                                     double to, int depth) {
+  const auto height = [&](double fraction) {
+    return levels.by_force ? last_height_ : levels.at(fraction);
+  };
+  const bool shortest = depth == halvings_of_jump;
+  if (shortest) {
+    emit(leg, from, height(from), true); // before what may be a jump
+  }
+  const SlidingContact::Moment before = contact_.moment();
+  const double energy = contact_.energy();
+  const bool touched = contact_.in_contact();
+  bool solved = false;
+  try {
+    contact_.step((to - from) * leg.duration, leg.centre(to * leg.duration), load_at(levels, to));
+    solved = true;
+  } catch (const SolverError&) {
+    if (shortest) {
+      throw;
+    }
+  }
+  if (!shortest && (!solved || contact_.may_have_jumped())) {
+    contact_.go_back(before);
+    advance_adhering(leg, levels, from, 0.5 * (from + to), depth + 1);
+    advance_adhering(leg, levels, 0.5 * (from + to), to, depth + 1);
+    return;
+  }
+  ++steps_taken_;
+  const bool jumps = contact_.may_have_jumped();
+  if (jumps) {
+    const double lowered = levels.by_force ? 0.0 : height(from) - height(to);
+    adhesion_loss_ +=
+        work_on_skin(before.state, contact_.state(), lowered) - (contact_.energy() - energy);
+  }
+  if (touched != contact_.in_contact()) {
+    note_event(leg.begin + to * leg.duration);
+  }
+  emit(leg, to, height(to), jumps);
+}
+
 void MotionStepper::touch(const MotionLeg& leg) {
   const Levels levels = this->levels(leg);
   note_change(leg, levels);
   const double travel = leg.length();
   if (levels.begin > 0) {
     contact_.step(levels.begin * leg.duration, leg.centre(levels.begin * leg.duration),
-                  {LoadKind::indentation, 0});
-    emit(leg, levels.begin, 0, true);
+                  {LoadKind::indentation, 0 - range()});
+    emit(leg, levels.begin, range(), true);
   }
   const bool lands = !contact_.in_contact();
   if (lands) {
@@ -273,7 +330,10 @@ void MotionStepper::touch(const MotionLeg& leg) {
       first_of_travel = false;
     }
     const double next = next_fraction(leg, levels, at);
-    if (driven_) {
+    if (range() > 0) {
+      advance_adhering(leg, levels, at, next, 0);
+      at = next;
+    } else if (driven_) {
       at = driven_->advance(leg, at, next,
                             [&](double fraction) { return load_at(levels, fraction); });
       ++steps_taken_;
@@ -283,7 +343,9 @@ void MotionStepper::touch(const MotionLeg& leg) {
     }
     rest_step_ *= growth_of_rest;
     const double time = leg.begin + at * leg.duration;
-    const bool leaves = at == levels.end && levels.end < 1;
+    const bool rises = levels.by_force ? levels.to <= levels.from : levels.to >= levels.from;
+    const bool lets_go = range() > 0 && rises && !contact_.in_contact();
+    const bool leaves = lets_go || (at == levels.end && levels.end < 1);
     if (onset_open_) {
       onsets_.back()[1] = time;
       onset_open_ = !leaves && !slides_fully(leg);
@@ -291,10 +353,16 @@ void MotionStepper::touch(const MotionLeg& leg) {
     if (travel > 0) {
       increment_ *= contact_.sticks() ? options_.steps.onset_growth : growth_of_full_slip;
     }
-    emit(leg, at, levels.by_force ? 0 : levels.at(at), leaves);
+    if (range() == 0) {
+      emit(leg, at, levels.by_force ? 0 : levels.at(at), leaves);
+    }
     if (leaves) {
       note_event(time);
       direction_ = {};
+    }
+    if (lets_go) {
+      emit(leg, 1, levels.by_force ? last_height_ : levels.to, false);
+      return;
     }
   }
   if (levels.end < 1) {

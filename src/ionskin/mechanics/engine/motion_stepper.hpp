@@ -37,7 +37,9 @@ struct StepperOptions {
 /// Moves a slider through the legs of a cycle. A leg is cut where the slider lands and leaves, so
 /// that its load changes by a small part of the heaviest in each step, and so that its travel grows
 /// geometrically from a small part of the surface's displacement for as long as cells stick: after
-/// landing, a rest or a turn.
+/// landing, a rest or a turn. With adhesion the slider holds on above the skin until it lets go,
+/// which is found by shorter and shorter steps; a step that jumps nevertheless is an event, and the
+/// energy that it loses is counted.
 class MotionStepper {
 public:
   using Sink = std::function<void(const StepPoint&, const SlidingContact&)>;
@@ -51,6 +53,7 @@ public:
   const std::vector<double>& events() const { return events_; }
   const std::vector<std::array<double, 2>>& onsets() const { return onsets_; }
   int steps() const { return steps_taken_; }
+  double adhesion_loss() const { return adhesion_loss_; } ///< in jumps, on the meshed part [J]
 
 private:
   struct Levels; ///< of a leg's contact, along its fraction
@@ -63,6 +66,10 @@ private:
   bool slides_fully(const MotionLeg& leg) const;
   int touchdown_steps() const;
   void note_change(const MotionLeg& leg, const Levels& levels);
+  bool may_touch(const MotionLeg& leg) const;
+  double range() const { return contact_.problem().friction.adhesion.range; }
+  void advance_adhering(const MotionLeg& leg, const Levels& levels, double from, double to,
+                        int depth);
   void emit(const MotionLeg& leg, double fraction, double height, bool required);
   bool asked_for(double time) const;
   void note_event(double time);
@@ -79,6 +86,7 @@ private:
   std::vector<double> events_;
   std::vector<std::array<double, 2>> onsets_;
   int steps_taken_ = 0;
+  double adhesion_loss_ = 0, last_height_ = 0; ///< of a slider that touched [m]
 };
 
 } // namespace ionskin::mechanics

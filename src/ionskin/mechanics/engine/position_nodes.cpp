@@ -2,6 +2,7 @@
 #include "ionskin/mechanics/engine/position_nodes.hpp"
 
 #include "ionskin/base/system/interrupt.hpp"
+#include "ionskin/laws/friction/friction_law.hpp"
 #include "ionskin/mechanics/elasticity/core_strain.hpp"
 #include "ionskin/mechanics/position/interpolation_error.hpp"
 #include "ionskin/mechanics/position/interpolation_nodes.hpp"
@@ -118,12 +119,13 @@ std::optional<MotionBox> contact_box(const Case& input) {
       box->high[d] = std::max(box->high[d], place[d]);
     }
   };
+  const bool adheres = laws::friction_law(input.contact.law).adheres;
   for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
     if (leg.touches()) {
       // Where a height turns into a force the whole leg may touch.
       const ContactPart part = contact_part(leg);
-      include(part.from);
-      include(part.to);
+      include(adheres ? leg.from : part.from);
+      include(adheres ? leg.to : part.to);
     }
   }
   if (box && input.numerics.shared.given()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/engine/sliding_contact.hpp"
 
+#include "ionskin/mechanics/surface/adhesive_contact.hpp"
 #include "ionskin/mechanics/surface/contact_diagnostics.hpp"
 
 #include <algorithm>
@@ -12,6 +13,21 @@ namespace {
 
 bool is_loaded(const CellVector& force) {
   return std::any_of(force.begin(), force.end(), [](double value) { return value != 0; });
+}
+
+/// Of a contact with adhesion: by so much of itself the load of the cells changes in a step that
+/// nothing jumps in.
+constexpr double most_changed = 0.5;
+
+/// Change of the cells' normal forces over their size.
+double change_of_load(const CellVector& before, const CellVector& after) {
+  double change = 0, first = 0, last = 0;
+  for (std::size_t at = 0; at < before.size(); at += 3) {
+    change += std::abs(after[at] - before[at]);
+    first += std::abs(before[at]);
+    last += std::abs(after[at]);
+  }
+  return change > 0 ? change / std::max(first, last) : 0.0;
 }
 
 double total_force(const CellVector& force, std::size_t component) {
@@ -54,6 +70,10 @@ SlidingContact::SlidingContact(const ComplianceMap& map, std::vector<double> are
 
 bool SlidingContact::in_contact() const {
   return is_loaded(state_.force);
+}
+
+double SlidingContact::energy() const {
+  return in_contact() ? potential_energy(problem_, state_) : 0.0;
 }
 
 bool SlidingContact::sticks() const {
@@ -126,13 +146,38 @@ void SlidingContact::condense_at(const std::array<double, 2>& place) {
 }
 
 bool SlidingContact::reaches(const SliderLoad& load) const {
-  const double least = load.kind == LoadKind::force
-                           ? 0
-                           : *std::min_element(problem_.gap.begin(), problem_.gap.end());
+  const laws::CohesiveZone& adhesion = problem_.friction.adhesion;
+  if (adhesion.pulls() && in_contact()) {
+    return true; // it may hold on at any height
+  }
+  const double least =
+      load.kind == LoadKind::force
+          ? 0
+          : *std::min_element(problem_.gap.begin(), problem_.gap.end()) - adhesion.range;
   return !(load.value <= least); // what is no number is left to the solver to refuse
 }
 
+SurfaceState SlidingContact::solve_adhesive(const ContactProblem& problem, const SliderStep& step) {
+  Iterate iterate{state_.force, state_.indentation};
+  if (in_contact() && newton_.solve(problem, step, iterate)) {
+    // Newton may end far away, where a slow motion would not come to.
+    if (change_of_load(state_.force, iterate.force) <= most_changed) {
+      return surface_state(problem, step, std::move(iterate.force), iterate.indentation,
+                           newton_.iterations());
+    }
+  }
+  ++fallbacks_;
+  newton_.forget();
+  may_have_jumped_ = true;
+  return solve_adhesive_step(problem, step,
+                             in_contact() ? start_from(problem, state_) : far_apart(problem));
+}
+
 SurfaceState SlidingContact::solve(const ContactProblem& problem, const SliderStep& step) {
+  may_have_jumped_ = false;
+  if (problem.friction.adhesion.pulls()) {
+    return solve_adhesive(problem, step);
+  }
   Iterate iterate{state_.force, state_.indentation};
   // From no load a force says nothing of the indentation, which the other way searches.
   if ((step.load.kind == LoadKind::indentation || in_contact()) &&
@@ -157,6 +202,7 @@ const SurfaceState& SlidingContact::step_yielding(double time_step, const Slider
       load, {guide.place[0] - from[0], guide.place[1] - from[1]}, time_step, held_surface()};
   const bool yields = guide.compliance != std::array<double, 2>{};
   condense_at(guide.expected);
+  may_have_jumped_ = false;
   if (!reaches(load)) {
     detach(step);
     place_ = guide.place;
@@ -182,6 +228,11 @@ const SurfaceState& SlidingContact::step_yielding(double time_step, const Slider
       state_ = solve(problem_, step);
     }
     keep_elastic_slip();
+    if (!in_contact() && problem_.friction.adhesion.pulls()) {
+      detach(step);
+      place_ = guide.place;
+      return state_;
+    }
   } catch (...) {
     problem_.lagged_speed.swap(lagged);
     if (place_) {

@@ -56,7 +56,12 @@ public:
   const SurfaceState& state() const { return state_; }
   /// At the present place.
   const ContactProblem& problem() const { return problem_; }
-  bool in_contact() const;
+  bool in_contact() const; ///< pressed or pulled
+  /// Whether the last step of a contact with adhesion may have jumped: it was not found near the
+  /// state before.
+  bool may_have_jumped() const { return may_have_jumped_; }
+  /// Elastic less binding energy; 0 off the skin [J].
+  double energy() const;
   /// Whether a cell that touches does not slip.
   bool sticks() const;
   /// Length of the mean tangential displacement that the surface has to make before all of it
@@ -75,6 +80,7 @@ private:
   void condense_at(const std::array<double, 2>& place);
   bool reaches(const SliderLoad& load) const;
   SurfaceState solve(const ContactProblem& problem, const SliderStep& step);
+  SurfaceState solve_adhesive(const ContactProblem& problem, const SliderStep& step);
   void detach(const SliderStep& step);
   std::vector<double> followed(const std::vector<double>& speed, double time_step) const;
   CellVector held_surface() const;
@@ -89,6 +95,7 @@ private:
   std::optional<std::array<double, 2>> place_;
   std::optional<std::array<double, 2>> condensed_at_; ///< of the compliance
   int fallbacks_ = 0;
+  bool may_have_jumped_ = false;
 };
 
 } // namespace ionskin::mechanics

@@ -55,6 +55,7 @@ struct ContactState {
   double stick_area = 0;   ///< of it, where nothing slips [m2]
   // By how much whole cells leave the borders of both in doubt, see border_area [m2].
   double contact_border = 0, stick_border = 0;
+  double binding_energy = 0; ///< of adhesion, full skin [J]
   // diagnostics
   double complementarity_residual =
       0;                     ///< worst violation of contact and friction conditions, relative
@@ -94,6 +95,8 @@ struct ContactSolution {
   /// Estimate of the error between the positions that are solved, of the strain in the core over
   /// its largest norm (see interpolation_error.hpp).
   double worst_interpolation_error = 0;
+  /// Energy that the contact loses in jumps of adhesion, full skin [J].
+  double adhesion_loss = 0;
   int contact_solves = 0;
 };
 

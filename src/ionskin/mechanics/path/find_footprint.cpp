@@ -39,7 +39,7 @@ struct Reach {
 void extend(Reach& reach, const ContactCells& cells, const CellVector& force) {
   const std::array<const std::vector<double>*, 2> lines{&cells.lines_x, &cells.lines_y};
   for (std::size_t cell = 0; cell < cells.count(); ++cell) {
-    if (force[3 * cell] <= 0) {
+    if (force[3 * cell] == 0) {
       continue;
     }
     const std::array<std::size_t, 2> at{cell % cells.columns(), cell / cells.columns()};
@@ -93,6 +93,9 @@ Reach reach_at(const Case& input, const SkinModel& model, const std::array<doubl
   Reach reach;
   for (const SliderLoad& load : heaviest_loads(input, model.mesh.half_model())) {
     extend(reach, model.cells, solve_contact_step(problem, {load, {0, 0}, 0, none}, none).force);
+    if (problem.friction.adhesion.pulls()) {
+      continue; // what slides beyond the border is found on the path, and gets a wider one
+    }
     for (const auto& way : slide_directions(input)) {
       for (const double sign : {1.0, -1.0}) {
         extend(reach, model.cells,
@@ -145,12 +148,12 @@ std::array<bool, 2> border_touched(const ContactState& state, std::size_t column
   const std::vector<double>& traction = state.normal_traction;
   const std::size_t rows = traction.size() / columns;
   std::array<bool, 2> touched{};
+  const auto loaded = [&](std::size_t cell) { return traction[cell] != 0; };
   for (std::size_t j = 0; j < rows; ++j) {
-    touched[0] = touched[0] || traction[columns * j] > 0 || traction[columns * (j + 1) - 1] > 0;
+    touched[0] = touched[0] || loaded(columns * j) || loaded(columns * (j + 1) - 1);
   }
   for (std::size_t i = 0; i < columns; ++i) {
-    touched[1] =
-        touched[1] || traction[i] > 0 || (!half_model && traction[columns * (rows - 1) + i] > 0);
+    touched[1] = touched[1] || loaded(i) || (!half_model && loaded(columns * (rows - 1) + i));
   }
   return touched;
 }

@@ -3,15 +3,11 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/largest.hpp"
-#include "ionskin/base/system/free_memory.hpp"
-#include "ionskin/linear_algebra/dense_kernels.hpp"
-#include "ionskin/mechanics/elasticity/elastic_system.hpp"
 #include "ionskin/mechanics/position/position_input.hpp"
 #include "ionskin/mechanics/position/position_memory.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace ionskin::mechanics {
@@ -19,12 +15,12 @@ namespace {
 
 using linear_algebra::DenseMatrix;
 
-/// States, or unit forces, recovered in one blocked solve; bounds the memory.
-constexpr int block_size = 64;
+/// States, or unit forces, recovered in one blocked solve. Products of more columns are faster; it
+/// bounds the memory.
+constexpr int block_size = 128;
 
-/// Threads of the kernels of a factor that the memory holds only one of at a time. BLAS splits its
-/// sums by the number of threads, so it is the same whatever number a run is given.
-constexpr int lone_factor_threads = 2;
+/// States of which all unknowns stand side by side.
+constexpr int copied_states = 8;
 
 DenseMatrix matrix_of(const std::vector<CellVector>& forces, std::size_t first, int count) {
   DenseMatrix block(static_cast<int>(forces[first].size()), count);
@@ -59,72 +55,6 @@ bool holds(const StoredPosition& position, const ForceDirections& directions) {
 }
 
 } // namespace
-
-/// The factor of one position, and its place among the factors that fit into the memory.
-class CondensedPosition::Factorised {
-public:
-  Factorised(const ElasticSkin& skin, const mesh::MeshLines& lines)
-      : place_(skin.analysis().free_factors),
-        threads_(skin.analysis().factors_at_once == 1 ? lone_factor_threads : 1), base_reaction_{} {
-    ElasticSystem system = assemble(skin.space, lines, skin.law_of_row);
-    factor_ = std::make_unique<linear_algebra::Cholesky>(skin.analysis().symbolic, system.stiffness,
-                                                         threads_);
-    base_reaction_ = std::move(system.base_reaction);
-    forward_ = factor_->trailing_forward(skin.cells.unit_load);
-  }
-
-  DenseMatrix compliance() const {
-    const linear_algebra::KernelThreads kernel_threads(threads_);
-    return linear_algebra::gram(forward_);
-  }
-
-  /// Displacement of all unknowns under unit forces in one direction on the cells from `first` on;
-  /// shape [unknowns, count].
-  DenseMatrix unit_displacement(int direction, int first, int count) const {
-    DenseMatrix block(forward_.rows, count);
-    for (int j = 0; j < count; ++j) {
-      const double* from = forward_.column(3 * (first + j) + direction);
-      std::copy(from, from + forward_.rows, block.column(j));
-    }
-    return factor_->backward_from_trailing(block);
-  }
-  /// The same under given forces; shapes [3 cells, any] to [unknowns, any].
-  DenseMatrix displacement(const DenseMatrix& forces) const {
-    return factor_->backward_from_trailing(linear_algebra::multiply(forward_, forces));
-  }
-
-  std::array<double, 3> base_reaction(const double* displacement) const {
-    std::array<double, 3> result{};
-    for (std::size_t r = 0; r < 3; ++r) {
-      result[r] =
-          std::inner_product(base_reaction_[r].begin(), base_reaction_[r].end(), displacement, 0.0);
-    }
-    return result;
-  }
-
-private:
-  /// Waits until the memory holds one more factor. The first member, it goes when the factor is
-  /// gone.
-  class Place {
-  public:
-    explicit Place(std::counting_semaphore<>& places) : places_(places) { places_.acquire(); }
-    ~Place() {
-      base::return_free_memory();
-      places_.release();
-    }
-    Place(const Place&) = delete;
-    Place& operator=(const Place&) = delete;
-
-  private:
-    std::counting_semaphore<>& places_;
-  };
-
-  Place place_;
-  int threads_;
-  std::array<std::vector<double>, 3> base_reaction_;
-  std::unique_ptr<linear_algebra::Cholesky> factor_;
-  DenseMatrix forward_; ///< L22^-1 B of the unit loads, [footprint unknowns, 3 cells]
-};
 
 CondensedPosition::CondensedPosition(const SkinModel& model, const std::array<double, 2>& centre,
                                      const PositionUse& use)
@@ -176,26 +106,39 @@ CondensedPosition::CondensedPosition(const ElasticSkin& skin, mesh::MeshLines li
 CondensedPosition::~CondensedPosition() = default;
 
 void CondensedPosition::factorise() {
-  factorised_ = std::make_unique<Factorised>(skin_, lines_);
+  factorised_ = std::make_unique<const FactorisedSkin>(skin_, lines_);
+}
+
+template <class Use>
+void CondensedPosition::for_states(const SkinDisplacement& displacement, const Use& use) const {
+  State state{std::vector<double>(static_cast<std::size_t>(lattice_.rows())),
+              std::vector<double>(static_cast<std::size_t>(membrane_.rows())),
+              {}};
+  DenseMatrix whole(skin_.space.unknowns(), copied_states);
+  for (int first = 0; first < displacement.states(); first += copied_states) {
+    const int count = std::min(copied_states, displacement.states() - first);
+    displacement.copy(first, count, whole);
+    for (int j = 0; j < count; ++j) {
+      lattice_.gather(whole.column(j), state.lattice.data());
+      membrane_.average_strain(whole.column(j), state.membrane.data());
+      state.base_reaction = factorised_->base_reaction(whole.column(j));
+      use(first + j, state);
+    }
+  }
 }
 
 DirectionResponse CondensedPosition::unit_response(int direction) const {
   const int cells = static_cast<int>(skin_.cells.count());
   DirectionResponse result{
       {lattice_.rows(), cells}, {membrane_.rows(), cells}, DenseMatrix(3, cells)};
-  std::vector<double> lattice(static_cast<std::size_t>(lattice_.rows())),
-      membrane(static_cast<std::size_t>(membrane_.rows()));
   for (int first = 0; first < cells; first += block_size) {
     const int count = std::min(block_size, cells - first);
-    const DenseMatrix displacement = factorised_->unit_displacement(direction, first, count);
-    for (int j = 0; j < count; ++j) {
-      lattice_.gather(displacement.column(j), lattice.data());
-      membrane_.average_strain(displacement.column(j), membrane.data());
-      result.core.set_column(first + j, lattice.data());
-      result.membrane.set_column(first + j, membrane.data());
-      const auto reaction = factorised_->base_reaction(displacement.column(j));
-      std::copy(reaction.begin(), reaction.end(), result.base_reaction.column(first + j));
-    }
+    for_states(factorised_->unit_displacement(direction, first, count),
+               [&](int j, const State& state) {
+                 result.core.set_column(first + j, state.lattice.data());
+                 result.membrane.set_column(first + j, state.membrane.data());
+                 std::ranges::copy(state.base_reaction, result.base_reaction.column(first + j));
+               });
   }
   return result;
 }
@@ -246,16 +189,10 @@ void CondensedPosition::respond_by_products(const DenseMatrix& forces,
 
 void CondensedPosition::respond_by_factor(const DenseMatrix& forces,
                                           std::vector<Response>& responses) const {
-  std::vector<double> lattice(static_cast<std::size_t>(lattice_.rows())),
-      membrane(static_cast<std::size_t>(membrane_.rows()));
-  const DenseMatrix displacement = factorised_->displacement(forces);
-  for (int k = 0; k < forces.columns; ++k) {
-    lattice_.gather(displacement.column(k), lattice.data());
-    membrane_.average_strain(displacement.column(k), membrane.data());
-    responses.push_back(response(lattice.data(), membrane.data(),
-                                 factorised_->base_reaction(displacement.column(k)),
+  for_states(factorised_->displacement(forces), [&](int k, const State& state) {
+    responses.push_back(response(state.lattice.data(), state.membrane.data(), state.base_reaction,
                                  forces.column(k)));
-  }
+  });
 }
 
 std::vector<CondensedPosition::Response>

@@ -5,6 +5,7 @@
 #include "ionskin/mechanics/elasticity/core_lattice.hpp"
 #include "ionskin/mechanics/elasticity/electrode_membrane.hpp"
 #include "ionskin/mechanics/output/contact_solution.hpp"
+#include "ionskin/mechanics/position/factorised_skin.hpp"
 #include "ionskin/mechanics/position/skin_model.hpp"
 #include "ionskin/mechanics/position/unit_response.hpp"
 #include "ionskin/mechanics/surface/contact_problem.hpp"
@@ -59,8 +60,13 @@ public:
   }
 
 private:
-  class Factorised;
   void factorise();
+  /// What is kept of the displacement in one state.
+  struct State {
+    std::vector<double> lattice, membrane;
+    std::array<double, 3> base_reaction{};
+  };
+  template <class Use> void for_states(const SkinDisplacement& displacement, const Use& use) const;
   DirectionResponse unit_response(int direction) const;
   /// Responses to the columns of a block [3 cells, any].
   void respond_by_products(const linear_algebra::DenseMatrix& forces,
@@ -74,7 +80,7 @@ private:
   mesh::MeshLines lines_;
   CoreLattice lattice_;
   ElectrodeMembrane membrane_;
-  std::unique_ptr<Factorised> factorised_;
+  std::unique_ptr<const FactorisedSkin> factorised_;
   std::shared_ptr<const StoredPosition> stored_; ///< without responses where it holds a factor
 };
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/position/contact_state.hpp"
 
+#include "ionskin/mechanics/surface/adhesive_contact.hpp"
 #include "ionskin/mechanics/surface/contact_diagnostics.hpp"
 #include "ionskin/mechanics/surface/covered_area.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ionskin::mechanics {
 namespace {
@@ -33,7 +35,7 @@ void store_sums(const CellVector& force, bool half_model, ContactState& state) {
 double largest_normal_force(const CellVector& force) {
   double largest = 0;
   for (std::size_t at = 0; at < force.size(); at += 3) {
-    largest = std::max(largest, force[at]);
+    largest = std::max(largest, std::abs(force[at]));
   }
   return largest;
 }
@@ -46,14 +48,15 @@ void describe(const SkinModel& model, const SurfaceState& state, const ContactPr
   destination.slip = state.slip;
   destination.indentation = state.indentation;
   const double parts = model.mesh.half_model() ? 2 : 1;
-  destination.contact_area = parts * contact_area(model.cells, state.force);
+  destination.contact_area = parts * contact_area(model.cells.grid(), state.force);
   destination.stick_reserve = stick_reserve(problem, state.force);
-  destination.stick_area = parts * covered_area(model.cells, destination.stick_reserve);
+  destination.stick_area = parts * covered_area(model.cells.grid(), destination.stick_reserve);
   destination.contact_border =
-      parts * border_area(model.cells, normal_pressure(model.cells, state.force));
-  destination.stick_border = parts * border_area(model.cells, destination.stick_reserve);
+      parts * border_area(model.cells.grid(), normal_pressure(model.cells.grid(), state.force));
+  destination.stick_border = parts * border_area(model.cells.grid(), destination.stick_reserve);
   destination.complementarity_residual =
       contact_violations(problem, state, reference_force, reference_indentation).largest();
+  destination.binding_energy = parts * binding_energy(problem, state);
   destination.stick_fraction = stick_fraction(problem, state.force);
   destination.iterations = state.iterations;
 }

@@ -18,32 +18,55 @@ std::vector<ElasticLaw> laws_of_rows(const Skin& skin, const mesh::SkinMesh& mes
   return law_of_row;
 }
 
-/// Factors that are held at the same time, within the memory meant for them.
-std::ptrdiff_t factors_within_memory(const linear_algebra::SymbolicCholesky& symbolic) {
+/// Across the longest way of the slider: all that lies in its way rides with it unchanged.
+SkinCut cut_of(const mesh::SkinMesh& mesh) {
+  const std::size_t axis = mesh.main_axis();
+  return {axis, axis == 0 ? mesh.footprint_x() : mesh.footprint_y()};
+}
+
+/// Positions whose factors are held at the same time, within the memory meant for them. Room for a
+/// part under the slider is counted for each, though they share it: a position takes about as much
+/// beside its factors.
+std::ptrdiff_t factors_within_memory(const SkinParts& parts) {
   constexpr double with_zeros = 1.1; // kept in the panels of the factor
-  const double per_factor = 8 * with_zeros * symbolic.factor_entries();
-  return std::max(std::ptrdiff_t{1}, static_cast<std::ptrdiff_t>(memory_for_factors / per_factor));
+  double entries = parts.inner.part->symbolic.factor_entries();
+  for (const PlacedPart& placed : parts.outer) {
+    entries += placed.part->symbolic.factor_entries();
+  }
+  return std::max(std::ptrdiff_t{1},
+                  static_cast<std::ptrdiff_t>(memory_for_factors / (8 * with_zeros * entries)));
 }
 
 } // namespace
 
-SkinAnalysis::SkinAnalysis(linear_algebra::SymbolicCholesky symbolic_factor)
-    : symbolic(std::move(symbolic_factor)), factors_at_once(factors_within_memory(symbolic)),
+SkinAnalysis::SkinAnalysis(SkinParts skin_parts)
+    : parts(std::move(skin_parts)), factors_at_once(factors_within_memory(parts)),
       free_factors(factors_at_once) {}
+
+std::shared_ptr<SharedInner> SkinAnalysis::inner(const mesh::MeshLines& lines) const {
+  const std::lock_guard lock(mutex_);
+  if (!latest_.inner || latest_.lines != lines) {
+    latest_ = {lines, std::make_shared<SharedInner>()};
+  }
+  return latest_.inner;
+}
 
 ElasticSkin::ElasticSkin(const Case& input, const mesh::SkinMesh& mesh)
     : fixed(skin_boundary(input.skin, mesh.half_model())),
-      space(mesh.lines(input.slider.start), fixed), law_of_row(laws_of_rows(input.skin, mesh)),
-      layer_of_row(mesh.layer_of_row()), core_z(mesh.core_z()), cells(contact_cells(mesh, space)) {}
+      space(mesh.lines(input.slider.start), fixed, ElasticSpace::Structure::none),
+      law_of_row(laws_of_rows(input.skin, mesh)), layer_of_row(mesh.layer_of_row()),
+      core_z(mesh.core_z()), cells(contact_cells(mesh, space)), cut(cut_of(mesh)),
+      any_lines_(mesh.lines(input.slider.start)) {}
 
 ElasticSkin::ElasticSkin(const PositionInput& input)
-    : fixed(input.fixed), space(input.lines, fixed), law_of_row(input.law_of_row),
-      layer_of_row(input.layer_of_row), core_z(input.core_z), cells(input.cells) {}
+    : fixed(input.fixed), space(input.lines, fixed, ElasticSpace::Structure::none),
+      law_of_row(input.law_of_row), layer_of_row(input.layer_of_row), core_z(input.core_z),
+      cells(input.cells), cut(input.cut), any_lines_(input.lines) {}
 
 const SkinAnalysis& ElasticSkin::analysis() const {
   std::call_once(analysed_, [this] {
-    analysis_ = std::make_unique<const SkinAnalysis>(linear_algebra::SymbolicCholesky(
-        space.pattern(), space.elimination_order(cells.nodes), cells.unit_load.rows));
+    analysis_ =
+        std::make_unique<const SkinAnalysis>(SkinParts(space, any_lines_, fixed, cells, cut));
   });
   return *analysis_;
 }

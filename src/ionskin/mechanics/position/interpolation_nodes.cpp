@@ -46,6 +46,12 @@ std::size_t expected_node_count(const Case& input, const std::array<double, 2>& 
   const double extent = (dx * input.skin.length + dy * input.skin.width) / way;
   const double share = std::min(1.0, way / extent / usual_share);
   const double count = usual_count * std::log(usual_decay) / std::log(usual_decay * share);
+  // Every run that shares positions pays for each of them. Over a narrow rectangle two lines may
+  // do; the error of the strain between them tells.
+  constexpr double narrow_count = 4;
+  if (input.numerics.shared.given() && count < narrow_count) {
+    return 2;
+  }
   // Lengths are differences of coordinates: their rounding must not cost a pair.
   const double pairs = std::ceil(count / 2 - 1e-9);
   return 2 * std::max<std::size_t>(1, static_cast<std::size_t>(pairs));

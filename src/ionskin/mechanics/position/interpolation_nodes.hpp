@@ -23,6 +23,7 @@ std::vector<double> interpolation_weights(const std::vector<double>& nodes, doub
 
 /// Even number of nodes that a straight piece of a track is expected to need. A short piece needs
 /// fewer, since the error of interpolation falls with the power of its length that is the count.
+/// Across narrow shared positions two are tried.
 std::size_t expected_node_count(const Case& input, const std::array<double, 2>& from,
                                 const std::array<double, 2>& to);
 

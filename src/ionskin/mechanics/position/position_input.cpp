@@ -15,7 +15,7 @@ namespace {
 
 /// To be raised whenever the numbers of a condensed position change for the same input:
 /// elements, assembly, lattice, rounding, or the layout of what it gives.
-constexpr std::uint32_t numerical_version = 3;
+constexpr std::uint32_t numerical_version = 4;
 
 /// Of files of inputs.
 base::Digest file_key() {
@@ -41,6 +41,7 @@ void add_input(Sink& sink, const mesh::MeshLines& lines, const Shared& shared) {
   sink.add(cells.lines_x).add(cells.lines_y).add(cells.area).add(cells.nodes);
   const linear_algebra::DenseMatrix& load = cells.unit_load;
   sink.add(load.rows).add(load.columns).add(load.values);
+  sink.add(shared.cut.axis).add(shared.cut.footprint[0]).add(shared.cut.footprint[1]);
 }
 
 std::optional<PositionInput> input_of(std::span<const std::byte> bytes) {
@@ -58,14 +59,15 @@ std::optional<PositionInput> input_of(std::span<const std::byte> bytes) {
           reader.take(input.core_z) && reader.take(cells.lines_x) && reader.take(cells.lines_y) &&
           reader.take(cells.area) && reader.take(cells.nodes) &&
           reader.take(cells.unit_load.rows) && reader.take(cells.unit_load.columns) &&
-          reader.take(cells.unit_load.values) && reader.at_end();
+          reader.take(cells.unit_load.values) && reader.take(input.cut.axis) &&
+          reader.take(input.cut.footprint) && reader.at_end();
   return whole ? std::optional(std::move(input)) : std::nullopt;
 }
 
 } // namespace
 
 PositionInput position_input(const ElasticSkin& skin, const mesh::MeshLines& lines) {
-  return {lines, skin.fixed, skin.law_of_row, skin.layer_of_row, skin.core_z, skin.cells};
+  return {lines, skin.fixed, skin.law_of_row, skin.layer_of_row, skin.core_z, skin.cells, skin.cut};
 }
 
 std::vector<std::byte> position_input_bytes(const PositionInput& input) {

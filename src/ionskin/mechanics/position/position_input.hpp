@@ -25,6 +25,7 @@ struct PositionInput {
   std::vector<std::size_t> layer_of_row; ///< index of the layer, per element row along z
   std::array<std::size_t, 2> core_z{};   ///< first and one-past-last element row of the core
   ContactCells cells;
+  SkinCut cut; ///< into parts that are factorised by themselves
 };
 
 /// @param lines of the skin's mesh with the slider at its place [m]

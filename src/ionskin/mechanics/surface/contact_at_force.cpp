@@ -120,7 +120,7 @@ SurfaceState solve_contact_at_force(const ContactProblem& problem, const SliderS
   CellVector force = guess.force;
   double indentation = guess.indentation;
   const auto newton = contact_newton(problem, step, force, indentation);
-  if (newton.converged && free_of_tension(force)) {
+  if (newton.converged && free_of_tension(problem, force)) {
     return surface_state(problem, step, std::move(force), indentation,
                          guess.sweeps + newton.iterations);
   }

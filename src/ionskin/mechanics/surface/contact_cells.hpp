@@ -3,6 +3,7 @@
 
 #include "ionskin/linear_algebra/sparse_matrix.hpp"
 #include "ionskin/mechanics/elasticity/elastic_space.hpp"
+#include "ionskin/mechanics/surface/covered_area.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 
 #include <cstddef>
@@ -27,6 +28,7 @@ struct ContactCells {
   std::size_t columns() const { return lines_x.size() - 1; }
   std::size_t rows() const { return lines_y.size() - 1; }
   std::size_t count() const { return area.size(); }
+  CellGrid grid() const { return {lines_x, lines_y, area}; }
 };
 
 ContactCells contact_cells(const mesh::SkinMesh& mesh, const ElasticSpace& space);

@@ -28,9 +28,15 @@ ContactViolations contact_violations(const ContactProblem& problem, const Surfac
   for (int cell = 0; cell < problem.cells(); ++cell) {
     const std::size_t at = 3 * static_cast<std::size_t>(cell);
     const double normal = state.force[at];
-    const double gap = share(state.surface[at] - state.indentation + problem.gap[cell], preload);
-    worst.tension = base::larger(worst.tension, share(-normal, reference_force));
-    worst.penetration = base::larger(worst.penetration, normal > 0 ? std::abs(gap) : -gap);
+    const double opening = problem.opening(cell, state.indentation, state.surface);
+    const ContactProblem::NormalResponse held =
+        problem.normal_response(cell, normal - opening / problem.own_compliance(cell, 0));
+    const bool adheres = problem.friction.adhesion.pulls();
+    const bool touches = adheres ? held.touches : normal > 0;
+    const double pull = adheres ? std::abs(normal - held.force) : -normal;
+    worst.tension = base::larger(worst.tension, share(pull, reference_force));
+    const double gap = share(opening, preload);
+    worst.penetration = base::larger(worst.penetration, touches ? std::abs(gap) : -gap);
 
     const auto slip = slip_increment(step, state.surface, cell);
     const double limit =

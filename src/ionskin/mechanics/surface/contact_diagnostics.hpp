@@ -8,7 +8,7 @@ namespace ionskin::mechanics {
 /// Worst violations of the contact conditions over all cells. Forces are relative to the largest
 /// normal force, displacements to the largest indentation of the path.
 struct ContactViolations {
-  double tension = 0;     ///< pulled cells
+  double tension = 0;     ///< pulled cells; under adhesion, normal forces off its law
   double penetration = 0; ///< touching cells off the slider's face, open cells behind it
   double cone = 0;        ///< tangential force beyond the friction limit
   /// Tangential force t against the projection of t + slip / compliance on the friction cone: 0

@@ -18,8 +18,10 @@ CellPredictor predict(const ContactProblem& problem, const SliderStep& step, con
   CellPredictor result;
   const double normal = force[at] + (iterate.indentation - problem.gap[cell] - surface[at]) /
                                         problem.own_compliance(cell, 0);
-  result.residual = std::abs(force[at] - base::larger(0.0, normal));
-  if (normal <= 0) {
+  const ContactProblem::NormalResponse held = problem.normal_response(cell, normal);
+  result.residual = std::isnan(normal) ? normal : std::abs(force[at] - held.force);
+  if (!held.touches) {
+    result.status = held.pulled ? CellStatus::pulled : CellStatus::separated;
     result.residual = base::larger(result.residual,
                                    base::larger(std::abs(force[at + 1]), std::abs(force[at + 2])));
     return result;
@@ -42,20 +44,35 @@ LinearSystem::LinearSystem(const ContactProblem& problem, const SliderStep& step
     : problem_(problem), step_(step), touching_(touching),
       matrix_(Eigen::MatrixXd::Zero(size(), size())), right_(Eigen::VectorXd::Zero(size())) {}
 
-void LinearSystem::add_normal_rows() {
-  for (int i = 0; i < count(); ++i) {
-    const double scale = 1 / problem_.own_compliance(touching_[i], 0);
-    add_displacement(3 * i, 3 * touching_[i], scale);
-    right_[3 * i] = -scale * problem_.gap[touching_[i]];
-    if (force_given()) {
-      matrix_(3 * i, size() - 1) = -scale;
-      matrix_(size() - 1, 3 * i) = 1;
-    } else {
-      right_[3 * i] += scale * step_.load.value;
-    }
+void LinearSystem::add_load_row() {
+  if (!force_given()) {
+    return;
   }
+  for (int i = 0; i < count(); ++i) {
+    matrix_(size() - 1, 3 * i) = 1;
+  }
+  right_[size() - 1] = step_.load.value;
+}
+
+void LinearSystem::add_opening(int i, double scale) {
+  add_displacement(3 * i, 3 * touching_[i], scale);
+  right_[3 * i] -= scale * problem_.gap[touching_[i]];
   if (force_given()) {
-    right_[size() - 1] = step_.load.value;
+    matrix_(3 * i, size() - 1) -= scale;
+  } else {
+    right_[3 * i] += scale * step_.load.value;
+  }
+}
+
+void LinearSystem::add_normal_row(int i) {
+  add_opening(i, 1 / problem_.own_compliance(touching_[i], 0));
+}
+
+void LinearSystem::add_pulled_rows(int i) {
+  add_opening(i, -problem_.pull_slope(touching_[i]));
+  right_[3 * i] -= problem_.largest_pull(touching_[i]);
+  for (int c = 0; c < 3; ++c) {
+    matrix_(3 * i + c, 3 * i + c) += 1;
   }
 }
 
@@ -89,6 +106,32 @@ void LinearSystem::add_slip_rows(int i, const CellPredictor& predictor, double n
       right_[row] += weight * (scale * free_displacement(cell, 1 + s) - predictor.tangential[s]);
     }
   }
+}
+
+void LinearSystem::add_rows(const std::vector<CellPredictor>& predictors, const Iterate& iterate) {
+  add_load_row();
+  for (int i = 0; i < count(); ++i) {
+    const auto cell = static_cast<std::size_t>(touching_[i]);
+    const CellPredictor& predictor = predictors[cell];
+    if (predictor.status == CellStatus::pulled) {
+      add_pulled_rows(i);
+      continue;
+    }
+    add_normal_row(i);
+    if (predictor.status == CellStatus::sticking) {
+      add_stick_rows(i);
+    } else {
+      add_slip_rows(i, predictor, std::max(0.0, iterate.force[3 * cell]));
+    }
+  }
+}
+
+bool has_positive_determinant(const Eigen::PartialPivLU<Eigen::MatrixXd>& factor) {
+  bool positive = factor.permutationP().determinant() > 0;
+  for (const double pivot : factor.matrixLU().diagonal()) {
+    positive = positive == (pivot > 0);
+  }
+  return positive;
 }
 
 void LinearSystem::solve(Iterate& iterate) const {

@@ -49,16 +49,7 @@ NewtonResult contact_newton(const ContactProblem& problem, const SliderStep& ste
       continue;
     }
     LinearSystem system(problem, step, touching);
-    system.add_normal_rows();
-    for (std::size_t i = 0; i < touching.size(); ++i) {
-      const int cell = touching[i];
-      if (predictors[cell].status == CellStatus::sticking) {
-        system.add_stick_rows(static_cast<int>(i));
-      } else {
-        system.add_slip_rows(static_cast<int>(i), predictors[cell],
-                             std::max(0.0, iterate.force[3 * static_cast<std::size_t>(cell)]));
-      }
-    }
+    system.add_rows(predictors, iterate);
     system.solve(iterate);
   }
   return {false, most_iterations};

@@ -13,6 +13,39 @@ double ContactProblem::own_compliance(int cell, int component) const {
   return component == 0 || own(component) > 0 ? own(component) : own(3 - component);
 }
 
+double ContactProblem::opening(int cell, double indentation, const CellVector& surface) const {
+  return surface[3 * static_cast<std::size_t>(cell)] + gap[cell] - indentation;
+}
+
+double ContactProblem::largest_pull(int cell) const {
+  return pull.empty() ? friction.adhesion.strength * area[cell] : pull[cell];
+}
+
+double ContactProblem::pull_slope(int cell) const {
+  return pull.empty() && friction.adhesion.pulls() ? largest_pull(cell) / friction.adhesion.range
+                                                   : 0.0;
+}
+
+ContactProblem::NormalResponse ContactProblem::normal_response(int cell, double trial) const {
+  const double most = largest_pull(cell);
+  if (trial > -most) {
+    return {true, false, trial};
+  }
+  if (most == 0) {
+    return {};
+  }
+  const double softening = pull_slope(cell) * own_compliance(cell, 0);
+  if (softening == 0) {
+    return {false, true, -most};
+  }
+  // The opening that balances the pull, docs/model.md (42); with a softening of 1 there is none.
+  const bool far = trial <= -friction.adhesion.range / own_compliance(cell, 0);
+  if (far || softening >= 1) {
+    return {};
+  }
+  return {false, true, -(most + softening * trial) / (1 - softening)};
+}
+
 double ContactProblem::lagged_speed_of(int cell) const {
   return lagged_speed.empty() ? 0.0 : lagged_speed[static_cast<std::size_t>(cell)];
 }
@@ -64,9 +97,9 @@ double total_normal_force(const CellVector& force) {
   return sum;
 }
 
-bool free_of_tension(const CellVector& force) {
-  for (std::size_t at = 0; at < force.size(); at += 3) {
-    if (force[at] < 0) {
+bool free_of_tension(const ContactProblem& problem, const CellVector& force) {
+  for (int cell = 0; cell < problem.cells(); ++cell) {
+    if (force[3 * static_cast<std::size_t>(cell)] < -problem.largest_pull(cell)) {
       return false;
     }
   }

@@ -15,7 +15,8 @@ using CellVector = std::vector<double>;
 
 /// Dense contact problem of one slider position: find cell forces f with surface displacement w = C
 /// f such that no cell is penetrated (w >= indentation - gap) or pulled, only touching cells carry
-/// force, docs/model.md (4), and every cell obeys the friction law.
+/// force, docs/model.md (4), and every cell obeys the friction law. Where that adheres, cells that
+/// touch may be pulled, and so are those near the slider, docs/model.md (41).
 struct ContactProblem {
   linear_algebra::DenseMatrix compliance; ///< C, symmetric [m/N]
   std::vector<double> area;               ///< of the cells [m2]
@@ -28,11 +29,25 @@ struct ContactProblem {
   /// Part of the compliance that is the same between any two cells, along x and y: of a slider that
   /// yields [m/N].
   std::array<double, 2> common = {};
+  /// Pulls that stand for those of the adhesion, whatever the openings [N]; empty: by the law.
+  std::vector<double> pull = {};
 
   int cells() const { return static_cast<int>(area.size()); }
   /// Compliance of one component against its own force, less `common`; in a direction in which the
   /// skin is held (plane strain) that of the other tangential direction.
   double own_compliance(int cell, int component) const;
+  /// Distance of the slider's underside from a cell of the skin [m].
+  double opening(int cell, double indentation, const CellVector& surface) const;
+  /// Largest pull of a cell [N], and by how much it falls with the opening [N/m].
+  double largest_pull(int cell) const;
+  double pull_slope(int cell) const;
+  /// The normal force that contact and adhesion allow a cell where a trial force would hold it to
+  /// the slider.
+  struct NormalResponse {
+    bool touches = false, pulled = false; ///< closed; open, and pulled
+    double force = 0;                     ///< [N]
+  };
+  NormalResponse normal_response(int cell, double trial) const;
   /// C f.
   CellVector surface_displacement(const CellVector& force) const;
   /// Largest tangential force of a cell under a normal force, along x, and its derivative [N], [1].
@@ -67,8 +82,8 @@ struct SliderStep {
 
 /// Sum of the normal forces [N].
 double total_normal_force(const CellVector& force);
-/// True when no cell is pulled.
-bool free_of_tension(const CellVector& force);
+/// True when no cell is pulled by more than its adhesion.
+bool free_of_tension(const ContactProblem& problem, const CellVector& force);
 
 /// How far the slider moves relative to the skin at one cell during a step [m].
 std::array<double, 2> slip_increment(const SliderStep& step, const CellVector& surface, int cell);

@@ -2,6 +2,7 @@
 #include "ionskin/mechanics/surface/contact_solver.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/mechanics/surface/adhesive_contact.hpp"
 #include "ionskin/mechanics/surface/contact_at_force.hpp"
 #include "ionskin/mechanics/surface/contact_newton.hpp"
 #include "ionskin/mechanics/surface/projected_gauss_seidel.hpp"
@@ -28,7 +29,7 @@ SurfaceState solve_at_indentation(const ContactProblem& problem, const SliderSte
   CellVector force = rough;
   const auto newton = contact_newton(problem, step, force, indentation);
   int iterations = sweeps.sweeps + newton.iterations;
-  if (newton.converged && free_of_tension(force)) {
+  if (newton.converged && free_of_tension(problem, force)) {
     return surface_state(problem, step, std::move(force), indentation, iterations);
   }
   const auto fallback = projected_gauss_seidel(problem, step, indentation, rough,
@@ -63,6 +64,11 @@ SurfaceState surface_state(const ContactProblem& problem, const SliderStep& step
 
 SurfaceState solve_contact_step(const ContactProblem& problem, const SliderStep& step,
                                 const CellVector& start) {
+  if (problem.friction.adhesion.pulls()) {
+    AdhesiveStart apart = far_apart(problem);
+    apart.force = start;
+    return solve_adhesive_step(problem, step, apart);
+  }
   return step.load.kind == LoadKind::force ? solve_contact_at_force(problem, step, start)
                                            : solve_at_indentation(problem, step, start);
 }

@@ -2,18 +2,23 @@
 #include "ionskin/mechanics/surface/covered_area.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace ionskin::mechanics {
 namespace {
 
-/// Mean of sqrt(border - x) over an interval that may reach beyond the border.
+constexpr int most_iterations = 60;
+constexpr double border_tolerance = 1e-14; // of the farthest border, and of the ratio
+
+/// 3/2 of the mean of sqrt(border - x) over an interval that may reach beyond the border.
 double mean_root(double from, double to, double border) {
   const auto power = [&](double x) {
-    const double way = std::max(0.0, border - x);
-    return way * std::sqrt(way);
+    const double distance = std::max(0.0, border - x);
+    return distance * std::sqrt(distance);
   };
-  return 2.0 / 3 * (power(from) - power(to)) / (to - from);
+  return (power(from) - power(to)) / (to - from);
 }
 
 /// Where a field like sqrt(border - x) ends that has given means over its last positive cell, which
@@ -21,11 +26,33 @@ double mean_root(double from, double to, double border) {
 /// @param width,width_before of these cells; @param width_beyond of the open cell behind them, of
 /// which at most half is covered; @param ratio of their means
 double border_of(double width, double width_before, double width_beyond, double ratio) {
-  double low = 0, high = width + 0.5 * width_beyond;
-  for (int i = 0; i < 50; ++i) {
-    const double middle = (low + high) / 2;
-    const double at_middle = mean_root(0, width, middle) / mean_root(-width_before, 0, middle);
-    (at_middle < ratio ? low : high) = middle;
+  const auto excess = [&](double border) {
+    return mean_root(0, width, border) / mean_root(-width_before, 0, border) - ratio;
+  };
+  // Regula falsi of Illinois (Dowell and Jarratt 1971, doi 10.1007/BF01934364), which a loop can
+  // afford.
+  const double farthest = width + 0.5 * width_beyond;
+  double low = 0, high = farthest, below = -ratio, above = excess(farthest);
+  if (above <= 0) {
+    return farthest;
+  }
+  int side = 0;
+  for (int i = 0; i < most_iterations && high - low > border_tolerance * farthest; ++i) {
+    const double middle = (low * above - high * below) / (above - below), at = excess(middle);
+    if (std::abs(at) < border_tolerance) {
+      return middle;
+    }
+    if (at < 0) {
+      low = middle;
+      below = at;
+      above /= side < 0 ? 2 : 1;
+      side = -1;
+    } else {
+      high = middle;
+      above = at;
+      below /= side > 0 ? 2 : 1;
+      side = 1;
+    }
   }
   return low;
 }
@@ -33,12 +60,12 @@ double border_of(double width, double width_before, double width_beyond, double 
 /// A cell field with its squares, which fall linearly to a border.
 class CellField {
 public:
-  CellField(const ContactCells& cells, const std::vector<double>& field)
-      : cells_(cells), field_(field), count_{cells.columns(), cells.rows()} {}
+  CellField(const CellGrid& cells, std::span<const double> field)
+      : cells_(cells), field_(field), count_{cells.lines_x.size() - 1, cells.lines_y.size() - 1} {}
 
   double area() const {
     double sum = 0;
-    for (std::size_t cell = 0; cell < cells_.count(); ++cell) {
+    for (std::size_t cell = 0; cell < cells_.area.size(); ++cell) {
       if (field_[cell] <= 0) {
         continue;
       }
@@ -55,7 +82,7 @@ public:
   /// Of the cells that are positive, or are not, and have a neighbour of the other kind.
   double area_at_border(bool positive) const {
     double sum = 0;
-    for (std::size_t cell = 0; cell < cells_.count(); ++cell) {
+    for (std::size_t cell = 0; cell < cells_.area.size(); ++cell) {
       if ((field_[cell] > 0) == positive && is_at_border(cell)) {
         sum += cells_.area[cell];
       }
@@ -86,7 +113,7 @@ private:
     return upwards ? cell + stride(d) : cell - stride(d);
   }
   double width(std::size_t cell, std::size_t d) const {
-    const std::vector<double>& lines = d == 0 ? cells_.lines_x : cells_.lines_y;
+    const std::span<const double> lines = d == 0 ? cells_.lines_x : cells_.lines_y;
     return lines[place(cell, d) + 1] - lines[place(cell, d)];
   }
   double square(std::size_t cell) const { return field_[cell] * field_[cell]; }
@@ -126,31 +153,31 @@ private:
     return weight * beyond * width(cell, 1 - d);
   }
 
-  const ContactCells& cells_;
-  const std::vector<double>& field_;
+  CellGrid cells_;
+  std::span<const double> field_;
   std::array<std::size_t, 2> count_;
 };
 
 } // namespace
 
-double covered_area(const ContactCells& cells, const std::vector<double>& field) {
+double covered_area(const CellGrid& cells, std::span<const double> field) noexcept {
   return CellField(cells, field).area();
 }
 
-double border_area(const ContactCells& cells, const std::vector<double>& field) {
+double border_area(const CellGrid& cells, std::span<const double> field) noexcept {
   const CellField cell_field(cells, field);
   return std::max(cell_field.area_at_border(true), cell_field.area_at_border(false)) / 2;
 }
 
-std::vector<double> normal_pressure(const ContactCells& cells, const CellVector& force) {
-  std::vector<double> pressure(cells.count());
-  for (std::size_t cell = 0; cell < cells.count(); ++cell) {
+std::vector<double> normal_pressure(const CellGrid& cells, const std::vector<double>& force) {
+  std::vector<double> pressure(cells.area.size());
+  for (std::size_t cell = 0; cell < cells.area.size(); ++cell) {
     pressure[cell] = std::max(0.0, force[3 * cell]) / cells.area[cell];
   }
   return pressure;
 }
 
-double contact_area(const ContactCells& cells, const CellVector& force) {
+double contact_area(const CellGrid& cells, const std::vector<double>& force) {
   return covered_area(cells, normal_pressure(cells, force));
 }
 

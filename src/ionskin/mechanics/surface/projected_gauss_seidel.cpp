@@ -14,9 +14,10 @@ std::array<double, 3> relaxed(const ContactProblem& problem, const SliderStep& s
                               double indentation, const CellVector& force,
                               const CellVector& surface, int cell) {
   const std::size_t at = 3 * static_cast<std::size_t>(cell);
+  const double pressing =
+      force[at] - problem.opening(cell, indentation, surface) / problem.own_compliance(cell, 0);
   const double normal =
-      base::larger(0.0, force[at] + (indentation - problem.gap[cell] - surface[at]) /
-                                        problem.own_compliance(cell, 0));
+      std::isnan(pressing) ? pressing : problem.normal_response(cell, pressing).force;
   const auto slip = slip_increment(step, surface, cell);
   const double compliance = std::max(problem.own_compliance(cell, 1) + problem.common[0],
                                      problem.own_compliance(cell, 2) + problem.common[1]);
@@ -36,7 +37,7 @@ GaussSeidelResult projected_gauss_seidel(const ContactProblem& problem, const Sl
   const std::size_t size = force.size();
   double scale = 0;
   for (std::size_t i = 0; i < size; i += 3) {
-    scale = std::max(scale, force[i]);
+    scale = std::max(scale, std::abs(force[i]));
   }
   for (int sweep = 1; sweep <= most_sweeps; ++sweep) {
     double largest_change = 0;
@@ -55,7 +56,7 @@ GaussSeidelResult projected_gauss_seidel(const ContactProblem& problem, const Sl
         force[at] = next[c];
         largest_change = base::larger(largest_change, std::abs(change));
       }
-      scale = std::max(scale, next[0]);
+      scale = std::max(scale, std::abs(next[0]));
     }
     if (largest_change <= tolerance * scale) {
       return {true, sweep};

@@ -284,6 +284,8 @@ Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonS
   const double interval = input.readout.sample_interval;
   if (signals.taxels) {
     signals.sampled_taxels = readout::sample_table(*signals.taxels, interval);
+    signals.metrics.push_back({"peak_sampled_taxel_current",
+                               readout::largest_taxel_current(*signals.sampled_taxels), "A"});
   }
   if (signals.circuit) {
     signals.sampled_circuit = readout::sample_table(*signals.circuit, interval);

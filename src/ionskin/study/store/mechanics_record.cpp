@@ -6,6 +6,7 @@
 #include "ionskin/handover/contact_timeline.hpp"
 #include "ionskin/handover/energy_balance.hpp"
 #include "ionskin/handover/handover.hpp"
+#include "ionskin/laws/friction/friction_law.hpp"
 #include "ionskin/readout/phases.hpp"
 #include "ionskin/study/store/contact_maps.hpp"
 
@@ -32,6 +33,14 @@ std::vector<readout::Metric> contact_metrics(const Case& input,
         {"slider_strain_slide",
          area > 0 ? slide.normal_force() / area * (1 - nu * nu) / slider.youngs_modulus : 0.0,
          "1"});
+  }
+  if (laws::friction_law(input.contact.law).adheres) {
+    double pull = 0;
+    for (std::size_t i = 0; i < timeline.sample_times().size(); ++i) {
+      pull = std::max(pull, -timeline.at_sample(i).normal_force());
+    }
+    metrics.push_back({"pull_off_force", pull, "N"});
+    metrics.push_back({"adhesion_loss", energy.adhesion_loss, "J"});
   }
   const auto pressed = timeline.at(readout::end_of_touchdown(input.motion, input.slider));
   if (!pressed.terms.empty()) {

@@ -61,5 +61,12 @@ TEST(InterpolationNodes, short_slides_are_expected_to_need_fewer_nodes) {
   EXPECT_EQ(expected_node_count(input, {1e-3, 1e-3}, {1.0001e-3, 1e-3}), 2u);
 }
 
+TEST(InterpolationNodes, narrow_shared_positions_begin_with_two_nodes) {
+  Case input = small_case();
+  input.numerics.shared.to = {3e-3, 1.2e-3};
+  EXPECT_EQ(expected_node_count(input, {1e-3, 1e-3}, {1.2e-3, 1e-3}), 2u);
+  EXPECT_EQ(expected_node_count(input, {1e-3, 1e-3}, {3e-3, 1e-3}), 8u);
+}
+
 } // namespace
 } // namespace ionskin::mechanics

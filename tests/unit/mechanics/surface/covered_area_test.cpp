@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/surface/contact_cells.hpp"
 #include "ionskin/mechanics/surface/covered_area.hpp"
 
 #include <gtest/gtest.h>
@@ -46,7 +47,7 @@ TEST(CoveredArea, of_a_circle_is_near) {
   const ContactCells cells = square_of_cells(16);
   for (const double a : {0.66, 0.7, 0.74, 0.78, 0.82, 0.86}) {
     const double exact = std::numbers::pi * a * a;
-    EXPECT_NEAR(covered_area(cells, hertzian(cells, a)), exact, 0.035 * exact) << a;
+    EXPECT_NEAR(covered_area(cells.grid(), hertzian(cells, a)), exact, 0.035 * exact) << a;
   }
 }
 
@@ -66,25 +67,26 @@ TEST(CoveredArea, finds_straight_borders_within_cells) {
         field[i] = primitive(cells.lines_x[i + 1]) - primitive(cells.lines_x[i]);
       }
     }
-    EXPECT_NEAR(covered_area(cells, field), 2 * a, 2 * 0.15 * 0.125) << a; // cells are 0.125 wide
+    EXPECT_NEAR(covered_area(cells.grid(), field), 2 * a, 2 * 0.15 * 0.125)
+        << a; // cells are 0.125 wide
   }
 }
 
 TEST(CoveredArea, ends_with_the_cells) {
   const ContactCells cells = square_of_cells(5);
-  EXPECT_NEAR(covered_area(cells, std::vector<double>(25, 3.0)), 4, 1e-14);
-  EXPECT_EQ(covered_area(cells, std::vector<double>(25, 0.0)), 0.0);
+  EXPECT_NEAR(covered_area(cells.grid(), std::vector<double>(25, 3.0)), 4, 1e-14);
+  EXPECT_EQ(covered_area(cells.grid(), std::vector<double>(25, 0.0)), 0.0);
 }
 
 TEST(BorderArea, is_half_of_the_longer_row_of_cells_along_the_border) {
   const ContactCells cells = square_of_cells(10);
   std::vector<double> field(100, 0.0);
   field[44] = field[45] = 1; // six cells around them, of 0.04 each
-  EXPECT_NEAR(border_area(cells, field), 6 * 0.04 / 2, 1e-12);
+  EXPECT_NEAR(border_area(cells.grid(), field), 6 * 0.04 / 2, 1e-12);
   std::fill(field.begin(), field.begin() + 50, 1.0); // one straight border, and none at the rim
-  EXPECT_NEAR(border_area(cells, field), 10 * 0.04 / 2, 1e-12);
+  EXPECT_NEAR(border_area(cells.grid(), field), 10 * 0.04 / 2, 1e-12);
   std::ranges::fill(field, 1.0);
-  EXPECT_EQ(border_area(cells, field), 0);
+  EXPECT_EQ(border_area(cells.grid(), field), 0);
 }
 
 } // namespace

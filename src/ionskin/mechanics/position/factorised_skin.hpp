@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/linear_algebra/cholesky.hpp"
+#include "ionskin/mechanics/position/elastic_skin.hpp"
+#include "ionskin/mesh/skin_mesh.hpp"
+
+#include <array>
+#include <memory>
+#include <semaphore>
+#include <vector>
+
+namespace ionskin::mechanics {
+
+/// One part of the skin, factorised up to its interface.
+class PartFactor {
+public:
+  PartFactor(const SkinPart& part, const mesh::MeshLines& lines,
+             const std::vector<ElasticLaw>& law_of_row, int threads);
+
+  const linear_algebra::Cholesky& cholesky() const { return *cholesky_; }
+  /// Adds the force of the skin on its base per unit of each unknown to that of the whole skin.
+  void add_reaction(const PlacedPart& placed, std::size_t axis,
+                    std::array<std::vector<double>, 3>& whole) const;
+
+private:
+  std::unique_ptr<const linear_algebra::Cholesky> cholesky_;
+  std::array<std::vector<double>, 3> base_reaction_; ///< by the part's elimination order
+};
+
+/// The part under the slider with unit forces on the contact cells, where its interface is free.
+struct InnerFactor {
+  PartFactor factor;
+  linear_algebra::DenseMatrix schur;      ///< of the interface [N/m]
+  linear_algebra::DenseMatrix contact;    ///< L^-1 B under the slider, [unknowns, 3 cells]
+  linear_algebra::DenseMatrix interface;  ///< what it leaves to the interface, [unknowns, 3 cells]
+  linear_algebra::DenseMatrix compliance; ///< of the cells while the interface is held [m/N]
+
+  InnerFactor(const SkinParts& parts, const ContactCells& cells, const mesh::MeshLines& lines,
+              const std::vector<ElasticLaw>& law_of_row, int threads);
+
+private:
+  void condense(const linear_algebra::DenseMatrix& trailing, const SkinParts& parts,
+                const linear_algebra::DenseMatrix& unit_load);
+};
+
+/// Displacement of the skin in some states.
+class SkinDisplacement {
+public:
+  explicit SkinDisplacement(const SkinParts& parts) : parts_(parts) {}
+  int states() const { return inner_.rows; }
+  /// @param whole receives the displacement of all unknowns of the skin in `count` states from
+  /// `first` on
+  void copy(int first, int count, linear_algebra::DenseMatrix& whole) const;
+
+private:
+  friend class FactorisedSkin;
+  const SkinParts& parts_;
+  linear_algebra::DenseMatrix inner_; ///< [states, unknowns in elimination order]
+  std::vector<linear_algebra::DenseMatrix> outer_;
+};
+
+/// The factor of one position, and its place among those that fit into the memory: the parts by
+/// themselves, and the Schur complement of their interface (substructuring; Przemieniecki 1963,
+/// doi 10.2514/3.1514). The inner part is shared by the positions whose lines across the cut are
+/// the same.
+class FactorisedSkin {
+public:
+  FactorisedSkin(const ElasticSkin& skin, const mesh::MeshLines& lines);
+
+  const linear_algebra::DenseMatrix& compliance() const { return compliance_; }
+  /// Under unit forces in one direction on the cells from `first` on.
+  SkinDisplacement unit_displacement(int direction, int first, int count) const;
+  /// Under given forces [3 cells, states].
+  SkinDisplacement displacement(const linear_algebra::DenseMatrix& forces) const;
+  std::array<double, 3> base_reaction(const double* displacement) const;
+
+private:
+  /// Waits until the memory holds one more factor. The first member, it goes when the factor is
+  /// gone.
+  class Place {
+  public:
+    explicit Place(std::counting_semaphore<>& places);
+    ~Place();
+    Place(const Place&) = delete;
+    Place& operator=(const Place&) = delete;
+
+  private:
+    std::counting_semaphore<>& places_;
+  };
+
+  void factorise_outer(const ElasticSkin& skin, const mesh::MeshLines& lines);
+  void join();
+  /// From values under the slider and displacements of the interface, both by state.
+  SkinDisplacement complete(const linear_algebra::DenseMatrix& contact,
+                            const linear_algebra::DenseMatrix& interface) const;
+
+  Place place_;
+  int threads_;
+  const SkinParts& parts_;
+  std::vector<PartFactor> outer_;
+  std::shared_ptr<const InnerFactor> inner_;
+  linear_algebra::DenseMatrix compliance_;
+  linear_algebra::DenseMatrix interface_; ///< displacement under unit forces, [unknowns, 3 cells]
+  std::array<std::vector<double>, 3> base_reaction_;
+};
+
+} // namespace ionskin::mechanics

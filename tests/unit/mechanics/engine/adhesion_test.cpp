@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/engine/motion_stepper.hpp"
+#include "ionskin/mechanics/solve_contact.hpp"
+#include "ionskin/mechanics/surface/adhesive_contact.hpp"
+#include "small_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+namespace ionskin::mechanics {
+namespace {
+
+constexpr std::array<double, 2> place{1e-3, 1e-3};
+constexpr double area = 1e-8;                 // of a cell [m2]
+constexpr double strength = 1e5;              // [Pa]
+constexpr double most = strength * area;      // pull of a cell [N]
+constexpr double range = 1e-6;                // of the pull [m]
+constexpr double work = strength * range / 2; // of adhesion [J/m2]
+
+/// One cell on a spring.
+struct OneCell {
+  ComplianceMap map;
+  SlidingContact contact;
+
+  explicit OneCell(double compliance)
+      : map({{{place[0]}, {place[1]}}}, {matrix(compliance)}),
+        contact(map, {area}, {0.0},
+                laws::friction("adhesive", 0.3,
+                               {{"work_of_adhesion", work}, {"cohesive_strength", strength}})) {}
+
+  static linear_algebra::DenseMatrix matrix(double compliance) {
+    linear_algebra::DenseMatrix result(3, 3);
+    for (int i = 0; i < 3; ++i) {
+      result(i, i) = compliance;
+    }
+    return result;
+  }
+  /// Force at a height of the slider [N].
+  double at_height(double height) {
+    return contact.step(1, place, {LoadKind::indentation, -height}).force[0];
+  }
+};
+
+TEST(AdhesiveContact, of_a_stiff_cell_follows_the_law_up_to_its_range) {
+  const double softening = 0.5, compliance = softening * range / most;
+  OneCell cell(compliance);
+  EXPECT_NEAR(cell.at_height(-1e-6), 1e-6 / compliance, 1e-9 * most);
+  // Closed as long as the spring pulls less than the faces hold.
+  EXPECT_NEAR(cell.at_height(0.3e-6), -0.3e-6 / compliance, 1e-9 * most);
+  for (const double height : {0.6e-6, 0.75e-6, 0.85e-6, 0.9e-6}) {
+    const double expected = -(most - most / range * height) / (1 - softening);
+    EXPECT_NEAR(cell.at_height(height), expected, 1e-9 * most);
+    EXPECT_FALSE(cell.contact.may_have_jumped());
+  }
+  cell.at_height(1.01e-6);
+  EXPECT_FALSE(cell.contact.in_contact());
+  // It is pulled again on the way down.
+  EXPECT_NEAR(cell.at_height(0.8e-6), -(most - most / range * 0.8e-6) / (1 - softening),
+              1e-9 * most);
+}
+
+TEST(AdhesiveContact, of_a_soft_cell_jumps_off_where_the_spring_pulls_harder) {
+  const double compliance = 2 * range / most;
+  OneCell cell(compliance);
+  cell.at_height(-1e-6);
+  EXPECT_NEAR(cell.at_height(1.99e-6), -1.99e-6 / compliance, 1e-9 * most);
+  EXPECT_EQ(cell.at_height(2.01e-6), 0);
+  EXPECT_FALSE(cell.contact.in_contact());
+  EXPECT_EQ(cell.at_height(1.99e-6), 0) << "out of its range nothing pulls it back";
+}
+
+TEST(AdhesiveContact, carries_a_pull_that_is_given_or_lets_go) {
+  OneCell cell(0.5 * range / most);
+  const auto under = [&](double force) {
+    return cell.contact.step(1, place, {LoadKind::force, force});
+  };
+  EXPECT_NEAR(under(2 * most).indentation, range, 1e-6 * range);
+  EXPECT_NEAR(under(-0.5 * most).indentation, -0.25 * range, 1e-6 * range);
+  EXPECT_NEAR(under(-0.99 * most).indentation, -0.495 * range, 1e-6 * range);
+  under(-1.01 * most);
+  EXPECT_FALSE(cell.contact.in_contact());
+  under(-0.1 * most);
+  EXPECT_FALSE(cell.contact.in_contact()) << "it has flown";
+  under(most);
+  EXPECT_TRUE(cell.contact.in_contact());
+}
+
+TEST(AdhesiveContact, counts_what_a_jump_loses) {
+  const double compliance = 2 * range / most;
+  OneCell cell(compliance);
+  cell.at_height(-1e-6);
+  cell.at_height(2e-6 * (1 - 1e-9));
+  const SlidingContact::Moment before = cell.contact.moment();
+  const double energy = cell.contact.energy();
+  cell.at_height(2e-6 * (1 + 1e-9));
+  const double lost =
+      work_on_skin(before.state, cell.contact.state(), 0) - (cell.contact.energy() - energy);
+  // The spring's energy goes, the bond is to be paid.
+  EXPECT_NEAR(lost, 0.5 * compliance * most * most - work * area, 1e-6 * work * area);
+}
+
+Case adhesive_case() {
+  Case input = small_case();
+  input.contact.law = "adhesive";
+  input.contact.parameters = {{"work_of_adhesion", 0.2}, {"cohesive_strength", 1e6}};
+  return input;
+}
+
+TEST(AdhesiveContact, pulls_on_the_way_up_and_gives_the_same_bits_with_more_threads) {
+  const Case input = adhesive_case();
+  base::Timers timers;
+  const ContactSolution one = solve_contact(input, {.threads = 1}, timers);
+  const ContactSolution two = solve_contact(input, {.threads = 2}, timers);
+  ASSERT_EQ(one.stepped.size(), two.stepped.size());
+  double pull = 0, height = 0;
+  for (std::size_t i = 0; i < one.stepped.size(); ++i) {
+    ASSERT_EQ(!one.stepped[i].state, !two.stepped[i].state);
+    if (one.stepped[i].state) {
+      EXPECT_EQ(one.stepped[i].state->normal_traction, two.stepped[i].state->normal_traction);
+      pull = std::max(pull, -one.stepped[i].state->normal_force);
+      height = std::max(height, one.stepped[i].height);
+    }
+  }
+  EXPECT_GT(pull, 0);
+  EXPECT_GT(height, 0) << "held above the height at which it landed";
+  EXPECT_FALSE(one.stepped.back().state);
+  EXPECT_EQ(one.adhesion_loss, two.adhesion_loss);
+  EXPECT_LT(one.worst_complementarity_residual, 1e-6);
+}
+
+} // namespace
+} // namespace ionskin::mechanics
