@@ -47,10 +47,14 @@ void expand(const FixedPointMatrix& a, const std::vector<int>& used, int first, 
   const int columns = static_cast<int>(used.size());
   for (int j = 0; j < columns; ++j) {
     const std::int32_t* from = a.values.data() + place(a.rows, first, used[j]);
-    for (int row = 0; row < count; row += tile_rows) {
-      double* to = packed.data() + place(row, 0, columns) + place(tile_rows, 0, j);
-      std::copy(from + row, from + std::min(count, row + tile_rows), to);
+    double* to = packed.data() + place(tile_rows, 0, j);
+    int row = 0;
+    for (; row + tile_rows <= count; row += tile_rows, to += place(tile_rows, 0, columns)) {
+      for (int i = 0; i < tile_rows; ++i) { // of constant length, for the compiler
+        to[i] = from[row + i];
+      }
     }
+    std::copy(from + row, from + count, to);
   }
 }
 

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/solve_stepped.hpp"
 
-#include "ionskin/base/error.hpp"
-#include "ionskin/base/largest.hpp"
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/mechanics/engine/adhesion_resolution.hpp"
-#include "ionskin/mechanics/engine/motion_stepper.hpp"
-#include "ionskin/mechanics/engine/path_thinning.hpp"
-#include "ionskin/mechanics/engine/position_nodes.hpp"
-#include "ionskin/mechanics/engine/stepped_strains.hpp"
-#include "ionskin/mechanics/position/contact_state.hpp"
+#include "ionskin/mechanics/engine/drive_room.hpp"
+#include "ionskin/mechanics/engine/kept_path.hpp"
 #include "ionskin/mechanics/position/interpolation_error.hpp"
 #include "ionskin/mechanics/position/interpolation_nodes.hpp"
 #include "ionskin/mesh/footprint.hpp"
@@ -67,75 +62,6 @@ std::vector<double> requested_instants(const Case& input, const std::vector<Moti
   return instants;
 }
 
-/// What is kept of one path.
-class KeptPath {
-public:
-  KeptPath(const PositionNodes& nodes, std::shared_ptr<SteppedStrains> strains,
-           const ThinningTolerance& tolerance, ContactSolution& solution)
-      : nodes_(nodes), strains_(std::move(strains)), solution_(solution),
-        thinning_(tolerance, [this](PathThinning::Instant&& instant) { keep(std::move(instant)); }),
-        total_slip_(nodes.model().cells.count(), 0.0) {}
-
-  void add(const StepPoint& point, const SlidingContact& contact) {
-    PathThinning::Instant instant{point.time, point.centre, point.height, point.required,   0,
-                                  0,          {},           {},           point.drive_force};
-    const SurfaceState& state = contact.state();
-    if (point.touches) {
-      largest_force_ = std::max(largest_force_, largest_normal_force(state.force));
-      largest_indentation_ = std::max(largest_indentation_, std::abs(state.indentation));
-      instant.force = state.force;
-      instant.state = std::make_shared<ContactState>();
-      describe(nodes_.model(), state, contact.problem(), largest_force_, largest_indentation_,
-               *instant.state);
-      if (point.time > last_time_) { // an instant that comes twice slips once
-        for (std::size_t cell = 0; cell < total_slip_.size(); ++cell) {
-          total_slip_[cell] += state.slip[cell];
-        }
-      }
-      instant.state->slip = total_slip_;
-      instant.area = instant.state->contact_area;
-      instant.stick_share = instant.area > 0 ? instant.state->stick_area / instant.area : 0;
-      solution_.worst_complementarity_residual = base::larger(
-          solution_.worst_complementarity_residual, instant.state->complementarity_residual);
-    }
-    last_time_ = point.time;
-    thinning_.add(std::move(instant));
-  }
-  void finish() { thinning_.finish(); }
-
-private:
-  void keep(PathThinning::Instant&& instant) {
-    if (instant.state) {
-      instant.state->place = strains_->add(instant.centre, std::move(instant.force));
-      instant.state->source = strains_;
-    }
-    solution_.stepped.push_back({instant.time, instant.centre, instant.height,
-                                 std::move(instant.state), instant.drive_force});
-  }
-
-  const PositionNodes& nodes_;
-  std::shared_ptr<SteppedStrains> strains_;
-  ContactSolution& solution_;
-  PathThinning thinning_;
-  std::vector<double> total_slip_;
-  double largest_force_ = 0, largest_indentation_ = 0, last_time_ = -1;
-};
-
-/// Within which a slider on a drive may swing: with its footprint on the skin.
-MotionBox room_on_skin(const Case& input, const mesh::Footprint& footprint) {
-  constexpr double margin = 1e-3; // of the skin; the mesh needs some room at its edges
-  MotionBox room{{}, {input.skin.length, input.skin.width}};
-  for (std::size_t d = 0; d < 2; ++d) {
-    if (d == 1 && covers_width(input)) {
-      continue; // it does not yield along y
-    }
-    const double edge = footprint.half_size[d] + margin * room.high[d];
-    room.low[d] = edge;
-    room.high[d] -= edge;
-  }
-  return room;
-}
-
 std::optional<DriveOptions> drive_options(const Case& input, const SkinModel& model,
                                           double longest_travel) {
   constexpr double share = 0.2; // of the square of the resolution
@@ -149,30 +75,6 @@ std::optional<DriveOptions> drive_options(const Case& input, const SkinModel& mo
                       share * resolution * resolution,
                       longest_travel,
                       room_on_skin(input, model.mesh.footprint())};
-}
-
-/// The rectangle that a slider on a drive turned out to need, grown by some part of what it was
-/// left by; empty where it stayed near enough.
-std::optional<MotionBox> widened_box(const Case& input, const MotionBox& box, const MotionBox& room,
-                                     const ContactSolution& solution) {
-  constexpr double near_enough = 1e-3; // of the skin: there the compliance hardly changes
-  constexpr double growth = 1.2;
-  const std::array<double, 2> skin{input.skin.length, input.skin.width};
-  MotionBox wider = box;
-  for (const SteppedInstant& instant : solution.stepped) {
-    for (std::size_t d = 0; d < 2 && instant.state; ++d) {
-      wider.low[d] = std::min(wider.low[d], instant.centre[d]);
-      wider.high[d] = std::max(wider.high[d], instant.centre[d]);
-    }
-  }
-  bool stays = true;
-  for (std::size_t d = 0; d < 2; ++d) {
-    const double low = box.low[d] - wider.low[d], high = wider.high[d] - box.high[d];
-    stays = stays && std::max(low, high) <= near_enough * skin[d];
-    wider.low[d] = std::max(box.low[d] - growth * low, std::min(box.low[d], room.low[d]));
-    wider.high[d] = std::min(box.high[d] + growth * high, std::max(box.high[d], room.high[d]));
-  }
-  return stays ? std::nullopt : std::optional(wider);
 }
 
 ContactSolution empty_solution(const SkinModel& model) {
@@ -219,18 +121,6 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
   solution.adhesion_loss = stepper.adhesion_loss() / options.meshed_share;
   solution.worst_interpolation_error = nodes->error();
   return solution;
-}
-
-/// Cases with shared positions are solved at those alone.
-void require_unshared(const Case& input, const MotionBox& needed) {
-  if (input.numerics.shared.given()) {
-    throw SolverError(
-        fmt::format("the slider on its drive leaves numerics.shared_positions: its centre goes "
-                    "from {:.4g} mm to {:.4g} mm along x and from {:.4g} mm to {:.4g} mm along y",
-                    needed.low[0] * 1e3, needed.high[0] * 1e3, needed.low[1] * 1e3,
-                    needed.high[1] * 1e3),
-        "widen numerics.shared_positions to hold that, or remove it");
-  }
 }
 
 void warn_of_nodes(const Case& input, const PositionNodes& nodes, const MotionBox& box,

@@ -9,9 +9,18 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// Enough for an efficient product, and little beside what the nodes take; more where every block
-/// factorises all positions again.
-constexpr std::size_t states_per_block = 48, states_per_factor = 144;
+/// Of a block: the more states, the more of them one load pattern tells. It takes little beside what
+/// the nodes take; more states where every block factorises all positions again.
+constexpr std::size_t least_states = 48, most_states = 400, states_per_factor = 144;
+constexpr std::size_t bytes_of_block = 200'000'000;
+
+std::size_t states_per_block(const PositionNodes& nodes) {
+  const auto [nx, ny, nz] = nodes.model().mesh.elements();
+  const auto [bottom, top] = nodes.model().mesh.core_z();
+  const std::size_t bytes = sizeof(double) * 6 * 8 * nx * ny * (top - bottom); // of one state
+  return std::max(std::clamp(bytes_of_block / bytes, least_states, most_states),
+                  nodes.holds_factors() ? states_per_factor : 0);
+}
 
 } // namespace
 
@@ -23,7 +32,7 @@ std::size_t SteppedStrains::add(const std::array<double, 2>& centre, CellVector 
 
 const CoreStrain& SteppedStrains::at(std::size_t place) {
   if (place < first_ || place >= first_ + block_.size()) {
-    const std::size_t size = nodes_->holds_factors() ? states_per_factor : states_per_block;
+    const std::size_t size = states_per_block(*nodes_);
     first_ = place / size * size;
     const auto begin = static_cast<std::ptrdiff_t>(first_),
                end = static_cast<std::ptrdiff_t>(std::min(centres_.size(), first_ + size));

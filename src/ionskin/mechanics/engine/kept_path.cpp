@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/engine/kept_path.hpp"
+
+#include "ionskin/base/largest.hpp"
+#include "ionskin/mechanics/position/contact_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ionskin::mechanics {
+
+KeptPath::KeptPath(const PositionNodes& nodes, std::shared_ptr<SteppedStrains> strains,
+                   const ThinningTolerance& tolerance, ContactSolution& solution)
+    : nodes_(nodes), strains_(std::move(strains)), solution_(solution),
+      thinning_(tolerance, [this](PathThinning::Instant&& instant) { keep(std::move(instant)); }),
+      total_slip_(nodes.model().cells.count(), 0.0) {}
+
+void KeptPath::add(const StepPoint& point, const SlidingContact& contact) {
+  PathThinning::Instant instant{point.time, point.centre, point.height, point.required,   0,
+                                0,          {},           {},           point.drive_force};
+  const SurfaceState& state = contact.state();
+  if (point.touches) {
+    largest_force_ = std::max(largest_force_, largest_normal_force(state.force));
+    largest_indentation_ = std::max(largest_indentation_, std::abs(state.indentation));
+    instant.force = state.force;
+    instant.state = std::make_shared<ContactState>();
+    describe(nodes_.model(), state, contact.problem(), largest_force_, largest_indentation_,
+             *instant.state);
+    if (point.time > last_time_) { // an instant that comes twice slips once
+      for (std::size_t cell = 0; cell < total_slip_.size(); ++cell) {
+        total_slip_[cell] += state.slip[cell];
+      }
+    }
+    instant.state->slip = total_slip_;
+    instant.area = instant.state->contact_area;
+    instant.stick_share = instant.area > 0 ? instant.state->stick_area / instant.area : 0;
+    solution_.worst_complementarity_residual = base::larger(
+        solution_.worst_complementarity_residual, instant.state->complementarity_residual);
+  }
+  last_time_ = point.time;
+  thinning_.add(std::move(instant));
+}
+
+void KeptPath::keep(PathThinning::Instant&& instant) {
+  if (instant.state) {
+    instant.state->place = strains_->add(instant.centre, std::move(instant.force));
+    instant.state->source = strains_;
+  }
+  solution_.stepped.push_back({instant.time, instant.centre, instant.height,
+                               std::move(instant.state), instant.drive_force});
+}
+
+} // namespace ionskin::mechanics

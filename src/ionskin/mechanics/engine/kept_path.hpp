@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/mechanics/engine/motion_stepper.hpp"
+#include "ionskin/mechanics/engine/path_thinning.hpp"
+#include "ionskin/mechanics/engine/position_nodes.hpp"
+#include "ionskin/mechanics/engine/stepped_strains.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace ionskin::mechanics {
+
+/// What a solution keeps of one path: the instants that thinning leaves, with their states.
+class KeptPath {
+public:
+  /// @param nodes,solution outlive the path
+  KeptPath(const PositionNodes& nodes, std::shared_ptr<SteppedStrains> strains,
+           const ThinningTolerance& tolerance, ContactSolution& solution);
+
+  void add(const StepPoint& point, const SlidingContact& contact);
+  void finish() { thinning_.finish(); }
+
+private:
+  void keep(PathThinning::Instant&& instant);
+
+  const PositionNodes& nodes_;
+  std::shared_ptr<SteppedStrains> strains_;
+  ContactSolution& solution_;
+  PathThinning thinning_;
+  std::vector<double> total_slip_;
+  double largest_force_ = 0, largest_indentation_ = 0, last_time_ = -1;
+};
+
+} // namespace ionskin::mechanics
