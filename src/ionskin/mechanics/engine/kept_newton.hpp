@@ -17,7 +17,7 @@ namespace ionskin::mechanics {
 class KeptNewton {
 public:
   /// @param iterate start on entry, such as the state before; the solution on return when converged
-  /// @returns whether it converged, to 1e-8 of the largest normal force, and with adhesion to an
+  /// @returns whether it converged, to 1e-10 of the largest normal force, and with adhesion to an
   /// equilibrium that can last
   bool solve(const ContactProblem& problem, const SliderStep& step, Iterate& iterate);
 
