@@ -9,8 +9,8 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// Of a block: the more states, the more of them one load pattern tells. It takes little beside what
-/// the nodes take; more states where every block factorises all positions again.
+/// Of a block: the more states, the more of them one load pattern tells. It takes little beside
+/// what the nodes take; more states where every block factorises all positions again.
 constexpr std::size_t least_states = 48, most_states = 400, states_per_factor = 144;
 constexpr std::size_t bytes_of_block = 100'000'000;
 
