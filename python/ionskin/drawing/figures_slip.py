@@ -168,7 +168,7 @@ def lead_panel(study, panel, leads, told):
     if numpy.isfinite(interval):
         panel.axhline(interval, color=style.INK, lw=0.8, ls=":", label="readout interval")
     panel.set_ylabel("lead")
-    panel.legend(fontsize=6.5, loc="best", frameon=True, framealpha=0.85, facecolor="white", edgecolor="none")
+    panel.legend(fontsize=6.5, loc="lower right", bbox_to_anchor=(1.0, 0.2), frameon=True, framealpha=0.85, facecolor="white", edgecolor="none")
 
 
 def below(values, errors):
@@ -192,7 +192,7 @@ def departure_panel(study, panel, told):
     if numpy.isfinite(floor).any():
         panel.plot(values, floor, color=style.INK, lw=0.8, ls=":", label=f"{slip.SEEN} × noise floor")
     panel.set_ylabel("departure of a reading")
-    panel.legend(fontsize=6.5, loc="best", frameon=True, framealpha=0.85, facecolor="white", edgecolor="none")
+    panel.legend(fontsize=6.5, loc="lower right", bbox_to_anchor=(1.0, 0.1), frameon=True, framealpha=0.85, facecolor="white", edgecolor="none")
 
 
 def inside(told):

@@ -7,8 +7,8 @@ namespace ionskin::mechanics {
 struct PathSteps {
   int touchdown = 20; ///< of a slider that is not flat; one increment is exact for a flat one
   int lift_off = 20;  ///< and any other change of load in place
-  int onset = 30;
-  double onset_growth = 1.1; ///< of successive travel increments
+  int onset = 45;
+  double onset_growth = 1.06; ///< of successive travel increments
   /// Travel of the onset over the mean tangential displacement that the surface still has to make.
   double onset_travel_ratio = 4;
 };

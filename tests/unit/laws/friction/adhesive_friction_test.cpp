@@ -40,7 +40,6 @@ TEST(AdhesiveFriction, PullsWithoutFrictionToo) {
     EXPECT_DOUBLE_EQ(law.limit({1e6}), coefficient * 1e6);
   }
   EXPECT_FALSE(friction("coulomb", 0.3, {}).adhesion.pulls());
-  EXPECT_TRUE(friction_law("adhesive").stepped);
 }
 
 } // namespace
