@@ -18,7 +18,7 @@ using readout::MotionInstant;
 using readout::Signal;
 
 /// Least error of a given force, over it: contacts are solved to 1e-10 and better.
-constexpr double least_share = 1e-8;
+constexpr double least_share = 1e-9;
 constexpr double solved_for = std::numeric_limits<double>::quiet_NaN();
 
 /// Of a normal force, where it is given [N].
