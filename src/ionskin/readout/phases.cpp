@@ -10,6 +10,20 @@ namespace {
 // Event times are sums of durations: their rounding must not push them into the next phase.
 constexpr double relative_rounding = 1e-10;
 
+std::optional<SliderLevel> given_level(const MotionLeg& leg, double since_begin, double rounding) {
+  if (since_begin >= leg.duration - rounding) {
+    return leg.to_level;
+  }
+  if (since_begin <= 0) {
+    return leg.from_level;
+  }
+  if (leg.from_level.is_force != leg.to_level.is_force) {
+    return std::nullopt;
+  }
+  const double from = leg.from_level.value, to = leg.to_level.value;
+  return SliderLevel{leg.to_level.is_force, from + since_begin / leg.duration * (to - from)};
+}
+
 } // namespace
 
 MotionPhases::MotionPhases(const Motion& motion, const Slider& slider)
@@ -27,6 +41,7 @@ MotionInstant MotionPhases::at(double time) const {
       });
   at.phase = name(leg->phase);
   at.centre = leg->centre(local - leg->begin);
+  at.level = given_level(*leg, local - leg->begin, rounding);
   return at;
 }
 

@@ -4,6 +4,7 @@
 #include "ionskin/case/slider_motion.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@ struct MotionInstant {
   int cycle = 1;                  ///< from 1
   std::string phase;              ///< touchdown, slide, lift or return
   std::array<double, 2> centre{}; ///< of the slider [m]
+  /// What is given there; on the way between a height and a force neither is.
+  std::optional<SliderLevel> level;
 };
 
 /// The cycles of a run on its time axis.

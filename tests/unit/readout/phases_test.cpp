@@ -82,6 +82,21 @@ TEST(Phases, APhaseWithoutDurationIsPassedAtOnce) {
   EXPECT_EQ(MotionPhases(motion, paper_slider()).at(3.1).cycle, 2);
 }
 
+TEST(Phases, ALevelIsGivenButForTheWayBetweenAHeightAndAForce) {
+  EXPECT_EQ(at(0).level, (SliderLevel{false, 1e-3}));
+  EXPECT_NEAR(at(0.25).level->value, 0.4995e-3, 1e-12);
+  EXPECT_EQ(at(4.5).level, (SliderLevel{false, -1e-6}));
+  Motion motion = paper_motion();
+  motion.preload_force = 3;
+  const MotionPhases phases(motion, paper_slider());
+  EXPECT_EQ(phases.at(0).level, (SliderLevel{false, 1e-3}));
+  EXPECT_FALSE(phases.at(0.25).level);
+  EXPECT_EQ(phases.at(0.5).level, (SliderLevel{true, 3}));
+  EXPECT_EQ(phases.at(5.5).level, (SliderLevel{true, 3}));
+  EXPECT_FALSE(phases.at(2.75).level);
+  EXPECT_EQ(phases.at(3.5).level, (SliderLevel{false, 1e-3}));
+}
+
 TEST(Phases, NamedInstants) {
   EXPECT_EQ(end_of_touchdown(paper_motion(), paper_slider()), 0.5);
   EXPECT_EQ(middle_of_slide(paper_motion(), paper_slider()), 1.5);

@@ -2,6 +2,7 @@
 #include "ionskin/mechanics/engine/kept_newton.hpp"
 
 #include "ionskin/base/largest.hpp"
+#include "ionskin/mechanics/output/contact_solution.hpp"
 #include "ionskin/mechanics/surface/projected_gauss_seidel.hpp"
 
 #include <algorithm>
@@ -12,7 +13,6 @@
 namespace ionskin::mechanics {
 namespace {
 
-constexpr double kept_tolerance = 1e-8;
 constexpr int most_iterations = 30;
 /// A residual that falls more slowly has outgrown the factorisation.
 constexpr double least_contraction = 0.2;
@@ -156,7 +156,7 @@ bool KeptNewton::solve(const ContactProblem& problem, const SliderStep& step, It
     if (!std::isfinite(at.residual)) {
       return false;
     }
-    if (at.residual <= kept_tolerance * at.scale) {
+    if (at.residual <= contact_tolerance * at.scale) {
       if (problem.friction.adhesion.pulls() && !is_stable(problem, step, now, at)) {
         return false;
       }

@@ -215,7 +215,8 @@ ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanic
       readout::in_tail(base.sampled, input.readout.sample_interval, mechanics.history.event_time,
                        electrochemistry::derive_scales(input.electrochemistry,
                                                        mechanics.history.core_thickness())
-                           .relaxation_time)};
+                           .relaxation_time),
+      imposed_errors(input, base)};
   ErrorEstimate estimate = combine_errors(base, pairs_of(all_pairs(mechanics), results), floors);
   estimate.not_converging = not_converging(input, signals, estimate.relative);
   return estimate;
@@ -265,7 +266,9 @@ ErrorEstimate estimate_mechanics_errors(const Case& input, const MechanicsRecord
   }
   ErrorEstimate estimate =
       combine_errors(signals, pairs_of(mechanics_pairs(mechanics), results),
-                     {.path = path_floor(mechanics), .cells = least_errors(input, mechanics)});
+                     {.path = path_floor(mechanics),
+                      .cells = least_errors(input, mechanics),
+                      .imposed = imposed_errors(input, signals)});
   estimate.not_converging = not_converging(input, signals, estimate.relative);
   return estimate;
 }

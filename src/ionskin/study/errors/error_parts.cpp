@@ -25,13 +25,14 @@ constexpr std::ptrdiff_t band_reach = 2;
 // See `safety`.
 constexpr double verified_order = 1.8, richardson_safety = 2.0;
 
-const Metric* find_metric(const Signals& signals, const std::string& name) {
-  const auto found = std::ranges::find(signals.metrics, name, &Metric::name);
-  return found == signals.metrics.end() ? nullptr : &*found;
+/// A metric or a signal by its name; null for none.
+template <class Named> const Named* find_by_name(const std::vector<Named>& list, const std::string& name) {
+  const auto found = std::ranges::find(list, name, &Named::name);
+  return found == list.end() ? nullptr : &*found;
 }
 
 double value_of(const Signals& signals, const std::string& name) {
-  const Metric* metric = find_metric(signals, name);
+  const Metric* metric = find_by_name(signals.metrics, name);
   return metric == nullptr ? std::nan("") : metric->value;
 }
 
@@ -96,11 +97,17 @@ public:
     for (const PairDifference& difference : differences_) {
       result[difference.pair->part] += part(metric, difference);
     }
+    if (const Metric* given = find_by_name(floors_.imposed.metrics, metric.name)) {
+      for (auto& [name, error] : result) {
+        error = 0;
+      }
+      result[error_parts::path] = given->value;
+      return result;
+    }
     if (const auto path = result.find(error_parts::path); path != result.end()) {
       path->second = std::max(path->second, floors_.path * std::abs(metric.value));
     }
-    if (const auto least = std::ranges::find(floors_.cells, metric.name, &Metric::name);
-        least != floors_.cells.end()) {
+    if (const Metric* least = find_by_name(floors_.cells, metric.name)) {
       double& mesh = result[error_parts::mechanics_mesh];
       mesh = std::max(mesh, least->value);
     }
@@ -213,6 +220,18 @@ SignalTable band(const SignalTable& base, const std::vector<PairDifference>& dif
   return result;
 }
 
+/// Puts the errors of what is given in place of those that two solutions tell.
+void take_imposed(const std::vector<Signal>& imposed, SignalTable& bands) {
+  for (const Signal& given : imposed) {
+    for (Signal& column : bands.columns) {
+      for (std::size_t row = 0; column.name == given.name && row < given.values.size(); ++row) {
+        column.values[row] =
+            std::isnan(given.values[row]) ? column.values[row] : given.values[row];
+      }
+    }
+  }
+}
+
 } // namespace
 
 double safety(const std::string& part, const std::string& quantity) {
@@ -272,6 +291,7 @@ ErrorEstimate combine_errors(const Signals& base, const std::vector<ErrorPair>& 
   }
   estimate.signals = band(
       base.resolved, differences, [](const auto& pair) { return &pair.resolved; }, floors);
+  take_imposed(floors.imposed.signals, estimate.signals);
   estimate.sampled = band(
       base.sampled, differences, [](const auto& pair) { return &pair.sampled; }, floors);
   const auto optional_band = [&](const std::optional<SignalTable>& table,

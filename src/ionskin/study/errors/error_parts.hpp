@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ionskin/readout/signals.hpp"
+#include "ionskin/study/errors/imposed_quantities.hpp"
 #include "ionskin/study/errors/signal_difference.hpp"
 #include "ionskin/study/errors/stated_errors.hpp"
 #include "ionskin/study/stations/read_out.hpp"
@@ -60,6 +61,7 @@ struct ErrorFloors {
   double sample_interval = 0; ///< of the readout [s]
   std::vector<readout::Metric> cells; ///< least error of the mesh, by the name of a metric
   std::vector<bool> tail;             ///< rows of the sampled table outside the contact spikes
+  ImposedErrors imposed;              ///< of what the case gives: they are all that is stated of it
 };
 
 /// Half the width of the band that one pair makes about the values of a column, per row; NaN where

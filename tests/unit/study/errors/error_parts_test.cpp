@@ -134,6 +134,21 @@ TEST(ErrorParts, the_mesh_leaves_no_less_than_its_cells) {
   EXPECT_EQ(estimate.parts.at("mean_shear_slide").at("mechanics_mesh"), 0);
 }
 
+TEST(ErrorParts, what_is_given_has_the_error_of_its_solver_alone) {
+  const Signals base = scaled_signals(1, 1), mesh = scaled_signals(1.01, 1.02);
+  const ImposedErrors imposed{{{"normal_force_slide", 2e-7, "N"}},
+                              {{"normal_force", "N", {nan, nan, 2e-7}}}};
+  const auto estimate = combine_errors(base, {{error_parts::mechanics_mesh, &base, &mesh}},
+                                       {.path = 1e-4, .imposed = imposed});
+  EXPECT_DOUBLE_EQ(estimate.relative.at("normal_force_slide"), 1e-8);
+  EXPECT_EQ(estimate.parts.at("normal_force_slide").at("mechanics_mesh"), 0);
+  EXPECT_EQ(estimate.parts.at("normal_force_slide").at("path"), 2e-7);
+  const auto& band = estimate.signals.column("normal_force").values;
+  EXPECT_EQ(band[2], 2e-7);
+  EXPECT_NEAR(band[1], mesh_safety * 0.4, 1e-12); // the slider is on its way to the force
+  EXPECT_GT(estimate.relative.at("mean_shear_slide"), 0);
+}
+
 TEST(ErrorParts, bands_hold_the_difference_of_the_rows_nearby) {
   const Signals base = scaled_signals(1, 1), mesh = scaled_signals(1.01, 1);
   const auto estimate = combine_errors(base, {{error_parts::mechanics_mesh, &base, &mesh}}, {});
