@@ -264,11 +264,10 @@ ErrorEstimate estimate_mechanics_errors(const Case& input, const MechanicsRecord
   for (const auto& [name, companion] : mechanics.companions) {
     results.emplace(name, read_out_mechanics(input, *companion, threads));
   }
-  ErrorEstimate estimate =
-      combine_errors(signals, pairs_of(mechanics_pairs(mechanics), results),
-                     {.path = path_floor(mechanics),
-                      .cells = least_errors(input, mechanics),
-                      .imposed = imposed_errors(input, signals)});
+  ErrorEstimate estimate = combine_errors(signals, pairs_of(mechanics_pairs(mechanics), results),
+                                          {.path = path_floor(mechanics),
+                                           .cells = least_errors(input, mechanics),
+                                           .imposed = imposed_errors(input, signals)});
   estimate.not_converging = not_converging(input, signals, estimate.relative);
   return estimate;
 }

@@ -26,7 +26,8 @@ constexpr std::ptrdiff_t band_reach = 2;
 constexpr double verified_order = 1.8, richardson_safety = 2.0;
 
 /// A metric or a signal by its name; null for none.
-template <class Named> const Named* find_by_name(const std::vector<Named>& list, const std::string& name) {
+template <class Named>
+const Named* find_by_name(const std::vector<Named>& list, const std::string& name) {
   const auto found = std::ranges::find(list, name, &Named::name);
   return found == list.end() ? nullptr : &*found;
 }
@@ -225,8 +226,7 @@ void take_imposed(const std::vector<Signal>& imposed, SignalTable& bands) {
   for (const Signal& given : imposed) {
     for (Signal& column : bands.columns) {
       for (std::size_t row = 0; column.name == given.name && row < given.values.size(); ++row) {
-        column.values[row] =
-            std::isnan(given.values[row]) ? column.values[row] : given.values[row];
+        column.values[row] = std::isnan(given.values[row]) ? column.values[row] : given.values[row];
       }
     }
   }

@@ -57,9 +57,8 @@ ImposedErrors imposed_errors(const Case& input, const Signals& signals) {
   add("slider_z", height_error);
   const std::string guided = input.motion.drive.given() ? "drive_" : "slider_";
   for (const std::size_t d : {0, 1}) {
-    add(guided + (d == 0 ? "x" : "y"), [d](const MotionInstant& at, double place) {
-      return std::abs(place - at.centre[d]);
-    });
+    add(guided + (d == 0 ? "x" : "y"),
+        [d](const MotionInstant& at, double place) { return std::abs(place - at.centre[d]); });
   }
   for (const auto& [name, instant] :
        {std::pair{"normal_force_touchdown", readout::end_of_touchdown(input.motion, input.slider)},

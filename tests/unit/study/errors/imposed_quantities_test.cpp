@@ -25,25 +25,24 @@ Case pressed_case() {
 /// Rows twice a second, as a solver leaves them that misses the force at 1.5 s.
 Signals pressed_signals() {
   Signals signals;
-  signals.resolved.columns = {
-      {"time", "s", {0, 0.5, 1, 1.5, 2, 2.5, 3}},
-      {"normal_force", "N", {0, 0.7, 2, 2.5 + 1e-5, 3, 0.4, 0}},
-      {"slider_z", "m", {1e-3, 2e-4, -1e-6, -1.2e-6, -1.4e-6, 3e-4, 1e-3}},
-      {"slider_x", "m", {1e-3, 1e-3, 1e-3, 1.5e-3, 2e-3, 2e-3, 2e-3}},
-      {"slider_y", "m", std::vector<double>(7, 2e-3)}};
+  signals.resolved.columns = {{"time", "s", {0, 0.5, 1, 1.5, 2, 2.5, 3}},
+                              {"normal_force", "N", {0, 0.7, 2, 2.5 + 1e-5, 3, 0.4, 0}},
+                              {"slider_z", "m", {1e-3, 2e-4, -1e-6, -1.2e-6, -1.4e-6, 3e-4, 1e-3}},
+                              {"slider_x", "m", {1e-3, 1e-3, 1e-3, 1.5e-3, 2e-3, 2e-3, 2e-3}},
+                              {"slider_y", "m", std::vector<double>(7, 2e-3)}};
   signals.metrics = {{"normal_force_touchdown", 2, "N"},
                      {"normal_force_slide", 2.5 + 1e-5, "N"},
                      {"tangential_force_slide", 0.7, "N"}};
   return signals;
 }
 
-const std::vector<double>& column(const ImposedErrors& errors, const std::string& name) {
+std::vector<double> column(const ImposedErrors& errors, const std::string& name) {
   return std::ranges::find(errors.signals, name, &readout::Signal::name)->values;
 }
 
 TEST(ImposedQuantities, a_given_force_is_off_by_what_its_solver_leaves) {
   const ImposedErrors errors = imposed_errors(pressed_case(), pressed_signals());
-  const auto& force = column(errors, "normal_force");
+  const auto force = column(errors, "normal_force");
   EXPECT_DOUBLE_EQ(force[2], 2 * mechanics::contact_tolerance);
   EXPECT_NEAR(force[3], 1e-5, 1e-12);
   EXPECT_DOUBLE_EQ(force[4], 3 * mechanics::contact_tolerance);
@@ -79,7 +78,7 @@ TEST(ImposedQuantities, a_pull_that_may_end_is_not_given) {
 
 TEST(ImposedQuantities, heights_are_given_where_the_motion_goes_by_height) {
   Case input = pressed_case();
-  const auto& force_controlled = column(imposed_errors(input, pressed_signals()), "slider_z");
+  const auto force_controlled = column(imposed_errors(input, pressed_signals()), "slider_z");
   EXPECT_EQ(force_controlled[0], 0);
   EXPECT_TRUE(std::isnan(force_controlled[3]));
   for (const std::size_t i : {1u, 2u}) {
