@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/live/channel_field.hpp"
 
+#include "ionskin/live/edge_interpolation.hpp"
 #include "ionskin/live/place_amplitudes.hpp"
 
 #include <algorithm>
@@ -32,23 +33,6 @@ std::vector<float> integrals(const ChannelMap& channel, std::size_t modes) {
     }
   }
   return result;
-}
-
-/// A coordinate between two edges, taken to the nearest of all where it lies outside.
-struct Between {
-  std::array<std::size_t, 2> edge{};
-  std::array<double, 2> weight{};
-};
-
-Between between(const std::vector<double>& edges, double at) noexcept {
-  const auto above = std::ranges::upper_bound(edges, at);
-  if (above == edges.begin() || above == edges.end()) {
-    const std::size_t end = above == edges.begin() ? 0 : edges.size() - 1;
-    return {{end, end}, {1, 0}};
-  }
-  const auto i = static_cast<std::size_t>(above - edges.begin());
-  const double weight = (at - edges[i - 1]) / (edges[i] - edges[i - 1]);
-  return {{i - 1, i}, {1 - weight, weight}};
 }
 
 } // namespace
@@ -110,25 +94,23 @@ void ChannelField::set(const std::array<double, 2>& place, std::span<const doubl
   }
 }
 
-void ChannelField::integrate(const std::array<double, 2>& place, const double* corners,
-                             std::span<double> levels) noexcept {
+void ChannelField::integrate_to(const std::array<double, 2>& place,
+                                const std::array<double, 2>& corner,
+                                std::span<double> levels) noexcept {
   const std::size_t size = sum_.size(), modes = amplitude_.size(),
                     y_edges = channel_.y_edges.size();
   std::ranges::fill(sum_, 0.0);
-  for (std::size_t side = 0; side < 4; ++side) {
-    const std::size_t right = side % 2, upper = side / 2;
-    const Between x = between(channel_.x_edges, corners[2 * right] - place[0]),
-                  y = between(channel_.y_edges, corners[2 * upper + 1] - place[1]);
-    for (std::size_t node = 0; node < 4; ++node) {
-      const std::size_t i = x.edge[node % 2], j = y.edge[node / 2];
-      const double weight = (right == upper ? 1 : -1) * x.weight[node % 2] * y.weight[node / 2];
-      if (weight == 0 || i == 0 || j == 0) {
-        continue;
-      }
-      const float* integral = integral_->data() + (i * y_edges + j) * size;
-      for (std::size_t k = 0; k < size; ++k) {
-        sum_[k] += weight * static_cast<double>(integral[k]);
-      }
+  const Between x = between(channel_.x_edges, corner[0] - place[0]),
+                y = between(channel_.y_edges, corner[1] - place[1]);
+  for (std::size_t node = 0; node < 4; ++node) {
+    const std::size_t i = x.edge[node % 2], j = y.edge[node / 2];
+    const double weight = x.weight[node % 2] * y.weight[node / 2];
+    if (weight == 0 || i == 0 || j == 0) {
+      continue;
+    }
+    const float* integral = integral_->data() + (i * y_edges + j) * size;
+    for (std::size_t k = 0; k < size; ++k) {
+      sum_[k] += weight * static_cast<double>(integral[k]);
     }
   }
   for (std::size_t level = 0; level < levels.size(); ++level) {

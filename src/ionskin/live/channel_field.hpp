@@ -11,7 +11,7 @@
 namespace ionskin::live {
 
 /// A channel of the core while a slider presses: modes of its field from the forces of the cells,
-/// and integrals over rectangles. Copies share their tables; nothing is allocated after
+/// and integrals up to a corner. Copies share their tables; nothing is allocated after
 /// construction.
 class ChannelField {
 public:
@@ -23,10 +23,11 @@ public:
 
   /// @param force of the cells [3 cells] [N]
   void set(const std::array<double, 2>& place, std::span<const double> force) noexcept;
-  /// Integrals over a rectangle, one for each level.
-  /// @param corners x low, y low, x high, y high [m]
-  void integrate(const std::array<double, 2>& place, const double* corners,
-                 std::span<double> levels) noexcept;
+  /// Integrals over all that lies before a corner along x and y, one for each level.
+  void integrate_to(const std::array<double, 2>& place, const std::array<double, 2>& corner,
+                    std::span<double> levels) noexcept;
+  /// Of the modes.
+  std::span<const double> amplitude() const { return amplitude_; }
 
 private:
   const ChannelMap& channel_;

@@ -52,8 +52,7 @@ constexpr std::size_t sides = 2;
 } // namespace
 
 Skin::Skin(const SkinData& data)
-    : data_(data), contact_(data),
-      regions_(1 + data.taxels.size()), whole_{0, 0, data.length, data.width} {
+    : data_(data), contact_(data), regions_(1 + data.taxels.size()), spread_(data) {
   names_ = {"slider_x",           "slider_y",           "slider_z",
             "normal_force",       "tangential_force",   "tangential_force_x",
             "tangential_force_y", "contact_area",       "stick_share",
@@ -71,13 +70,30 @@ Skin::Skin(const SkinData& data)
   memory_ = surface_ + size;
   filters_ = memory_ + contact_.memory_size();
   drives_ = filters_ + outputs * data.rates.size();
-  charges_ = drives_ + outputs * data.rates.size();
+  waves_ = drives_ + outputs * data.rates.size();
+  charges_ = waves_ + 2 * spread_.waves();
   signals_ = charges_ + outputs;
   state_.resize(signals_ + names_.size());
   for (const ChannelMap& channel : data.channels) {
     fields_.emplace_back(channel, data.area.size());
     levels_.resize(std::max(levels_.size(), regions_ * channel.mean.size()));
   }
+  for (std::size_t region = 0; region < regions_; ++region) {
+    const std::array<double, 4> whole{0, 0, data.length, data.width};
+    const double* at = region == 0 ? whole.data() : &data.taxel_corners[4 * (region - 1)];
+    auto& own = region_corners_.emplace_back();
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      const std::array<double, 2> corner{at[2 * (i % 2)], at[2 * (i / 2) + 1]};
+      own[i] = static_cast<std::size_t>(std::ranges::find(corners_, corner) - corners_.begin());
+      if (own[i] == corners_.size()) {
+        corners_.push_back(corner);
+      }
+    }
+    region_share_.push_back((at[2] - at[0]) * (at[3] - at[1]) / (data.length * data.width));
+  }
+  corner_levels_.resize(levels_.size() / regions_ * corners_.size());
+  passes_.resize(data.rates.size());
+  wave_drive_.resize(spread_.waves());
   charge_.resize(outputs);
   pressure_.resize(data.area.size());
   reset();
@@ -144,11 +160,12 @@ void Skin::add_contact(std::span<double> signals) noexcept {
 
 void Skin::add_charges(double time_step, bool first) noexcept {
   const std::size_t levels = data_.channels.back().mean.size(), rates = data_.rates.size();
-  const double area = data_.length * data_.width;
+  for (std::size_t rate = 0; rate < rates; ++rate) {
+    passes_[rate] = LowPass::over(data_.rates[rate], time_step);
+  }
   for (std::size_t region = 0; region < regions_; ++region) {
     const ChargeModel& model = region == 0 ? data_.whole : data_.part;
-    const double* corners = region == 0 ? whole_.data() : &data_.taxel_corners[4 * (region - 1)];
-    const double share = (corners[2] - corners[0]) * (corners[3] - corners[1]) / area;
+    const double share = region_share_[region];
     const auto drive = [&](const double* weights) {
       double sum = 0;
       for (std::size_t i = 0; i < levels; ++i) {
@@ -166,15 +183,59 @@ void Skin::add_charges(double time_step, bool first) noexcept {
         double &filtered = state_[filters_ + output * rates + rate],
                &before = state_[drives_ + output * rates + rate];
         const double now = drive(model.residue.data() + (side * rates + rate) * model.inputs);
-        if (!first) { // exact for a drive that is linear in time
-          const double z = data_.rates[rate] * time_step, decay = std::exp(-z),
-                       mean = z > 1e-8 ? -std::expm1(-z) / z : 1 - z / 2;
-          filtered = decay * filtered + (mean - decay) * before + (1 - mean) * now;
+        if (!first) {
+          const LowPass& pass = passes_[rate];
+          filtered = pass.decay * filtered + pass.before * before + pass.now * now;
         }
         before = now;
         charge += filtered;
       }
       charge_[output] = charge;
+    }
+  }
+}
+
+void Skin::add_spread(const std::array<double, 2>& place, double time_step, bool first,
+                      bool touches) noexcept {
+  const std::size_t waves = spread_.waves();
+  if (waves == 0) {
+    return;
+  }
+  std::ranges::fill(wave_drive_, 0.0);
+  if (touches) {
+    spread_.drive(place, fields_.back().amplitude(), wave_drive_);
+  }
+  const auto relaxed = std::span(state_).subspan(waves_, waves);
+  double* before = state_.data() + waves_ + waves;
+  for (std::size_t wave = 0; wave < waves; ++wave) {
+    if (!first) {
+      const LowPass pass = LowPass::over(data_.spread.rates[wave], time_step);
+      relaxed[wave] =
+          pass.decay * relaxed[wave] + pass.before * before[wave] + pass.now * wave_drive_[wave];
+    }
+    before[wave] = wave_drive_[wave];
+  }
+  for (std::size_t taxel = 0; taxel + 1 < regions_; ++taxel) {
+    const double charge = spread_.charge(taxel, relaxed);
+    for (std::size_t side = 0; side < sides; ++side) {
+      charge_[sides * (taxel + 1) + side] += charge;
+    }
+  }
+}
+
+void Skin::set_levels(ChannelField& field, const std::array<double, 2>& place) noexcept {
+  const std::size_t levels = field.levels();
+  const auto at = [&](std::size_t corner) {
+    return std::span(corner_levels_).subspan(corner * levels, levels);
+  };
+  for (std::size_t corner = 0; corner < corners_.size(); ++corner) {
+    field.integrate_to(place, corners_[corner], at(corner));
+  }
+  for (std::size_t region = 0; region < regions_; ++region) {
+    const auto& own = region_corners_[region];
+    for (std::size_t i = 0; i < levels; ++i) {
+      levels_[region * levels + i] =
+          (at(own[3])[i] - at(own[2])[i]) - (at(own[1])[i] - at(own[0])[i]);
     }
   }
 }
@@ -234,10 +295,7 @@ std::uint32_t Skin::step(double time, const std::array<double, 2>& place, bool i
       continue;
     }
     field.set(at, std::span(state_).subspan(force_, 3 * data_.area.size()));
-    for (std::size_t region = 0; region < regions_; ++region) {
-      field.integrate(at, region == 0 ? whole_.data() : &data_.taxel_corners[4 * (region - 1)],
-                      std::span(levels_).subspan(region * levels, levels));
-    }
+    set_levels(field, at);
     if (&field == fields_.data()) {
       const double volume = data_.length * data_.width * data_.thickness;
       for (std::size_t i = 0; i < levels; ++i) {
@@ -247,6 +305,7 @@ std::uint32_t Skin::step(double time, const std::array<double, 2>& place, bool i
     }
   }
   add_charges(time_step, first);
+  add_spread(at, time_step, first, touches);
   const auto current = [&](std::size_t output) {
     return first || time_step == 0 ? 0.0
                                    : (charge_[output] - state_[charges_ + output]) / time_step;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "ionskin/live/channel_field.hpp"
+#include "ionskin/live/charge_spread.hpp"
 #include "ionskin/live/live_contact.hpp"
+#include "ionskin/live/low_pass.hpp"
 #include "ionskin/live/skin_data.hpp"
 
 #include <array>
@@ -62,18 +64,28 @@ public:
 private:
   LiveContact::State contact_state() noexcept;
   void add_contact(std::span<double> signals) noexcept;
+  void set_levels(ChannelField& field, const std::array<double, 2>& place) noexcept;
   void add_charges(double time_step, bool first) noexcept;
+  void add_spread(const std::array<double, 2>& place, double time_step, bool first,
+                  bool touches) noexcept;
 
   const SkinData& data_;
   LiveContact contact_;
   std::vector<std::string> names_;
   std::vector<double> state_;
-  std::size_t force_ = 0, surface_ = 0, memory_ = 0, filters_ = 0, drives_ = 0, charges_ = 0,
-              signals_ = 0;
+  std::size_t force_ = 0, surface_ = 0, memory_ = 0, filters_ = 0, drives_ = 0, waves_ = 0,
+              charges_ = 0, signals_ = 0;
   std::size_t regions_;
-  std::vector<double> whole_; ///< corners of the core
+  /// Different corners of the core and of the taxels, and those of each region: x low and y low,
+  /// high and low, low and high, both high.
+  std::vector<std::array<double, 2>> corners_;
+  std::vector<std::array<std::size_t, 4>> region_corners_;
+  std::vector<double> region_share_; ///< of the core's area
   std::vector<ChannelField> fields_;
-  std::vector<double> levels_, charge_, pressure_;
+  ChargeSpread spread_;
+  std::vector<double> corner_levels_; ///< [corner][level]
+  std::vector<LowPass> passes_;       ///< of the rates over the step
+  std::vector<double> levels_, charge_, pressure_, wave_drive_;
 };
 
 } // namespace ionskin::live

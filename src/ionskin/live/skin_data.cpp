@@ -7,6 +7,7 @@
 #include "ionskin/live/live_contact.hpp"
 #include "ionskin/live/skin_archive.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <fstream>
@@ -16,7 +17,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the file is little-endian");
 
-constexpr std::string_view magic = "ionskin live skin, format 2\n";
+constexpr std::string_view magic = "ionskin live skin, format 3\n";
+constexpr std::size_t most_waves = 1000, most_columns = 5000;
 constexpr std::size_t largest_file = 256u << 20u;
 
 template <class Archive, class Map>
@@ -73,6 +75,12 @@ template <class Archive, class Data> void visit(Archive& archive, Data& data) {
   archive.entry("rates", data.rates);
   visit_model(archive, "whole", data.whole);
   visit_model(archive, "part", data.part);
+  archive.entry("spread.columns_x", data.spread.columns_x);
+  archive.entry("spread.columns_y", data.spread.columns_y);
+  archive.entry("spread.wave_x", data.spread.wave_x);
+  archive.entry("spread.wave_y", data.spread.wave_y);
+  archive.entry("spread.rates", data.spread.rates);
+  archive.entry("spread.weights", data.spread.weights);
   archive.entry("taxels", data.taxels);
   archive.entry("taxel_corners", data.taxel_corners);
   archive.entry("lowest_place", data.lowest_place);
@@ -143,6 +151,17 @@ void check(const Reader& reader, const SkinData& data) {
                        model->residue.size() == 2 * data.rates.size() * model->inputs,
                    "whole");
   }
+  const SpreadMap& spread = data.spread;
+  reader.require(spread.rates.size() <= most_waves && spread.wave_x.size() == spread.rates.size() &&
+                     spread.wave_y.size() == spread.rates.size() &&
+                     spread.weights.size() == (spread.rates.empty() ? 0 : levels),
+                 "spread.rates");
+  reader.require(spread.rates.empty() ||
+                     (spread.columns_x >= 1 && spread.columns_x <= most_columns &&
+                      spread.columns_y >= 1 && spread.columns_y <= most_columns),
+                 "spread.columns_x");
+  reader.require(std::ranges::all_of(spread.rates, [](double rate) { return rate >= 0; }),
+                 "spread.rates");
   reader.require(data.taxel_corners.size() == 4 * data.taxels.size() && data.taxels.size() <= 1000,
                  "taxel_corners");
   reader.require(reader.at_end(), "error");

@@ -44,6 +44,15 @@ struct ChargeModel {
   std::vector<double> residue; ///< [top, bottom][rate][input]
 };
 
+/// Charge that spreads along the skin from taxel to taxel, alike on top and bottom: cosine waves
+/// over uniform columns of the core, each a first-order state. Without waves nothing spreads.
+struct SpreadMap {
+  std::uint64_t columns_x = 0, columns_y = 0;
+  std::vector<std::uint64_t> wave_x, wave_y; ///< half waves over the core [wave]
+  std::vector<double> rates;                 ///< [wave] [1/s]
+  std::vector<double> weights; ///< [level] of the integral of the driving channel over a column
+};
+
 /// How far the reduced skin is from the full model on trajectories that it was not trained on.
 struct SignalError {
   std::string name;
@@ -71,6 +80,7 @@ struct SkinData {
   std::vector<ChannelMap> channels;            ///< the shear; the last one drives the ions
   std::vector<double> rates;                   ///< of the states [1/s]
   ChargeModel whole, part;                     ///< of the electrode, of a taxel
+  SpreadMap spread;                            ///< of the taxels' charges
   std::vector<std::string> taxels;
   std::vector<double> taxel_corners; ///< [taxel][x low, y low, x high, y high] [m]
   // what it was trained for

@@ -47,6 +47,24 @@ TEST_F(LiveSkin, SlidesUnderItsFrictionAndTaxelsAddUp) {
   EXPECT_EQ(of(skin, "slider_z"), 1e-4);
 }
 
+TEST_F(LiveSkin, ChargeSpreadsToTheOtherTaxelWhileASliderRests) {
+  SkinData alone = data;
+  alone.spread = {};
+  const auto charges = [&](const SkinData& of_skin) {
+    Skin skin(of_skin);
+    step(skin, 0, 1.5e-3, -5e-7);
+    step(skin, 0.01, 1.8e-3, -5e-7); // dragged, then at rest
+    step(skin, 1, 1.8e-3, -5e-7);
+    return std::array{of(skin, "charge_top_left"), of(skin, "charge_top_right")};
+  };
+  const auto [left, right] = charges(data);
+  const auto [left_alone, right_alone] = charges(alone);
+  const double total = left + right;
+  EXPECT_GT(std::abs(total), 0);
+  EXPECT_NEAR(total, left_alone + right_alone, 1e-6 * std::abs(total));
+  EXPECT_GT(std::abs(left - left_alone), 1e-2 * std::abs(total));
+}
+
 TEST_F(LiveSkin, SlidesUnderTheFrictionOfItsDirection) {
   data.friction_law = "anisotropic";
   data.friction_parameters = {"transverse_friction"};
@@ -195,6 +213,11 @@ TEST_F(LiveSkin, RefusesAFileWhoseSizesDoNotFit) {
   refused([](SkinData& wrong) { wrong.channels[0].rows_per_point = 0; });
   refused([](SkinData& wrong) { wrong.whole.inputs = 1000; });
   refused([](SkinData& wrong) { wrong.taxel_corners.pop_back(); });
+  refused([](SkinData& wrong) { wrong.spread.wave_x.pop_back(); });
+  refused([](SkinData& wrong) { wrong.spread.weights.pop_back(); });
+  refused([](SkinData& wrong) { wrong.spread.columns_y = 0; });
+  refused([](SkinData& wrong) { wrong.spread.columns_x = std::uint64_t{1} << 60u; });
+  refused([](SkinData& wrong) { wrong.spread.rates[1] = -1; });
   refused([](SkinData& wrong) { wrong.stiffness = -1; });
   refused([](SkinData& wrong) { wrong.friction_law = "unheard-of"; });
   refused([](SkinData& wrong) { wrong.highest_friction = 0.2; }); // the case has more

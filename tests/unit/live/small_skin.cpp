@@ -50,6 +50,7 @@ SkinData small_skin() {
   data.rates = {5, 100};
   data.whole = {levels, {2, 1, 1, 2}, {-1, 0, 0, -0.5, 0, -1, -0.5, 0}};
   data.part = data.whole;
+  data.spread = {6, 2, {1, 2, 3, 0, 5}, {0, 0, 1, 1, 0}, {2, 7, 20, 11, 30}, {0.5, -0.2}};
   data.taxels = {"left", "right"};
   data.taxel_corners = {0, 0, 3e-3, 2e-3, 3e-3, 0, 6e-3, 2e-3};
   data.lowest_place = {1e-3, 1e-3};

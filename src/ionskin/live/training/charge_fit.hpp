@@ -3,6 +3,7 @@
 
 #include "ionskin/live/skin_data.hpp"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -13,6 +14,8 @@ struct ChargeRecord {
   std::vector<double> time;                  ///< [rows]
   std::vector<double> drive;                 ///< [row][input]
   std::array<std::vector<double>, 2> charge; ///< top, bottom [row] [C]
+  /// What spreads into the region from beside it [row][level]; empty where nothing does.
+  std::vector<double> spread;
 };
 
 /// Of some candidates those with which the charges of the records are met best, one after the
@@ -22,8 +25,18 @@ std::vector<double> choose_rates(const std::vector<ChargeRecord>& records, std::
                                  const std::vector<double>& candidates, std::size_t least,
                                  std::size_t most);
 
+struct ChargeFit {
+  ChargeModel model;
+  std::vector<double> spread; ///< weight of what spreads, alike for both charges [level]
+};
+
 /// Least squares over all rows of all records, weighted with the time between them.
-ChargeModel fit_charges(const std::vector<ChargeRecord>& records, std::size_t inputs,
-                        const std::vector<double>& rates);
+ChargeFit fit_charges(const std::vector<ChargeRecord>& records, std::size_t inputs,
+                      const std::vector<double>& rates);
+
+/// Rms that a fit to the first two thirds of the rows leaves of the others, over that of the
+/// charges [1].
+double unseen_error(const std::vector<ChargeRecord>& records, std::size_t inputs,
+                    const std::vector<double>& rates);
 
 } // namespace ionskin::live

@@ -10,6 +10,7 @@
 #include "ionskin/laws/friction/friction_law.hpp"
 #include "ionskin/live/live_contact.hpp"
 #include "ionskin/live/training/channel_reduction.hpp"
+#include "ionskin/live/training/charge_spread_fit.hpp"
 #include "ionskin/live/training/full_run.hpp"
 #include "ionskin/live/training/random_touches.hpp"
 #include "ionskin/live/training/stated_errors.hpp"
@@ -30,7 +31,7 @@
 namespace ionskin::live {
 namespace {
 
-constexpr std::size_t least_rates = 5, most_rates = 12;
+constexpr std::size_t least_rates = 3, most_rates = 12;
 constexpr std::size_t candidate_rates = 20;
 constexpr std::size_t least_validation = 12;  // touches that tell the errors
 constexpr std::size_t runs_over_friction = 3; // from its lowest to its highest
@@ -38,7 +39,8 @@ constexpr double most_friction = 2;           // as in a case
 constexpr std::string_view law_with_tension = "adhesive";
 constexpr std::uint64_t validation_seed_shift = 0x9e3779b97f4a7c15; // apart from every small seed
 
-/// From the slowest motion of ions through the core to the fastest in a double layer [1/s].
+/// From the slowest motion of ions through the core to the fastest in a double layer, and that at
+/// which both layers charge through the core [1/s].
 std::vector<double> rate_candidates(const Case& input) {
   const double thickness = input.skin.core_thickness();
   const auto scales = electrochemistry::derive_scales(input.electrochemistry, thickness);
@@ -50,6 +52,7 @@ std::vector<double> rate_candidates(const Case& input) {
     rates.push_back(slowest *
                     std::pow(fastest / slowest, static_cast<double>(i) / (candidate_rates - 1)));
   }
+  rates.push_back(1 / scales.slow_time);
   return rates;
 }
 
@@ -97,28 +100,33 @@ void set_contact(const std::vector<FullRun>& runs, const mechanics::PositionNode
   data.heaviest_force = heavy_force;
 }
 
-std::vector<ChargeRecord> charge_records(const std::vector<FullRun>& runs, bool of_taxels) {
-  std::vector<ChargeRecord> records;
-  for (const FullRun& run : runs) {
-    std::ranges::move(charge_records(run, of_taxels), std::back_inserter(records));
-  }
-  return records;
-}
-
 void set_charges(const std::vector<FullRun>& runs, SkinData& data) {
   const FullRun& run = runs.front();
-  const auto whole = charge_records(runs, false);
-  data.rates = choose_rates(whole, drive_inputs(run, false), rate_candidates(run.input),
-                            least_rates, most_rates);
-  data.whole = fit_charges(whole, drive_inputs(run, false), data.rates);
-  data.part = data.whole;
+  std::vector<ChargeRecord> whole;
+  std::vector<std::vector<ChargeRecord>> of_taxels;
+  for (const FullRun& one : runs) {
+    std::ranges::move(charge_records(one, false), std::back_inserter(whole));
+    of_taxels.push_back(charge_records(one, true));
+  }
+  const std::vector<double> candidates = rate_candidates(run.input);
+  const std::size_t inputs = drive_inputs(run, true);
+  data.rates = choose_rates(whole, drive_inputs(run, false), candidates, least_rates, most_rates);
   for (const Taxel& taxel : run.input.readout.taxels) {
     data.taxels.push_back(taxel.name);
     data.taxel_corners.insert(data.taxel_corners.end(),
                               {taxel.lower[0], taxel.lower[1], taxel.upper[0], taxel.upper[1]});
   }
   if (!data.taxels.empty()) {
-    data.part = fit_charges(charge_records(runs, true), drive_inputs(run, true), data.rates);
+    data.spread = find_spread(runs, of_taxels, inputs, data.rates);
+    const std::vector<ChargeRecord> records = joined(of_taxels);
+    data.rates = choose_rates(records, inputs, candidates, least_rates, most_rates);
+    ChargeFit fit = fit_charges(records, inputs, data.rates);
+    data.part = std::move(fit.model);
+    data.spread.weights = std::move(fit.spread);
+  }
+  data.whole = fit_charges(whole, drive_inputs(run, false), data.rates).model;
+  if (data.taxels.empty()) {
+    data.part = data.whole;
   }
 }
 

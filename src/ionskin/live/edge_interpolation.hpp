@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace ionskin::live {
+
+/// A coordinate between two edges, taken to the nearest of all where it lies outside.
+struct Between {
+  std::array<std::size_t, 2> edge{};
+  std::array<double, 2> weight{};
+};
+
+inline Between between(const std::vector<double>& edges, double at) noexcept {
+  const auto above = std::ranges::upper_bound(edges, at);
+  if (above == edges.begin() || above == edges.end()) {
+    const std::size_t end = above == edges.begin() ? 0 : edges.size() - 1;
+    return {{end, end}, {1, 0}};
+  }
+  const auto i = static_cast<std::size_t>(above - edges.begin());
+  const double weight = (at - edges[i - 1]) / (edges[i] - edges[i - 1]);
+  return {{i - 1, i}, {1 - weight, weight}};
+}
+
+} // namespace ionskin::live
