@@ -69,7 +69,7 @@ def ridges(size):
 
 def draw_slider(rng, shape, length, width):
     """Keys of a slider, and its plan [mm]."""
-    size = [rng.uniform(0.8, min(3, length / 4)), rng.uniform(0.6, min(1.5, width / 2))]
+    size = [round(rng.uniform(0.8, min(3, length / 4)), 3), round(rng.uniform(0.6, min(1.5, width / 2)), 3)]
     plan = f'size = ["{size[0]:.3f} mm", "{size[1]:.3f} mm"]'
     radius = f'radius = "{rng.uniform(2, 8):.2f} mm"'
     return {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "terminal/progress_display.hpp"
 
+#include "ionskin/base/system/blocked_signal.hpp"
 #include "ionskin/base/timers.hpp"
 #include "terminal/terminal.hpp"
 
@@ -41,6 +42,7 @@ void put(const std::string& text) {
 
 ProgressDisplay::ProgressDisplay(LogFormat format) : format_(settled(format)) {
   if (format_ == LogFormat::bar || format_ == LogFormat::lines) {
+    const base::BlockedSignal for_the_main_thread(SIGTERM);
     ticker_ = std::jthread([this](const std::stop_token& stop) { tick(stop); });
   }
 }

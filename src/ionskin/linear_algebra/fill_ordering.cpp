@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/linear_algebra/fill_ordering.hpp"
 
+#include "ionskin/base/system/blocked_signal.hpp"
 #include "ionskin/linear_algebra/cholmod_handles.hpp"
 
 #include <algorithm>
+#include <csignal>
+#include <mutex>
 #include <utility>
 
 namespace ionskin::linear_algebra {
@@ -63,6 +66,19 @@ void postorder_leading(const SymmetricPattern& graph, std::vector<int>& order, i
   order = std::move(result);
 }
 
+/// METIS takes SIGTERM for itself meanwhile, for the whole process, and would leave its work and
+/// the order undone. Two at a time would each put back the other's handler.
+void nested_dissection(cholmod_sparse& matrix, std::vector<int>& permutation,
+                       CholmodWorkspace& workspace) {
+  static std::mutex one_at_a_time;
+  const base::BlockedSignal later(SIGTERM);
+  const std::lock_guard lock(one_at_a_time);
+  struct sigaction ours {};
+  sigaction(SIGTERM, nullptr, &ours);
+  cholmod_metis(&matrix, nullptr, 0, 0, permutation.data(), *workspace);
+  sigaction(SIGTERM, &ours, nullptr); // METIS puts it back for one signal only
+}
+
 } // namespace
 
 std::vector<int> trailing_ordering(const SymmetricPattern& graph,
@@ -84,7 +100,7 @@ std::vector<int> trailing_ordering(const SymmetricPattern& graph,
     const SymmetricPattern rest = renumbered(graph, number, static_cast<int>(leading.size()));
     cholmod_sparse matrix = view(rest, nullptr);
     std::vector<int> permutation(leading.size());
-    cholmod_metis(&matrix, nullptr, 0, 0, permutation.data(), *workspace);
+    nested_dissection(matrix, permutation, workspace);
     workspace.check("nested dissection");
     for (const int k : permutation) {
       order.push_back(leading[k]);

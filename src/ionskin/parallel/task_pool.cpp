@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/parallel/task_pool.hpp"
 
+#include "ionskin/base/system/blocked_signal.hpp"
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -26,8 +28,11 @@ void run_tasks(std::size_t count, int threads, const std::function<void(std::siz
   const auto workers = std::min<std::size_t>(count, static_cast<std::size_t>(std::max(1, threads)));
   {
     std::vector<std::jthread> pool;
-    for (std::size_t i = 1; i < workers; ++i) {
-      pool.emplace_back(work);
+    {
+      const base::BlockedSignal for_the_main_thread(SIGTERM);
+      for (std::size_t i = 1; i < workers; ++i) {
+        pool.emplace_back(work);
+      }
     }
     work();
   }

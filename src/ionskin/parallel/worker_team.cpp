@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/parallel/worker_team.hpp"
 
+#include "ionskin/base/system/blocked_signal.hpp"
+
 #include <algorithm>
 
 namespace ionskin::parallel {
@@ -46,6 +48,7 @@ void relax() {
 } // namespace
 
 WorkerTeam::WorkerTeam(int threads) : ticket_(closed) {
+  const base::BlockedSignal for_the_main_thread(SIGTERM);
   for (int i = 1; i < threads; ++i) {
     workers_.emplace_back([this, i] { work(static_cast<std::size_t>(i)); });
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/position/elastic_skin.hpp"
 
+#include "ionskin/base/system/blocked_signal.hpp"
 #include "ionskin/mechanics/position/memory_estimate.hpp"
 #include "ionskin/mechanics/position/position_input.hpp"
 
@@ -64,6 +65,8 @@ ElasticSkin::ElasticSkin(const PositionInput& input)
       cells(input.cells), cut(input.cut), any_lines_(input.lines) {}
 
 const SkinAnalysis& ElasticSkin::analysis() const {
+  // A thread that waits for the ordering must not take the signal either.
+  const base::BlockedSignal later(SIGTERM);
   std::call_once(analysed_, [this] {
     analysis_ =
         std::make_unique<const SkinAnalysis>(SkinParts(space, any_lines_, fixed, cells, cut));
