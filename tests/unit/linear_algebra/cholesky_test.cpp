@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "grid_graph.hpp"
 #include "ionskin/base/error.hpp"
 #include "ionskin/linear_algebra/cholesky.hpp"
 #include "ionskin/linear_algebra/fill_ordering.hpp"
@@ -7,9 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <csignal>
 #include <filesystem>
 #include <iterator>
 #include <numeric>
@@ -18,30 +17,6 @@
 
 namespace ionskin::linear_algebra {
 namespace {
-
-/// Seven-point graph of an n x n x n grid, lower triangle.
-SymmetricPattern grid_graph(int n) {
-  SymmetricPattern graph{n * n * n, {0}, {}};
-  for (int k = 0; k < n; ++k) {
-    for (int j = 0; j < n; ++j) {
-      for (int i = 0; i < n; ++i) {
-        const int node = i + n * (j + n * k);
-        graph.row.push_back(node);
-        if (i + 1 < n) {
-          graph.row.push_back(node + 1);
-        }
-        if (j + 1 < n) {
-          graph.row.push_back(node + n);
-        }
-        if (k + 1 < n) {
-          graph.row.push_back(node + n * n);
-        }
-        graph.column_start.push_back(static_cast<int>(graph.row.size()));
-      }
-    }
-  }
-  return graph;
-}
 
 /// Diagonally dominant values with varying couplings.
 std::vector<double> values_on(const SymmetricPattern& pattern, double shift) {
@@ -200,28 +175,6 @@ TEST(Cholesky, a_factorisation_starts_no_threads_of_its_own) {
   const auto before = threads_of_this_process();
   const Cholesky factor(symbolic, values_on(graph, 0));
   EXPECT_EQ(threads_of_this_process(), before);
-}
-
-volatile std::sig_atomic_t signals_taken = 0;
-
-TEST(FillOrdering, LeavesTheTerminationSignalToTheProgram) {
-  const SymmetricPattern graph = grid_graph(24);
-  const std::vector<int> undisturbed = trailing_ordering(graph, {});
-  const auto take = [](int) { signals_taken = signals_taken + 1; };
-  const auto former = std::signal(SIGTERM, take);
-  {
-    const std::jthread sender([here = pthread_self()](const std::stop_token& stop) {
-      while (!stop.stop_requested()) {
-        pthread_kill(here, SIGTERM);
-        std::this_thread::sleep_for(std::chrono::microseconds(200));
-      }
-    });
-    for (int i = 0; i < 5; ++i) {
-      EXPECT_EQ(trailing_ordering(graph, {}), undisturbed);
-    }
-  }
-  EXPECT_EQ(std::signal(SIGTERM, former), +take);
-  EXPECT_GT(signals_taken, 0);
 }
 
 } // namespace
