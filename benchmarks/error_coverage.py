@@ -18,38 +18,7 @@ import statistics
 import subprocess
 import tempfile
 
-SKIN = """
-[skin]
-length = "6 mm"
-width = "{width}"
-
-[[skin.layers]]
-name = "bottom electrode"
-role = "electrode"
-material = "platinum"
-thickness = "10 um"
-
-[[skin.layers]]
-name = "ionomer"
-role = "core"
-material = "nafion"
-thickness = "180 um"
-
-[[skin.layers]]
-name = "top electrode"
-role = "electrode"
-material = "platinum"
-thickness = "10 um"
-
-[contact]
-friction = 0.3
-
-[electrochemistry]
-temperature = "20 degC"
-diffusivity = "7e-11 m2/s"
-permittivity = "2e-3 F/m"
-fixed_charge_concentration = "1200 mol/m3"
-"""
+import small_cases
 
 # Keys of the slider, width of the skin [mm], load as a height and as a force.
 SLIDERS = {
@@ -115,7 +84,7 @@ def case_text(slider, motion, control, law, circuit):
     if motion == "waypoints":
         places["level"] = f'height = "-{load}"' if control == "height" else f'force = "{load}"'
     start = "" if motion == "waypoints" else f'start = ["2 mm", "{width / 2} mm"]\n'
-    return (SKIN.format(width=f"{width} mm") + f"\n[slider]\n{shape}\n{start}\n[motion]\n"
+    return (small_cases.skin(length=6, width=width) + f"\n[contact]\nfriction = 0.3\n[slider]\n{shape}\n{start}\n[motion]\n"
             + MOTIONS[motion].format(**places) + f'\n[coupling]\nlaw = "{law}"\ncoefficient = 0.1\n'
             + f'\n[readout]\ncircuit = "{circuit}"\n')
 

@@ -20,51 +20,16 @@ import subprocess
 import sys
 import tempfile
 
-SKIN = """
-[skin]
-length = "{length:.2f} mm"
-width = "{width:.2f} mm"
-[[skin.layers]]
-name = "bottom electrode"
-role = "electrode"
-material = "platinum"
-thickness = "{electrode:.1f} um"
-[[skin.layers]]
-name = "ionomer"
-role = "core"
-material = "nafion"
-thickness = "{core:.0f} um"
-[[skin.layers]]
-name = "top electrode"
-role = "electrode"
-material = "platinum"
-thickness = "{electrode:.1f} um"
-[electrochemistry]
-temperature = "20 degC"
-diffusivity = "7e-11 m2/s"
-permittivity = "2e-3 F/m"
-fixed_charge_concentration = "1200 mol/m3"
-"""
+import small_cases
 
 SLIDERS = ("flat", "rounded", "sphere", "cylinder", "profile")
-LAWS = {
-    "coulomb": "",
-    "regularised": 'slip_length = "1 um"',
-    "viscous": 'reference_speed = "50 mm/s"',
-    "stribeck": 'kinetic_friction = 0.2\nstribeck_speed = "10 mm/s"',
-    "saturating": 'strength = "500 kPa"',
-    "anisotropic": "transverse_friction = 0.1",
-    "adhesive": 'work_of_adhesion = "1 J/m2"\ncohesive_strength = "1 MPa"',
-}
 COUPLINGS = ("fixed-charge", "column-neutral", "pair-generation", "volume-neutral")
 
 
 def ridges(size):
-    """Heights [mm] of ridges along y over a plan [mm]."""
-    xs = [size[0] * (i / 40 - 0.5) for i in range(41)]
-    row = ",".join(f"{0.001 * (1 - math.cos(2 * math.pi * x / (size[0] / 3))) / 2:.7f}" for x in xs)
-    ys = [size[1] * (i / 16 - 0.5) for i in range(17)]
-    return "mm," + ",".join(f"{x:.4f}" for x in xs) + "\n" + "".join(f"{y:.4f},{row}\n" for y in ys)
+    """Text of the file of three ridges along y over a plan [mm]."""
+    return small_cases.height_map([size[0] * (i / 40 - 0.5) for i in range(41)], [size[1] * (i / 16 - 0.5) for i in range(17)],
+                                  lambda x, y: 0.001 * (1 - math.cos(2 * math.pi * x / (size[0] / 3))) / 2)
 
 
 def draw_slider(rng, shape, length, width):
@@ -108,7 +73,7 @@ def draw(number, refinements):
     rng = random.Random(f"explained {number}")
     length, width = rng.uniform(5, 15), rng.uniform(1.6, 4)
     core = rng.uniform(80, 220)
-    text = SKIN.format(length=length, width=width, core=core, electrode=rng.uniform(5, 15))
+    text = small_cases.skin(length, width, rng.uniform(5, 15), core)
     shape = SLIDERS[number % len(SLIDERS)]
     keys, size = draw_slider(rng, shape, length, width)
     by_force = rng.random() < 0.5
@@ -118,7 +83,7 @@ def draw(number, refinements):
     start = [length / 4 + size[0] / 4, width / 2]
     kind = rng.choice(("touch-slide-lift", "reciprocating", "waypoints"))
     motion, path, said = draw_motion(rng, kind, load, by_force, start, stroke)
-    law = rng.choice(["coulomb"] * 4 + list(LAWS))
+    law = rng.choice(["coulomb"] * 4 + list(small_cases.FRICTION_LAWS))
     drive = law != "adhesive" and rng.random() < 0.25
     text += f"[slider]\n{keys}\n"
     if kind != "waypoints":
@@ -127,7 +92,7 @@ def draw(number, refinements):
     if drive:
         text += (f'[motion.drive]\nstiffness = "{10 ** rng.uniform(3.3, 4.7):.0f} N/m"\ndamping = "{rng.uniform(1, 5):.2f} N s/m"\n'
                  f'mass = "{rng.uniform(1, 5):.2f} g"\n')
-    text += f'[contact]\nfriction = {rng.uniform(0.1, 0.6):.2f}\nlaw = "{law}"\n{LAWS[law]}\n'
+    text += f'[contact]\nfriction = {rng.uniform(0.1, 0.6):.2f}\n{small_cases.friction(law)}'
     coupling, circuit = rng.choice(COUPLINGS), rng.choice(("short", "open"))
     text += f'[coupling]\nlaw = "{coupling}"\ncoefficient = 0.1\n[readout]\ncircuit = "{circuit}"\n'
     errors, refinement = rng.choice(("on", "on", "off")), rng.choice(refinements)

@@ -21,25 +21,9 @@ import subprocess
 import sys
 import tempfile
 
-CASE = """
-[skin]
-length = "5 mm"
-width = "2 mm"
-[[skin.layers]]
-name = "bottom electrode"
-role = "electrode"
-material = "platinum"
-thickness = "10 um"
-[[skin.layers]]
-name = "ionomer"
-role = "core"
-material = "nafion"
-thickness = "180 um"
-[[skin.layers]]
-name = "top electrode"
-role = "electrode"
-material = "platinum"
-thickness = "10 um"
+import small_cases
+
+CASE = small_cases.skin(length=5, width=2) + """
 [slider]
 {slider}
 [motion]
@@ -48,11 +32,6 @@ file = "path.csv"
 [contact]
 friction = 0.3
 {law}
-[electrochemistry]
-temperature = "20 degC"
-diffusivity = "7e-11 m2/s"
-permittivity = "2e-3 F/m"
-fixed_charge_concentration = "1200 mol/m3"
 [coupling]
 coefficient = 0.1
 [numerics]
@@ -71,17 +50,6 @@ SLIDERS = {
     "profile": ('shape = "profile"\nprofile = "ridges.csv"\nsize = ["1 mm", "0.8 mm"]', 2, 1),
     "height map": ('shape = "profile"\nprofile = "rough.csv"\nsize = ["1 mm", "0.8 mm"]', 2, 1),
 }
-LAWS = {
-    "coulomb": "",
-    "saturating": 'strength = "500 kPa"',
-    "regularised": 'slip_length = "1 um"',
-    "regularised, 0.1 um": 'slip_length = "0.1 um"',
-    "viscous": 'reference_speed = "50 mm/s"',
-    "stribeck": 'kinetic_friction = 0.25\nstribeck_speed = "10 mm/s"',
-    "stribeck, strong": 'kinetic_friction = 0.1\nstribeck_speed = "1 mm/s"',
-    "anisotropic": "transverse_friction = 0.1",
-    "adhesive": 'work_of_adhesion = "1 J/m2"\ncohesive_strength = "1 MPa"',
-}
 # What the slider hangs on; "none" is a rail.
 DRIVES = {
     "none": "",
@@ -93,18 +61,13 @@ DRIVES = {
 
 
 def heights_file(rough):
-    """Heights [mm] over x and y [mm] of an underside: three ridges along y, or a rounded one with random roughness."""
+    """Text of the file of an underside: three ridges along y, or a rounded one with random roughness."""
     rng = random.Random("rough")
-    xs, ys = ([-0.5 + i / 40 for i in range(41)], [-0.4 + i / 40 for i in range(33)])
-    text = "mm," + ",".join(f"{x:.4f}" for x in xs) + "\n"
-    for y in ys:
-        round_part = [(x * x + y * y) / 16 for x in xs]
-        if rough:
-            heights = [part + 2e-4 * rng.random() for part in round_part]
-        else:
-            heights = [part + 1e-3 * (1 - math.cos(2 * math.pi * x / 0.33)) / 2 for x, part in zip(xs, round_part)]
-        text += f"{y:.4f}," + ",".join(f"{height:.7f}" for height in heights) + "\n"
-    return text
+
+    def height(x, y):
+        return (x * x + y * y) / 16 + (2e-4 * rng.random() if rough else 1e-3 * (1 - math.cos(2 * math.pi * x / 0.33)) / 2)
+
+    return small_cases.height_map([-0.5 + i / 40 for i in range(41)], [-0.4 + i / 40 for i in range(33)], height)
 
 
 def path_rows(rng, rows, depth, force, oblique):
@@ -140,9 +103,8 @@ def trial(program, folder, slider, law, drive, by_force, rows, seed):
     (folder / "path.csv").write_text(text)
     (folder / "ridges.csv").write_text(heights_file(False))
     (folder / "rough.csv").write_text(heights_file(True))
-    own = f'law = "{law.split(",")[0]}"\n' + LAWS[law]
     hangs = f"[motion.drive]\n{DRIVES[drive]}\n" if DRIVES[drive] else ""
-    (folder / "case.toml").write_text(CASE.format(slider=keys, law=own, drive=hangs))
+    (folder / "case.toml").write_text(CASE.format(slider=keys, law=small_cases.friction(law), drive=hangs))
     command = [program, "run", folder / "case.toml", "-o", folder / "out", "--overwrite", "--only", "mechanics", "--quiet",
                "--no-report", "--threads", "1"]
     process = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -158,7 +120,7 @@ def main():
     parser.add_argument("program", type=pathlib.Path)
     parser.add_argument("--rows", type=int, default=150)
     parser.add_argument("--seeds", type=int, default=1)
-    parser.add_argument("--laws", nargs="+", default=list(LAWS))
+    parser.add_argument("--laws", nargs="+", default=list(small_cases.FRICTION_LAWS))
     parser.add_argument("--sliders", nargs="+", default=list(SLIDERS))
     parser.add_argument("--drives", nargs="+", default=list(DRIVES))
     options = parser.parse_args()

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import h5py
 import numpy
+import small_cases
 
 from . import cycle, skin
 
@@ -13,24 +14,6 @@ from . import cycle, skin
 SETTINGS = {"contact": [("coarse", "1"), ("standard", "1")],
             "transport": [("coarse", "1"), ("standard", "1"), ("fine", "1")]}
 FINE = {"transport": ("fine", "3")}
-
-LAYERS = """
-[[skin.layers]]
-name = "bottom electrode"
-role = "electrode"
-material = "platinum"
-thickness = "10 um"
-[[skin.layers]]
-name = "ionomer"
-role = "core"
-material = "nafion"
-thickness = "180 um"
-[[skin.layers]]
-name = "top electrode"
-role = "electrode"
-material = "platinum"
-thickness = "10 um"
-"""
 
 
 def case(part, setting):
@@ -41,8 +24,7 @@ title = "Beside other codes"
 [skin]
 length = "{length} mm"
 width = "{width} mm"
-{LAYERS}
-[electrochemistry]
+{small_cases.layers()}[electrochemistry]
 temperature = "{cycle.TEMPERATURE} K"
 diffusivity = "{cycle.DIFFUSIVITY} m2/s"
 permittivity = "{cycle.PERMITTIVITY} F/m"

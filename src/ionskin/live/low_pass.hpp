@@ -18,6 +18,11 @@ struct LowPass {
                  mean = z > 1e-8 ? -std::expm1(-z) / z : 1 - z / 2;
     return {decay, mean - decay, 1 - mean};
   }
+
+  /// @param from, to what drives at the begin and at the end of the step
+  double next(double state, double from, double to) const noexcept {
+    return decay * state + before * from + now * to;
+  }
 };
 
 } // namespace ionskin::live

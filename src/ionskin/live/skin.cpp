@@ -47,7 +47,6 @@ enum : std::size_t {
 constexpr double rough = 1e-3;    // residual
 constexpr double margin = 1e-2;   // of the trained range
 constexpr double most_load = 100; // times the trained one: more would overflow
-constexpr std::size_t sides = 2;
 
 } // namespace
 
@@ -156,88 +155,6 @@ void Skin::add_contact(std::span<double> signals) noexcept {
       mechanics::covered_area({data_.cell_lines_x, data_.cell_lines_y, data_.area}, pressure_) /
       data_.meshed_share;
   signals[stick_share] = touching > 0 ? sticking / touching : 0;
-}
-
-void Skin::add_charges(double time_step, bool first) noexcept {
-  const std::size_t levels = data_.channels.back().mean.size(), rates = data_.rates.size();
-  for (std::size_t rate = 0; rate < rates; ++rate) {
-    passes_[rate] = LowPass::over(data_.rates[rate], time_step);
-  }
-  for (std::size_t region = 0; region < regions_; ++region) {
-    const ChargeModel& model = region == 0 ? data_.whole : data_.part;
-    const double share = region_share_[region];
-    const auto drive = [&](const double* weights) {
-      double sum = 0;
-      for (std::size_t i = 0; i < levels; ++i) {
-        sum += weights[i] * levels_[region * levels + i];
-        if (model.inputs > levels) { // the mean over the core moves ions here too
-          sum += weights[levels + i] * share * levels_[i];
-        }
-      }
-      return sum;
-    };
-    for (std::size_t side = 0; side < sides; ++side) {
-      const std::size_t output = sides * region + side;
-      double charge = drive(model.direct.data() + side * model.inputs);
-      for (std::size_t rate = 0; rate < rates; ++rate) {
-        double &filtered = state_[filters_ + output * rates + rate],
-               &before = state_[drives_ + output * rates + rate];
-        const double now = drive(model.residue.data() + (side * rates + rate) * model.inputs);
-        if (!first) {
-          const LowPass& pass = passes_[rate];
-          filtered = pass.decay * filtered + pass.before * before + pass.now * now;
-        }
-        before = now;
-        charge += filtered;
-      }
-      charge_[output] = charge;
-    }
-  }
-}
-
-void Skin::add_spread(const std::array<double, 2>& place, double time_step, bool first,
-                      bool touches) noexcept {
-  const std::size_t waves = spread_.waves();
-  if (waves == 0) {
-    return;
-  }
-  std::ranges::fill(wave_drive_, 0.0);
-  if (touches) {
-    spread_.drive(place, fields_.back().amplitude(), wave_drive_);
-  }
-  const auto relaxed = std::span(state_).subspan(waves_, waves);
-  double* before = state_.data() + waves_ + waves;
-  for (std::size_t wave = 0; wave < waves; ++wave) {
-    if (!first) {
-      const LowPass pass = LowPass::over(data_.spread.rates[wave], time_step);
-      relaxed[wave] =
-          pass.decay * relaxed[wave] + pass.before * before[wave] + pass.now * wave_drive_[wave];
-    }
-    before[wave] = wave_drive_[wave];
-  }
-  for (std::size_t taxel = 0; taxel + 1 < regions_; ++taxel) {
-    const double charge = spread_.charge(taxel, relaxed);
-    for (std::size_t side = 0; side < sides; ++side) {
-      charge_[sides * (taxel + 1) + side] += charge;
-    }
-  }
-}
-
-void Skin::set_levels(ChannelField& field, const std::array<double, 2>& place) noexcept {
-  const std::size_t levels = field.levels();
-  const auto at = [&](std::size_t corner) {
-    return std::span(corner_levels_).subspan(corner * levels, levels);
-  };
-  for (std::size_t corner = 0; corner < corners_.size(); ++corner) {
-    field.integrate_to(place, corners_[corner], at(corner));
-  }
-  for (std::size_t region = 0; region < regions_; ++region) {
-    const auto& own = region_corners_[region];
-    for (std::size_t i = 0; i < levels; ++i) {
-      levels_[region * levels + i] =
-          (at(own[3])[i] - at(own[2])[i]) - (at(own[1])[i] - at(own[0])[i]);
-    }
-  }
 }
 
 std::uint32_t Skin::step(double time, const std::array<double, 2>& place, bool is_force,

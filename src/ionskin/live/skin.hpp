@@ -62,8 +62,11 @@ public:
   bool restore(std::span<const double> state) noexcept;
 
 private:
+  static constexpr std::size_t sides = 2; ///< of a region: top, bottom
+
   LiveContact::State contact_state() noexcept;
   void add_contact(std::span<double> signals) noexcept;
+  // From the strain to the charges: skin_charges.cpp.
   void set_levels(ChannelField& field, const std::array<double, 2>& place) noexcept;
   void add_charges(double time_step, bool first) noexcept;
   void add_spread(const std::array<double, 2>& place, double time_step, bool first,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "grid_graph.hpp"
 #include "ionskin/base/error.hpp"
 #include "ionskin/linear_algebra/cholesky.hpp"
 #include "ionskin/linear_algebra/fill_ordering.hpp"
@@ -18,30 +19,6 @@
 
 namespace ionskin::linear_algebra {
 namespace {
-
-/// Seven-point graph of an n x n x n grid, lower triangle.
-SymmetricPattern grid_graph(int n) {
-  SymmetricPattern graph{n * n * n, {0}, {}};
-  for (int k = 0; k < n; ++k) {
-    for (int j = 0; j < n; ++j) {
-      for (int i = 0; i < n; ++i) {
-        const int node = i + n * (j + n * k);
-        graph.row.push_back(node);
-        if (i + 1 < n) {
-          graph.row.push_back(node + 1);
-        }
-        if (j + 1 < n) {
-          graph.row.push_back(node + n);
-        }
-        if (k + 1 < n) {
-          graph.row.push_back(node + n * n);
-        }
-        graph.column_start.push_back(static_cast<int>(graph.row.size()));
-      }
-    }
-  }
-  return graph;
-}
 
 /// Diagonally dominant values with varying couplings.
 std::vector<double> values_on(const SymmetricPattern& pattern, double shift) {

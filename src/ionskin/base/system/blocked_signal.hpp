@@ -6,7 +6,7 @@
 namespace ionskin::base {
 
 /// The calling thread is not given a signal while this lives; one sent meanwhile comes afterwards,
-/// or goes to a thread that takes it.
+/// or goes to a thread that takes it. Threads that are started meanwhile are never given it.
 class BlockedSignal {
 public:
   explicit BlockedSignal(int signal) {

@@ -2,6 +2,7 @@
 #include "ionskin/mechanics/engine/kept_newton.hpp"
 
 #include "ionskin/base/largest.hpp"
+#include "ionskin/mechanics/output/contact_solution.hpp"
 #include "ionskin/mechanics/surface/projected_gauss_seidel.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 namespace ionskin::mechanics {
 namespace {
 
-constexpr double kept_tolerance = 1e-10;
+constexpr double kept_tolerance = contact_tolerance / 10;
 constexpr int most_iterations = 30;
 /// A residual that falls more slowly has outgrown the factorisation.
 constexpr double least_contraction = 0.2;

@@ -11,6 +11,10 @@
 
 namespace ionskin::mechanics {
 
+/// Residual that a contact is solved to at the worst, a given force among it, over the largest
+/// normal force of a cell.
+inline constexpr double contact_tolerance = 1e-9;
+
 /// Small strain in the core at the 2x2x2 Gauss points of each element (the superconvergent points
 /// of Q2 elements, Barlow 1976, doi 10.1002/nme.1620100202). The points form a tensor grid of two
 /// points per element and direction, in the mesh's own order; half models hold y <= width / 2 only.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/errors/imposed_quantities.hpp"
 
+#include "ionskin/mechanics/output/contact_solution.hpp"
 #include "ionskin/readout/phases.hpp"
 
 #include <algorithm>
@@ -17,14 +18,13 @@ using readout::Metric;
 using readout::MotionInstant;
 using readout::Signal;
 
-/// Least error of a given force, over it: contacts are solved to 1e-10 and better.
-constexpr double least_share = 1e-9;
 constexpr double solved_for = std::numeric_limits<double>::quiet_NaN();
 
 /// Of a normal force, where it is given [N].
 double force_error(const MotionInstant& at, double force) {
   const bool given = at.level && at.level->is_force && at.level->touches() && force > 0;
-  return given ? std::max(std::abs(force - at.level->value), least_share * at.level->value)
+  return given ? std::max(std::abs(force - at.level->value),
+                          mechanics::contact_tolerance * at.level->value)
                : solved_for;
 }
 
