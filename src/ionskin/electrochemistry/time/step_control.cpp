@@ -13,12 +13,18 @@ namespace {
 constexpr double safety = 0.85;
 constexpr double smallest_shrinkage = 0.1;
 
-/// Factor on a step's length that brings its error of third order to what is allowed.
+/// Rungs per octave of the factors on a step's length. Late in a decay the error of a step is
+/// little more than rounding: lengths in proportion to it would hang on the processor.
+constexpr double rungs = 16;
+
+/// Factor on a step's length that brings its error of third order to what is allowed, to half a
+/// rung.
 double ideal_factor(double error) {
   if (std::isnan(error)) {
     return smallest_shrinkage;
   }
-  return safety / std::cbrt(std::max(error, 1e-12));
+  const double factor = safety / std::cbrt(std::max(error, 1e-12));
+  return std::exp2(std::round(rungs * std::log2(factor)) / rungs);
 }
 
 /// Resolve what is left late in a decay, when it is small beside the charge that the error is

@@ -9,6 +9,8 @@ namespace ionskin::mechanics {
 namespace {
 
 constexpr std::size_t most_waiting = 64;
+/// Steps are often as long as a limit or a part of it: rounding must not decide between them.
+constexpr double beyond_rounding = 1 + 1e-6;
 
 double component(const CellVector& force, std::size_t at) {
   return force.empty() ? 0.0 : force[at];
@@ -25,7 +27,7 @@ PathThinning::PathThinning(const ThinningTolerance& tolerance, Sink sink)
 
 bool PathThinning::straight(const Instant& to) const {
   if (waiting_.size() >= most_waiting ||
-      (way(kept_.centre, to.centre) > tolerance_.travel && !to.force.empty())) {
+      (way(kept_.centre, to.centre) > beyond_rounding * tolerance_.travel && !to.force.empty())) {
     return false;
   }
   const double allowed = tolerance_.force * largest_force_;
