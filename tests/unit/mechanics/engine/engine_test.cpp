@@ -352,6 +352,18 @@ TEST(PathThinning, keeps_what_straight_lines_miss) {
   EXPECT_EQ(kept.back(), 1);
 }
 
+TEST(PathThinning, rounding_does_not_pass_the_longest_way) {
+  for (const double rounding : {-1e-12, 0.0, 1e-12}) {
+    int kept = 0;
+    PathThinning thinning({1e-2, 1, 1, 0.1}, [&](PathThinning::Instant&&) { ++kept; });
+    for (int i = 0; i <= 20; ++i) {
+      thinning.add({0.1 * i, {0.05 * i * (1 + rounding), 0}, 0, false, 0, 0, {1, 0, 0}, nullptr});
+    }
+    thinning.finish();
+    EXPECT_EQ(kept, 11);
+  }
+}
+
 /// The motion of the small case as waypoints, each leg in so many rows.
 Case in_rows(int rows) {
   Case input = small_case();
