@@ -8,9 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <csignal>
 #include <filesystem>
 #include <iterator>
 #include <numeric>
@@ -177,28 +175,6 @@ TEST(Cholesky, a_factorisation_starts_no_threads_of_its_own) {
   const auto before = threads_of_this_process();
   const Cholesky factor(symbolic, values_on(graph, 0));
   EXPECT_EQ(threads_of_this_process(), before);
-}
-
-volatile std::sig_atomic_t signals_taken = 0;
-
-TEST(FillOrdering, LeavesTheTerminationSignalToTheProgram) {
-  const SymmetricPattern graph = grid_graph(24);
-  const std::vector<int> undisturbed = trailing_ordering(graph, {});
-  const auto take = [](int) { signals_taken = signals_taken + 1; };
-  const auto former = std::signal(SIGTERM, take);
-  {
-    const std::jthread sender([here = pthread_self()](const std::stop_token& stop) {
-      while (!stop.stop_requested()) {
-        pthread_kill(here, SIGTERM);
-        std::this_thread::sleep_for(std::chrono::microseconds(200));
-      }
-    });
-    for (int i = 0; i < 5; ++i) {
-      EXPECT_EQ(trailing_ordering(graph, {}), undisturbed);
-    }
-  }
-  EXPECT_EQ(std::signal(SIGTERM, former), +take);
-  EXPECT_GT(signals_taken, 0);
 }
 
 } // namespace
