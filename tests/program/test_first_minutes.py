@@ -2,6 +2,7 @@
 """What a newcomer types first: help, init, check, run; and the files a run leaves."""
 
 import json
+import os
 import re
 import subprocess
 import unittest
@@ -136,6 +137,13 @@ class FirstMinutes(ProgramTest):
         cited = self.run_program("cite").stdout
         for words in ("@software", "@article", "https://doi.org/10.3390/s26102930"):
             self.assertIn(words, cited)
+
+    def test_processors_are_those_that_a_job_may_run_on(self):
+        allowed = os.sched_getaffinity(0)
+        self.addCleanup(os.sched_setaffinity, 0, allowed)
+        for processors in ({min(allowed)}, allowed):
+            os.sched_setaffinity(0, processors)
+            self.assertIn(f" {len(processors)} threads\n", self.run_program("doctor").stdout)
 
     def test_json_progress(self):
         process = self.run_case(QUICK, "-o", "out", "--log", "json")

@@ -36,8 +36,8 @@ constexpr std::size_t most_unknowns = 100000;
 /// Empty where the coarse solution is large, or fails, which a run will tell.
 std::optional<mesh::Footprint> found_footprint(const Case& input) {
   const int threads = thread_count(0);
-  const auto coarse = planning::estimate_cost(mechanics::footprint_case(input), threads);
-  if (coarse.mechanics_unknowns > most_unknowns) {
+  const mesh::SkinMesh coarse(mechanics::footprint_case(input), mesh::largest_footprint(input));
+  if (coarse.unknowns() > most_unknowns) {
     return std::nullopt;
   }
   ProgressDisplay display(isatty(STDERR_FILENO) != 0 ? LogFormat::bar : LogFormat::none);

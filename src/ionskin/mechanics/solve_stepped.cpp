@@ -141,6 +141,39 @@ std::size_t expected_positions(const Case& input) {
   return box ? expected_places(input, *box) : 0;
 }
 
+std::size_t expected_steps(const Case& input) {
+  const PathSteps each;
+  const mesh::HeaviestLoad heaviest = mesh::heaviest_load(input);
+  const double travel_each =
+      path_resolution(input.numerics) * usual_slide * input.skin.length / steps_per_interval;
+  std::array<double, 2> direction{};
+  double steps = 0;
+  for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
+    if (!leg.touches()) {
+      continue;
+    }
+    const ContactPart part = contact_part(leg);
+    const double change = std::abs(part.to_level.value - part.from_level.value),
+                 largest = part.to_level.is_force ? heaviest.force : heaviest.indentation;
+    if (leg.lands() || leg.leaves() || part.from_level.is_force != part.to_level.is_force) {
+      steps += leg.leaves() ? each.lift_off : each.touchdown;
+    } else if (largest > 0) {
+      steps += std::ceil(each.touchdown * change / largest);
+    }
+    if (!leg.slides()) {
+      direction = {};
+      continue;
+    }
+    const auto way = leg.direction();
+    if (way[0] * direction[0] + way[1] * direction[1] < std::cos(sharp_turn)) {
+      steps += each.onset;
+    }
+    direction = way;
+    steps += std::ceil(leg.length() / travel_each);
+  }
+  return static_cast<std::size_t>(steps);
+}
+
 std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footprint& footprint,
                                            const std::vector<ContactVariant>& variants,
                                            const ContactOptions& options, base::Timers& timers,

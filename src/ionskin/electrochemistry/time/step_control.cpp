@@ -15,7 +15,7 @@ constexpr double smallest_shrinkage = 0.1;
 
 /// Rungs per octave of the factors on a step's length. Late in a decay the error of a step is
 /// little more than rounding: lengths in proportion to it would hang on the processor.
-constexpr double rungs = 16;
+constexpr double rungs = 32;
 
 /// Factor on a step's length that brings its error of third order to what is allowed, to half a
 /// rung.

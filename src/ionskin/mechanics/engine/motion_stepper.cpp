@@ -16,8 +16,6 @@ namespace {
 constexpr double negligible_onset = 1e-6;
 /// With less than this left, the onset is over.
 constexpr double end_of_onset = 1e-2;
-/// A turn by more than this is a new onset [rad].
-constexpr double sharp_turn = 0.1;
 /// Behind an onset steps lengthen faster.
 constexpr double growth_of_full_slip = 1.3;
 /// A row shorter than the onset is cut into at most so many steps.

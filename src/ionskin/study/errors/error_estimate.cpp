@@ -10,10 +10,10 @@
 #include "ionskin/electrochemistry/thin_layers.hpp"
 #include "ionskin/history/merged_cells.hpp"
 #include "ionskin/history/shear_statistics.hpp"
+#include "ionskin/mechanics/companions.hpp"
 #include "ionskin/parallel/task_pool.hpp"
 #include "ionskin/poroelasticity/validity.hpp"
 #include "ionskin/readout/tail_current.hpp"
-#include "ionskin/study/errors/companions.hpp"
 #include "ionskin/study/errors/convergence.hpp"
 #include "ionskin/study/errors/signal_difference.hpp"
 #include "ionskin/study/stations/charge_rounding.hpp"
@@ -47,7 +47,7 @@ MechanicsRecord on_wider_cells(const MechanicsRecord& mechanics) {
 }
 
 bool has_companions(const MechanicsRecord& mechanics) {
-  return mechanics.companions.contains(companions::mesh);
+  return mechanics.companions.contains(mechanics::companions::mesh);
 }
 
 double path_floor(const MechanicsRecord& mechanics) {
@@ -148,11 +148,13 @@ std::vector<NamedPair> mechanics_pairs(const MechanicsRecord& mechanics) {
   if (!mechanics.has_contact()) {
     return {};
   }
-  std::vector<NamedPair> pairs{{parts::mechanics_mesh, reference, companions::mesh},
-                               {parts::path, companions::mesh, companions::path},
-                               {parts::handover, reference, cells}};
-  if (mechanics.companions.contains(companions::thickness)) {
-    pairs.push_back({parts::mechanics_mesh, companions::thickness, companions::mesh});
+  std::vector<NamedPair> pairs{
+      {parts::mechanics_mesh, reference, mechanics::companions::mesh},
+      {parts::path, mechanics::companions::mesh, mechanics::companions::path},
+      {parts::handover, reference, cells}};
+  if (mechanics.companions.contains(mechanics::companions::thickness)) {
+    pairs.push_back(
+        {parts::mechanics_mesh, mechanics::companions::thickness, mechanics::companions::mesh});
   }
   return pairs;
 }

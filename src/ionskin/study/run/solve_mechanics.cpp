@@ -2,9 +2,9 @@
 #include "ionskin/study/run/solve_mechanics.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/mechanics/companions.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/planning/resources.hpp"
-#include "ionskin/study/errors/companions.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -47,19 +47,21 @@ std::vector<Companions> solve_companions(const Case& input, const std::vector<do
     variants.push_back({friction, options.steps});
     variants.push_back({friction, halved(options.steps)});
   }
-  const bool has_second = needs_thickness_companion(input);
-  auto solutions = mechanics::solve_variants(companion_case(input, companions::mesh), variants,
-                                             with_share(options, 0, has_second ? 0.5 : 1), parts);
+  const bool has_second = mechanics::needs_thickness_companion(input);
+  auto solutions =
+      mechanics::solve_variants(mechanics::companion_case(input, mechanics::companions::mesh),
+                                variants, with_share(options, 0, has_second ? 0.5 : 1), parts);
   std::vector<Companions> result(frictions.size());
   for (std::size_t i = 0; i < frictions.size(); ++i) {
-    result[i].emplace(companions::mesh, std::move(solutions[2 * i]));
-    result[i].emplace(companions::path, std::move(solutions[2 * i + 1]));
+    result[i].emplace(mechanics::companions::mesh, std::move(solutions[2 * i]));
+    result[i].emplace(mechanics::companions::path, std::move(solutions[2 * i + 1]));
   }
   if (has_second) {
-    auto finer = mechanics::solve_contact(companion_case(input, companions::thickness), frictions,
-                                          with_share(options, 0.5, 0.5), parts);
+    auto finer =
+        mechanics::solve_contact(mechanics::companion_case(input, mechanics::companions::thickness),
+                                 frictions, with_share(options, 0.5, 0.5), parts);
     for (std::size_t i = 0; i < frictions.size(); ++i) {
-      result[i].emplace(companions::thickness, std::move(finer[i]));
+      result[i].emplace(mechanics::companions::thickness, std::move(finer[i]));
     }
   }
   return result;
@@ -135,7 +137,7 @@ void add_companions(const Case& input, const mechanics::ContactOptions& options,
   std::string problem;
   for (const Companions& solved : try_companions(input, {input.contact.friction}, own, problem)) {
     for (const auto& [name, contact] : solved) {
-      record.companions[name] = companion_record(companion_case(input, name), contact);
+      record.companions[name] = companion_record(mechanics::companion_case(input, name), contact);
     }
   }
 }
@@ -143,7 +145,7 @@ void add_companions(const Case& input, const mechanics::ContactOptions& options,
 MechanicsRecord record_mechanics(const Case& input, const SolvedMechanics& solved) {
   MechanicsRecord record = make_mechanics_record(input, solved.contact);
   for (const auto& [name, contact] : solved.companions) {
-    record.companions[name] = companion_record(companion_case(input, name), contact);
+    record.companions[name] = companion_record(mechanics::companion_case(input, name), contact);
   }
   return record;
 }

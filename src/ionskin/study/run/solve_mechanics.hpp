@@ -14,7 +14,7 @@ namespace ionskin::study {
 /// Study 1 and its companions, which tell the error.
 struct SolvedMechanics {
   mechanics::ContactSolution contact;
-  /// By name, see study/errors/companions.hpp; empty where their mesh has no solution and where no
+  /// By name, see mechanics/companions.hpp; empty where their mesh has no solution and where no
   /// error is asked for.
   std::map<std::string, mechanics::ContactSolution> companions;
 };

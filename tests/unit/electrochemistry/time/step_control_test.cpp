@@ -12,7 +12,7 @@ namespace {
 
 const StepControl control{{{0.0, 1.0, 3.0}, {true, true, false}, {true, false, true}},
                           {1e-4, 1e-5, 0.5, 0, 1e-12, 4.0, 1e-3}};
-const double half_rung = std::exp2(1 / 32.0) - 1; ///< of the factors on a length
+const double half_rung = std::exp2(1 / 64.0) - 1; ///< of the factors on a length
 
 TEST(StepControl, LandsWithoutSlivers) {
   EXPECT_DOUBLE_EQ(control.step_end(0.2, 0.1), 0.3);

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace ionskin::study {
+namespace ionskin::mechanics {
 
 /// Names of the coarser solutions of Study 1 whose differences tell its errors.
 namespace companions {
@@ -21,4 +21,4 @@ Case companion_case(const Case& input, const std::string& companion);
 /// it has one in each half, and the companion of twice the sizes cannot have fewer.
 bool needs_thickness_companion(const Case& input);
 
-} // namespace ionskin::study
+} // namespace ionskin::mechanics

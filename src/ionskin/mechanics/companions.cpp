@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/study/errors/companions.hpp"
+#include "ionskin/mechanics/companions.hpp"
 
 #include "ionskin/mesh/mesh_resolution.hpp"
 
 #include <cstddef>
 
-namespace ionskin::study {
+namespace ionskin::mechanics {
 
 Case companion_case(const Case& input, const std::string& companion) {
   Case result = input;
@@ -26,4 +26,4 @@ bool needs_thickness_companion(const Case& input) {
   return mesh::core_elements(input.numerics) == mesh::core_elements(companion.numerics);
 }
 
-} // namespace ionskin::study
+} // namespace ionskin::mechanics

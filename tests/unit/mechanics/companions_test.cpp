@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/study/errors/companions.hpp"
+#include "ionskin/mechanics/companions.hpp"
 
 #include "ionskin/mesh/mesh_resolution.hpp"
 
 #include <gtest/gtest.h>
 
-namespace ionskin::study {
+namespace ionskin::mechanics {
 namespace {
 
 TEST(Companions, have_twice_the_mesh_sizes) {
@@ -29,4 +29,4 @@ TEST(Companions, one_has_more_layers_where_the_others_cannot_have_fewer) {
 }
 
 } // namespace
-} // namespace ionskin::study
+} // namespace ionskin::mechanics

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/planning/mechanics_cost.hpp"
+
+#include "ionskin/base/error.hpp"
+#include "ionskin/mechanics/companions.hpp"
+#include "ionskin/mechanics/path/find_footprint.hpp"
+#include "ionskin/mechanics/position/memory_estimate.hpp"
+#include "ionskin/mechanics/position/unit_response.hpp"
+#include "ionskin/mechanics/solve_stepped.hpp"
+#include "ionskin/mesh/skin_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace ionskin::planning {
+namespace {
+
+// Processor time [s], measured with AVX2 over the random cases of `benchmarks/explained_costs.py`
+// and cases/paper.toml and cases/finger.toml at coarse and standard, 15e3 to 174e3 unknowns n. The
+// powers fit every factorisation within a factor of 2.4, the responses within 1.8.
+double first_factorisation(double n) {
+  return 6.0e-8 * std::pow(n, 1.59);
+}
+double further_factorisation(double n) {
+  return 9.2e-8 * std::pow(n, 1.44);
+}
+constexpr double seconds_per_response = 1.25e-7; ///< over unknowns and cells
+/// Of a step of the contact, over the square of the cells; drives and round sliders take up to
+/// three times as long, flat ones half.
+constexpr double seconds_per_step = 1.5e-7;
+/// Of the strain of an instant that is kept of the path, over unknowns; half the steps are kept.
+constexpr double seconds_per_strain = 1e-7, kept_share = 0.5;
+/// Meshes on which the contact of a round slider is sought, of about the size of that which is
+/// found, each at two positions.
+constexpr double searched_meshes = 2;
+
+/// The mesh fits the contact that a coarse solution will find. Under a force the largest contact,
+/// which follows from the softest layer, may be far too large, and the mesh too small: a contact
+/// smaller than its layer feels that layer alone, the highest.
+mesh::SkinMesh expected_mesh(const Case& input) {
+  if (const auto given = mechanics::given_footprint(input); given && !input.slider.sharp()) {
+    return {input, *given};
+  }
+  mesh::SkinMesh largest(input);
+  if (input.slider.sharp() || mesh::heaviest_load(input).force <= 0) {
+    return largest;
+  }
+  Case of_highest = input;
+  for (Layer& layer : of_highest.skin.layers) {
+    layer.material = input.skin.layers.back().material;
+  }
+  mesh::SkinMesh smaller(input, mesh::largest_footprint(of_highest));
+  return smaller.unknowns() > largest.unknowns() ? smaller : largest;
+}
+
+/// What one mesh costs, apart from the steps along the path.
+struct MeshCost {
+  MeshCost(const Case& input, const mesh::SkinMesh& mesh)
+      : unknowns(static_cast<double>(mesh.unknowns())),
+        cells((mesh.footprint_lines_x().size() - 1) * (mesh.footprint_lines_y().size() - 1)),
+        positions(std::max<std::size_t>(1, mechanics::expected_positions(input))) {
+    const auto [nx, ny, nz] = mesh.elements();
+    const auto [bottom, top] = mesh.core_z();
+    core_elements = static_cast<double>(nx * ny * (top - bottom));
+    lattice = 3.0 * static_cast<double>((2 * nx + 1) * (2 * ny + 1)) *
+              static_cast<double>(2 * (top - bottom) + 1);
+  }
+
+  /// Wall time of all positions. What lies under the slider is factorised once, before the others.
+  double seconds(int threads) const {
+    const double rounds = std::ceil(static_cast<double>(positions) / threads),
+                 further = further_factorisation(unknowns);
+    return first_factorisation(unknowns) - further +
+           rounds * (further + seconds_per_response * unknowns * static_cast<double>(cells));
+  }
+  /// Wall time of the search for a round contact.
+  double search_seconds() const {
+    return searched_meshes * (first_factorisation(unknowns) + further_factorisation(unknowns));
+  }
+  /// Of steps along the path and of the strain of what is kept of them.
+  double path_seconds(double steps) const {
+    const auto components = static_cast<double>(cells);
+    return steps * (seconds_per_step * components * components +
+                    kept_share * seconds_per_strain * unknowns);
+  }
+  /// Responses to unit forces at the positions of the path, which are kept until its history is
+  /// made wherever they are kept at all [bytes].
+  double response_memory() const {
+    const double components = 3.0 * static_cast<double>(cells);
+    const bool kept =
+        mechanics::responses_fit(static_cast<int>(lattice), 0, static_cast<int>(components));
+    return kept ? sizeof(std::int32_t) * static_cast<double>(positions) * lattice * components : 0;
+  }
+  /// Factors, strains that are recovered together and those under the test load at the positions,
+  /// and the dense matrices of the contact at the positions that are solved at once [bytes].
+  double working_memory(int at_once) const {
+    constexpr double block_states = 48 + 48, test_states = 4; // with the patterns they combine
+    constexpr double points = 8, strains = 6, matrices = 3;   // compliance, Newton's and its factor
+    const double states = test_states * static_cast<double>(positions) + block_states;
+    const double components = 3.0 * static_cast<double>(cells);
+    return mechanics::factorisations_memory(static_cast<std::size_t>(unknowns), at_once) +
+           sizeof(double) * (states * core_elements * points * strains +
+                             at_once * matrices * components * components);
+  }
+
+  double unknowns = 0;
+  std::size_t cells = 0, positions = 0;
+  double core_elements = 0, lattice = 0; ///< unknowns of the core
+};
+
+/// Companions, by the name of `mechanics::companions`, that have a mesh of their own.
+std::vector<const char*> companions_of(const Case& input) {
+  namespace names = mechanics::companions;
+  if (!input.numerics.error_estimate) {
+    return {};
+  }
+  return mechanics::needs_thickness_companion(input) ? std::vector{names::mesh, names::thickness}
+                                                     : std::vector{names::mesh};
+}
+
+} // namespace
+
+MechanicsCost estimate_mechanics_cost(const Case& input, int threads,
+                                      const std::optional<mesh::Footprint>& found) {
+  const mesh::SkinMesh mesh = found ? mesh::SkinMesh(input, *found) : expected_mesh(input);
+  const MeshCost own(input, mesh);
+  const auto at_once = [threads](const MeshCost& cost) {
+    return std::min(threads, static_cast<int>(cost.positions));
+  };
+  MechanicsCost cost;
+  cost.unknowns = mesh.unknowns();
+  cost.contact_cells = own.cells;
+  cost.positions = own.positions;
+  cost.steps = mechanics::expected_steps(input);
+  const auto steps = static_cast<double>(cost.steps);
+  cost.seconds = own.seconds(at_once(own)) + own.path_seconds(steps);
+  if (!input.slider.sharp()) {
+    cost.seconds += own.search_seconds();
+  }
+  double kept = 0; // of the companions, whose strains are recovered at the end
+  for (const char* name : companions_of(input)) {
+    const Case of_companion = mechanics::companion_case(input, name);
+    try {
+      const MeshCost companion(of_companion, {of_companion, mesh.footprint()});
+      // `path` steps along the same mesh, half as finely.
+      const double paths = name == std::string_view(mechanics::companions::mesh) ? 1.5 : 1;
+      cost.seconds += companion.seconds(at_once(companion)) + paths * companion.path_seconds(steps);
+      cost.memory = std::max(cost.memory, kept + companion.response_memory() +
+                                              companion.working_memory(at_once(companion)));
+      kept += companion.response_memory();
+    } catch (const UserError&) { // its mesh does not fit beside the slider: a run goes without
+    }
+  }
+  cost.memory =
+      std::max(cost.memory, kept + own.response_memory() + own.working_memory(at_once(own)));
+  return cost;
+}
+
+} // namespace ionskin::planning

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/mesh/footprint.hpp"
+
+#include <cstddef>
+#include <optional>
+
+namespace ionskin::planning {
+
+/// Size of Study 1, and what it will cost.
+struct MechanicsCost {
+  std::size_t unknowns = 0;      ///< of one position of the slider
+  std::size_t contact_cells = 0; ///< below the slider
+  std::size_t positions = 0;     ///< that are factorised
+  std::size_t steps = 0;         ///< of the contact along the path
+  double seconds = 0;            ///< wall time, the handover of the strain included
+  double memory = 0;             ///< largest, beside what the program takes at rest [bytes]
+};
+
+/// Of the run and, where it estimates its errors, of the companions that it solves before.
+/// @param found see `estimate_cost`
+/// Throws UserError when the mesh cannot be built.
+MechanicsCost estimate_mechanics_cost(const Case& input, int threads,
+                                      const std::optional<mesh::Footprint>& found);
+
+} // namespace ionskin::planning
