@@ -40,7 +40,8 @@ std::string whole_number_from_1(const std::string& text) {
 }
 
 void add_threads_option(CLI::App& verb, int& threads) {
-  verb.add_option("--threads", threads, "Threads to use at most (default: all processors that it may run on)")
+  verb.add_option("--threads", threads,
+                  "Threads to use at most (default: all processors that it may run on)")
       ->check(whole_number_from_1);
 }
 

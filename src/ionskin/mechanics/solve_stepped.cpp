@@ -141,6 +141,30 @@ std::size_t expected_positions(const Case& input) {
   return box ? expected_places(input, *box) : 0;
 }
 
+namespace {
+
+/// Of a slider on a drive that pulls it under a force: where friction falls with the speed it
+/// sticks and slips, each time that the spring has gone twice what the fall of the friction draws
+/// it out.
+double steps_of_stick_slip(const Case& input, const MotionLeg& leg) {
+  constexpr double steps_each = 115; // measured
+  if (!input.motion.drive.given() || !leg.to_level.is_force) {
+    return 0;
+  }
+  const laws::Friction law =
+      laws::friction(input.contact.law, input.contact.friction, input.contact.parameters);
+  const double speed = leg.length() / leg.duration;
+  const double fall =
+      law.limit({.normal_traction = 1}) -
+      law.limit(
+          {.normal_traction = 1, .slip_increment = speed, .time_step = 1, .lagged_speed = speed});
+  const double force = std::max(leg.from_level.value, leg.to_level.value);
+  return fall > 0 ? steps_each * leg.length() * input.motion.drive.stiffness / (2 * fall * force)
+                  : 0;
+}
+
+} // namespace
+
 std::size_t expected_steps(const Case& input) {
   const PathSteps each;
   const mesh::HeaviestLoad heaviest = mesh::heaviest_load(input);
@@ -169,9 +193,9 @@ std::size_t expected_steps(const Case& input) {
       steps += each.onset;
     }
     direction = way;
-    steps += std::ceil(leg.length() / travel_each);
+    steps += std::ceil(leg.length() / travel_each) + steps_of_stick_slip(input, leg);
   }
-  return static_cast<std::size_t>(steps);
+  return static_cast<std::size_t>(std::min(steps, 1e9));
 }
 
 std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footprint& footprint,

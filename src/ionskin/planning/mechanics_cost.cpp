@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <string_view>
+#include <vector>
 
 namespace ionskin::planning {
 namespace {
@@ -26,14 +28,16 @@ double further_factorisation(double n) {
   return 9.2e-8 * std::pow(n, 1.44);
 }
 constexpr double seconds_per_response = 1.25e-7; ///< over unknowns and cells
-/// Of a step of the contact, over the square of the cells; drives and round sliders take up to
-/// three times as long, flat ones half.
-constexpr double seconds_per_step = 1.5e-7;
+/// Of a step of the contact, over the square of the cells; round sliders take up to three times as
+/// long, flat ones half.
+constexpr double seconds_per_step = 1.5e-7, seconds_per_driven_step = 3e-7;
 /// Of the strain of an instant that is kept of the path, over unknowns; half the steps are kept.
 constexpr double seconds_per_strain = 1e-7, kept_share = 0.5;
 /// Meshes on which the contact of a round slider is sought, of about the size of that which is
 /// found, each at two positions.
 constexpr double searched_meshes = 2;
+/// Rectangles of positions that a slider on a drive is solved over: one, and often a wider one.
+constexpr double passes_of_drive = 1.5;
 
 /// The mesh fits the contact that a coarse solution will find. Under a force the largest contact,
 /// which follows from the softest layer, may be far too large, and the mesh too small: a contact
@@ -59,7 +63,8 @@ struct MeshCost {
   MeshCost(const Case& input, const mesh::SkinMesh& mesh)
       : unknowns(static_cast<double>(mesh.unknowns())),
         cells((mesh.footprint_lines_x().size() - 1) * (mesh.footprint_lines_y().size() - 1)),
-        positions(std::max<std::size_t>(1, mechanics::expected_positions(input))) {
+        positions(std::max<std::size_t>(1, mechanics::expected_positions(input))),
+        driven(input.motion.drive.given()), passes(driven ? passes_of_drive : 1) {
     const auto [nx, ny, nz] = mesh.elements();
     const auto [bottom, top] = mesh.core_z();
     core_elements = static_cast<double>(nx * ny * (top - bottom));
@@ -71,8 +76,8 @@ struct MeshCost {
   double seconds(int threads) const {
     const double rounds = std::ceil(static_cast<double>(positions) / threads),
                  further = further_factorisation(unknowns);
-    return first_factorisation(unknowns) - further +
-           rounds * (further + seconds_per_response * unknowns * static_cast<double>(cells));
+    const double response = seconds_per_response * unknowns * static_cast<double>(cells);
+    return passes * (first_factorisation(unknowns) - further + rounds * (further + response));
   }
   /// Wall time of the search for a round contact.
   double search_seconds() const {
@@ -81,8 +86,9 @@ struct MeshCost {
   /// Of steps along the path and of the strain of what is kept of them.
   double path_seconds(double steps) const {
     const auto components = static_cast<double>(cells);
-    return steps * (seconds_per_step * components * components +
-                    kept_share * seconds_per_strain * unknowns);
+    const double contact = driven ? seconds_per_driven_step : seconds_per_step;
+    return passes * steps *
+           (contact * components * components + kept_share * seconds_per_strain * unknowns);
   }
   /// Responses to unit forces at the positions of the path, which are kept until its history is
   /// made wherever they are kept at all [bytes].
@@ -90,7 +96,9 @@ struct MeshCost {
     const double components = 3.0 * static_cast<double>(cells);
     const bool kept =
         mechanics::responses_fit(static_cast<int>(lattice), 0, static_cast<int>(components));
-    return kept ? sizeof(std::int32_t) * static_cast<double>(positions) * lattice * components : 0;
+    return kept ? passes * sizeof(std::int32_t) * static_cast<double>(positions) * lattice *
+                      components
+                : 0;
   }
   /// Factors, strains that are recovered together and those under the test load at the positions,
   /// and the dense matrices of the contact at the positions that are solved at once [bytes].
@@ -106,6 +114,8 @@ struct MeshCost {
 
   double unknowns = 0;
   std::size_t cells = 0, positions = 0;
+  bool driven = false;
+  double passes = 1;
   double core_elements = 0, lattice = 0; ///< unknowns of the core
 };
 
