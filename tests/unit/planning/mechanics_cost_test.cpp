@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/planning/mechanics_cost.hpp"
+
+#include "ionskin/case/reading/read_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace ionskin::planning {
+namespace {
+
+MechanicsCost cost(const std::vector<std::string>& edits, int threads = 1) {
+  return estimate_mechanics_cost(read_case(IONSKIN_CASES "/quick.toml", edits), threads, {});
+}
+
+TEST(MechanicsCost, OfErrorsIsThatOfTheCompanions) {
+  const MechanicsCost with = cost({}), without = cost({"numerics.error_estimate=off"});
+  EXPECT_GT(with.seconds, 1.1 * without.seconds);
+  EXPECT_GE(with.memory, without.memory);
+  EXPECT_EQ(with.unknowns, without.unknowns);
+}
+
+TEST(MechanicsCost, OfFurtherPositionsIsSharedByThreads) {
+  const std::vector<std::string> ball{"slider.shape=sphere", "slider.radius=4 mm"};
+  ASSERT_GT(cost(ball).positions, 1u);
+  EXPECT_LT(cost(ball, 2).seconds, cost(ball).seconds);
+  EXPECT_GT(cost(ball, 2).seconds, cost(ball).seconds / 2); // the first, and the search, are not
+}
+
+TEST(MechanicsCost, GrowsWithEveryStroke) {
+  const auto strokes = [](int count) {
+    return cost({"motion.kind=reciprocating", "motion.strokes=" + std::to_string(count)}).steps;
+  };
+  EXPECT_GT(strokes(4) - strokes(2), strokes(2) / 2);
+  EXPECT_EQ(strokes(6) - strokes(4), strokes(4) - strokes(2));
+}
+
+TEST(MechanicsCost, CountsStickSlipOfADrive) {
+  const std::vector<std::string> drive{
+      "motion.preload=1 N",    "motion.drive.stiffness=5 kN/m", "motion.drive.damping=3 N s/m",
+      "motion.drive.mass=3 g", "contact.law=stribeck",          "contact.friction=0.4"};
+  const auto with_kinetic = [&](const char* friction) {
+    std::vector<std::string> edits = drive;
+    edits.push_back("contact.stribeck_speed=1 mm/s");
+    edits.push_back(std::string("contact.kinetic_friction=") + friction);
+    return cost(edits).steps;
+  };
+  EXPECT_GT(with_kinetic("0.1"), 2 * with_kinetic("0.4")); // which does not fall with the speed
+  EXPECT_GT(with_kinetic("0.2"), with_kinetic("0.1"));     // it lets go more often
+}
+
+} // namespace
+} // namespace ionskin::planning
