@@ -143,24 +143,33 @@ std::size_t expected_positions(const Case& input) {
 
 namespace {
 
-/// Of a slider on a drive that pulls it under a force: where friction falls with the speed it
-/// sticks and slips, each time that the spring has gone twice what the fall of the friction draws
-/// it out.
+/// Of a slider on a drive that pulls it under a force. Steady sliding is unstable where friction
+/// falls with the speed by more than damping and, within its lag, the spring take up (Ruina 1983,
+/// doi 10.1029/JB088iB12p10359, without a mass); then the slider sticks and slips, each time that
+/// the spring has gone twice what the fall of the friction draws it out.
 double steps_of_stick_slip(const Case& input, const MotionLeg& leg) {
   constexpr double steps_each = 115; // measured
-  if (!input.motion.drive.given() || !leg.to_level.is_force) {
+  constexpr double change = 0.01;    // of the speed
+  constexpr double fast = 100;       // a slip, over the speed of the drive
+  const Drive& drive = input.motion.drive;
+  if (!drive.given() || !leg.to_level.is_force) {
     return 0;
   }
+  const double speed = leg.length() / leg.duration,
+               force = std::max(leg.from_level.value, leg.to_level.value);
   const laws::Friction law =
       laws::friction(input.contact.law, input.contact.friction, input.contact.parameters);
-  const double speed = leg.length() / leg.duration;
-  const double fall =
-      law.limit({.normal_traction = 1}) -
-      law.limit(
-          {.normal_traction = 1, .slip_increment = speed, .time_step = 1, .lagged_speed = speed});
-  const double force = std::max(leg.from_level.value, leg.to_level.value);
-  return fall > 0 ? steps_each * leg.length() * input.motion.drive.stiffness / (2 * fall * force)
-                  : 0;
+  const auto friction = [&](double at) { // [N]
+    return force *
+           law.limit(
+               {.normal_traction = 1, .slip_increment = at, .time_step = 1, .lagged_speed = at});
+  };
+  const double slope =
+      (friction((1 + change) * speed) - friction((1 - change) * speed)) / (2 * change * speed);
+  const double fall = friction(0) - friction(fast * speed);
+  return -slope > drive.damping + drive.stiffness * law.lag && fall > 0
+             ? steps_each * leg.length() * drive.stiffness / (2 * fall)
+             : 0;
 }
 
 } // namespace

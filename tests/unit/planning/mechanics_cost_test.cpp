@@ -43,12 +43,13 @@ TEST(MechanicsCost, CountsStickSlipOfADrive) {
       "motion.drive.mass=3 g", "contact.law=stribeck",          "contact.friction=0.4"};
   const auto with_kinetic = [&](const char* friction) {
     std::vector<std::string> edits = drive;
-    edits.push_back("contact.stribeck_speed=1 mm/s");
+    edits.push_back("contact.stribeck_speed=3 mm/s");
     edits.push_back(std::string("contact.kinetic_friction=") + friction);
     return cost(edits).steps;
   };
   EXPECT_GT(with_kinetic("0.1"), 2 * with_kinetic("0.4")); // which does not fall with the speed
   EXPECT_GT(with_kinetic("0.2"), with_kinetic("0.1"));     // it lets go more often
+  EXPECT_EQ(with_kinetic("0.35"), with_kinetic("0.4"));    // damping and spring hold it
 }
 
 } // namespace
