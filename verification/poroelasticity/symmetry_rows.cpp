@@ -86,7 +86,7 @@ double change_of_ions(const IonSolution& solution) {
 std::vector<Row> symmetry_rows(const Options& options) {
   return {at_most("P6", "charge of a uniform shear [C]", largest_charge(sheared(options)), 0.0),
           at_most("P6", "charge of a mirrored load plus that of the load, relative",
-                  antisymmetry(options), 1e-10),
+                  antisymmetry(options), 1e-9),
           at_most("P6", "still water against pair-generation on the dilation, relative",
                   against_pair_generation(options), 1e-2),
           at_most("P7", "change of the ions in the core, relative",
