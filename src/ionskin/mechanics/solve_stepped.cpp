@@ -237,6 +237,9 @@ std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footpr
                                                               options.nodes,
                                                               loads_across_at_ends(input, *box)},
                                                   progress);
+    if (!nodes->holds_factors()) { // which the path would make again
+      model->forget_factors();
+    }
   }
   progress.add_units(units_per_path * variants.size());
   parallel::run_tasks(variants.size(), options.threads, [&](std::size_t i) {

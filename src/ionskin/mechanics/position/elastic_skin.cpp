@@ -52,6 +52,11 @@ std::shared_ptr<SharedInner> SkinAnalysis::inner(const mesh::MeshLines& lines) c
   return latest_.inner;
 }
 
+void SkinAnalysis::forget_inner() const {
+  const std::lock_guard lock(mutex_);
+  latest_ = {};
+}
+
 ElasticSkin::ElasticSkin(const Case& input, const mesh::SkinMesh& mesh)
     : fixed(skin_boundary(input.skin, mesh.half_model())),
       space(mesh.lines(input.slider.start), fixed, ElasticSpace::Structure::none),
@@ -72,6 +77,12 @@ const SkinAnalysis& ElasticSkin::analysis() const {
         std::make_unique<const SkinAnalysis>(SkinParts(space, any_lines_, fixed, cells, cut));
   });
   return *analysis_;
+}
+
+void ElasticSkin::forget_factors() const {
+  if (analysis_) {
+    analysis_->forget_inner();
+  }
 }
 
 } // namespace ionskin::mechanics

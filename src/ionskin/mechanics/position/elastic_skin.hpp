@@ -49,6 +49,8 @@ struct SkinAnalysis {
   explicit SkinAnalysis(SkinParts skin_parts);
   /// At lines of the inner part; those of the latest lines are kept.
   std::shared_ptr<SharedInner> inner(const mesh::MeshLines& lines) const;
+  /// Frees the kept ones; the next position makes them again.
+  void forget_inner() const;
 
 private:
   struct Latest {
@@ -75,6 +77,8 @@ struct ElasticSkin {
   explicit ElasticSkin(const PositionInput& input);
   /// Made at the first call: positions that come from a cache need none.
   const SkinAnalysis& analysis() const;
+  /// Frees what positions share of their factors, while none is made.
+  void forget_factors() const;
 
 private:
   mesh::MeshLines any_lines_; ///< of which the number counts
