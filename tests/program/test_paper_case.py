@@ -41,10 +41,10 @@ class PaperCase(ProgramTest):
 
     def assert_no_spike_behind_the_onset(self, result, friction):
         """Behind the onset of slip the difference current stays below the slow tail that follows: no spike."""
-        end = 0.5 + 1.5 * friction * 45e-6 / 3e-3
+        end = 0.5 + 0.9 * friction * 45e-6 / 3e-3
         current = numpy.abs(result["current_difference"])
-        near = (result["time"] > end) & (result["time"] <= end + 0.03)
-        tail = (result["time"] > end + 0.03) & (result["time"] < end + 0.2)
+        near = (result["time"] > end) & (result["time"] <= end + 0.02)
+        tail = (result["time"] > end + 0.02) & (result["time"] < end + 0.2)
         self.assertGreaterEqual(numpy.count_nonzero(near), 3)
         self.assertLess(current[near].max(), 1.05 * current[tail].max())
 
