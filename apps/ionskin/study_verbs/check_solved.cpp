@@ -8,6 +8,9 @@
 #include "ionskin/case/reading/read_case.hpp"
 #include "ionskin/electrochemistry/equations/wall_potential.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
+#include "ionskin/mesh/footprint.hpp"
+#include "ionskin/mesh/skin_mesh.hpp"
+#include "ionskin/planning/cost_estimate.hpp"
 #include "ionskin/study/stations/given_strain.hpp"
 
 #include <fmt/format.h>

@@ -13,18 +13,17 @@ namespace {
 constexpr double safety = 0.85;
 constexpr double smallest_shrinkage = 0.1;
 
-/// Rungs per octave of the factors on a step's length. Late in a decay the error of a step is
-/// little more than rounding: lengths in proportion to it would hang on the processor.
-constexpr double rungs = 32;
+/// Late in a decay the error of a step is little more than rounding, and lengths in proportion to
+/// it would depend on the processor: factors on a length are rounded to so many per doubling.
+constexpr double factors_per_doubling = 32;
 
-/// Factor on a step's length that brings its error of third order to what is allowed, to half a
-/// rung.
+/// Factor on a step's length that brings its error of third order to what is allowed, rounded.
 double ideal_factor(double error) {
   if (std::isnan(error)) {
     return smallest_shrinkage;
   }
   const double factor = safety / std::cbrt(std::max(error, 1e-12));
-  return std::exp2(std::round(rungs * std::log2(factor)) / rungs);
+  return std::exp2(std::round(factors_per_doubling * std::log2(factor)) / factors_per_doubling);
 }
 
 /// Resolve what is left late in a decay, when it is small beside the charge that the error is

@@ -12,7 +12,7 @@ namespace {
 
 const StepControl control{{{0.0, 1.0, 3.0}, {true, true, false}, {true, false, true}},
                           {1e-4, 1e-5, 0.5, 0, 1e-12, 4.0, 1e-3}};
-const double half_rung = std::exp2(1 / 64.0) - 1; ///< of the factors on a length
+const double rounded_by = std::exp2(1 / 64.0) - 1; ///< of the factors on a length
 
 TEST(StepControl, LandsWithoutSlivers) {
   EXPECT_DOUBLE_EQ(control.step_end(0.2, 0.1), 0.3);
@@ -34,7 +34,7 @@ TEST(StepControl, StretchesAStepFromLandingToLanding) {
 TEST(StepControl, ErrorOfThirdOrderSetsTheLength) {
   for (const double error : {0.02, 0.1, 0.4, 0.9}) {
     const double ideal = 0.1 * 0.85 / std::cbrt(error);
-    EXPECT_NEAR(control.after_success(0.1, 0.2, 0.1, error), ideal, half_rung * ideal);
+    EXPECT_NEAR(control.after_success(0.1, 0.2, 0.1, error), ideal, rounded_by * ideal);
   }
   EXPECT_NEAR(control.after_success(0.1, 0.2, 0.1, 0.0), 0.4, 1e-12);
   EXPECT_LT(control.after_rejection(0.1, 0.2, 1.01), 0.071);
@@ -94,7 +94,7 @@ TEST(StepControl, LongAfterAnEventStepsGrowWithTheTimeSince) {
   EXPECT_DOUBLE_EQ(late.step_end(15.0, 100.0), 15.5);
   EXPECT_DOUBLE_EQ(late.step_end(110.0, 100.0), 115.0);
   const double ideal = 5.0 * 0.85 / std::cbrt(0.5);
-  EXPECT_NEAR(late.after_success(110.0, 115.0, 100.0, 0.5), ideal, half_rung * ideal);
+  EXPECT_NEAR(late.after_success(110.0, 115.0, 100.0, 0.5), ideal, rounded_by * ideal);
 }
 
 TEST(StepRule, TaxelsAskForSingleColumns) {
