@@ -5,8 +5,8 @@
 #include "ionskin/base/progress.hpp"
 #include "ionskin/base/timers.hpp"
 #include "ionskin/case/case.hpp"
-#include "ionskin/mechanics/engine/path_steps.hpp"
 #include "ionskin/mechanics/output/contact_solution.hpp"
+#include "ionskin/mechanics/path/path_steps.hpp"
 #include "ionskin/mesh/footprint.hpp"
 
 #include <optional>

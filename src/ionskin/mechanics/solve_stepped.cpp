@@ -6,6 +6,7 @@
 #include "ionskin/mechanics/engine/adhesion_resolution.hpp"
 #include "ionskin/mechanics/engine/drive_room.hpp"
 #include "ionskin/mechanics/engine/kept_path.hpp"
+#include "ionskin/mechanics/path/path_resolution.hpp"
 #include "ionskin/mechanics/position/interpolation_error.hpp"
 #include "ionskin/mechanics/position/interpolation_nodes.hpp"
 #include "ionskin/mesh/footprint.hpp"
@@ -22,29 +23,18 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// Part of a usual slide, two fifths of the skin, between instants that are kept at least; the
-/// error of straight lines between them falls with its square.
-double path_resolution(const Numerics& numerics) {
-  const double kept = numerics.preset == Preset::coarse ? 20
-                      : numerics.preset == Preset::fine ? 80
-                                                        : 40;
-  return 1 / (kept * numerics.time_refinement);
-}
-
 /// The contact of a round slider may turn out to need a wider footprint, and with it another pass.
 constexpr double share_of_uncertain_pass = 0.9;
 constexpr std::size_t units_per_path = 10; // of the progress
-constexpr double usual_slide = 0.4;        // of the skin's length
 constexpr double force_share = 0.4;        // of the resolution's square
 constexpr double area_tolerance = 0.02;
-constexpr double steps_per_interval = 2; // that are kept at most
-constexpr int most_passes = 3;           // over wider rectangles of a slider on a drive
+constexpr int most_passes = 3; // over wider rectangles of a slider on a drive
 
 ThinningTolerance thinning_tolerance(const Case& input, const mesh::Footprint& footprint) {
   const double resolution = path_resolution(input.numerics);
   return {force_share * resolution * resolution, area_tolerance,
           resolution * resolution * std::min(footprint.half_size[0], footprint.half_size[1]),
-          resolution * usual_slide * input.skin.length, resolution * resolution};
+          longest_kept_travel(input), resolution * resolution};
 }
 
 /// The middle of the slide, the end of touchdown and the instants of field output, within a cycle.
@@ -95,7 +85,7 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
                          .instants = requested_instants(input, legs)};
   options.heaviest_force = heaviest.force * options.meshed_share;
   const ThinningTolerance tolerance = thinning_tolerance(input, model.mesh.footprint());
-  options.longest_travel = tolerance.travel / steps_per_interval;
+  options.longest_travel = longest_step_travel(input);
   options.drive = drive_options(input, model, options.longest_travel);
 
   ContactSolution solution = empty_solution(model);
@@ -139,72 +129,6 @@ void warn_of_nodes(const Case& input, const PositionNodes& nodes, const MotionBo
 std::size_t expected_positions(const Case& input) {
   const auto box = contact_box(input);
   return box ? expected_places(input, *box) : 0;
-}
-
-namespace {
-
-/// Of a slider on a drive that pulls it under a force. Steady sliding is unstable where friction
-/// falls with the speed by more than damping and, within its lag, the spring take up (Ruina 1983,
-/// doi 10.1029/JB088iB12p10359, without a mass); then the slider sticks and slips, each time that
-/// the spring has gone twice what the fall of the friction draws it out.
-double steps_of_stick_slip(const Case& input, const MotionLeg& leg) {
-  constexpr double steps_each = 115; // measured
-  constexpr double change = 0.01;    // of the speed
-  constexpr double fast = 100;       // a slip, over the speed of the drive
-  const Drive& drive = input.motion.drive;
-  if (!drive.given() || !leg.to_level.is_force) {
-    return 0;
-  }
-  const double speed = leg.length() / leg.duration,
-               force = std::max(leg.from_level.value, leg.to_level.value);
-  const laws::Friction law =
-      laws::friction(input.contact.law, input.contact.friction, input.contact.parameters);
-  const auto friction = [&](double at) { // [N]
-    return force *
-           law.limit(
-               {.normal_traction = 1, .slip_increment = at, .time_step = 1, .lagged_speed = at});
-  };
-  const double slope =
-      (friction((1 + change) * speed) - friction((1 - change) * speed)) / (2 * change * speed);
-  const double fall = friction(0) - friction(fast * speed);
-  return -slope > drive.damping + drive.stiffness * law.lag && fall > 0
-             ? steps_each * leg.length() * drive.stiffness / (2 * fall)
-             : 0;
-}
-
-} // namespace
-
-std::size_t expected_steps(const Case& input) {
-  const PathSteps each;
-  const mesh::HeaviestLoad heaviest = mesh::heaviest_load(input);
-  const double travel_each =
-      path_resolution(input.numerics) * usual_slide * input.skin.length / steps_per_interval;
-  std::array<double, 2> direction{};
-  double steps = 0;
-  for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
-    if (!leg.touches()) {
-      continue;
-    }
-    const ContactPart part = contact_part(leg);
-    const double change = std::abs(part.to_level.value - part.from_level.value),
-                 largest = part.to_level.is_force ? heaviest.force : heaviest.indentation;
-    if (leg.lands() || leg.leaves() || part.from_level.is_force != part.to_level.is_force) {
-      steps += leg.leaves() ? each.lift_off : each.touchdown;
-    } else if (largest > 0) {
-      steps += std::ceil(each.touchdown * change / largest);
-    }
-    if (!leg.slides()) {
-      direction = {};
-      continue;
-    }
-    const auto way = leg.direction();
-    if (way[0] * direction[0] + way[1] * direction[1] < std::cos(sharp_turn)) {
-      steps += each.onset;
-    }
-    direction = way;
-    steps += std::ceil(leg.length() / travel_each) + steps_of_stick_slip(input, leg);
-  }
-  return static_cast<std::size_t>(std::min(steps, 1e9));
 }
 
 std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footprint& footprint,

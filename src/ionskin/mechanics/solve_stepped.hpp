@@ -12,9 +12,6 @@ namespace ionskin::mechanics {
 /// Positions that a motion is expected to need; 0 when it never touches.
 std::size_t expected_positions(const Case& input);
 
-/// Steps that the contact is expected to take along a cycle of it.
-std::size_t expected_steps(const Case& input);
-
 /// Study 1 on one footprint, one solution per variant, which share their positions.
 std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footprint& footprint,
                                            const std::vector<ContactVariant>& variants,

@@ -3,8 +3,8 @@
 
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/mechanics/engine/driven_steps.hpp"
-#include "ionskin/mechanics/engine/path_steps.hpp"
 #include "ionskin/mechanics/engine/sliding_contact.hpp"
+#include "ionskin/mechanics/path/path_steps.hpp"
 
 #include <array>
 #include <functional>

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/path/expected_steps.hpp"
+
+#include "ionskin/case/slider_motion.hpp"
+#include "ionskin/laws/friction/friction_law.hpp"
+#include "ionskin/mechanics/path/path_resolution.hpp"
+#include "ionskin/mechanics/path/path_steps.hpp"
+#include "ionskin/mesh/footprint.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ionskin::mechanics {
+namespace {
+
+/// Of a slider on a drive that pulls it under a force. Steady sliding is unstable where friction
+/// falls with the speed by more than damping and, within its lag, the spring take up (Ruina 1983,
+/// doi 10.1029/JB088iB12p10359, without a mass); then the slider sticks and slips, each time that
+/// the spring has gone twice what the fall of the friction draws it out.
+double steps_of_stick_slip(const Case& input, const MotionLeg& leg) {
+  constexpr double steps_each = 115; // measured
+  constexpr double change = 0.01;    // of the speed
+  constexpr double fast = 100;       // a slip, over the speed of the drive
+  const Drive& drive = input.motion.drive;
+  if (!drive.given() || !leg.to_level.is_force) {
+    return 0;
+  }
+  const double speed = leg.length() / leg.duration,
+               force = std::max(leg.from_level.value, leg.to_level.value);
+  const laws::Friction law =
+      laws::friction(input.contact.law, input.contact.friction, input.contact.parameters);
+  const auto friction = [&](double at) { // [N]
+    return force *
+           law.limit(
+               {.normal_traction = 1, .slip_increment = at, .time_step = 1, .lagged_speed = at});
+  };
+  const double slope =
+      (friction((1 + change) * speed) - friction((1 - change) * speed)) / (2 * change * speed);
+  const double fall = friction(0) - friction(fast * speed);
+  return -slope > drive.damping + drive.stiffness * law.lag && fall > 0
+             ? steps_each * leg.length() * drive.stiffness / (2 * fall)
+             : 0;
+}
+
+} // namespace
+
+std::size_t expected_steps(const Case& input) {
+  const PathSteps each;
+  const mesh::HeaviestLoad heaviest = mesh::heaviest_load(input);
+  const double travel_each = longest_step_travel(input);
+  std::array<double, 2> direction{};
+  double steps = 0;
+  for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
+    if (!leg.touches()) {
+      continue;
+    }
+    const ContactPart part = contact_part(leg);
+    const double change = std::abs(part.to_level.value - part.from_level.value),
+                 largest = part.to_level.is_force ? heaviest.force : heaviest.indentation;
+    if (leg.lands() || leg.leaves() || part.from_level.is_force != part.to_level.is_force) {
+      steps += leg.leaves() ? each.lift_off : each.touchdown;
+    } else if (largest > 0) {
+      steps += std::ceil(each.touchdown * change / largest);
+    }
+    if (!leg.slides()) {
+      direction = {};
+      continue;
+    }
+    const auto way = leg.direction();
+    if (way[0] * direction[0] + way[1] * direction[1] < std::cos(sharp_turn)) {
+      steps += each.onset;
+    }
+    direction = way;
+    steps += std::ceil(leg.length() / travel_each) + steps_of_stick_slip(input, leg);
+  }
+  return static_cast<std::size_t>(std::min(steps, 1e9));
+}
+
+} // namespace ionskin::mechanics
