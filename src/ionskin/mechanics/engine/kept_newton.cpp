@@ -172,12 +172,15 @@ bool KeptNewton::solve(const ContactProblem& problem, const SliderStep& step, It
       return true;
     }
     if (at.touching.empty()) {
-      if (force_given) {
+      // A slider lifted by more than cells give alone: the skin that they press down rises too.
+      if (force_given || rounds == most_rounds) {
         return false;
       }
-      std::fill(now.force.begin(), now.force.end(), 0.0);
-      iterate = std::move(now);
-      return true;
+      ++rounds;
+      projected_gauss_seidel(problem, step, now.indentation, now.force, rough_residual,
+                             sweeps_between);
+      last = std::numeric_limits<double>::infinity();
+      continue;
     }
     const auto size = static_cast<Eigen::Index>(3 * at.touching.size() + (force_given ? 1 : 0));
     const bool known = factor_size_ == size && factorised_ == at.status;

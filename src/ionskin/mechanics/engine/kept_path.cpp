@@ -37,9 +37,18 @@ void KeptPath::add(const StepPoint& point, const SlidingContact& contact) {
     instant.stick_share = instant.area > 0 ? instant.state->stick_area / instant.area : 0;
     solution_.worst_complementarity_residual = base::larger(
         solution_.worst_complementarity_residual, instant.state->complementarity_residual);
+  } else if (const double depth = unresisted_depth(point); depth > 0) {
+    solution_.worst_complementarity_residual = base::larger(
+        solution_.worst_complementarity_residual, depth / std::max(depth, largest_indentation_));
   }
   last_time_ = point.time;
   thinning_.add(std::move(instant));
+}
+
+/// How far a slider without load is below the first place of the skin that it would touch [m].
+double KeptPath::unresisted_depth(const StepPoint& point) const {
+  const std::vector<double>& gap = nodes_.model().gap;
+  return -point.height - *std::min_element(gap.begin(), gap.end());
 }
 
 void KeptPath::keep(PathThinning::Instant&& instant) {

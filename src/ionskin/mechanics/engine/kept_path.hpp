@@ -22,6 +22,7 @@ public:
   void finish() { thinning_.finish(); }
 
 private:
+  double unresisted_depth(const StepPoint& point) const;
   void keep(PathThinning::Instant&& instant);
 
   const PositionNodes& nodes_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/base/error.hpp"
+#include "ionskin/mechanics/engine/kept_path.hpp"
 #include "ionskin/mechanics/engine/motion_stepper.hpp"
 #include "ionskin/mechanics/engine/path_thinning.hpp"
 #include "ionskin/mechanics/engine/position_nodes.hpp"
@@ -362,6 +363,16 @@ TEST(PathThinning, rounding_does_not_pass_the_longest_way) {
     thinning.finish();
     EXPECT_EQ(kept, 11);
   }
+}
+
+TEST(KeptPath, counts_a_slider_below_the_skin_without_load_as_a_violation) {
+  ContactSolution solution{.mesh = line().model->mesh};
+  KeptPath path(*line().nodes, nullptr, {1e-2, 1, 1, 0.1}, solution);
+  const SlidingContact slider = line().slider();
+  path.add({0, {2e-3, 1e-3}, 1e-3, false, true, {}}, slider);
+  EXPECT_EQ(solution.worst_complementarity_residual, 0);
+  path.add({1, {2e-3, 1e-3}, -1e-6, false, true, {}}, slider);
+  EXPECT_EQ(solution.worst_complementarity_residual, 1);
 }
 
 /// The motion of the small case as waypoints, each leg in so many rows.
