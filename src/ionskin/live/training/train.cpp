@@ -36,7 +36,6 @@ constexpr std::size_t candidate_rates = 20;
 constexpr std::size_t least_validation = 12;  // touches that tell the errors
 constexpr std::size_t runs_over_friction = 3; // from its lowest to its highest
 constexpr double most_friction = 2;           // as in a case
-constexpr std::string_view law_with_tension = "adhesive";
 constexpr std::uint64_t validation_seed_shift = 0x9e3779b97f4a7c15; // apart from every small seed
 
 /// From the slowest motion of ions through the core to the fastest in a double layer, and that at
@@ -162,11 +161,6 @@ void check_trainable(const Case& input, const TrainingOptions& options) {
   if (input.readout.circuit != circuits::circuits().front().name) {
     throw UserError("readout.circuit: a live skin knows shorted electrodes alone\n"
                     "  = set readout.circuit = \"short\"");
-  }
-  if (input.contact.law == law_with_tension) {
-    throw UserError(fmt::format("contact.law = \"{}\": a live skin knows no contact that pulls\n"
-                                "  = choose another contact.law, such as \"coulomb\"",
-                                input.contact.law));
   }
   if (options.friction) {
     const auto [low, high] = *options.friction;
