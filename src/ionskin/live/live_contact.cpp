@@ -271,7 +271,9 @@ double LiveContact::step(double time_step, const std::array<double, 2>& place,
   for (int i = 0; i < (landing ? most_landing_sweeps : most_sweeps); ++i) {
     const Sweep changed = sweep(time_step, travel, state);
     add_up();
-    const double scale = largest > 0 ? 1 / largest : 0;
+    // A slider that is lifted may leave no cell loaded for one sweep, before those that it still
+    // reaches rise.
+    const double scale = largest > 0 ? 1 / largest : changed.change > 0 ? 1 / changed.change : 0;
     const double left = load.is_force ? std::abs(load.value - total) / load.value : 0;
     residual = std::max(changed.change * scale, left);
     if (residual <= tolerance) {
