@@ -3,12 +3,13 @@
 """Random motions under every friction law: how many have a solution, and how well it fulfils contact and friction.
 
     benchmarks/random_motions.py build/ionskin [--rows 150] [--seeds 1] [--laws WORD ...] [--sliders WORD ...]
-                                 [--drives WORD ...]
+                                 [--drives WORD ...] [--refinement 0.5]
 
 For each law, drive, slider and kind of load (height, force) a path of random rows, 1 um to the whole stroke each, with presses,
 turns, rests, landings and lift-offs, is solved on a small skin, and its worst violation of the contact's and friction's
 conditions printed, relative, and the number of contact steps. Fails when a path has no solution or a violation is above 1e-6.
-Laws and drives share what is factorised for a path by the cache.
+Laws and drives share what is factorised for a path by the cache. A refinement above 1 brings many cells under a round
+slider, which a step then lifts by more than each gives alone.
 """
 
 import argparse
@@ -36,7 +37,7 @@ friction = 0.3
 coefficient = 0.1
 [numerics]
 preset = "coarse"
-mesh_refinement = 0.5
+mesh_refinement = {refinement}
 error_estimate = "off"
 {drive}
 """
@@ -93,7 +94,7 @@ def path_rows(rng, rows, depth, force, oblique):
     return path
 
 
-def trial(program, folder, slider, law, drive, by_force, rows, seed):
+def trial(program, folder, slider, law, drive, by_force, rows, seed, refinement):
     """Worst violation and steps of one path, or what went wrong."""
     keys, depth, force = SLIDERS[slider]
     rng = random.Random(f"{slider} {by_force} {seed}")
@@ -104,7 +105,8 @@ def trial(program, folder, slider, law, drive, by_force, rows, seed):
     (folder / "ridges.csv").write_text(heights_file(False))
     (folder / "rough.csv").write_text(heights_file(True))
     hangs = f"[motion.drive]\n{DRIVES[drive]}\n" if DRIVES[drive] else ""
-    (folder / "case.toml").write_text(CASE.format(slider=keys, law=small_cases.friction(law), drive=hangs))
+    (folder / "case.toml").write_text(CASE.format(slider=keys, law=small_cases.friction(law), drive=hangs,
+                                                      refinement=refinement))
     command = [program, "run", folder / "case.toml", "-o", folder / "out", "--overwrite", "--only", "mechanics", "--quiet",
                "--no-report", "--threads", "1"]
     process = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -123,6 +125,7 @@ def main():
     parser.add_argument("--laws", nargs="+", default=list(small_cases.FRICTION_LAWS))
     parser.add_argument("--sliders", nargs="+", default=list(SLIDERS))
     parser.add_argument("--drives", nargs="+", default=list(DRIVES))
+    parser.add_argument("--refinement", type=float, default=0.5, help="of the mesh of the preset coarse")
     options = parser.parse_args()
     failures = paths = all_steps = 0
     for law, drive in itertools.product(options.laws, options.drives):
@@ -132,7 +135,7 @@ def main():
         for slider, by_force, seed in itertools.product(options.sliders, (False, True), range(options.seeds)):
             with tempfile.TemporaryDirectory() as folder:
                 residual, steps, problem = trial(options.program.resolve(), pathlib.Path(folder), slider, law, drive, by_force,
-                                                 options.rows, seed)
+                                                 options.rows, seed, options.refinement)
             paths += 1
             law_steps += int(steps)
             if residual is None or not residual <= 1e-6:
