@@ -171,21 +171,15 @@ bool KeptNewton::solve(const ContactProblem& problem, const SliderStep& step, It
       iterate = std::move(now);
       return true;
     }
-    if (at.touching.empty()) {
-      // A slider lifted by more than cells give alone: the skin that they press down rises too.
-      if (force_given || rounds == most_rounds) {
-        return false;
-      }
-      ++rounds;
-      projected_gauss_seidel(problem, step, now.indentation, now.force, rough_residual,
-                             sweeps_between);
-      last = std::numeric_limits<double>::infinity();
-      continue;
+    // A slider lifted by more than cells give alone: the skin that they press down rises too.
+    const bool lost = at.touching.empty();
+    if (lost && (force_given || rounds == most_rounds)) {
+      return false;
     }
     const auto size = static_cast<Eigen::Index>(3 * at.touching.size() + (force_given ? 1 : 0));
     const bool known = factor_size_ == size && factorised_ == at.status;
-    if (!known && i > 0 && !force_given && rounds < most_rounds &&
-        at.residual > rough_residual * at.scale) {
+    if (lost || (!known && i > 0 && !force_given && rounds < most_rounds &&
+                 at.residual > rough_residual * at.scale)) {
       ++rounds;
       projected_gauss_seidel(problem, step, now.indentation, now.force, rough_residual,
                              sweeps_between);
