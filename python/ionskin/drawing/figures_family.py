@@ -27,7 +27,7 @@ def family_grid(study, row_height, columns):
     lines = -(-len(shown) // beside)
     height = max(row_height, 1.6 / lines) * lines + 1.0
     figure = style.canvas(height=height, left=0.095, right=0.985, top=1 - 0.50 / height, bottom=0.42 / height, hspace=0.42,
-                          wspace=0.10 if columns == 1 else 0.31)
+                          wspace=0.10 if columns == 1 else 0.38)
     enlarged = event_panels.windows(study.typical.results)[:1]
     widths = ([1.5, 1.0] if enlarged else [1.0]) * columns * beside
     panels = figure.subplots(lines, len(widths), sharex=False, sharey=False, squeeze=False,
