@@ -20,6 +20,9 @@ constexpr std::array extremes{"element_max_shear_slide", "electrode_membrane_str
 /// Stated relative error above which an extreme is not told from one that grows for ever.
 constexpr double most_of_extreme = 1.0 / 3.0;
 
+/// Stated relative error above which not even the order of magnitude of a resolved peak is known.
+constexpr double most_of_peak = 1.0;
+
 /// Of the onset of sliding.
 bool is_of_onset(const std::string& metric) {
   return metric.starts_with("micro_slip_") || metric.starts_with("slip_lead_") ||
@@ -79,9 +82,12 @@ std::map<std::string, std::string> not_converging(const Case& input, const Signa
   }
   for (const char* name :
        {"current_top", "current_bottom", "current_difference", "current_common"}) {
+    const std::string peak = std::string("peak_") + name;
+    const auto error = stated.find(peak);
     if (is_single_step(signals.resolved.column(name).values)) {
-      mark(std::string("peak_") + name,
-           "spike shorter than the time step, which finer steps raise");
+      mark(peak, "spike shorter than the time step, which finer steps raise");
+    } else if (error != stated.end() && error->second > most_of_peak) {
+      mark(peak, "peak that this mesh does not resolve: its error is larger than the peak");
     }
   }
   return reasons;

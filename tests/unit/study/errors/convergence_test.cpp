@@ -54,5 +54,16 @@ TEST(Convergence, a_spike_of_one_step_has_no_peak) {
   EXPECT_TRUE(not_converging(input, with_current({0, 3, -5, 1, 0}), {}).empty());
 }
 
+TEST(Convergence, a_peak_whose_error_is_larger_than_itself_is_marked) {
+  Case input;
+  input.slider.parameters["edge_radius"] = 1e-4;
+  const Signals signals = with_current({0, 3, -5, 3, 0});
+  const std::string name = "peak_current_top";
+  EXPECT_TRUE(not_converging(input, signals, {{name, 1.1}}).contains(name));
+  EXPECT_FALSE(not_converging(input, signals, {{name, 0.9}}).contains(name));
+  EXPECT_FALSE(
+      not_converging(input, signals, {{"rms_current_top", 1.1}}).contains("rms_current_top"));
+}
+
 } // namespace
 } // namespace ionskin::study
