@@ -245,7 +245,12 @@ std::vector<double> pair_band(const std::vector<double>& values, const std::stri
                               const TableDifference& difference, const std::string& column,
                               double path_floor) {
   const std::vector<double>& gaps = difference.table.column(column).values;
-  const double norm = difference.relative_norm.at(column), factor = safety(part, column);
+  double norm = difference.relative_norm.at(column);
+  for (const std::string& leading : leading_signals(column)) {
+    const auto found = difference.relative_norm.find(leading);
+    norm = std::max(norm, found == difference.relative_norm.end() ? 0.0 : found->second);
+  }
+  const double factor = safety(part, column);
   const double least = part == error_parts::path ? path_floor : 0.0;
   std::vector<double> result;
   for (std::size_t row = 0; row < values.size(); ++row) {

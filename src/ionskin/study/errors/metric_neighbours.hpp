@@ -18,6 +18,10 @@ bool hangs_on_edges(const std::string& quantity);
 /// Signals whose relative error over the run a metric's is taken to be no smaller than.
 std::vector<std::string> related_signals(const std::string& metric);
 
+/// Signals whose relative error over the run that of a signal is taken to be no smaller than, the
+/// signal itself left out: a mean shear follows the forces.
+std::vector<std::string> leading_signals(const std::string& signal);
+
 /// Metrics whose relative error a metric's is taken to be no smaller than.
 std::vector<std::string> related_metrics(const std::string& metric);
 

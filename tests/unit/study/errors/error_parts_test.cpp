@@ -37,17 +37,26 @@ Signals scaled_signals(double shear, double force) {
 }
 
 TEST(ErrorParts, add_up_to_the_error) {
-  const Signals base = scaled_signals(1, 1), mesh = scaled_signals(1.01, 1.02),
-                path = scaled_signals(1.011, 1.02);
+  const Signals base = scaled_signals(1, 1), mesh = scaled_signals(1.02, 1.01),
+                path = scaled_signals(1.022, 1.01);
   const auto estimate = combine_errors(
       base, {{error_parts::mechanics_mesh, &base, &mesh}, {error_parts::path, &mesh, &path}}, {});
   const auto& parts = estimate.parts.at("mean_shear_slide");
-  EXPECT_NEAR(parts.at("mechanics_mesh"), mesh_safety * 2e-5, 1e-12);
-  EXPECT_GT(parts.at("path"), 1.9e-6);
+  EXPECT_NEAR(parts.at("mechanics_mesh"), mesh_safety * 4e-5, 1e-12);
+  EXPECT_GT(parts.at("path"), 3.9e-6);
   EXPECT_NEAR(estimate.relative.at("mean_shear_slide"),
               (parts.at("mechanics_mesh") + parts.at("path")) / 2e-3, 1e-12);
-  EXPECT_NEAR(estimate.parts.at("normal_force_slide").at("mechanics_mesh"), mesh_safety * 0.4,
+  EXPECT_NEAR(estimate.parts.at("normal_force_slide").at("mechanics_mesh"), mesh_safety * 0.2,
               1e-9);
+}
+
+TEST(ErrorParts, a_mean_shear_errs_no_less_than_the_force) {
+  const Signals base = scaled_signals(1, 1), mesh = scaled_signals(1.001, 1.02);
+  const auto estimate = combine_errors(base, {{error_parts::mechanics_mesh, &base, &mesh}}, {});
+  EXPECT_NEAR(estimate.relative.at("mean_shear_slide"), mesh_safety * 0.02, 1e-9);
+  EXPECT_NEAR(estimate.signals.column("mean_shear").values.back(), mesh_safety * 0.02 * 2e-3,
+              1e-12);
+  EXPECT_NEAR(estimate.relative.at("normal_force_slide"), mesh_safety * 0.02, 1e-9);
 }
 
 TEST(ErrorParts, a_difference_that_happens_to_vanish_is_no_small_error) {
