@@ -59,6 +59,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "did you mean contact.friction?"},
         Mistake{"MissingUnit", "length = \"15 mm\"", "length = 15", "skin.length has no unit: 15",
                 "4:10", "4 | length = 15\n   |          ^^\n", "such as \"15 mm\""},
+        Mistake{"MissingUnitOfASmallNumber", "length = \"15 mm\"", "length = 1e-6",
+                "1e-06 is a bare number", "4:10", "^^^^", "such as \"1e-06 mm\""},
         Mistake{"MissingUnitInText", "length = \"15 mm\"", "length = \"15\"",
                 "missing unit in \"15\"", "4:10", "^^^^", "units of a length: mm"},
         Mistake{"UnknownUnit", "slide = \"2 s\"", "slide = \"2 sce\"", "unknown unit \"sce\"",

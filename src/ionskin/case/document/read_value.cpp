@@ -52,7 +52,12 @@ private:
   }
 
   static std::string written(const toml::value& value) {
-    return base::shown(toml::format(value, 10000));
+    if (!value.is_floating())
+      return base::shown(toml::format(value, 10000));
+    // The library would write 1e-6 as 9.9999999999999995e-07.
+    const std::string shortest = fmt::format("{}", value.as_floating());
+    const bool whole = shortest.find_first_not_of("-0123456789") == std::string::npos;
+    return whole ? shortest + ".0" : shortest;
   }
 
   std::string example() const { return units::dimension_info(row_.dimension).examples.front(); }
