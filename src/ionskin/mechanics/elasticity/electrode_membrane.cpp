@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/elasticity/electrode_membrane.hpp"
 
+#include "ionskin/base/largest.hpp"
 #include "ionskin/mechanics/elasticity/elastic_system.hpp"
 
 #include <algorithm>
@@ -88,7 +89,7 @@ std::vector<double> ElectrodeMembrane::largest_stress(const double* average) con
   for (const Layer& layer : layers_) {
     double largest = 0;
     for (std::size_t column = 0; column < columns_; ++column, average += 6) {
-      largest = std::max(largest, von_mises_stress(layer.law, average));
+      largest = base::larger(largest, von_mises_stress(layer.law, average));
     }
     result.push_back(largest);
   }

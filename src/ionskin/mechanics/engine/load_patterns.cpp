@@ -19,7 +19,8 @@ LoadPatterns load_patterns(const std::vector<CellVector>& loads, double negligib
   const auto& triangle = decomposition.matrixQR();
   const Eigen::Index most = std::min(columns.rows(), count);
   Eigen::Index rank = 0;
-  while (rank < most && std::abs(triangle(rank, rank)) > negligible) {
+  // What is no number is not negligible.
+  while (rank < most && !(std::abs(triangle(rank, rank)) <= negligible)) {
     ++rank;
   }
   const Eigen::MatrixXd rest = triangle.topLeftCorner(rank, rank)

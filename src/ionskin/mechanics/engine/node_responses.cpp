@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "ionskin/base/largest.hpp"
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/linear_algebra/dense_kernels.hpp"
 #include "ionskin/mechanics/elasticity/core_strain.hpp"
@@ -129,8 +130,8 @@ void add_largest(const CondensedPosition& condensed, const NodeLoads& loads,
     Response& sum = sums[loads.states[i]];
     sum.electrode_stress.resize(stress.size());
     std::ranges::transform(stress, sum.electrode_stress, sum.electrode_stress.begin(),
-                           [](double one, double other) { return std::max(one, other); });
-    sum.equilibrium_residual = std::max(sum.equilibrium_residual, loads.residual);
+                           base::larger);
+    sum.equilibrium_residual = base::larger(sum.equilibrium_residual, loads.residual);
   }
 }
 
@@ -159,7 +160,7 @@ void add_place(const CondensedPosition& condensed, std::vector<NodeLoads>& nodes
         if (node.reflect[0] || node.reflect[1]) {
           response.strain = mirrored(std::move(response.strain), node.reflect);
         }
-        node.residual = std::max(node.residual, response.equilibrium_residual);
+        node.residual = base::larger(node.residual, response.equilibrium_residual);
         node.electrode_strain.push_back(std::move(response.electrode_strain));
       }
       add_strains(own, rows_of(node.share, open[begin].second, own.size()), node.states, threads,

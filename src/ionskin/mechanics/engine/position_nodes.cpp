@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/engine/position_nodes.hpp"
 
+#include "ionskin/base/largest.hpp"
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/laws/friction/friction_law.hpp"
 #include "ionskin/mechanics/elasticity/core_strain.hpp"
@@ -287,7 +288,7 @@ std::array<std::size_t, 2> PositionNodes::wanted_counts(double tolerance) {
             {lines_[axis][i], places_[node.condensed].test[mirror_index(node.position.reflect)]});
       }
       const InterpolationError error = interpolation_error(chebyshev_norms(along));
-      error_ = std::max(error_, error.estimate);
+      error_ = base::larger(error_, error.estimate);
       wanted[axis] = std::max(wanted[axis], wanted_node_count(counts[axis], error, tolerance));
     }
   }

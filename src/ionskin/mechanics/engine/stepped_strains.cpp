@@ -42,7 +42,7 @@ const CoreStrain& SteppedStrains::at(std::size_t place) {
       residual_ = base::larger(residual_, response.equilibrium_residual);
       stress_.resize(std::max(stress_.size(), response.electrode_stress.size()));
       for (std::size_t layer = 0; layer < response.electrode_stress.size(); ++layer) {
-        stress_[layer] = std::max(stress_[layer], response.electrode_stress[layer]);
+        stress_[layer] = base::larger(stress_[layer], response.electrode_stress[layer]);
       }
     }
   }

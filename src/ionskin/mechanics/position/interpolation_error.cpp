@@ -99,7 +99,7 @@ InterpolationError interpolation_error(const std::vector<double>& norms) {
   } else if (count == 2 && before > 0) {
     error.decay = std::min(slowest, std::sqrt(last / before)); // the mean is large: safely slow
   }
-  const double largest = count > 2 ? std::max(last, error.decay * before) : last;
+  const double largest = count > 2 ? base::larger(last, error.decay * before) : last;
   error.estimate = 2 * largest * error.decay / (1 - error.decay);
   return error;
 }
@@ -110,7 +110,7 @@ double interpolation_tolerance(Preset preset) {
 
 std::size_t wanted_node_count(std::size_t count, const InterpolationError& error,
                               double tolerance) {
-  if (error.estimate <= tolerance || count >= most_interpolation_nodes) {
+  if (!(error.estimate > tolerance) || count >= most_interpolation_nodes) {
     return count;
   }
   const double more = std::log(tolerance / error.estimate) / std::log(error.decay);

@@ -102,5 +102,13 @@ TEST(ElectrodeMembrane, strain_is_averaged_through_the_layer_and_over_the_column
   EXPECT_NEAR(stress[1], 2 * root_three * upper.shear_modulus * std::hypot(e_xz, e_xy), 1e-12);
 }
 
+TEST(ElectrodeMembrane, a_stress_that_is_no_number_is_the_largest) {
+  const auto stress = stress_of([](double x, double, double z) {
+    return Vector{z > 1.0 && x < 0.1 ? std::nan("") : z, 0, 0};
+  });
+  EXPECT_FALSE(std::isnan(stress[0]));
+  EXPECT_TRUE(std::isnan(stress[1]));
+}
+
 } // namespace
 } // namespace ionskin::mechanics

@@ -131,6 +131,15 @@ TEST(PositionNodes, respond_to_many_states_as_to_each_of_them) {
   }
 }
 
+TEST(PositionNodes, pass_on_what_is_no_number) {
+  CellVector force(3 * line().model->cells.count(), 1.0);
+  force[0] = std::nan("");
+  const auto response = line().nodes->respond({{2e-3, 1e-3}}, {force}).front();
+  EXPECT_TRUE(std::isnan(response.equilibrium_residual));
+  ASSERT_FALSE(response.electrode_stress.empty());
+  EXPECT_TRUE(std::isnan(response.electrode_stress.front()));
+}
+
 TEST(PositionNodes, respond_across_their_line_at_its_ends) {
   const base::ProgressCallback none = base::no_progress;
   SharedProgress progress("mechanics", none);
@@ -469,6 +478,32 @@ TEST(SteppedMotion, lands_and_leaves_by_force_on_the_way) {
   EXPECT_GT(solution.stepped_events.front(), 0);
   EXPECT_LT(solution.stepped_events.front(), 1);
   EXPECT_EQ(solution.stepped.back().state, nullptr);
+}
+
+TEST(SteppedMotion, round_sliders_land_while_they_move) {
+  for (const char* shape : {"sphere", "cylinder"}) {
+    Case input = small_case();
+    input.slider.shape = shape;
+    input.slider.parameters["radius"] = 8e-3;
+    input.motion.kind = MotionKind::waypoints;
+    input.motion.waypoints = {{0, {1.5e-3, 1e-3}, 1e-6, {}},
+                              {1, {2.5e-3, 1e-3}, -1e-6, {}},
+                              {2, {3.0e-3, 1e-3}, 1e-6, {}}};
+    base::Timers timers;
+    ContactOptions options;
+    options.nodes = 3;
+    const ContactSolution solution = solve_contact(input, options, timers);
+    EXPECT_LT(solution.worst_complementarity_residual, 1e-6) << shape;
+    ASSERT_EQ(solution.stepped_events.size(), 2u) << shape; // lands and leaves
+    EXPECT_NEAR(solution.stepped_events.front(), 0.5, 0.01) << shape;
+    EXPECT_NEAR(solution.stepped_events.back(), 1.5, 0.01) << shape;
+    // All of it slips as soon as it touches.
+    const ContactState& pressed = *nearest(solution, 1).state;
+    EXPECT_GT(pressed.normal_force, 0) << shape;
+    EXPECT_NEAR(pressed.tangential_force[0], input.contact.friction * pressed.normal_force,
+                1e-6 * pressed.normal_force)
+        << shape;
+  }
 }
 
 TEST(SteppedMotion, rubs_by_a_fifth_of_a_micrometre_in_closed_loops) {

@@ -103,5 +103,15 @@ TEST(InterpolationError, more_nodes_are_wanted_until_the_tolerance_is_kept) {
             most_interpolation_nodes);
 }
 
+TEST(InterpolationError, of_what_is_no_number_is_none_and_asks_for_no_more_nodes) {
+  const double nan = std::nan("");
+  for (const std::vector<double>& norms :
+       {std::vector<double>{1, 0.1, 0.01, nan}, {1, 0.1, nan, 0.01}, {1, 0.1, nan}}) {
+    const InterpolationError error = interpolation_error(norms);
+    EXPECT_TRUE(std::isnan(error.estimate)) << norms.size();
+    EXPECT_EQ(wanted_node_count(norms.size(), error, 5e-5), norms.size());
+  }
+}
+
 } // namespace
 } // namespace ionskin::mechanics
