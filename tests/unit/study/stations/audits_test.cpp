@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <map>
+#include <string>
 
 namespace ionskin::study {
 namespace {
@@ -33,9 +35,24 @@ TEST(Audits, SayValueLimitAndRemedy) {
   EXPECT_THROW(require_sound(audit_of(0.33), "out"), SolverError);
 }
 
-TEST(Audits, EveryRuleWarnsBeforeItFails) {
+TEST(Audits, EveryQuantityWarnsBeforeItFails) {
+  const auto verdict = [](const AuditRule& rule, double value) {
+    return audit({{rule.metric, value, "1"}}).front().verdict;
+  };
   for (const AuditRule& rule : audit_rules()) {
-    EXPECT_LT(rule.warn, rule.fail) << rule.metric;
+    EXPECT_EQ(verdict(rule, 0.99 * rule.warn), Verdict::passed) << rule.metric;
+    EXPECT_EQ(verdict(rule, 1.01 * rule.warn), Verdict::warned) << rule.metric;
+    EXPECT_EQ(verdict(rule, 0.99 * rule.fail), Verdict::warned) << rule.metric;
+    EXPECT_EQ(verdict(rule, 1.01 * rule.fail), Verdict::failed) << rule.metric;
+  }
+}
+
+// Energy 0.33 off, charges 0.99 and a shear of 3.7 once ended with exit 0.
+TEST(Audits, NothingFarFromSoundPasses) {
+  for (const auto& [name, value] : std::map<std::string, double>{{"energy_balance_error", 0.33},
+                                                                 {"charge_identity_error", 0.99},
+                                                                 {"largest_p99_shear", 3.7}}) {
+    EXPECT_EQ(audit({{name, value, "1"}}).front().verdict, Verdict::failed) << name;
   }
 }
 
