@@ -25,6 +25,7 @@ constexpr double error_limit = 0.05;    // estimated, of the current between the
 constexpr double large_error = 0.2;     // stated, of any metric
 constexpr std::size_t most_named = 4;   // of them in the warning, the largest
 constexpr double pressure_limit = 1e6;  // [Pa]; a fingertip presses with some 10 kPa
+constexpr double cut_limit = 0.01;      // of a taxel, beside the border of a column
 
 void warn_about_common_current(const Case& input, const readout::SignalTable& signals,
                                std::vector<std::string>& warnings) {
@@ -80,6 +81,38 @@ void warn_about_water(const Case& input, const electrochemistry::IonSolution& io
         "voltages in water.csv, which are linear, are off. Press with less, or round sharp edges "
         "(slider.edge_radius).",
         largest, poroelasticity::largest_sound_drive));
+  }
+}
+
+/// A column of the transport grid that an edge of a taxel cuts shares its charge by area.
+void warn_about_cut_columns(const std::vector<Taxel>& taxels,
+                            const electrochemistry::TransportGrid& grid,
+                            std::vector<std::string>& warnings) {
+  double worst = 0;
+  const Taxel* of = nullptr;
+  for (const Taxel& taxel : taxels) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const std::vector<double>& borders = axis == 0 ? grid.x_edges : grid.y_edges;
+      for (const double edge : {taxel.lower[axis], taxel.upper[axis]}) {
+        double nearest = std::abs(edge - borders.front());
+        for (const double border : borders) {
+          nearest = std::min(nearest, std::abs(edge - border));
+        }
+        const double share = nearest / (taxel.upper[axis] - taxel.lower[axis]);
+        if (borders.size() > 2 && share > worst) {
+          worst = share;
+          of = &taxel;
+        }
+      }
+    }
+  }
+  if (worst > cut_limit) {
+    warnings.push_back(fmt::format(
+        "An edge of the taxel {} lies inside a column of the transport grid, {} of the taxel's "
+        "side "
+        "from the column's border: the charge of that column is shared by area. Place the edges of "
+        "taxels at equal parts of the skin, or raise numerics.mesh_refinement.",
+        of->name, base::percent(worst)));
   }
 }
 
@@ -162,6 +195,7 @@ std::vector<std::string> collect_warnings(const Case& input, const MechanicsReco
     warn_about_onset_peak(mechanics, signals, input.motion, warnings);
   }
   warn_about_water(input, ions, warnings);
+  warn_about_cut_columns(input.readout.taxels, ions.grid, warnings);
   const auto scales =
       electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness());
   const auto& p99 = signals.column("p99_shear").values;

@@ -64,6 +64,16 @@ TEST_F(WarningsTest, SaysWhereTheLawOfTheWaterEnds) {
   EXPECT_TRUE(any_holds(collect_warnings(input, mechanics, ions, signals), "reaches 0.6"));
 }
 
+TEST_F(WarningsTest, NamesTheTaxelWhoseEdgeCutsAColumn) {
+  ions.grid.x_edges = {0, 1e-3, 2e-3, 3e-3};
+  ions.grid.y_edges = {0, 1e-3, 2e-3};
+  input.readout.taxels = {{"left", {0, 0}, {1e-3, 2e-3}}, {"right", {1e-3, 0}, {3e-3, 2e-3}}};
+  EXPECT_FALSE(any_holds(collect_warnings(input, mechanics, ions, signals), "taxel"));
+  input.readout.taxels[1].lower[0] = 1.4e-3;
+  EXPECT_TRUE(any_holds(collect_warnings(input, mechanics, ions, signals),
+                        "the taxel right lies inside a column of the transport grid, 25 %"));
+}
+
 TEST_F(WarningsTest, SaysThatCationsAreDepleted) {
   EXPECT_FALSE(any_holds(collect_warnings(input, mechanics, ions, signals), "depleted"));
   ions.min_concentration[1] = 60;
