@@ -5,7 +5,8 @@ touches that it has not seen, and times its steps. The tables of docs/live.md.
 
     benchmarks/live_table.py build [--preset coarse] [--refinement 1] [--only WORD ...] [--touches 100] [--keep FOLDER]
 
-Two cases, each under three coupling laws and three laws of friction, with 4 x 4 taxels. Needs the programs `ionskin` and
+Two cases, each under three coupling laws and four laws of friction, with 4 x 4 taxels; the paper's touch on a wet skin; and
+the finger over an area of 2 x 0.8 mm. Needs the programs `ionskin` and
 the targets `live` and `live_accuracy` of the build folder. Skins and tables in the folder to keep are taken as they are.
 """
 
@@ -31,10 +32,25 @@ SKINS = [(case, coupling, friction)
                                    ("finger", "column-neutral", ("fixed-charge", "volume-neutral")))
          for coupling, friction in ((own, "coulomb"), *((other, "coulomb") for other in others), (own, "regularised"),
                                     (own, "stribeck"), (own, "anisotropic"))]
+SKINS += [("poroelastic", "poroelastic", "coulomb"), ("area", "column-neutral", "coulomb")]
 # Signals of the table, by what live_accuracy calls them.
 COLUMNS = {"taxel charge": "charge_top_taxels", "charge": "charge_top", "sampled current": "sampled_current_top",
            "sampled difference": "sampled_current_difference", "taxel current": "sampled_current_top_taxels",
            "normal force": "normal_force", "tangential force": "tangential_force", "contact area": "contact_area"}
+
+
+def case_file(keep, case):
+    """The file of a case; that of the finger over an area is written."""
+    if case != "area":
+        return ROOT / "cases" / f"{case}.toml"
+    finger = (ROOT / "cases" / "finger.toml").read_text(encoding="utf-8").replace('start = ["4.5 mm", "3 mm"]\n', "")
+    motion = '[motion]\nkind = "waypoints"\n' + "".join(
+        f'[[motion.waypoints]]\ntime = "{time} s"\nposition = ["{x} mm", "{y} mm"]\n{load}\n'
+        for time, x, y, load in ((0, 4.5, 2.6, 'height = "0.1 mm"'), (0.5, 4.5, 2.6, 'force = "1 N"'),
+                                 (1.5, 6.5, 3.4, 'force = "1 N"'), (2, 6.5, 3.4, 'height = "0.1 mm"')))
+    path = keep / "area.toml"
+    path.write_text(finger[:finger.index("[motion]")] + motion + "\n" + finger[finger.index("[contact]"):], encoding="utf-8")
+    return path
 
 
 def output(keep, name, command):
@@ -54,7 +70,7 @@ def train(arguments, case, coupling, friction):
     if not skin.exists():
         settings = [TAXELS, f"numerics.preset={arguments.preset}", f"numerics.mesh_refinement={arguments.refinement:g}",
                     f"coupling.law={coupling}", *FRICTION[friction]]
-        subprocess.run([arguments.build / "ionskin", "live", ROOT / "cases" / f"{case}.toml",
+        subprocess.run([arguments.build / "ionskin", "live", case_file(arguments.keep, case),
                         *(part for setting in settings for part in ("--set", setting)), "--validation",
                         str(arguments.validation), "--threads", str(arguments.threads), "--quiet", "-o", skin], check=True)
     return skin

@@ -182,6 +182,58 @@ class LiveTest(ProgramTest):
                 skin.friction = wrong
         self.assertEqual(ionskin.live.Skin(self.trained).range.friction, (0.3, 0.3))
 
+    def test_over_an_area(self):
+        """A finger that circles: the trained motion spans a rectangle, and both models are given the same circle."""
+        finger, touch = (ROOT / "cases" / "finger.toml").read_text(), ["--set", "numerics.preset=coarse", "--set",
+                                                                                "numerics.mesh_refinement=0.4"]
+        finger = finger.replace('start = ["4.5 mm", "3 mm"]\n', "")
+        head, tail = finger[:finger.index("[motion]")], finger[finger.index("[contact]"):]
+
+        def case(name, rows):
+            (self.folder / f"{name}.csv").write_text("time [s],x [mm],y [mm],height [um],force [N]\n" + "\n".join(rows) + "\n")
+            path = self.folder / f"{name}.toml"
+            path.write_text(f'{head}[motion]\nkind = "waypoints"\nfile = "{name}.csv"\n\n{tail}')
+            return path
+
+        area = case("area", ("0,4.5,2.6,100,", "0.5,4.5,2.6,,1", "1.5,6.5,3.4,,1", "2,6.5,3.4,100,"))
+        trained = self.live(area, *touch, "--set", "readout.taxels={rows = 2, columns = 3}", "--trajectories", "6",
+                            "--validation", "1", "-o", "area.live")
+        self.assertEqual(trained.returncode, 0, trained.stderr)
+        times = numpy.arange(361) / 200
+        angle = numpy.interp(times, [0.3, 1.5], [0, 2 * numpy.pi])
+        x, y = 5.5 + 0.3 * numpy.cos(angle), 3 + 0.3 * numpy.sin(angle)
+        force = numpy.interp(times, [0.1, 0.3, 1.5, 1.7], [0, 0.8, 0.8, 0])
+        rows = [f"{t:g},{a:.9g},{b:.9g}," + (f",{f:.9g}" if f > 0 else "50,") for t, a, b, f in zip(times, x, y, force)]
+        self.run_case(case("circle", rows), *touch, "--set", "readout.taxels={rows = 2, columns = 3}", "--set",
+                      "numerics.error_estimate=off", "-o", "full")
+        full = ionskin.open_results(self.folder / "full")
+        skin = ionskin.live.Skin(self.folder / "area.live")
+        signals = skin.run(times, 1e-3 * numpy.column_stack([x, y]), forces=force)
+        self.assertFalse(signals.flags.any())
+        largest = numpy.abs(full.taxels["charge_top_r2c2"]).max()
+        for name, table, most in (("normal_force", full.signals, 1e-3 * 0.8), ("charge_top_r1c2", full.taxels, 0.03 * largest),
+                                  ("charge_top_r2c2", full.taxels, 0.03 * largest), ("charge_top_r2c1", full.taxels, 0.03 * largest)):
+            with self.subTest(name):
+                error = signals[name] - numpy.interp(times, table["time"], table[name])
+                self.assertLess(numpy.sqrt((error**2).mean()), most)
+        # Friction follows the circle.
+        sliding = (angle > 1) & (angle < 6)
+        along = signals["tangential_force_x"] * -numpy.sin(angle) + signals["tangential_force_y"] * numpy.cos(angle)
+        numpy.testing.assert_allclose(along[sliding], 0.3 * 0.8, rtol=0.01)
+
+    def test_of_water(self):
+        """Under the law poroelastic, where the mean over the core moves ions in every taxel."""
+        trained = self.live(ROOT / "cases" / "poroelastic.toml", *SMALL[:2], "--set", "readout.taxels={rows = 2, columns = 3}",
+                            "--validation", "3", "--seed", "5", "-o", "water.live")
+        self.assertEqual(trained.returncode, 0, trained.stderr)
+        skin = ionskin.live.Skin(self.folder / "water.live")
+        for name, most in (("charge_top_taxels", 0.01), ("charge_top", 0.04), ("normal_force", 0.001)):
+            self.assertLess(skin.errors[name].rms, most * skin.errors[name].largest, name)
+        times = 1e-3 * numpy.arange(800)
+        signals = skin.run(times, numpy.full((800, 2), (6e-3, 1e-3)), heights=numpy.interp(times, [0.1, 0.3], [0, -1e-6]))
+        self.assertFalse(signals.flags.any())
+        self.assertGreater(numpy.abs(signals["charge_top_r1c2"]).max(), 2 * numpy.abs(signals["charge_top_r1c3"]).max())
+
     def test_wrong_arguments_raise(self):
         skin = ionskin.live.Skin(self.trained)
         skin.step(1, (5e-3, 1e-3), height=-1e-7)
@@ -277,6 +329,8 @@ class LiveTest(ProgramTest):
                                 ((quick, "-o", "/proc/skin.live"), "cannot be written"),
                                 ((quick, "--set", "readout.circuit=open", "-o", "a.live"), "readout.circuit"),
                                 ((quick, "--set", "motion.drive.stiffness=1000 N/m", "-o", "a.live"), "motion.drive"),
+                                ((quick, "--set", "contact.law=adhesive", "--set", "contact.work_of_adhesion=1 J/m2", "--set",
+                                  "contact.cohesive_strength=1 MPa", "-o", "a.live"), "adhesive"),
                                 ((quick, "--friction", "0.5", "0.1", "-o", "a.live"), "--friction 0.5 0.1"),
                                 ((quick, "--friction", "0.4", "0.5", "-o", "a.live"), "contact.friction = 0.3"),
                                 ((quick, "-o", "a.live", "--friction", "0.4"), "--friction"),
