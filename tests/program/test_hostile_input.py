@@ -69,6 +69,15 @@ class HostileInput(ProgramTest):
         self.assertIn("readings", message)
         self.assertFalse((self.folder / "out").exists())
 
+    def test_files_of_gigabytes_before_any_work(self):
+        fields = ", ".join(f'"{0.6 + 1e-4 * i:.4f} s"' for i in range(2500))
+        case = self.write("fields.toml", QUICK.read_text().replace('fields = ["0.5 s", "1.5 s"]', f"fields = [{fields}]"))
+        answered = " ".join(self.answer("check", case, expect=0).split())
+        self.assertRegex(answered, r"take about 1\.\d GB; output.fields has 2500 instants")
+        begun = time.monotonic()
+        errors = self.interrupt_program("run", case, "-o", "out", when=lambda: time.monotonic() - begun > 2)
+        self.assertRegex(" ".join(errors.split()), r"take about 1\.\d GB")
+
     def test_memory_before_any_work(self):
         environment = {**os.environ, "IONSKIN_MEMORY_LIMIT": "100 MB"}
         message = self.answer("run", QUICK, "-o", "out", env=environment)

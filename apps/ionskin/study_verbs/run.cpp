@@ -6,6 +6,8 @@
 #include "ionskin/base/percent.hpp"
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/case/reading/read_case.hpp"
+#include "ionskin/planning/cost_estimate.hpp"
+#include "ionskin/planning/output_size.hpp"
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/study/run/run_case.hpp"
 #include "terminal/terminal.hpp"
@@ -31,6 +33,16 @@ study::Studies studies(const std::string& only) {
     return study::Studies::mechanics;
   }
   return only == "electrochemistry" ? study::Studies::electrochemistry : study::Studies::both;
+}
+
+/// Of gigabytes, before they are written; those under a strain file follow from the file.
+void announce_output(const Case& input, int threads) {
+  if (input.strain.kind != StrainSourceKind::file) {
+    const double bytes = planning::estimate_cost(input, threads).output;
+    if (const std::string size = planning::announced_output(input, bytes); !size.empty()) {
+      fmt::print(stderr, "{}", paragraph("note: " + size, 2, fileno(stderr)));
+    }
+  }
 }
 
 /// The first few; there may be one for every instant of a long motion.
@@ -75,6 +87,7 @@ int run(const RunOptions& options, const std::string& command) {
   study::RunOutcome outcome;
   if (options.log != LogFormat::quiet) {
     announce_cache(options.use_cache);
+    announce_output(input, thread_count(options.threads));
   }
   {
     ProgressDisplay display(options.log);

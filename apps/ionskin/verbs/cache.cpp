@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verbs/cache.hpp"
 
+#include "ionskin/base/byte_count.hpp"
 #include "ionskin/base/files/disk_cache.hpp"
 
 #include <fmt/core.h>
@@ -12,9 +13,7 @@ namespace ionskin::apps {
 namespace {
 
 std::string size_text(std::uintmax_t bytes) {
-  const auto amount = static_cast<double>(bytes);
-  return bytes < 1'000'000'000 ? fmt::format("{:.1f} MB", amount * 1e-6)
-                               : fmt::format("{:.1f} GB", amount * 1e-9);
+  return base::byte_text(static_cast<double>(bytes));
 }
 
 } // namespace

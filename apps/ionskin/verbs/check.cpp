@@ -10,6 +10,7 @@
 #include "ionskin/case/reading/read_case.hpp"
 #include "ionskin/mechanics/path/first_touch.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
+#include "ionskin/planning/output_size.hpp"
 #include "ionskin/planning/resources.hpp"
 
 #include <fmt/format.h>
@@ -54,6 +55,10 @@ void print_valid(const CheckOptions& options, const CaseDocument& document,
   std::string notes;
   for (const std::string& note : document.input.notes) {
     notes += paragraph("note: " + note, 2);
+  }
+  if (const std::string size = planning::announced_output(document.input, cost.output);
+      !size.empty()) {
+    notes += paragraph("note: " + size, 2);
   }
   fmt::print("{} is valid.\n{}{}{}", base::shown(options.case_path), notes, warning, explanation);
 }

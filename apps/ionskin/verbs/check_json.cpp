@@ -28,10 +28,15 @@ Json value_json(const ValueRecord& record) {
 }
 
 Json cost_json(const planning::CostEstimate& cost) {
-  return {{"memory_bytes", cost.memory},         {"seconds", cost.seconds},
-          {"threads", thread_count(0)},          {"mechanics_unknowns", cost.mechanics_unknowns},
-          {"contact_cells", cost.contact_cells}, {"positions", cost.positions},
-          {"ion_unknowns", cost.ion_unknowns},   {"ion_steps", cost.ion_steps}};
+  return {{"memory_bytes", cost.memory},
+          {"output_bytes", cost.output},
+          {"seconds", cost.seconds},
+          {"threads", thread_count(0)},
+          {"mechanics_unknowns", cost.mechanics_unknowns},
+          {"contact_cells", cost.contact_cells},
+          {"positions", cost.positions},
+          {"ion_unknowns", cost.ion_unknowns},
+          {"ion_steps", cost.ion_steps}};
 }
 
 } // namespace

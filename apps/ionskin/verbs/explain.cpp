@@ -4,6 +4,7 @@
 #include "command_line/threads.hpp"
 #include "terminal/terminal.hpp"
 
+#include "ionskin/base/byte_count.hpp"
 #include "ionskin/base/text.hpp"
 #include "ionskin/case/coupling.hpp"
 #include "ionskin/case/elastic_constants.hpp"
@@ -252,6 +253,7 @@ std::string costs(const planning::CostEstimate& cost) {
               fmt::format("over about {} time steps", cost.ion_steps));
   text += row("memory", fmt::format("{:.2g} GB", cost.memory * 1e-9),
               "largest, estimated from the unknowns");
+  text += row("files", base::byte_text(cost.output), "of the results, estimated likewise");
   text += row("wall time", fmt::format("{:.2g} s", cost.seconds),
               fmt::format("with {} threads, from costs per unknown measured on one machine",
                           thread_count(0)));

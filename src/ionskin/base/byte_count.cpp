@@ -30,4 +30,9 @@ std::uintmax_t byte_count(const std::string& name, const std::string& text) {
   return static_cast<std::uintmax_t>(amount * known->second);
 }
 
+std::string byte_text(double bytes) {
+  return bytes < 1e9 ? fmt::format("{:.1f} MB", bytes * 1e-6)
+                     : fmt::format("{:.1f} GB", bytes * 1e-9);
+}
+
 } // namespace ionskin::base

@@ -10,4 +10,7 @@ namespace ionskin::base {
 /// @param name what the text was given for: "IONSKIN_CACHE_LIMIT"
 std::uintmax_t byte_count(const std::string& name, const std::string& text);
 
+/// A number of bytes as a text: "5.8 MB", "1.2 GB".
+std::string byte_text(double bytes);
+
 } // namespace ionskin::base

@@ -3,6 +3,7 @@
 
 #include "ionskin/electrochemistry/time/problem_size.hpp"
 #include "ionskin/planning/mechanics_cost.hpp"
+#include "ionskin/planning/output_size.hpp"
 
 #include <algorithm>
 
@@ -28,6 +29,7 @@ CostEstimate estimate_ion_cost(const Case& input, int threads) {
   cost.ion_unknowns = ions.unknowns;
   cost.ion_steps = ions.steps;
   cost.memory = bytes_at_rest + ions.memory;
+  cost.output = output_size(input, ions.unknowns, ions.steps);
   cost.ion_seconds = ion_seconds(input, ions, threads);
   cost.seconds = cost.ion_seconds + seconds_of_output;
   return cost;
@@ -47,6 +49,7 @@ CostEstimate estimate_cost(const Case& input, const history::CoreHistory& given,
     history += static_cast<double>(channel.samples.size() * given.grid.values() * sizeof(double));
   }
   cost.memory = bytes_at_rest + history + ions.memory;
+  cost.output = output_size(input, ions.unknowns, ions.steps);
   return cost;
 }
 
@@ -67,6 +70,7 @@ CostEstimate estimate_cost(const Case& input, int threads,
   cost.ion_seconds = ion_seconds(input, ions, threads);
   cost.seconds = cost.mechanics_seconds + cost.ion_seconds + seconds_of_output;
   cost.memory = bytes_at_rest + std::max(mechanics.memory, ions.memory);
+  cost.output = output_size(input, ions.unknowns, ions.steps);
   return cost;
 }
 

@@ -19,6 +19,7 @@ struct CostEstimate {
   std::size_t ion_unknowns = 0;
   std::size_t ion_steps = 0;    ///< estimated
   double memory = 0;            ///< largest resident [bytes]
+  double output = 0;            ///< files [bytes]
   double mechanics_seconds = 0; ///< wall time of Study 1
   double ion_seconds = 0;       ///< wall time of Study 2
   double seconds = 0;           ///< wall time of both, with files and report

@@ -5,6 +5,7 @@
 #include "ionskin/case/reading/read_case.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 #include "ionskin/planning/cost_estimate.hpp"
+#include "ionskin/planning/output_size.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,6 +28,23 @@ TEST(Resources, BeyondTheLimitAreRefusedWithTheNumbers) {
   EXPECT_THAT(shortage(quick(), 2), testing::HasSubstr("0.1 GB are allowed"));
   EXPECT_THROW(require_resources(quick(), 2), UserError);
   unsetenv("IONSKIN_MEMORY_LIMIT");
+}
+
+TEST(OutputSize, GrowsWithFieldsReadingsAndTaxels) {
+  Case input = quick();
+  const double plain = estimate_cost(input, 2).output;
+  EXPECT_GT(plain, 1e6); // cases/quick.toml writes 6 MB at coarse
+  EXPECT_LT(plain, 20e6);
+  EXPECT_EQ(announced_output(input, plain), "");
+  input.output.fields.assign(10'000, 0.6);
+  const double fields = estimate_cost(input, 2).output;
+  EXPECT_NEAR(fields, 5.5e9, 1.5e9); // of half a megabyte each
+  EXPECT_THAT(announced_output(input, fields), testing::HasSubstr("10000 instants"));
+  input.output.fields.clear();
+  input.readout.sample_interval = 2e-6; // two million readings
+  EXPECT_NEAR(estimate_cost(input, 2).output, 0.4e9, 0.2e9);
+  input.readout.taxels.assign(16, {"one", {0, 0}, {1e-3, 1e-3}});
+  EXPECT_NEAR(estimate_cost(input, 2).output, 3e9, 1.5e9);
 }
 
 /// A path over the skin until x = `end` [m].

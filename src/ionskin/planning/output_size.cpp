@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/planning/output_size.hpp"
+
+#include "ionskin/base/byte_count.hpp"
+#include "ionskin/case/run_duration.hpp"
+
+#include <fmt/format.h>
+
+namespace ionskin::planning {
+namespace {
+
+// Measured on cases/paper.toml, finger.toml and quick.toml.
+constexpr double field_bytes = 15.5;  // by unknown and instant, compressed
+constexpr double history_bytes = 1.0; // by unknown and time step: strain of the run and companions
+constexpr double signal_row = 700;    // of signals.csv and the like, errors included
+constexpr double reading_row = 200;   // of sampled.csv
+constexpr double taxel_row = 80;      // by taxel, in either
+
+constexpr double worth_telling = 1e9;
+
+} // namespace
+
+double output_size(const Case& input, std::size_t ion_unknowns, std::size_t ion_steps) {
+  const auto unknowns = static_cast<double>(ion_unknowns), steps = static_cast<double>(ion_steps);
+  const double readings = run_duration(input).value_or(0) / input.readout.sample_interval,
+               taxels = taxel_row * static_cast<double>(input.readout.taxels.size());
+  const bool solves_contact = input.strain.kind == StrainSourceKind::contact;
+  return field_bytes * unknowns * static_cast<double>(input.output.fields.size()) +
+         (solves_contact ? history_bytes * unknowns * steps : 0.0) + (signal_row + taxels) * steps +
+         (reading_row + taxels) * readings;
+}
+
+std::string announced_output(const Case& input, double bytes) {
+  if (!(bytes > worth_telling)) {
+    return "";
+  }
+  return fmt::format("the files of the results will take about {}; output.fields has {} "
+                     "instants, readout.sample_interval is {:.3g} s",
+                     base::byte_text(bytes), input.output.fields.size(),
+                     input.readout.sample_interval);
+}
+
+} // namespace ionskin::planning
