@@ -141,11 +141,12 @@ Loop loop_of(const std::string& law, const laws::LawValues& parameters, double t
 void add_loop_rows(const Options& options, std::vector<Row>& rows) {
   constexpr double travel = 1e-6;
   const Loop coulomb = loop_of("coulomb", {}, travel, options);
-  const std::array<std::pair<std::string, Loop>, 3> loops{
+  const std::array<std::pair<std::string, Loop>, 4> loops{
       {{"coulomb", coulomb},
        {"saturating",
         loop_of("saturating", {{"strength", 1e6}, {"sharpness", 2}}, travel, options)},
-       {"regularised", loop_of("regularised", {{"slip_length", 0.2e-6}}, travel, options)}}};
+       {"regularised", loop_of("regularised", {{"slip_length", 0.2e-6}}, travel, options)},
+       {"anisotropic", loop_of("anisotropic", {{"transverse_friction", 0.1}}, travel, options)}}};
   for (const auto& [law, loop] : loops) {
     rows.push_back(compare(
         "M13",
