@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // What Study 1 of the paper's case costs: machine-independent counters, seconds of one core beside
-// them, and the floor, its operations at this machine's measured rate of a matrix product.
+// them, and the floor, its operations at this machine's measured rate of a matrix product; of a
+// step those that put the compliance of its place together.
 
 #include "presets.hpp"
 
@@ -10,6 +11,8 @@
 #include "ionskin/linear_algebra/cholesky.hpp"
 #include "ionskin/linear_algebra/dense_kernels.hpp"
 #include "ionskin/mechanics/elasticity/elastic_system.hpp"
+#include "ionskin/mechanics/engine/position_nodes.hpp"
+#include "ionskin/mechanics/engine/sliding_contact.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/position/factorised_skin.hpp"
 #include "ionskin/mechanics/position/skin_model.hpp"
@@ -20,7 +23,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <memory>
 #include <numeric>
 #include <stdlib.h>
 #include <string>
@@ -128,6 +133,36 @@ void measure_position(const Case& input, double rate) {
                    2 * entries, 2 * entries * cells / backward * 1e-9));
 }
 
+/// Steps of a slide at the indentation of the case, each to a place of its own, on one core.
+void measure_steps(const Case& input, double rate) {
+  constexpr int steps = 1000;
+  const auto model = std::make_shared<const mechanics::SkinModel>(
+      input, mechanics::find_footprint(input, input.contact.friction, 1));
+  const MotionBox box = *mechanics::contact_box(input);
+  const base::ProgressCallback none = base::no_progress;
+  mechanics::SharedProgress progress("mechanics", none);
+  const mechanics::PositionNodes nodes(input, model, box, {}, progress);
+  mechanics::SlidingContact contact(
+      nodes.compliance(), model->cells.area, model->gap,
+      laws::friction(input.contact.law, input.contact.friction, input.contact.parameters));
+  std::vector<double> seconds;
+  for (int i = 0; i <= steps; ++i) {
+    const double part = static_cast<double>(i) / steps;
+    const std::array<double, 2> place{box.low[0] + part * (box.high[0] - box.low[0]), box.low[1]};
+    const double time_step = i == 0 ? 0 : input.motion.slide / steps;
+    seconds.push_back(seconds_of([&] {
+      contact.step(time_step, place, {mechanics::LoadKind::indentation, input.motion.preload});
+    }));
+  }
+  std::ranges::sort(seconds);
+  const double components = 3.0 * static_cast<double>(model->cells.count());
+  line("step of the engine",
+       fmt::format("median {:.2f} ms, 99 % within {:.2f} ms, worst {:.2f} ms; floor {:.2f} ms",
+                   1e3 * seconds[steps / 2], 1e3 * seconds[steps * 99 / 100], 1e3 * seconds.back(),
+                   1e3 * 2 * static_cast<double>(nodes.compliance().modes()) * components *
+                       components / rate));
+}
+
 struct Total {
   double wall = 0, processor = 0;
   int states = 0;
@@ -176,6 +211,7 @@ void measure(const std::string& preset, double rate, int threads) {
   const Case input = paper_case(preset);
   fmt::print("\n{} preset, one core\n", preset);
   measure_position(input, rate);
+  measure_steps(input, rate);
   fmt::print("{} preset, {} cycles, {} threads\n", preset, input.motion.cycles, threads);
   const ScratchFolder folder;
   base::DiskCache cache(folder.path, 20'000'000'000u);
