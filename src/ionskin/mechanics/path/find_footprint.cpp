@@ -178,6 +178,7 @@ mesh::Footprint footprint_at(const Case& input, double friction, int threads,
   const mesh::Footprint limit = mesh::footprint_limit(input);
   const Case coarse = footprint_case(input);
   SharedProgress progress("contact footprint", callback);
+  std::array<double, 2> too_narrow{}; // the contact reached them: with few cells, rims could cycle
   for (int pass = 0; pass < most_passes; ++pass) {
     const Reach reach = reach_of(coarse, footprint, friction, threads, progress);
     bool settled = true;
@@ -192,9 +193,12 @@ mesh::Footprint footprint_at(const Case& input, double friction, int threads,
       const bool at_limit = footprint.rim[d] >= limit.rim[d] * (1 - 1e-9);
       if (reach.border[d] && !at_limit) {
         settled = false;
+        too_narrow[d] = std::max(too_narrow[d], footprint.rim[d]);
         set_rim(footprint, d, growth * footprint.rim[d], limit);
       } else if (reach.border[d] && ends_at_skin(input, footprint, limit, d)) {
         refuse_edge(d);
+      } else if (trial_margin * rim[d] <= too_narrow[d]) {
+        rim[d] = footprint.rim[d] / margin;
       } else if (rim[d] < least_fill * footprint.rim[d]) {
         settled = false;
         set_rim(footprint, d, trial_margin * rim[d], limit);
@@ -211,7 +215,7 @@ mesh::Footprint footprint_at(const Case& input, double friction, int threads,
     }
   }
   throw SolverError("the footprint of the slider was not found",
-                    "lower contact.friction, or give slider.size closer to the contact");
+                    "raise numerics.mesh_refinement, or give slider.size closer to the contact");
 }
 
 } // namespace

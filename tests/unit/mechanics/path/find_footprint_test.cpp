@@ -38,6 +38,20 @@ TEST(FindFootprint, of_a_sphere_holds_its_contact_closely) {
   }
 }
 
+TEST(FindFootprint, of_a_sphere_on_few_cells_is_found) {
+  // Four cells across: two widths could follow each other without end, one reached, one ill filled.
+  const mesh::Footprint finer = find_footprint(small_finger(), 0.3, 1);
+  for (const double refinement : {0.25, 0.3, 0.35}) {
+    Case input = small_finger();
+    input.numerics.mesh_refinement = refinement;
+    const mesh::Footprint footprint = find_footprint(input, 0.3, 1);
+    for (std::size_t d = 0; d < 2; ++d) {
+      EXPECT_GT(footprint.half_size[d], 0.9 * finer.half_size[d]) << refinement;
+      EXPECT_LT(footprint.half_size[d], 2.5 * finer.half_size[d]) << refinement;
+    }
+  }
+}
+
 TEST(FindFootprint, of_a_barely_pressed_rounded_slider_ends_close_to_its_flat_part) {
   Case input = small_case();
   input.slider.parameters["edge_radius"] = 0.2e-3;
