@@ -5,10 +5,13 @@ import concurrent.futures
 import json
 import os
 import pathlib
+import shutil
 import socket
 import unittest
 
-from studio_server import QUICK, StudioTest
+import h5py
+
+from studio_server import QUICK, ROOT, StudioTest
 
 
 def resident_bytes(process):
@@ -113,6 +116,21 @@ class Attacks(StudioTest):
         case = QUICK.replace('material = "nafion"', f'material = "{script}"')
         verdict = self.studio.json("POST", "/api/case/check", {"text": case})
         self.assertIn(script, json.dumps(verdict))
+
+    def test_a_results_file_that_crashes_the_library_is_refused(self):
+        (self.folder / "run").mkdir()
+        results = self.folder / "run" / "results.h5"
+        shutil.copy(ROOT / "fuzz" / "corpus" / "strain_file" / "crashes_hdf5.h5", results)
+        with h5py.File(results, "r+") as file:
+            file["strain"] = file["/"]  # an attribute of this group crashes the library
+        for call in ("fields?path=run", "field?path=run&group=strain&frame=0&name=gamma"):
+            status, _, body = self.studio.call("GET", f"/api/{call}")
+            self.assertEqual(status, 422, body)
+            self.assertIn(b"write the file again", body)
+        results.unlink()
+        os.mkfifo(results)
+        self.assertIn(self.studio.call("GET", "/api/fields?path=run")[0], (403, 404, 422))
+        self.assertEqual(self.studio.json("GET", "/api/runs"), [])
 
     def test_a_large_body_is_refused_before_it_is_read(self):
         head = (f"POST /api/jobs HTTP/1.1\r\nHost: 127.0.0.1:{self.studio.port}\r\nCookie: {self.studio.cookie}\r\n"

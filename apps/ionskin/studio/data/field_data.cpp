@@ -1,23 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/data/field_data.hpp"
 
-#include "ionskin/results/hdf5/hdf5_file.hpp"
+#include "ionskin/base/error.hpp"
 #include "studio/data/packed.hpp"
 #include "studio/server/limits.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <functional>
-#include <numeric>
 
 namespace ionskin::apps::studio {
 namespace {
 
-using results::Hdf5File;
+using results::ForeignHdf5File;
+
+/// What a page can show of a dataset, which is not read before.
+void require_shown(const ForeignHdf5File::Shape& shape, std::size_t first = 0) {
+  double values = 1;
+  for (std::size_t d = first; d < shape.size(); ++d) {
+    values *= static_cast<double>(shape[d]);
+  }
+  if (values > limits::frame_values) {
+    throw HttpError(413, "this field is too large to be shown; ParaView reads it");
+  }
+}
+
+/// Lines of a grid, or instants.
+std::vector<double> line(const ForeignHdf5File& file, const std::string& path) {
+  require_shown(file.shape(path));
+  return file.read(path);
+}
 
 /// The members of a group, the grid left out, in the order of their instants.
-Json frames(const Hdf5File& file, const std::string& group, const char* instant) {
+Json frames(const ForeignHdf5File& file, const std::string& group, const char* instant) {
   Json list = Json::array();
   for (const std::string& name : file.members(group)) {
     if (name != "grid") {
@@ -33,38 +48,38 @@ Json frames(const Hdf5File& file, const std::string& group, const char* instant)
   return list;
 }
 
-Json ions(const Hdf5File& file) {
+Json ions(const ForeignHdf5File& file) {
   if (!file.has("/ions/grid/x")) {
     return nullptr;
   }
-  return {{"x", file.read("/ions/grid/x")},
-          {"y", file.read("/ions/grid/y")},
-          {"z", file.read("/ions/grid/z")},
+  return {{"x", line(file, "/ions/grid/x")},
+          {"y", line(file, "/ions/grid/y")},
+          {"z", line(file, "/ions/grid/z")},
           {"frames", frames(file, "/ions", "time")}};
 }
 
-Json strain(const Hdf5File& file) {
+Json strain(const ForeignHdf5File& file) {
   if (!file.has("/strain/gamma")) {
     return nullptr;
   }
-  Json all = {{"x", file.read("/strain/grid/x")},
-              {"y", file.read("/strain/grid/y")},
-              {"z", file.read("/strain/grid/z")},
-              {"time", file.read("/strain/time")},
+  Json all = {{"x", line(file, "/strain/grid/x")},
+              {"y", line(file, "/strain/grid/y")},
+              {"z", line(file, "/strain/grid/z")},
+              {"time", line(file, "/strain/time")},
               {"frame", file.text_attribute("/strain", "frame").value_or("skin")}};
   for (const char* name : {"slider_x", "slider_y"}) {
     const std::string path = std::string("/strain/") + name;
-    all[name] = file.has(path) ? Json(file.read(path)) : Json();
+    all[name] = file.has(path) ? Json(line(file, path)) : Json();
   }
   return all;
 }
 
-Json contact(const Hdf5File& file) {
+Json contact(const ForeignHdf5File& file) {
   if (!file.has("/contact/grid/x")) {
     return nullptr;
   }
-  return {{"x", file.read("/contact/grid/x")},
-          {"y", file.read("/contact/grid/y")},
+  return {{"x", line(file, "/contact/grid/x")},
+          {"y", line(file, "/contact/grid/y")},
           {"frames", frames(file, "/contact", "parameter")}};
 }
 
@@ -75,7 +90,7 @@ void require_name(const std::string& name) {
   }
 }
 
-std::string message(const std::vector<double>& values, const Hdf5File::Shape& shape,
+std::string message(const std::vector<double>& values, const ForeignHdf5File::Shape& shape,
                     const std::string& unit) {
   const std::vector<float> numbers(values.begin(), values.end());
   double least = INFINITY, greatest = -INFINITY;
@@ -92,46 +107,65 @@ std::string message(const std::vector<double>& values, const Hdf5File::Shape& sh
                 numbers);
 }
 
-} // namespace
-
-Json list_fields(const std::filesystem::path& results) {
-  const Hdf5File file(results, Hdf5File::Access::read);
-  return {{"ions", ions(file)}, {"strain", strain(file)}, {"contact", contact(file)}};
+/// @param frame number, in digits
+std::string one_frame(const ForeignHdf5File& file, const std::string& path,
+                      const std::string& frame, const std::string& unit) {
+  ForeignHdf5File::Shape shape = file.shape(path);
+  std::size_t number = 0;
+  std::from_chars(frame.data(), frame.data() + frame.size(), number);
+  if (shape.size() != 4 || number >= shape[0]) {
+    throw HttpError(404, "there is no such instant");
+  }
+  require_shown(shape, 1);
+  shape.erase(shape.begin());
+  std::vector<double> values;
+  file.read_frame(path, number, values);
+  return message(values, shape, unit);
 }
 
-std::string packed_field(const std::filesystem::path& results, const std::string& group,
-                         const std::string& frame, const std::string& name) {
+} // namespace
+
+template <class Read> auto FieldData::with(const std::filesystem::path& results, const Read& read) {
+  const std::lock_guard lock(mutex_);
+  const auto written = std::filesystem::last_write_time(results);
+  if (!file_ || file_->path() != results || written != written_) {
+    file_.reset();
+    auto file = std::make_unique<ForeignHdf5File>(results);
+    file->require_plain();
+    file_ = std::move(file);
+    written_ = written;
+  }
+  try {
+    return read(*file_);
+  } catch (const UserError&) {
+    file_.reset(); // its reader may have ended
+    throw;
+  }
+}
+
+Json FieldData::list(const std::filesystem::path& results) {
+  return with(results, [](const ForeignHdf5File& file) -> Json {
+    return {{"ions", ions(file)}, {"strain", strain(file)}, {"contact", contact(file)}};
+  });
+}
+
+std::string FieldData::packed(const std::filesystem::path& results, const std::string& group,
+                              const std::string& frame, const std::string& name) {
   require_name(frame);
   require_name(name);
-  const Hdf5File file(results, Hdf5File::Access::read);
   const bool is_strain = group == "strain";
   if (!is_strain && group != "ions" && group != "contact") {
     throw HttpError(404, "there is no such field");
   }
   const std::string path = is_strain ? "/strain/gamma" : "/" + group + "/" + frame + "/" + name;
-  if (!file.has_numbers(path)) {
-    throw HttpError(404, "there is no such field");
-  }
-  Hdf5File::Shape shape = file.shape(path);
-  const std::string unit = file.text_attribute(path, "unit").value_or("1");
-  if (group == "contact") {
-    return message(file.read(path), shape, unit);
-  }
-  std::size_t number = 0;
-  if (is_strain) {
-    std::from_chars(frame.data(), frame.data() + frame.size(), number);
-  }
-  if (shape.size() != 4 || number >= shape[0]) {
-    throw HttpError(404, "there is no such instant");
-  }
-  shape.erase(shape.begin());
-  if (std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()) >
-      limits::frame_values) {
-    throw HttpError(413, "this field is too large to be shown; ParaView reads it");
-  }
-  std::vector<double> values;
-  file.read_frame(path, number, values);
-  return message(values, shape, unit);
+  return with(results, [&](const ForeignHdf5File& file) {
+    if (!file.has_numbers(path)) {
+      throw HttpError(404, "there is no such field");
+    }
+    const std::string unit = file.text_attribute(path, "unit").value_or("1");
+    return group == "contact" ? message(line(file, path), file.shape(path), unit)
+                              : one_frame(file, path, is_strain ? frame : "0", unit);
+  });
 }
 
 } // namespace ionskin::apps::studio

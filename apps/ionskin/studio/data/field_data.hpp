@@ -1,26 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/results/hdf5/foreign_hdf5_file.hpp"
 #include "studio/server/json.hpp"
 
 #include <filesystem>
+#include <memory>
+#include <mutex>
 #include <string>
 
 namespace ionskin::apps::studio {
 
-/// Which fields results.h5 holds, with their grids and instants:
-/// {"ions": {"x", "y", "z", "frames": [{"name", "time", "fields"}]},
-///  "strain": {"x", "y", "z", "time", "frame", "slider_x", "slider_y"},
-///  "contact": {"x", "y", "frames": [{"name", "time"}]}}; each null when there is none.
-/// Lengths in m, from the skin's corner and the core's bottom, or from the slider's centre.
-Json list_fields(const std::filesystem::path& results);
+/// Fields of the results.h5 in run folders, which may come from anybody: a process apart reads
+/// them. It keeps the file that was asked for last, since a page that plays asks for one instant
+/// after the other. For several threads; one is served at a time.
+class FieldData {
+public:
+  /// Which fields results.h5 holds, with their grids and instants:
+  /// {"ions": {"x", "y", "z", "frames": [{"name", "time", "fields"}]},
+  ///  "strain": {"x", "y", "z", "time", "frame", "slider_x", "slider_y"},
+  ///  "contact": {"x", "y", "frames": [{"name", "time"}]}}; each null when there is none.
+  /// Lengths in m, from the skin's corner and the core's bottom, or from the slider's centre.
+  Json list(const std::filesystem::path& results);
 
-/// One field at one instant as a packed message of 32-bit floats, x fastest, then y, then z: the
-/// heading {"shape", "unit", "least", "greatest"}.
-/// @param group "ions", "strain" or "contact"
-/// @param frame name of the instant; for strain its number
-/// Throws HttpError 404 when it is not there.
-std::string packed_field(const std::filesystem::path& results, const std::string& group,
-                         const std::string& frame, const std::string& name);
+  /// One field at one instant as a packed message of 32-bit floats, x fastest, then y, then z: the
+  /// heading {"shape", "unit", "least", "greatest"}.
+  /// @param group "ions", "strain" or "contact"
+  /// @param frame name of the instant; for strain its number
+  /// Throws HttpError 404 when it is not there, 413 when it is too large for a page.
+  std::string packed(const std::filesystem::path& results, const std::string& group,
+                     const std::string& frame, const std::string& name);
+
+private:
+  /// Calls `read` with the opened file; one that failed is not kept.
+  template <class Read> auto with(const std::filesystem::path& results, const Read& read);
+
+  std::mutex mutex_;
+  std::unique_ptr<results::ForeignHdf5File> file_;
+  std::filesystem::file_time_type written_;
+};
 
 } // namespace ionskin::apps::studio

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "studio/data/field_data.hpp"
 #include "studio/data/result_list.hpp"
 #include "studio/data/table_data.hpp"
 #include "studio/jobs/process.hpp"
@@ -49,12 +48,13 @@ void Server::serve_result_calls() {
     send(response, packed_table(file_of(workspace_, request, name + ".csv")), numbers);
   });
   get("/api/fields", [this](const httplib::Request& request, httplib::Response& response) {
-    send_json(response, list_fields(file_of(workspace_, request, "results.h5")));
+    send_json(response, fields_.list(file_of(workspace_, request, "results.h5")));
   });
   get("/api/field", [this](const httplib::Request& request, httplib::Response& response) {
     send(response,
-         packed_field(file_of(workspace_, request, "results.h5"), request.get_param_value("group"),
-                      request.get_param_value("frame"), request.get_param_value("name")),
+         fields_.packed(file_of(workspace_, request, "results.h5"),
+                        request.get_param_value("group"), request.get_param_value("frame"),
+                        request.get_param_value("name")),
          numbers);
   });
   get("/api/compare", [this](const httplib::Request& request, httplib::Response& response) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "studio/data/field_data.hpp"
 #include "studio/data/workspace.hpp"
 #include "studio/jobs/job_queue.hpp"
 #include "studio/server/access.hpp"
@@ -43,6 +44,7 @@ private:
 
   Workspace& workspace_;
   JobQueue& jobs_;
+  FieldData fields_;
   int port_ = 0;
   std::unique_ptr<Access> access_;
   std::atomic<std::size_t> listeners_ = 0;
