@@ -2,23 +2,30 @@
 """An interrupted run keeps what it finished, and --resume ends with the same result."""
 
 import json
+import pathlib
+import shutil
 import signal
+import subprocess
 import unittest
 
 import h5py
 import numpy
 
-from program import QUICK, ProgramTest, signals
+from program import PROGRAM, QUICK, ProgramTest, signals, summary
 
 
 class Interrupt(ProgramTest):
-    def stage(self, name):
-        """The state of a stage by the manifest in `out`."""
+    def stages(self):
+        """What the manifest in `out` tells of each stage."""
         try:
             manifest = json.loads((self.folder / "out" / "manifest.json").read_text())
         except (OSError, ValueError):
-            return None
-        return manifest.get("stages", {}).get(name, {}).get("state")
+            return {}
+        return manifest.get("stages", {})
+
+    def stage(self, name):
+        """The state of a stage."""
+        return self.stages().get(name, {}).get("state")
 
     def stage_finished(self, stage):
         return self.stage(stage) == "finished"
@@ -71,6 +78,30 @@ mobility = "5e-17 m2/(Pa s)"
         self.run_case(case, "-o", "whole")
         numpy.testing.assert_array_equal(signals(self.folder / "out")["charge_top"],
                                          signals(self.folder / "whole")["charge_top"])
+
+    def test_during_the_error_estimate(self):
+        """Both studies are finished and kept to their end."""
+        self.interrupt_program("run", QUICK, "--no-report", "-o", "out", when=lambda: self.stage_finished("electrochemistry"))
+        self.assertFalse((self.folder / "out" / "signals.csv").exists())
+        with h5py.File(self.folder / "out" / "checkpoint.h5") as file:
+            last = file["rows/time"][-1]
+        kept = self.stages()
+        self.assert_resumes_to_the_same()
+        self.assertEqual(self.stages()["mechanics"], kept["mechanics"])
+        self.assertEqual(signals(self.folder / "out")["time"][-1], last)
+
+    def test_another_build_does_everything_again(self):
+        solver = self.folder / "ionskin-solver"
+        shutil.copy(pathlib.Path(PROGRAM).with_name("ionskin-solver"), solver)
+        with open(solver, "ab") as file:
+            file.write(b"0")
+        small = [QUICK, "-o", "out", "--only", "mechanics", "--set", "numerics.mesh_refinement=0.5"]
+        self.run_case(*small)
+        kept = self.stages()
+        subprocess.run([solver, "run", *small, "--no-report", "--resume"], cwd=self.folder, capture_output=True, check=True)
+        self.assertNotEqual(self.stages()["mechanics"], kept["mechanics"])
+        self.assertIn("Another build of ionskin began this run: everything is done again.",
+                      summary(self.folder / "out")["warnings"])
 
     def test_one_study_after_the_other(self):
         self.run_case(QUICK, "-o", "apart", "--only", "electrochemistry", expect=2)
