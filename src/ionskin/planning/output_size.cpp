@@ -34,10 +34,10 @@ std::string announced_output(const Case& input, double bytes) {
   if (!(bytes > worth_telling)) {
     return "";
   }
-  return fmt::format("the files of the results will take about {}; output.fields has {} "
-                     "instants, readout.sample_interval is {:.3g} s",
-                     base::byte_text(bytes), input.output.fields.size(),
-                     input.readout.sample_interval);
+  return fmt::format("the files of the results will take about {}: the run lasts {:.3g} s, "
+                     "readout.sample_interval is {:.3g} s, instants in output.fields: {}",
+                     base::byte_text(bytes), run_duration(input).value_or(0),
+                     input.readout.sample_interval, input.output.fields.size());
 }
 
 } // namespace ionskin::planning

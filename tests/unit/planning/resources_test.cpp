@@ -39,7 +39,7 @@ TEST(OutputSize, GrowsWithFieldsReadingsAndTaxels) {
   input.output.fields.assign(10'000, 0.6);
   const double fields = estimate_cost(input, 2).output;
   EXPECT_NEAR(fields, 5.5e9, 1.5e9); // of half a megabyte each
-  EXPECT_THAT(announced_output(input, fields), testing::HasSubstr("10000 instants"));
+  EXPECT_THAT(announced_output(input, fields), testing::HasSubstr("output.fields: 10000"));
   input.output.fields.clear();
   input.readout.sample_interval = 2e-6; // two million readings
   EXPECT_NEAR(estimate_cost(input, 2).output, 0.4e9, 0.2e9);
