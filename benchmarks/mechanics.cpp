@@ -140,7 +140,7 @@ void measure_steps(const Case& input, double rate) {
       input, mechanics::find_footprint(input, input.contact.friction, 1));
   const MotionBox box = *mechanics::contact_box(input);
   const base::ProgressCallback none = base::no_progress;
-  mechanics::SharedProgress progress("mechanics", none);
+  parallel::SharedProgress progress("mechanics", none);
   const mechanics::PositionNodes nodes(input, model, box, {}, progress);
   mechanics::SlidingContact contact(
       nodes.compliance(), model->cells.area, model->gap,

@@ -13,4 +13,12 @@ using ProgressCallback = std::function<void(std::string_view activity, double fr
 /// For callers who do not want to know.
 inline void no_progress(std::string_view, double) {}
 
+/// A part of an activity, which takes it from `first` to `first + share`.
+/// @param whole must outlive the result
+inline ProgressCallback part_of(const ProgressCallback& whole, double first, double share) {
+  return [&whole, first, share](std::string_view activity, double fraction) {
+    whole(activity, first + share * fraction);
+  };
+}
+
 } // namespace ionskin::base

@@ -4,6 +4,7 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/case/coupling.hpp"
 #include "ionskin/handover/measures/compressive_dilation.hpp"
+#include "ionskin/handover/strain_grid.hpp"
 #include "ionskin/history/line_operators.hpp"
 #include "ionskin/laws/shear/shear_measure.hpp"
 
@@ -17,83 +18,6 @@
 
 namespace ionskin::handover {
 namespace {
-
-constexpr double outer_cell_growth = 1.4;
-
-/// Longest cell beside the footprint [m]. Strain decays there over the thickness of the skin;
-/// coarser cells cost 0.1 % in the current. Where that is thin against the skin, cells of an 80th
-/// of its length only stand where the strain has decayed already.
-double outer_cell_limit(const Skin& skin) {
-  // To a picometre: how the thicknesses round as they are read and added must not show.
-  const double thickness = std::round(skin.thickness() * 1e12) / 1e12;
-  return std::max(thickness, skin.length / 80);
-}
-
-/// Cell edges outward from an edge at 0 to `extent`, growing from `first` up to `limit`.
-std::vector<double> graded_cells(double first, double extent, double limit) {
-  std::vector<double> edges;
-  double size = first;
-  double at = 0;
-  while (at + 1.5 * size < extent) {
-    at += size;
-    edges.push_back(at);
-    size = std::min(size * outer_cell_growth, limit);
-  }
-  edges.push_back(extent);
-  return edges;
-}
-
-/// Cell edges that ride with the slider in a direction in which it moves: the footprint's mesh
-/// lines, and outside them graded cells that cover the core from every position on the track.
-std::vector<double> riding_edges(const std::vector<double>& footprint, double low, double high,
-                                 double limit) {
-  std::vector<double> edges;
-  const double first_low = footprint[1] - footprint[0];
-  for (const double distance : graded_cells(first_low, footprint.front() - low, limit)) {
-    edges.push_back(footprint.front() - distance);
-  }
-  std::reverse(edges.begin(), edges.end());
-  edges.insert(edges.end(), footprint.begin(), footprint.end());
-  const double first_high = footprint.back() - footprint[footprint.size() - 2];
-  for (const double distance : graded_cells(first_high, high - footprint.back(), limit)) {
-    edges.push_back(footprint.back() + distance);
-  }
-  return edges;
-}
-
-std::vector<double> relative(const std::vector<double>& lines, std::size_t begin, std::size_t end,
-                             double centre) {
-  std::vector<double> result(lines.begin() + static_cast<std::ptrdiff_t>(begin),
-                             lines.begin() + static_cast<std::ptrdiff_t>(end));
-  for (double& line : result) {
-    line -= centre;
-  }
-  return result;
-}
-
-std::vector<double> core_lines(const mesh::SkinMesh& mesh, const mesh::MeshLines& lines) {
-  const auto rows = mesh.core_z();
-  return relative(lines.z, rows[0], rows[1] + 1, lines.z[rows[0]]);
-}
-
-/// Edges along one direction; the half model keeps its half only.
-std::vector<double> direction_edges(const std::vector<double>& lines,
-                                    const std::array<std::size_t, 2>& footprint, double extent,
-                                    double start, double lowest, double highest, double limit) {
-  if (lowest == highest) {
-    return relative(lines, 0, lines.size(), start);
-  }
-  const auto inner = relative(lines, footprint[0], footprint[1] + 1, start);
-  return riding_edges(inner, -highest, extent - lowest, limit);
-}
-
-/// Values and edges of the half y <= 0 continued by reflection to the whole width.
-std::vector<double> reflected_edges(std::vector<double> half) {
-  for (std::size_t i = half.size() - 1; i-- > 0;) {
-    half.push_back(-half[i]);
-  }
-  return half;
-}
 
 history::StrainField reflected_field(const history::StrainField& half, std::size_t levels,
                                      std::size_t rows, std::size_t columns) {
@@ -201,25 +125,21 @@ MotionBox box_of_path(const Case& input, const mechanics::ContactSolution& conta
 } // namespace
 
 history::CoreHistory build_strain_history(const Case& input,
-                                          const mechanics::ContactSolution& contact) {
+                                          const mechanics::ContactSolution& contact,
+                                          const base::ProgressCallback& progress) {
   const ContactTimeline timeline(input, contact);
   const mesh::SkinMesh& mesh = contact.mesh;
   const MotionBox box = box_of_path(input, contact);
-  const auto start_lines = mesh.lines(box.low);
-  const auto z_lines = core_lines(mesh, start_lines);
-  const double limit = outer_cell_limit(input.skin);
-  const auto x_edges = direction_edges(start_lines.x, mesh.footprint_x(), input.skin.length,
-                                       box.low[0], box.low[0], box.high[0], limit);
-  const auto y_edges = direction_edges(start_lines.y, mesh.footprint_y(), input.skin.width,
-                                       box.low[1], box.low[1], box.high[1], limit);
+  const CoreGrid core = core_grid(input, mesh, box);
+  const auto& [x_edges, y_edges, z_lines] = core;
 
   history::CoreHistory history;
   history.frame = history::Frame::slider;
   history.measure = input.coupling.measure;
   history.length = input.skin.length;
   history.width = input.skin.width;
-  const auto z_nodes = moves_water(input) ? history::halved(z_lines) : z_lines;
-  history.grid = {x_edges, mesh.half_model() ? reflected_edges(y_edges) : y_edges, z_nodes};
+  history.grid = strain_grid(input, mesh, core);
+  const std::vector<double>& z_nodes = history.grid.z_nodes;
 
   const history::LineOperator along_z = moves_water(input) ? history::halved_projection(z_lines)
                                                            : history::linear_projection(z_lines);
@@ -262,6 +182,8 @@ history::CoreHistory build_strain_history(const Case& input,
                                                        field_at(rules[channel], combination)));
       require_finite(*fields.back(), input, timeline.sample_times()[i]);
     }
+    progress("strain history",
+             static_cast<double>(i + 1) / static_cast<double>(timeline.sample_times().size()));
     cycle_centres.push_back(combination.centre);
     cycle_fields.push_back(&fields);
   }

@@ -4,11 +4,11 @@
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
-#include "ionskin/mechanics/path/shared_progress.hpp"
 #include "ionskin/mechanics/path/steady_sliding.hpp"
 #include "ionskin/mechanics/position/condensed_position.hpp"
 #include "ionskin/mechanics/position/contact_state.hpp"
 #include "ionskin/mechanics/solve_stepped.hpp"
+#include "ionskin/parallel/shared_progress.hpp"
 #include "ionskin/parallel/task_pool.hpp"
 
 #include <algorithm>
@@ -69,7 +69,7 @@ std::vector<ContactSolution> solve_variants(const Case& input,
     return solve_on_own_footprints(input, variants, options, timers);
   }
   const mesh::Footprint& footprint = *options.footprint;
-  SharedProgress progress("mechanics", options.progress);
+  parallel::SharedProgress progress("mechanics", options.progress);
   auto solutions = solve_stepped(input, footprint, variants, options, timers, progress);
   for (std::size_t i = 0; i < variants.size(); ++i) {
     // Each by itself, so that no solution depends on its neighbours.

@@ -74,7 +74,7 @@ ContactSolution empty_solution(const SkinModel& model) {
 
 ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs,
                            const std::shared_ptr<const PositionNodes>& nodes,
-                           const ContactVariant& variant, SharedProgress& progress) {
+                           const ContactVariant& variant, parallel::SharedProgress& progress) {
   const SkinModel& model = nodes->model();
   const mesh::HeaviestLoad heaviest = mesh::heaviest_load(input);
   StepperOptions options{.steps = variant.steps,
@@ -134,7 +134,7 @@ std::size_t expected_positions(const Case& input) {
 std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footprint& footprint,
                                            const std::vector<ContactVariant>& variants,
                                            const ContactOptions& options, base::Timers& timers,
-                                           SharedProgress& progress) {
+                                           parallel::SharedProgress& progress) {
   const auto model = std::make_shared<const SkinModel>(
       input, footprint,
       options.full_model ? mesh::MeshedPart::whole : mesh::MeshedPart::half_if_symmetric);

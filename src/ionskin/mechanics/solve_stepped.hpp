@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/mechanics/path/shared_progress.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
+#include "ionskin/parallel/shared_progress.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -16,6 +16,6 @@ std::size_t expected_positions(const Case& input);
 std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footprint& footprint,
                                            const std::vector<ContactVariant>& variants,
                                            const ContactOptions& options, base::Timers& timers,
-                                           SharedProgress& progress);
+                                           parallel::SharedProgress& progress);
 
 } // namespace ionskin::mechanics

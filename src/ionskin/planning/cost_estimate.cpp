@@ -69,7 +69,7 @@ CostEstimate estimate_cost(const Case& input, int threads,
   cost.mechanics_seconds = mechanics.seconds;
   cost.ion_seconds = ion_seconds(input, ions, threads);
   cost.seconds = cost.mechanics_seconds + cost.ion_seconds + seconds_of_output;
-  cost.memory = bytes_at_rest + std::max(mechanics.memory, ions.memory);
+  cost.memory = bytes_at_rest + std::max(mechanics.memory, mechanics.histories + ions.memory);
   cost.output = output_size(input, ions.unknowns, ions.steps);
   return cost;
 }

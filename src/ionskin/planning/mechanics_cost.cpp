@@ -2,6 +2,9 @@
 #include "ionskin/planning/mechanics_cost.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/case/coupling.hpp"
+#include "ionskin/case/slider_motion.hpp"
+#include "ionskin/handover/strain_grid.hpp"
 #include "ionskin/mechanics/companions.hpp"
 #include "ionskin/mechanics/path/expected_steps.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
@@ -32,8 +35,8 @@ constexpr double seconds_per_response = 1.25e-7; ///< over unknowns and cells
 /// Of a step of the contact, over the square of the cells; round sliders take up to three times as
 /// long, flat ones half.
 constexpr double seconds_per_step = 1.5e-7, seconds_per_driven_step = 3e-7;
-/// Of the strain of an instant that is kept of the path, over unknowns; half the steps are kept.
-constexpr double seconds_per_strain = 1e-7, kept_share = 0.5;
+/// Of the strain of an instant that is kept of the path, over unknowns.
+constexpr double seconds_per_strain = 1e-7;
 /// Meshes on which the contact of a round slider is sought, of about the size of that which is
 /// found, each at two positions.
 constexpr double searched_meshes = 2;
@@ -71,6 +74,10 @@ struct MeshCost {
     core_elements = static_cast<double>(nx * ny * (top - bottom));
     lattice = 3.0 * static_cast<double>((2 * nx + 1) * (2 * ny + 1)) *
               static_cast<double>(2 * (top - bottom) + 1);
+    const handover::CoreGrid core =
+        handover::core_grid(input, mesh, motion_box(input.motion, input.slider));
+    history_values = (moves_water(input) ? 2.0 : 1.0) * // channels
+                     static_cast<double>(handover::strain_grid(input, mesh, core).values());
   }
 
   /// Wall time of all positions. What lies under the slider is factorised once, before the others.
@@ -85,11 +92,15 @@ struct MeshCost {
     return searched_meshes * (first_factorisation(unknowns) + further_factorisation(unknowns));
   }
   /// Of steps along the path and of the strain of what is kept of them.
-  double path_seconds(double steps) const {
+  double path_seconds(const mechanics::ExpectedSteps& steps) const {
     const auto components = static_cast<double>(cells);
     const double contact = driven ? seconds_per_driven_step : seconds_per_step;
-    return passes * steps *
-           (contact * components * components + kept_share * seconds_per_strain * unknowns);
+    return passes * (static_cast<double>(steps.taken) * contact * components * components +
+                     static_cast<double>(steps.kept) * seconds_per_strain * unknowns);
+  }
+  /// Strain of what is kept of the path [bytes].
+  double history_memory(const mechanics::ExpectedSteps& steps) const {
+    return sizeof(double) * history_values * static_cast<double>(steps.kept);
   }
   /// Responses to unit forces at the positions of the path, which are kept until its history is
   /// made wherever they are kept at all [bytes].
@@ -118,6 +129,7 @@ struct MeshCost {
   bool driven = false;
   double passes = 1;
   double core_elements = 0, lattice = 0; ///< unknowns of the core
+  double history_values = 0;             ///< of one instant
 };
 
 /// Companions, by the name of `mechanics::companions`, that have a mesh of their own.
@@ -143,8 +155,9 @@ MechanicsCost estimate_mechanics_cost(const Case& input, int threads,
   cost.unknowns = mesh.unknowns();
   cost.contact_cells = own.cells;
   cost.positions = own.positions;
-  cost.steps = mechanics::expected_steps(input);
-  const auto steps = static_cast<double>(cost.steps);
+  const mechanics::ExpectedSteps steps = mechanics::expected_steps(input);
+  cost.steps = steps.taken;
+  cost.histories = own.history_memory(steps);
   cost.seconds = own.seconds(at_once(own)) + own.path_seconds(steps);
   if (!input.slider.sharp()) {
     cost.seconds += own.search_seconds();
@@ -160,11 +173,13 @@ MechanicsCost estimate_mechanics_cost(const Case& input, int threads,
       cost.memory = std::max(cost.memory, kept + companion.response_memory() +
                                               companion.working_memory(at_once(companion)));
       kept += companion.response_memory();
+      cost.histories += paths * companion.history_memory(steps);
     } catch (const UserError&) { // its mesh does not fit beside the slider: a run goes without
     }
   }
   cost.memory =
-      std::max(cost.memory, kept + own.response_memory() + own.working_memory(at_once(own)));
+      std::max({cost.memory, kept + own.response_memory() + own.working_memory(at_once(own)),
+                kept + own.response_memory() + cost.histories});
   return cost;
 }
 

@@ -37,6 +37,15 @@ TEST(MechanicsCost, GrowsWithEveryStroke) {
   EXPECT_EQ(strokes(6) - strokes(4), strokes(4) - strokes(2));
 }
 
+TEST(MechanicsCost, HoldsTheStrainOfALongPath) {
+  const auto strokes = [](int count) {
+    return cost({"motion.kind=reciprocating", "motion.strokes=" + std::to_string(count)});
+  };
+  EXPECT_GT(strokes(1000).histories, 100 * strokes(4).histories);
+  EXPECT_GT(strokes(1000).memory, strokes(1000).histories);
+  EXPECT_GT(strokes(1000).histories, 1e9);
+}
+
 TEST(MechanicsCost, CountsStickSlipOfADrive) {
   const std::vector<std::string> drive{
       "motion.preload=1 N",    "motion.drive.stiffness=5 kN/m", "motion.drive.damping=3 N s/m",

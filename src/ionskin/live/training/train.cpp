@@ -223,7 +223,7 @@ SkinData train_skin(const Case& input, const TrainingOptions& options) {
   const std::vector<FullRun> runs = training_runs(input, range, data, own);
   const FullRun& run = runs.front();
   {
-    mechanics::SharedProgress progress("positions", own.progress);
+    parallel::SharedProgress progress("positions", own.progress);
     const auto model = std::make_shared<const mechanics::SkinModel>(
         run.input, run.contact.mesh.footprint(), mesh::MeshedPart::half_if_symmetric);
     const mechanics::PositionNodes nodes(run.input, model, range.box,

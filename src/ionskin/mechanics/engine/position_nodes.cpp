@@ -201,7 +201,7 @@ double node_tolerance(const Case& input, const MotionBox& box) {
 
 PositionNodes::PositionNodes(const Case& input, std::shared_ptr<const SkinModel> model,
                              const MotionBox& box, const NodeOptions& options,
-                             SharedProgress& progress)
+                             parallel::SharedProgress& progress)
     : model_(std::move(model)), skin_(input.skin), options_(options),
       reflections_(reflections_in(input.skin, box)), tolerance_(node_tolerance(input, box)) {
   std::array<std::size_t, 2> counts{};
@@ -243,7 +243,7 @@ ForceDirections PositionNodes::along_line() const {
   return directions;
 }
 
-void PositionNodes::condense(const NodeLines& lines, SharedProgress& progress) {
+void PositionNodes::condense(const NodeLines& lines, parallel::SharedProgress& progress) {
   lines_ = lines;
   nodes_.clear();
   const std::size_t known = places_.size();

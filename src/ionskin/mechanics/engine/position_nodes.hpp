@@ -4,9 +4,9 @@
 #include "ionskin/base/files/disk_cache.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/mechanics/engine/compliance_map.hpp"
-#include "ionskin/mechanics/path/shared_progress.hpp"
 #include "ionskin/mechanics/position/canonical_position.hpp"
 #include "ionskin/mechanics/position/condensed_position.hpp"
+#include "ionskin/parallel/shared_progress.hpp"
 
 #include <array>
 #include <cstddef>
@@ -56,7 +56,7 @@ class PositionNodes {
 public:
   /// Throws Interrupted on request.
   PositionNodes(const Case& input, std::shared_ptr<const SkinModel> model, const MotionBox& box,
-                const NodeOptions& options, SharedProgress& progress);
+                const NodeOptions& options, parallel::SharedProgress& progress);
 
   const SkinModel& model() const { return *model_; }
   const ComplianceMap& compliance() const { return *compliance_; }
@@ -82,7 +82,7 @@ private:
     std::vector<double> along, across;
   };
 
-  void condense(const NodeLines& lines, SharedProgress& progress);
+  void condense(const NodeLines& lines, parallel::SharedProgress& progress);
   Condensed condensed_at(std::size_t index) const;
   /// Of the strain under the test load along each axis: error and lines that would keep it.
   std::array<std::size_t, 2> wanted_counts(double tolerance);

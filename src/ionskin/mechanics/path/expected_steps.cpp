@@ -45,12 +45,14 @@ double steps_of_stick_slip(const Case& input, const MotionLeg& leg) {
 
 } // namespace
 
-std::size_t expected_steps(const Case& input) {
+ExpectedSteps expected_steps(const Case& input) {
+  // Measured: of steps, and of rows that follow each other so closely that each is one step.
+  constexpr double kept_share = 0.5, kept_share_of_rows = 0.22;
   const PathSteps each;
   const mesh::HeaviestLoad heaviest = mesh::heaviest_load(input);
   const double travel_each = longest_step_travel(input);
   std::array<double, 2> direction{};
-  double steps = 0;
+  double steps = 0, rows = 0;
   for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
     if (!leg.touches()) {
       continue;
@@ -58,13 +60,15 @@ std::size_t expected_steps(const Case& input) {
     const ContactPart part = contact_part(leg);
     const double change = std::abs(part.to_level.value - part.from_level.value),
                  largest = part.to_level.is_force ? heaviest.force : heaviest.indentation;
+    double of_level = 0;
     if (leg.lands() || leg.leaves() || part.from_level.is_force != part.to_level.is_force) {
-      steps += leg.leaves() ? each.lift_off : each.touchdown;
+      of_level = leg.leaves() ? each.lift_off : each.touchdown;
     } else if (largest > 0) {
-      steps += std::ceil(each.touchdown * change / largest);
+      of_level = std::ceil(each.touchdown * change / largest);
     }
     if (!leg.slides()) {
       direction = {};
+      steps += of_level;
       continue;
     }
     const auto way = leg.direction();
@@ -72,9 +76,13 @@ std::size_t expected_steps(const Case& input) {
       steps += each.onset;
     }
     direction = way;
-    steps += std::ceil(leg.length() / travel_each) + steps_of_stick_slip(input, leg);
+    // One step changes place and level alike.
+    const double of_leg =
+        std::max(of_level, std::ceil(leg.length() / travel_each)) + steps_of_stick_slip(input, leg);
+    (of_leg <= 1 ? rows : steps) += of_leg;
   }
-  return static_cast<std::size_t>(std::min(steps, 1e9));
+  const auto count = [](double number) { return static_cast<std::size_t>(std::min(number, 1e9)); };
+  return {count(steps + rows), count(kept_share * steps + kept_share_of_rows * rows)};
 }
 
 } // namespace ionskin::mechanics

@@ -7,7 +7,11 @@
 
 namespace ionskin::mechanics {
 
-/// Steps that the contact is expected to take along a cycle of a motion.
-std::size_t expected_steps(const Case& input);
+/// What the contact is expected to do along a cycle of a motion.
+struct ExpectedSteps {
+  std::size_t taken = 0;
+  std::size_t kept = 0; ///< of which the strain is kept
+};
+ExpectedSteps expected_steps(const Case& input);
 
 } // namespace ionskin::mechanics

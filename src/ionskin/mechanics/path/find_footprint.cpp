@@ -5,11 +5,11 @@
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/mechanics/path/first_touch.hpp"
-#include "ionskin/mechanics/path/shared_progress.hpp"
 #include "ionskin/mechanics/path/steady_sliding.hpp"
 #include "ionskin/mechanics/position/canonical_position.hpp"
 #include "ionskin/mechanics/position/condensed_position.hpp"
 #include "ionskin/mesh/mesh_resolution.hpp"
+#include "ionskin/parallel/shared_progress.hpp"
 #include "ionskin/parallel/task_pool.hpp"
 
 #include <fmt/format.h>
@@ -108,7 +108,7 @@ Reach reach_at(const Case& input, const SkinModel& model, const std::array<doubl
 
 /// Over two corners of the track.
 Reach reach_of(const Case& input, const mesh::Footprint& footprint, double friction, int threads,
-               SharedProgress& progress) {
+               parallel::SharedProgress& progress) {
   const SkinModel model(input, footprint);
   const MotionBox box = meshed_box(input);
   std::vector<std::array<double, 2>> centres{canonical_position(input.skin, box.low).centre,
@@ -177,7 +177,7 @@ mesh::Footprint footprint_at(const Case& input, double friction, int threads,
   mesh::Footprint footprint = mesh::largest_footprint(input);
   const mesh::Footprint limit = mesh::footprint_limit(input);
   const Case coarse = footprint_case(input);
-  SharedProgress progress("contact footprint", callback);
+  parallel::SharedProgress progress("contact footprint", callback);
   std::array<double, 2> too_narrow{}; // the contact reached them: with few cells, rims could cycle
   for (int pass = 0; pass < most_passes; ++pass) {
     const Reach reach = reach_of(coarse, footprint, friction, threads, progress);

@@ -11,6 +11,7 @@
 #include "ionskin/history/merged_cells.hpp"
 #include "ionskin/history/shear_statistics.hpp"
 #include "ionskin/mechanics/companions.hpp"
+#include "ionskin/parallel/shared_progress.hpp"
 #include "ionskin/parallel/task_pool.hpp"
 #include "ionskin/poroelasticity/validity.hpp"
 #include "ionskin/readout/tail_current.hpp"
@@ -119,8 +120,11 @@ struct CoarserRuns {
 /// What `of_run` makes of each, side by side.
 template <class Result, class OfRun>
 std::map<std::string, Result> run_coarser(const Case& input, const std::vector<Coarser>& runs,
-                                          int threads, const OfRun& of_run) {
+                                          int threads, const base::ProgressCallback& progress,
+                                          const OfRun& of_run) {
   std::vector<Result> results(runs.size());
+  parallel::SharedProgress shared("error estimate", progress);
+  shared.begin_pass(runs.size(), 1);
   parallel::run_tasks(runs.size(), threads, [&](std::size_t i) {
     Case coarser = input;
     coarser.numerics.mesh_refinement *= 0.5;
@@ -129,6 +133,7 @@ std::map<std::string, Result> run_coarser(const Case& input, const std::vector<C
     results[i] =
         of_run(coarser, *runs[i].mechanics,
                electrochemistry::solve_ion_transport(coarser, runs[i].mechanics->history, {}, own));
+    shared.finish_unit();
   });
   std::map<std::string, Result> by_name;
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -191,7 +196,8 @@ ErrorEstimate no_estimate(const Signals& signals, const std::string& reason) {
 
 ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanics,
                               const electrochemistry::IonSolution& ions, const Signals& signals,
-                              int threads, base::Timers& timers) {
+                              int threads, base::Timers& timers,
+                              const base::ProgressCallback& progress) {
   const base::Timers::Scope timer(timers, "error estimate");
   if (mechanics.has_contact() && !has_companions(mechanics)) {
     return no_estimate(signals, no_companions);
@@ -199,7 +205,7 @@ ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanic
   const Case quiet = without_noise(input);
   const CoarserRuns coarser(mechanics);
   auto results = run_coarser<Signals>(
-      quiet, coarser.runs, threads,
+      quiet, coarser.runs, threads, progress,
       [](const Case& own, const MechanicsRecord& record, const electrochemistry::IonSolution& its) {
         return read_out(own, record, its, 1);
       });
@@ -232,7 +238,7 @@ std::vector<double> estimate_data_errors(const Case& input, const MechanicsRecor
   }
   const CoarserRuns coarser(mechanics);
   auto results = run_coarser<std::vector<double>>(
-      input, coarser.runs, threads,
+      input, coarser.runs, threads, base::no_progress,
       [&data](const Case&, const MechanicsRecord&, const electrochemistry::IonSolution& its) {
         return predict(data, its);
       });

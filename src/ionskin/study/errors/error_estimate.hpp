@@ -21,9 +21,11 @@ namespace ionskin::study {
 /// docs/errors-of-results.md says how the differences become errors. Parts of the mechanics are
 /// missing for a given strain; without companions nothing is estimated. Stage in `timers`: "error
 /// estimate". Throws SolverError when a coarser run finds no solution, and Interrupted.
+/// @param progress called with "error estimate"
 ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanics,
                               const electrochemistry::IonSolution& ions, const Signals& signals,
-                              int threads, base::Timers& timers);
+                              int threads, base::Timers& timers,
+                              const base::ProgressCallback& progress = base::no_progress);
 
 /// Half the width of the band about what a run says to measured data, one entry per row [unit of
 /// the data]; empty where the mechanics has no companions. Throws as above.

@@ -110,14 +110,17 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, base::Disk
   });
   return folder.stage("strain", [&] {
     options.progress("strain history", 0.0);
-    MechanicsRecord record = record_mechanics(input, solved);
+    constexpr double share_of_files = 0.25;
+    MechanicsRecord record =
+        record_mechanics(input, solved, base::part_of(options.progress, 0, 1 - share_of_files));
     const std::size_t own_warnings = record.warnings.size();
     if (cache != nullptr) {
       for (std::string& note : cache->take_notes()) {
         record.warnings.push_back(std::move(note));
       }
     }
-    write_mechanics(results_path, hash, record);
+    write_mechanics(results_path, hash, record,
+                    base::part_of(options.progress, 1 - share_of_files, share_of_files));
     if (keeps && record.warnings.size() == own_warnings) {
       keep_mechanics(*cache, hash, results_path);
     }
@@ -177,10 +180,11 @@ void add_errors(const Case& input, const MechanicsRecord& mechanics, const RunOp
   }
   options.progress("error estimate", 0.0);
   try {
-    outputs.errors = outputs.ions ? estimate_errors(input, mechanics, *outputs.ions,
-                                                    outputs.signals, options.threads, timers)
-                                  : estimate_mechanics_errors(input, mechanics, outputs.signals,
-                                                              options.threads);
+    outputs.errors =
+        outputs.ions
+            ? estimate_errors(input, mechanics, *outputs.ions, outputs.signals, options.threads,
+                              timers, options.progress)
+            : estimate_mechanics_errors(input, mechanics, outputs.signals, options.threads);
     for (std::string& warning : error_warnings(input, outputs.errors)) {
       outputs.warnings.push_back(std::move(warning));
     }

@@ -81,9 +81,10 @@ std::vector<Companions> try_companions(const Case& input, const std::vector<doub
   return {};
 }
 
-std::shared_ptr<const MechanicsRecord> companion_record(const Case& input,
-                                                        const mechanics::ContactSolution& contact) {
-  MechanicsRecord record = make_mechanics_record(input, contact);
+std::shared_ptr<const MechanicsRecord>
+companion_record(const Case& input, const mechanics::ContactSolution& contact,
+                 const base::ProgressCallback& progress = base::no_progress) {
+  MechanicsRecord record = make_mechanics_record(input, contact, progress);
   record.maps = {};
   return std::make_shared<const MechanicsRecord>(std::move(record));
 }
@@ -142,10 +143,16 @@ void add_companions(const Case& input, const mechanics::ContactOptions& options,
   }
 }
 
-MechanicsRecord record_mechanics(const Case& input, const SolvedMechanics& solved) {
-  MechanicsRecord record = make_mechanics_record(input, solved.contact);
+MechanicsRecord record_mechanics(const Case& input, const SolvedMechanics& solved,
+                                 const base::ProgressCallback& progress) {
+  const double share = 1.0 / static_cast<double>(1 + solved.companions.size());
+  MechanicsRecord record =
+      make_mechanics_record(input, solved.contact, base::part_of(progress, 0, share));
+  double done = share;
   for (const auto& [name, contact] : solved.companions) {
-    record.companions[name] = companion_record(mechanics::companion_case(input, name), contact);
+    record.companions[name] = companion_record(mechanics::companion_case(input, name), contact,
+                                               base::part_of(progress, done, share));
+    done += share;
   }
   return record;
 }

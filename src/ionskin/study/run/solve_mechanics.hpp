@@ -33,6 +33,8 @@ void add_companions(const Case& input, const mechanics::ContactOptions& options,
                     MechanicsRecord& record);
 
 /// Condenses all of them into what the rest of the run needs.
-MechanicsRecord record_mechanics(const Case& input, const SolvedMechanics& solved);
+/// @param progress called with "strain history"
+MechanicsRecord record_mechanics(const Case& input, const SolvedMechanics& solved,
+                                 const base::ProgressCallback& progress = base::no_progress);
 
 } // namespace ionskin::study

@@ -14,11 +14,15 @@
 namespace ionskin::study {
 namespace {
 
-/// Nothing when the file cannot be read.
+/// Larger histories are of paths so long that an entry would drive out all others, and are held in
+/// memory while it is written.
+constexpr std::uintmax_t largest_kept = 500'000'000;
+
+/// Nothing when the file cannot be read or is too large to be kept.
 std::optional<std::string> content_of(const std::filesystem::path& path) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error) {
+  if (error || size > largest_kept) {
     return std::nullopt;
   }
   std::string content(size, '\0');

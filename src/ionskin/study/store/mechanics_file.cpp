@@ -141,17 +141,21 @@ MechanicsRecord read_path(const results::ForeignHdf5File& file, const std::strin
 } // namespace
 
 void write_mechanics(const std::filesystem::path& path, const std::string& hash,
-                     const MechanicsRecord& record) {
+                     const MechanicsRecord& record, const base::ProgressCallback& progress) {
+  const double histories = 1 + static_cast<double>(record.companions.size());
+  double written = 0;
   results::ResultsFile results(path, results::ResultsFile::Start::empty);
   results.write_strain(record.history);
   results.write_contact(record.maps);
   results::Hdf5File& file = results.file();
   write_path(file, "/path", record);
   file.set_attribute("/path", "mechanics_hash", hash);
+  progress("strain history", ++written / histories);
   for (const auto& [name, companion] : record.companions) {
     const std::string group = companions_group + ("/" + name);
     write_path(file, group + "/path", *companion);
     results::write_strain(file, group + "/strain", companion->history);
+    progress("strain history", ++written / histories);
   }
   results.commit();
 }

@@ -86,10 +86,10 @@ const mechanics::StrainSource* strain_source(const mechanics::ContactSolution& c
 
 } // namespace
 
-MechanicsRecord make_mechanics_record(const Case& input,
-                                      const mechanics::ContactSolution& contact) {
+MechanicsRecord make_mechanics_record(const Case& input, const mechanics::ContactSolution& contact,
+                                      const base::ProgressCallback& progress) {
   MechanicsRecord record;
-  record.history = handover::build_strain_history(input, contact);
+  record.history = handover::build_strain_history(input, contact, progress);
   const handover::ContactTimeline timeline(input, contact);
   const std::vector<MotionLeg> legs = motion_legs(input.motion, input.slider);
   const auto direction = slide_direction(legs);

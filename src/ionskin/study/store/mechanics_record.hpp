@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/base/progress.hpp"
 #include "ionskin/case/case.hpp"
 #include "ionskin/history/core_history.hpp"
 #include "ionskin/mechanics/output/contact_solution.hpp"
@@ -51,6 +52,8 @@ struct MechanicsRecord {
 };
 
 /// Condenses the contact states into forces, maps and the shear history of the whole run.
-MechanicsRecord make_mechanics_record(const Case& input, const mechanics::ContactSolution& contact);
+/// @param progress called with "strain history"
+MechanicsRecord make_mechanics_record(const Case& input, const mechanics::ContactSolution& contact,
+                                      const base::ProgressCallback& progress = base::no_progress);
 
 } // namespace ionskin::study

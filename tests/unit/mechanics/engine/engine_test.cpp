@@ -34,7 +34,7 @@ struct Line {
     input.skin.length = 7.3e-3; // no place mirrors another
     model = std::make_shared<const SkinModel>(input, mesh::largest_footprint(input));
     const base::ProgressCallback none = base::no_progress;
-    SharedProgress progress("mechanics", none);
+    parallel::SharedProgress progress("mechanics", none);
     nodes = std::make_unique<const PositionNodes>(input, model,
                                                   MotionBox{{1.5e-3, 1e-3}, {3.5e-3, 1e-3}},
                                                   NodeOptions{.threads = 2}, progress);
@@ -96,7 +96,7 @@ TEST(PositionNodes, share_places_that_mirror_each_other) {
   Case input = small_case(); // 5 mm long
   const auto model = std::make_shared<const SkinModel>(input, mesh::largest_footprint(input));
   const base::ProgressCallback none = base::no_progress;
-  SharedProgress progress("mechanics", none);
+  parallel::SharedProgress progress("mechanics", none);
   const PositionNodes nodes(input, model, {{1.5e-3, 1e-3}, {3.5e-3, 1e-3}},
                             NodeOptions{.threads = 2, .cache = nullptr, .count = 2}, progress);
   linear_algebra::DenseMatrix compliance;
@@ -142,7 +142,7 @@ TEST(PositionNodes, pass_on_what_is_no_number) {
 
 TEST(PositionNodes, respond_across_their_line_at_its_ends) {
   const base::ProgressCallback none = base::no_progress;
-  SharedProgress progress("mechanics", none);
+  parallel::SharedProgress progress("mechanics", none);
   NodeOptions options{.threads = 2};
   options.across_at_ends = true;
   const PositionNodes nodes(line().input, line().model, {{1.5e-3, 1e-3}, {3.5e-3, 1e-3}}, options,

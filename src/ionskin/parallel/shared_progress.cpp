@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/mechanics/path/shared_progress.hpp"
+#include "ionskin/parallel/shared_progress.hpp"
 
 #include <algorithm>
 
-namespace ionskin::mechanics {
+namespace ionskin::parallel {
 
 void SharedProgress::begin_pass(std::size_t expected, double share) {
   const std::lock_guard lock(mutex_);
@@ -36,4 +36,4 @@ void SharedProgress::finish() {
   callback_(activity_, reported_);
 }
 
-} // namespace ionskin::mechanics
+} // namespace ionskin::parallel

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/mechanics/path/shared_progress.hpp"
+#include "ionskin/parallel/shared_progress.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
-namespace ionskin::mechanics {
+namespace ionskin::parallel {
 namespace {
 
 TEST(SharedProgress, NeverFallsAndEndsAtOne) {
@@ -36,4 +36,4 @@ TEST(SharedProgress, NeverFallsAndEndsAtOne) {
 }
 
 } // namespace
-} // namespace ionskin::mechanics
+} // namespace ionskin::parallel

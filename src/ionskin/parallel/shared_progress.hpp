@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace ionskin::mechanics {
+namespace ionskin::parallel {
 
 /// Reports the progress of one activity from several threads, one at a time. How many units
 /// of work there will be is known only in the end: what is reported never falls, and reaches 1 with
@@ -36,4 +36,4 @@ private:
   std::mutex mutex_;
 };
 
-} // namespace ionskin::mechanics
+} // namespace ionskin::parallel
