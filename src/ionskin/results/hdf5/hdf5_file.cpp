@@ -12,6 +12,7 @@
 #include <fstream>
 #include <hdf5_hl.h>
 #include <string_view>
+#include <utility>
 
 namespace ionskin::results {
 namespace {
@@ -77,7 +78,7 @@ std::recursive_mutex& library_mutex() {
 } // namespace
 
 Hdf5File::Hdf5File(std::filesystem::path path, Access access)
-    : library_(library_mutex()), path_(std::move(path)) {
+    : library_(library_mutex()), path_(std::move(path)), written_(access != Access::read) {
   // What the library could not write when a disk is full it must not try again when the program
   // ends: it would crash. Every file is closed here.
   static const herr_t once = H5dont_atexit();
@@ -109,6 +110,9 @@ Hdf5File::~Hdf5File() {
   frames_.reset();
   if (id_ >= 0) {
     H5Fclose(id_);
+    if (written_) {
+      failed_close.reset(); // the file is given up
+    }
   }
 }
 
@@ -122,6 +126,9 @@ void Hdf5File::close() {
   reason = flushed && !closed ? errno : reason;
   if (!flushed || !closed) {
     throw UserError(with_reason(write_failure(path_, "its last part"), reason));
+  }
+  if (const auto lost = std::exchange(failed_close, std::nullopt)) {
+    throw UserError(with_reason(write_failure(path_, "a part of it"), *lost));
   }
 }
 

@@ -93,6 +93,7 @@ private:
   std::unique_lock<std::recursive_mutex> library_; ///< released last
   std::filesystem::path path_;
   std::int64_t id_ = -1;
+  bool written_ = false;
   mutable std::unique_ptr<OpenFrames> frames_; ///< of which the last frame was read
 };
 

@@ -8,10 +8,16 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <utility>
 
 namespace ionskin::results {
+
+/// Reason (errno) of the first object that this thread could not close, until it closes a file.
+/// Closing a dataset writes what its cache still holds: where that fails, values are lost, and
+/// closing the file does not tell.
+inline thread_local std::optional<int> failed_close;
 
 /// Owns one HDF5 identifier; throws UserError with `message` when HDF5 did not give one.
 class Hdf5Handle {
@@ -24,8 +30,8 @@ public:
     }
   }
   ~Hdf5Handle() {
-    if (id_ >= 0) {
-      closer_(id_);
+    if (id_ >= 0 && closer_(id_) < 0 && !failed_close) {
+      failed_close = errno;
     }
   }
   Hdf5Handle(Hdf5Handle&& other) noexcept

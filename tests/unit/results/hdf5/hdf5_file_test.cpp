@@ -6,6 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <csignal>
+#include <sys/resource.h>
+
 namespace ionskin::results {
 namespace {
 
@@ -40,6 +44,43 @@ TEST(Hdf5File, ReadsBackNumbersTextsAndAttributes) {
   EXPECT_EQ(file.number_attribute("/", "version"), 1);
   EXPECT_EQ(file.number_attribute("/new/group", "time"), 0.25);
   EXPECT_EQ(file.members("/group"), (std::vector<std::string>{"deep"}));
+}
+
+/// No file grows beyond so many bytes.
+class FileSizeLimit {
+public:
+  explicit FileSizeLimit(rlim_t bytes) : ignored_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, ignored_);
+  }
+
+private:
+  rlimit before_{};
+  void (*ignored_)(int);
+};
+
+TEST(Hdf5File, TellsAFrameThatWasLostWhileItsDatasetWasClosed) {
+  const ScratchFolder folder;
+  std::vector<double> noise(4096);
+  for (std::size_t i = 0; i < noise.size(); ++i) {
+    noise[i] = std::sin(1e3 * static_cast<double>(i * i));
+  }
+  Hdf5File file(folder / "a.h5", Access::create);
+  file.create_frames("/frames", {2, noise.size()});
+  {
+    const FileSizeLimit limit(4096); // a disk that is full for a moment
+    file.write_frame("/frames", 0, noise);
+  }
+  file.write_frame("/frames", 1, noise);
+  EXPECT_THROW(file.close(), UserError);
+  Hdf5File other(folder / "b.h5", Access::create);
+  other.write("/values", std::vector<double>{1});
+  other.close();
 }
 
 TEST(Hdf5File, TellsWhatIsThere) {
