@@ -71,7 +71,7 @@ class Driver:
         last = process.stderr.strip().splitlines()[-1:] or [""]
         if process.returncode not in (0, 2, 3):
             return process.returncode, f"ended with {process.returncode}: {last[0]}"
-        if process.returncode != 0 and "error" not in process.stderr:
+        if process.returncode != 0 and "error" not in process.stderr and "points failed; sweep.csv" not in process.stderr:
             return process.returncode, f"no message: {process.stderr}"
         # What a warm cache rounds differently is no matter of faults.
         shutil.rmtree(self.folder / "work" / "cache", ignore_errors=True)

@@ -8,9 +8,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <hdf5_hl.h>
+#include <new>
 #include <string_view>
 #include <utility>
 
@@ -39,7 +41,18 @@ void require_readable(const std::filesystem::path& path) {
   }
 }
 
+/// The library crashes where there is no memory for the cache of a file that it opens.
+void require_cache_memory() {
+  constexpr std::size_t cache_bytes = 1u << 20;
+  void* volatile room = std::malloc(cache_bytes);
+  if (room == nullptr) {
+    throw std::bad_alloc();
+  }
+  std::free(room);
+}
+
 hid_t open_file(const std::filesystem::path& path, Hdf5File::Access access) {
+  require_cache_memory();
   if (access == Hdf5File::Access::create) {
     return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   }
