@@ -15,7 +15,7 @@ inline void no_progress(std::string_view, double) {}
 
 /// A part of an activity, which takes it from `first` to `first + share`.
 /// @param whole must outlive the result
-inline ProgressCallback part_of(const ProgressCallback& whole, double first, double share) {
+inline ProgressCallback share_of(const ProgressCallback& whole, double first, double share) {
   return [&whole, first, share](std::string_view activity, double fraction) {
     whole(activity, first + share * fraction);
   };

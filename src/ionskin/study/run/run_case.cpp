@@ -112,7 +112,7 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, base::Disk
     options.progress("strain history", 0.0);
     constexpr double share_of_files = 0.25;
     MechanicsRecord record =
-        record_mechanics(input, solved, base::part_of(options.progress, 0, 1 - share_of_files));
+        record_mechanics(input, solved, base::share_of(options.progress, 0, 1 - share_of_files));
     const std::size_t own_warnings = record.warnings.size();
     if (cache != nullptr) {
       for (std::string& note : cache->take_notes()) {
@@ -120,7 +120,7 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, base::Disk
       }
     }
     write_mechanics(results_path, hash, record,
-                    base::part_of(options.progress, 1 - share_of_files, share_of_files));
+                    base::share_of(options.progress, 1 - share_of_files, share_of_files));
     if (keeps && record.warnings.size() == own_warnings) {
       keep_mechanics(*cache, hash, results_path);
     }

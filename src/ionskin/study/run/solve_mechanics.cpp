@@ -147,11 +147,11 @@ MechanicsRecord record_mechanics(const Case& input, const SolvedMechanics& solve
                                  const base::ProgressCallback& progress) {
   const double share = 1.0 / static_cast<double>(1 + solved.companions.size());
   MechanicsRecord record =
-      make_mechanics_record(input, solved.contact, base::part_of(progress, 0, share));
+      make_mechanics_record(input, solved.contact, base::share_of(progress, 0, share));
   double done = share;
   for (const auto& [name, contact] : solved.companions) {
     record.companions[name] = companion_record(mechanics::companion_case(input, name), contact,
-                                               base::part_of(progress, done, share));
+                                               base::share_of(progress, done, share));
     done += share;
   }
   return record;
