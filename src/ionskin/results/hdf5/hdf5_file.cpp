@@ -131,6 +131,7 @@ Hdf5File::~Hdf5File() {
 
 void Hdf5File::close() {
   frames_.reset();
+  const auto lost = std::exchange(failed_close, std::nullopt);
   const hid_t id = id_;
   id_ = -1;
   const bool flushed = id < 0 || H5Fflush(id, H5F_SCOPE_LOCAL) >= 0;
@@ -140,7 +141,7 @@ void Hdf5File::close() {
   if (!flushed || !closed) {
     throw UserError(with_reason(write_failure(path_, "its last part"), reason));
   }
-  if (const auto lost = std::exchange(failed_close, std::nullopt)) {
+  if (lost) {
     throw UserError(with_reason(write_failure(path_, "a part of it"), *lost));
   }
 }

@@ -64,21 +64,43 @@ private:
   void (*ignored_)(int);
 };
 
+/// Values that do not compress.
+std::vector<double> noise() {
+  std::vector<double> values(4096);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = std::sin(1e3 * static_cast<double>(i * i));
+  }
+  return values;
+}
+
 TEST(Hdf5File, TellsAFrameThatWasLostWhileItsDatasetWasClosed) {
   const ScratchFolder folder;
-  std::vector<double> noise(4096);
-  for (std::size_t i = 0; i < noise.size(); ++i) {
-    noise[i] = std::sin(1e3 * static_cast<double>(i * i));
-  }
   Hdf5File file(folder / "a.h5", Access::create);
-  file.create_frames("/frames", {2, noise.size()});
+  file.create_frames("/frames", {2, 4096});
   {
     const FileSizeLimit limit(4096); // a disk that is full for a moment
-    file.write_frame("/frames", 0, noise);
+    file.write_frame("/frames", 0, noise());
   }
-  file.write_frame("/frames", 1, noise);
+  file.write_frame("/frames", 1, noise());
   EXPECT_THROW(file.close(), UserError);
-  Hdf5File other(folder / "b.h5", Access::create);
+}
+
+TEST(Hdf5File, AFullDiskIsToldOfNoOtherFile) {
+  const ScratchFolder folder;
+  {
+    Hdf5File file(folder / "a.h5", Access::create);
+    file.create_frames("/frames", {1, 4096});
+    const FileSizeLimit limit(1024); // until it is closed, and beyond
+    file.write_frame("/frames", 0, noise());
+    EXPECT_THROW(file.close(), UserError);
+  }
+  {
+    Hdf5File given_up(folder / "b.h5", Access::create);
+    given_up.create_frames("/frames", {1, 4096});
+    const FileSizeLimit limit(1024);
+    given_up.write_frame("/frames", 0, noise());
+  }
+  Hdf5File other(folder / "c.h5", Access::create);
   other.write("/values", std::vector<double>{1});
   other.close();
 }
