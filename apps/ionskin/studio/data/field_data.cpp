@@ -14,7 +14,8 @@ namespace {
 
 using results::ForeignHdf5File;
 
-/// What a page can show of a dataset, which is not read before.
+/// Refuses values that are too many for a page, before they are read. Those of dimensions from
+/// `first` on count.
 void require_shown(const ForeignHdf5File::Shape& shape, std::size_t first = 0) {
   double values = 1;
   for (std::size_t d = first; d < shape.size(); ++d) {
@@ -107,12 +108,9 @@ std::string message(const std::vector<double>& values, const ForeignHdf5File::Sh
                 numbers);
 }
 
-/// @param frame number, in digits
-std::string one_frame(const ForeignHdf5File& file, const std::string& path,
-                      const std::string& frame, const std::string& unit) {
+std::string one_frame(const ForeignHdf5File& file, const std::string& path, std::size_t number,
+                      const std::string& unit) {
   ForeignHdf5File::Shape shape = file.shape(path);
-  std::size_t number = 0;
-  std::from_chars(frame.data(), frame.data() + frame.size(), number);
   if (shape.size() != 4 || number >= shape[0]) {
     throw HttpError(404, "there is no such instant");
   }
@@ -127,7 +125,8 @@ std::string one_frame(const ForeignHdf5File& file, const std::string& path,
 
 template <class Read> auto FieldData::with(const std::filesystem::path& results, const Read& read) {
   const std::lock_guard lock(mutex_);
-  const auto written = std::filesystem::last_write_time(results);
+  std::error_code missing; // of which opening it tells
+  const auto written = std::filesystem::last_write_time(results, missing);
   if (!file_ || file_->path() != results || written != written_) {
     file_.reset();
     auto file = std::make_unique<ForeignHdf5File>(results);
@@ -158,13 +157,17 @@ std::string FieldData::packed(const std::filesystem::path& results, const std::s
     throw HttpError(404, "there is no such field");
   }
   const std::string path = is_strain ? "/strain/gamma" : "/" + group + "/" + frame + "/" + name;
+  std::size_t number = 0; // in the dataset of the strain; any other has one frame
+  if (is_strain) {
+    std::from_chars(frame.data(), frame.data() + frame.size(), number);
+  }
   return with(results, [&](const ForeignHdf5File& file) {
     if (!file.has_numbers(path)) {
       throw HttpError(404, "there is no such field");
     }
     const std::string unit = file.text_attribute(path, "unit").value_or("1");
     return group == "contact" ? message(line(file, path), file.shape(path), unit)
-                              : one_frame(file, path, is_strain ? frame : "0", unit);
+                              : one_frame(file, path, number, unit);
   });
 }
 
