@@ -15,7 +15,8 @@ function(ionskin_folder name)
   endif()
 endfunction()
 
-# ionskin_unit_test(FOLDER SOURCES ... DEPENDS ...): one test program per source folder, built by the target unit_tests.
+# ionskin_unit_test(FOLDER [SHARDS N] SOURCES ... DEPENDS ...): one test program per source folder, built by the target
+# unit_tests; its tests run in N parts.
 function(ionskin_unit_test folder)
   cmake_parse_arguments(ARG "" "SHARDS" "SOURCES;DEPENDS" ${ARGN})
   add_executable(unit_${folder} EXCLUDE_FROM_ALL ${ARG_SOURCES})
