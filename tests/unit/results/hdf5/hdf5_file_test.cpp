@@ -87,22 +87,26 @@ TEST(Hdf5File, TellsAFrameThatWasLostWhileItsDatasetWasClosed) {
 
 TEST(Hdf5File, AFullDiskIsToldOfNoOtherFile) {
   const ScratchFolder folder;
+  const auto write_another = [&folder](const char* name) {
+    Hdf5File other(folder / name, Access::create);
+    other.write("/values", std::vector<double>{1});
+    other.close();
+  };
   {
     Hdf5File file(folder / "a.h5", Access::create);
     file.create_frames("/frames", {1, 4096});
-    const FileSizeLimit limit(1024); // until it is closed, and beyond
+    const FileSizeLimit limit(0); // closing it fails, too
     file.write_frame("/frames", 0, noise());
     EXPECT_THROW(file.close(), UserError);
   }
+  write_another("b.h5");
   {
-    Hdf5File given_up(folder / "b.h5", Access::create);
+    Hdf5File given_up(folder / "c.h5", Access::create);
     given_up.create_frames("/frames", {1, 4096});
     const FileSizeLimit limit(1024);
     given_up.write_frame("/frames", 0, noise());
   }
-  Hdf5File other(folder / "c.h5", Access::create);
-  other.write("/values", std::vector<double>{1});
-  other.close();
+  write_another("d.h5");
 }
 
 TEST(Hdf5File, TellsWhatIsThere) {
