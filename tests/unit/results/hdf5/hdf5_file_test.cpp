@@ -8,6 +8,9 @@
 
 #include <cmath>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <sys/resource.h>
 
 namespace ionskin::results {
@@ -85,13 +88,13 @@ TEST(Hdf5File, TellsAFrameThatWasLostWhileItsDatasetWasClosed) {
   EXPECT_THROW(file.close(), UserError);
 }
 
-TEST(Hdf5File, AFullDiskIsToldOfNoOtherFile) {
-  const ScratchFolder folder;
-  const auto write_another = [&folder](const char* name) {
-    Hdf5File other(folder / name, Access::create);
-    other.write("/values", std::vector<double>{1});
-    other.close();
-  };
+void write_one_value(const std::filesystem::path& path) {
+  Hdf5File file(path, Access::create);
+  file.write("/values", std::vector<double>{1});
+  file.close();
+}
+
+void fill_disks_and_write_other_files(const ScratchFolder& folder) {
   {
     Hdf5File file(folder / "a.h5", Access::create);
     file.create_frames("/frames", {1, 4096});
@@ -99,14 +102,25 @@ TEST(Hdf5File, AFullDiskIsToldOfNoOtherFile) {
     file.write_frame("/frames", 0, noise());
     EXPECT_THROW(file.close(), UserError);
   }
-  write_another("b.h5");
+  EXPECT_NO_THROW(write_one_value(folder / "b.h5"));
   {
     Hdf5File given_up(folder / "c.h5", Access::create);
     given_up.create_frames("/frames", {1, 4096});
     const FileSizeLimit limit(1024);
     given_up.write_frame("/frames", 0, noise());
   }
-  write_another("d.h5");
+  EXPECT_NO_THROW(write_one_value(folder / "d.h5"));
+}
+
+TEST(Hdf5File, AFullDiskIsToldOfNoOtherFile) {
+  const ScratchFolder folder;
+  // The library keeps, and leaks, the rest of a file that it could not close: a process of its own.
+  const auto in_a_child = [&folder] {
+    fill_disks_and_write_other_files(folder);
+    std::fflush(nullptr);
+    std::_Exit(testing::Test::HasFailure() ? 1 : 0);
+  };
+  EXPECT_EXIT(in_a_child(), testing::ExitedWithCode(0), "");
 }
 
 TEST(Hdf5File, TellsWhatIsThere) {
