@@ -15,9 +15,10 @@ target_link_options(ionskin_flags INTERFACE -Wl,--as-needed)
 # Units compiled with and without vector instructions share Eigen's inline functions: one alignment for all of them.
 target_compile_definitions(ionskin_flags INTERFACE EIGEN_MAX_ALIGN_BYTES=64)
 if(IONSKIN_SANITIZE)
+  # What is found ends a test: GCC would only print undefined behaviour and go on.
   # GCC 12 takes instrumented library code for uninitialised reads.
-  target_compile_options(ionskin_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
-                         -Wno-maybe-uninitialized)
+  target_compile_options(ionskin_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
+                         -fno-omit-frame-pointer -Wno-maybe-uninitialized)
   target_link_options(ionskin_flags INTERFACE -fsanitize=address,undefined)
 endif()
 if(IONSKIN_SANITIZE_THREADS)

@@ -23,9 +23,10 @@ LoadPatterns load_patterns(const std::vector<CellVector>& loads, double negligib
   while (rank < most && !(std::abs(triangle(rank, rank)) <= negligible)) {
     ++rank;
   }
-  const Eigen::MatrixXd rest = triangle.topLeftCorner(rank, rank)
-                                   .triangularView<Eigen::Upper>()
-                                   .solve(triangle.topRightCorner(rank, count - rank));
+  Eigen::MatrixXd rest = triangle.topRightCorner(rank, count - rank);
+  if (rest.size() > 0) { // Eigen takes the address of the first of no values
+    triangle.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solveInPlace(rest);
+  }
   const auto& place = decomposition.colsPermutation().indices();
   LoadPatterns patterns{
       {}, linear_algebra::DenseMatrix(static_cast<int>(rank), static_cast<int>(count))};
