@@ -113,10 +113,11 @@ DenseMatrix Cholesky::trailing_block() const {
   return block;
 }
 
-void Cholesky::complete(int known, DenseMatrix& states) const {
+void Cholesky::complete(int known, int loaded, DenseMatrix& states) const {
   const KernelThreads kernel_threads(threads_);
   const Panels panels(*numbers_->factor);
-  const int unknown = symbolic_.pattern().size - known, count = states.rows;
+  const int unknown = symbolic_.pattern().size - known, count = states.rows,
+            unloaded = unknown - loaded;
   const auto columns_before = [&](std::size_t s) {
     return std::min(panels.first_column[s + 1], unknown) - panels.first_column[s];
   };
@@ -134,8 +135,12 @@ void Cholesky::complete(int known, DenseMatrix& states) const {
     }
     const double* panel = panels.values + panels.value_start[s];
     double* own = states.column(panels.first_column[s]);
+    const bool replaced = panels.first_column[s] + columns <= unloaded;
+    if (!replaced && panels.first_column[s] < unloaded) {
+      std::fill(own, states.column(unloaded), 0.0);
+    }
     product(false, count, columns, height - columns, -1.0, gathered.values.data(), count,
-            panel + columns, height, 1.0, own, count);
+            panel + columns, height, replaced ? 0.0 : 1.0, own, count);
     solve_right(count, columns, panel, height, own, count);
   }
 }

@@ -52,9 +52,10 @@ public:
 
   /// Backward substitution for any number of states at once, whose values stand side by side for
   /// each unknown: shape [states, size], in the elimination order. The last `known` columns hold
-  /// the solution; from L^-1 B in those before, it makes the solution.
+  /// the solution; from L^-1 B in the `loaded` ones before them, it makes the solution. B is zero
+  /// for the unknowns before those: what their columns hold is replaced.
   /// @param known at most trailing()
-  void complete(int known, DenseMatrix& states) const;
+  void complete(int known, int loaded, DenseMatrix& states) const;
 
 private:
   struct Numbers;

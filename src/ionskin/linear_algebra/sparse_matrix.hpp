@@ -22,6 +22,12 @@ struct DenseMatrix {
   DenseMatrix(int row_count, int column_count)
       : rows(row_count), columns(column_count),
         values(static_cast<std::size_t>(row_count) * static_cast<std::size_t>(column_count)) {}
+  /// Takes another shape; the values are any.
+  void reshape(int row_count, int column_count) {
+    rows = row_count;
+    columns = column_count;
+    values.resize(static_cast<std::size_t>(row_count) * static_cast<std::size_t>(column_count));
+  }
   double* column(int j) {
     return values.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(rows);
   }

@@ -108,12 +108,13 @@ TEST_F(CholeskyOnGrid, completes_solutions_of_loads_on_trailing_unknowns) {
   const int first = graph.size - count;
   for (const int known : {0, 1, count / 3, count}) {
     DenseMatrix columns(states, graph.size);
+    std::ranges::fill(columns.values, std::nan(""));
     for (int k = first; k < graph.size; ++k) {
       for (int j = 0; j < states; ++j) {
         columns(j, k) = k < graph.size - known ? forward(k - first, j) : solution(order[k], j);
       }
     }
-    factor.complete(known, columns);
+    factor.complete(known, count - known, columns);
     double error = 0;
     for (int k = 0; k < graph.size; ++k) {
       for (int j = 0; j < states; ++j) {

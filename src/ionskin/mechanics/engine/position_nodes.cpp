@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 namespace ionskin::mechanics {
@@ -263,11 +264,17 @@ void PositionNodes::condense(const NodeLines& lines, parallel::SharedProgress& p
       places_[nodes_.back().condensed].forces = {true, true, true};
   ForceDirections test_directions = along_line();
   test_directions[2] = test_directions[2] && !model_->mesh.half_model();
-  progress.add_units(places_.size() - known);
-  parallel::run_tasks(places_.size() - known, options_.threads, [&](std::size_t i) {
+  // The first makes what they share under the slider: one with less work than those of the ends.
+  std::vector<std::size_t> order(places_.size() - known);
+  std::iota(order.begin(), order.end(), known);
+  std::ranges::stable_partition(order, [&](std::size_t i) {
+    return places_[i].forces != ForceDirections{true, true, true};
+  });
+  progress.add_units(order.size());
+  parallel::run_tasks(order.size(), options_.threads, [&](std::size_t i) {
     base::check_interrupt();
-    Place& place = places_[known + i];
-    const Condensed condensed = condensed_at(known + i);
+    Place& place = places_[order[i]];
+    const Condensed condensed = condensed_at(order[i]);
     place.compliance = contact_compliance(*model_, *condensed);
     place.test = test_strains(*model_, *condensed, test_directions, reflections_);
     place.condensed = condensed->holds_factor() ? nullptr : condensed;

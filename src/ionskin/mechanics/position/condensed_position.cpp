@@ -90,9 +90,10 @@ CondensedPosition::CondensedPosition(const ElasticSkin& skin, mesh::MeshLines li
   factorise();
   auto made = std::make_shared<StoredPosition>();
   made->compliance = factorised_->compliance();
+  SkinDisplacement displacement(skin_.analysis().parts);
   for (std::size_t d = 0; d < directions.size(); ++d) {
     if (directions[d]) {
-      made->response[d] = unit_response(static_cast<int>(d));
+      made->response[d] = unit_response(static_cast<int>(d), displacement);
     }
   }
   factorised_.reset();
@@ -127,18 +128,19 @@ void CondensedPosition::for_states(const SkinDisplacement& displacement, const U
   }
 }
 
-DirectionResponse CondensedPosition::unit_response(int direction) const {
+DirectionResponse CondensedPosition::unit_response(int direction,
+                                                   SkinDisplacement& displacement) const {
   const int cells = static_cast<int>(skin_.cells.count());
   DirectionResponse result{
       {lattice_.rows(), cells}, {membrane_.rows(), cells}, DenseMatrix(3, cells)};
   for (int first = 0; first < cells; first += block_size) {
     const int count = std::min(block_size, cells - first);
-    for_states(factorised_->unit_displacement(direction, first, count),
-               [&](int j, const State& state) {
-                 result.core.set_column(first + j, state.lattice.data());
-                 result.membrane.set_column(first + j, state.membrane.data());
-                 std::ranges::copy(state.base_reaction, result.base_reaction.column(first + j));
-               });
+    factorised_->unit_displacement(direction, first, count, displacement);
+    for_states(displacement, [&](int j, const State& state) {
+      result.core.set_column(first + j, state.lattice.data());
+      result.membrane.set_column(first + j, state.membrane.data());
+      std::ranges::copy(state.base_reaction, result.base_reaction.column(first + j));
+    });
   }
   return result;
 }
@@ -189,7 +191,9 @@ void CondensedPosition::respond_by_products(const DenseMatrix& forces,
 
 void CondensedPosition::respond_by_factor(const DenseMatrix& forces,
                                           std::vector<Response>& responses) const {
-  for_states(factorised_->displacement(forces), [&](int k, const State& state) {
+  SkinDisplacement displacement(skin_.analysis().parts);
+  factorised_->displacement(forces, displacement);
+  for_states(displacement, [&](int k, const State& state) {
     responses.push_back(response(state.lattice.data(), state.membrane.data(), state.base_reaction,
                                  forces.column(k)));
   });

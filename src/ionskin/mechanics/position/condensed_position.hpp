@@ -67,7 +67,8 @@ private:
     std::array<double, 3> base_reaction{};
   };
   template <class Use> void for_states(const SkinDisplacement& displacement, const Use& use) const;
-  DirectionResponse unit_response(int direction) const;
+  /// @param displacement may hold anything
+  DirectionResponse unit_response(int direction, SkinDisplacement& displacement) const;
   /// Responses to the columns of a block [3 cells, any].
   void respond_by_products(const linear_algebra::DenseMatrix& forces,
                            std::vector<Response>& responses) const;

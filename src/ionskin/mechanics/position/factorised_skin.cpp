@@ -198,42 +198,42 @@ void FactorisedSkin::join() {
   solve(true);
 }
 
-SkinDisplacement FactorisedSkin::unit_displacement(int direction, int first, int count) const {
-  return complete(states_of(inner_->contact, direction, first, count),
-                  states_of(interface_, direction, first, count));
+void FactorisedSkin::unit_displacement(int direction, int first, int count,
+                                       SkinDisplacement& result) const {
+  complete(states_of(inner_->contact, direction, first, count),
+           states_of(interface_, direction, first, count), result);
 }
 
-SkinDisplacement FactorisedSkin::displacement(const DenseMatrix& forces) const {
+void FactorisedSkin::displacement(const DenseMatrix& forces, SkinDisplacement& result) const {
   const linear_algebra::KernelThreads kernel_threads(threads_);
   const auto states = [&](const DenseMatrix& unit) {
     return transposed(linear_algebra::multiply(unit, forces));
   };
-  return complete(states(inner_->contact), states(interface_));
+  complete(states(inner_->contact), states(interface_), result);
 }
 
-SkinDisplacement FactorisedSkin::complete(const DenseMatrix& contact,
-                                          const DenseMatrix& interface) const {
-  SkinDisplacement result(parts_);
+void FactorisedSkin::complete(const DenseMatrix& contact, const DenseMatrix& interface,
+                              SkinDisplacement& result) const {
   const int states = interface.rows;
   const auto& inner = parts_.inner;
-  result.inner_ = DenseMatrix(states, inner.part->space.unknowns());
+  result.inner_.reshape(states, inner.part->space.unknowns());
   const int begin_interface = result.inner_.columns - interface.columns;
   std::ranges::copy(contact.values, result.inner_.column(begin_interface - contact.columns));
   std::ranges::copy(interface.values, result.inner_.column(begin_interface));
-  inner_->factor.cholesky().complete(interface.columns, result.inner_);
+  inner_->factor.cholesky().complete(interface.columns, contact.columns, result.inner_);
   for (std::size_t p = 0; p < outer_.size(); ++p) {
     const PlacedPart& placed = parts_.outer[p];
     const int own = placed.part->interface;
-    DenseMatrix& outer = result.outer_.emplace_back(states, placed.part->space.unknowns());
+    DenseMatrix& outer = result.outer_[p];
+    outer.reshape(states, placed.part->space.unknowns());
     for (int k = 0; k < own; ++k) {
       const int last = outer.columns - own + k;
       const double* from = interface.column(placed.first_interface + k);
       std::transform(from, from + states, outer.column(last),
                      [&](double value) { return placed.sign[last] * value; });
     }
-    outer_[p].cholesky().complete(own, outer);
+    outer_[p].cholesky().complete(own, 0, outer);
   }
-  return result;
 }
 
 std::array<double, 3> FactorisedSkin::base_reaction(const double* displacement) const {

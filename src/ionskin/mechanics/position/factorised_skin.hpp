@@ -44,10 +44,10 @@ private:
                 const linear_algebra::DenseMatrix& unit_load);
 };
 
-/// Displacement of the skin in some states.
+/// Displacement of the skin in some states. Large: to be filled again is faster than to be made.
 class SkinDisplacement {
 public:
-  explicit SkinDisplacement(const SkinParts& parts) : parts_(parts) {}
+  explicit SkinDisplacement(const SkinParts& parts) : parts_(parts), outer_(parts.outer.size()) {}
   int states() const { return inner_.rows; }
   /// @param whole receives the displacement of all unknowns of the skin in `count` states from
   /// `first` on
@@ -70,9 +70,9 @@ public:
 
   const linear_algebra::DenseMatrix& compliance() const { return compliance_; }
   /// Under unit forces in one direction on the cells from `first` on.
-  SkinDisplacement unit_displacement(int direction, int first, int count) const;
+  void unit_displacement(int direction, int first, int count, SkinDisplacement& result) const;
   /// Under given forces [3 cells, states].
-  SkinDisplacement displacement(const linear_algebra::DenseMatrix& forces) const;
+  void displacement(const linear_algebra::DenseMatrix& forces, SkinDisplacement& result) const;
   std::array<double, 3> base_reaction(const double* displacement) const;
 
 private:
@@ -92,8 +92,8 @@ private:
   void factorise_outer(const ElasticSkin& skin, const mesh::MeshLines& lines);
   void join();
   /// From values under the slider and displacements of the interface, both by state.
-  SkinDisplacement complete(const linear_algebra::DenseMatrix& contact,
-                            const linear_algebra::DenseMatrix& interface) const;
+  void complete(const linear_algebra::DenseMatrix& contact,
+                const linear_algebra::DenseMatrix& interface, SkinDisplacement& result) const;
 
   Place place_;
   int threads_;
