@@ -7,7 +7,6 @@
 #include "ionskin/mechanics/elasticity/elastic_system.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace ionskin::mechanics {
@@ -47,17 +46,6 @@ DenseMatrix transposed(const DenseMatrix& matrix) {
     }
   }
   return result;
-}
-
-/// Copies states by unknown to the skin's unknowns.
-void copy_part(const PlacedPart& placed, const DenseMatrix& states, int first, int count,
-               DenseMatrix& whole) {
-  for (int k = 0; k < states.columns; ++k) {
-    const double* from = states.column(k) + first;
-    for (int j = 0; j < count; ++j) {
-      whole(placed.whole_unknown[k], j) = placed.sign[k] * from[j];
-    }
-  }
 }
 
 } // namespace
@@ -118,9 +106,14 @@ void InnerFactor::condense(const DenseMatrix& trailing, const SkinParts& parts,
 }
 
 void SkinDisplacement::copy(int first, int count, DenseMatrix& whole) const {
-  copy_part(parts_.inner, inner_, first, count, whole);
-  for (std::size_t p = 0; p < outer_.size(); ++p) {
-    copy_part(parts_.outer[p], outer_[p], first, count, whole);
+  for (int i = 0; i < whole.rows; ++i) {
+    const PartUnknown& unknown = parts_.unknown[static_cast<std::size_t>(i)];
+    const DenseMatrix& part =
+        unknown.part == 0 ? inner_ : outer_[static_cast<std::size_t>(unknown.part - 1)];
+    const double* from = part.column(unknown.place) + first;
+    for (int j = 0; j < count; ++j) {
+      whole(i, j) = unknown.sign * from[j];
+    }
   }
 }
 
@@ -151,13 +144,7 @@ FactorisedSkin::FactorisedSkin(const ElasticSkin& skin, const mesh::MeshLines& l
     inner_ = inner->get(make);
   }
   join();
-  for (std::vector<double>& reaction : base_reaction_) {
-    reaction.assign(static_cast<std::size_t>(skin.space.unknowns()), 0.0);
-  }
-  inner_->factor.add_reaction(parts_.inner, parts_.cut.axis, base_reaction_);
-  for (std::size_t p = 0; p < outer_.size(); ++p) {
-    outer_[p].add_reaction(parts_.outer[p], parts_.cut.axis, base_reaction_);
-  }
+  gather_reactions(skin.space.unknowns());
 }
 
 void FactorisedSkin::factorise_outer(const ElasticSkin& skin, const mesh::MeshLines& lines) {
@@ -236,11 +223,26 @@ void FactorisedSkin::complete(const DenseMatrix& contact, const DenseMatrix& int
   }
 }
 
+void FactorisedSkin::gather_reactions(int unknowns) {
+  std::array<std::vector<double>, 3> whole;
+  whole.fill(std::vector<double>(static_cast<std::size_t>(unknowns)));
+  inner_->factor.add_reaction(parts_.inner, parts_.cut.axis, whole);
+  for (std::size_t p = 0; p < outer_.size(); ++p) {
+    outer_[p].add_reaction(parts_.outer[p], parts_.cut.axis, whole);
+  }
+  for (std::size_t i = 0; i < whole[0].size(); ++i) {
+    if (whole[0][i] != 0 || whole[1][i] != 0 || whole[2][i] != 0) {
+      base_reaction_.emplace_back(i, std::array{whole[0][i], whole[1][i], whole[2][i]});
+    }
+  }
+}
+
 std::array<double, 3> FactorisedSkin::base_reaction(const double* displacement) const {
   std::array<double, 3> result{};
-  for (std::size_t r = 0; r < 3; ++r) {
-    result[r] =
-        std::inner_product(base_reaction_[r].begin(), base_reaction_[r].end(), displacement, 0.0);
+  for (const auto& [unknown, reaction] : base_reaction_) {
+    for (std::size_t r = 0; r < 3; ++r) {
+      result[r] += reaction[r] * displacement[unknown];
+    }
   }
   return result;
 }

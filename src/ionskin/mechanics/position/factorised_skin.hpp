@@ -8,6 +8,7 @@
 #include <array>
 #include <memory>
 #include <semaphore>
+#include <utility>
 #include <vector>
 
 namespace ionskin::mechanics {
@@ -91,6 +92,7 @@ private:
 
   void factorise_outer(const ElasticSkin& skin, const mesh::MeshLines& lines);
   void join();
+  void gather_reactions(int unknowns);
   /// From values under the slider and displacements of the interface, both by state.
   void complete(const linear_algebra::DenseMatrix& contact,
                 const linear_algebra::DenseMatrix& interface, SkinDisplacement& result) const;
@@ -102,7 +104,8 @@ private:
   std::shared_ptr<const InnerFactor> inner_;
   linear_algebra::DenseMatrix compliance_;
   linear_algebra::DenseMatrix interface_; ///< displacement under unit forces, [unknowns, 3 cells]
-  std::array<std::vector<double>, 3> base_reaction_;
+  /// Of the unknowns that the base feels, by axis.
+  std::vector<std::pair<std::size_t, std::array<double, 3>>> base_reaction_;
 };
 
 } // namespace ionskin::mechanics

@@ -163,6 +163,17 @@ SkinParts::SkinParts(const ElasticSpace& whole, const mesh::MeshLines& any_lines
   inner.part = std::make_shared<const SkinPart>(std::move(space), std::move(contact), planes);
   number_in_whole(whole, axis, inner);
 
+  unknown.resize(static_cast<std::size_t>(whole.unknowns()));
+  const auto find_unknowns = [&](const PlacedPart& placed, int part) {
+    for (std::size_t k = 0; k < placed.whole_unknown.size(); ++k) {
+      unknown[placed.whole_unknown[k]] = {part, static_cast<int>(k), placed.sign[k]};
+    }
+  };
+  find_unknowns(inner, 0);
+  for (std::size_t p = 0; p < outer.size(); ++p) {
+    find_unknowns(outer[p], static_cast<int>(p) + 1);
+  }
+
   std::vector<int> row_of_unknown(static_cast<std::size_t>(whole.unknowns()), -1);
   const std::vector<int> loaded = whole.unknowns_of(cells.nodes);
   for (std::size_t row = 0; row < loaded.size(); ++row) {

@@ -44,6 +44,13 @@ struct PlacedPart {
   std::vector<double> sign;       ///< likewise: -1 where the mirror turns it
 };
 
+/// Where the value of one of the skin's unknowns stands: in a part, the inner one before the outer
+/// ones, at a place of its elimination order.
+struct PartUnknown {
+  int part = 0, place = 0;
+  double sign = 1; ///< -1 where the mirror turns it
+};
+
 /// The skin cut into a part that holds the footprint and those before and behind it.
 struct SkinParts {
   SkinCut cut;
@@ -52,6 +59,7 @@ struct SkinParts {
   PlacedPart inner;
   /// Row of `ContactCells::unit_load` of each trailing unknown of the inner part; -1 without one.
   std::vector<int> load_row;
+  std::vector<PartUnknown> unknown; ///< of the skin
 
   /// @param whole numbering of the skin
   SkinParts(const ElasticSpace& whole, const mesh::MeshLines& any_lines,
