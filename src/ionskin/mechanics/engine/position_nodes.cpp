@@ -233,7 +233,8 @@ PositionNodes::Condensed PositionNodes::condensed_at(std::size_t index) const {
   const Place& place = places_[index];
   return place.condensed ? place.condensed
                          : std::make_shared<const CondensedPosition>(
-                               *model_, place.centre, PositionUse{options_.cache, place.forces});
+                               *model_, place.centre,
+                               PositionUse{options_.cache, place.forces, places_.size()});
 }
 
 ForceDirections PositionNodes::along_line() const {

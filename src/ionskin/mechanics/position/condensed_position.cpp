@@ -99,7 +99,7 @@ CondensedPosition::CondensedPosition(const ElasticSkin& skin, mesh::MeshLines li
   factorised_.reset();
   stored_ = std::move(made);
   if (use.cache != nullptr) {
-    write_position(*use.cache, key, stored_->compliance, stored_->response);
+    write_position(*use.cache, key, *stored_, use.positions);
     memory.keep(key, stored_);
   }
 }

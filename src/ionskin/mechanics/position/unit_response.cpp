@@ -3,6 +3,7 @@
 
 #include "ionskin/base/byte_record.hpp"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -11,8 +12,6 @@ namespace {
 
 using linear_algebra::DenseMatrix;
 using linear_algebra::FixedPointMatrix;
-
-constexpr double positions_of_a_slide = 4;
 
 struct Sizes {
   std::int32_t cells = 0, core_rows = 0, membrane_rows = 0;
@@ -27,7 +26,7 @@ template <class T> std::span<const std::byte> bytes_of(const std::vector<T>& val
 
 bool responses_fit(int core_rows, int membrane_rows, int components) {
   const double rows = static_cast<double>(core_rows) + membrane_rows;
-  return positions_of_a_slide * rows * components * sizeof(std::int32_t) <
+  return least_positions * rows * components * sizeof(std::int32_t) <
          static_cast<double>(base::default_cache_limit);
 }
 
@@ -63,8 +62,9 @@ std::shared_ptr<const StoredPosition> read_position(base::DiskCache& cache, cons
   return reader.at_end() ? stored : nullptr;
 }
 
-void write_position(base::DiskCache& cache, const base::Digest& key, const DenseMatrix& compliance,
-                    const UnitResponse& response) {
+void write_position(base::DiskCache& cache, const base::Digest& key, const StoredPosition& position,
+                    std::size_t positions) {
+  const auto& [compliance, response] = position;
   Sizes sizes{compliance.columns / 3, 0, 0, {}};
   std::vector<std::span<const std::byte>> parts{std::as_bytes(std::span(&sizes, 1)),
                                                 bytes_of(compliance.values)};
@@ -84,7 +84,8 @@ void write_position(base::DiskCache& cache, const base::Digest& key, const Dense
       bytes += part.size();
     }
   }
-  if (positions_of_a_slide * static_cast<double>(bytes) < static_cast<double>(cache.most_bytes())) {
+  const auto needed = static_cast<double>(std::max(least_positions, positions) * bytes);
+  if (needed < static_cast<double>(cache.most_bytes())) {
     cache.write(key, parts);
   }
 }

@@ -24,6 +24,9 @@ struct DirectionResponse {
 /// it, at any friction and load, without a factorisation.
 using UnitResponse = std::array<std::optional<DirectionResponse>, 3>;
 
+/// Of a slide.
+inline constexpr std::size_t least_positions = 4;
+
 /// Whether the responses of a slide, at least four positions, fit into the default bound of the
 /// cache. The mesh alone decides: states by a response are rounded otherwise than by the factor.
 bool responses_fit(int core_rows, int membrane_rows, int components);
@@ -38,8 +41,9 @@ struct StoredPosition {
 /// Null where there is none, or a damaged one.
 std::shared_ptr<const StoredPosition> read_position(base::DiskCache& cache, const base::Digest& key,
                                                     int core_rows, int membrane_rows, int cells);
-/// Keeps nothing where the responses of a slide exceed the bound of the cache.
-void write_position(base::DiskCache& cache, const base::Digest& key,
-                    const linear_algebra::DenseMatrix& compliance, const UnitResponse& response);
+/// Keeps nothing where so many positions of a path exceed the bound of the cache: each would drive
+/// out one that the next run asks for first.
+void write_position(base::DiskCache& cache, const base::Digest& key, const StoredPosition& position,
+                    std::size_t positions);
 
 } // namespace ionskin::mechanics

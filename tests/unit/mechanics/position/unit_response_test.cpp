@@ -42,7 +42,7 @@ TEST(UnitResponse, what_a_position_gives_is_read_back_to_the_last_bit) {
   const results::ScratchFolder folder;
   base::DiskCache cache(folder.path(), 1'000'000);
   const base::Digest key = base::DigestBuilder().add("a position").finish();
-  write_position(cache, key, given.compliance, given.response);
+  write_position(cache, key, given, least_positions);
   const auto read = read_position(cache, key, core_rows, membrane_rows, cells);
   ASSERT_TRUE(read);
   expect_same_bits(read->compliance.values, given.compliance.values);
@@ -58,6 +58,24 @@ TEST(UnitResponse, what_a_position_gives_is_read_back_to_the_last_bit) {
   }
   // Of another mesh it is none.
   EXPECT_FALSE(read_position(cache, key, core_rows + 1, membrane_rows, cells));
+}
+
+TEST(UnitResponse, is_kept_where_all_positions_of_a_path_have_room) {
+  constexpr int cells = 2, core_rows = 5, membrane_rows = 3;
+  StoredPosition given{DenseMatrix(3 * cells, 3 * cells), {}};
+  given.response[0].emplace(DirectionResponse{FixedPointMatrix(core_rows, cells),
+                                              FixedPointMatrix(membrane_rows, cells),
+                                              DenseMatrix(3, cells)});
+  const results::ScratchFolder folder;
+  base::DiskCache cache(folder.path(), 10'000); // an entry takes a few hundred bytes
+  const base::Digest key = base::DigestBuilder().add("a position").finish();
+  const auto kept = [&](std::size_t positions) {
+    write_position(cache, key, given, positions);
+    return cache.clear().entries == 1;
+  };
+  EXPECT_TRUE(kept(1));
+  EXPECT_TRUE(kept(24));
+  EXPECT_FALSE(kept(240));
 }
 
 } // namespace
