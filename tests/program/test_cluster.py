@@ -58,12 +58,14 @@ def listening(process):
 
 
 def wait_until(holds, seconds=120):
-    """Raises TimeoutError."""
+    """What `holds` returned when it first held. A process that becomes another program (execve) has no command line for a
+    moment, so who looks twice may find it and then not. Raises TimeoutError."""
     deadline = time.monotonic() + seconds
-    while not holds():
+    while not (found := holds()):
         if time.monotonic() > deadline:
             raise TimeoutError
         time.sleep(0.02)
+    return found
 
 
 class Cluster(ProgramTest):
@@ -83,8 +85,7 @@ class Cluster(ProgramTest):
         out = self.folder / "out"
         with subprocess.Popen([PROGRAM, "sweep", QUICK, *GRID, "-o", "out", "--on", scheduler, "--quiet"],
                               cwd=self.folder) as sweep:
-            wait_until(lambda: list(out.glob("staging/*/*/manifest.json")))
-            program = processes("--do-batch", out)[0]
+            program = wait_until(lambda: list(out.glob("staging/*/*/manifest.json")) and processes("--do-batch", out))[0]
             os.kill(parent(program), signal.SIGKILL)
             wait_until(lambda: program not in processes("--do-batch", out))
             self.assertEqual(sweep.wait(), 0)
@@ -159,8 +160,7 @@ class Cluster(ProgramTest):
         self.run_program(*study, "-o", "here")
         scheduler = self.start()
         with subprocess.Popen([PROGRAM, *map(str, study), "-o", "out", "--on", scheduler], cwd=self.folder) as process:
-            wait_until(lambda: processes("ionskin.evaluation.worker"))
-            child = processes("ionskin.evaluation.worker")[0]
+            child = wait_until(lambda: processes("ionskin.evaluation.worker"))[0]
             os.kill(parent(child), signal.SIGKILL)
             wait_until(lambda: child not in processes("ionskin.evaluation.worker"))
             self.assertEqual(process.wait(), 0)

@@ -15,6 +15,14 @@ GRID = ("--set", "numerics.mesh_refinement=0.5", "--only", "mechanics", "--no-re
         "--over", "motion.preload=1 um,1.5 um")
 
 
+def started_by_slurm(process):
+    """Whether a process is there and has the environment of a step of Slurm."""
+    try:
+        return b"SLURMD_NODENAME=" in pathlib.Path(f"/proc/{process}/environ").read_bytes()
+    except OSError:
+        return False
+
+
 @unittest.skipUnless(slurm.available(), "needs root, slurm-wlm and munge")
 class BySlurm(ProgramTest):
     def test_no_point_is_lost(self):
@@ -34,8 +42,7 @@ class BySlurm(ProgramTest):
         job = ("sbatch", "--wait", "--array=0-1", "--output=/dev/null", "--wrap",
                f"exec {PROGRAM} sweep --do-batch $SLURM_ARRAY_TASK_ID -o {out}")
         with subprocess.Popen([slurm.path_of(job[0]), *job[1:]], env=queue.environment, stdout=subprocess.DEVNULL) as first:
-            wait_until(lambda: processes("--do-batch", "1", out))
-            os.kill(processes("--do-batch", "1", out)[0], signal.SIGKILL)
+            os.kill(wait_until(lambda: processes("--do-batch", "1", out))[0], signal.SIGKILL)
             self.assertNotEqual(first.wait(), 0)
         self.assertIn("3 of 6 points are still to be solved", self.run_program("sweep", "--collect", "-o", out, "--no-report",
                                                                                expect=4).stderr)
@@ -53,9 +60,7 @@ class BySlurm(ProgramTest):
         with subprocess.Popen(step, env=queue.environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL):
             with subprocess.Popen([PROGRAM, "sweep", QUICK, *GRID, "-o", out, "--on", cluster / "scheduler.json", "--quiet"],
                                   cwd=self.folder) as sweep:
-                wait_until(lambda: processes("--do-batch", out))
-                program = processes("--do-batch", out)[0]
-                self.assertIn(b"SLURMD_NODENAME", pathlib.Path(f"/proc/{program}/environ").read_bytes())
+                program = wait_until(lambda: [one for one in processes("--do-batch", out) if started_by_slurm(one)])[0]
                 os.kill(parent(program), signal.SIGKILL)
                 self.assertEqual(sweep.wait(), 0)
             self.run_program("cluster", "stop", cluster)
