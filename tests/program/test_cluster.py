@@ -58,8 +58,8 @@ def listening(process):
 
 
 def wait_until(holds, seconds=120):
-    """What `holds` returned when it first held. A process that becomes another program (execve) has no command line for a
-    moment, so who looks twice may find it and then not. Raises TimeoutError."""
+    """Returns what `holds` returned when it first held, which a second call may not: /proc shows no command line of a process
+    during execve. Raises TimeoutError."""
     deadline = time.monotonic() + seconds
     while not (found := holds()):
         if time.monotonic() > deadline:

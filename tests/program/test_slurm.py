@@ -15,12 +15,12 @@ GRID = ("--set", "numerics.mesh_refinement=0.5", "--only", "mechanics", "--no-re
         "--over", "motion.preload=1 um,1.5 um")
 
 
-def started_by_slurm(process):
-    """Whether a process is there and has the environment of a step of Slurm."""
+def environment(process):
+    """Of a process; empty once it is gone, and for a moment while it becomes another program."""
     try:
-        return b"SLURMD_NODENAME=" in pathlib.Path(f"/proc/{process}/environ").read_bytes()
+        return pathlib.Path(f"/proc/{process}/environ").read_bytes()
     except OSError:
-        return False
+        return b""
 
 
 @unittest.skipUnless(slurm.available(), "needs root, slurm-wlm and munge")
@@ -60,7 +60,9 @@ class BySlurm(ProgramTest):
         with subprocess.Popen(step, env=queue.environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL):
             with subprocess.Popen([PROGRAM, "sweep", QUICK, *GRID, "-o", out, "--on", cluster / "scheduler.json", "--quiet"],
                                   cwd=self.folder) as sweep:
-                program = wait_until(lambda: [one for one in processes("--do-batch", out) if started_by_slurm(one)])[0]
+                program, variables = wait_until(lambda: [(one, known) for one in processes("--do-batch", out)
+                                                         if (known := environment(one))])[0]
+                self.assertIn(b"SLURMD_NODENAME", variables)
                 os.kill(parent(program), signal.SIGKILL)
                 self.assertEqual(sweep.wait(), 0)
             self.run_program("cluster", "stop", cluster)
