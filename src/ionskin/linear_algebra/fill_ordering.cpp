@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <csignal>
 #include <mutex>
+#include <new>
 #include <utility>
 
 namespace ionskin::linear_algebra {
@@ -66,8 +67,21 @@ void postorder_leading(const SymmetricPattern& graph, std::vector<int>& order, i
   order = std::move(result);
 }
 
+/// Whether every number below its length stands in it once.
+bool is_permutation(const std::vector<int>& numbers) {
+  std::vector<bool> found(numbers.size());
+  for (const int k : numbers) {
+    if (k < 0 || static_cast<std::size_t>(k) >= found.size() || found[k]) {
+      return false;
+    }
+    found[k] = true;
+  }
+  return true;
+}
+
 /// METIS takes SIGTERM for itself meanwhile, for the whole process, and would leave its work and
-/// the order undone. Two at a time would each put back the other's handler.
+/// the order undone. Two at a time would each put back the other's handler. METIS gives up where
+/// memory runs out, and CHOLMOD does not ask whether it did: the order is then what was there.
 void nested_dissection(cholmod_sparse& matrix, std::vector<int>& permutation,
                        CholmodWorkspace& workspace) {
   static std::mutex one_at_a_time;
@@ -77,6 +91,10 @@ void nested_dissection(cholmod_sparse& matrix, std::vector<int>& permutation,
   sigaction(SIGTERM, nullptr, &ours);
   cholmod_metis(&matrix, nullptr, 0, 0, permutation.data(), *workspace);
   sigaction(SIGTERM, &ours, nullptr); // METIS puts it back for one signal only
+  workspace.check("nested dissection");
+  if (!is_permutation(permutation)) {
+    throw std::bad_alloc();
+  }
 }
 
 } // namespace
@@ -101,7 +119,6 @@ std::vector<int> trailing_ordering(const SymmetricPattern& graph,
     cholmod_sparse matrix = view(rest, nullptr);
     std::vector<int> permutation(leading.size());
     nested_dissection(matrix, permutation, workspace);
-    workspace.check("nested dissection");
     for (const int k : permutation) {
       order.push_back(leading[k]);
     }

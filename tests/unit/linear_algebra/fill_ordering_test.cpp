@@ -2,12 +2,31 @@
 #include "grid_graph.hpp"
 #include "ionskin/linear_algebra/fill_ordering.hpp"
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <new>
 #include <thread>
 #include <vector>
+
+namespace {
+bool metis_out_of_memory = false;
+}
+
+/// Stands before METIS's own for all of this program, CHOLMOD's library too.
+extern "C" int METIS_NodeND(int* size, int* start, int* neighbours, int* weights, int* options,
+                            int* order, int* inverse) {
+  if (metis_out_of_memory) {
+    std::fill_n(order, *size, -1);
+    return -3; // METIS_ERROR_MEMORY
+  }
+  static const auto metis =
+      reinterpret_cast<decltype(&METIS_NodeND)>(dlsym(RTLD_NEXT, "METIS_NodeND"));
+  return metis(size, start, neighbours, weights, options, order, inverse);
+}
 
 namespace ionskin::linear_algebra {
 namespace {
@@ -32,6 +51,13 @@ TEST(FillOrdering, LeavesTheTerminationSignalToTheProgram) {
   }
   EXPECT_EQ(std::signal(SIGTERM, former), +take);
   EXPECT_GT(signals_taken, 0);
+}
+
+TEST(FillOrdering, MetisWithoutMemoryIsNoOrder) {
+  metis_out_of_memory = true;
+  EXPECT_THROW(trailing_ordering(grid_graph(8), {3}), std::bad_alloc);
+  metis_out_of_memory = false;
+  EXPECT_EQ(trailing_ordering(grid_graph(8), {3}).back(), 3);
 }
 
 } // namespace
