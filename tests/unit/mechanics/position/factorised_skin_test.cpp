@@ -5,6 +5,7 @@
 #include "ionskin/mechanics/elasticity/elastic_system.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/position/skin_model.hpp"
+#include "largest_difference.hpp"
 #include "small_case.hpp"
 
 #include <gtest/gtest.h>
@@ -20,15 +21,6 @@ namespace ionskin::mechanics {
 namespace {
 
 using linear_algebra::DenseMatrix;
-
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double difference = 0, largest = 0;
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    difference = std::max(difference, std::abs(a[i] - b[i]));
-    largest = std::max(largest, std::abs(b[i]));
-  }
-  return difference / largest;
-}
 
 /// The whole skin by one factorisation: displacement under unit forces on all cells, and the base
 /// reactions to it.
