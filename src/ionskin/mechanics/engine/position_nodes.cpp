@@ -265,7 +265,8 @@ void PositionNodes::condense(const NodeLines& lines, parallel::SharedProgress& p
       places_[nodes_.back().condensed].forces = {true, true, true};
   ForceDirections test_directions = along_line();
   test_directions[2] = test_directions[2] && !model_->mesh.half_model();
-  // The first makes what they share under the slider: one with less work than those of the ends.
+  // The first place to begin factorises the part under the slider for all of them. Those of the
+  // ends respond in more directions: they come last.
   std::vector<std::size_t> order(places_.size() - known);
   std::iota(order.begin(), order.end(), known);
   std::ranges::stable_partition(order, [&](std::size_t i) {

@@ -24,7 +24,7 @@ struct DirectionResponse {
 /// it, at any friction and load, without a factorisation.
 using UnitResponse = std::array<std::optional<DirectionResponse>, 3>;
 
-/// Of a slide.
+/// Positions that a slide has, or more.
 inline constexpr std::size_t least_positions = 4;
 
 /// Whether the responses of a slide, at least four positions, fit into the default bound of the
