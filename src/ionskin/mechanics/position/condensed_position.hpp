@@ -20,7 +20,7 @@ namespace ionskin::mechanics {
 struct PositionUse {
   base::DiskCache* cache = nullptr;         ///< none when null
   ForceDirections forces{true, true, true}; ///< that `respond` gets
-  std::size_t positions = least_positions;  ///< of the path: the cache keeps all of them or none
+  std::size_t positions = least_positions;  ///< of the path so far: kept where all have room
 };
 
 /// The skin under one slider position: the compliance of the contact cells, and the strain and base
