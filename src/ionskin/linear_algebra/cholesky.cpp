@@ -114,7 +114,6 @@ DenseMatrix Cholesky::trailing_block() const {
 }
 
 void Cholesky::complete(int known, int loaded, DenseMatrix& states) const {
-  const KernelThreads kernel_threads(threads_);
   const Panels panels(*numbers_->factor);
   const int unknown = symbolic_.pattern().size - known, count = states.rows,
             unloaded = unknown - loaded;

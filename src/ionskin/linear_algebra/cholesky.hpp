@@ -53,7 +53,8 @@ public:
   /// Backward substitution for any number of states at once, whose values stand side by side for
   /// each unknown: shape [states, size], in the elimination order. The last `known` columns hold
   /// the solution; from L^-1 B in the `loaded` ones before them, it makes the solution. B is zero
-  /// for the unknowns before those: what their columns hold is replaced.
+  /// for the unknowns before those: what their columns hold is replaced. One thread; others may
+  /// complete other states at the same time.
   /// @param known at most trailing()
   void complete(int known, int loaded, DenseMatrix& states) const;
 

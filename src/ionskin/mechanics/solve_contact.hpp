@@ -25,6 +25,9 @@ struct ContactOptions {
   std::size_t nodes = 0;
   /// As `find_footprint` found it for these loads and this friction; empty to find it.
   std::optional<mesh::Footprint> footprint;
+  /// Whether other solutions will ask for the same positions: their responses are made wherever the
+  /// mesh allows, though those of a path take more memory than to factorise again.
+  bool reused = false;
   /// Meshes the whole skin where half of it would do, to compare.
   bool full_model = false;
 };

@@ -6,6 +6,7 @@
 #include "ionskin/mechanics/engine/adhesion_resolution.hpp"
 #include "ionskin/mechanics/engine/drive_room.hpp"
 #include "ionskin/mechanics/engine/kept_path.hpp"
+#include "ionskin/mechanics/engine/stepped_strains.hpp"
 #include "ionskin/mechanics/path/path_resolution.hpp"
 #include "ionskin/mechanics/position/interpolation_error.hpp"
 #include "ionskin/mechanics/position/interpolation_nodes.hpp"
@@ -73,9 +74,10 @@ ContactSolution empty_solution(const SkinModel& model) {
 }
 
 ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs,
-                           const std::shared_ptr<const PositionNodes>& nodes,
+                           const std::shared_ptr<SharedRecovery>& recovery,
                            const ContactVariant& variant, parallel::SharedProgress& progress) {
-  const SkinModel& model = nodes->model();
+  const PositionNodes& nodes = recovery->nodes();
+  const SkinModel& model = nodes.model();
   const mesh::HeaviestLoad heaviest = mesh::heaviest_load(input);
   StepperOptions options{.steps = variant.steps,
                          .longest_travel = 0,
@@ -89,9 +91,10 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
   options.drive = drive_options(input, model, options.longest_travel);
 
   ContactSolution solution = empty_solution(model);
-  KeptPath kept(*nodes, std::make_shared<SteppedStrains>(nodes), tolerance, solution);
+  const auto strains = std::make_shared<SteppedStrains>(recovery);
+  KeptPath kept(nodes, strains, tolerance, solution);
   SlidingContact contact(
-      nodes->compliance(), model.cells.area, model.gap,
+      nodes.compliance(), model.cells.area, model.gap,
       laws::friction(input.contact.law, variant.friction, input.contact.parameters));
   MotionStepper stepper(contact, options, [&](const StepPoint& point, const SlidingContact& at) {
     kept.add(point, at);
@@ -105,11 +108,12 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
     }
   }
   kept.finish();
+  recovery->join(strains);
   solution.stepped_events = stepper.events();
   solution.stepped_onsets = stepper.onsets();
   solution.contact_solves = stepper.steps();
   solution.adhesion_loss = stepper.adhesion_loss() / options.meshed_share;
-  solution.worst_interpolation_error = nodes->error();
+  solution.worst_interpolation_error = nodes.error();
   return solution;
 }
 
@@ -129,6 +133,11 @@ void warn_of_nodes(const Case& input, const PositionNodes& nodes, const MotionBo
 std::size_t expected_positions(const Case& input) {
   const auto box = contact_box(input);
   return box ? expected_places(input, *box) : 0;
+}
+
+std::array<std::size_t, 2> expected_lines(const Case& input) {
+  const auto box = contact_box(input);
+  return box ? expected_counts(input, *box) : std::array<std::size_t, 2>{1, 1};
 }
 
 std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footprint& footprint,
@@ -156,24 +165,26 @@ std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footpr
   std::shared_ptr<const PositionNodes> nodes;
   {
     const base::Timers::Scope scope(timers, "mechanics: factorisation");
-    nodes = std::make_shared<const PositionNodes>(input, model, *box,
-                                                  NodeOptions{options.threads, options.cache,
-                                                              options.nodes,
-                                                              loads_across_at_ends(input, *box)},
-                                                  progress);
-    if (!nodes->holds_factors()) { // which the path would make again
+    nodes = std::make_shared<const PositionNodes>(
+        input, model, *box,
+        NodeOptions{options.threads, options.cache, options.nodes,
+                    loads_across_at_ends(input, *box), options.reused},
+        progress);
+    if (!nodes->holds_factors()) { // which the strains of the path take again
       model->forget_factors();
     }
   }
-  progress.add_units(units_per_path * variants.size());
+  const auto recovery = std::make_shared<SharedRecovery>(nodes);
+  progress.add_units(units_per_path * variants.size() +
+                     (nodes->holds_factors() ? nodes->places() : 0));
   parallel::run_tasks(variants.size(), options.threads, [&](std::size_t i) {
     const base::Timers::Scope scope(timers, "mechanics: contact");
     ContactSolution checked = empty_solution(*model);
     require_resolved_adhesion(input, *nodes, *box, checked.warnings);
-    solutions[i] = solve_path(input, legs, nodes, variants[i], progress);
+    solutions[i] = solve_path(input, legs, recovery, variants[i], progress);
     std::ranges::move(checked.warnings, std::back_inserter(solutions[i].warnings));
     // Each by itself, so that no solution depends on its neighbours.
-    std::shared_ptr<const PositionNodes> own = nodes;
+    std::shared_ptr<SharedRecovery> own = recovery;
     MotionBox own_box = *box;
     const MotionBox room = room_on_skin(input, footprint);
     for (int pass = 0; pass < most_passes && input.motion.drive.given(); ++pass) {
@@ -183,13 +194,18 @@ std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footpr
       }
       require_unshared(input, *wider);
       own_box = *wider;
-      own = std::make_shared<const PositionNodes>(
-          input, model, own_box, NodeOptions{1, options.cache, options.nodes}, progress);
+      own = std::make_shared<SharedRecovery>(std::make_shared<const PositionNodes>(
+          input, model, own_box, NodeOptions{1, options.cache, options.nodes}, progress));
       progress.add_units(units_per_path);
       solutions[i] = solve_path(input, legs, own, variants[i], progress);
     }
-    warn_of_nodes(input, *own, own_box, options, solutions[i]);
+    warn_of_nodes(input, own->nodes(), own_box, options, solutions[i]);
   });
+  {
+    const base::Timers::Scope scope(timers, "mechanics: strain");
+    recovery->begin([&] { progress.finish_unit(); });
+    model->forget_factors();
+  }
   progress.expect_known_units();
   return solutions;
 }

@@ -4,6 +4,7 @@
 #include "ionskin/mechanics/solve_contact.hpp"
 #include "ionskin/parallel/shared_progress.hpp"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -11,6 +12,8 @@ namespace ionskin::mechanics {
 
 /// Positions that a motion is expected to need; 0 when it never touches.
 std::size_t expected_positions(const Case& input);
+/// Lines of them along x and along y; one each when it never touches.
+std::array<std::size_t, 2> expected_lines(const Case& input);
 
 /// Study 1 on one footprint, one solution per variant, which share their positions.
 std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footprint& footprint,

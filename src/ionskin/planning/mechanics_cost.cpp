@@ -69,6 +69,8 @@ struct MeshCost {
         cells((mesh.footprint_lines_x().size() - 1) * (mesh.footprint_lines_y().size() - 1)),
         positions(std::max<std::size_t>(1, mechanics::expected_positions(input))),
         driven(input.motion.drive.given()), passes(driven ? passes_of_drive : 1) {
+    lines_across =
+        static_cast<double>(mechanics::expected_lines(input)[mesh.main_axis() == 0 ? 1 : 0]);
     const auto [nx, ny, nz] = mesh.elements();
     const auto [bottom, top] = mesh.core_z();
     core_elements = static_cast<double>(nx * ny * (top - bottom));
@@ -80,12 +82,18 @@ struct MeshCost {
                      static_cast<double>(handover::strain_grid(input, mesh, core).values());
   }
 
-  /// Wall time of all positions. What lies under the slider is factorised once, before the others.
+  /// Wall time of all positions. What lies under the slider is factorised once for each line of
+  /// them, before the others. Without responses all is factorised once more for the strains.
   double seconds(int threads) const {
     const double rounds = std::ceil(static_cast<double>(positions) / threads),
-                 further = further_factorisation(unknowns);
+                 further = further_factorisation(unknowns),
+                 under_slider = first_factorisation(unknowns) - further;
+    if (!keeps_responses()) {
+      const double kept_lines = lines_across > 1 ? 2 * lines_across : 1;
+      return passes * (kept_lines * under_slider + 2 * rounds * further);
+    }
     const double response = seconds_per_response * unknowns * static_cast<double>(cells);
-    return passes * (first_factorisation(unknowns) - further + rounds * (further + response));
+    return passes * (lines_across * under_slider + rounds * (further + response));
   }
   /// Wall time of the search for a round contact.
   double search_seconds() const {
@@ -105,12 +113,15 @@ struct MeshCost {
   /// Responses to unit forces at the positions of the path, which are kept until its history is
   /// made wherever they are kept at all [bytes].
   double response_memory() const {
-    const double components = 3.0 * static_cast<double>(cells);
-    const bool kept =
-        mechanics::responses_fit(static_cast<int>(lattice), 0, static_cast<int>(components));
-    return kept ? passes * sizeof(std::int32_t) * static_cast<double>(positions) * lattice *
-                      components
-                : 0;
+    // Without them, the strains under the load patterns of a path and of its companion's.
+    constexpr double patterns = 16, paths = 2, points = 8, strains = 6;
+    const double each = keeps_responses() ? lattice * 3.0 * static_cast<double>(cells)
+                                          : paths * patterns * core_elements * points * strains;
+    return passes * sizeof(std::int32_t) * static_cast<double>(positions) * each;
+  }
+  bool keeps_responses() const {
+    return mechanics::responses_fit(static_cast<int>(lattice), 0, static_cast<int>(3 * cells),
+                                    positions);
   }
   /// Factors, strains that are recovered together and those under the test load at the positions,
   /// and the dense matrices of the contact at the positions that are solved at once [bytes].
@@ -127,7 +138,7 @@ struct MeshCost {
   double unknowns = 0;
   std::size_t cells = 0, positions = 0;
   bool driven = false;
-  double passes = 1;
+  double passes = 1, lines_across = 1;
   double core_elements = 0, lattice = 0; ///< unknowns of the core
   double history_values = 0;             ///< of one instant
 };

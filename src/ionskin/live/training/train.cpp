@@ -227,7 +227,12 @@ SkinData train_skin(const Case& input, const TrainingOptions& options) {
     const auto model = std::make_shared<const mechanics::SkinModel>(
         run.input, run.contact.mesh.footprint(), mesh::MeshedPart::half_if_symmetric);
     const mechanics::PositionNodes nodes(run.input, model, range.box,
-                                         {options.threads, options.cache, 0}, progress);
+                                         {.threads = options.threads,
+                                          .cache = options.cache,
+                                          .count = 0,
+                                          .across_at_ends = false,
+                                          .reused = true},
+                                         progress);
     std::vector<std::string> channels{history::channel_name::shear};
     if (moves_water(input)) {
       channels.emplace_back(electrochemistry::driving_channel(run.input, run.history).name);

@@ -204,6 +204,9 @@ PositionNodes::PositionNodes(const Case& input, std::shared_ptr<const SkinModel>
                              const MotionBox& box, const NodeOptions& options,
                              parallel::SharedProgress& progress)
     : model_(std::move(model)), skin_(input.skin), options_(options),
+      expected_places_(options.reused || input.numerics.shared.given()
+                           ? least_positions
+                           : expected_places(input, box)),
       reflections_(reflections_in(input.skin, box)), tolerance_(node_tolerance(input, box)) {
   std::array<std::size_t, 2> counts{};
   for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -231,10 +234,11 @@ PositionNodes::PositionNodes(const Case& input, std::shared_ptr<const SkinModel>
 
 PositionNodes::Condensed PositionNodes::condensed_at(std::size_t index) const {
   const Place& place = places_[index];
-  return place.condensed ? place.condensed
-                         : std::make_shared<const CondensedPosition>(
-                               *model_, place.centre,
-                               PositionUse{options_.cache, place.forces, places_.size()});
+  return place.condensed
+             ? place.condensed
+             : std::make_shared<const CondensedPosition>(
+                   *model_, place.centre,
+                   PositionUse{options_.cache, place.forces, expected_places_, options_.threads});
 }
 
 ForceDirections PositionNodes::along_line() const {

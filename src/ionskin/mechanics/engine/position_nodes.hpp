@@ -4,14 +4,17 @@
 #include "ionskin/base/files/disk_cache.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/mechanics/engine/compliance_map.hpp"
+#include "ionskin/mechanics/engine/path_response.hpp"
 #include "ionskin/mechanics/position/canonical_position.hpp"
 #include "ionskin/mechanics/position/condensed_position.hpp"
 #include "ionskin/parallel/shared_progress.hpp"
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace ionskin::mechanics {
@@ -40,6 +43,7 @@ struct NodeOptions {
   std::size_t count = 0;            ///< of lines each way; 0 for as many as keep the tolerance
   /// Of nodes along one line: forces across it act near its ends alone, see `loads_across_at_ends`.
   bool across_at_ends = false;
+  bool reused = false; ///< see ContactOptions
 };
 
 /// Whether the slider lands, rests, turns and leaves at the ends of one line alone and slides from
@@ -61,15 +65,26 @@ public:
   const SkinModel& model() const { return *model_; }
   const ComplianceMap& compliance() const { return *compliance_; }
   std::size_t count() const { return lines_[0].size() * lines_[1].size(); }
-  /// Whether `respond` factorises again, as the responses to all unit forces do not fit.
+  /// Whether `solve` factorises again, as the responses to all unit forces do not fit.
   bool holds_factors() const { return !places_.front().condensed; }
   /// Estimated error of the strain between the nodes over its largest norm.
   double error() const { return error_; }
 
-  /// Strains, stresses and residuals under cell forces at any places in the rectangle. Strains are
-  /// interpolated, stresses and residuals the largest over the nodes that count most.
+  /// Load patterns of successive states of a path at any places in the rectangle, not yet solved.
+  /// @param forces of the cells, of each state
+  PathResponse patterns(std::span<const std::array<double, 2>> places,
+                        std::span<const CellVector> forces) const;
+  /// Solves the patterns of paths together: positions that hold a factor are made once for all of
+  /// them. Each path is the same bits as alone.
+  /// @param finished called after each position
+  void solve(
+      const std::vector<PathResponse*>& paths, const std::function<void()>& finished = [] {}) const;
+  /// Both at once.
   std::vector<CondensedPosition::Response> respond(const std::vector<std::array<double, 2>>& places,
                                                    const std::vector<CellVector>& forces) const;
+  /// Positions that `solve` goes through.
+  std::size_t places() const { return places_.size(); }
+  int threads() const { return options_.threads; }
 
 private:
   struct Node {
@@ -94,6 +109,7 @@ private:
   std::shared_ptr<const SkinModel> model_;
   Skin skin_;
   NodeOptions options_;
+  std::size_t expected_places_;                  ///< least_positions where they are asked for again
   std::vector<std::array<bool, 2>> reflections_; ///< that the rectangle holds
   NodeLines lines_;
   std::vector<Node> nodes_; ///< x fastest

@@ -5,6 +5,7 @@
 #include "ionskin/base/largest.hpp"
 #include "ionskin/mechanics/position/position_input.hpp"
 #include "ionskin/mechanics/position/position_memory.hpp"
+#include "ionskin/parallel/task_pool.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +19,15 @@ using linear_algebra::DenseMatrix;
 /// States, or unit forces, recovered in one blocked solve. Products of more columns are faster; it
 /// bounds the memory.
 constexpr int block_size = 128;
+/// States that are recovered from a factor at once: a path has some ten patterns at a position.
+constexpr int states_of_factor = 32;
 
 /// States of which all unknowns stand side by side.
 constexpr int copied_states = 8;
 
-DenseMatrix matrix_of(const std::vector<CellVector>& forces, std::size_t first, int count) {
+/// Forces from `first` on, at most so many.
+DenseMatrix matrix_of(const std::vector<CellVector>& forces, std::size_t first, int most) {
+  const int count = static_cast<int>(std::min<std::size_t>(most, forces.size() - first));
   DenseMatrix block(static_cast<int>(forces[first].size()), count);
   for (int j = 0; j < count; ++j) {
     const CellVector& force = forces[first + static_cast<std::size_t>(j)];
@@ -65,8 +70,8 @@ CondensedPosition::CondensedPosition(const ElasticSkin& skin, mesh::MeshLines li
     : skin_(skin), lines_(std::move(lines)), lattice_(skin.space, skin.core_z),
       membrane_(skin.space, lines_, skin.law_of_row, skin.layer_of_row, skin.core_z) {
   const int cells = static_cast<int>(skin.cells.count());
-  if (!responses_fit(lattice_.rows(), membrane_.rows(), 3 * cells)) {
-    factorise();
+  if (!responses_fit(lattice_.rows(), membrane_.rows(), 3 * cells, use.positions)) {
+    factorise(use.threads);
     stored_ = std::make_shared<const StoredPosition>(
         StoredPosition{factorised_->compliance(), UnitResponse{}});
     return;
@@ -87,15 +92,10 @@ CondensedPosition::CondensedPosition(const ElasticSkin& skin, mesh::MeshLines li
       directions[d] = directions[d] || stored_->response[d]; // of an entry that is replaced
     }
   }
-  factorise();
+  factorise(use.threads);
   auto made = std::make_shared<StoredPosition>();
   made->compliance = factorised_->compliance();
-  SkinDisplacement displacement(skin_.analysis().parts);
-  for (std::size_t d = 0; d < directions.size(); ++d) {
-    if (directions[d]) {
-      made->response[d] = unit_response(static_cast<int>(d), displacement);
-    }
-  }
+  made->response = unit_responses(directions);
   factorised_.reset();
   stored_ = std::move(made);
   if (use.cache != nullptr) {
@@ -106,8 +106,8 @@ CondensedPosition::CondensedPosition(const ElasticSkin& skin, mesh::MeshLines li
 
 CondensedPosition::~CondensedPosition() = default;
 
-void CondensedPosition::factorise() {
-  factorised_ = std::make_unique<const FactorisedSkin>(skin_, lines_);
+void CondensedPosition::factorise(int threads) {
+  factorised_ = std::make_unique<const FactorisedSkin>(skin_, lines_, threads);
 }
 
 template <class Use>
@@ -128,20 +128,34 @@ void CondensedPosition::for_states(const SkinDisplacement& displacement, const U
   }
 }
 
-DirectionResponse CondensedPosition::unit_response(int direction,
-                                                   SkinDisplacement& displacement) const {
+UnitResponse CondensedPosition::unit_responses(const ForceDirections& directions) const {
   const int cells = static_cast<int>(skin_.cells.count());
-  DirectionResponse result{
-      {lattice_.rows(), cells}, {membrane_.rows(), cells}, DenseMatrix(3, cells)};
-  for (int first = 0; first < cells; first += block_size) {
-    const int count = std::min(block_size, cells - first);
-    factorised_->unit_displacement(direction, first, count, displacement);
-    for_states(displacement, [&](int j, const State& state) {
-      result.core.set_column(first + j, state.lattice.data());
-      result.membrane.set_column(first + j, state.membrane.data());
-      std::ranges::copy(state.base_reaction, result.base_reaction.column(first + j));
-    });
+  UnitResponse result;
+  std::vector<std::pair<std::size_t, int>> blocks; // direction and first cell
+  for (std::size_t d = 0; d < directions.size(); ++d) {
+    if (directions[d]) {
+      result[d].emplace(DirectionResponse{
+          {lattice_.rows(), cells}, {membrane_.rows(), cells}, DenseMatrix(3, cells)});
+      for (int first = 0; first < cells; first += block_size) {
+        blocks.emplace_back(d, first);
+      }
+    }
   }
+  const auto workers = static_cast<std::size_t>(factorised_->threads());
+  parallel::run_tasks(workers, factorised_->threads(), [&](std::size_t worker) {
+    SkinDisplacement displacement(skin_.analysis().parts); // of all blocks of a worker
+    for (std::size_t block = worker; block < blocks.size(); block += workers) {
+      const auto [direction, first] = blocks[block];
+      DirectionResponse& response = *result[direction];
+      factorised_->unit_displacement(static_cast<int>(direction), first,
+                                     std::min(block_size, cells - first), displacement);
+      for_states(displacement, [&](int j, const State& state) {
+        response.core.set_column(first + j, state.lattice.data());
+        response.membrane.set_column(first + j, state.membrane.data());
+        std::ranges::copy(state.base_reaction, response.base_reaction.column(first + j));
+      });
+    }
+  });
   return result;
 }
 
@@ -189,27 +203,31 @@ void CondensedPosition::respond_by_products(const DenseMatrix& forces,
   }
 }
 
-void CondensedPosition::respond_by_factor(const DenseMatrix& forces,
-                                          std::vector<Response>& responses) const {
-  SkinDisplacement displacement(skin_.analysis().parts);
-  factorised_->displacement(forces, displacement);
-  for_states(displacement, [&](int k, const State& state) {
-    responses.push_back(response(state.lattice.data(), state.membrane.data(), state.base_reaction,
-                                 forces.column(k)));
+std::vector<CondensedPosition::Response>
+CondensedPosition::respond_by_factor(const std::vector<CellVector>& forces) const {
+  std::vector<Response> responses(forces.size());
+  const std::size_t blocks = (forces.size() + states_of_factor - 1) / states_of_factor;
+  parallel::run_tasks(blocks, factorised_->threads(), [&](std::size_t block) {
+    const std::size_t first = block * states_of_factor;
+    const DenseMatrix own = matrix_of(forces, first, states_of_factor);
+    SkinDisplacement displacement(skin_.analysis().parts);
+    factorised_->displacement(own, displacement);
+    for_states(displacement, [&](int k, const State& state) {
+      responses[first + static_cast<std::size_t>(k)] =
+          response(state.lattice.data(), state.membrane.data(), state.base_reaction, own.column(k));
+    });
   });
+  return responses;
 }
 
 std::vector<CondensedPosition::Response>
 CondensedPosition::respond(const std::vector<CellVector>& forces) const {
+  if (factorised_) {
+    return respond_by_factor(forces);
+  }
   std::vector<Response> responses;
   for (std::size_t first = 0; first < forces.size(); first += block_size) {
-    const int count = static_cast<int>(std::min<std::size_t>(block_size, forces.size() - first));
-    const DenseMatrix block = matrix_of(forces, first, count);
-    if (factorised_) {
-      respond_by_factor(block, responses);
-    } else {
-      respond_by_products(block, responses);
-    }
+    respond_by_products(matrix_of(forces, first, block_size), responses);
   }
   return responses;
 }

@@ -20,14 +20,15 @@ namespace ionskin::mechanics {
 struct PositionUse {
   base::DiskCache* cache = nullptr;         ///< none when null
   ForceDirections forces{true, true, true}; ///< that `respond` gets
-  std::size_t positions = least_positions;  ///< of the path so far: kept where all have room
+  std::size_t positions = least_positions;  ///< of the path, of which all have room or none
+  int threads = 1;
 };
 
 /// The skin under one slider position: the compliance of the contact cells, and the strain and base
 /// reactions under any cell forces. From the response to unit forces, made once and kept in the
-/// cache, wherever `responses_fit`; on larger meshes from a factor that lasts as long as this
-/// object. Which of both depends on the mesh alone, so that the same forces make the same bits
-/// whatever is in the cache and whatever else is solved.
+/// cache, wherever `responses_fit`; where those of a path are larger from a factor that lasts as
+/// long as this object. Which of both depends on mesh and path alone, so that the same forces make
+/// the same bits whatever is in the cache and whatever else is solved.
 class CondensedPosition {
 public:
   /// @param skin outlives the position
@@ -61,20 +62,18 @@ public:
   }
 
 private:
-  void factorise();
+  void factorise(int threads);
   /// What is kept of the displacement in one state.
   struct State {
     std::vector<double> lattice, membrane;
     std::array<double, 3> base_reaction{};
   };
   template <class Use> void for_states(const SkinDisplacement& displacement, const Use& use) const;
-  /// @param displacement may hold anything
-  DirectionResponse unit_response(int direction, SkinDisplacement& displacement) const;
+  UnitResponse unit_responses(const ForceDirections& directions) const;
   /// Responses to the columns of a block [3 cells, any].
   void respond_by_products(const linear_algebra::DenseMatrix& forces,
                            std::vector<Response>& responses) const;
-  void respond_by_factor(const linear_algebra::DenseMatrix& forces,
-                         std::vector<Response>& responses) const;
+  std::vector<Response> respond_by_factor(const std::vector<CellVector>& forces) const;
   Response response(const double* lattice, const double* membrane,
                     const std::array<double, 3>& reaction, const double* force) const;
 

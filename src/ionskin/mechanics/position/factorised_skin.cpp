@@ -5,8 +5,10 @@
 #include "ionskin/base/system/free_memory.hpp"
 #include "ionskin/linear_algebra/dense_kernels.hpp"
 #include "ionskin/mechanics/elasticity/elastic_system.hpp"
+#include "ionskin/parallel/task_pool.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace ionskin::mechanics {
@@ -14,8 +16,9 @@ namespace {
 
 using linear_algebra::DenseMatrix;
 
-/// Threads of the kernels of a factor that the memory holds only one of at a time. BLAS splits its
-/// sums by the number of threads, so it is the same whatever number a run is given.
+/// Threads of the kernels of what a factor that is alone in memory has only one of: the part under
+/// the slider and the interface. BLAS splits its sums by the number of threads, so it is the same
+/// whatever number a run is given.
 constexpr int lone_factor_threads = 2;
 
 DenseMatrix rows_of(const DenseMatrix& matrix, int first, int count) {
@@ -126,15 +129,16 @@ FactorisedSkin::Place::~Place() {
   places_.release();
 }
 
-FactorisedSkin::FactorisedSkin(const ElasticSkin& skin, const mesh::MeshLines& lines)
+FactorisedSkin::FactorisedSkin(const ElasticSkin& skin, const mesh::MeshLines& lines, int threads)
     : place_(skin.analysis().free_factors),
-      threads_(skin.analysis().factors_at_once == 1 ? lone_factor_threads : 1),
+      threads_(skin.analysis().factors_at_once == 1 ? threads : 1),
+      kernel_threads_(skin.analysis().factors_at_once == 1 ? lone_factor_threads : 1),
       parts_(skin.analysis().parts) {
   const mesh::MeshLines inner_lines = parts_.inner_lines(skin.cells, lines);
   const auto inner = skin.analysis().inner(inner_lines);
   const auto make = [&] {
     return std::make_unique<const InnerFactor>(parts_, skin.cells, inner_lines, skin.law_of_row,
-                                               threads_);
+                                               kernel_threads_);
   };
   if (inner->begin()) {
     inner_ = inner->get(make);
@@ -148,13 +152,18 @@ FactorisedSkin::FactorisedSkin(const ElasticSkin& skin, const mesh::MeshLines& l
 }
 
 void FactorisedSkin::factorise_outer(const ElasticSkin& skin, const mesh::MeshLines& lines) {
-  for (const PlacedPart& placed : parts_.outer) {
-    outer_.emplace_back(*placed.part, parts_.outer_lines(placed, lines), skin.law_of_row, threads_);
+  std::vector<std::optional<PartFactor>> made(parts_.outer.size());
+  parallel::run_tasks(made.size(), threads_, [&](std::size_t p) {
+    const PlacedPart& placed = parts_.outer[p];
+    made[p].emplace(*placed.part, parts_.outer_lines(placed, lines), skin.law_of_row);
+  });
+  for (auto& factor : made) {
+    outer_.push_back(std::move(*factor));
   }
 }
 
 void FactorisedSkin::join() {
-  const linear_algebra::KernelThreads kernel_threads(threads_);
+  const linear_algebra::KernelThreads kernel_threads(kernel_threads_);
   DenseMatrix stiffness = inner_->schur;
   for (std::size_t p = 0; p < outer_.size(); ++p) {
     const PlacedPart& placed = parts_.outer[p];
@@ -192,7 +201,6 @@ void FactorisedSkin::unit_displacement(int direction, int first, int count,
 }
 
 void FactorisedSkin::displacement(const DenseMatrix& forces, SkinDisplacement& result) const {
-  const linear_algebra::KernelThreads kernel_threads(threads_);
   const auto states = [&](const DenseMatrix& unit) {
     return transposed(linear_algebra::multiply(unit, forces));
   };

@@ -17,7 +17,7 @@ namespace ionskin::mechanics {
 class PartFactor {
 public:
   PartFactor(const SkinPart& part, const mesh::MeshLines& lines,
-             const std::vector<ElasticLaw>& law_of_row, int threads);
+             const std::vector<ElasticLaw>& law_of_row, int threads = 1);
 
   const linear_algebra::Cholesky& cholesky() const { return *cholesky_; }
   /// Adds the force of the skin on its base per unit of each unknown to that of the whole skin.
@@ -67,10 +67,13 @@ private:
 /// the same.
 class FactorisedSkin {
 public:
-  FactorisedSkin(const ElasticSkin& skin, const mesh::MeshLines& lines);
+  /// @param threads where the memory holds no other factor beside this one
+  FactorisedSkin(const ElasticSkin& skin, const mesh::MeshLines& lines, int threads = 1);
 
+  /// That may ask for displacements at the same time.
+  int threads() const { return threads_; }
   const linear_algebra::DenseMatrix& compliance() const { return compliance_; }
-  /// Under unit forces in one direction on the cells from `first` on.
+  /// Under unit forces in one direction on the cells from `first` on. These two by one thread each.
   void unit_displacement(int direction, int first, int count, SkinDisplacement& result) const;
   /// Under given forces [3 cells, states].
   void displacement(const linear_algebra::DenseMatrix& forces, SkinDisplacement& result) const;
@@ -98,7 +101,7 @@ private:
                 const linear_algebra::DenseMatrix& interface, SkinDisplacement& result) const;
 
   Place place_;
-  int threads_;
+  int threads_, kernel_threads_;
   const SkinParts& parts_;
   std::vector<PartFactor> outer_;
   std::shared_ptr<const InnerFactor> inner_;

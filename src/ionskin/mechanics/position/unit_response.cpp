@@ -24,9 +24,10 @@ template <class T> std::span<const std::byte> bytes_of(const std::vector<T>& val
 
 } // namespace
 
-bool responses_fit(int core_rows, int membrane_rows, int components) {
+bool responses_fit(int core_rows, int membrane_rows, int components, std::size_t positions) {
   const double rows = static_cast<double>(core_rows) + membrane_rows;
-  return least_positions * rows * components * sizeof(std::int32_t) <
+  return static_cast<double>(std::max(least_positions, positions)) * rows * components *
+             sizeof(std::int32_t) <
          static_cast<double>(base::default_cache_limit);
 }
 

@@ -27,9 +27,10 @@ using UnitResponse = std::array<std::optional<DirectionResponse>, 3>;
 /// Positions that a slide has, or more.
 inline constexpr std::size_t least_positions = 4;
 
-/// Whether the responses of a slide, at least four positions, fit into the default bound of the
-/// cache. The mesh alone decides: states by a response are rounded otherwise than by the factor.
-bool responses_fit(int core_rows, int membrane_rows, int components);
+/// Whether the responses of so many positions, at least four, fit into the default bound of the
+/// cache. Mesh and path alone decide, not what is in the memory or the cache: states by a response
+/// are rounded otherwise than by the factor.
+bool responses_fit(int core_rows, int membrane_rows, int components, std::size_t positions);
 
 /// What is kept of a condensed position.
 struct StoredPosition {

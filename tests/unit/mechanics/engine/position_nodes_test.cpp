@@ -88,6 +88,31 @@ TEST(PositionNodes, respond_to_many_states_as_to_each_of_them) {
   }
 }
 
+TEST(PositionNodes, solve_paths_together_as_each_of_them) {
+  const PositionNodes& nodes = *line().nodes;
+  const auto path = [&](double first) {
+    std::vector<std::array<double, 2>> places;
+    std::vector<CellVector> forces;
+    for (int k = 0; k < 5; ++k) {
+      places.push_back({first + 2e-4 * k, 1e-3});
+      forces.emplace_back(3 * line().model->cells.count(), 1.0 + k)[3] = first;
+    }
+    return nodes.patterns(places, forces);
+  };
+  PathResponse one = path(1.6e-3), other = path(2.3e-3), alone = path(2.3e-3);
+  int positions = 0;
+  nodes.solve({&one, &other}, [&] { ++positions; });
+  EXPECT_EQ(positions, static_cast<int>(nodes.places()));
+  nodes.solve({&alone});
+  EXPECT_GT(other.bytes(), 0u);
+  const auto found = other.states(1, 3, 2), expected = alone.states(1, 3, 1);
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    EXPECT_EQ(found[k].strain.component, expected[k].strain.component);
+    EXPECT_EQ(found[k].electrode_stress, expected[k].electrode_stress);
+    EXPECT_GT(*std::ranges::max_element(found[k].strain.component[2]), 0);
+  }
+}
+
 TEST(PositionNodes, pass_on_what_is_no_number) {
   CellVector force(3 * line().model->cells.count(), 1.0);
   force[0] = std::nan("");

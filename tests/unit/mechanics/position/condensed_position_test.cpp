@@ -3,6 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
+#include "largest_difference.hpp"
 #include "scratch_folder.hpp"
 #include "small_case.hpp"
 
@@ -10,14 +11,16 @@
 
 #include <cmath>
 #include <filesystem>
+#include <vector>
 
 namespace ionskin::mechanics {
 namespace {
 
 class CondensedPositionTest : public testing::Test {
 protected:
-  CondensedPosition position(base::DiskCache* cache, const ForceDirections& forces) const {
-    return {model_, input_.slider.start, {cache, forces}};
+  CondensedPosition position(base::DiskCache* cache, const ForceDirections& forces,
+                             std::size_t positions = least_positions) const {
+    return {model_, input_.slider.start, {cache, forces, positions}};
   }
   /// Forces without a direction across x, each different.
   CellVector forces(double first) const {
@@ -62,6 +65,27 @@ TEST_F(CondensedPositionTest, keeps_no_responses_that_the_cache_has_no_room_for)
   position(&cache, all);
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
   EXPECT_TRUE(cache.take_notes().empty());
+}
+
+TEST_F(CondensedPositionTest, of_a_path_whose_responses_take_too_much_holds_a_factor) {
+  base::DiskCache cache(folder_.path(), 1'000'000'000);
+  const CondensedPosition by_products = position(nullptr, all),
+                          by_factor = position(&cache, all, 1'000'000);
+  ASSERT_TRUE(by_factor.holds_factor());
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
+  EXPECT_EQ(by_factor.compliance().values, by_products.compliance().values);
+  std::vector<CellVector> many; // more than are recovered at once
+  for (int k = 0; k < 40; ++k) {
+    many.push_back(forces(k));
+  }
+  const auto expected = by_products.respond(many), found = by_factor.respond(many);
+  for (std::size_t k = 0; k < many.size(); ++k) {
+    for (std::size_t c = 0; c < 6; ++c) {
+      EXPECT_LT(largest_difference(found[k].strain.component[c], expected[k].strain.component[c]),
+                1e-6);
+    }
+    EXPECT_LT(found[k].equilibrium_residual, 1e-9);
+  }
 }
 
 } // namespace

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/linear_algebra/fixed_point_matrix.hpp"
+#include "ionskin/mechanics/position/condensed_position.hpp"
+#include "ionskin/mesh/skin_mesh.hpp"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace ionskin::mechanics {
+
+/// Load patterns of the states of a path at one node, and what the skin does under them.
+struct NodeResponse {
+  std::size_t place = 0; ///< of the condensed positions
+  std::array<bool, 2> reflect{};
+  std::vector<std::size_t> states;   ///< that the node has a part in, ascending
+  std::vector<double> weight;        ///< of the node in each of them
+  std::vector<CellVector> patterns;  ///< at the place [N]; none once they are solved
+  linear_algebra::DenseMatrix share; ///< of the patterns in each state
+  /// Under each pattern at the node: components of the strain, points [6 points, patterns].
+  linear_algebra::FixedPointMatrix strain{};
+  /// Of each electrode layer in the states in which the node counts, else empty [Pa].
+  std::vector<std::vector<double>> electrode_stress{};
+  double residual = 0; ///< of the equilibrium, the worst of the patterns
+};
+
+/// What the skin does in successive states of a path: hundreds of them in the memory of the some
+/// ten load patterns that they have at each node.
+class PathResponse {
+public:
+  /// @param nodes in the order of their places
+  PathResponse(const mesh::SkinMesh& mesh, std::size_t states, std::vector<NodeResponse> nodes);
+
+  std::size_t count() const { return states_; }
+  /// Memory of its strains.
+  std::size_t bytes() const;
+  bool needs(std::size_t place) const;
+  /// Solves the patterns of the nodes at a place.
+  void solve(std::size_t place, const CondensedPosition& condensed, int threads);
+  /// Of states from `first` on, all patterns solved. Strains are interpolated between the nodes,
+  /// stresses and residuals the largest over the nodes that count most.
+  std::vector<CondensedPosition::Response> states(std::size_t first, std::size_t count,
+                                                  int threads) const;
+
+private:
+  CoreStrain none_; ///< no strain at all
+  std::size_t states_;
+  std::vector<NodeResponse> nodes_;
+};
+
+} // namespace ionskin::mechanics
