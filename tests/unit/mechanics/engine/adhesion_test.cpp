@@ -12,7 +12,7 @@
 namespace ionskin::mechanics {
 namespace {
 
-constexpr std::array<double, 2> place{1e-3, 1e-3};
+constexpr std::array<double, 2> centre{1e-3, 1e-3};
 constexpr double area = 1e-8;                 // of a cell [m2]
 constexpr double strength = 1e5;              // [Pa]
 constexpr double most = strength * area;      // pull of a cell [N]
@@ -25,7 +25,7 @@ struct OneCell {
   SlidingContact contact;
 
   explicit OneCell(double compliance)
-      : map({{{place[0]}, {place[1]}}}, {matrix(compliance)}),
+      : map({{{centre[0]}, {centre[1]}}}, {matrix(compliance)}),
         contact(map, {area}, {0.0},
                 laws::friction("adhesive", 0.3,
                                {{"work_of_adhesion", work}, {"cohesive_strength", strength}})) {}
@@ -39,7 +39,7 @@ struct OneCell {
   }
   /// Force at a height of the slider [N].
   double at_height(double height) {
-    return contact.step(1, place, {LoadKind::indentation, -height}).force[0];
+    return contact.step(1, centre, {LoadKind::indentation, -height}).force[0];
   }
 };
 
@@ -74,7 +74,7 @@ TEST(AdhesiveContact, of_a_soft_cell_jumps_off_where_the_spring_pulls_harder) {
 TEST(AdhesiveContact, carries_a_pull_that_is_given_or_lets_go) {
   OneCell cell(0.5 * range / most);
   const auto under = [&](double force) {
-    return cell.contact.step(1, place, {LoadKind::force, force});
+    return cell.contact.step(1, centre, {LoadKind::force, force});
   };
   EXPECT_NEAR(under(2 * most).indentation, range, 1e-6 * range);
   EXPECT_NEAR(under(-0.5 * most).indentation, -0.25 * range, 1e-6 * range);
