@@ -165,10 +165,11 @@ std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footpr
   std::shared_ptr<const PositionNodes> nodes;
   {
     const base::Timers::Scope scope(timers, "mechanics: factorisation");
+    const bool reused = options.reused || input.numerics.shared.given();
     nodes = std::make_shared<const PositionNodes>(
         input, model, *box,
         NodeOptions{options.threads, options.cache, options.nodes,
-                    loads_across_at_ends(input, *box), options.reused},
+                    loads_across_at_ends(input, *box), reused ? least_positions : 0},
         progress);
     if (!nodes->holds_factors()) { // which the strains of the path take again
       model->forget_factors();

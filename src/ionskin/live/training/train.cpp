@@ -231,7 +231,7 @@ SkinData train_skin(const Case& input, const TrainingOptions& options) {
                                           .cache = options.cache,
                                           .count = 0,
                                           .across_at_ends = false,
-                                          .reused = true},
+                                          .positions = mechanics::least_positions},
                                          progress);
     std::vector<std::string> channels{history::channel_name::shear};
     if (moves_water(input)) {

@@ -204,9 +204,7 @@ PositionNodes::PositionNodes(const Case& input, std::shared_ptr<const SkinModel>
                              const MotionBox& box, const NodeOptions& options,
                              parallel::SharedProgress& progress)
     : model_(std::move(model)), skin_(input.skin), options_(options),
-      expected_places_(options.reused || input.numerics.shared.given()
-                           ? least_positions
-                           : expected_places(input, box)),
+      expected_places_(options.positions > 0 ? options.positions : expected_places(input, box)),
       reflections_(reflections_in(input.skin, box)), tolerance_(node_tolerance(input, box)) {
   std::array<std::size_t, 2> counts{};
   for (std::size_t axis = 0; axis < 2; ++axis) {

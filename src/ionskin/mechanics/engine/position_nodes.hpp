@@ -43,7 +43,9 @@ struct NodeOptions {
   std::size_t count = 0;            ///< of lines each way; 0 for as many as keep the tolerance
   /// Of nodes along one line: forces across it act near its ends alone, see `loads_across_at_ends`.
   bool across_at_ends = false;
-  bool reused = false; ///< see ContactOptions
+  /// Positions whose responses have room, all of them or none; 0 for those that the rectangle is
+  /// expected to need.
+  std::size_t positions = 0;
 };
 
 /// Whether the slider lands, rests, turns and leaves at the ends of one line alone and slides from
@@ -109,7 +111,7 @@ private:
   std::shared_ptr<const SkinModel> model_;
   Skin skin_;
   NodeOptions options_;
-  std::size_t expected_places_;                  ///< least_positions where they are asked for again
+  std::size_t expected_places_;
   std::vector<std::array<bool, 2>> reflections_; ///< that the rectangle holds
   NodeLines lines_;
   std::vector<Node> nodes_; ///< x fastest
