@@ -2,6 +2,7 @@
 #include "ionskin/linear_algebra/cholesky.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/linear_algebra/cholesky_panels.hpp"
 #include "ionskin/linear_algebra/cholmod_handles.hpp"
 #include "ionskin/linear_algebra/dense_kernels.hpp"
 
@@ -45,24 +46,6 @@ struct Cholesky::Numbers {
   ~Numbers() { cholmod_free_factor(&factor, *workspace); }
 };
 
-namespace {
-
-/// The panels of a supernodal factor: dense columns over a common list of rows, which begins with
-/// their own.
-struct Panels {
-  const int *first_column, *row_start, *value_start, *rows;
-  const double* values;
-
-  explicit Panels(const cholmod_factor& factor)
-      : first_column(static_cast<const int*>(factor.super)),
-        row_start(static_cast<const int*>(factor.pi)),
-        value_start(static_cast<const int*>(factor.px)), rows(static_cast<const int*>(factor.s)),
-        values(static_cast<const double*>(factor.x)) {}
-  int height(std::size_t s) const { return row_start[s + 1] - row_start[s]; }
-};
-
-} // namespace
-
 Cholesky::Cholesky(const SymbolicCholesky& symbolic, const std::vector<double>& values, int threads)
     : symbolic_(symbolic), threads_(threads), numbers_(std::make_unique<Numbers>()) {
   const KernelThreads kernel_threads(threads_);
@@ -93,11 +76,11 @@ DenseMatrix Cholesky::solve(DenseMatrix right_hand_sides) const {
   return right_hand_sides;
 }
 
-DenseMatrix Cholesky::trailing_block() const {
-  const Panels panels(*numbers_->factor);
-  const int count = symbolic_.trailing(), first = symbolic_.pattern().size - count;
+DenseMatrix Cholesky::last_block(int count) const {
+  const CholeskyPanels panels(*numbers_->factor);
+  const int first = symbolic_.pattern().size - count;
   DenseMatrix block(count, count);
-  for (std::size_t s = numbers_->factor->nsuper; s-- > 0 && panels.first_column[s + 1] > first;) {
+  for (std::size_t s = panels.count; s-- > 0 && panels.first_column[s + 1] > first;) {
     const int height = panels.height(s);
     const int* rows = panels.rows + panels.row_start[s];
     for (int column = std::max(first, panels.first_column[s]); column < panels.first_column[s + 1];
@@ -113,21 +96,23 @@ DenseMatrix Cholesky::trailing_block() const {
   return block;
 }
 
+ForwardSubstitution Cholesky::forward(const SparseLoads& loads) const {
+  const KernelThreads kernel_threads(threads_);
+  return {CholeskyPanels(*numbers_->factor), symbolic_.trailing(), loads};
+}
+
 void Cholesky::complete(int known, int loaded, DenseMatrix& states) const {
-  const Panels panels(*numbers_->factor);
+  const CholeskyPanels panels(*numbers_->factor);
   const int unknown = symbolic_.pattern().size - known, count = states.rows,
             unloaded = unknown - loaded;
-  const auto columns_before = [&](std::size_t s) {
-    return std::min(panels.first_column[s + 1], unknown) - panels.first_column[s];
-  };
   std::size_t end = 0;
   int most_rows = 0;
-  for (; end < numbers_->factor->nsuper && panels.first_column[end] < unknown; ++end) {
-    most_rows = std::max(most_rows, panels.height(end) - columns_before(end));
+  for (; end < panels.count && panels.first_column[end] < unknown; ++end) {
+    most_rows = std::max(most_rows, panels.height(end) - panels.columns_before(end, unknown));
   }
   DenseMatrix gathered(count, most_rows);
   for (std::size_t s = end; s-- > 0;) {
-    const int height = panels.height(s), columns = columns_before(s);
+    const int height = panels.height(s), columns = panels.columns_before(s, unknown);
     const int* rows = panels.rows + panels.row_start[s] + columns;
     for (int r = 0; r < height - columns; ++r) {
       std::copy_n(states.column(rows[r]), count, gathered.column(r));
@@ -158,16 +143,16 @@ void copy_lower_triangle(DenseMatrix& matrix) {
 
 DenseMatrix gram(const DenseMatrix& y) {
   DenseMatrix result(y.columns, y.columns);
-  symmetric_product(true, y.columns, y.rows, 1.0, y.values.data(), y.rows, result.values.data(),
-                    result.rows);
+  symmetric_product(true, y.columns, y.rows, 1.0, y.values.data(), y.rows, 0.0,
+                    result.values.data(), result.rows);
   copy_lower_triangle(result);
   return result;
 }
 
 DenseMatrix gram_of_rows(const DenseMatrix& l) {
   DenseMatrix result(l.rows, l.rows);
-  symmetric_product(false, l.rows, l.columns, 1.0, l.values.data(), l.rows, result.values.data(),
-                    result.rows);
+  symmetric_product(false, l.rows, l.columns, 1.0, l.values.data(), l.rows, 0.0,
+                    result.values.data(), result.rows);
   copy_lower_triangle(result);
   return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/linear_algebra/forward_substitution.hpp"
 #include "ionskin/linear_algebra/sparse_matrix.hpp"
 
 #include <memory>
@@ -46,9 +47,12 @@ public:
   /// Solves A X = B; shapes [size, any].
   DenseMatrix solve(DenseMatrix right_hand_sides) const;
 
-  /// L22, lower triangle. L22 L22^T is the Schur complement of the trailing unknowns: what they
-  /// feel of the others.
-  DenseMatrix trailing_block() const;
+  /// The last `count` rows and columns of L, lower triangle, at most trailing(). Its product with
+  /// its transpose is the Schur complement of these unknowns: what they feel of the others.
+  DenseMatrix last_block(int count) const;
+
+  /// Through all but the trailing unknowns.
+  ForwardSubstitution forward(const SparseLoads& loads) const;
 
   /// Backward substitution for any number of states at once, whose values stand side by side for
   /// each unknown: shape [states, size], in the elimination order. The last `known` columns hold

@@ -47,10 +47,9 @@ void product(bool transpose_a, int m, int n, int k, double alpha, const double* 
 }
 
 void symmetric_product(bool transpose_first, int n, int k, double alpha, const double* a,
-                       int lead_a, double* c, int lead_c) {
+                       int lead_a, double beta, double* c, int lead_c) {
   lead_a = lead(lead_a), lead_c = lead(lead_c);
   char triangle = 'L', form = transpose_first ? 'T' : 'N';
-  double beta = 0;
   dsyrk_(&triangle, &form, &n, &k, &alpha, input(a), &lead_a, &beta, c, &lead_c);
 }
 

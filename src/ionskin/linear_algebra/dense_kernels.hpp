@@ -28,9 +28,10 @@ std::string kernel_name();
 void product(bool transpose_a, int m, int n, int k, double alpha, const double* a, int lead_a,
              const double* b, int lead_b, double beta, double* c, int lead_c);
 
-/// Lower triangle of C := alpha A A^T, or alpha A^T A; C has shape [n, n], the sum runs over k.
+/// Lower triangle of C := alpha A A^T + beta C, or alpha A^T A + beta C; C has shape [n, n], the
+/// sum runs over k.
 void symmetric_product(bool transpose_first, int n, int k, double alpha, const double* a,
-                       int lead_a, double* c, int lead_c);
+                       int lead_a, double beta, double* c, int lead_c);
 
 /// B := L^-1 B, or L^-T B, with the lower triangle L [m, m]; B has shape [m, n].
 void solve_left(bool transpose, int m, int n, const double* l, int lead_l, double* b, int lead_b);

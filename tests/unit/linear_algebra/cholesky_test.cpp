@@ -13,6 +13,7 @@
 #include <iterator>
 #include <numeric>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace ionskin::linear_algebra {
@@ -78,7 +79,7 @@ TEST_F(CholeskyOnGrid, solve_agrees_with_a_dense_solver) {
   EXPECT_LT((map(factor.solve(right)) - expected).norm(), 1e-12 * expected.norm());
 }
 
-TEST_F(CholeskyOnGrid, trailing_block_gives_the_compliance_of_the_trailing_unknowns) {
+TEST_F(CholeskyOnGrid, last_block_gives_the_compliance_of_the_last_unknowns) {
   const int count = static_cast<int>(trailing.size());
   const SymbolicCholesky symbolic(graph, trailing_ordering(graph, trailing), count);
   const Cholesky factor(symbolic, values_on(graph, 0));
@@ -87,8 +88,11 @@ TEST_F(CholeskyOnGrid, trailing_block_gives_the_compliance_of_the_trailing_unkno
     unit(trailing[j], j) = 1;
   }
   const Eigen::MatrixXd compliance = map(unit).transpose() * map(factor.solve(unit));
-  const Eigen::MatrixXd product = map(gram_of_rows(factor.trailing_block())) * compliance;
-  EXPECT_LT((product - Eigen::MatrixXd::Identity(count, count)).norm(), 1e-12);
+  for (const int last : {count, count / 2, 1}) {
+    const Eigen::MatrixXd product =
+        map(gram_of_rows(factor.last_block(last))) * compliance.bottomRightCorner(last, last);
+    EXPECT_LT((product - Eigen::MatrixXd::Identity(last, last)).norm(), 1e-12) << last;
+  }
 }
 
 TEST_F(CholeskyOnGrid, completes_solutions_of_loads_on_trailing_unknowns) {
@@ -103,7 +107,7 @@ TEST_F(CholeskyOnGrid, completes_solutions_of_loads_on_trailing_unknowns) {
       loads(i, j) = right(trailing[i], j) = std::cos(i + 3.0 * j);
     }
   }
-  const DenseMatrix solution = factor.solve(right), block = factor.trailing_block();
+  const DenseMatrix solution = factor.solve(right), block = factor.last_block(count);
   const Eigen::MatrixXd forward = map(block).triangularView<Eigen::Lower>().solve(loads);
   const int first = graph.size - count;
   for (const int known : {0, 1, count / 3, count}) {
@@ -123,6 +127,48 @@ TEST_F(CholeskyOnGrid, completes_solutions_of_loads_on_trailing_unknowns) {
     }
     EXPECT_LT(error, 1e-14 * map(solution).norm()) << known << " known";
   }
+}
+
+TEST_F(CholeskyOnGrid, substitutes_forward_where_loads_reach) {
+  const int count = static_cast<int>(trailing.size()), loads = 300, before = graph.size - count;
+  const std::vector<int> order = trailing_ordering(graph, trailing);
+  const auto values = values_on(graph, 0);
+  SparseLoads sparse;
+  Eigen::MatrixXd load = Eigen::MatrixXd::Zero(graph.size, loads);
+  for (int j = 0; j < loads; ++j) {
+    for (const int place : {(7 * j + 11) % graph.size, (90 * j) % graph.size}) {
+      sparse.place.push_back(place);
+      sparse.value.push_back(1 + 0.1 * j);
+      load(place, j) += 1 + 0.1 * j;
+    }
+    sparse.start.push_back(static_cast<int>(sparse.place.size()));
+  }
+  const SymbolicCholesky symbolic(graph, order, count), all(graph, order, graph.size);
+  const ForwardSubstitution forward = Cholesky(symbolic, values).forward(sparse);
+  const DenseMatrix lower = Cholesky(all, values).last_block(graph.size);
+  const Eigen::MatrixXd y = map(lower)
+                                .topLeftCorner(before, before)
+                                .triangularView<Eigen::Lower>()
+                                .solve(load.topRows(before)),
+                        passed_on =
+                            load.bottomRows(count) - map(lower).bottomLeftCorner(count, before) * y,
+                        gram = y.transpose() * y;
+  EXPECT_LT((map(forward.passed_on()) - passed_on).norm(), 1e-13 * passed_on.norm());
+  EXPECT_LT((map(forward.gram()) - gram).norm(), 1e-13 * gram.norm());
+
+  DenseMatrix states(3, graph.size), weights(loads, 3);
+  std::ranges::fill(states.values, std::nan(""));
+  forward.select({5, 299, 0}, states);
+  for (const auto& [state, chosen] : {std::pair{0, 5}, {1, 299}, {2, 0}}) {
+    EXPECT_LT((map(states).row(state).head(before).transpose() - y.col(chosen)).norm(), 1e-13);
+  }
+  for (std::size_t i = 0; i < weights.values.size(); ++i) {
+    weights.values[i] = std::cos(static_cast<double>(i));
+  }
+  std::ranges::fill(states.values, std::nan(""));
+  forward.combine(weights, states);
+  const Eigen::MatrixXd combined = y * map(weights);
+  EXPECT_LT((map(states).leftCols(before).transpose() - combined).norm(), 1e-13 * combined.norm());
 }
 
 TEST_F(CholeskyOnGrid, one_analysis_serves_several_threads) {

@@ -21,12 +21,20 @@ using linear_algebra::DenseMatrix;
 /// whatever number a run is given.
 constexpr int lone_factor_threads = 2;
 
-DenseMatrix rows_of(const DenseMatrix& matrix, int first, int count) {
-  DenseMatrix result(count, matrix.columns);
-  for (int j = 0; j < matrix.columns; ++j) {
-    std::copy_n(matrix.column(j) + first, count, result.column(j));
+/// Unit forces on the components of the cells.
+linear_algebra::SparseLoads unit_loads(const ContactCells& cells, const SkinParts& parts) {
+  linear_algebra::SparseLoads loads;
+  const DenseMatrix& unit = cells.unit_load;
+  for (int j = 0; j < unit.columns; ++j) {
+    for (int row = 0; row < unit.rows; ++row) {
+      if (unit(row, j) != 0) {
+        loads.place.push_back(parts.load_place[row]);
+        loads.value.push_back(unit(row, j));
+      }
+    }
+    loads.start.push_back(static_cast<int>(loads.place.size()));
   }
-  return result;
+  return loads;
 }
 
 /// Columns of unit forces in one direction, transposed.
@@ -78,34 +86,11 @@ void PartFactor::add_reaction(const PlacedPart& placed, std::size_t axis,
 InnerFactor::InnerFactor(const SkinParts& parts, const ContactCells& cells,
                          const mesh::MeshLines& lines, const std::vector<ElasticLaw>& law_of_row,
                          int threads)
-    : factor(*parts.inner.part, lines, law_of_row, threads) {
+    : factor(*parts.inner.part, lines, law_of_row, threads),
+      loads(factor.cholesky().forward(unit_loads(cells, parts))) {
   const linear_algebra::KernelThreads kernel_threads(threads);
-  condense(factor.cholesky().trailing_block(), parts, cells.unit_load);
-}
-
-// The trailing block is that of the unknowns under the slider, c, before the interface, i.
-void InnerFactor::condense(const DenseMatrix& trailing, const SkinParts& parts,
-                           const DenseMatrix& unit_load) {
-  const int on_interface = parts.interface, under_slider = trailing.rows - on_interface;
-  DenseMatrix load(trailing.rows, unit_load.columns);
-  for (int j = 0; j < load.columns; ++j) {
-    for (int i = 0; i < load.rows; ++i) {
-      load(i, j) = parts.load_row[i] < 0 ? 0.0 : unit_load(parts.load_row[i], j);
-    }
-  }
-  linear_algebra::solve_left(false, under_slider, load.columns, trailing.values.data(),
-                             trailing.rows, load.values.data(), load.rows);
-  linear_algebra::product(false, on_interface, load.columns, under_slider, -1.0,
-                          trailing.values.data() + under_slider, trailing.rows, load.values.data(),
-                          load.rows, 1.0, load.values.data() + under_slider, load.rows);
-  contact = rows_of(load, 0, under_slider);
-  interface = rows_of(load, under_slider, on_interface);
-  compliance = linear_algebra::gram(contact);
-  DenseMatrix last(on_interface, on_interface);
-  for (int j = 0; j < on_interface; ++j) {
-    std::copy_n(trailing.column(under_slider + j) + under_slider, on_interface, last.column(j));
-  }
-  schur = linear_algebra::gram_of_rows(last);
+  compliance = loads.gram();
+  schur = linear_algebra::gram_of_rows(factor.cholesky().last_block(parts.interface));
 }
 
 void SkinDisplacement::copy(int first, int count, DenseMatrix& whole) const {
@@ -167,7 +152,8 @@ void FactorisedSkin::join() {
   DenseMatrix stiffness = inner_->schur;
   for (std::size_t p = 0; p < outer_.size(); ++p) {
     const PlacedPart& placed = parts_.outer[p];
-    const DenseMatrix own = linear_algebra::gram_of_rows(outer_[p].cholesky().trailing_block());
+    const DenseMatrix own =
+        linear_algebra::gram_of_rows(outer_[p].cholesky().last_block(placed.part->interface));
     const double* sign = placed.sign.data() + placed.sign.size() - own.rows;
     const int first = placed.first_interface;
     for (int j = 0; j < own.columns; ++j) {
@@ -180,7 +166,7 @@ void FactorisedSkin::join() {
     throw SolverError("the stiffness matrix is not positive definite between the parts of the skin",
                       "check the elastic constants and layer thicknesses for extreme ratios");
   }
-  interface_ = inner_->interface;
+  interface_ = inner_->loads.passed_on();
   const auto solve = [&](bool transpose) {
     linear_algebra::solve_left(transpose, interface_.rows, interface_.columns,
                                stiffness.values.data(), stiffness.rows, interface_.values.data(),
@@ -196,26 +182,27 @@ void FactorisedSkin::join() {
 
 void FactorisedSkin::unit_displacement(int direction, int first, int count,
                                        SkinDisplacement& result) const {
-  complete(states_of(inner_->contact, direction, first, count),
-           states_of(interface_, direction, first, count), result);
+  std::vector<int> loads;
+  for (int cell = first; cell < first + count; ++cell) {
+    loads.push_back(3 * cell + direction);
+  }
+  result.inner_.reshape(count, parts_.inner.part->space.unknowns());
+  inner_->loads.select(loads, result.inner_);
+  complete(states_of(interface_, direction, first, count), result);
 }
 
 void FactorisedSkin::displacement(const DenseMatrix& forces, SkinDisplacement& result) const {
-  const auto states = [&](const DenseMatrix& unit) {
-    return transposed(linear_algebra::multiply(unit, forces));
-  };
-  complete(states(inner_->contact), states(interface_), result);
+  result.inner_.reshape(forces.columns, parts_.inner.part->space.unknowns());
+  inner_->loads.combine(forces, result.inner_);
+  complete(transposed(linear_algebra::multiply(interface_, forces)), result);
 }
 
-void FactorisedSkin::complete(const DenseMatrix& contact, const DenseMatrix& interface,
-                              SkinDisplacement& result) const {
+void FactorisedSkin::complete(const DenseMatrix& interface, SkinDisplacement& result) const {
   const int states = interface.rows;
-  const auto& inner = parts_.inner;
-  result.inner_.reshape(states, inner.part->space.unknowns());
-  const int begin_interface = result.inner_.columns - interface.columns;
-  std::ranges::copy(contact.values, result.inner_.column(begin_interface - contact.columns));
-  std::ranges::copy(interface.values, result.inner_.column(begin_interface));
-  inner_->factor.cholesky().complete(interface.columns, contact.columns, result.inner_);
+  DenseMatrix& inner = result.inner_;
+  const int inside = inner.columns - interface.columns;
+  std::ranges::copy(interface.values, inner.column(inside));
+  inner_->factor.cholesky().complete(interface.columns, inside, inner);
   for (std::size_t p = 0; p < outer_.size(); ++p) {
     const PlacedPart& placed = parts_.outer[p];
     const int own = placed.part->interface;

@@ -32,17 +32,12 @@ private:
 /// The part under the slider with unit forces on the contact cells, where its interface is free.
 struct InnerFactor {
   PartFactor factor;
-  linear_algebra::DenseMatrix schur;      ///< of the interface [N/m]
-  linear_algebra::DenseMatrix contact;    ///< L^-1 B under the slider, [unknowns, 3 cells]
-  linear_algebra::DenseMatrix interface;  ///< what it leaves to the interface, [unknowns, 3 cells]
-  linear_algebra::DenseMatrix compliance; ///< of the cells while the interface is held [m/N]
+  linear_algebra::ForwardSubstitution loads; ///< of unit forces on the components of the cells
+  linear_algebra::DenseMatrix schur;         ///< of the interface [N/m]
+  linear_algebra::DenseMatrix compliance;    ///< of the cells while the interface is held [m/N]
 
   InnerFactor(const SkinParts& parts, const ContactCells& cells, const mesh::MeshLines& lines,
               const std::vector<ElasticLaw>& law_of_row, int threads);
-
-private:
-  void condense(const linear_algebra::DenseMatrix& trailing, const SkinParts& parts,
-                const linear_algebra::DenseMatrix& unit_load);
 };
 
 /// Displacement of the skin in some states. Large: to be filled again is faster than to be made.
@@ -96,9 +91,8 @@ private:
   void factorise_outer(const ElasticSkin& skin, const mesh::MeshLines& lines);
   void join();
   void gather_reactions(int unknowns);
-  /// From values under the slider and displacements of the interface, both by state.
-  void complete(const linear_algebra::DenseMatrix& contact,
-                const linear_algebra::DenseMatrix& interface, SkinDisplacement& result) const;
+  /// From forward substitution in the inner part and displacements of the interface by state.
+  void complete(const linear_algebra::DenseMatrix& interface, SkinDisplacement& result) const;
 
   Place place_;
   int threads_, kernel_threads_;

@@ -87,35 +87,11 @@ linear_algebra::SymbolicCholesky analysed(const ElasticSpace& space,
           static_cast<int>(space.unknowns_of(trailing_nodes).size())};
 }
 
-/// Nodes of the footprint in the inner part that lie on none of its planes.
-std::vector<int> contact_nodes(const ElasticSpace& whole, const ElasticSpace& inner,
-                               const ContactCells& cells, const SkinCut& cut,
-                               const std::vector<int>& interface_nodes) {
-  std::vector<bool> on_interface(inner.node_count(), false);
-  for (const int node : interface_nodes) {
-    on_interface[node] = true;
-  }
-  const std::size_t nx = 2 * whole.elements()[0] + 1, ny = 2 * whole.elements()[1] + 1;
-  std::vector<int> nodes;
-  for (const int node : cells.nodes) {
-    const auto index = static_cast<std::size_t>(node);
-    std::array<std::size_t, 3> at{index % nx, index / nx % ny, index / (nx * ny)};
-    at[cut.axis] -= 2 * cut.footprint[0];
-    const int own = inner.node_at(at[0], at[1], at[2]);
-    if (!on_interface[own]) {
-      nodes.push_back(own);
-    }
-  }
-  return nodes;
-}
-
 } // namespace
 
-SkinPart::SkinPart(ElasticSpace part_space, std::vector<int> contact_nodes,
-                   const std::vector<int>& interface_nodes)
-    : space(std::move(part_space)),
-      symbolic(analysed(space, joined(std::move(contact_nodes), interface_nodes))),
-      interface(static_cast<int>(space.unknowns_of(interface_nodes).size())) {}
+SkinPart::SkinPart(ElasticSpace part_space, const std::vector<int>& interface_nodes)
+    : space(std::move(part_space)), symbolic(analysed(space, interface_nodes)),
+      interface(symbolic.trailing()) {}
 
 SkinParts::SkinParts(const ElasticSpace& whole, const mesh::MeshLines& any_lines,
                      const std::vector<FixedFace>& fixed, const ContactCells& cells,
@@ -141,7 +117,7 @@ SkinParts::SkinParts(const ElasticSpace& whole, const mesh::MeshLines& any_lines
     } else {
       ElasticSpace space = space_of(0, last - first);
       const std::vector<int> nodes = plane(space, axis, 2 * (last - first));
-      placed.part = std::make_shared<const SkinPart>(std::move(space), std::vector<int>{}, nodes);
+      placed.part = std::make_shared<const SkinPart>(std::move(space), nodes);
     }
     number_in_whole(whole, axis, placed);
     interface += placed.part->interface;
@@ -159,8 +135,7 @@ SkinParts::SkinParts(const ElasticSpace& whole, const mesh::MeshLines& any_lines
   if (inner.last < count) {
     planes = joined(std::move(planes), plane(space, axis, 2 * (inner.last - inner.first)));
   }
-  std::vector<int> contact = contact_nodes(whole, space, cells, cut, planes);
-  inner.part = std::make_shared<const SkinPart>(std::move(space), std::move(contact), planes);
+  inner.part = std::make_shared<const SkinPart>(std::move(space), planes);
   number_in_whole(whole, axis, inner);
 
   unknown.resize(static_cast<std::size_t>(whole.unknowns()));
@@ -174,15 +149,12 @@ SkinParts::SkinParts(const ElasticSpace& whole, const mesh::MeshLines& any_lines
     find_unknowns(outer[p], static_cast<int>(p) + 1);
   }
 
-  std::vector<int> row_of_unknown(static_cast<std::size_t>(whole.unknowns()), -1);
-  const std::vector<int> loaded = whole.unknowns_of(cells.nodes);
-  for (std::size_t row = 0; row < loaded.size(); ++row) {
-    row_of_unknown[loaded[row]] = static_cast<int>(row);
+  std::vector<int> inner_place(static_cast<std::size_t>(whole.unknowns()), -1);
+  for (std::size_t k = 0; k < inner.whole_unknown.size(); ++k) {
+    inner_place[inner.whole_unknown[k]] = static_cast<int>(k);
   }
-  const auto& numbers = inner.whole_unknown;
-  for (std::size_t k = numbers.size() - static_cast<std::size_t>(inner.part->symbolic.trailing());
-       k < numbers.size(); ++k) {
-    load_row.push_back(row_of_unknown[numbers[k]]);
+  for (const int loaded : whole.unknowns_of(cells.nodes)) {
+    load_place.push_back(inner_place[loaded]);
   }
 }
 

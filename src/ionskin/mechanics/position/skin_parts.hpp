@@ -22,15 +22,14 @@ struct SkinCut {
 };
 
 /// A box of the skin's elements with its own numbering. The unknowns that it shares with other
-/// parts, the interface, are eliminated last; just before them those under the slider.
+/// parts, the interface, are eliminated last.
 struct SkinPart {
   ElasticSpace space;
   linear_algebra::SymbolicCholesky symbolic;
   int interface = 0; ///< unknowns in it, the last of the elimination order
 
-  /// @param interface_nodes, contact_nodes in the part's numbering
-  SkinPart(ElasticSpace part_space, std::vector<int> contact_nodes,
-           const std::vector<int>& interface_nodes);
+  /// @param interface_nodes in the part's numbering
+  SkinPart(ElasticSpace part_space, const std::vector<int>& interface_nodes);
 };
 
 /// Where a part lies in the skin. The outer parts are mirror images of each other: one numbering
@@ -57,8 +56,8 @@ struct SkinParts {
   int interface = 0;             ///< unknowns in which the parts meet
   std::vector<PlacedPart> outer; ///< none where the footprint ends with the skin
   PlacedPart inner;
-  /// Row of `ContactCells::unit_load` of each trailing unknown of the inner part; -1 without one.
-  std::vector<int> load_row;
+  /// Of each row of `ContactCells::unit_load` in the elimination order of the inner part.
+  std::vector<int> load_place;
   std::vector<PartUnknown> unknown; ///< of the skin
 
   /// @param whole numbering of the skin
