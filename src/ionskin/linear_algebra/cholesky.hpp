@@ -51,7 +51,7 @@ public:
   /// its transpose is the Schur complement of these unknowns: what they feel of the others.
   DenseMatrix last_block(int count) const;
 
-  /// Through all but the trailing unknowns.
+  /// Forward substitution of loads through all but the trailing unknowns.
   ForwardSubstitution forward(const SparseLoads& loads) const;
 
   /// Backward substitution for any number of states at once, whose values stand side by side for
