@@ -96,6 +96,25 @@ DenseMatrix Cholesky::last_block(int count) const {
   return block;
 }
 
+DenseMatrix Cholesky::take_last_block(int count) {
+  DenseMatrix block = last_block(count);
+  const CholeskyPanels panels(*numbers_->factor);
+  const int before = panels.size - count;
+  std::size_t s = 0; // panel in which the block begins
+  while (s < panels.count && panels.first_column[s + 1] <= before) {
+    ++s;
+  }
+  if (s < panels.count) {
+    const auto own = static_cast<std::size_t>(panels.columns_before(s, before));
+    const std::size_t kept = static_cast<std::size_t>(panels.value_start[s]) +
+                             own * static_cast<std::size_t>(panels.height(s));
+    cholmod_factor& factor = *numbers_->factor;
+    factor.x = cholmod_realloc(kept, sizeof(double), factor.x, &factor.xsize, *numbers_->workspace);
+    numbers_->workspace.check("giving memory back");
+  }
+  return block;
+}
+
 ForwardSubstitution Cholesky::forward(const SparseLoads& loads) const {
   const KernelThreads kernel_threads(threads_);
   return {CholeskyPanels(*numbers_->factor), symbolic_.trailing(), loads};

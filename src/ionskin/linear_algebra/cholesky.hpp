@@ -50,6 +50,9 @@ public:
   /// The last `count` rows and columns of L, lower triangle, at most trailing(). Its product with
   /// its transpose is the Schur complement of these unknowns: what they feel of the others.
   DenseMatrix last_block(int count) const;
+  /// The same, and gives the memory of what stands in it alone back: neither it nor `solve` can be
+  /// asked for again.
+  DenseMatrix take_last_block(int count);
 
   /// Forward substitution of loads through all but the trailing unknowns.
   ForwardSubstitution forward(const SparseLoads& loads) const;

@@ -173,7 +173,7 @@ MechanicsCost estimate_mechanics_cost(const Case& input, int threads,
   if (!input.slider.sharp()) {
     cost.seconds += own.search_seconds();
   }
-  double kept = 0; // of the companions, whose strains are recovered at the end
+  double kept = 0; // histories of the companions; what else they hold is gone when they end
   for (const char* name : companions_of(input)) {
     const Case of_companion = mechanics::companion_case(input, name);
     try {
@@ -183,14 +183,14 @@ MechanicsCost estimate_mechanics_cost(const Case& input, int threads,
       cost.seconds += companion.seconds(at_once(companion)) + paths * companion.path_seconds(steps);
       cost.memory = std::max(cost.memory, kept + companion.response_memory() +
                                               companion.working_memory(at_once(companion)));
-      kept += companion.response_memory();
-      cost.histories += paths * companion.history_memory(steps);
+      kept += paths * companion.history_memory(steps);
     } catch (const UserError&) { // its mesh does not fit beside the slider: a run goes without
     }
   }
+  cost.histories += kept;
   cost.memory =
       std::max({cost.memory, kept + own.response_memory() + own.working_memory(at_once(own)),
-                kept + own.response_memory() + cost.histories});
+                own.response_memory() + cost.histories});
   return cost;
 }
 

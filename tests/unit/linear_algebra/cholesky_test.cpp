@@ -129,6 +129,22 @@ TEST_F(CholeskyOnGrid, completes_solutions_of_loads_on_trailing_unknowns) {
   }
 }
 
+TEST_F(CholeskyOnGrid, completes_without_the_last_block_that_was_taken) {
+  const int count = static_cast<int>(trailing.size()), states = 3;
+  const SymbolicCholesky symbolic(graph, trailing_ordering(graph, trailing), count);
+  const Cholesky whole(symbolic, values_on(graph, 0));
+  Cholesky rest(symbolic, values_on(graph, 0));
+  EXPECT_EQ(rest.take_last_block(count).values, whole.last_block(count).values);
+  DenseMatrix expected(states, graph.size);
+  for (std::size_t i = 0; i < expected.values.size(); ++i) {
+    expected.values[i] = std::sin(static_cast<double>(i));
+  }
+  DenseMatrix completed = expected;
+  whole.complete(count, 0, expected);
+  rest.complete(count, 0, completed);
+  EXPECT_EQ(completed.values, expected.values);
+}
+
 TEST_F(CholeskyOnGrid, substitutes_forward_where_loads_reach) {
   const int count = static_cast<int>(trailing.size()), loads = 300, before = graph.size - count;
   const std::vector<int> order = trailing_ordering(graph, trailing);

@@ -2,6 +2,7 @@
 #include "ionskin/mechanics/engine/stepped_strains.hpp"
 
 #include "ionskin/base/largest.hpp"
+#include "ionskin/mechanics/position/memory_estimate.hpp"
 
 #include <algorithm>
 #include <span>
@@ -15,8 +16,14 @@ constexpr std::size_t least_states = 48, most_states = 400;
 constexpr std::size_t bytes_of_block = 100'000'000;
 /// Of a stretch where each takes all factors again.
 constexpr std::size_t states_of_stretch = 3000;
-/// Memory of the strains that are then recovered together.
-constexpr std::size_t most_recovered_bytes = 2'400'000'000;
+
+/// Memory of the strains that are then recovered together: what keeps them and a factor within 8
+/// GB, with some room for the rest, or a part of what the factor takes anyway.
+std::size_t most_recovered_bytes(const PositionNodes& nodes) {
+  constexpr double most = 2.4e9, with_factor = 7.6e9, share = 0.3;
+  const double factor = factorisation_memory(nodes.model().mesh.unknowns());
+  return static_cast<std::size_t>(std::min(most, std::max(with_factor - factor, share * factor)));
+}
 
 } // namespace
 
@@ -58,15 +65,16 @@ std::shared_ptr<const PathResponse> SharedRecovery::recover(const SteppedStrains
   const auto own = std::make_shared<PathResponse>(path.patterns(first));
   std::vector<PathResponse*> together{own.get()};
   std::vector<std::pair<Member*, std::shared_ptr<PathResponse>>> others;
+  const std::size_t most = most_recovered_bytes(*nodes_);
   std::size_t bytes = own->bytes();
   for (Member& member : members_) {
     const auto other = member.path.lock();
     if (other.get() == &path) {
       member.begun = true;
-    } else if (other && other->count() > 0 && !member.begun && bytes < most_recovered_bytes) {
+    } else if (other && other->count() > 0 && !member.begun && bytes < most) {
       auto response = std::make_shared<PathResponse>(other->patterns(0));
       bytes += response->bytes();
-      if (bytes <= most_recovered_bytes) {
+      if (bytes <= most) {
         together.push_back(response.get());
         others.emplace_back(&member, std::move(response));
       }
@@ -100,7 +108,7 @@ PathResponse SteppedStrains::patterns(std::size_t first) const {
   while (true) {
     PathResponse response = nodes.patterns(std::span(centres_).subspan(first, states),
                                            std::span(forces_).subspan(first, states));
-    if (response.bytes() <= most_recovered_bytes || states <= least) {
+    if (response.bytes() <= most_recovered_bytes(nodes) || states <= least) {
       return response;
     }
     states = std::max(least, states / 2);

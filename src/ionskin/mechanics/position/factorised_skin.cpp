@@ -64,8 +64,13 @@ DenseMatrix transposed(const DenseMatrix& matrix) {
 PartFactor::PartFactor(const SkinPart& part, const mesh::MeshLines& lines,
                        const std::vector<ElasticLaw>& law_of_row, int threads) {
   const ElasticSystem system = assemble(part.space, lines, law_of_row);
-  cholesky_ =
-      std::make_unique<const linear_algebra::Cholesky>(part.symbolic, system.stiffness, threads);
+  auto cholesky =
+      std::make_unique<linear_algebra::Cholesky>(part.symbolic, system.stiffness, threads);
+  {
+    const linear_algebra::KernelThreads kernel_threads(threads);
+    schur_ = linear_algebra::gram_of_rows(cholesky->take_last_block(part.interface));
+  }
+  cholesky_ = std::move(cholesky);
   for (std::size_t c = 0; c < 3; ++c) {
     for (const int unknown : part.symbolic.order()) {
       base_reaction_[c].push_back(system.base_reaction[c][unknown]);
@@ -90,7 +95,6 @@ InnerFactor::InnerFactor(const SkinParts& parts, const ContactCells& cells,
       loads(factor.cholesky().forward(unit_loads(cells, parts))) {
   const linear_algebra::KernelThreads kernel_threads(threads);
   compliance = loads.gram();
-  schur = linear_algebra::gram_of_rows(factor.cholesky().last_block(parts.interface));
 }
 
 void SkinDisplacement::copy(int first, int count, DenseMatrix& whole) const {
@@ -149,11 +153,10 @@ void FactorisedSkin::factorise_outer(const ElasticSkin& skin, const mesh::MeshLi
 
 void FactorisedSkin::join() {
   const linear_algebra::KernelThreads kernel_threads(kernel_threads_);
-  DenseMatrix stiffness = inner_->schur;
+  DenseMatrix stiffness = inner_->factor.schur();
   for (std::size_t p = 0; p < outer_.size(); ++p) {
     const PlacedPart& placed = parts_.outer[p];
-    const DenseMatrix own =
-        linear_algebra::gram_of_rows(outer_[p].cholesky().last_block(placed.part->interface));
+    const DenseMatrix& own = outer_[p].schur();
     const double* sign = placed.sign.data() + placed.sign.size() - own.rows;
     const int first = placed.first_interface;
     for (int j = 0; j < own.columns; ++j) {
@@ -161,6 +164,7 @@ void FactorisedSkin::join() {
         stiffness(first + i, first + j) += sign[i] * sign[j] * own(i, j);
       }
     }
+    outer_[p].forget_schur();
   }
   if (!linear_algebra::factorise(stiffness.rows, stiffness.values.data(), stiffness.rows)) {
     throw SolverError("the stiffness matrix is not positive definite between the parts of the skin",

@@ -20,12 +20,16 @@ public:
              const std::vector<ElasticLaw>& law_of_row, int threads = 1);
 
   const linear_algebra::Cholesky& cholesky() const { return *cholesky_; }
+  /// Schur complement of its interface: what that feels of the part [N/m].
+  const linear_algebra::DenseMatrix& schur() const { return schur_; }
+  void forget_schur() { schur_ = {}; }
   /// Adds the force of the skin on its base per unit of each unknown to that of the whole skin.
   void add_reaction(const PlacedPart& placed, std::size_t axis,
                     std::array<std::vector<double>, 3>& whole) const;
 
 private:
   std::unique_ptr<const linear_algebra::Cholesky> cholesky_;
+  linear_algebra::DenseMatrix schur_;
   std::array<std::vector<double>, 3> base_reaction_; ///< by the part's elimination order
 };
 
@@ -33,7 +37,6 @@ private:
 struct InnerFactor {
   PartFactor factor;
   linear_algebra::ForwardSubstitution loads; ///< of unit forces on the components of the cells
-  linear_algebra::DenseMatrix schur;         ///< of the interface [N/m]
   linear_algebra::DenseMatrix compliance;    ///< of the cells while the interface is held [m/N]
 
   InnerFactor(const SkinParts& parts, const ContactCells& cells, const mesh::MeshLines& lines,

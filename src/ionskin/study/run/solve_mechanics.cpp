@@ -2,8 +2,11 @@
 #include "ionskin/study/run/solve_mechanics.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/system/free_memory.hpp"
 #include "ionskin/mechanics/companions.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
+#include "ionskin/parallel/shared_progress.hpp"
+#include "ionskin/parallel/task_pool.hpp"
 #include "ionskin/planning/resources.hpp"
 
 #include <algorithm>
@@ -17,7 +20,7 @@ namespace {
 
 constexpr std::string_view companion_activity = "mechanics on a coarser mesh";
 
-using Companions = std::map<std::string, mechanics::ContactSolution>;
+using Companions = std::map<std::string, std::shared_ptr<const MechanicsRecord>>;
 
 mechanics::PathSteps halved(mechanics::PathSteps steps) {
   steps.touchdown = std::max(1, steps.touchdown / 2);
@@ -27,42 +30,58 @@ mechanics::PathSteps halved(mechanics::PathSteps steps) {
   return steps;
 }
 
-/// Options whose solution takes up a part of the progress on coarser meshes.
-mechanics::ContactOptions with_share(const mechanics::ContactOptions& options, double first,
-                                     double share) {
-  mechanics::ContactOptions result = options;
-  result.progress = [&options, first, share](std::string_view activity, double fraction) {
-    activity == "mechanics" ? options.progress(companion_activity, first + share * fraction)
-                            : options.progress(activity, fraction);
+/// One pass over a coarser mesh: companions of each friction coefficient, recorded at once. What
+/// their solutions hold of the skin, responses or factors, is gone when it ends: the next pass
+/// needs as much memory.
+/// @param first,share of the progress on coarser meshes
+void add_pass(const Case& input, const std::vector<std::string>& names,
+              const std::vector<double>& frictions, const mechanics::ContactOptions& options,
+              double first, double share, std::vector<Companions>& result) {
+  constexpr double solved = 0.9; // of the pass
+  std::vector<mechanics::ContactVariant> variants;
+  for (const double friction : frictions) {
+    for (const std::string& name : names) {
+      variants.push_back(
+          {friction, name == mechanics::companions::path ? halved(options.steps) : options.steps});
+    }
+  }
+  mechanics::ContactOptions own = options;
+  own.progress = [&](std::string_view activity, double fraction) {
+    activity == "mechanics"
+        ? options.progress(companion_activity, first + solved * share * fraction)
+        : options.progress(activity, fraction);
   };
-  return result;
+  base::Timers parts; // of the companions, which count as one stage
+  auto solutions = mechanics::solve_variants(mechanics::companion_case(input, names.front()),
+                                             variants, own, parts);
+  const auto recording =
+      base::share_of(options.progress, first + solved * share, (1 - solved) * share);
+  parallel::SharedProgress progress(std::string(companion_activity), recording);
+  progress.add_units(solutions.size());
+  std::vector<std::shared_ptr<const MechanicsRecord>> records(solutions.size());
+  parallel::run_tasks(solutions.size(), options.threads, [&](std::size_t i) {
+    const auto contact = std::make_unique<mechanics::ContactSolution>(std::move(solutions[i]));
+    MechanicsRecord record =
+        make_mechanics_record(mechanics::companion_case(input, names[i % names.size()]), *contact);
+    record.maps = {};
+    records[i] = std::make_shared<const MechanicsRecord>(std::move(record));
+    progress.finish_unit();
+  });
+  base::return_free_memory();
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    result[i / names.size()].emplace(names[i % names.size()], std::move(records[i]));
+  }
 }
 
 /// One entry per friction coefficient.
 std::vector<Companions> solve_companions(const Case& input, const std::vector<double>& frictions,
                                          const mechanics::ContactOptions& options) {
-  base::Timers parts; // of the companions, which count as one stage
-  std::vector<mechanics::ContactVariant> variants;
-  for (const double friction : frictions) {
-    variants.push_back({friction, options.steps});
-    variants.push_back({friction, halved(options.steps)});
-  }
-  const bool has_second = mechanics::needs_thickness_companion(input);
-  auto solutions =
-      mechanics::solve_variants(mechanics::companion_case(input, mechanics::companions::mesh),
-                                variants, with_share(options, 0, has_second ? 0.5 : 1), parts);
+  namespace names = mechanics::companions;
   std::vector<Companions> result(frictions.size());
-  for (std::size_t i = 0; i < frictions.size(); ++i) {
-    result[i].emplace(mechanics::companions::mesh, std::move(solutions[2 * i]));
-    result[i].emplace(mechanics::companions::path, std::move(solutions[2 * i + 1]));
-  }
-  if (has_second) {
-    auto finer =
-        mechanics::solve_contact(mechanics::companion_case(input, mechanics::companions::thickness),
-                                 frictions, with_share(options, 0.5, 0.5), parts);
-    for (std::size_t i = 0; i < frictions.size(); ++i) {
-      result[i].emplace(mechanics::companions::thickness, std::move(finer[i]));
-    }
+  const double share = mechanics::needs_thickness_companion(input) ? 0.5 : 1;
+  add_pass(input, {names::mesh, names::path}, frictions, options, 0, share, result);
+  if (share < 1) {
+    add_pass(input, {names::thickness}, frictions, options, share, 1 - share, result);
   }
   return result;
 }
@@ -79,14 +98,6 @@ std::vector<Companions> try_companions(const Case& input, const std::vector<doub
     problem = error.what();
   }
   return {};
-}
-
-std::shared_ptr<const MechanicsRecord>
-companion_record(const Case& input, const mechanics::ContactSolution& contact,
-                 const base::ProgressCallback& progress = base::no_progress) {
-  MechanicsRecord record = make_mechanics_record(input, contact, progress);
-  record.maps = {};
-  return std::make_shared<const MechanicsRecord>(std::move(record));
 }
 
 } // namespace
@@ -136,24 +147,15 @@ void add_companions(const Case& input, const mechanics::ContactOptions& options,
     own.footprint = mechanics::find_footprint(input, input.contact.friction, options.threads);
   }
   std::string problem;
-  for (const Companions& solved : try_companions(input, {input.contact.friction}, own, problem)) {
-    for (const auto& [name, contact] : solved) {
-      record.companions[name] = companion_record(mechanics::companion_case(input, name), contact);
-    }
+  for (Companions& solved : try_companions(input, {input.contact.friction}, own, problem)) {
+    record.companions = std::move(solved);
   }
 }
 
 MechanicsRecord record_mechanics(const Case& input, const SolvedMechanics& solved,
                                  const base::ProgressCallback& progress) {
-  const double share = 1.0 / static_cast<double>(1 + solved.companions.size());
-  MechanicsRecord record =
-      make_mechanics_record(input, solved.contact, base::share_of(progress, 0, share));
-  double done = share;
-  for (const auto& [name, contact] : solved.companions) {
-    record.companions[name] = companion_record(mechanics::companion_case(input, name), contact,
-                                               base::share_of(progress, done, share));
-    done += share;
-  }
+  MechanicsRecord record = make_mechanics_record(input, solved.contact, progress);
+  record.companions = solved.companions;
   return record;
 }
 

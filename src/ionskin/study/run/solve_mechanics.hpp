@@ -6,6 +6,7 @@
 #include "ionskin/study/store/mechanics_record.hpp"
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ struct SolvedMechanics {
   mechanics::ContactSolution contact;
   /// By name, see mechanics/companions.hpp; empty where their mesh has no solution and where no
   /// error is asked for.
-  std::map<std::string, mechanics::ContactSolution> companions;
+  std::map<std::string, std::shared_ptr<const MechanicsRecord>> companions;
 };
 
 /// Solves a case for several friction coefficients together, which share one footprint: that of the
@@ -32,7 +33,7 @@ std::vector<SolvedMechanics> solve_mechanics(const Case& input,
 void add_companions(const Case& input, const mechanics::ContactOptions& options,
                     MechanicsRecord& record);
 
-/// Condenses all of them into what the rest of the run needs.
+/// Condenses it into what the rest of the run needs.
 /// @param progress called with "strain history"
 MechanicsRecord record_mechanics(const Case& input, const SolvedMechanics& solved,
                                  const base::ProgressCallback& progress = base::no_progress);
