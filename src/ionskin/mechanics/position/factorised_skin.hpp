@@ -20,7 +20,7 @@ public:
              const std::vector<ElasticLaw>& law_of_row, int threads = 1);
 
   const linear_algebra::Cholesky& cholesky() const { return *cholesky_; }
-  /// Schur complement of its interface: what that feels of the part [N/m].
+  /// Schur complement of its interface: the stiffness of the part as felt there [N/m].
   const linear_algebra::DenseMatrix& schur() const { return schur_; }
   void forget_schur() { schur_ = {}; }
   /// Adds the force of the skin on its base per unit of each unknown to that of the whole skin.
