@@ -21,9 +21,19 @@ std::array<double, 2> Flat::flat_half_size(const Plan& plan) const {
   return {plan.size[0] / 2 - edge_radius, plan.size[1] / 2 - edge_radius};
 }
 
-double Flat::border(const Plan&, const Pressing& pressing, std::size_t) const {
-  // Under a given force the indentation is not known beforehand.
-  return pressing.force > 0 ? edge_radius : line_contact(edge_radius, pressing);
+double Flat::border(const Plan& plan, const Pressing& pressing, std::size_t) const {
+  if (pressing.force <= 0) {
+    return line_contact(edge_radius, pressing);
+  }
+  // No deeper than a circle within the flat part goes into a half-space of the softest layer
+  // (Johnson, Contact Mechanics, 1985, equation 3.36).
+  const std::array<double, 2> flat = flat_half_size(plan);
+  const double radius = std::max(0.0, std::min(flat[0], flat[1]));
+  Pressing in_place = pressing;
+  in_place.force = 0;
+  in_place.indentation =
+      std::max(pressing.indentation, pressing.force / (2 * radius * pressing.plane_modulus));
+  return std::min(edge_radius, line_contact(edge_radius, in_place));
 }
 
 std::vector<Misfit> Flat::misfits(const Plan& plan) const {

@@ -76,6 +76,17 @@ TEST(Shape, AHarderPressNeverTouchesLess) {
   }
 }
 
+TEST(Shape, OfRoundedEdgesTouchesAllOfThemUnderALargeForceAlone) {
+  const auto rounded = shape("flat", {{"edge_radius", 0.2e-3}});
+  const Plan plan{{1e-3, 2e-3}, wedge};
+  const auto border = [&](double force) { return rounded->border(plan, {0, force, 1e8, 1e-3}, 0); };
+  // 1 mN pushes a circle of 0.3 mm by 17 nm into a half-space.
+  EXPECT_NEAR(border(1e-3), std::sqrt(6 * 0.2e-3 * 1e-3 / (2 * 0.3e-3 * 1e8)), 1e-9);
+  EXPECT_EQ(border(10), 0.2e-3);
+  EXPECT_EQ(shape("flat", {{"edge_radius", 0.5e-3}})->border(plan, {0, 1e-3, 1e8, 1e-3}, 0),
+            0.5e-3);
+}
+
 TEST(Shape, TellsWhatDoesNotGoTogether) {
   const Plan wide{{2e-3, 2e-3}, wedge};
   EXPECT_EQ(shape("sphere", {{"radius", 0.5e-3}})->misfits(wide).size(), 2u);
