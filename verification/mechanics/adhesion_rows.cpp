@@ -86,7 +86,7 @@ PullOff pull_off(double transition, double refinement) {
   const Case input = adhesive_block(transition, refinement);
   const mechanics::SkinModel model(input, {{widest, widest}, {widest, widest}});
   const mechanics::CondensedPosition condensed(model, input.slider.start);
-  const mechanics::ComplianceMap map({{{input.slider.start[0]}, {input.slider.start[1]}}},
+  const mechanics::ComplianceMap map({{{{input.slider.start[0]}, {input.slider.start[1]}}}, {}},
                                      {mechanics::contact_compliance(model, condensed)});
   mechanics::SlidingContact contact(map, model.cells.area, model.gap,
                                     laws::friction(input.contact.law, 0, input.contact.parameters));

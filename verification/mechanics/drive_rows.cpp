@@ -148,7 +148,7 @@ StickSlip in_steps(double step) {
   for (int i = 0; i < 3; ++i) {
     stiff(i, i) = 1e-10;
   }
-  const mechanics::ComplianceMap map({{{0.0}, {0.0}}}, {stiff});
+  const mechanics::ComplianceMap map({{{{0.0}, {0.0}}}, {}}, {stiff});
   SlidingContact contact(map, {1e-6}, {0.0}, block::friction());
   CompliantDrive slider(block::drive, 1, {true, false});
   contact.step(1, {0, 0}, {LoadKind::force, block::normal_force});

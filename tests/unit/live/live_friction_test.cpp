@@ -44,7 +44,7 @@ SkinData skin_with(const Law& law) {
 class Engine {
 public:
   explicit Engine(const SkinData& data)
-      : map_({std::vector{3e-3}, std::vector{1e-3}}, {compliance(data)}),
+      : map_({{std::vector{3e-3}, std::vector{1e-3}}, {}}, {compliance(data)}),
         contact_(map_, data.area, data.gap, friction_of(data, data.friction)) {}
 
   std::array<double, 3> step(double time_step, const std::array<double, 2>& place, double depth) {

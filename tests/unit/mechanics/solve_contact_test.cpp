@@ -71,7 +71,7 @@ TEST(SolveContact, path_goes_from_touchdown_through_full_slip_to_nothing) {
   const ContactSolution& solution = solved_small_case();
   const Case input = small_case();
   EXPECT_GT(touchdown(solution).normal_force, 1.0);
-  EXPECT_LT(solution.worst_interpolation_error, interpolation_tolerance(Preset::coarse));
+  EXPECT_LT(solution.worst_interpolation_error, interpolation_tolerance(Preset::coarse, false));
   EXPECT_GT(sliding(solution, input, true).size(), 8u);
   const auto steady = sliding(solution, input, false);
   EXPECT_GT(steady.size(), 10u);
@@ -107,8 +107,9 @@ TEST(SolveContact, the_path_passes_through_steady_sliding_found_by_itself) {
     EXPECT_NEAR(passed.time, asked.output.fields.front(), 1e-12);
     const ContactState direct =
         solve_steady_sliding(input, {fraction * input.motion.stroke}, options, timers).front();
-    // Cells slip against what the surface itself moves too: 4e-7 of the force.
-    EXPECT_NEAR(passed.state->normal_force, direct.normal_force, 1e-6 * direct.normal_force);
+    // Between the nodes 3e-6 of the force; cells slip against what the surface itself moves too:
+    // 4e-7.
+    EXPECT_NEAR(passed.state->normal_force, direct.normal_force, 1e-5 * direct.normal_force);
     const CoreStrain strain = core_strain(*passed.state);
     double difference = 0, size = 0;
     for (std::size_t c = 0; c < 6; ++c) {
@@ -297,7 +298,7 @@ TEST(SolveContact, a_stroke_back_starts_from_sliding_forth) {
 }
 
 TEST(SolveContact, mirrored_places_are_solved_once) {
-  EXPECT_EQ(expected_positions(small_case()), 4u); // of eight along the slide
+  EXPECT_EQ(expected_positions(small_case()), 3u); // of six along the slide
 }
 
 TEST(SolveContact, a_friction_coefficient_is_solved_the_same_beside_others) {

@@ -27,18 +27,29 @@ TEST(TaskPool, NoTasksIsNoWork) {
   run_tasks(0, 4, [](std::size_t) { FAIL(); });
 }
 
-TEST(TaskPool, NeverUsesMoreThreadsThanAllowed) {
-  std::atomic<int> running{0};
-  std::atomic<int> most{0};
-  run_tasks(20, 2, [&](std::size_t) {
-    const int now = ++running;
-    int seen = most;
-    while (now > seen && !most.compare_exchange_weak(seen, now)) {
+/// Most threads at work at the same time, and all work done.
+class Census {
+public:
+  void work() {
+    const int now = ++running_;
+    int seen = most_;
+    while (now > seen && !most_.compare_exchange_weak(seen, now)) {
     }
     std::this_thread::sleep_for(1ms); // long enough to meet whoever else runs
-    --running;
-  });
-  EXPECT_EQ(most, 2);
+    --running_;
+    ++all_;
+  }
+  int most() const { return most_; }
+  int all() const { return all_; }
+
+private:
+  std::atomic<int> running_{0}, most_{0}, all_{0};
+};
+
+TEST(TaskPool, NeverUsesMoreThreadsThanAllowed) {
+  Census census;
+  run_tasks(20, 2, [&](std::size_t) { census.work(); });
+  EXPECT_EQ(census.most(), 2);
 }
 
 TEST(TaskPool, RethrowsTheFailureOfTheLowestIndexThoughAnotherCameFirst) {
@@ -74,6 +85,54 @@ TEST(TaskPool, StartsNoTaskAfterAFailure) {
                          }),
                std::runtime_error);
   EXPECT_EQ(started, 2);
+}
+
+TEST(TaskPool, ThreadsWithoutATaskHelpWithTheLastOne) {
+  Census census;
+  SpareThreads spare;
+  run_tasks(
+      4, 3,
+      [&](std::size_t) { run_tasks_with_help(30, spare, [&](std::size_t) { census.work(); }); },
+      &spare);
+  EXPECT_EQ(census.all(), 4 * 30);
+  EXPECT_EQ(census.most(), 3);
+}
+
+TEST(TaskPool, ThreadsBeyondTheTasksHelpFromTheBeginning) {
+  Census census;
+  SpareThreads spare;
+  run_tasks(
+      1, 3,
+      [&](std::size_t) { run_tasks_with_help(30, spare, [&](std::size_t) { census.work(); }); },
+      &spare);
+  EXPECT_EQ(census.most(), 3);
+}
+
+TEST(TaskPool, WithoutASpareThreadTheCallerDoesAll) {
+  SpareThreads none;
+  const auto caller = std::this_thread::get_id();
+  int runs = 0;
+  run_tasks_with_help(5, none, [&](std::size_t) {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    ++runs;
+  });
+  EXPECT_EQ(runs, 5);
+}
+
+TEST(TaskPool, AFailureOfAHelperIsTheCallers) {
+  SpareThreads spare;
+  spare.give();
+  const auto caller = std::this_thread::get_id();
+  EXPECT_THROW(run_tasks_with_help(1000, spare,
+                                   [&](std::size_t) {
+                                     std::this_thread::sleep_for(1ms);
+                                     if (std::this_thread::get_id() != caller) {
+                                       throw std::runtime_error("");
+                                     }
+                                   }),
+               std::runtime_error);
+  EXPECT_TRUE(spare.take()); // the helper has given itself back
+  EXPECT_FALSE(spare.take());
 }
 
 } // namespace

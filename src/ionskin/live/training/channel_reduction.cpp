@@ -265,8 +265,8 @@ void add_unit_strains(const mechanics::PositionNodes& nodes, const std::vector<W
   const mechanics::NodeLines& lines = nodes.compliance().lines();
   const std::size_t size = 3 * nodes.model().cells.count();
   std::vector<std::vector<std::vector<float>>> at_nodes(wanted.size());
-  for (const double y : lines[1]) {
-    for (const double x : lines[0]) {
+  for (const double y : lines.at[1]) {
+    for (const double x : lines.at[0]) {
       for (auto& own : at_nodes) {
         own.emplace_back();
       }
@@ -316,7 +316,7 @@ PlaceMap place_map(const mechanics::NodeLines& lines, const std::vector<std::vec
     }
   }
   const Matrix amplitude = eigen.eigenvectors()(Eigen::indexing::all, large);
-  PlaceMap map{lines[0], lines[1], {}, {}};
+  PlaceMap map{lines.at[0], lines.at[1], {}, {}};
   append(map.values, mean.transpose());
   append(map.values, (values * amplitude).transpose());
   for (Eigen::Index i = 0; i < count; ++i) {
@@ -330,8 +330,8 @@ PlaceMap place_map(const mechanics::NodeLines& lines, const std::vector<std::vec
 PlaceMap reduce_compliance(const mechanics::PositionNodes& nodes) {
   const mechanics::NodeLines& lines = nodes.compliance().lines();
   std::vector<std::vector<float>> values;
-  for (const double y : lines[1]) {
-    for (const double x : lines[0]) {
+  for (const double y : lines.at[1]) {
+    for (const double x : lines.at[0]) {
       linear_algebra::DenseMatrix matrix;
       nodes.compliance().at({x, y}, matrix);
       values.emplace_back(matrix.values.begin(), matrix.values.end());
@@ -356,9 +356,10 @@ std::vector<ChannelMap> reduce_channels(const std::vector<FullRun>& runs,
     const std::size_t points = strain.component[0].size();
     if (k == 0) {
       const mechanics::NodeLines& lines = nodes.compliance().lines();
-      weights = point_weights(runs.front().contact.mesh,
-                              {lines[0][lines[0].size() / 2], lines[1][lines[1].size() / 2]},
-                              strain.points);
+      weights =
+          point_weights(runs.front().contact.mesh,
+                        {lines.at[0][lines.at[0].size() / 2], lines.at[1][lines.at[1].size() / 2]},
+                        strain.points);
     }
     for (std::size_t c = 0; c < channels.size(); ++c) {
       values[c].resize(static_cast<Eigen::Index>(points),

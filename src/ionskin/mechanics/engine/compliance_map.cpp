@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/engine/compliance_map.hpp"
 
-#include "ionskin/mechanics/position/interpolation_nodes.hpp"
-
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -28,8 +26,14 @@ Eigen::Map<const Eigen::VectorXd> entries(const DenseMatrix& matrix) {
 
 std::vector<double> node_weights(const NodeLines& lines, const std::array<double, 2>& place) {
   const auto along = [&](std::size_t axis) {
-    return interpolation_weights(lines[axis],
-                                 std::clamp(place[axis], lines[axis].front(), lines[axis].back()));
+    const std::vector<double>& line = lines.at[axis];
+    const EndCoordinate& coordinate = lines.coordinate[axis];
+    std::vector<double> nodes;
+    for (const double node : line) {
+      nodes.push_back(coordinate.at(node));
+    }
+    const double nearest = std::clamp(place[axis], line.front(), line.back());
+    return interpolation_weights(nodes, coordinate.at(nearest));
   };
   const std::vector<double> x = along(0), y = along(1);
   std::vector<double> weights;

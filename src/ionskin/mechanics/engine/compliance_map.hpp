@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ionskin/linear_algebra/sparse_matrix.hpp"
+#include "ionskin/mechanics/position/interpolation_nodes.hpp"
 
 #include <Eigen/Core>
 
@@ -11,16 +12,19 @@
 
 namespace ionskin::mechanics {
 
-/// Lines of interpolation nodes along x and y; the nodes are where they cross, x fastest [m].
-using NodeLines = std::array<std::vector<double>, 2>;
+/// Lines of interpolation nodes along x and y; the nodes are where they cross, x fastest.
+struct NodeLines {
+  std::array<std::vector<double>, 2> at; ///< ascending [m]
+  std::array<EndCoordinate, 2> coordinate{};
+};
 
-/// By which the values at the nodes give that at a place: products of Lagrange polynomials. Beside
-/// the rectangle of the nodes it is that of the nearest place in it.
+/// By which the values at the nodes give that at a place: products of Lagrange polynomials in
+/// the coordinates. Beside the rectangle of the nodes it is that of the nearest place in it.
 std::vector<double> node_weights(const NodeLines& lines, const std::array<double, 2>& place);
 
-/// The compliance of the contact cells as a polynomial of the slider's place. Along a slide it
-/// varies by less than a per cent, so that some of its principal modes over the nodes stand for all
-/// of them: what they leave is below 1e-8 of its norm.
+/// The compliance of the contact cells over the slider's places. Along a slide it varies by less
+/// than a per cent, so that some of its principal modes over the nodes stand for all of them: what
+/// they leave is below 1e-8 of its norm.
 class ComplianceMap {
 public:
   /// @param nodes one compliance per crossing of the lines, x fastest [m/N]

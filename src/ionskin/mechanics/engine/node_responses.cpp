@@ -30,8 +30,8 @@ PositionNodes::Weights PositionNodes::weights_at(const std::array<double, 2>& pl
   Weights weights{node_weights(lines_, place), {}};
   weights.across = weights.along;
   if (options_.across_at_ends) {
-    const std::vector<double>& line = lines_[lines_[0].size() > 1 ? 0 : 1];
-    const double at = place[lines_[0].size() > 1 ? 0 : 1];
+    const std::vector<double>& line = lines_.at[lines_.at[0].size() > 1 ? 0 : 1];
+    const double at = place[lines_.at[0].size() > 1 ? 0 : 1];
     std::ranges::fill(weights.across, 0.0);
     weights.across.back() =
         std::clamp((at - line.front()) / (line.back() - line.front()), 0.0, 1.0);
@@ -41,7 +41,7 @@ PositionNodes::Weights PositionNodes::weights_at(const std::array<double, 2>& pl
 }
 
 CellVector PositionNodes::weighted(const CellVector& force, double along, double across) const {
-  const std::size_t direction = lines_[0].size() > 1 ? 2 : 1; // across the line
+  const std::size_t direction = lines_.at[0].size() > 1 ? 2 : 1; // across the line
   CellVector result(force.size());
   for (std::size_t i = 0; i < force.size(); ++i) {
     result[i] = (i % 3 == direction ? across : along) * force[i];
@@ -95,17 +95,21 @@ void PositionNodes::solve(const std::vector<PathResponse*>& paths,
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return places_[i].centre[1 - along]; });
   // A kept position shares its products among the threads, a factor is made by one of them as a
   // rule.
-  parallel::run_tasks(order.size(), holds_factors() ? options_.threads : 1, [&](std::size_t i) {
-    base::check_interrupt();
-    const auto needs = [&](const PathResponse* path) { return path->needs(order[i]); };
-    if (std::ranges::any_of(paths, needs)) {
-      const Condensed condensed = condensed_at(order[i]);
-      for (PathResponse* path : paths) {
-        path->solve(order[i], *condensed, options_.threads);
-      }
-    }
-    finished();
-  });
+  parallel::SpareThreads spare;
+  parallel::run_tasks(
+      order.size(), holds_factors() ? options_.threads : 1,
+      [&](std::size_t i) {
+        base::check_interrupt();
+        const auto needs = [&](const PathResponse* path) { return path->needs(order[i]); };
+        if (std::ranges::any_of(paths, needs)) {
+          const Condensed condensed = condensed_at(order[i], spare);
+          for (PathResponse* path : paths) {
+            path->solve(order[i], *condensed, options_.threads);
+          }
+        }
+        finished();
+      },
+      &spare);
 }
 
 std::vector<CondensedPosition::Response>

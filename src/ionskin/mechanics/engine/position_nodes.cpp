@@ -23,16 +23,13 @@ using linear_algebra::DenseMatrix;
 /// A rectangle narrower than this part of the skin is a line, or a point: the compliance changes
 /// there by less than any tolerance.
 constexpr double narrow = 1e-5;
-constexpr std::size_t first_count = 4;
 
-std::size_t expected_count(const Case& input, const MotionBox& box, std::size_t axis) {
+ExpectedNodes expected_along(const Case& input, const MotionBox& box, std::size_t axis) {
   const double size = axis == 0 ? input.skin.length : input.skin.width;
   if (box.high[axis] - box.low[axis] <= narrow * size) {
-    return 1;
+    return {1, 1};
   }
-  std::array<double, 2> to = box.low;
-  to[axis] = box.high[axis];
-  return expected_node_count(input, box.low, to);
+  return expected_nodes(input, axis, box.low[axis], box.high[axis]);
 }
 
 /// Uniform pressure with usual drag in given directions.
@@ -140,29 +137,30 @@ std::optional<MotionBox> contact_box(const Case& input) {
 }
 
 std::array<std::size_t, 2> expected_counts(const Case& input, const MotionBox& box) {
-  return {expected_count(input, box, 0), expected_count(input, box, 1)};
+  return {expected_along(input, box, 0).all, expected_along(input, box, 1).all};
 }
 
-NodeLines node_lines(const MotionBox& box, const std::array<std::size_t, 2>& counts) {
+NodeLines node_lines(const Case& input, const MotionBox& box,
+                     const std::array<std::size_t, 2>& counts) {
+  const std::array<double, 2> skin{input.skin.length, input.skin.width};
   NodeLines lines;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const double extent = box.high[axis] - box.low[axis];
-    if (counts[axis] == 1) {
-      lines[axis] = {box.low[axis] + extent / 2};
-      continue;
-    }
-    for (const double way : interpolation_nodes(extent, counts[axis])) {
-      lines[axis].push_back(box.low[axis] + way);
-    }
+    const double low = box.low[axis], high = box.high[axis];
+    lines.coordinate[axis] =
+        end_coordinate(low, high, skin[axis], input.slider.flat_half_size()[axis]);
+    lines.at[axis] = counts[axis] == 1
+                         ? std::vector{low + (high - low) / 2}
+                         : interpolation_nodes(lines.coordinate[axis], low, high, counts[axis],
+                                               mirrored_places(low, high, skin[axis]));
   }
   return lines;
 }
 
 std::size_t expected_places(const Case& input, const MotionBox& box) {
-  const NodeLines lines = node_lines(box, expected_counts(input, box));
+  const NodeLines lines = node_lines(input, box, expected_counts(input, box));
   std::vector<std::array<double, 2>> places;
-  for (const double y : lines[1]) {
-    for (const double x : lines[0]) {
+  for (const double y : lines.at[1]) {
+    for (const double x : lines.at[0]) {
       const auto centre = canonical_position(input.skin, {x, y}).centre;
       if (std::ranges::none_of(
               places, [&](const auto& known) { return same_place(input.skin, known, centre); })) {
@@ -194,10 +192,8 @@ bool loads_across_at_ends(const Case& input, const MotionBox& box) {
 }
 
 double node_tolerance(const Case& input, const MotionBox& box) {
-  constexpr double looser = 10; // positions along both axes multiply
   const auto counts = expected_counts(input, box);
-  return interpolation_tolerance(input.numerics.preset) *
-         (counts[0] > 1 && counts[1] > 1 ? looser : 1);
+  return interpolation_tolerance(input.numerics.preset, counts[0] > 1 && counts[1] > 1);
 }
 
 PositionNodes::PositionNodes(const Case& input, std::shared_ptr<const SkinModel> model,
@@ -208,13 +204,13 @@ PositionNodes::PositionNodes(const Case& input, std::shared_ptr<const SkinModel>
       reflections_(reflections_in(input.skin, box)), tolerance_(node_tolerance(input, box)) {
   std::array<std::size_t, 2> counts{};
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const std::size_t expected = expected_counts(input, box)[axis];
-    counts[axis] = expected == 1       ? 1
-                   : options.count > 0 ? options.count
-                                       : std::min(expected, first_count);
+    const ExpectedNodes expected = expected_along(input, box, axis);
+    const double size = axis == 0 ? input.skin.length : input.skin.width;
+    in_pairs_[axis] = mirrored_places(box.low[axis], box.high[axis], size);
+    counts[axis] = expected.all > 1 && options.count > 0 ? options.count : expected.first;
   }
   for (bool settled = false; !settled;) {
-    condense(node_lines(box, counts), progress);
+    condense(node_lines(input, box, counts), progress);
     const auto wanted = wanted_counts(tolerance_);
     settled = options.count > 0 || wanted == counts;
     counts = wanted;
@@ -230,19 +226,20 @@ PositionNodes::PositionNodes(const Case& input, std::shared_ptr<const SkinModel>
   }
 }
 
-PositionNodes::Condensed PositionNodes::condensed_at(std::size_t index) const {
+PositionNodes::Condensed PositionNodes::condensed_at(std::size_t index,
+                                                     parallel::SpareThreads& spare) const {
   const Place& place = places_[index];
-  return place.condensed
-             ? place.condensed
-             : std::make_shared<const CondensedPosition>(
-                   *model_, place.centre,
-                   PositionUse{options_.cache, place.forces, expected_places_, options_.threads});
+  return place.condensed ? place.condensed
+                         : std::make_shared<const CondensedPosition>(
+                               *model_, place.centre,
+                               PositionUse{options_.cache, place.forces, expected_places_,
+                                           options_.threads, &spare});
 }
 
 ForceDirections PositionNodes::along_line() const {
   ForceDirections directions{true, true, true};
   if (options_.across_at_ends) {
-    directions[lines_[0].size() > 1 ? 2 : 1] = false;
+    directions[lines_.at[0].size() > 1 ? 2 : 1] = false;
   }
   return directions;
 }
@@ -251,8 +248,8 @@ void PositionNodes::condense(const NodeLines& lines, parallel::SharedProgress& p
   lines_ = lines;
   nodes_.clear();
   const std::size_t known = places_.size();
-  for (const double y : lines[1]) {
-    for (const double x : lines[0]) {
+  for (const double y : lines.at[1]) {
+    for (const double x : lines.at[0]) {
       const CanonicalPosition position = canonical_position(skin_, {x, y});
       const auto same = std::ranges::find_if(places_, [&](const Place& place) {
         return same_place(skin_, place.centre, position.centre);
@@ -275,19 +272,23 @@ void PositionNodes::condense(const NodeLines& lines, parallel::SharedProgress& p
     return places_[i].forces != ForceDirections{true, true, true};
   });
   progress.add_units(order.size());
-  parallel::run_tasks(order.size(), options_.threads, [&](std::size_t i) {
-    base::check_interrupt();
-    Place& place = places_[order[i]];
-    const Condensed condensed = condensed_at(order[i]);
-    place.compliance = contact_compliance(*model_, *condensed);
-    place.test = test_strains(*model_, *condensed, test_directions, reflections_);
-    place.condensed = condensed->holds_factor() ? nullptr : condensed;
-    progress.finish_unit();
-  });
+  parallel::SpareThreads spare;
+  parallel::run_tasks(
+      order.size(), options_.threads,
+      [&](std::size_t i) {
+        base::check_interrupt();
+        Place& place = places_[order[i]];
+        const Condensed condensed = condensed_at(order[i], spare);
+        place.compliance = contact_compliance(*model_, *condensed);
+        place.test = test_strains(*model_, *condensed, test_directions, reflections_);
+        place.condensed = condensed->holds_factor() ? nullptr : condensed;
+        progress.finish_unit();
+      },
+      &spare);
 }
 
 std::array<std::size_t, 2> PositionNodes::wanted_counts(double tolerance) {
-  const std::array<std::size_t, 2> counts{lines_[0].size(), lines_[1].size()};
+  const std::array<std::size_t, 2> counts{lines_.at[0].size(), lines_.at[1].size()};
   std::array<std::size_t, 2> wanted = counts;
   error_ = 0;
   for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -295,12 +296,13 @@ std::array<std::size_t, 2> PositionNodes::wanted_counts(double tolerance) {
       std::vector<NodeStrain> along;
       for (std::size_t i = 0; i < counts[axis]; ++i) {
         const Node& node = nodes_[axis == 0 ? i + counts[0] * line : line + counts[0] * i];
-        along.push_back(
-            {lines_[axis][i], places_[node.condensed].test[mirror_index(node.position.reflect)]});
+        along.push_back({lines_.coordinate[axis].at(lines_.at[axis][i]),
+                         places_[node.condensed].test[mirror_index(node.position.reflect)]});
       }
-      const InterpolationError error = interpolation_error(chebyshev_norms(along));
+      const InterpolationError error = interpolation_error(along);
       error_ = base::larger(error_, error.estimate);
-      wanted[axis] = std::max(wanted[axis], wanted_node_count(counts[axis], error, tolerance));
+      wanted[axis] = std::max(wanted[axis],
+                              wanted_node_count(counts[axis], error, tolerance, in_pairs_[axis]));
     }
   }
   return wanted;

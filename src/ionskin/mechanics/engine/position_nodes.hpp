@@ -30,10 +30,11 @@ std::array<std::size_t, 2> expected_counts(const Case& input, const MotionBox& b
 std::size_t expected_places(const Case& input, const MotionBox& box);
 
 /// Coordinates of the nodes along x and y [m].
-NodeLines node_lines(const MotionBox& box, const std::array<std::size_t, 2>& counts);
+NodeLines node_lines(const Case& input, const MotionBox& box,
+                     const std::array<std::size_t, 2>& counts);
 
-/// Of the strain between the nodes over its largest norm: `interpolation_tolerance` along a line,
-/// ten times that over a rectangle.
+/// Of the strain between the nodes over its largest norm: the `interpolation_tolerance` of a line
+/// or a rectangle.
 double node_tolerance(const Case& input, const MotionBox& box);
 
 /// How the nodes are solved.
@@ -66,7 +67,7 @@ public:
 
   const SkinModel& model() const { return *model_; }
   const ComplianceMap& compliance() const { return *compliance_; }
-  std::size_t count() const { return lines_[0].size() * lines_[1].size(); }
+  std::size_t count() const { return lines_.at[0].size() * lines_.at[1].size(); }
   /// Whether `solve` factorises again, as the responses to all unit forces do not fit.
   bool holds_factors() const { return !places_.front().condensed; }
   /// Estimated error of the strain between the nodes over its largest norm.
@@ -100,7 +101,7 @@ private:
   };
 
   void condense(const NodeLines& lines, parallel::SharedProgress& progress);
-  Condensed condensed_at(std::size_t index) const;
+  Condensed condensed_at(std::size_t index, parallel::SpareThreads& spare) const;
   /// Of the strain under the test load along each axis: error and lines that would keep it.
   std::array<std::size_t, 2> wanted_counts(double tolerance);
   linear_algebra::DenseMatrix reflected_compliance(const Node& node) const;
@@ -113,6 +114,7 @@ private:
   NodeOptions options_;
   std::size_t expected_places_;
   std::vector<std::array<bool, 2>> reflections_; ///< that the rectangle holds
+  std::array<bool, 2> in_pairs_{};               ///< lines, as they mirror each other
   NodeLines lines_;
   std::vector<Node> nodes_; ///< x fastest
   struct Place {

@@ -5,10 +5,10 @@
 #include "ionskin/base/largest.hpp"
 #include "ionskin/mechanics/position/position_input.hpp"
 #include "ionskin/mechanics/position/position_memory.hpp"
-#include "ionskin/parallel/task_pool.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <utility>
 
 namespace ionskin::mechanics {
@@ -18,7 +18,7 @@ using linear_algebra::DenseMatrix;
 
 /// States, or unit forces, recovered in one blocked solve. Products of more columns are faster; it
 /// bounds the memory.
-constexpr int block_size = 128;
+constexpr int block_size = 64;
 /// States that are recovered from a factor at once: a path has some ten patterns at a position.
 constexpr int states_of_factor = 32;
 
@@ -54,6 +54,30 @@ double equilibrium_residual(const ElasticSpace& space, const std::array<double, 
   return largest == 0 && worst == 0 ? 0.0 : worst / largest;
 }
 
+/// That are filled one after the other, by as many threads as ask for one.
+class Displacements {
+public:
+  explicit Displacements(const SkinParts& parts) : parts_(parts) {}
+  std::unique_ptr<SkinDisplacement> take() {
+    const std::scoped_lock lock(mutex_);
+    if (free_.empty()) {
+      return std::make_unique<SkinDisplacement>(parts_);
+    }
+    std::unique_ptr<SkinDisplacement> last = std::move(free_.back());
+    free_.pop_back();
+    return last;
+  }
+  void give(std::unique_ptr<SkinDisplacement> displacement) {
+    const std::scoped_lock lock(mutex_);
+    free_.push_back(std::move(displacement));
+  }
+
+private:
+  const SkinParts& parts_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<SkinDisplacement>> free_;
+};
+
 bool holds(const StoredPosition& position, const ForceDirections& directions) {
   return std::ranges::all_of(std::array<std::size_t, 3>{0, 1, 2},
                              [&](std::size_t d) { return position.response[d] || !directions[d]; });
@@ -71,7 +95,7 @@ CondensedPosition::CondensedPosition(const ElasticSkin& skin, mesh::MeshLines li
       membrane_(skin.space, lines_, skin.law_of_row, skin.layer_of_row, skin.core_z) {
   const int cells = static_cast<int>(skin.cells.count());
   if (!responses_fit(lattice_.rows(), membrane_.rows(), 3 * cells, use.positions)) {
-    factorise(use.threads);
+    factorise(use);
     stored_ = std::make_shared<const StoredPosition>(
         StoredPosition{factorised_->compliance(), UnitResponse{}});
     return;
@@ -92,7 +116,7 @@ CondensedPosition::CondensedPosition(const ElasticSkin& skin, mesh::MeshLines li
       directions[d] = directions[d] || stored_->response[d]; // of an entry that is replaced
     }
   }
-  factorise(use.threads);
+  factorise(use);
   auto made = std::make_shared<StoredPosition>();
   made->compliance = factorised_->compliance();
   made->response = unit_responses(directions);
@@ -106,8 +130,8 @@ CondensedPosition::CondensedPosition(const ElasticSkin& skin, mesh::MeshLines li
 
 CondensedPosition::~CondensedPosition() = default;
 
-void CondensedPosition::factorise(int threads) {
-  factorised_ = std::make_unique<const FactorisedSkin>(skin_, lines_, threads);
+void CondensedPosition::factorise(const PositionUse& use) {
+  factorised_ = std::make_unique<const FactorisedSkin>(skin_, lines_, use.threads, use.spare);
 }
 
 template <class Use>
@@ -141,20 +165,19 @@ UnitResponse CondensedPosition::unit_responses(const ForceDirections& directions
       }
     }
   }
-  const auto workers = static_cast<std::size_t>(factorised_->threads());
-  parallel::run_tasks(workers, factorised_->threads(), [&](std::size_t worker) {
-    SkinDisplacement displacement(skin_.analysis().parts); // of all blocks of a worker
-    for (std::size_t block = worker; block < blocks.size(); block += workers) {
-      const auto [direction, first] = blocks[block];
-      DirectionResponse& response = *result[direction];
-      factorised_->unit_displacement(static_cast<int>(direction), first,
-                                     std::min(block_size, cells - first), displacement);
-      for_states(displacement, [&](int j, const State& state) {
-        response.core.set_column(first + j, state.lattice.data());
-        response.membrane.set_column(first + j, state.membrane.data());
-        std::ranges::copy(state.base_reaction, response.base_reaction.column(first + j));
-      });
-    }
+  Displacements displacements(skin_.analysis().parts);
+  factorised_->run_tasks(blocks.size(), [&](std::size_t block) {
+    const auto [direction, first] = blocks[block];
+    DirectionResponse& response = *result[direction];
+    auto displacement = displacements.take();
+    factorised_->unit_displacement(static_cast<int>(direction), first,
+                                   std::min(block_size, cells - first), *displacement);
+    for_states(*displacement, [&](int j, const State& state) {
+      response.core.set_column(first + j, state.lattice.data());
+      response.membrane.set_column(first + j, state.membrane.data());
+      std::ranges::copy(state.base_reaction, response.base_reaction.column(first + j));
+    });
+    displacements.give(std::move(displacement));
   });
   return result;
 }
@@ -207,7 +230,7 @@ std::vector<CondensedPosition::Response>
 CondensedPosition::respond_by_factor(const std::vector<CellVector>& forces) const {
   std::vector<Response> responses(forces.size());
   const std::size_t blocks = (forces.size() + states_of_factor - 1) / states_of_factor;
-  parallel::run_tasks(blocks, factorised_->threads(), [&](std::size_t block) {
+  factorised_->run_tasks(blocks, [&](std::size_t block) {
     const std::size_t first = block * states_of_factor;
     const DenseMatrix own = matrix_of(forces, first, states_of_factor);
     SkinDisplacement displacement(skin_.analysis().parts);

@@ -9,6 +9,7 @@
 #include "ionskin/mechanics/position/skin_model.hpp"
 #include "ionskin/mechanics/position/unit_response.hpp"
 #include "ionskin/mechanics/surface/contact_problem.hpp"
+#include "ionskin/parallel/spare_threads.hpp"
 
 #include <array>
 #include <memory>
@@ -21,7 +22,8 @@ struct PositionUse {
   base::DiskCache* cache = nullptr;         ///< none when null
   ForceDirections forces{true, true, true}; ///< that `respond` gets
   std::size_t positions = least_positions;  ///< of the path, of which all have room or none
-  int threads = 1;
+  int threads = 1;                          ///< for a factor that is alone in memory
+  parallel::SpareThreads* spare = nullptr;  ///< for another one; none when null
 };
 
 /// The skin under one slider position: the compliance of the contact cells, and the strain and base
@@ -62,7 +64,7 @@ public:
   }
 
 private:
-  void factorise(int threads);
+  void factorise(const PositionUse& use);
   /// What is kept of the displacement in one state.
   struct State {
     std::vector<double> lattice, membrane;

@@ -118,11 +118,12 @@ FactorisedSkin::Place::~Place() {
   places_.release();
 }
 
-FactorisedSkin::FactorisedSkin(const ElasticSkin& skin, const mesh::MeshLines& lines, int threads)
+FactorisedSkin::FactorisedSkin(const ElasticSkin& skin, const mesh::MeshLines& lines, int threads,
+                               parallel::SpareThreads* spare)
     : place_(skin.analysis().free_factors),
       threads_(skin.analysis().factors_at_once == 1 ? threads : 1),
       kernel_threads_(skin.analysis().factors_at_once == 1 ? lone_factor_threads : 1),
-      parts_(skin.analysis().parts) {
+      spare_(spare), parts_(skin.analysis().parts) {
   const mesh::MeshLines inner_lines = parts_.inner_lines(skin.cells, lines);
   const auto inner = skin.analysis().inner(inner_lines);
   const auto make = [&] {
@@ -140,9 +141,18 @@ FactorisedSkin::FactorisedSkin(const ElasticSkin& skin, const mesh::MeshLines& l
   gather_reactions(skin.space.unknowns());
 }
 
+void FactorisedSkin::run_tasks(std::size_t count,
+                               const std::function<void(std::size_t)>& task) const {
+  if (spare_ != nullptr && threads_ == 1) {
+    parallel::run_tasks_with_help(count, *spare_, task);
+  } else {
+    parallel::run_tasks(count, threads_, task);
+  }
+}
+
 void FactorisedSkin::factorise_outer(const ElasticSkin& skin, const mesh::MeshLines& lines) {
   std::vector<std::optional<PartFactor>> made(parts_.outer.size());
-  parallel::run_tasks(made.size(), threads_, [&](std::size_t p) {
+  run_tasks(made.size(), [&](std::size_t p) {
     const PlacedPart& placed = parts_.outer[p];
     made[p].emplace(*placed.part, parts_.outer_lines(placed, lines), skin.law_of_row);
   });

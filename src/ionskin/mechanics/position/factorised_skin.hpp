@@ -4,8 +4,11 @@
 #include "ionskin/linear_algebra/cholesky.hpp"
 #include "ionskin/mechanics/position/elastic_skin.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
+#include "ionskin/parallel/spare_threads.hpp"
 
 #include <array>
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <semaphore>
 #include <utility>
@@ -66,10 +69,12 @@ private:
 class FactorisedSkin {
 public:
   /// @param threads where the memory holds no other factor beside this one
-  FactorisedSkin(const ElasticSkin& skin, const mesh::MeshLines& lines, int threads = 1);
+  /// @param spare help where it does; none when null
+  FactorisedSkin(const ElasticSkin& skin, const mesh::MeshLines& lines, int threads = 1,
+                 parallel::SpareThreads* spare = nullptr);
 
-  /// That may ask for displacements at the same time.
-  int threads() const { return threads_; }
+  /// As parallel::run_tasks, on the threads that this factor has.
+  void run_tasks(std::size_t count, const std::function<void(std::size_t)>& task) const;
   const linear_algebra::DenseMatrix& compliance() const { return compliance_; }
   /// Under unit forces in one direction on the cells from `first` on. These two by one thread each.
   void unit_displacement(int direction, int first, int count, SkinDisplacement& result) const;
@@ -99,6 +104,7 @@ private:
 
   Place place_;
   int threads_, kernel_threads_;
+  parallel::SpareThreads* spare_;
   const SkinParts& parts_;
   std::vector<PartFactor> outer_;
   std::shared_ptr<const InnerFactor> inner_;

@@ -12,7 +12,7 @@ namespace ionskin::mechanics {
 
 /// The strain in the core at an interpolation node of a line.
 struct NodeStrain {
-  double at = 0;                            ///< along the line, in any unit
+  double at = 0;                            ///< along the line, as of EndCoordinate
   std::shared_ptr<const CoreStrain> strain; ///< null: none
 };
 
@@ -28,16 +28,20 @@ struct InterpolationError {
 };
 
 /// From the decay of the Chebyshev coefficients, which is geometric for a smooth function: those
-/// that the polynomial lacks go on as those that it has, and each errs by at most twice its norm
-/// (Trefethen, Approximation Theory and Approximation Practice, 2013, chapters 4 and 8).
-/// @param norms at least two, as of chebyshev_norms
-InterpolationError interpolation_error(const std::vector<double>& norms);
+/// that the polynomial lacks go on as those that it has, and each errs by how far the polynomial
+/// through the nodes is from its Chebyshev polynomial (Trefethen, Approximation Theory and
+/// Approximation Practice, 2013, chapters 4 and 8).
+/// @param nodes at least two, at distinct places
+InterpolationError interpolation_error(const std::vector<NodeStrain>& nodes);
 
-/// Largest interpolation error that is left where more nodes can mend it [1].
-double interpolation_tolerance(Preset preset);
+/// Largest interpolation error that is left where more nodes can mend it, along a line and over a
+/// rectangle of places [1].
+double interpolation_tolerance(Preset preset, bool over_rectangle);
 
 /// Number of nodes that is expected to keep the tolerance: `count` itself when the error does, else
-/// a larger even one, at most `most_interpolation_nodes`.
-std::size_t wanted_node_count(std::size_t count, const InterpolationError& error, double tolerance);
+/// a larger one, at most `most_interpolation_nodes`.
+/// @param in_pairs whether it is to be even
+std::size_t wanted_node_count(std::size_t count, const InterpolationError& error, double tolerance,
+                              bool in_pairs);
 
 } // namespace ionskin::mechanics

@@ -2,24 +2,68 @@
 #include "ionskin/mechanics/position/interpolation_nodes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace ionskin::mechanics {
 
-std::vector<double> interpolation_nodes(double stroke, std::size_t count) {
-  // Distances of the pairs from the middle, over half the stroke. Found by search for the smallest
-  // Lebesgue constants of 4, 8, 12 and 16 nodes: 1.9, 2.0, 4.7 and 7.0 (4.0, 4.4 and 8.3 between).
-  constexpr std::array<double, most_interpolation_nodes / 2> pairs{1,    0.55, 0.21, 0.85,
-                                                                   0.95, 0.40, 0.76, 0.08};
+namespace {
+
+/// Of the interval from -1 to 1.
+std::vector<double> unit_nodes(std::size_t count, bool in_pairs) {
+  // Distances of pairs from the middle. Found by search for small Lebesgue constants: pairs alone
+  // have 2.6, 2.1, 3.4 and 2.5 at 4, 6, 8 and 10 nodes and at most 8; those that follow the ends
+  // and the middle 1.6 at 5 nodes and 4.0 at 6, at most 11.
+  constexpr std::array<double, most_interpolation_nodes / 2> alone{1,     0.176, 0.7,   0.923,
+                                                                   0.464, 0.867, 0.304, 0.788};
+  constexpr std::array<double, most_interpolation_nodes / 2> beside_middle{
+      1, 0.615, 0.837, 0.283, 0.96, 0.437, 0.902, 0.72};
   std::vector<double> nodes;
-  for (std::size_t pair = 0; pair < count / 2; ++pair) {
-    nodes.push_back(stroke * (1 - pairs[pair]) / 2);
-    nodes.push_back(stroke * (1 + pairs[pair]) / 2);
+  for (const double pair : in_pairs ? alone : beside_middle) {
+    nodes.insert(nodes.end(), {-pair, pair});
   }
-  if (count % 2 == 1) {
-    nodes.push_back(stroke / 2);
+  if (!in_pairs || count % 2 == 1) {
+    nodes.insert(nodes.begin() + static_cast<std::ptrdiff_t>(in_pairs ? count - 1 : 2), 0.0);
   }
-  std::sort(nodes.begin(), nodes.end());
+  nodes.resize(count);
+  std::ranges::sort(nodes);
+  return nodes;
+}
+
+} // namespace
+
+double EndCoordinate::at(double place) const {
+  return std::log((place - first) / (last - place));
+}
+
+double EndCoordinate::place(double coordinate) const {
+  const double ratio = std::exp(coordinate);
+  return (first + ratio * last) / (1 + ratio);
+}
+
+EndCoordinate end_coordinate(double low, double high, double size, double half_size) {
+  // The mesh beside a flat slider ends with the skin, and so does what its edges do there. Places
+  // keep off; a slider that covers the skin may be anywhere, and no end is near.
+  constexpr double of_way = 0.75;
+  return {low > 0 ? of_way * std::min(half_size, low) : low - size,
+          high < size ? size - of_way * std::min(half_size, size - high) : high + size};
+}
+
+bool mirrored_places(double low, double high, double size) {
+  constexpr double rounding = 1e-9;
+  return std::abs(low + high - size) <= rounding * size;
+}
+
+std::vector<double> interpolation_nodes(const EndCoordinate& coordinate, double low, double high,
+                                        std::size_t count, bool in_pairs) {
+  const double first = coordinate.at(low), last = coordinate.at(high);
+  std::vector<double> nodes;
+  for (const double node : unit_nodes(count, in_pairs)) {
+    nodes.push_back(coordinate.place((first + last) / 2 + node * (last - first) / 2));
+  }
+  nodes.front() = low;
+  nodes.back() = high;
   return nodes;
 }
 
@@ -35,26 +79,31 @@ std::vector<double> interpolation_weights(const std::vector<double>& nodes, doub
   return weights;
 }
 
-std::size_t expected_node_count(const Case& input, const std::array<double, 2>& from,
-                                const std::array<double, 2>& to) {
-  // The error falls by the decay with each node. On cases/paper.toml, over two fifths of the skin,
-  // by 0.24; eight nodes reach the tolerance of coarse and standard there, ten that of fine.
-  constexpr double usual_decay = 0.24, usual_share = 0.4;
-  const double usual_count = input.numerics.preset == Preset::fine ? 10 : 8;
-  const double dx = std::abs(to[0] - from[0]), dy = std::abs(to[1] - from[1]);
-  const double way = std::hypot(dx, dy);
-  const double extent = (dx * input.skin.length + dy * input.skin.width) / way;
-  const double share = std::min(1.0, way / extent / usual_share);
+ExpectedNodes expected_nodes(const Case& input, std::size_t axis, double low, double high) {
+  // The error falls by the decay with each node. Over half of the room that the slider has on the
+  // skin, so many keep the tolerance of coarse and standard, as on cases/paper.toml under a sharp
+  // slider and on cases/finger.toml under another one, and ten that of fine.
+  constexpr double usual_decay = 0.2, usual_share = 0.5;
+  const double usual_count =
+      input.numerics.preset == Preset::fine ? 10 : (input.slider.sharp() ? 6 : 4.9);
+  const double size = axis == 0 ? input.skin.length : input.skin.width,
+               room = size - 2 * input.slider.flat_half_size()[axis];
+  const double share = std::min(1.0, (high - low) / std::max(room, high - low) / usual_share);
   const double count = usual_count * std::log(usual_decay) / std::log(usual_decay * share);
   // Every run that shares positions pays for each of them. Over a narrow rectangle two lines may
   // do; the error of the strain between them tells.
   constexpr double narrow_count = 4;
   if (input.numerics.shared.given() && count < narrow_count) {
-    return 2;
+    return {2, 2};
   }
-  // Lengths are differences of coordinates: their rounding must not cost a pair.
-  const double pairs = std::ceil(count / 2 - 1e-9);
-  return 2 * std::max<std::size_t>(1, static_cast<std::size_t>(pairs));
+  constexpr double rounding = 1e-9; // of lengths, differences of coordinates: must not cost a node
+  const auto down = static_cast<std::size_t>(count + rounding),
+             up = static_cast<std::size_t>(std::ceil(count - rounding));
+  const bool in_pairs = mirrored_places(low, high, size);
+  const std::size_t all = std::clamp<std::size_t>(in_pairs ? up + up % 2 : up, 2,
+                                                  most_interpolation_nodes),
+                    least = in_pairs ? 4 : 3;
+  return {std::min(all, std::max(least, in_pairs ? down - down % 2 : down)), all};
 }
 
 } // namespace ionskin::mechanics

@@ -25,7 +25,7 @@ struct OneCell {
   SlidingContact contact;
 
   explicit OneCell(double compliance)
-      : map({{{centre[0]}, {centre[1]}}}, {matrix(compliance)}),
+      : map({{std::vector{centre[0]}, std::vector{centre[1]}}, {}}, {matrix(compliance)}),
         contact(map, {area}, {0.0},
                 laws::friction("adhesive", 0.3,
                                {{"work_of_adhesion", work}, {"cohesive_strength", strength}})) {}
