@@ -89,7 +89,7 @@ TEST(InterpolationError, is_large_across_a_kink) {
 
 TEST(InterpolationError, nodes_without_strain_count_as_zero) {
   std::vector<NodeStrain> steady = sliding([](double) { return std::array<double, 2>{1, 1}; }, 4);
-  EXPECT_NEAR(interpolation_error(steady).estimate, 0, 1e-7);
+  EXPECT_NEAR(interpolation_error(steady).estimate, 0, 1e-6); // rounding, which does not decay
   steady.front().strain = nullptr;
   EXPECT_GT(interpolation_error(steady).estimate, 0.1);
   for (NodeStrain& node : steady) {
