@@ -20,7 +20,7 @@ constexpr std::size_t states_of_stretch = 3000;
 /// Memory of the strains that are then recovered together: what keeps them and a factor within 8
 /// GB, with some room for the rest, or a part of what the factor takes anyway.
 std::size_t most_recovered_bytes(const PositionNodes& nodes) {
-  constexpr double most = 2.4e9, with_factor = 7.6e9, share = 0.3;
+  constexpr double most = 2.4e9, with_factor = 7.6e9, share = 0.2;
   const double factor = factorisation_memory(nodes.model().mesh.unknowns());
   return static_cast<std::size_t>(std::min(most, std::max(with_factor - factor, share * factor)));
 }
