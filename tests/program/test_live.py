@@ -196,7 +196,7 @@ class LiveTest(ProgramTest):
             return path
 
         area = case("area", ("0,4.5,2.6,100,", "0.5,4.5,2.6,,1", "1.5,6.5,3.4,,1", "2,6.5,3.4,100,"))
-        trained = self.live(area, *touch, "--set", "readout.taxels={rows = 2, columns = 3}", "--trajectories", "6",
+        trained = self.live(area, *touch, "--set", "readout.taxels={rows = 2, columns = 3}", "--trajectories", "12",
                             "--validation", "1", "-o", "area.live")
         self.assertEqual(trained.returncode, 0, trained.stderr)
         times = numpy.arange(361) / 200
@@ -211,8 +211,7 @@ class LiveTest(ProgramTest):
         signals = skin.run(times, 1e-3 * numpy.column_stack([x, y]), forces=force)
         self.assertFalse(signals.flags.any())
         largest = numpy.abs(full.taxels["charge_top_r2c2"]).max()
-        # The taxel beside the touch: 2.8 to 3.6 % of the largest charge by the seed of the training.
-        for name, table, most in (("normal_force", full.signals, 1e-3 * 0.8), ("charge_top_r1c2", full.taxels, 0.04 * largest),
+        for name, table, most in (("normal_force", full.signals, 1e-3 * 0.8), ("charge_top_r1c2", full.taxels, 0.03 * largest),
                                   ("charge_top_r2c2", full.taxels, 0.03 * largest), ("charge_top_r2c1", full.taxels, 0.03 * largest)):
             with self.subTest(name):
                 error = signals[name] - numpy.interp(times, table["time"], table[name])

@@ -16,6 +16,7 @@ namespace ionskin::mechanics {
 struct NodeLines {
   std::array<std::vector<double>, 2> at; ///< ascending [m]
   std::array<EndCoordinate, 2> coordinate{};
+  std::array<bool, 2> in_pairs{}; ///< whether they mirror each other in the skin's middle
 };
 
 /// By which the values at the nodes give that at a place: products of Lagrange polynomials in

@@ -146,12 +146,11 @@ NodeLines node_lines(const Case& input, const MotionBox& box,
   NodeLines lines;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double low = box.low[axis], high = box.high[axis];
-    lines.coordinate[axis] =
-        end_coordinate(low, high, skin[axis], input.slider.flat_half_size()[axis]);
-    lines.at[axis] = counts[axis] == 1
-                         ? std::vector{low + (high - low) / 2}
-                         : interpolation_nodes(lines.coordinate[axis], low, high, counts[axis],
-                                               mirrored_places(low, high, skin[axis]));
+    lines.coordinate[axis] = end_coordinate(low, high, skin[axis]);
+    lines.in_pairs[axis] = mirrored_places(low, high, skin[axis]);
+    lines.at[axis] = counts[axis] == 1 ? std::vector{low + (high - low) / 2}
+                                       : interpolation_nodes(lines.coordinate[axis], low, high,
+                                                             counts[axis], lines.in_pairs[axis]);
   }
   return lines;
 }
@@ -205,8 +204,6 @@ PositionNodes::PositionNodes(const Case& input, std::shared_ptr<const SkinModel>
   std::array<std::size_t, 2> counts{};
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const ExpectedNodes expected = expected_along(input, box, axis);
-    const double size = axis == 0 ? input.skin.length : input.skin.width;
-    in_pairs_[axis] = mirrored_places(box.low[axis], box.high[axis], size);
     counts[axis] = expected.all > 1 && options.count > 0 ? options.count : expected.first;
   }
   for (bool settled = false; !settled;) {
@@ -301,8 +298,8 @@ std::array<std::size_t, 2> PositionNodes::wanted_counts(double tolerance) {
       }
       const InterpolationError error = interpolation_error(along);
       error_ = base::larger(error_, error.estimate);
-      wanted[axis] = std::max(wanted[axis],
-                              wanted_node_count(counts[axis], error, tolerance, in_pairs_[axis]));
+      wanted[axis] = std::max(
+          wanted[axis], wanted_node_count(counts[axis], error, tolerance, lines_.in_pairs[axis]));
     }
   }
   return wanted;

@@ -114,7 +114,6 @@ private:
   NodeOptions options_;
   std::size_t expected_places_;
   std::vector<std::array<bool, 2>> reflections_; ///< that the rectangle holds
-  std::array<bool, 2> in_pairs_{};               ///< lines, as they mirror each other
   NodeLines lines_;
   std::vector<Node> nodes_; ///< x fastest
   struct Place {

@@ -4,6 +4,8 @@
 #include "ionskin/base/largest.hpp"
 #include "ionskin/mechanics/position/interpolation_nodes.hpp"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,19 +14,6 @@
 
 namespace ionskin::mechanics {
 namespace {
-
-double inner_product(const std::shared_ptr<const CoreStrain>& a,
-                     const std::shared_ptr<const CoreStrain>& b) {
-  if (!a || !b) {
-    return 0;
-  }
-  double sum = 0;
-  for (std::size_t c = 0; c < a->component.size(); ++c) {
-    const auto &in_a = a->component[c], &in_b = b->component[c];
-    sum = std::inner_product(in_a.begin(), in_a.end(), in_b.begin(), sum);
-  }
-  return sum;
-}
 
 std::vector<double> places_of(const std::vector<NodeStrain>& nodes) {
   std::vector<double> places;
@@ -115,24 +104,37 @@ double decay_of(const std::vector<double>& norms) {
 } // namespace
 
 std::vector<double> chebyshev_norms(const std::vector<NodeStrain>& nodes) {
-  const std::size_t count = nodes.size();
-  std::vector<double> gram(count * count);
-  double largest = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      gram[count * i + j] = gram[count * j + i] = inner_product(nodes[i].strain, nodes[j].strain);
-    }
-    largest = base::larger(largest, gram[count * i + i]);
+  const auto count = static_cast<Eigen::Index>(nodes.size());
+  Eigen::MatrixXd weights(count, count); // [nodes, orders]
+  for (Eigen::Index order = 0; const std::vector<double>& row : coefficient_weights(nodes)) {
+    weights.col(order++) = Eigen::Map<const Eigen::VectorXd>(row.data(), count);
   }
-  std::vector<double> norms;
-  for (const std::vector<double>& weights : coefficient_weights(nodes)) {
-    double square = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t j = 0; j < count; ++j) {
-        square += weights[i] * gram[count * i + j] * weights[j];
+  Eigen::RowVectorXd of_nodes = Eigen::RowVectorXd::Zero(count), of_orders = of_nodes; // squares
+  const auto given =
+      std::ranges::find_if(nodes, [](const NodeStrain& node) { return node.strain != nullptr; });
+  if (given == nodes.end()) {
+    return std::vector<double>(nodes.size());
+  }
+  constexpr std::size_t most_points = 1024; // at once: they stay in the processor's cache
+  for (std::size_t c = 0; c < given->strain->component.size(); ++c) {
+    const std::size_t points = given->strain->component[c].size();
+    for (std::size_t begin = 0; begin < points; begin += most_points) {
+      const auto size = static_cast<Eigen::Index>(std::min(most_points, points - begin));
+      Eigen::MatrixXd values = Eigen::MatrixXd::Zero(size, count);
+      for (Eigen::Index node = 0; node < count; ++node) {
+        if (const CoreStrain* strain = nodes[static_cast<std::size_t>(node)].strain.get()) {
+          values.col(node) =
+              Eigen::Map<const Eigen::VectorXd>(strain->component[c].data() + begin, size);
+        }
       }
+      of_nodes += values.colwise().squaredNorm();
+      of_orders += (values * weights).colwise().squaredNorm();
     }
-    norms.push_back(largest == 0 ? 0.0 : std::sqrt(base::larger(0.0, square) / largest));
+  }
+  const double largest = std::accumulate(of_nodes.begin(), of_nodes.end(), 0.0, base::larger);
+  std::vector<double> norms;
+  for (const double square : of_orders) {
+    norms.push_back(largest == 0 ? 0.0 : std::sqrt(square / largest));
   }
   return norms;
 }

@@ -42,12 +42,9 @@ double EndCoordinate::place(double coordinate) const {
   return (first + ratio * last) / (1 + ratio);
 }
 
-EndCoordinate end_coordinate(double low, double high, double size, double half_size) {
-  // The mesh beside a flat slider ends with the skin, and so does what its edges do there. Places
-  // keep off; a slider that covers the skin may be anywhere, and no end is near.
-  constexpr double of_way = 0.75;
-  return {low > 0 ? of_way * std::min(half_size, low) : low - size,
-          high < size ? size - of_way * std::min(half_size, size - high) : high + size};
+EndCoordinate end_coordinate(double low, double high, double size) {
+  // A slider that covers the skin may be anywhere; no end is near it.
+  return {low > 0 ? 0 : low - size, high < size ? size : high + size};
 }
 
 bool mirrored_places(double low, double high, double size) {

@@ -21,11 +21,10 @@ struct EndCoordinate {
   double place(double coordinate) const; ///< [m]
 };
 
-/// Between the ends of the skin, or nearly where the edges of a flat slider would reach them.
+/// Between the ends of the skin.
 /// @param low,high least and largest place of the slider's centre [m]
 /// @param size of the skin along the axis [m]
-/// @param half_size of the part of the slider that touches at once [m]
-EndCoordinate end_coordinate(double low, double high, double size, double half_size);
+EndCoordinate end_coordinate(double low, double high, double size);
 
 /// `count` places between `low` and `high`, ascending, both included [m]. Those of a smaller count
 /// are among those of a larger one; in pairs, of a smaller even count.

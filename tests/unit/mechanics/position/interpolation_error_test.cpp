@@ -65,7 +65,7 @@ TEST(InterpolationError, norms_are_those_of_chebyshev_coefficients) {
   const double largest = std::hypot(1, 0.5);
   const std::array<double, 6> expected{0, 0.5 / largest, 1 / largest, 0, 0, 0};
   for (std::size_t order = 0; order < 6; ++order) {
-    EXPECT_NEAR(norms[order], expected[order], 1e-7) << order;
+    EXPECT_NEAR(norms[order], expected[order], 1e-12) << order;
   }
 }
 
@@ -89,7 +89,7 @@ TEST(InterpolationError, is_large_across_a_kink) {
 
 TEST(InterpolationError, nodes_without_strain_count_as_zero) {
   std::vector<NodeStrain> steady = sliding([](double) { return std::array<double, 2>{1, 1}; }, 4);
-  EXPECT_NEAR(interpolation_error(steady).estimate, 0, 1e-6); // rounding, which does not decay
+  EXPECT_NEAR(interpolation_error(steady).estimate, 0, 1e-12);
   steady.front().strain = nullptr;
   EXPECT_GT(interpolation_error(steady).estimate, 0.1);
   for (NodeStrain& node : steady) {

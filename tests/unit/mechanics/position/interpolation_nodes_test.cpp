@@ -15,7 +15,7 @@ namespace ionskin::mechanics {
 namespace {
 
 constexpr double way_low = 4.5e-3, way_high = 10.5e-3, way_skin = 15e-3;
-const EndCoordinate way_coordinate = end_coordinate(way_low, way_high, way_skin, 1.5e-3);
+const EndCoordinate way_coordinate = end_coordinate(way_low, way_high, way_skin);
 
 TEST(EndCoordinate, is_that_of_a_place_and_back) {
   for (const double place : {way_low, 6e-3, way_high}) {
@@ -28,7 +28,7 @@ TEST(EndCoordinate, is_finite_wherever_a_slider_may_be) {
   // In the middle, close to an end that its edge may reach, and over all of the skin.
   for (const auto& [from, to] :
        {std::array{way_low, way_high}, {1e-9, 5e-3}, {-8e-3, 30e-3}, {0.0, way_skin}}) {
-    const EndCoordinate any = end_coordinate(from, to, way_skin, 20e-3);
+    const EndCoordinate any = end_coordinate(from, to, way_skin);
     EXPECT_TRUE(std::isfinite(any.at(from)) && std::isfinite(any.at(to))) << from;
     EXPECT_LT(any.at(from), any.at(to)) << from;
   }
