@@ -18,15 +18,18 @@ struct SymbolicCholesky::Symbols {
   ~Symbols() { cholmod_free_factor(&factor, *workspace); }
 };
 
-SymbolicCholesky::SymbolicCholesky(SymmetricPattern pattern, std::vector<int> order, int trailing)
-    : pattern_(std::move(pattern)), order_(std::move(order)), trailing_(trailing),
+SymbolicCholesky::SymbolicCholesky(const SymmetricPattern& pattern, std::vector<int> order,
+                                   int trailing)
+    : ordered_(renumbered(pattern, order)), order_(std::move(order)), trailing_(trailing),
       symbols_(std::make_unique<Symbols>()) {
+  // A matrix in its elimination order is factorised as it stands; CHOLMOD would transpose another
+  // twice each time.
   CholmodWorkspace& workspace = symbols_->workspace;
   workspace->nmethods = 1;
-  workspace->method[0].ordering = CHOLMOD_GIVEN;
+  workspace->method[0].ordering = CHOLMOD_NATURAL;
   workspace->postorder = 0; // a postorder of CHOLMOD's own could move the trailing unknowns
-  cholmod_sparse matrix = view(pattern_, nullptr);
-  symbols_->factor = cholmod_analyze_p(&matrix, order_.data(), nullptr, 0, *workspace);
+  cholmod_sparse matrix = view(ordered_.pattern, nullptr);
+  symbols_->factor = cholmod_analyze(&matrix, *workspace);
   workspace.check("analyze");
 }
 
@@ -52,7 +55,12 @@ Cholesky::Cholesky(const SymbolicCholesky& symbolic, const std::vector<double>& 
   CholmodWorkspace& workspace = numbers_->workspace;
   numbers_->factor = cholmod_copy_factor(symbolic.symbols_->factor, *workspace);
   workspace.check("copying the symbolic factor");
-  cholmod_sparse matrix = view(symbolic.pattern_, values.data());
+  std::vector<double> ordered;
+  ordered.reserve(values.size());
+  for (const int entry : symbolic.ordered_.source) {
+    ordered.push_back(values[entry]);
+  }
+  cholmod_sparse matrix = view(symbolic.ordered_.pattern, ordered.data());
   cholmod_factorize(&matrix, numbers_->factor, *workspace);
   workspace.check("factorize");
   if (workspace->status == CHOLMOD_NOT_POSDEF) {
@@ -67,18 +75,28 @@ Cholesky::~Cholesky() = default;
 DenseMatrix Cholesky::solve(DenseMatrix right_hand_sides) const {
   const KernelThreads kernel_threads(threads_);
   CholmodWorkspace& workspace = numbers_->workspace;
-  cholmod_dense b = view(right_hand_sides);
+  DenseMatrix ordered(right_hand_sides.rows, right_hand_sides.columns);
+  for (int j = 0; j < ordered.columns; ++j) {
+    for (int k = 0; k < ordered.rows; ++k) {
+      ordered(k, j) = right_hand_sides(symbolic_.order()[k], j);
+    }
+  }
+  cholmod_dense b = view(ordered);
   cholmod_dense* x = cholmod_solve(CHOLMOD_A, numbers_->factor, &b, *workspace);
   workspace.check("solve");
   const auto* solution = static_cast<const double*>(x->x);
-  std::copy(solution, solution + right_hand_sides.values.size(), right_hand_sides.values.begin());
+  for (int j = 0; j < ordered.columns; ++j) {
+    for (int k = 0; k < ordered.rows; ++k) {
+      right_hand_sides(symbolic_.order()[k], j) = *solution++;
+    }
+  }
   cholmod_free_dense(&x, *workspace);
   return right_hand_sides;
 }
 
 DenseMatrix Cholesky::last_block(int count) const {
   const CholeskyPanels panels(*numbers_->factor);
-  const int first = symbolic_.pattern().size - count;
+  const int first = symbolic_.size() - count;
   DenseMatrix block(count, count);
   for (std::size_t s = panels.count; s-- > 0 && panels.first_column[s + 1] > first;) {
     const int height = panels.height(s);
@@ -122,8 +140,7 @@ ForwardSubstitution Cholesky::forward(const SparseLoads& loads) const {
 
 void Cholesky::complete(int known, int loaded, DenseMatrix& states) const {
   const CholeskyPanels panels(*numbers_->factor);
-  const int unknown = symbolic_.pattern().size - known, count = states.rows,
-            unloaded = unknown - loaded;
+  const int unknown = symbolic_.size() - known, count = states.rows, unloaded = unknown - loaded;
   std::size_t end = 0;
   int most_rows = 0;
   for (; end < panels.count && panels.first_column[end] < unknown; ++end) {

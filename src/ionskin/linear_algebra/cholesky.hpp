@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ionskin/linear_algebra/forward_substitution.hpp"
+#include "ionskin/linear_algebra/renumbered_pattern.hpp"
 #include "ionskin/linear_algebra/sparse_matrix.hpp"
 
 #include <memory>
@@ -15,11 +16,11 @@ class SymbolicCholesky {
 public:
   /// @param order elimination order of all unknowns, postordered
   /// @param trailing how many unknowns at its end form the trailing block
-  SymbolicCholesky(SymmetricPattern pattern, std::vector<int> order, int trailing);
+  SymbolicCholesky(const SymmetricPattern& pattern, std::vector<int> order, int trailing);
   SymbolicCholesky(SymbolicCholesky&&) noexcept;
   ~SymbolicCholesky();
 
-  const SymmetricPattern& pattern() const { return pattern_; }
+  int size() const { return ordered_.pattern.size; }
   const std::vector<int>& order() const { return order_; }
   int trailing() const { return trailing_; }
   /// Entries of L, and floating point operations of one factorisation.
@@ -29,7 +30,7 @@ public:
 private:
   friend class Cholesky;
   struct Symbols;
-  SymmetricPattern pattern_;
+  RenumberedPattern ordered_;
   std::vector<int> order_;
   int trailing_ = 0;
   std::unique_ptr<Symbols> symbols_;
@@ -38,7 +39,7 @@ private:
 /// The factorisation of one matrix; several may be made and used at once, each by one thread.
 class Cholesky {
 public:
-  /// @param values entries of the lower triangle in the order of the symbolic pattern
+  /// @param values entries of the lower triangle in the order of the pattern
   /// @param threads of its dense kernels
   /// Throws SolverError when the matrix is not positive definite.
   Cholesky(const SymbolicCholesky& symbolic, const std::vector<double>& values, int threads = 1);

@@ -2,12 +2,13 @@
 #include "grid_graph.hpp"
 #include "ionskin/base/error.hpp"
 #include "ionskin/linear_algebra/cholesky.hpp"
-#include "ionskin/linear_algebra/fill_ordering.hpp"
+#include "ionskin/linear_algebra/postorder.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -18,6 +19,22 @@
 
 namespace ionskin::linear_algebra {
 namespace {
+
+/// The octants of a grid, the planes between them, then the trailing nodes.
+std::vector<int> grid_order(const SymmetricPattern& graph, const std::vector<int>& trailing) {
+  const int n = static_cast<int>(std::lround(std::cbrt(graph.size)));
+  std::vector<int> order;
+  for (int node = 0; node < graph.size; ++node) {
+    if (std::ranges::find(trailing, node) == trailing.end()) {
+      order.push_back(node);
+    }
+  }
+  std::ranges::stable_sort(order, {}, [&](int node) {
+    return std::array{node % n == n / 2, node / n % n == n / 2, node / (n * n) == n / 2};
+  });
+  order.insert(order.end(), trailing.begin(), trailing.end());
+  return postordered(graph, order, static_cast<int>(trailing.size()));
+}
 
 /// Diagonally dominant values with varying couplings.
 std::vector<double> values_on(const SymmetricPattern& pattern, double shift) {
@@ -58,7 +75,7 @@ protected:
 };
 
 TEST_F(CholeskyOnGrid, ordering_is_a_permutation_with_the_trailing_nodes_last) {
-  const std::vector<int> order = trailing_ordering(graph, trailing);
+  const std::vector<int> order = grid_order(graph, trailing);
   std::vector<int> sorted = order, identity(order.size());
   std::sort(sorted.begin(), sorted.end());
   std::iota(identity.begin(), identity.end(), 0);
@@ -67,7 +84,7 @@ TEST_F(CholeskyOnGrid, ordering_is_a_permutation_with_the_trailing_nodes_last) {
 }
 
 TEST_F(CholeskyOnGrid, solve_agrees_with_a_dense_solver) {
-  const SymbolicCholesky symbolic(graph, trailing_ordering(graph, trailing),
+  const SymbolicCholesky symbolic(graph, grid_order(graph, trailing),
                                   static_cast<int>(trailing.size()));
   const auto values = values_on(graph, 0);
   const Cholesky factor(symbolic, values);
@@ -81,7 +98,7 @@ TEST_F(CholeskyOnGrid, solve_agrees_with_a_dense_solver) {
 
 TEST_F(CholeskyOnGrid, last_block_gives_the_compliance_of_the_last_unknowns) {
   const int count = static_cast<int>(trailing.size());
-  const SymbolicCholesky symbolic(graph, trailing_ordering(graph, trailing), count);
+  const SymbolicCholesky symbolic(graph, grid_order(graph, trailing), count);
   const Cholesky factor(symbolic, values_on(graph, 0));
   DenseMatrix unit(graph.size, count);
   for (int j = 0; j < count; ++j) {
@@ -97,7 +114,7 @@ TEST_F(CholeskyOnGrid, last_block_gives_the_compliance_of_the_last_unknowns) {
 
 TEST_F(CholeskyOnGrid, completes_solutions_of_loads_on_trailing_unknowns) {
   const int count = static_cast<int>(trailing.size()), states = 4;
-  const std::vector<int> order = trailing_ordering(graph, trailing);
+  const std::vector<int> order = grid_order(graph, trailing);
   const SymbolicCholesky symbolic(graph, order, count);
   const Cholesky factor(symbolic, values_on(graph, 0));
   DenseMatrix right(graph.size, states);
@@ -131,7 +148,7 @@ TEST_F(CholeskyOnGrid, completes_solutions_of_loads_on_trailing_unknowns) {
 
 TEST_F(CholeskyOnGrid, completes_without_the_last_block_that_was_taken) {
   const int count = static_cast<int>(trailing.size()), states = 3;
-  const SymbolicCholesky symbolic(graph, trailing_ordering(graph, trailing), count);
+  const SymbolicCholesky symbolic(graph, grid_order(graph, trailing), count);
   const Cholesky whole(symbolic, values_on(graph, 0));
   Cholesky rest(symbolic, values_on(graph, 0));
   EXPECT_EQ(rest.take_last_block(count).values, whole.last_block(count).values);
@@ -147,7 +164,7 @@ TEST_F(CholeskyOnGrid, completes_without_the_last_block_that_was_taken) {
 
 TEST_F(CholeskyOnGrid, substitutes_forward_where_loads_reach) {
   const int count = static_cast<int>(trailing.size()), loads = 300, before = graph.size - count;
-  const std::vector<int> order = trailing_ordering(graph, trailing);
+  const std::vector<int> order = grid_order(graph, trailing);
   const auto values = values_on(graph, 0);
   SparseLoads sparse;
   Eigen::MatrixXd load = Eigen::MatrixXd::Zero(graph.size, loads);
@@ -188,7 +205,7 @@ TEST_F(CholeskyOnGrid, substitutes_forward_where_loads_reach) {
 }
 
 TEST_F(CholeskyOnGrid, one_analysis_serves_several_threads) {
-  const SymbolicCholesky symbolic(graph, trailing_ordering(graph, trailing),
+  const SymbolicCholesky symbolic(graph, grid_order(graph, trailing),
                                   static_cast<int>(trailing.size()));
   std::vector<double> error(4);
   {
@@ -210,7 +227,7 @@ TEST_F(CholeskyOnGrid, one_analysis_serves_several_threads) {
 
 TEST_F(CholeskyOnGrid, threads_of_the_kernels_do_not_change_the_solution) {
   const SymmetricPattern large = grid_graph(18);
-  const SymbolicCholesky symbolic(large, trailing_ordering(large, {}), 0);
+  const SymbolicCholesky symbolic(large, grid_order(large, {}), 0);
   const auto values = values_on(large, 0.5);
   DenseMatrix right(large.size, 70);
   for (std::size_t i = 0; i < right.values.size(); ++i) {
@@ -222,7 +239,7 @@ TEST_F(CholeskyOnGrid, threads_of_the_kernels_do_not_change_the_solution) {
 }
 
 TEST_F(CholeskyOnGrid, indefinite_matrix_is_a_solver_error) {
-  const SymbolicCholesky symbolic(graph, trailing_ordering(graph, trailing),
+  const SymbolicCholesky symbolic(graph, grid_order(graph, trailing),
                                   static_cast<int>(trailing.size()));
   EXPECT_THROW(Cholesky(symbolic, values_on(graph, -9)), SolverError);
 }
@@ -234,7 +251,7 @@ std::ptrdiff_t threads_of_this_process() {
 
 TEST(Cholesky, a_factorisation_starts_no_threads_of_its_own) {
   const SymmetricPattern graph = grid_graph(16);
-  const SymbolicCholesky symbolic(graph, trailing_ordering(graph, {}), 0);
+  const SymbolicCholesky symbolic(graph, grid_order(graph, {}), 0);
   const auto before = threads_of_this_process();
   const Cholesky factor(symbolic, values_on(graph, 0));
   EXPECT_EQ(threads_of_this_process(), before);

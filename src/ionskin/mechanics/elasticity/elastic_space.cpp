@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/elasticity/elastic_space.hpp"
 
-#include "ionskin/linear_algebra/fill_ordering.hpp"
+#include "ionskin/linear_algebra/postorder.hpp"
+#include "ionskin/mechanics/elasticity/box_dissection.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace ionskin::mechanics {
 namespace {
@@ -64,21 +66,26 @@ void ElasticSpace::number_nodes() {
   on_base_.assign(unknown_.size(), false);
 }
 
-void ElasticSpace::hold(const FixedFace& face) {
-  const std::size_t axis = static_cast<std::size_t>(face.face) / 2;
-  std::array<std::size_t, 3> first{0, 0, 0},
-      last{lattice_[0] - 1, lattice_[1] - 1, lattice_[2] - 1};
-  (static_cast<std::size_t>(face.face) % 2 == 0 ? last[axis] : first[axis]) =
-      static_cast<std::size_t>(face.face) % 2 == 0 ? 0 : lattice_[axis] - 1;
-  for (std::size_t k = first[2]; k <= last[2]; ++k) {
-    for (std::size_t j = first[1]; j <= last[1]; ++j) {
-      for (std::size_t i = first[0]; i <= last[0]; ++i) {
-        const int node = node_at(i, j, k);
-        on_base_[node] = on_base_[node] || face.face == Face::base;
-        for (int c = 0; c < 3; ++c) {
-          unknown_[node][c] = face.component[c] ? -1 : unknown_[node][c];
-        }
+std::vector<int> ElasticSpace::nodes_on(Face face) const {
+  const auto side = static_cast<std::size_t>(face);
+  std::array<std::size_t, 3> first{0, 0, 0}, last = lattice_;
+  (side % 2 == 0 ? last : first)[side / 2] = side % 2 == 0 ? 1 : lattice_[side / 2] - 1;
+  std::vector<int> nodes;
+  for (std::size_t k = first[2]; k < last[2]; ++k) {
+    for (std::size_t j = first[1]; j < last[1]; ++j) {
+      for (std::size_t i = first[0]; i < last[0]; ++i) {
+        nodes.push_back(node_at(i, j, k));
       }
+    }
+  }
+  return nodes;
+}
+
+void ElasticSpace::hold(const FixedFace& face) {
+  for (const int node : nodes_on(face.face)) {
+    on_base_[node] = on_base_[node] || face.face == Face::base;
+    for (int c = 0; c < 3; ++c) {
+      unknown_[node][c] = face.component[c] ? -1 : unknown_[node][c];
     }
   }
   for (int c = 0; c < 3; ++c) {
@@ -88,7 +95,6 @@ void ElasticSpace::hold(const FixedFace& face) {
 }
 
 void ElasticSpace::build_node_graph() {
-  const auto held = [&](int node) { return unknown_[node] == std::array<int, 3>{-1, -1, -1}; };
   node_graph_ = {static_cast<int>(unknown_.size()), {0}, {}};
   for (std::size_t k = 0; k < lattice_[2]; ++k) {
     const auto [first_k, last_k] = neighbours(k, lattice_[2] - 1);
@@ -191,7 +197,32 @@ std::vector<int> ElasticSpace::unknowns_of(const std::vector<int>& nodes) const 
 }
 
 std::vector<int> ElasticSpace::elimination_order(const std::vector<int>& trailing_nodes) const {
-  return unknowns_of(linear_algebra::trailing_ordering(node_graph_, trailing_nodes));
+  std::vector<bool> listed(unknown_.size());
+  for (const int node : trailing_nodes) {
+    listed[node] = true;
+  }
+  std::array<std::array<BoxFace, 2>, 3> faces{};
+  for (std::size_t side = 0; side < 6; ++side) {
+    const std::vector<int> nodes = nodes_on(static_cast<Face>(side));
+    const auto is_held = [&](int node) { return held(node); };
+    const auto is_held_or_later = [&](int node) { return held(node) || listed[node]; };
+    faces[side / 2][side % 2] = std::ranges::all_of(nodes, is_held)            ? BoxFace::held
+                                : std::ranges::all_of(nodes, is_held_or_later) ? BoxFace::later
+                                                                               : BoxFace::open;
+  }
+  std::vector<int> order, all(unknown_.size());
+  std::iota(all.begin(), all.end(), 0);
+  for (const std::vector<int>& nodes : {dissection_order(elements_, faces), all}) {
+    for (const int node : nodes) { // the second time those that are held, which nothing couples to
+      if (!listed[node]) {
+        order.push_back(node);
+        listed[node] = true;
+      }
+    }
+  }
+  order.insert(order.end(), trailing_nodes.begin(), trailing_nodes.end());
+  return unknowns_of(
+      linear_algebra::postordered(node_graph_, order, static_cast<int>(trailing_nodes.size())));
 }
 
 } // namespace ionskin::mechanics

@@ -68,6 +68,8 @@ public:
   std::vector<int> unknowns_of(const std::vector<int>& nodes) const;
 
 private:
+  bool held(int node) const { return unknown_[node] == std::array<int, 3>{-1, -1, -1}; }
+  std::vector<int> nodes_on(Face face) const;
   void number_nodes();
   void hold(const FixedFace& face);
   /// Couplings between nodes that are not wholly held; held nodes stay as isolated entries.
