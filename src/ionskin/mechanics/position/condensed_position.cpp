@@ -22,8 +22,8 @@ constexpr int block_size = 64;
 /// States that are recovered from a factor at once: a path has some ten patterns at a position.
 constexpr int states_of_factor = 32;
 
-/// States of which all unknowns stand side by side.
-constexpr int copied_states = 8;
+/// States that are copied at once: what stands side by side of them fills whole cache lines.
+constexpr int copied_states = 32;
 
 /// Forces from `first` on, at most so many.
 DenseMatrix matrix_of(const std::vector<CellVector>& forces, std::size_t first, int most) {
@@ -135,14 +135,13 @@ void CondensedPosition::factorise(const PositionUse& use) {
 }
 
 template <class Use>
-void CondensedPosition::for_states(const SkinDisplacement& displacement, const Use& use) const {
+void CondensedPosition::for_states(SkinDisplacement& displacement, const Use& use) const {
   State state{std::vector<double>(static_cast<std::size_t>(lattice_.rows())),
               std::vector<double>(static_cast<std::size_t>(membrane_.rows())),
               {}};
-  DenseMatrix whole(skin_.space.unknowns(), copied_states);
   for (int first = 0; first < displacement.states(); first += copied_states) {
     const int count = std::min(copied_states, displacement.states() - first);
-    displacement.copy(first, count, whole);
+    const DenseMatrix& whole = displacement.of_skin(first, count);
     for (int j = 0; j < count; ++j) {
       lattice_.gather(whole.column(j), state.lattice.data());
       membrane_.average_strain(whole.column(j), state.membrane.data());

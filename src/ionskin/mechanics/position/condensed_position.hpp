@@ -70,7 +70,7 @@ private:
     std::vector<double> lattice, membrane;
     std::array<double, 3> base_reaction{};
   };
-  template <class Use> void for_states(const SkinDisplacement& displacement, const Use& use) const;
+  template <class Use> void for_states(SkinDisplacement& displacement, const Use& use) const;
   UnitResponse unit_responses(const ForceDirections& directions) const;
   /// Responses to the columns of a block [3 cells, any].
   void respond_by_products(const linear_algebra::DenseMatrix& forces,

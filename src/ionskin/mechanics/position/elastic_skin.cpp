@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/position/elastic_skin.hpp"
 
-#include "ionskin/base/system/blocked_signal.hpp"
 #include "ionskin/mechanics/position/memory_estimate.hpp"
 #include "ionskin/mechanics/position/position_input.hpp"
 
@@ -69,12 +68,10 @@ ElasticSkin::ElasticSkin(const PositionInput& input)
       law_of_row(input.law_of_row), layer_of_row(input.layer_of_row), core_z(input.core_z),
       cells(input.cells), cut(input.cut), any_lines_(input.lines) {}
 
-const SkinAnalysis& ElasticSkin::analysis() const {
-  // A thread that waits for the ordering must not take the signal either.
-  const base::BlockedSignal later(SIGTERM);
-  std::call_once(analysed_, [this] {
-    analysis_ =
-        std::make_unique<const SkinAnalysis>(SkinParts(space, any_lines_, fixed, cells, cut));
+const SkinAnalysis& ElasticSkin::analysis(int threads) const {
+  std::call_once(analysed_, [&] {
+    analysis_ = std::make_unique<const SkinAnalysis>(
+        SkinParts(space, any_lines_, fixed, cells, cut, threads));
   });
   return *analysis_;
 }

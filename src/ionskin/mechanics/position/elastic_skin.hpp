@@ -76,7 +76,8 @@ struct ElasticSkin {
   /// The same skin from what one of its positions needs.
   explicit ElasticSkin(const PositionInput& input);
   /// Made at the first call: positions that come from a cache need none.
-  const SkinAnalysis& analysis() const;
+  /// @param threads of the first call, for which others wait
+  const SkinAnalysis& analysis(int threads = 1) const;
   /// Frees what positions share of their factors, while none is made.
   void forget_factors() const;
 

@@ -21,6 +21,9 @@ using linear_algebra::DenseMatrix;
 /// whatever number a run is given.
 constexpr int lone_factor_threads = 2;
 
+/// Unit forces whose displacement of the interface is solved together where kernels have a thread.
+constexpr int columns_at_once = 128;
+
 /// Unit forces on the components of the cells.
 linear_algebra::SparseLoads unit_loads(const ContactCells& cells, const SkinParts& parts) {
   linear_algebra::SparseLoads loads;
@@ -97,16 +100,18 @@ InnerFactor::InnerFactor(const SkinParts& parts, const ContactCells& cells,
   compliance = loads.gram();
 }
 
-void SkinDisplacement::copy(int first, int count, DenseMatrix& whole) const {
-  for (int i = 0; i < whole.rows; ++i) {
+const DenseMatrix& SkinDisplacement::of_skin(int first, int count) {
+  of_skin_.reshape(static_cast<int>(parts_.unknown.size()), count);
+  for (int i = 0; i < of_skin_.rows; ++i) {
     const PartUnknown& unknown = parts_.unknown[static_cast<std::size_t>(i)];
     const DenseMatrix& part =
         unknown.part == 0 ? inner_ : outer_[static_cast<std::size_t>(unknown.part - 1)];
     const double* from = part.column(unknown.place) + first;
     for (int j = 0; j < count; ++j) {
-      whole(i, j) = unknown.sign * from[j];
+      of_skin_(i, j) = unknown.sign * from[j];
     }
   }
+  return of_skin_;
 }
 
 FactorisedSkin::Place::Place(std::counting_semaphore<>& places) : places_(places) {
@@ -120,7 +125,7 @@ FactorisedSkin::Place::~Place() {
 
 FactorisedSkin::FactorisedSkin(const ElasticSkin& skin, const mesh::MeshLines& lines, int threads,
                                parallel::SpareThreads* spare)
-    : place_(skin.analysis().free_factors),
+    : place_(skin.analysis(threads).free_factors),
       threads_(skin.analysis().factors_at_once == 1 ? threads : 1),
       kernel_threads_(skin.analysis().factors_at_once == 1 ? lone_factor_threads : 1),
       spare_(spare), parts_(skin.analysis().parts) {
@@ -181,10 +186,16 @@ void FactorisedSkin::join() {
                       "check the elastic constants and layer thicknesses for extreme ratios");
   }
   interface_ = inner_->loads.passed_on();
+  const int at_once = kernel_threads_ > 1 ? interface_.columns : columns_at_once;
   const auto solve = [&](bool transpose) {
-    linear_algebra::solve_left(transpose, interface_.rows, interface_.columns,
-                               stiffness.values.data(), stiffness.rows, interface_.values.data(),
-                               interface_.rows);
+    run_tasks(static_cast<std::size_t>((interface_.columns + at_once - 1) / at_once),
+              [&](std::size_t block) {
+                const int first = static_cast<int>(block) * at_once;
+                linear_algebra::solve_left(transpose, interface_.rows,
+                                           std::min(at_once, interface_.columns - first),
+                                           stiffness.values.data(), stiffness.rows,
+                                           interface_.column(first), interface_.rows);
+              });
   };
   solve(false);
   compliance_ = linear_algebra::gram(interface_);

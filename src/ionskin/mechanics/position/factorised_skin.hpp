@@ -51,15 +51,16 @@ class SkinDisplacement {
 public:
   explicit SkinDisplacement(const SkinParts& parts) : parts_(parts), outer_(parts.outer.size()) {}
   int states() const { return inner_.rows; }
-  /// @param whole receives the displacement of all unknowns of the skin in `count` states from
-  /// `first` on
-  void copy(int first, int count, linear_algebra::DenseMatrix& whole) const;
+  /// Of all unknowns of the skin in `count` states from `first` on, each a column; valid until the
+  /// next call.
+  const linear_algebra::DenseMatrix& of_skin(int first, int count);
 
 private:
   friend class FactorisedSkin;
   const SkinParts& parts_;
   linear_algebra::DenseMatrix inner_; ///< [states, unknowns in elimination order]
   std::vector<linear_algebra::DenseMatrix> outer_;
+  linear_algebra::DenseMatrix of_skin_;
 };
 
 /// The factor of one position, and its place among those that fit into the memory: the parts by

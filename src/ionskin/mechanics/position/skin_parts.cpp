@@ -2,6 +2,7 @@
 #include "ionskin/mechanics/position/skin_parts.hpp"
 
 #include "ionskin/mesh/grading.hpp"
+#include "ionskin/parallel/task_pool.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -95,47 +96,47 @@ SkinPart::SkinPart(ElasticSpace part_space, const std::vector<int>& interface_no
 
 SkinParts::SkinParts(const ElasticSpace& whole, const mesh::MeshLines& any_lines,
                      const std::vector<FixedFace>& fixed, const ContactCells& cells,
-                     const SkinCut& skin_cut)
+                     const SkinCut& skin_cut, int threads)
     : cut(skin_cut) {
   const std::size_t axis = cut.axis, count = whole.elements()[axis];
-  const auto space_of = [&](std::size_t first, std::size_t last) {
-    return ElasticSpace(slab(any_lines, axis, first, last),
-                        faces_of_slab(fixed, axis, first, last, count));
-  };
-  const auto place_outer = [&](std::size_t first, std::size_t last, bool mirrored) {
-    if (first == last) {
-      return;
+  // A part meets others where it does not end with the skin.
+  const auto part_of = [&](std::size_t first, std::size_t last) {
+    ElasticSpace space(slab(any_lines, axis, first, last),
+                       faces_of_slab(fixed, axis, first, last, count));
+    std::vector<int> nodes;
+    if (first > 0) {
+      nodes = plane(space, axis, 0);
     }
-    PlacedPart& placed = outer.emplace_back();
-    placed.first = first;
-    placed.last = last;
-    placed.mirrored = mirrored;
-    placed.first_interface = interface;
-    const bool alike = outer.size() == 2 && outer.front().last == last - first;
-    if (alike) {
-      placed.part = outer.front().part;
-    } else {
-      ElasticSpace space = space_of(0, last - first);
-      const std::vector<int> nodes = plane(space, axis, 2 * (last - first));
-      placed.part = std::make_shared<const SkinPart>(std::move(space), nodes);
+    if (last < count) {
+      nodes = joined(std::move(nodes), plane(space, axis, 2 * (last - first)));
     }
-    number_in_whole(whole, axis, placed);
-    interface += placed.part->interface;
+    return std::make_shared<const SkinPart>(std::move(space), nodes);
   };
-  place_outer(0, cut.footprint[0], false);
-  place_outer(cut.footprint[1], count, true);
-
   inner.first = cut.footprint[0];
   inner.last = cut.footprint[1];
-  ElasticSpace space = space_of(inner.first, inner.last);
-  std::vector<int> planes;
-  if (inner.first > 0) {
-    planes = plane(space, axis, 0);
+  for (const bool behind : {false, true}) {
+    const std::size_t first = behind ? inner.last : 0, last = behind ? count : inner.first;
+    if (first < last) {
+      PlacedPart& placed = outer.emplace_back();
+      placed.first = first;
+      placed.last = last;
+      placed.mirrored = behind;
+    }
   }
-  if (inner.last < count) {
-    planes = joined(std::move(planes), plane(space, axis, 2 * (inner.last - inner.first)));
+  const bool alike = outer.size() == 2 && inner.first == count - inner.last;
+  parallel::run_tasks(1 + (alike ? 1 : outer.size()), threads, [&](std::size_t i) {
+    PlacedPart& placed = i == 0 ? inner : outer[i - 1];
+    placed.part =
+        i == 0 ? part_of(inner.first, inner.last) : part_of(0, placed.last - placed.first);
+  });
+  if (alike) {
+    outer.back().part = outer.front().part;
   }
-  inner.part = std::make_shared<const SkinPart>(std::move(space), planes);
+  for (PlacedPart& placed : outer) {
+    placed.first_interface = interface;
+    interface += placed.part->interface;
+    number_in_whole(whole, axis, placed);
+  }
   number_in_whole(whole, axis, inner);
 
   unknown.resize(static_cast<std::size_t>(whole.unknowns()));

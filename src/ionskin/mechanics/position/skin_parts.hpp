@@ -62,8 +62,8 @@ struct SkinParts {
 
   /// @param whole numbering of the skin
   SkinParts(const ElasticSpace& whole, const mesh::MeshLines& any_lines,
-            const std::vector<FixedFace>& fixed, const ContactCells& cells,
-            const SkinCut& skin_cut);
+            const std::vector<FixedFace>& fixed, const ContactCells& cells, const SkinCut& skin_cut,
+            int threads = 1);
   /// Lines of the inner part: the same bits wherever the slider is.
   mesh::MeshLines inner_lines(const ContactCells& cells, const mesh::MeshLines& whole) const;
   mesh::MeshLines outer_lines(const PlacedPart& placed, const mesh::MeshLines& whole) const;
