@@ -2,6 +2,7 @@
 #include "ionskin/mechanics/elasticity/box_dissection.hpp"
 
 #include <optional>
+#include <utility>
 
 namespace ionskin::mechanics {
 namespace {
@@ -19,8 +20,7 @@ double count(const NodeBox& nodes) {
   return product;
 }
 
-/// Of the Cholesky factorisation of a dense front: pivots and what they change, per unknown of a
-/// node.
+/// Of the Cholesky factorisation of a dense front by its pivots, which change a boundary.
 double operations_of_front(double pivots, double boundary) {
   return pivots * (pivots * (pivots / 3 + boundary) + boundary * boundary);
 }
