@@ -14,6 +14,7 @@ namespace ionskin::linear_algebra {
 /// it. The last `trailing` unknowns of the elimination order form the trailing block L22 of L.
 class SymbolicCholesky {
 public:
+  /// @param pattern of the matrices, in the numbering of their unknowns
   /// @param order elimination order of all unknowns, postordered
   /// @param trailing how many unknowns at its end form the trailing block
   SymbolicCholesky(const SymmetricPattern& pattern, std::vector<int> order, int trailing);
@@ -39,7 +40,7 @@ private:
 /// The factorisation of one matrix; several may be made and used at once, each by one thread.
 class Cholesky {
 public:
-  /// @param values entries of the lower triangle in the order of the pattern
+  /// @param values entries of the lower triangle in the order of the pattern that was analysed
   /// @param threads of its dense kernels
   /// Throws SolverError when the matrix is not positive definite.
   Cholesky(const SymbolicCholesky& symbolic, const std::vector<double>& values, int threads = 1);

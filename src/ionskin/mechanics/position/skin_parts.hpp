@@ -61,6 +61,7 @@ struct SkinParts {
   std::vector<PartUnknown> unknown; ///< of the skin
 
   /// @param whole numbering of the skin
+  /// @param threads that analyse parts side by side
   SkinParts(const ElasticSpace& whole, const mesh::MeshLines& any_lines,
             const std::vector<FixedFace>& fixed, const ContactCells& cells, const SkinCut& skin_cut,
             int threads = 1);

@@ -17,8 +17,7 @@
 namespace ionskin::mechanics {
 namespace {
 
-using Faces = std::array<std::array<BoxFace, 2>, 3>;
-constexpr Faces all_open{};
+constexpr std::array<std::array<BoxFace, 2>, 3> all_open{};
 
 TEST(BoxDissection, lists_every_node_once_but_those_of_held_and_later_faces) {
   const auto order = dissection_order({3, 2, 4}, {{{BoxFace::open, BoxFace::later},
