@@ -49,9 +49,9 @@ struct Cholesky::Numbers {
   ~Numbers() { cholmod_free_factor(&factor, *workspace); }
 };
 
-Cholesky::Cholesky(const SymbolicCholesky& symbolic, const std::vector<double>& values, int threads)
-    : symbolic_(symbolic), threads_(threads), numbers_(std::make_unique<Numbers>()) {
-  const KernelThreads kernel_threads(threads_);
+Cholesky::Cholesky(const SymbolicCholesky& symbolic, const std::vector<double>& values)
+    : symbolic_(symbolic), numbers_(std::make_unique<Numbers>()) {
+  const KernelThreads one_thread(1);
   CholmodWorkspace& workspace = numbers_->workspace;
   numbers_->factor = cholmod_copy_factor(symbolic.symbols_->factor, *workspace);
   workspace.check("copying the symbolic factor");
@@ -73,7 +73,7 @@ Cholesky::Cholesky(const SymbolicCholesky& symbolic, const std::vector<double>& 
 Cholesky::~Cholesky() = default;
 
 DenseMatrix Cholesky::solve(DenseMatrix right_hand_sides) const {
-  const KernelThreads kernel_threads(threads_);
+  const KernelThreads one_thread(1);
   CholmodWorkspace& workspace = numbers_->workspace;
   DenseMatrix ordered(right_hand_sides.rows, right_hand_sides.columns);
   for (int j = 0; j < ordered.columns; ++j) {
@@ -134,7 +134,7 @@ DenseMatrix Cholesky::take_last_block(int count) {
 }
 
 ForwardSubstitution Cholesky::forward(const SparseLoads& loads) const {
-  const KernelThreads kernel_threads(threads_);
+  const KernelThreads one_thread(1);
   return {CholeskyPanels(*numbers_->factor), symbolic_.trailing(), loads};
 }
 

@@ -37,13 +37,12 @@ private:
   std::unique_ptr<Symbols> symbols_;
 };
 
-/// The factorisation of one matrix; several may be made and used at once, each by one thread.
+/// The factorisation of one matrix, by one thread; several may be made and used at once.
 class Cholesky {
 public:
   /// @param values entries of the lower triangle in the order of the pattern that was analysed
-  /// @param threads of its dense kernels
   /// Throws SolverError when the matrix is not positive definite.
-  Cholesky(const SymbolicCholesky& symbolic, const std::vector<double>& values, int threads = 1);
+  Cholesky(const SymbolicCholesky& symbolic, const std::vector<double>& values);
   ~Cholesky();
 
   /// Solves A X = B; shapes [size, any].
@@ -70,7 +69,6 @@ public:
 private:
   struct Numbers;
   const SymbolicCholesky& symbolic_;
-  int threads_;
   std::unique_ptr<Numbers> numbers_;
 };
 

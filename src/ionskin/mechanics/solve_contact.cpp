@@ -124,7 +124,7 @@ std::vector<ContactState> solve_steady_sliding(const Case& input,
     const SurfaceState steady = steady_sliding(problem, load, direction, 0);
     describe(model, steady, problem, largest_normal_force(steady.force), steady.indentation,
              result[i]);
-    result[i].strain = std::move(condensed.respond({steady.force}).front().strain);
+    result[i].strain = condensed.strain(condensed.respond({steady.force}).front());
   });
   return result;
 }

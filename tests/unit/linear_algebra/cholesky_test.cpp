@@ -225,19 +225,6 @@ TEST_F(CholeskyOnGrid, one_analysis_serves_several_threads) {
   }
 }
 
-TEST_F(CholeskyOnGrid, threads_of_the_kernels_do_not_change_the_solution) {
-  const SymmetricPattern large = grid_graph(18);
-  const SymbolicCholesky symbolic(large, grid_order(large, {}), 0);
-  const auto values = values_on(large, 0.5);
-  DenseMatrix right(large.size, 70);
-  for (std::size_t i = 0; i < right.values.size(); ++i) {
-    right.values[i] = std::cos(static_cast<double>(i));
-  }
-  const DenseMatrix one = Cholesky(symbolic, values, 1).solve(right),
-                    two = Cholesky(symbolic, values, 2).solve(right);
-  EXPECT_LT((map(one) - map(two)).norm(), 1e-13 * map(one).norm());
-}
-
 TEST_F(CholeskyOnGrid, indefinite_matrix_is_a_solver_error) {
   const SymbolicCholesky symbolic(graph, grid_order(graph, trailing),
                                   static_cast<int>(trailing.size()));

@@ -48,13 +48,11 @@ void to_points(const std::vector<PointWeights>& weights, std::size_t outer, std:
 
 } // namespace
 
-CoreLattice::CoreLattice(const ElasticSpace& space, const std::array<std::size_t, 2>& core_z)
-    : elements_{space.elements()[0], space.elements()[1], core_z[1] - core_z[0]},
-      first_row_(core_z[0]) {
+CoreLattice::CoreLattice(const ElasticSpace& space, const std::array<std::size_t, 2>& core_z) {
   for (std::size_t c = 0; c < 3; ++c) {
     for (std::size_t k = 2 * core_z[0]; k <= 2 * core_z[1]; ++k) {
-      for (std::size_t j = 0; j <= 2 * elements_[1]; ++j) {
-        for (std::size_t i = 0; i <= 2 * elements_[0]; ++i) {
+      for (std::size_t j = 0; j <= 2 * space.elements()[1]; ++j) {
+        for (std::size_t i = 0; i <= 2 * space.elements()[0]; ++i) {
           unknown_.push_back(space.unknown(space.node_at(i, j, k))[c]);
         }
       }
@@ -68,9 +66,15 @@ void CoreLattice::gather(const double* displacement, double* lattice) const {
   }
 }
 
-CoreStrain CoreLattice::strain(const mesh::MeshLines& lines, const double* lattice) const {
-  const auto [nx, ny, nz] = elements_;
-  const LineWeights x(lines.x, 0, nx), y(lines.y, 0, ny), z(lines.z, first_row_, nz);
+std::size_t lattice_rows(const mesh::MeshLines& lines, const std::array<std::size_t, 2>& core_z) {
+  return 3 * (2 * lines.x.size() - 1) * (2 * lines.y.size() - 1) *
+         (2 * (core_z[1] - core_z[0]) + 1);
+}
+
+CoreStrain lattice_strain(const mesh::MeshLines& lines, const std::array<std::size_t, 2>& core_z,
+                          const double* lattice) {
+  const std::size_t nx = lines.x.size() - 1, ny = lines.y.size() - 1, nz = core_z[1] - core_z[0];
+  const LineWeights x(lines.x, 0, nx), y(lines.y, 0, ny), z(lines.z, core_z[0], nz);
   const std::size_t columns = 2 * nx + 1, layer = columns * (2 * ny + 1);
   // gradient[c][r]: derivative of component c along axis r, at the Gauss points.
   std::array<std::array<std::vector<double>, 3>, 3> gradient;

@@ -25,14 +25,19 @@ public:
   /// @param displacement [unknowns] [m]
   /// @param lattice [rows()]
   void gather(const double* displacement, double* lattice) const;
-  /// Strain at the 2x2x2 Gauss points of the core's elements.
-  /// @param lattice [rows()] [m]
-  CoreStrain strain(const mesh::MeshLines& lines, const double* lattice) const;
 
 private:
-  std::array<std::size_t, 3> elements_{};
-  std::size_t first_row_ = 0;
   std::vector<int> unknown_; ///< of every lattice entry; -1 where it is held
 };
+
+/// Length of a LatticeDisplacement on a mesh of the skin.
+std::size_t lattice_rows(const mesh::MeshLines& lines, const std::array<std::size_t, 2>& core_z);
+
+/// Strain at the 2x2x2 Gauss points of the core's elements.
+/// @param lines of the skin's mesh [m]
+/// @param core_z first and one-past-last element row of the core
+/// @param lattice as of CoreLattice [m]
+CoreStrain lattice_strain(const mesh::MeshLines& lines, const std::array<std::size_t, 2>& core_z,
+                          const double* lattice);
 
 } // namespace ionskin::mechanics

@@ -64,7 +64,13 @@ PathResponse PositionNodes::patterns(std::span<const std::array<double, 2>> plac
         continue;
       }
       NodeResponse& node =
-          responses.emplace_back(NodeResponse{place, nodes_[n].position.reflect, {}, {}, {}, {}});
+          responses.emplace_back(NodeResponse{place,
+                                              nodes_[n].position.reflect,
+                                              model_->mesh.lines(places_[place].centre),
+                                              {},
+                                              {},
+                                              {},
+                                              {}});
       std::vector<CellVector> all;
       for (std::size_t i = 0; i < places.size(); ++i) {
         const double along = weights[i].along[n], across = weights[i].across[n];
@@ -83,7 +89,7 @@ PathResponse PositionNodes::patterns(std::span<const std::array<double, 2>> plac
       }
     }
   }
-  return {model_->mesh, places.size(), std::move(responses)};
+  return {model_->mesh.core_z(), places.size(), std::move(responses)};
 }
 
 void PositionNodes::solve(const std::vector<PathResponse*>& paths,
@@ -112,9 +118,8 @@ void PositionNodes::solve(const std::vector<PathResponse*>& paths,
       &spare);
 }
 
-std::vector<CondensedPosition::Response>
-PositionNodes::respond(const std::vector<std::array<double, 2>>& places,
-                       const std::vector<CellVector>& forces) const {
+std::vector<StateResponse> PositionNodes::respond(const std::vector<std::array<double, 2>>& places,
+                                                  const std::vector<CellVector>& forces) const {
   PathResponse path = patterns(places, forces);
   solve({&path});
   return path.states(0, path.count(), options_.threads);

@@ -18,21 +18,10 @@ using Response = CondensedPosition::Response;
 
 /// Electrode stress and residual are those of nodes with at least this weight.
 constexpr double counting_weight = 0.3;
-/// Patterns whose strains are held at a time as they are recovered.
-constexpr std::size_t patterns_at_once = 48;
+/// Patterns whose strains are held at a time.
+constexpr int patterns_at_once = 48;
 /// Points of the strain that are combined at a time: they stay in the cache of one core.
 constexpr std::size_t points_at_once = 1024;
-
-CoreStrain no_strain(const mesh::SkinMesh& mesh) {
-  const auto [nx, ny, nz] = mesh.elements();
-  const auto [bottom, top] = mesh.core_z();
-  CoreStrain strain;
-  strain.points = {2 * nx, 2 * ny, 2 * (top - bottom)};
-  for (auto& component : strain.component) {
-    component.resize(strain.points[0] * strain.points[1] * strain.points[2]);
-  }
-  return strain;
-}
 
 /// Loads of one position, their order kept. Without a factor every load is the same bits in any
 /// company; with one, which shares its own work among threads, they are recovered together.
@@ -50,15 +39,6 @@ std::vector<Response> responses_of(const CondensedPosition& condensed,
     std::move(own.begin(), own.end(), responses.begin() + static_cast<std::ptrdiff_t>(begin));
   });
   return responses;
-}
-
-void keep_strain(const CoreStrain& strain, int column, linear_algebra::FixedPointMatrix& kept) {
-  std::vector<double> whole;
-  whole.reserve(static_cast<std::size_t>(kept.rows));
-  for (const auto& component : strain.component) {
-    whole.insert(whole.end(), component.begin(), component.end());
-  }
-  kept.set_column(column, whole.data());
 }
 
 /// Of the states where the node counts.
@@ -80,58 +60,69 @@ void keep_stresses(const CondensedPosition& condensed,
   }
 }
 
-/// sums[state - first] += share(pattern, state) strain(pattern), of the node's states from `begin`
-/// to `end`. The shapes of the products do not depend on the number of threads, and so neither do
-/// their bits.
-void add_strains(const NodeResponse& node, std::size_t begin, std::size_t end, std::size_t first,
-                 int threads, std::vector<Response>& sums) {
-  const int patterns = node.share.rows;
-  DenseMatrix share(patterns, static_cast<int>(end - begin));
-  for (int k = 0; k < share.columns; ++k) {
-    std::copy_n(node.share.column(static_cast<int>(begin) + k), patterns, share.column(k));
-  }
-  const std::size_t components = sums.front().strain.component.size(),
-                    points = sums.front().strain.component.front().size(),
+/// Under some of a node's patterns, as at the node.
+std::vector<CoreStrain> pattern_strains(const NodeResponse& node,
+                                        const std::array<std::size_t, 2>& core_z, int first,
+                                        int count, int threads) {
+  std::vector<CoreStrain> strains(static_cast<std::size_t>(count));
+  parallel::run_tasks(strains.size(), threads, [&](std::size_t i) {
+    const int pattern = first + static_cast<int>(i);
+    LatticeDisplacement lattice(static_cast<std::size_t>(node.core.rows));
+    node.core.get_column(pattern, lattice.data());
+    strains[i] = lattice_strain(node.lines, core_z, lattice.data());
+    if (node.reflect[0] || node.reflect[1]) {
+      strains[i] = mirrored(std::move(strains[i]), node.reflect);
+    }
+  });
+  return strains;
+}
+
+/// sums[state] += share(pattern, state) strain(pattern). The shapes of the products do not depend
+/// on the number of threads, and so neither do their bits.
+/// @param share [patterns, states]
+/// @param sums of each state
+void add_strains(const std::vector<CoreStrain>& strains, const DenseMatrix& share, int threads,
+                 const std::vector<CoreStrain*>& sums) {
+  const std::size_t components = strains.front().component.size(),
+                    points = strains.front().component.front().size(),
                     blocks = (points + points_at_once - 1) / points_at_once;
   parallel::run_tasks(components * blocks, threads, [&](std::size_t task) {
     const std::size_t c = task / blocks, at = task % blocks * points_at_once,
                       count = std::min(points_at_once, points - at);
-    DenseMatrix of_patterns(static_cast<int>(count), patterns),
+    DenseMatrix of_patterns(static_cast<int>(count), share.rows),
         of_states(static_cast<int>(count), share.columns);
-    for (int j = 0; j < patterns; ++j) {
-      const std::int32_t* from =
-          node.strain.values.data() +
-          static_cast<std::size_t>(node.strain.rows) * static_cast<std::size_t>(j) + c * points +
-          at;
-      std::transform(from, from + count, of_patterns.column(j),
-                     [unit = node.strain.unit[j]](std::int32_t value) { return unit * value; });
+    for (int j = 0; j < share.rows; ++j) {
+      std::copy_n(strains[static_cast<std::size_t>(j)].component[c].data() + at, count,
+                  of_patterns.column(j));
     }
-    linear_algebra::product(false, of_states.rows, of_states.columns, patterns, 1,
+    linear_algebra::product(false, of_states.rows, of_states.columns, share.rows, 1,
                             of_patterns.values.data(), of_patterns.rows, share.values.data(),
                             share.rows, 0, of_states.values.data(), of_states.rows);
     for (int k = 0; k < share.columns; ++k) {
-      double* to = sums[node.states[begin + static_cast<std::size_t>(k)] - first]
-                       .strain.component[c]
-                       .data() +
-                   at;
+      double* to = sums[static_cast<std::size_t>(k)]->component[c].data() + at;
       const double* from = of_states.column(k);
       std::transform(from, from + count, to, to, std::plus<>());
     }
   });
 }
 
+/// Rows and columns of a matrix from some on.
+DenseMatrix block_of(const DenseMatrix& matrix, int row, int rows, int column, int columns) {
+  DenseMatrix block(rows, columns);
+  for (int k = 0; k < columns; ++k) {
+    std::copy_n(matrix.column(column + k) + row, rows, block.column(k));
+  }
+  return block;
+}
+
 } // namespace
 
-PathResponse::PathResponse(const mesh::SkinMesh& mesh, std::size_t states,
-                           std::vector<NodeResponse> nodes)
-    : none_(no_strain(mesh)), states_(states), nodes_(std::move(nodes)) {}
-
 std::size_t PathResponse::bytes() const {
-  std::size_t patterns = 0;
+  std::size_t values = 0;
   for (const NodeResponse& node : nodes_) {
-    patterns += static_cast<std::size_t>(node.share.rows);
+    values += static_cast<std::size_t>(node.share.rows) * lattice_rows(node.lines, core_z_);
   }
-  return patterns * none_.component.size() * none_.component.front().size() * sizeof(std::int32_t);
+  return values * sizeof(std::int32_t);
 }
 
 bool PathResponse::needs(std::size_t place) const {
@@ -142,7 +133,6 @@ bool PathResponse::needs(std::size_t place) const {
 
 // Nodes that mirror each other are one place, and so one product.
 void PathResponse::solve(std::size_t place, const CondensedPosition& condensed, int threads) {
-  const auto rows = static_cast<int>(none_.component.size() * none_.component.front().size());
   struct Open {
     NodeResponse* node;
     int pattern;
@@ -150,8 +140,9 @@ void PathResponse::solve(std::size_t place, const CondensedPosition& condensed, 
   std::vector<Open> open;
   for (NodeResponse& node : nodes_) {
     if (node.place == place) {
-      node.strain = {rows, static_cast<int>(node.patterns.size())};
-      for (int j = 0; j < node.strain.columns; ++j) {
+      node.core = {static_cast<int>(lattice_rows(node.lines, core_z_)),
+                   static_cast<int>(node.patterns.size())};
+      for (int j = 0; j < node.core.columns; ++j) {
         open.push_back({&node, j});
       }
     }
@@ -165,16 +156,9 @@ void PathResponse::solve(std::size_t place, const CondensedPosition& condensed, 
       loads.push_back(open[i].node->patterns[static_cast<std::size_t>(open[i].pattern)]);
     }
     std::vector<Response> responses = responses_of(condensed, loads, threads);
-    parallel::run_tasks(responses.size(), condensed.holds_factor() ? 1 : threads,
-                        [&](std::size_t i) {
-                          const auto [node, pattern] = open[first + i];
-                          CoreStrain& strain = responses[i].strain;
-                          if (node->reflect[0] || node->reflect[1]) {
-                            strain = mirrored(std::move(strain), node->reflect);
-                          }
-                          keep_strain(strain, pattern, node->strain);
-                        });
-    for (Response& response : responses) {
+    for (std::size_t i = first; i < last; ++i) {
+      Response& response = responses[i - first];
+      open[i].node->core.set_column(open[i].pattern, response.core.data());
       residuals.push_back(response.equilibrium_residual);
       strains_of_electrodes.push_back(std::move(response.electrode_strain));
     }
@@ -194,28 +178,40 @@ void PathResponse::solve(std::size_t place, const CondensedPosition& condensed, 
   }
 }
 
-std::vector<Response> PathResponse::states(std::size_t first, std::size_t count,
-                                           int threads) const {
-  std::vector<Response> sums(count, Response{none_, {}, 0, {}});
+std::vector<StateResponse> PathResponse::states(std::size_t first, std::size_t count,
+                                                int threads) const {
+  CoreStrain none;
+  const mesh::MeshLines& lines = nodes_.front().lines;
+  none.points = {2 * (lines.x.size() - 1), 2 * (lines.y.size() - 1), 2 * (core_z_[1] - core_z_[0])};
+  none.component.fill(std::vector<double>(none.points[0] * none.points[1] * none.points[2]));
+  std::vector<StateResponse> sums(count, StateResponse{none, {}, 0});
   for (const NodeResponse& node : nodes_) {
     const auto at = [&](std::size_t state) {
       return static_cast<std::size_t>(std::ranges::lower_bound(node.states, state) -
                                       node.states.begin());
     };
     const std::size_t begin = at(first), end = at(first + count);
-    if (begin == end || node.share.rows == 0) {
+    if (begin == end) {
       continue;
     }
-    add_strains(node, begin, end, first, threads, sums);
+    std::vector<CoreStrain*> strains;
     for (std::size_t i = begin; i < end; ++i) {
+      StateResponse& sum = sums[node.states[i] - first];
+      strains.push_back(&sum.strain);
       const std::vector<double>& stress = node.electrode_stress[i];
       if (!stress.empty()) {
-        Response& sum = sums[node.states[i] - first];
         sum.electrode_stress.resize(stress.size());
         std::ranges::transform(stress, sum.electrode_stress, sum.electrode_stress.begin(),
                                base::larger);
         sum.equilibrium_residual = base::larger(sum.equilibrium_residual, node.residual);
       }
+    }
+    for (int pattern = 0; pattern < node.share.rows; pattern += patterns_at_once) {
+      const int patterns = std::min(patterns_at_once, node.share.rows - pattern);
+      add_strains(pattern_strains(node, core_z_, pattern, patterns, threads),
+                  block_of(node.share, pattern, patterns, static_cast<int>(begin),
+                           static_cast<int>(end - begin)),
+                  threads, strains);
     }
   }
   return sums;

@@ -7,20 +7,31 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace ionskin::mechanics {
+
+/// What the skin does in a state of a path.
+struct StateResponse {
+  CoreStrain strain;
+  /// Largest membrane stress of each electrode layer, bottom to top [Pa].
+  std::vector<double> electrode_stress;
+  double equilibrium_residual = 0; ///< as of CondensedPosition::Response
+};
 
 /// Load patterns of the states of a path at one node, and what the skin does under them.
 struct NodeResponse {
   std::size_t place = 0; ///< of the condensed positions
   std::array<bool, 2> reflect{};
+  mesh::MeshLines lines;             ///< at the place [m]
   std::vector<std::size_t> states;   ///< that the node has a part in, ascending
   std::vector<double> weight;        ///< of the node in each of them
   std::vector<CellVector> patterns;  ///< at the place [N]; none once they are solved
   linear_algebra::DenseMatrix share; ///< of the patterns in each state
-  /// Under each pattern at the node: components of the strain, points [6 points, patterns].
-  linear_algebra::FixedPointMatrix strain{};
+  /// Under each pattern at the place: LatticeDisplacement by pattern [m], half of what the strain
+  /// takes.
+  linear_algebra::FixedPointMatrix core{};
   /// Of each electrode layer in the states in which the node counts, else empty [Pa].
   std::vector<std::vector<double>> electrode_stress{};
   double residual = 0; ///< of the equilibrium, the worst of the patterns
@@ -30,22 +41,24 @@ struct NodeResponse {
 /// ten load patterns that they have at each node.
 class PathResponse {
 public:
+  /// @param core_z first and one-past-last element row of the core
   /// @param nodes in the order of their places
-  PathResponse(const mesh::SkinMesh& mesh, std::size_t states, std::vector<NodeResponse> nodes);
+  PathResponse(const std::array<std::size_t, 2>& core_z, std::size_t states,
+               std::vector<NodeResponse> nodes)
+      : core_z_(core_z), states_(states), nodes_(std::move(nodes)) {}
 
   std::size_t count() const { return states_; }
-  /// Memory of its strains.
+  /// Memory of what it holds of the core.
   std::size_t bytes() const;
   bool needs(std::size_t place) const;
   /// Solves the patterns of the nodes at a place.
   void solve(std::size_t place, const CondensedPosition& condensed, int threads);
   /// Of states from `first` on, all patterns solved. Strains are interpolated between the nodes,
   /// stresses and residuals the largest over the nodes that count most.
-  std::vector<CondensedPosition::Response> states(std::size_t first, std::size_t count,
-                                                  int threads) const;
+  std::vector<StateResponse> states(std::size_t first, std::size_t count, int threads) const;
 
 private:
-  CoreStrain none_; ///< no strain at all
+  std::array<std::size_t, 2> core_z_;
   std::size_t states_;
   std::vector<NodeResponse> nodes_;
 };

@@ -73,10 +73,10 @@ test_strains(const SkinModel& model, const CondensedPosition& condensed,
   for (const Reflection& reflect : reflections) {
     loads.push_back(reflected(model.cells, test_load(model, directions), reflect));
   }
-  std::vector<CondensedPosition::Response> responses = condensed.respond(loads);
+  const std::vector<CondensedPosition::Response> responses = condensed.respond(loads);
   std::array<std::shared_ptr<const CoreStrain>, 4> result;
   for (std::size_t i = 0; i < reflections.size(); ++i) {
-    CoreStrain& strain = responses[i].strain;
+    CoreStrain strain = condensed.strain(responses[i]);
     result[mirror_index(reflections[i])] = std::make_shared<const CoreStrain>(
         reflections[i] == Reflection{} ? std::move(strain)
                                        : mirrored(std::move(strain), reflections[i]));

@@ -83,8 +83,8 @@ public:
   void solve(
       const std::vector<PathResponse*>& paths, const std::function<void()>& finished = [] {}) const;
   /// Both at once.
-  std::vector<CondensedPosition::Response> respond(const std::vector<std::array<double, 2>>& places,
-                                                   const std::vector<CellVector>& forces) const;
+  std::vector<StateResponse> respond(const std::vector<std::array<double, 2>>& places,
+                                     const std::vector<CellVector>& forces) const;
   /// Positions that `solve` goes through.
   std::size_t places() const { return places_.size(); }
   int threads() const { return options_.threads; }

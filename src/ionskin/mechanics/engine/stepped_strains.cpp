@@ -141,7 +141,7 @@ void SteppedStrains::recover(std::size_t place) {
   block_ = stretch_->states(begin, std::min(size, stretch_->count() - begin),
                             recovery_->nodes().threads());
   first_ = first_of_stretch_ + begin;
-  for (const CondensedPosition::Response& response : block_) {
+  for (const StateResponse& response : block_) {
     residual_ = base::larger(residual_, response.equilibrium_residual);
     stress_.resize(std::max(stress_.size(), response.electrode_stress.size()));
     for (std::size_t layer = 0; layer < response.electrode_stress.size(); ++layer) {

@@ -74,7 +74,7 @@ private:
   std::vector<CellVector> forces_;
   std::shared_ptr<const PathResponse> stretch_;
   std::size_t first_of_stretch_ = 0, first_ = 0; ///< of stretch and block
-  std::vector<CondensedPosition::Response> block_;
+  std::vector<StateResponse> block_;
   std::vector<double> stress_;
   double residual_ = 0;
 };

@@ -185,10 +185,9 @@ CondensedPosition::Response CondensedPosition::response(const double* lattice,
                                                         const double* membrane,
                                                         const std::array<double, 3>& reaction,
                                                         const double* force) const {
-  return {lattice_.strain(lines_, lattice),
-          membrane_.largest_stress(membrane),
-          equilibrium_residual(skin_.space, reaction, force, compliance().columns),
-          {membrane, membrane + membrane_.rows()}};
+  return {{lattice, lattice + lattice_.rows()},
+          {membrane, membrane + membrane_.rows()},
+          equilibrium_residual(skin_.space, reaction, force, compliance().columns)};
 }
 
 void CondensedPosition::respond_by_products(const DenseMatrix& forces,

@@ -49,16 +49,18 @@ public:
 
   /// What the skin does under cell forces.
   struct Response {
-    CoreStrain strain;
-    /// Largest membrane stress of each electrode layer, bottom to top [Pa].
-    std::vector<double> electrode_stress;
-    double equilibrium_residual = 0; ///< loads against base reactions over the largest load sum
+    LatticeDisplacement core;
     std::vector<double> electrode_strain; ///< as of ElectrodeMembrane [1]
+    double equilibrium_residual = 0; ///< loads against base reactions over the largest load sum
   };
   /// Responses to many states at once. Without a factor each is the same bits in any company.
   /// @param forces each [3 cells] [N]
   std::vector<Response> respond(const std::vector<CellVector>& forces) const;
-  /// Of a combination of electrode strains [Pa].
+  CoreStrain strain(const Response& response) const {
+    return lattice_strain(lines_, skin_.core_z, response.core.data());
+  }
+  /// Largest membrane stress of each electrode layer, bottom to top, of a combination of electrode
+  /// strains [Pa].
   std::vector<double> electrode_stress(const std::vector<double>& electrode_strain) const {
     return membrane_.largest_stress(electrode_strain.data());
   }

@@ -16,9 +16,9 @@ namespace {
 
 using linear_algebra::DenseMatrix;
 
-/// Threads of the kernels of what a factor that is alone in memory has only one of: the part under
-/// the slider and the interface. BLAS splits its sums by the number of threads, so it is the same
-/// whatever number a run is given.
+/// Threads of the kernels at the interface of a factor that is alone in memory, of which there is
+/// only one. BLAS splits its sums by the number of threads, so it is the same whatever number a run
+/// is given.
 constexpr int lone_factor_threads = 2;
 
 /// Unit forces whose displacement of the interface is solved together where kernels have a thread.
@@ -65,14 +65,10 @@ DenseMatrix transposed(const DenseMatrix& matrix) {
 } // namespace
 
 PartFactor::PartFactor(const SkinPart& part, const mesh::MeshLines& lines,
-                       const std::vector<ElasticLaw>& law_of_row, int threads) {
+                       const std::vector<ElasticLaw>& law_of_row) {
   const ElasticSystem system = assemble(part.space, lines, law_of_row);
-  auto cholesky =
-      std::make_unique<linear_algebra::Cholesky>(part.symbolic, system.stiffness, threads);
-  {
-    const linear_algebra::KernelThreads kernel_threads(threads);
-    schur_ = linear_algebra::gram_of_rows(cholesky->take_last_block(part.interface));
-  }
+  auto cholesky = std::make_unique<linear_algebra::Cholesky>(part.symbolic, system.stiffness);
+  schur_ = linear_algebra::gram_of_rows(cholesky->take_last_block(part.interface));
   cholesky_ = std::move(cholesky);
   for (std::size_t c = 0; c < 3; ++c) {
     for (const int unknown : part.symbolic.order()) {
@@ -92,13 +88,9 @@ void PartFactor::add_reaction(const PlacedPart& placed, std::size_t axis,
 }
 
 InnerFactor::InnerFactor(const SkinParts& parts, const ContactCells& cells,
-                         const mesh::MeshLines& lines, const std::vector<ElasticLaw>& law_of_row,
-                         int threads)
-    : factor(*parts.inner.part, lines, law_of_row, threads),
-      loads(factor.cholesky().forward(unit_loads(cells, parts))) {
-  const linear_algebra::KernelThreads kernel_threads(threads);
-  compliance = loads.gram();
-}
+                         const mesh::MeshLines& lines, const std::vector<ElasticLaw>& law_of_row)
+    : factor(*parts.inner.part, lines, law_of_row),
+      loads(factor.cholesky().forward(unit_loads(cells, parts))), compliance(loads.gram()) {}
 
 const DenseMatrix& SkinDisplacement::of_skin(int first, int count) {
   of_skin_.reshape(static_cast<int>(parts_.unknown.size()), count);
@@ -129,19 +121,7 @@ FactorisedSkin::FactorisedSkin(const ElasticSkin& skin, const mesh::MeshLines& l
       threads_(skin.analysis().factors_at_once == 1 ? threads : 1),
       kernel_threads_(skin.analysis().factors_at_once == 1 ? lone_factor_threads : 1),
       spare_(spare), parts_(skin.analysis().parts) {
-  const mesh::MeshLines inner_lines = parts_.inner_lines(skin.cells, lines);
-  const auto inner = skin.analysis().inner(inner_lines);
-  const auto make = [&] {
-    return std::make_unique<const InnerFactor>(parts_, skin.cells, inner_lines, skin.law_of_row,
-                                               kernel_threads_);
-  };
-  if (inner->begin()) {
-    inner_ = inner->get(make);
-    factorise_outer(skin, lines);
-  } else { // another thread makes it meanwhile
-    factorise_outer(skin, lines);
-    inner_ = inner->get(make);
-  }
+  factorise_parts(skin, lines);
   join();
   gather_reactions(skin.space.unknowns());
 }
@@ -155,12 +135,29 @@ void FactorisedSkin::run_tasks(std::size_t count,
   }
 }
 
-void FactorisedSkin::factorise_outer(const ElasticSkin& skin, const mesh::MeshLines& lines) {
+void FactorisedSkin::factorise_parts(const ElasticSkin& skin, const mesh::MeshLines& lines) {
+  const mesh::MeshLines inner_lines = parts_.inner_lines(skin.cells, lines);
+  const auto inner = skin.analysis().inner(inner_lines);
+  const auto take_inner = [&] {
+    inner_ = inner->get([&] {
+      return std::make_unique<const InnerFactor>(parts_, skin.cells, inner_lines, skin.law_of_row);
+    });
+  };
+  // The inner part takes longest: it is begun first, unless another position makes it already.
+  const bool begins = inner->begin();
+  const std::size_t outer = begins ? 1 : 0;
   std::vector<std::optional<PartFactor>> made(parts_.outer.size());
-  run_tasks(made.size(), [&](std::size_t p) {
-    const PlacedPart& placed = parts_.outer[p];
-    made[p].emplace(*placed.part, parts_.outer_lines(placed, lines), skin.law_of_row);
+  run_tasks(outer + made.size(), [&](std::size_t task) {
+    if (task < outer) {
+      take_inner();
+      return;
+    }
+    const PlacedPart& placed = parts_.outer[task - outer];
+    made[task - outer].emplace(*placed.part, parts_.outer_lines(placed, lines), skin.law_of_row);
   });
+  if (!begins) {
+    take_inner();
+  }
   for (auto& factor : made) {
     outer_.push_back(std::move(*factor));
   }

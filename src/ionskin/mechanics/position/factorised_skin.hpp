@@ -20,7 +20,7 @@ namespace ionskin::mechanics {
 class PartFactor {
 public:
   PartFactor(const SkinPart& part, const mesh::MeshLines& lines,
-             const std::vector<ElasticLaw>& law_of_row, int threads = 1);
+             const std::vector<ElasticLaw>& law_of_row);
 
   const linear_algebra::Cholesky& cholesky() const { return *cholesky_; }
   /// Schur complement of its interface: the stiffness of the part as felt there [N/m].
@@ -43,7 +43,7 @@ struct InnerFactor {
   linear_algebra::DenseMatrix compliance;    ///< of the cells while the interface is held [m/N]
 
   InnerFactor(const SkinParts& parts, const ContactCells& cells, const mesh::MeshLines& lines,
-              const std::vector<ElasticLaw>& law_of_row, int threads);
+              const std::vector<ElasticLaw>& law_of_row);
 };
 
 /// Displacement of the skin in some states. Large: to be filled again is faster than to be made.
@@ -97,7 +97,7 @@ private:
     std::counting_semaphore<>& places_;
   };
 
-  void factorise_outer(const ElasticSkin& skin, const mesh::MeshLines& lines);
+  void factorise_parts(const ElasticSkin& skin, const mesh::MeshLines& lines);
   void join();
   void gather_reactions(int unknowns);
   /// From forward substitution in the inner part and displacements of the interface by state.

@@ -15,7 +15,7 @@ namespace {
 
 /// To be raised whenever the numbers of a condensed position change for the same input:
 /// elements, assembly, lattice, rounding, or the layout of what it gives.
-constexpr std::uint32_t numerical_version = 6;
+constexpr std::uint32_t numerical_version = 7;
 
 /// Of files of inputs.
 base::Digest file_key() {

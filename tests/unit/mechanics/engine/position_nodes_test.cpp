@@ -42,7 +42,7 @@ TEST(PositionNodes, give_the_skin_at_places_that_were_not_solved) {
     line().nodes->compliance().at({x, 1e-3}, compliance);
     EXPECT_LT(largest_difference(compliance.values, direct.compliance().values), tolerance) << x;
     const auto strain = line().nodes->respond({{x, 1e-3}}, {force}).front().strain;
-    const auto expected = direct.respond({force}).front().strain;
+    const auto expected = direct.strain(direct.respond({force}).front());
     ASSERT_EQ(strain.points, expected.points);
     EXPECT_LT(largest_difference(strain.component[4], expected.component[4]), tolerance) << x;
   }
@@ -136,8 +136,8 @@ TEST(PositionNodes, respond_across_their_line_at_its_ends) {
   for (const double x : {1.5e-3, 3.5e-3}) {
     const CondensedPosition direct(*line().model, {x, 1e-3});
     EXPECT_LT(largest_difference(nodes.respond({{x, 1e-3}}, {force}).front().strain.component[5],
-                                 direct.respond({force}).front().strain.component[5]),
-              1e-9)
+                                 direct.strain(direct.respond({force}).front()).component[5]),
+              3e-8) // displacements are kept to 2.3e-10 of the largest, over thin elements
         << x;
   }
   for (std::size_t i = 2; i < force.size(); i += 3) {
