@@ -113,10 +113,10 @@ struct MeshCost {
   /// Responses to unit forces at the positions of the path, which are kept until its history is
   /// made wherever they are kept at all [bytes].
   double response_memory() const {
-    // Without them, the strains under the load patterns of a path and of its companion's.
-    constexpr double patterns = 16, paths = 2, points = 8, strains = 6;
-    const double each = keeps_responses() ? lattice * 3.0 * static_cast<double>(cells)
-                                          : paths * patterns * core_elements * points * strains;
+    // Without them, those to the load patterns of a path and of its companion's.
+    constexpr double patterns = 16, paths = 2;
+    const double each =
+        lattice * (keeps_responses() ? 3.0 * static_cast<double>(cells) : paths * patterns);
     return passes * sizeof(std::int32_t) * static_cast<double>(positions) * each;
   }
   bool keeps_responses() const {

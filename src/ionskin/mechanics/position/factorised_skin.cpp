@@ -3,6 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/system/free_memory.hpp"
+#include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/linear_algebra/dense_kernels.hpp"
 #include "ionskin/mechanics/elasticity/elastic_system.hpp"
 #include "ionskin/parallel/task_pool.hpp"
@@ -122,6 +123,7 @@ FactorisedSkin::FactorisedSkin(const ElasticSkin& skin, const mesh::MeshLines& l
       kernel_threads_(skin.analysis().factors_at_once == 1 ? lone_factor_threads : 1),
       spare_(spare), parts_(skin.analysis().parts) {
   factorise_parts(skin, lines);
+  base::check_interrupt();
   join();
   gather_reactions(skin.space.unknowns());
 }
@@ -148,6 +150,7 @@ void FactorisedSkin::factorise_parts(const ElasticSkin& skin, const mesh::MeshLi
   const std::size_t outer = begins ? 1 : 0;
   std::vector<std::optional<PartFactor>> made(parts_.outer.size());
   run_tasks(outer + made.size(), [&](std::size_t task) {
+    base::check_interrupt();
     if (task < outer) {
       take_inner();
       return;

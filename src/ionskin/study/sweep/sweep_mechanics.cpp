@@ -4,6 +4,7 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/files/atomic_file.hpp"
 #include "ionskin/base/files/sealed_file.hpp"
+#include "ionskin/mechanics/path/expected_steps.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/position/memory_estimate.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
@@ -27,8 +28,11 @@ namespace {
 // For the contact solutions held at once: so many bytes, or so much of what a factorisation takes
 // anyway. What does not fit is solved in a further batch, which factorises all positions again.
 constexpr double least_solution_memory = 1.2e9, share_of_factorisation = 0.5;
-// A solution holds the strains that it recovered last.
+/// Of a cell in a state of the path: its tractions, forces, displacement, slip and reserve.
+constexpr double values_per_cell = 16;
+/// States whose strain a solution holds while its history is made, and solutions at a time.
 constexpr double held_states = 48;
+constexpr std::size_t histories_at_once = 2;
 
 /// Points with one and the same Study 1.
 struct SharedMechanics {
@@ -76,7 +80,14 @@ std::vector<FrictionGroup> group_points(const std::vector<SweepPoint>& points,
   return result;
 }
 
-double solution_memory(const mesh::SkinMesh& mesh) {
+double solution_memory(const Case& input, const mesh::SkinMesh& mesh) {
+  const auto cells = static_cast<double>((mesh.footprint_lines_x().size() - 1) *
+                                         (mesh.footprint_lines_y().size() - 1));
+  const std::size_t states = std::max<std::size_t>(1, mechanics::expected_steps(input).kept);
+  return values_per_cell * sizeof(double) * cells * static_cast<double>(states);
+}
+
+double strain_memory(const mesh::SkinMesh& mesh) {
   const auto elements = mesh.elements();
   const auto core = mesh.core_z();
   const double gauss_points =
@@ -92,8 +103,8 @@ double most_memory(const mesh::SkinMesh& mesh) {
 /// Friction coefficients whose solutions fit into memory together.
 std::size_t batch_size(const Case& input, const mesh::Footprint& footprint) {
   const mesh::SkinMesh mesh(input, footprint);
-  return std::max<std::size_t>(1,
-                               static_cast<std::size_t>(most_memory(mesh) / solution_memory(mesh)));
+  return std::max<std::size_t>(
+      1, static_cast<std::size_t>(most_memory(mesh) / solution_memory(input, mesh)));
 }
 
 /// How the entries of a group are solved.
@@ -318,7 +329,10 @@ std::vector<std::size_t> points_to_solve(const std::vector<SweepPoint>& points,
 
 double solutions_memory(const Case& input, std::size_t solutions) {
   const mesh::SkinMesh mesh(input);
-  return std::min(most_memory(mesh), static_cast<double>(solutions) * solution_memory(mesh));
+  const auto histories = static_cast<double>(std::min(solutions, histories_at_once));
+  return std::min(most_memory(mesh),
+                  static_cast<double>(solutions) * solution_memory(input, mesh)) +
+         histories * strain_memory(mesh);
 }
 
 std::vector<MechanicsGroup> mechanics_groups(const std::vector<SweepPoint>& points) {
