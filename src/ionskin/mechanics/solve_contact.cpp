@@ -17,6 +17,32 @@
 namespace ionskin::mechanics {
 namespace {
 
+std::vector<ContactVariant> choose(const std::vector<ContactVariant>& variants,
+                                   const std::vector<std::size_t>& chosen) {
+  std::vector<ContactVariant> result;
+  for (const std::size_t i : chosen) {
+    result.push_back(variants[i]);
+  }
+  return result;
+}
+
+/// Of the solutions that need one, with those that need it. Each decides by itself, so that no
+/// solution depends on its neighbours.
+std::vector<std::pair<mesh::Footprint, std::vector<std::size_t>>>
+wider_footprints(const std::vector<SteppedSolution>& solved) {
+  std::vector<std::pair<mesh::Footprint, std::vector<std::size_t>>> result;
+  for (std::size_t i = 0; i < solved.size(); ++i) {
+    if (const auto& wider = solved[i].wider) {
+      const auto same = std::ranges::find_if(
+          result, [&](const auto& group) { return group.first.half_size == wider->half_size; });
+      auto& group =
+          same == result.end() ? result.emplace_back(*wider, std::vector<std::size_t>{}) : *same;
+      group.second.push_back(i);
+    }
+  }
+  return result;
+}
+
 /// Variants that share a footprint are solved together.
 std::vector<ContactSolution> solve_on_own_footprints(const Case& input,
                                                      const std::vector<ContactVariant>& variants,
@@ -44,11 +70,7 @@ std::vector<ContactSolution> solve_on_own_footprints(const Case& input,
             find_footprint(input, variants[first].friction, options.threads, options.progress);
       }
     }
-    std::vector<ContactVariant> shared;
-    for (const std::size_t i : sharing) {
-      shared.push_back(variants[i]);
-    }
-    auto solved = solve_variants(input, shared, together, timers);
+    auto solved = solve_variants(input, choose(variants, sharing), together, timers);
     for (std::size_t i = 0; i < sharing.size(); ++i) {
       solutions[sharing[i]] = std::move(solved[i]);
     }
@@ -68,17 +90,20 @@ std::vector<ContactSolution> solve_variants(const Case& input,
   if (!options.footprint) {
     return solve_on_own_footprints(input, variants, options, timers);
   }
-  const mesh::Footprint& footprint = *options.footprint;
   parallel::SharedProgress progress("mechanics", options.progress);
-  auto solutions = solve_stepped(input, footprint, variants, options, timers, progress);
-  for (std::size_t i = 0; i < variants.size(); ++i) {
-    // Each by itself, so that no solution depends on its neighbours.
-    mesh::Footprint own = footprint;
-    while (const auto wider = widened_footprint(input, own, solutions[i])) {
-      own = *wider;
-      solutions[i] =
-          std::move(solve_stepped(input, own, {variants[i]}, options, timers, progress).front());
+  auto solved = solve_stepped(input, *options.footprint, variants, options, timers, progress);
+  for (auto wider = wider_footprints(solved); !wider.empty(); wider = wider_footprints(solved)) {
+    for (const auto& [footprint, chosen] : wider) {
+      auto again =
+          solve_stepped(input, footprint, choose(variants, chosen), options, timers, progress);
+      for (std::size_t i = 0; i < chosen.size(); ++i) {
+        solved[chosen[i]] = std::move(again[i]);
+      }
     }
+  }
+  std::vector<ContactSolution> solutions;
+  for (SteppedSolution& solution : solved) {
+    solutions.push_back(std::move(solution.contact));
   }
   progress.finish();
   return solutions;

@@ -7,6 +7,7 @@
 #include "ionskin/mechanics/engine/drive_room.hpp"
 #include "ionskin/mechanics/engine/kept_path.hpp"
 #include "ionskin/mechanics/engine/stepped_strains.hpp"
+#include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/path/path_resolution.hpp"
 #include "ionskin/mechanics/position/interpolation_error.hpp"
 #include "ionskin/mechanics/position/interpolation_nodes.hpp"
@@ -140,7 +141,7 @@ std::array<std::size_t, 2> expected_lines(const Case& input) {
   return box ? expected_counts(input, *box) : std::array<std::size_t, 2>{1, 1};
 }
 
-std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footprint& footprint,
+std::vector<SteppedSolution> solve_stepped(const Case& input, const mesh::Footprint& footprint,
                                            const std::vector<ContactVariant>& variants,
                                            const ContactOptions& options, base::Timers& timers,
                                            parallel::SharedProgress& progress) {
@@ -149,14 +150,14 @@ std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footpr
       options.full_model ? mesh::MeshedPart::whole : mesh::MeshedPart::half_if_symmetric);
   const std::vector<MotionLeg> legs = motion_legs(input.motion, input.slider);
   const auto box = contact_box(input);
-  std::vector<ContactSolution> solutions(variants.size(), empty_solution(*model));
+  std::vector<SteppedSolution> solutions(variants.size(), {empty_solution(*model), std::nullopt});
   if (!box) {
-    for (ContactSolution& solution : solutions) {
+    for (SteppedSolution& solution : solutions) {
+      std::vector<SteppedInstant>& stepped = solution.contact.stepped;
       for (const MotionLeg& leg : legs) {
-        solution.stepped.push_back({leg.begin, leg.from, leg.from_level.value, nullptr});
+        stepped.push_back({leg.begin, leg.from, leg.from_level.value, nullptr});
       }
-      solution.stepped.push_back(
-          {legs.back().end(), legs.back().to, legs.back().to_level.value, nullptr});
+      stepped.push_back({legs.back().end(), legs.back().to, legs.back().to_level.value, nullptr});
     }
     return solutions;
   }
@@ -182,14 +183,15 @@ std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footpr
     const base::Timers::Scope scope(timers, "mechanics: contact");
     ContactSolution checked = empty_solution(*model);
     require_resolved_adhesion(input, *nodes, *box, checked.warnings);
-    solutions[i] = solve_path(input, legs, recovery, variants[i], progress);
-    std::ranges::move(checked.warnings, std::back_inserter(solutions[i].warnings));
+    ContactSolution& contact = solutions[i].contact;
+    contact = solve_path(input, legs, recovery, variants[i], progress);
+    std::ranges::move(checked.warnings, std::back_inserter(contact.warnings));
     // Each by itself, so that no solution depends on its neighbours.
     std::shared_ptr<SharedRecovery> own = recovery;
     MotionBox own_box = *box;
     const MotionBox room = room_on_skin(input, footprint);
     for (int pass = 0; pass < most_passes && input.motion.drive.given(); ++pass) {
-      const auto wider = widened_box(input, own_box, room, solutions[i]);
+      const auto wider = widened_box(input, own_box, room, contact);
       if (!wider) {
         break;
       }
@@ -198,9 +200,13 @@ std::vector<ContactSolution> solve_stepped(const Case& input, const mesh::Footpr
       own = std::make_shared<SharedRecovery>(std::make_shared<const PositionNodes>(
           input, model, own_box, NodeOptions{1, options.cache, options.nodes}, progress));
       progress.add_units(units_per_path);
-      solutions[i] = solve_path(input, legs, own, variants[i], progress);
+      contact = solve_path(input, legs, own, variants[i], progress);
     }
-    warn_of_nodes(input, own->nodes(), own_box, options, solutions[i]);
+    warn_of_nodes(input, own->nodes(), own_box, options, contact);
+    solutions[i].wider = widened_footprint(input, footprint, contact);
+    if (solutions[i].wider) {
+      contact = empty_solution(*model); // its strains are not recovered
+    }
   });
   {
     const base::Timers::Scope scope(timers, "mechanics: strain");
