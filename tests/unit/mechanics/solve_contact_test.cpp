@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -373,11 +374,16 @@ TEST(SolveContact, a_contact_at_the_border_widens_its_own_mesh_only) {
   constexpr double tight = 1.15e-4;
   options.footprint = mesh::Footprint{{tight, tight}, {tight, tight}};
   base::Timers timers;
-  const auto both = solve_contact(input, {0.02, 0.6}, options, timers);
-  EXPECT_DOUBLE_EQ(both[0].cell_lines_x.back(), tight);
-  EXPECT_GT(both[1].cell_lines_x.back(), 1.2 * tight);
-  const auto alone = solve_contact(input, {0.02}, options, timers);
-  EXPECT_EQ(touchdown(both[0]).normal_traction, touchdown(alone[0]).normal_traction);
+  const auto together = solve_contact(input, {0.02, 0.6, 0.7}, options, timers);
+  EXPECT_DOUBLE_EQ(together[0].cell_lines_x.back(), tight);
+  EXPECT_GT(together[1].cell_lines_x.back(), 1.2 * tight);
+  EXPECT_EQ(together[1].cell_lines_x, together[2].cell_lines_x);
+  for (const std::size_t i : {0, 1}) {
+    const auto alone = solve_contact(input, {std::array{0.02, 0.6}[i]}, options, timers);
+    const ContactState &expected = touchdown(alone[0]), &found = touchdown(together[i]);
+    EXPECT_EQ(found.normal_traction, expected.normal_traction);
+    EXPECT_EQ(core_strain(found).component, core_strain(expected).component);
+  }
 }
 
 } // namespace
