@@ -51,11 +51,8 @@ std::vector<std::string> names_in(const std::string& parent) {
   return names;
 }
 
-// A key deeper in the table that the name ends with, or one of nearly that name anywhere.
-std::string key_elsewhere(const std::string& name, const std::string& parent) {
-  for (const SchemaRow& row : schema())
-    if (row.key.starts_with(parent + ".") && name.ends_with("_" + last_of(row.key)))
-      return row.key;
+// A key of that name, or nearly, anywhere in the schema.
+std::string key_elsewhere(const std::string& name) {
   std::vector<std::string> names;
   for (const SchemaRow& row : schema())
     names.push_back(last_of(row.key));
@@ -69,8 +66,7 @@ std::string key_elsewhere(const std::string& name, const std::string& parent) {
 // The key that was probably meant, or an empty string.
 std::string probable_key(const std::string& key, const std::string& pattern) {
   const std::string nearest = base::nearest_name(last_of(pattern), names_in(parent_of(pattern)));
-  return nearest.empty() ? key_elsewhere(last_of(pattern), parent_of(pattern))
-                         : joined(parent_of(key), nearest);
+  return nearest.empty() ? key_elsewhere(last_of(pattern)) : joined(parent_of(key), nearest);
 }
 
 std::string list_of_siblings(const std::string& key, const std::string& pattern) {
