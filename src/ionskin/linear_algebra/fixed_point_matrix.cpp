@@ -111,12 +111,6 @@ void FixedPointMatrix::set_column(int j, const double* column) {
   }
 }
 
-void FixedPointMatrix::get_column(int j, double* column) const {
-  const std::int32_t* from = values.data() + place(rows, 0, j);
-  std::transform(from, from + rows, column,
-                 [own = unit[j]](std::int32_t value) { return own * value; });
-}
-
 double FixedPointMatrix::operator()(int i, int j) const {
   return unit[j] * values[place(rows, i, j)];
 }

@@ -20,8 +20,6 @@ struct FixedPointMatrix {
   FixedPointMatrix(int row_count, int column_count);
   /// @param column [rows]
   void set_column(int j, const double* column);
-  /// @param column [rows]
-  void get_column(int j, double* column) const;
   double operator()(int i, int j) const;
 };
 

@@ -5,6 +5,7 @@
 #include "ionskin/case/coupling.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/handover/strain_grid.hpp"
+#include "ionskin/linear_algebra/fixed_point_columns.hpp"
 #include "ionskin/mechanics/companions.hpp"
 #include "ionskin/mechanics/path/expected_steps.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
@@ -115,9 +116,10 @@ struct MeshCost {
   double response_memory() const {
     // Without them, those to the load patterns of a path and of its companion's.
     constexpr double patterns = 16, paths = 2;
-    const double each =
-        lattice * (keeps_responses() ? 3.0 * static_cast<double>(cells) : paths * patterns);
-    return passes * sizeof(std::int32_t) * static_cast<double>(positions) * each;
+    const double of_position =
+        keeps_responses() ? 3.0 * static_cast<double>(cells) * sizeof(std::int32_t)
+                          : paths * patterns * linear_algebra::FixedPointColumns::bytes_per_entry;
+    return passes * static_cast<double>(positions) * lattice * of_position;
   }
   bool keeps_responses() const {
     return mechanics::responses_fit(static_cast<int>(lattice), 0, static_cast<int>(3 * cells),

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace ionskin::linear_algebra {
 namespace {
@@ -38,17 +37,6 @@ TEST(FixedPointMatrix, rounds_to_a_fraction_of_the_largest_entry_of_the_column) 
     }
   }
   EXPECT_EQ(rounded(3, 4), 0.0);
-}
-
-TEST(FixedPointMatrix, gives_columns_back) {
-  const FixedPointMatrix rounded = fixed(example());
-  std::vector<double> column(700);
-  for (int j = 0; j < rounded.columns; ++j) {
-    rounded.get_column(j, column.data());
-    for (int i = 0; i < rounded.rows; ++i) {
-      ASSERT_EQ(column[static_cast<std::size_t>(i)], rounded(i, j));
-    }
-  }
 }
 
 TEST(FixedPointMatrix, product_is_that_of_the_rounded_entries) {

@@ -66,9 +66,9 @@ std::vector<CoreStrain> pattern_strains(const NodeResponse& node,
                                         int count, int threads) {
   std::vector<CoreStrain> strains(static_cast<std::size_t>(count));
   parallel::run_tasks(strains.size(), threads, [&](std::size_t i) {
-    const int pattern = first + static_cast<int>(i);
-    LatticeDisplacement lattice(static_cast<std::size_t>(node.core.rows));
-    node.core.get_column(pattern, lattice.data());
+    const std::size_t pattern = static_cast<std::size_t>(first) + i;
+    LatticeDisplacement lattice(node.core.rows());
+    node.core.get(pattern, lattice.data());
     strains[i] = lattice_strain(node.lines, core_z, lattice.data());
     if (node.reflect[0] || node.reflect[1]) {
       strains[i] = mirrored(std::move(strains[i]), node.reflect);
@@ -122,7 +122,7 @@ std::size_t PathResponse::bytes() const {
   for (const NodeResponse& node : nodes_) {
     values += static_cast<std::size_t>(node.share.rows) * lattice_rows(node.lines, core_z_);
   }
-  return values * sizeof(std::int32_t);
+  return values * linear_algebra::FixedPointColumns::bytes_per_entry;
 }
 
 bool PathResponse::needs(std::size_t place) const {
@@ -135,14 +135,13 @@ bool PathResponse::needs(std::size_t place) const {
 void PathResponse::solve(std::size_t place, const CondensedPosition& condensed, int threads) {
   struct Open {
     NodeResponse* node;
-    int pattern;
+    std::size_t pattern;
   };
   std::vector<Open> open;
   for (NodeResponse& node : nodes_) {
     if (node.place == place) {
-      node.core = {static_cast<int>(lattice_rows(node.lines, core_z_)),
-                   static_cast<int>(node.patterns.size())};
-      for (int j = 0; j < node.core.columns; ++j) {
+      node.core = {lattice_rows(node.lines, core_z_), node.patterns.size()};
+      for (std::size_t j = 0; j < node.core.columns(); ++j) {
         open.push_back({&node, j});
       }
     }
@@ -153,12 +152,12 @@ void PathResponse::solve(std::size_t place, const CondensedPosition& condensed, 
     const std::size_t last = std::min(open.size(), first + patterns_at_once);
     std::vector<CellVector> loads;
     for (std::size_t i = first; i < last; ++i) {
-      loads.push_back(open[i].node->patterns[static_cast<std::size_t>(open[i].pattern)]);
+      loads.push_back(open[i].node->patterns[open[i].pattern]);
     }
     std::vector<Response> responses = responses_of(condensed, loads, threads);
     for (std::size_t i = first; i < last; ++i) {
       Response& response = responses[i - first];
-      open[i].node->core.set_column(open[i].pattern, response.core.data());
+      open[i].node->core.set(open[i].pattern, response.core.data());
       residuals.push_back(response.equilibrium_residual);
       strains_of_electrodes.push_back(std::move(response.electrode_strain));
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/linear_algebra/fixed_point_matrix.hpp"
+#include "ionskin/linear_algebra/fixed_point_columns.hpp"
 #include "ionskin/mechanics/position/condensed_position.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 
@@ -29,9 +29,8 @@ struct NodeResponse {
   std::vector<double> weight;        ///< of the node in each of them
   std::vector<CellVector> patterns;  ///< at the place [N]; none once they are solved
   linear_algebra::DenseMatrix share; ///< of the patterns in each state
-  /// Under each pattern at the place: LatticeDisplacement by pattern [m], half of what the strain
-  /// takes.
-  linear_algebra::FixedPointMatrix core{};
+  /// LatticeDisplacement under each pattern at the place [m]: two thirds of what strains take.
+  linear_algebra::FixedPointColumns core{};
   /// Of each electrode layer in the states in which the node counts, else empty [Pa].
   std::vector<std::vector<double>> electrode_stress{};
   double residual = 0; ///< of the equilibrium, the worst of the patterns
