@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace ionskin {
 
@@ -36,37 +37,59 @@ std::string last_of(const std::string& pattern) {
   return pattern.substr(pattern.rfind('.') + 1);
 }
 
-// Names that may stand in a table: keys and sub-tables.
-std::vector<std::string> names_in(const std::string& parent) {
-  std::vector<std::string> names;
-  const std::string prefix = parent.empty() ? "" : parent + ".";
-  for (const SchemaRow& row : schema()) {
-    if (!row.key.starts_with(prefix))
-      continue;
-    const std::string rest = row.key.substr(prefix.size());
-    const std::string name = rest.substr(0, rest.find_first_of(".["));
-    if (std::find(names.begin(), names.end(), name) == names.end())
-      names.push_back(name);
+/// Names of the schema, made once: a hostile text asks for them at every one of its mistakes.
+struct SchemaNames {
+  /// Keys and sub-tables that may stand in each table, in the order of the schema.
+  std::map<std::string, std::vector<std::string>> in_table;
+  std::vector<std::string> last; ///< of each row
+
+  SchemaNames() {
+    for (const SchemaRow& row : schema()) {
+      last.push_back(last_of(row.key));
+      for (std::size_t begin = 0; begin != std::string::npos;) {
+        const std::string name = row.key.substr(begin, row.key.find_first_of(".[", begin) - begin);
+        std::vector<std::string>& names = in_table[begin == 0 ? "" : row.key.substr(0, begin - 1)];
+        if (std::find(names.begin(), names.end(), name) == names.end())
+          names.push_back(name);
+        const std::size_t dot = row.key.find('.', begin);
+        begin = dot == std::string::npos ? dot : dot + 1;
+      }
+    }
   }
+};
+
+const SchemaNames& schema_names() {
+  static const SchemaNames names;
   return names;
 }
 
-// A key of that name, or nearly, anywhere in the schema.
-std::string key_elsewhere(const std::string& name) {
-  std::vector<std::string> names;
-  for (const SchemaRow& row : schema())
-    names.push_back(last_of(row.key));
-  const std::string nearest = base::nearest_name(name, names);
-  for (const SchemaRow& row : schema())
-    if (!nearest.empty() && last_of(row.key) == nearest)
-      return row.key;
+const std::vector<std::string>& names_in(const std::string& parent) {
+  static const std::vector<std::string> none;
+  const auto found = schema_names().in_table.find(parent);
+  return found == schema_names().in_table.end() ? none : found->second;
+}
+
+// A key in the table or deeper that the name ends or begins with, or one of nearly that name
+// anywhere.
+std::string key_elsewhere(const std::string& name, const std::string& parent) {
+  const std::vector<std::string>& last = schema_names().last;
+  const std::string inside = parent + ".";
+  for (std::size_t i = 0; i < last.size(); ++i)
+    if ((name.ends_with("_" + last[i]) || name.starts_with(last[i] + "_")) &&
+        schema()[i].key.starts_with(inside))
+      return schema()[i].key;
+  const std::string nearest = base::nearest_name(name, last);
+  for (std::size_t i = 0; i < last.size(); ++i)
+    if (!nearest.empty() && last[i] == nearest)
+      return schema()[i].key;
   return "";
 }
 
 // The key that was probably meant, or an empty string.
 std::string probable_key(const std::string& key, const std::string& pattern) {
   const std::string nearest = base::nearest_name(last_of(pattern), names_in(parent_of(pattern)));
-  return nearest.empty() ? key_elsewhere(last_of(pattern)) : joined(parent_of(key), nearest);
+  return nearest.empty() ? key_elsewhere(last_of(pattern), parent_of(pattern))
+                         : joined(parent_of(key), nearest);
 }
 
 std::string list_of_siblings(const std::string& key, const std::string& pattern) {

@@ -211,6 +211,10 @@ TEST(ReadCase, MistakesInEditsPointAtTheEdit) {
   EXPECT_THAT(message("contact.friction=-1"), testing::HasSubstr("--set contact.friction=-1\n"));
   EXPECT_THAT(message("contact.frction=1"), testing::HasSubstr("did you mean contact.friction?"));
   EXPECT_THAT(message("contact.frction=1"), testing::HasSubstr("--set contact.frction=1\n"));
+  EXPECT_THAT(message("contact.friction_coefficient=1"),
+              testing::HasSubstr("did you mean contact.friction?"));
+  EXPECT_THAT(message("skin.core_thickness=80 um"),
+              testing::HasSubstr("did you mean skin.layers[].thickness?"));
   // Two places: the edit, and the line of the file that it conflicts with.
   EXPECT_THAT(message("motion.stroke=10 mm"),
               testing::AllOf(testing::HasSubstr("--set motion.stroke=10 mm\n"),
