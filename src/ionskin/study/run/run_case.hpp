@@ -25,11 +25,12 @@ struct RunOptions {
   bool beside_others = false; ///< others may write other results into the folder meanwhile
   /// `electrochemistry` alone takes up the finished mechanics in the folder.
   Studies studies = Studies::both;
-  bool report = true;         ///< draw the figures and the page
-  bool paraview = true;       ///< write the kept fields for ParaView, beside those in results.h5
-  bool use_cache = true;      ///< look up and keep condensed slider positions in the user's cache
-  bool keep_mechanics = true; ///< and whole results of Study 1, which some others may share
-  std::string command;        ///< for the manifest
+  bool report = true;          ///< draw the figures and the page
+  bool paraview = true;        ///< write the kept fields for ParaView, beside those in results.h5
+  bool use_cache = true;       ///< look up and keep condensed slider positions in the user's cache
+  bool keep_mechanics = true;  ///< and whole results of Study 1, which some others may share
+  bool judge_resources = true; ///< before any work; off where that was done and Study 1 is solved
+  std::string command;         ///< for the manifest
   base::ProgressCallback progress = base::no_progress;
 };
 

@@ -70,6 +70,7 @@ void SweepWork::run_points() {
 /// One point from its mechanics on; whatever goes wrong with it stays with it.
 void SweepWork::run_point(std::size_t point, RunOptions options) {
   options.folder /= plan_.points[point].name;
+  options.judge_resources = false; // other programs may have taken memory since
   options.progress = [this, point](std::string_view activity, double fraction) {
     if (activity == "ion transport") {
       record_.progress(point, 0.95 * fraction);
