@@ -6,12 +6,21 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <stdlib.h>
+#include <string>
+#include <string_view>
 
 namespace ionskin::study {
 namespace {
 
 constexpr const char* limit = "IONSKIN_MEMORY_LIMIT";
+
+/// The limit goes with the test, however it ends.
+struct LimitedMemory {
+  LimitedMemory() { setenv(limit, "64 GB", 1); }
+  ~LimitedMemory() { unsetenv(limit); }
+};
 
 TEST(Sweep, does_not_refuse_points_whose_contact_is_solved_when_memory_has_become_scarce) {
   const SweepPlan plan =
@@ -20,7 +29,7 @@ TEST(Sweep, does_not_refuse_points_whose_contact_is_solved_when_memory_has_becom
                                 "motion.cycles=1"},
                   .over = {"contact.friction=0.1,0.3"}});
   const results::ScratchFolder scratch;
-  setenv(limit, "64 GB", 1);
+  const LimitedMemory memory;
   SweepOptions options{.folder = scratch / "out",
                        .studies = Studies::mechanics,
                        .report = false,
@@ -33,7 +42,6 @@ TEST(Sweep, does_not_refuse_points_whose_contact_is_solved_when_memory_has_becom
   EXPECT_NE(results::message_of<UserError>([&] { run_sweep(plan, another); }).find(limit),
             std::string::npos)
       << "before any work";
-  unsetenv(limit);
 }
 
 } // namespace
