@@ -2,6 +2,7 @@
 #include "ionskin/mechanics/engine/motion_stepper.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/mechanics/surface/adhesive_contact.hpp"
 
 #include <algorithm>
@@ -191,10 +192,12 @@ double MotionStepper::next_fraction(const MotionLeg& leg, const Levels& levels, 
   if (const double travel = leg.length(); travel > 0) {
     next = std::min(next, at + std::min(increment_, options_.longest_travel) / travel);
   }
-  const double heaviest = levels.by_force ? options_.heaviest_force / options_.meshed_share
-                                          : options_.heaviest_indentation;
-  const double scale = std::max({heaviest, levels.by_force ? levels.from : -levels.from,
-                                 levels.by_force ? levels.to : -levels.to});
+  // A slider that adhesion holds may go by pulls, or by heights above the skin, alone.
+  const double scale =
+      levels.by_force
+          ? std::max({options_.heaviest_force / options_.meshed_share, std::abs(levels.from),
+                      std::abs(levels.to)})
+          : std::max({options_.heaviest_indentation, range(), -levels.from, -levels.to});
   const bool loads = levels.by_force ? levels.to > levels.from : levels.to < levels.from;
   const int count = loads ? touchdown_steps() : options_.steps.lift_off;
   if (const double change = std::abs(levels.to - levels.from); change > 0) {
@@ -323,6 +326,7 @@ void MotionStepper::touch(const MotionLeg& leg) {
   double at = levels.begin;
   bool first_of_travel = travel > 0 && onset_open_ && onsets_.back()[0] == leg.begin;
   while (at < levels.end) {
+    base::check_interrupt();
     if (first_of_travel) {
       emit(leg, at, -contact_.state().indentation, true);
       first_of_travel = false;

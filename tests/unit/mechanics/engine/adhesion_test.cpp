@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace ionskin::mechanics {
 namespace {
@@ -99,6 +100,26 @@ TEST(AdhesiveContact, counts_what_a_jump_loses) {
       work_on_skin(before.state, cell.contact.state(), 0) - (cell.contact.energy() - energy);
   // The spring's energy goes, the bond is to be paid.
   EXPECT_NEAR(lost, 0.5 * compliance * most * most - work * area, 1e-6 * work * area);
+}
+
+TEST(AdhesiveContact, is_stepped_through_heights_or_pulls_alone) {
+  const SliderLevel above{false, range}, touching{false, 0.5 * range};
+  for (const auto& [from, to] :
+       {std::pair{SliderLevel{false, 0.6 * range}, SliderLevel{false, 0.9 * range}},
+        std::pair{SliderLevel{true, -0.6 * most}, SliderLevel{true, -0.2 * most}}}) {
+    OneCell cell(0.5 * range / most);
+    StepperOptions options;
+    options.longest_travel = 1e-4;
+    double force = 0;
+    MotionStepper stepper(cell.contact, options, [&](const StepPoint&, const SlidingContact& at) {
+      force = at.state().force[0];
+    });
+    stepper.follow({Phase::touchdown, 0, 1, centre, centre, above, touching});
+    stepper.follow({Phase::slide, 1, 1, centre, centre, touching, from});
+    stepper.follow({Phase::slide, 2, 1, centre, centre, from, to});
+    EXPECT_LT(stepper.steps(), 200);
+    EXPECT_NEAR(force, -0.2 * most, 1e-9 * most); // 0.9 of the range is also that
+  }
 }
 
 Case adhesive_case() {
