@@ -163,11 +163,11 @@ std::vector<SteppedSolution> solve_stepped(const Case& input, const mesh::Footpr
   }
   progress.begin_pass(expected_positions(input) + units_per_path * variants.size(),
                       input.slider.sharp() ? 1.0 : share_of_uncertain_pass);
-  std::shared_ptr<const PositionNodes> nodes;
+  std::shared_ptr<PositionNodes> nodes;
   {
     const base::Timers::Scope scope(timers, "mechanics: factorisation");
     const bool reused = options.reused || input.numerics.shared.given();
-    nodes = std::make_shared<const PositionNodes>(
+    nodes = std::make_shared<PositionNodes>(
         input, model, *box,
         NodeOptions{options.threads, options.cache, options.nodes,
                     loads_across_at_ends(input, *box), reused ? least_positions : 0},
@@ -208,6 +208,7 @@ std::vector<SteppedSolution> solve_stepped(const Case& input, const mesh::Footpr
       contact = empty_solution(*model); // its strains are not recovered
     }
   });
+  nodes->forget_compliance();
   {
     const base::Timers::Scope scope(timers, "mechanics: strain");
     recovery->begin([&] { progress.finish_unit(); });

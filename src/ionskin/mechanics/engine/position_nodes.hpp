@@ -66,7 +66,10 @@ public:
                 const NodeOptions& options, parallel::SharedProgress& progress);
 
   const SkinModel& model() const { return *model_; }
+  /// Not to be asked for once it is forgotten.
   const ComplianceMap& compliance() const { return *compliance_; }
+  /// Frees it once all contacts are solved: the recovery of strains does without.
+  void forget_compliance() { compliance_.reset(); }
   std::size_t count() const { return lines_.at[0].size() * lines_.at[1].size(); }
   /// Whether `solve` factorises again, as the responses to all unit forces do not fit.
   bool holds_factors() const { return !places_.front().condensed; }
