@@ -118,7 +118,7 @@ TEST(AdhesiveContact, is_stepped_through_heights_or_pulls_alone) {
     stepper.follow({Phase::slide, 1, 1, centre, centre, touching, from});
     stepper.follow({Phase::slide, 2, 1, centre, centre, from, to});
     EXPECT_LT(stepper.steps(), 200);
-    EXPECT_NEAR(force, -0.2 * most, 1e-9 * most); // 0.9 of the range is also that
+    EXPECT_NEAR(force, -0.2 * most, 1e-9 * most); // the pull at 0.9 of the range, too
   }
 }
 
