@@ -185,12 +185,24 @@ DenseMatrix gram(const DenseMatrix& y) {
   return result;
 }
 
-DenseMatrix gram_of_rows(const DenseMatrix& l) {
-  DenseMatrix result(l.rows, l.rows);
-  symmetric_product(false, l.rows, l.columns, 1.0, l.values.data(), l.rows, 0.0,
-                    result.values.data(), result.rows);
-  copy_lower_triangle(result);
-  return result;
+LowerTriangle gram_of_rows(DenseMatrix l) {
+  // In its place, a panel of columns at a time from the last: a column of L reaches the rows below
+  // its diagonal alone, so that a third of the operations of a full product are left.
+  constexpr int panel_columns = 128;
+  DenseMatrix panel;
+  for (int end = l.columns; end > 0;) {
+    const int first = std::max(0, end - panel_columns), height = l.rows - first;
+    panel.reshape(height, end - first);
+    for (int j = 0; j < panel.columns; ++j) {
+      double* column = l.column(first + j) + first;
+      std::copy_n(column, height, panel.column(j));
+      std::fill_n(column, height, 0.0);
+    }
+    symmetric_product(false, height, panel.columns, 1.0, panel.values.data(), height, 1.0,
+                      l.column(first) + first, l.rows);
+    end = first;
+  }
+  return LowerTriangle(l);
 }
 
 DenseMatrix multiply(const DenseMatrix& a, const DenseMatrix& b) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ionskin/linear_algebra/forward_substitution.hpp"
+#include "ionskin/linear_algebra/lower_triangle.hpp"
 #include "ionskin/linear_algebra/renumbered_pattern.hpp"
 #include "ionskin/linear_algebra/sparse_matrix.hpp"
 
@@ -74,8 +75,8 @@ private:
 
 /// Y^T Y, both triangles.
 DenseMatrix gram(const DenseMatrix& y);
-/// L L^T, both triangles.
-DenseMatrix gram_of_rows(const DenseMatrix& l);
+/// L L^T of a square L with zeros above its diagonal.
+LowerTriangle gram_of_rows(DenseMatrix l);
 /// A B.
 DenseMatrix multiply(const DenseMatrix& a, const DenseMatrix& b);
 

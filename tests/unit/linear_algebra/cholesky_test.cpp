@@ -106,9 +106,26 @@ TEST_F(CholeskyOnGrid, last_block_gives_the_compliance_of_the_last_unknowns) {
   }
   const Eigen::MatrixXd compliance = map(unit).transpose() * map(factor.solve(unit));
   for (const int last : {count, count / 2, 1}) {
-    const Eigen::MatrixXd product =
-        map(gram_of_rows(factor.last_block(last))) * compliance.bottomRightCorner(last, last);
+    const DenseMatrix schur = gram_of_rows(factor.last_block(last)).dense();
+    const Eigen::MatrixXd product = map(schur).selfadjointView<Eigen::Lower>() *
+                                    compliance.bottomRightCorner(last, last).eval();
     EXPECT_LT((product - Eigen::MatrixXd::Identity(last, last)).norm(), 1e-12) << last;
+  }
+}
+
+TEST(GramOfRows, is_the_product_whatever_the_number_of_panels) {
+  for (const int n : {0, 1, 127, 128, 129, 300}) {
+    DenseMatrix lower(n, n);
+    for (int j = 0; j < n; ++j) {
+      for (int i = j; i < n; ++i) {
+        lower(i, j) = std::sin(i + 7.0 * j);
+      }
+    }
+    const Eigen::MatrixXd expected = map(lower) * map(lower).transpose();
+    const DenseMatrix product = gram_of_rows(lower).dense();
+    EXPECT_LE((map(product) - Eigen::MatrixXd(expected.triangularView<Eigen::Lower>())).norm(),
+              1e-13 * expected.norm())
+        << n;
   }
 }
 

@@ -168,15 +168,16 @@ void FactorisedSkin::factorise_parts(const ElasticSkin& skin, const mesh::MeshLi
 
 void FactorisedSkin::join() {
   const linear_algebra::KernelThreads kernel_threads(kernel_threads_);
-  DenseMatrix stiffness = inner_->factor.schur();
+  DenseMatrix stiffness = inner_->factor.schur().dense(); // its lower triangle alone is used
   for (std::size_t p = 0; p < outer_.size(); ++p) {
     const PlacedPart& placed = parts_.outer[p];
-    const DenseMatrix& own = outer_[p].schur();
-    const double* sign = placed.sign.data() + placed.sign.size() - own.rows;
+    const linear_algebra::LowerTriangle& own = outer_[p].schur();
+    const double* sign = placed.sign.data() + placed.sign.size() - own.size();
     const int first = placed.first_interface;
-    for (int j = 0; j < own.columns; ++j) {
-      for (int i = 0; i < own.rows; ++i) {
-        stiffness(first + i, first + j) += sign[i] * sign[j] * own(i, j);
+    for (int j = 0; j < own.size(); ++j) {
+      const double* column = own.column(j);
+      for (int i = j; i < own.size(); ++i) {
+        stiffness(first + i, first + j) += sign[i] * sign[j] * *column++;
       }
     }
     outer_[p].forget_schur();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ionskin/linear_algebra/cholesky.hpp"
+#include "ionskin/linear_algebra/lower_triangle.hpp"
 #include "ionskin/mechanics/position/elastic_skin.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 #include "ionskin/parallel/spare_threads.hpp"
@@ -24,7 +25,7 @@ public:
 
   const linear_algebra::Cholesky& cholesky() const { return *cholesky_; }
   /// Schur complement of its interface: the stiffness of the part as felt there [N/m].
-  const linear_algebra::DenseMatrix& schur() const { return schur_; }
+  const linear_algebra::LowerTriangle& schur() const { return schur_; }
   void forget_schur() { schur_ = {}; }
   /// Adds the force of the skin on its base per unit of each unknown to that of the whole skin.
   void add_reaction(const PlacedPart& placed, std::size_t axis,
@@ -32,7 +33,7 @@ public:
 
 private:
   std::unique_ptr<const linear_algebra::Cholesky> cholesky_;
-  linear_algebra::DenseMatrix schur_;
+  linear_algebra::LowerTriangle schur_;
   std::array<std::vector<double>, 3> base_reaction_; ///< by the part's elimination order
 };
 
