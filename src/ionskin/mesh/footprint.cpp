@@ -4,6 +4,7 @@
 #include "ionskin/case/slider_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ionskin::mesh {
@@ -14,21 +15,53 @@ constexpr double allowance = 1.15;
 /// Part of the room between slider and skin's edge that is left to the mesh outside.
 constexpr double outside_share = 0.1;
 
+double plane_modulus(const Layer& layer) {
+  const double nu = layer.material.poissons_ratio;
+  return layer.material.youngs_modulus / (1 - nu * nu);
+}
+
 double softest_plane_modulus(const Skin& skin) {
   double least = std::numeric_limits<double>::infinity();
   for (const Layer& layer : skin.layers) {
-    const double nu = layer.material.poissons_ratio;
-    least = std::min(least, layer.material.youngs_modulus / (1 - nu * nu));
+    least = std::min(least, plane_modulus(layer));
   }
   return least;
 }
 
-/// Upper bound of the contact's border beyond the part that touches at once.
-double round_border(const Case& input, std::size_t direction) {
+/// Over which what lies on the softest layer spreads a load, as a plate of thickness t:
+/// t (E_plate / E_softest)^(1/3) [m].
+double spread_of_plate(const Skin& skin, double softest) {
+  double thickness = 0, stiffness = 0; // E t
+  for (std::size_t i = skin.layers.size(); i-- > 0 && plane_modulus(skin.layers[i]) > softest;) {
+    thickness += skin.layers[i].thickness;
+    stiffness += plane_modulus(skin.layers[i]) * skin.layers[i].thickness;
+  }
+  return std::cbrt(thickness * thickness * stiffness / softest);
+}
+
+/// What a contact of half-width a feels of the skin. Under a round one a plate that spreads loads
+/// over L adds E (L / a)^3 to the modulus E of what it lies on; under a line it bends along and
+/// adds less: the power 1, and the factor of both, fit contacts that runs found.
+double felt_plane_modulus(const Skin& skin, const Footprint& contact) {
+  constexpr double share_of_plate = 4.0 / 3;
+  double half_width = std::numeric_limits<double>::infinity();
+  for (std::size_t d = 0; d < 2; ++d) {
+    if (!contact.sharp(d)) {
+      half_width = std::min(half_width, contact.half_size[d]);
+    }
+  }
+  const double softest = softest_plane_modulus(skin);
+  const double spread = spread_of_plate(skin, softest) / half_width;
+  const bool line = contact.sharp(0) || contact.sharp(1);
+  return std::min(plane_modulus(skin.layers.back()),
+                  softest * (1 + share_of_plate * (line ? spread : std::pow(spread, 3))));
+}
+
+/// Upper bound of the contact's border beyond the part that touches at once, on an even skin.
+double round_border(const Case& input, double plane_modulus, std::size_t direction) {
   const HeaviestLoad load = heaviest_load(input);
   return input.slider.underside()->border(input.slider.plan(),
-                                          {load.indentation, load.force,
-                                           softest_plane_modulus(input.skin),
+                                          {load.indentation, load.force, plane_modulus,
                                            std::min(input.slider.size[1], input.skin.width)},
                                           direction);
 }
@@ -38,6 +71,18 @@ double room(const Case& input, std::size_t direction) {
   const double size = direction == 0 ? input.skin.length : input.skin.width;
   const MotionBox box = meshed_box(input);
   return std::min(box.low[direction], size - box.high[direction]);
+}
+
+Footprint footprint_on_even_skin(const Case& input, double plane_modulus) {
+  Footprint result = footprint_limit(input);
+  for (std::size_t d = 0; d < 2; ++d) {
+    if (!result.sharp(d)) {
+      const double flat = result.half_size[d] - result.rim[d];
+      result.rim[d] = std::min(allowance * round_border(input, plane_modulus, d), result.rim[d]);
+      result.half_size[d] = flat + result.rim[d];
+    }
+  }
+  return result;
 }
 
 } // namespace
@@ -69,15 +114,26 @@ Footprint footprint_limit(const Case& input) {
 }
 
 Footprint largest_footprint(const Case& input) {
-  Footprint result = footprint_limit(input);
-  for (std::size_t d = 0; d < 2; ++d) {
-    if (!result.sharp(d)) {
-      const double flat = result.half_size[d] - result.rim[d];
-      result.rim[d] = std::min(allowance * round_border(input, d), result.rim[d]);
-      result.half_size[d] = flat + result.rim[d];
-    }
+  return footprint_on_even_skin(input, softest_plane_modulus(input.skin));
+}
+
+Footprint expected_footprint(const Case& input) {
+  constexpr int most_passes = 40;
+  constexpr double settled = 1.01;
+  double modulus = softest_plane_modulus(input.skin);
+  Footprint footprint = footprint_on_even_skin(input, modulus);
+  if (input.slider.sharp() || heaviest_load(input).force <= 0) {
+    return footprint;
   }
-  return result;
+  for (int pass = 0; pass < most_passes; ++pass) { // the smaller it is, the more it feels the plate
+    const double felt = felt_plane_modulus(input.skin, footprint);
+    if (felt <= settled * modulus) {
+      break;
+    }
+    modulus = felt;
+    footprint = footprint_on_even_skin(input, modulus);
+  }
+  return footprint;
 }
 
 } // namespace ionskin::mesh

@@ -33,4 +33,8 @@ Footprint footprint_limit(const Case& input);
 /// touches at once and the bound that its shape has for the border around it.
 Footprint largest_footprint(const Case& input);
 
+/// About what a solution will find: the largest but for a round contact under a force, which feels
+/// what lies on the softest layer as a plate.
+Footprint expected_footprint(const Case& input);
+
 } // namespace ionskin::mesh

@@ -44,23 +44,10 @@ constexpr double searched_meshes = 2;
 /// Rectangles of positions that a slider on a drive is solved over: one, and often a wider one.
 constexpr double passes_of_drive = 1.5;
 
-/// The mesh fits the contact that a coarse solution will find. Under a force the largest contact,
-/// which follows from the softest layer, may be far too large, and the mesh too small: a contact
-/// smaller than its layer feels that layer alone, the highest.
+/// The mesh fits the contact that a coarse solution will find.
 mesh::SkinMesh expected_mesh(const Case& input) {
-  if (const auto given = mechanics::given_footprint(input); given && !input.slider.sharp()) {
-    return {input, *given};
-  }
-  mesh::SkinMesh largest(input);
-  if (input.slider.sharp() || mesh::heaviest_load(input).force <= 0) {
-    return largest;
-  }
-  Case of_highest = input;
-  for (Layer& layer : of_highest.skin.layers) {
-    layer.material = input.skin.layers.back().material;
-  }
-  mesh::SkinMesh smaller(input, mesh::largest_footprint(of_highest));
-  return smaller.unknowns() > largest.unknowns() ? smaller : largest;
+  const auto given = mechanics::given_footprint(input);
+  return {input, given && !input.slider.sharp() ? *given : mesh::expected_footprint(input)};
 }
 
 /// What one mesh costs, apart from the steps along the path.

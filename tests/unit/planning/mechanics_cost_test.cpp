@@ -2,6 +2,7 @@
 #include "ionskin/planning/mechanics_cost.hpp"
 
 #include "ionskin/case/reading/read_case.hpp"
+#include "ionskin/mechanics/path/find_footprint.hpp"
 
 #include <gtest/gtest.h>
 
@@ -59,6 +60,25 @@ TEST(MechanicsCost, CountsStickSlipOfADrive) {
   EXPECT_GT(with_kinetic("0.1"), 2 * with_kinetic("0.4")); // which does not fall with the speed
   EXPECT_GT(with_kinetic("0.2"), with_kinetic("0.1"));     // it lets go more often
   EXPECT_EQ(with_kinetic("0.35"), with_kinetic("0.4"));    // damping and spring hold it
+}
+
+TEST(MechanicsCost, ExpectsTheContactThatIsFoundUnderAForce) {
+  for (const std::vector<std::string>& slider : std::vector<std::vector<std::string>>{
+           {"slider.shape=sphere", "slider.radius=4 mm", "motion.preload=0.1 N"},
+           {"slider.shape=sphere", "slider.radius=4 mm", "motion.preload=1 N"},
+           {"slider.shape=cylinder", "slider.radius=8 mm", "motion.preload=0.1 N"},
+           {"slider.shape=cylinder", "slider.radius=8 mm", "motion.preload=1 N"},
+           {"slider.edge_radius=0.2 mm", "motion.preload=1 N"}}) {
+    std::vector<std::string> edits{"numerics.mesh_refinement=0.5", "numerics.error_estimate=off"};
+    edits.insert(edits.end(), slider.begin(), slider.end());
+    const Case input = read_case(IONSKIN_CASES "/quick.toml", edits);
+    const MechanicsCost expected = estimate_mechanics_cost(input, 1, {});
+    const MechanicsCost found =
+        estimate_mechanics_cost(input, 1, mechanics::find_footprint(input, 0.3, 1));
+    const double ratio = expected.memory / found.memory;
+    EXPECT_GT(ratio, 0.6) << slider.front() << " " << slider.back();
+    EXPECT_LT(ratio, 1.6) << slider.front() << " " << slider.back();
+  }
 }
 
 } // namespace
