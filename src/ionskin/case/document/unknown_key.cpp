@@ -73,10 +73,16 @@ std::string key_elsewhere(const std::string& name, const std::string& parent) {
 } // namespace
 
 std::string meant_key(const std::string& key, const std::string& pattern) {
-  const std::string table = parent_of(pattern), parent = parent_of(key);
-  std::string meant = base::nearest_name(last_of(pattern), names_in(table));
+  const std::string table = parent_of(pattern), parent = parent_of(key), name = last_of(pattern);
+  std::string meant = base::nearest_name(name, names_in(table));
+  if (name.starts_with(meant + "_")) {
+    // Begun with one key of the table, it may end with another: friction_law.
+    for (const std::string& sibling : names_in(table))
+      if (name.ends_with("_" + sibling))
+        meant = sibling;
+  }
   if (meant.empty()) {
-    const std::string elsewhere = key_elsewhere(last_of(pattern), table);
+    const std::string elsewhere = key_elsewhere(name, table);
     if (elsewhere.empty() || parent_of(elsewhere) != table)
       return elsewhere;
     meant = last_of(elsewhere);

@@ -213,6 +213,8 @@ TEST(ReadCase, MistakesInEditsPointAtTheEdit) {
   EXPECT_THAT(message("contact.frction=1"), testing::HasSubstr("--set contact.frction=1\n"));
   EXPECT_THAT(message("contact.friction_coefficient=1"),
               testing::HasSubstr("did you mean contact.friction?"));
+  EXPECT_THAT(message("contact.friction_law=coulomb"),
+              testing::HasSubstr("did you mean contact.law?"));
   EXPECT_THAT(message("materials.nafion.elastic_youngs_modulus=1 GPa"),
               testing::HasSubstr("did you mean materials.nafion.youngs_modulus?"));
   EXPECT_THAT(message("skin.core_thickness=80 um"),
