@@ -3,9 +3,9 @@
 // Any `--set` argument, or several parted by line ends, changes a valid case or is refused.
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/files/read_text_file.hpp"
 #include "ionskin/case/reading/read_case.hpp"
 #include "ionskin/case/text/data_folder.hpp"
-#include "ionskin/case/text/read_text_file.hpp"
 
 #include <cstdint>
 #include <sstream>
@@ -14,7 +14,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const std::string path = (ionskin::data_folder() / "cases" / "quick.toml").string();
-  static const std::string original = ionskin::read_text_file(path, "case");
+  static const std::string original = base::read_text_file(path, "case");
   std::istringstream arguments(std::string(reinterpret_cast<const char*>(data), size));
   std::vector<std::string> edits;
   for (std::string edit; edits.size() < 4 && std::getline(arguments, edit);)

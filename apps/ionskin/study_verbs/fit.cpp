@@ -3,8 +3,8 @@
 
 #include "command_line/study_settings.hpp"
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/files/read_text_file.hpp"
 #include "ionskin/base/system/interrupt.hpp"
-#include "ionskin/case/text/read_text_file.hpp"
 #include "ionskin/study/fit/fit.hpp"
 
 #include <fmt/core.h>
@@ -30,7 +30,7 @@ void print_result(const study::FitResult& result, const FitOptions& options) {
 
 int fit(const FitOptions& options, const std::string& command) {
   base::install_interrupt_handler();
-  const study::FitRequest request{read_text_file(options.case_path, "case"),
+  const study::FitRequest request{base::read_text_file(options.case_path, "case"),
                                   options.case_path,
                                   options.set_edits,
                                   options.data_path,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/files/read_text_file.hpp"
 #include "ionskin/case/checks/check_sizes.hpp"
 #include "ionskin/case/reading/read_case.hpp"
 #include "ionskin/case/schema/schema.hpp"
-#include "ionskin/case/text/read_text_file.hpp"
 #include "temporary_case.hpp"
 
 #include <fmt/format.h>
@@ -145,11 +145,11 @@ TEST(HostileFile, NoOrdinaryFile) {
   ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
   for (const std::string& path : {fifo, std::string("/dev/zero"), folder.folder(),
                                   folder.folder() + "/nothing", std::string("a\0b", 3)})
-    EXPECT_THROW(read_text_file(path, "case"), UserError) << path;
+    EXPECT_THROW(base::read_text_file(path, "case"), UserError) << path;
   const std::string large = folder.folder() + "/large";
   std::ofstream(large).write(std::string(5'000, 'x').data(), 5'000);
-  EXPECT_THROW(read_text_file(large, "case", 4'999), UserError);
-  EXPECT_EQ(read_text_file(large, "case", 5'000).size(), 5'000u);
+  EXPECT_THROW(base::read_text_file(large, "case", 4'999), UserError);
+  EXPECT_EQ(base::read_text_file(large, "case", 5'000).size(), 5'000u);
 }
 
 /// One of the ways in which a text gets broken.

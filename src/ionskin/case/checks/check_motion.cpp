@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/checks/check_motion.hpp"
 
+#include "ionskin/base/files/read_text_file.hpp"
 #include "ionskin/case/schema/schema.hpp"
 #include "ionskin/case/slider_motion.hpp"
-#include "ionskin/case/text/read_text_file.hpp"
 #include "ionskin/laws/friction/friction_law.hpp"
 #include "ionskin/units/quantity.hpp"
 
@@ -167,7 +167,7 @@ void check_kind(const CaseDocument& document, Problems& problems) {
 
 // A few of the same file's lines are asked for, each in a message.
 std::string line_of(const std::string& path, std::size_t number) {
-  std::istringstream stream(read_text_file(path, "waypoint"));
+  std::istringstream stream(base::read_text_file(path, "waypoint"));
   std::string line;
   for (std::size_t i = 0; i < number; ++i)
     std::getline(stream, line);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/document/materials.hpp"
 
+#include "ionskin/base/files/read_text_file.hpp"
 #include "ionskin/base/nearest_name.hpp"
 #include "ionskin/base/text.hpp"
 #include "ionskin/case/coupling.hpp"
 #include "ionskin/case/text/data_folder.hpp"
-#include "ionskin/case/text/read_text_file.hpp"
 #include "ionskin/case/text/toml_text.hpp"
 
 #include <fmt/format.h>
@@ -32,7 +32,7 @@ std::string key_of(const std::string& material, const std::string& property) {
 // Values of a preset that the case does not give itself.
 void complete_from_preset(const std::string& name, TomlWalk& walk, Problems& problems) {
   const fs::path file = materials_folder() / (name + ".toml");
-  const CaseText text(file.string(), read_text_file(file.string(), "material preset"));
+  const CaseText text(file.string(), base::read_text_file(file.string(), "material preset"));
   TomlWalk preset(text, problems);
   preset.visit(parse_toml(text.text(), text.file()));
   walk.draft.materials[name]; // known from now on, whatever the preset leaves out

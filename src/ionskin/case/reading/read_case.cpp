@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/reading/read_case.hpp"
 
+#include "ionskin/base/files/read_text_file.hpp"
 #include "ionskin/case/checks/check_case.hpp"
 #include "ionskin/case/checks/check_prescribed.hpp"
 #include "ionskin/case/checks/check_readout.hpp"
@@ -12,7 +13,6 @@
 #include "ionskin/case/document/taxel_grid.hpp"
 #include "ionskin/case/document/toml_walk.hpp"
 #include "ionskin/case/document/waypoint_file.hpp"
-#include "ionskin/case/text/read_text_file.hpp"
 #include "ionskin/case/text/toml_limits.hpp"
 #include "ionskin/case/text/toml_text.hpp"
 
@@ -85,7 +85,7 @@ std::string values_text(const std::vector<ValueRecord>& records) {
 
 CaseDocument read_case_document(const std::string& path,
                                 const std::vector<std::string>& set_edits) {
-  return read_case_text(read_text_file(path, "case", toml_limits::bytes), path, set_edits);
+  return read_case_text(base::read_text_file(path, "case", toml_limits::bytes), path, set_edits);
 }
 
 CaseDocument read_case_text(const std::string& original, const std::string& path,

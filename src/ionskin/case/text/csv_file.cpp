@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/text/csv_file.hpp"
 
+#include "ionskin/base/files/read_text_file.hpp"
 #include "ionskin/base/text.hpp"
-#include "ionskin/case/text/read_text_file.hpp"
 
 #include <algorithm>
 
 namespace ionskin {
 
 CsvFile::CsvFile(const std::string& path, const std::string& kind)
-    : stream_(read_text_file(path, kind)) {}
+    : stream_(base::read_text_file(path, kind)) {}
 
 std::optional<CsvRow> CsvFile::next() {
   for (std::string line; std::getline(stream_, line);) {

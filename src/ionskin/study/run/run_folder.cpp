@@ -3,10 +3,10 @@
 
 #include "ionskin/base/files/atomic_file.hpp"
 #include "ionskin/base/files/file_copy.hpp"
+#include "ionskin/base/files/read_text_file.hpp"
 #include "ionskin/base/files/sealed_file.hpp"
 #include "ionskin/base/system/own_build.hpp"
 #include "ionskin/case/coupling.hpp"
-#include "ionskin/case/text/read_text_file.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -91,7 +91,7 @@ void RunFolder::take_up(const Case& input) {
     // Without its hash the text alone tells which case was here.
     const auto text_path = file(results::file_names::case_text);
     if (std::filesystem::exists(text_path) &&
-        read_text_file(text_path.string(), "case") != input.text) {
+        base::read_text_file(text_path.string(), "case") != input.text) {
       throw;
     }
     note("manifest.json was damaged or is of an earlier version: only what proves to be whole is "

@@ -2,9 +2,9 @@
 #include "ionskin/study/sweep/sweep_points.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/files/read_text_file.hpp"
 #include "ionskin/base/text.hpp"
 #include "ionskin/case/reading/read_case.hpp"
-#include "ionskin/case/text/read_text_file.hpp"
 #include "ionskin/case/text/toml_limits.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 #include "ionskin/study/run/run_folder.hpp"
@@ -138,7 +138,7 @@ SweepPlan plan_sweep(const SweepRequest& request) {
   SweepPlan plan;
   plan.request = request;
   if (!request.case_text) {
-    plan.request.case_text = read_text_file(request.case_path, "case", toml_limits::bytes);
+    plan.request.case_text = base::read_text_file(request.case_path, "case", toml_limits::bytes);
   }
   for (std::size_t i = 0; i < design.size(); ++i) {
     plan.points.push_back(read_point(plan.request, axes, design[i], i + 1));

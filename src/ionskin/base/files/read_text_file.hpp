@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-namespace ionskin {
+namespace ionskin::base {
 
 /// Most bytes of a table of numbers: height map, waypoints, measurement.
 inline constexpr std::size_t largest_table = 64U << 20;
@@ -16,4 +16,4 @@ inline constexpr std::size_t largest_table = 64U << 20;
 std::string read_text_file(const std::string& path, const std::string& what,
                            std::size_t most = largest_table);
 
-} // namespace ionskin
+} // namespace ionskin::base

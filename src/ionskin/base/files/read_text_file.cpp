@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/case/text/read_text_file.hpp"
+#include "ionskin/base/files/read_text_file.hpp"
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/text.hpp"
@@ -13,7 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace ionskin {
+namespace ionskin::base {
 
 namespace {
 
@@ -29,17 +29,16 @@ struct Descriptor {
 [[noreturn]] void refuse_unreadable(const std::string& what, const std::string& path) {
   throw UserError(
       fmt::format("the {} file {} cannot be read: {}\n  = check its name and its permissions", what,
-                  base::shown(path), std::strerror(errno)));
+                  shown(path), std::strerror(errno)));
 }
 
 void require_ordinary(const struct stat& status, const std::string& what, const std::string& path) {
   if (S_ISDIR(status.st_mode))
-    throw UserError(
-        fmt::format("the {} file {} is a folder\n  = name a file", what, base::shown(path)));
+    throw UserError(fmt::format("the {} file {} is a folder\n  = name a file", what, shown(path)));
   if (!S_ISREG(status.st_mode))
     throw UserError(fmt::format("the {} file {} is a pipe or a device\n  = save what comes from it "
                                 "to a file, and name that",
-                                what, base::shown(path)));
+                                what, shown(path)));
 }
 
 void require_size(std::size_t size, std::size_t most, const std::string& what,
@@ -47,7 +46,7 @@ void require_size(std::size_t size, std::size_t most, const std::string& what,
   if (size > most)
     throw UserError(fmt::format("the {} file {} has more than {} bytes, the most that one may "
                                 "have\n  = name the right file, or keep fewer rows in it",
-                                what, base::shown(path), most));
+                                what, shown(path), most));
 }
 
 } // namespace
@@ -55,7 +54,7 @@ void require_size(std::size_t size, std::size_t most, const std::string& what,
 std::string read_text_file(const std::string& path, const std::string& what, std::size_t most) {
   if (path.find('\0') != std::string::npos)
     throw UserError(fmt::format("the name of the {} file holds a zero byte: {}\n  = check its name",
-                                what, base::shown(path)));
+                                what, shown(path)));
   // Opening a pipe would wait for its other end.
   const Descriptor file{open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)};
   struct stat status {};
@@ -77,4 +76,4 @@ std::string read_text_file(const std::string& path, const std::string& what, std
   }
 }
 
-} // namespace ionskin
+} // namespace ionskin::base
