@@ -1,17 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-# Every library comes from a Debian package named in packages.txt.
+# Every library comes from a Debian package named in packages.txt; scripts/check_packages.py compares the two. What is
+# REQUIRED is in its first tier; what else is missing leaves out a part.
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
-find_package(GTest REQUIRED)
-find_package(benchmark REQUIRED)
 find_package(ZLIB REQUIRED)
 set(Python_EXECUTABLE ${IONSKIN_PYTHON})
-find_package(Python REQUIRED COMPONENTS Interpreter Development.Module)
-find_package(pybind11 REQUIRED)
+find_package(Python REQUIRED COMPONENTS Interpreter OPTIONAL_COMPONENTS Development.Module)
 
 # Prints a clear error when a library or header is missing.
 function(ionskin_find_library target header library)
@@ -25,11 +23,7 @@ function(ionskin_find_library target header library)
   endif()
 endfunction()
 
-pkg_check_modules(httplib REQUIRED IMPORTED_TARGET cpp-httplib)
-pkg_check_modules(minizip REQUIRED IMPORTED_TARGET minizip)
 ionskin_find_library(dep_toml11 toml.hpp "")
-# By hand: its package looks for glog and gflags, which we do not use.
-ionskin_find_library(dep_ceres ceres/ceres.h ceres)
 ionskin_find_library(dep_udunits2 udunits2.h udunits2)
 ionskin_find_library(dep_cholmod cholmod.h cholmod HEADER_PATHS /usr/include/suitesparse)
 # The serial flavour, which h5py loads too.
@@ -42,3 +36,39 @@ find_package(OpenMP REQUIRED COMPONENTS CXX)
 pkg_check_modules(openblas REQUIRED IMPORTED_TARGET openblas)
 add_library(dep_openblas INTERFACE IMPORTED)
 target_link_libraries(dep_openblas INTERFACE PkgConfig::openblas)
+
+# ionskin_part(VARIABLE WHAT TIER FOUND...) sets VARIABLE to whether every FOUND is true, and else says which packages
+# bring the part.
+function(ionskin_part variable what tier)
+  set(there ON)
+  foreach(found IN LISTS ARGN)
+    if(NOT ${found})
+      set(there OFF)
+    endif()
+  endforeach()
+  if(NOT there)
+    message(STATUS "${what}: left out, needs packages of the tier '${tier}': scripts/install_packages.sh ${tier}")
+  endif()
+  set(${variable} ${there} PARENT_SCOPE)
+endfunction()
+
+# By hand: its package looks for glog and gflags, which we do not use.
+find_path(ceres_include ceres/ceres.h)
+find_library(ceres_library ceres)
+ionskin_part(IONSKIN_FIT "ionskin fit" parts ceres_include ceres_library)
+if(IONSKIN_FIT)
+  add_library(dep_ceres INTERFACE IMPORTED)
+  target_include_directories(dep_ceres SYSTEM INTERFACE ${ceres_include})
+  target_link_libraries(dep_ceres INTERFACE ${ceres_library})
+endif()
+pkg_check_modules(minizip QUIET IMPORTED_TARGET minizip)
+ionskin_part(IONSKIN_EXTRAS "ionskin live and verify" parts minizip_FOUND)
+pkg_check_modules(httplib QUIET IMPORTED_TARGET cpp-httplib)
+find_program(IONSKIN_NPM npm)
+ionskin_part(IONSKIN_STUDIO "ionskin studio" parts httplib_FOUND IONSKIN_NPM)
+find_package(pybind11 QUIET)
+ionskin_part(IONSKIN_PYTHON_MODULE "Solver for Python" parts Python_Development.Module_FOUND pybind11_FOUND IONSKIN_FIT)
+find_package(GTest QUIET)
+find_package(benchmark QUIET)
+ionskin_part(IONSKIN_TESTS "Tests and benchmarks" tests GTest_FOUND benchmark_FOUND IONSKIN_FIT IONSKIN_EXTRAS
+             IONSKIN_STUDIO IONSKIN_PYTHON_MODULE)

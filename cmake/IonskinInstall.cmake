@@ -14,9 +14,12 @@ set_target_properties(ionskin_library PROPERTIES OUTPUT_NAME ionskin EXPORT_NAME
   VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 
 install(TARGETS ionskin RUNTIME DESTINATION ${IONSKIN_BIN_FOLDER})
-install(TARGETS ionskin-solver ionskin-studio RUNTIME DESTINATION ${IONSKIN_LIBEXEC_FOLDER})
-# Beside the solver, which puts it into FMUs.
-install(TARGETS ionskin_live_fmu_library LIBRARY DESTINATION ${IONSKIN_LIBEXEC_FOLDER})
+# The library of FMUs stands beside the program that puts it into them.
+foreach(part ionskin-solver ionskin-extras ionskin-studio ionskin_live_fmu_library)
+  if(TARGET ${part})
+    install(TARGETS ${part} DESTINATION ${IONSKIN_LIBEXEC_FOLDER})
+  endif()
+endforeach()
 install(TARGETS ionskin_library EXPORT ionskin LIBRARY DESTINATION ${IONSKIN_LIBRARY_FOLDER})
 
 # What a program of others needs to read and run a case, and what that includes.
@@ -37,7 +40,9 @@ write_basic_package_version_file(${CMAKE_BINARY_DIR}/ionskin-config-version.cmak
 install(EXPORT ionskin NAMESPACE ionskin:: FILE ionskin-config.cmake DESTINATION ${IONSKIN_CMAKE_FOLDER})
 install(FILES ${CMAKE_BINARY_DIR}/ionskin-config-version.cmake DESTINATION ${IONSKIN_CMAKE_FOLDER})
 
-install(TARGETS _ionskin_solver LIBRARY DESTINATION ${IONSKIN_PYTHON_FOLDER})
+if(IONSKIN_PYTHON_MODULE)
+  install(TARGETS _ionskin_solver LIBRARY DESTINATION ${IONSKIN_PYTHON_FOLDER})
+endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/ionskin DESTINATION ${IONSKIN_PYTHON_FOLDER}
         PATTERN __pycache__ EXCLUDE)
 # Debian's Python looks below /usr/local in a folder of its own version, which then names ours.

@@ -15,13 +15,16 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/system/installation.hpp"
 
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <unistd.h>
 
 namespace {
 
-/// Replaces this process by a program beside it with the same arguments.
+/// Replaces this process by a program beside it with the same arguments. `make demo` builds the
+/// solver alone.
 int become(const char* name, char** argv) {
   // One thread per factorisation; several run at once.
   setenv("OPENBLAS_NUM_THREADS", "1", 1);
@@ -29,8 +32,10 @@ int become(const char* name, char** argv) {
   const auto self = std::filesystem::canonical("/proc/self/exe");
   setenv("IONSKIN_FRONT", self.c_str(), 1); // for parts that start further commands
   execv(program.c_str(), argv);
-  throw ionskin::UserError("cannot start " + program.string() +
-                           ", a part of ionskin\n  = build or install all parts again");
+  throw ionskin::UserError(
+      "cannot start " + program.string() +
+      ", the part of ionskin that does this: " + std::strerror(errno) +
+      "\n  = in a build tree, make build builds every part; else install the package again");
 }
 
 } // namespace
@@ -63,6 +68,10 @@ int main(int argc, char** argv) {
     }
     if (std::holds_alternative<StudioOptions>(*command)) {
       return become("ionskin-studio", argv);
+    }
+    if (std::holds_alternative<LiveOptions>(*command) ||
+        std::holds_alternative<VerifyOptions>(*command)) {
+      return become("ionskin-extras", argv);
     }
     require_vector_instructions();
     if (const auto* init_options = std::get_if<InitOptions>(&*command)) {

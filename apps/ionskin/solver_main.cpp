@@ -7,12 +7,10 @@
 #include "study_verbs/check_solved.hpp"
 #include "study_verbs/fit.hpp"
 #include "study_verbs/impedance.hpp"
-#include "study_verbs/live.hpp"
 #include "study_verbs/python_verbs.hpp"
 #include "study_verbs/run.hpp"
 #include "study_verbs/sweep.hpp"
 #include "study_verbs/trial_verbs.hpp"
-#include "study_verbs/verify.hpp"
 #include "terminal/terminal.hpp"
 
 int main(int argc, char** argv) {
@@ -24,9 +22,7 @@ int main(int argc, char** argv) {
     if (!command) {
       return exit_code;
     }
-    std::vector<std::string> words(argv, argv + argc);
-    words.front() = "ionskin";
-    const std::string command_text = shell_text(words);
+    const std::string command_text = command_as_typed(argc, argv);
     if (const auto* check_options = std::get_if<CheckOptions>(&*command)) {
       return check_with_solver(*check_options);
     }
@@ -35,9 +31,6 @@ int main(int argc, char** argv) {
     }
     if (const auto* impedance_options = std::get_if<ImpedanceOptions>(&*command)) {
       return impedance(*impedance_options, command_text);
-    }
-    if (const auto* live_options = std::get_if<LiveOptions>(&*command)) {
-      return live(*live_options, command_text);
     }
     if (const auto* sweep_options = std::get_if<SweepOptions>(&*command)) {
       return sweep(*sweep_options, command_text);
@@ -60,9 +53,6 @@ int main(int argc, char** argv) {
     if (const auto* report_options = std::get_if<ReportOptions>(&*command)) {
       return report(*report_options);
     }
-    if (const auto* compare_options = std::get_if<CompareOptions>(&*command)) {
-      return compare(*compare_options);
-    }
-    return verify(std::get<VerifyOptions>(*command));
+    return compare(std::get<CompareOptions>(*command));
   });
 }

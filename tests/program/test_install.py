@@ -9,7 +9,7 @@ import subprocess
 import unittest
 import zipfile
 
-from program import PROGRAM, ROOT, ProgramTest, summary
+from program import PROGRAM, QUICK, ROOT, ProgramTest, summary
 
 BUILD = PROGRAM.parent
 PYTHON = "/usr/bin/python3"
@@ -124,6 +124,17 @@ class Install(ProgramTest):
         with zipfile.ZipFile(self.folder / "skin.fmu") as archive:
             library = archive.read("binaries/linux64/ionskin_live.so")
         self.assertEqual(library, (self.prefix / "libexec/ionskin/ionskin_live_fmu.so").read_bytes())
+
+    def test_missing_part(self):
+        """Where `make demo` has built the solver alone, the verbs of other parts name the command that builds them."""
+        for part, verb in (("ionskin-extras", ("verify",)), ("ionskin-extras", ("live", QUICK, "--output", "skin.live")),
+                           ("ionskin-studio", ("studio", "--no-browser"))):
+            (self.prefix / "libexec" / "ionskin" / part).unlink(missing_ok=True)
+            process = subprocess.run([self.prefix / "bin" / "ionskin", *verb], cwd=self.folder, capture_output=True, text=True,
+                                     check=False)
+            self.assertEqual(process.returncode, 2, process.stderr)
+            self.assertIn(f"libexec/ionskin/{part}", process.stderr)
+            self.assertIn("make build", process.stderr)
 
 
 if __name__ == "__main__":

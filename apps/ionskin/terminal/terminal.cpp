@@ -64,6 +64,12 @@ std::string shell_text(const std::vector<std::string>& words) {
   return line;
 }
 
+std::string command_as_typed(int argc, char** argv) {
+  std::vector<std::string> words(argv, argv + argc);
+  words.front() = "ionskin";
+  return shell_text(words);
+}
+
 std::string duration_text(double seconds) {
   const auto whole = static_cast<long>(std::lround(std::clamp(seconds, 0.0, 1e9)));
   if (whole < 60) {

@@ -23,6 +23,9 @@ std::string paragraph(std::string_view text, std::size_t indent, int descriptor 
 /// Words as one would type them in a shell.
 std::string shell_text(const std::vector<std::string>& words);
 
+/// The whole command line of `ionskin`, whichever part of it this program is.
+std::string command_as_typed(int argc, char** argv);
+
 /// "12 s", "3 min 20 s", "1 h 05 min".
 std::string duration_text(double seconds);
 

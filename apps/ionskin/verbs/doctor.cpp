@@ -93,7 +93,7 @@ void check_program(Findings& findings) {
   findings.check(
       runs({solver.string(), "--version"}), "solver with its libraries: " + solver.string(),
       "install the package again; in a build tree build both programs, with the packages "
-      "of packages.txt: scripts/install_packages.sh");
+      "of packages.txt: make build");
   const fs::path data = data_folder();
   findings.check(fs::is_directory(data / "cases") && fs::is_directory(data / "materials"),
                  "cases and materials in " + data.string(),
