@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # The thin front of the build: CMake presets do the work.
-.PHONY: help setup setup-demo setup-all build demo check install package docs format format-check bench sanitize clean
+.PHONY: help setup setup-demo setup-all build demo check install package docs format format-check bench sanitize separate clean
 
 BUILD := build
 JOBS := $(shell nproc)
@@ -65,6 +65,11 @@ sanitize: setup-all
 	@cmake --build --preset sanitize --target unit_tests --parallel $(JOBS)
 	@ctest --preset sanitize
 
+# Every source by itself: the release and the sanitizers compile several together, where a missing include does not show.
+separate: setup-all
+	@cmake --preset separate
+	@cmake --build --preset separate --parallel $(JOBS)
+
 # Runs the verification set and the gallery's sweep once; remove build/docs/material to run them again.
 docs: setup-all build
 	@/usr/bin/python3 docs/generate/build.py --program $(BUILD)/ionskin --work $(BUILD)/docs --output docs/_build/html --material
@@ -81,4 +86,4 @@ bench: setup-all build
 	$(BUILD)/benchmarks/stages
 
 clean:
-	rm -rf build build-debug build-sanitize build-audit build-fuzz out docs/_build
+	rm -rf build build-debug build-separate build-sanitize build-threads build-audit build-fuzz out docs/_build
