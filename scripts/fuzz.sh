@@ -4,22 +4,22 @@
 # New inputs and artefacts (crash-*, timeout-*, leak-*) stay in FOLDER. With --smoke first, only those of `make check`.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-preset=fuzz
+target=fuzzers
 if [ "${1:-}" = --smoke ]; then
-  preset=fuzz-smoke
+  target=fuzzers_smoke
   shift
 fi
 seconds=${1:-10}
 work=${2:-$(mktemp -d)}
-cmake --preset fuzz > /dev/null
-cmake --build --preset "$preset" --parallel "$(nproc)"
+cmake --preset sanitize > /dev/null
+cmake --build --preset sanitize --target "$target" --parallel "$(nproc)"
 export LSAN_OPTIONS="suppressions=$PWD/tests/leak_suppressions.txt"
 failures=0
-for fuzzer in build-fuzz/fuzz_*; do
+for fuzzer in build-sanitize/fuzz_*; do
   [ -x "$fuzzer" ] || continue
   # An earlier build may have left the others.
-  [ "$preset" = fuzz ] || grep -q "^ionskin_fuzzer(${fuzzer#build-fuzz/fuzz_} SMOKE" fuzz/CMakeLists.txt || continue
-  name=${fuzzer#build-fuzz/fuzz_}
+  [ "$target" = fuzzers ] || grep -q "^ionskin_fuzzer(${fuzzer#build-sanitize/fuzz_} SMOKE" fuzz/CMakeLists.txt || continue
+  name=${fuzzer#build-sanitize/fuzz_}
   mkdir -p "$work/$name"
   status=0
   "$fuzzer" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 \
