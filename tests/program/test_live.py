@@ -147,7 +147,7 @@ class LiveTest(ProgramTest):
             begun = page.evaluate("document.getElementById('toggle').click(); "
                                   "document.getElementById('toggle').textContent")
             self.assertEqual(begun, "Pause")
-            deadline = time.monotonic() + 30
+            deadline = time.monotonic() + 300
             while page.evaluate("document.getElementById('now').textContent") == text:
                 self.assertLess(time.monotonic(), deadline, "it does not play")
             press(" ")
@@ -314,9 +314,7 @@ class LiveTest(ProgramTest):
         return ["scene.ppm"]
 
     def test_an_interrupt_leaves_no_file(self):
-        begun = time.monotonic()
-        errors = self.interrupt_program("live", ROOT / "cases" / "quick.toml", "-o", "skin.live",
-                                        when=lambda: time.monotonic() - begun > 1)
+        errors = self.end_at_progress("training", "live", ROOT / "cases" / "quick.toml", "-o", "skin.live")
         self.assertIn("skin.live was not written", errors)
         self.assertEqual(list(self.folder.glob("*.live*")), [])
 
