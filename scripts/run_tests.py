@@ -21,8 +21,10 @@ PROCESSOR = re.compile(r"^processor time: ([\d.]+) s$", re.MULTILINE)
 def folder_of(preset):
     """The build folder of a preset of tests."""
     presets = json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))
-    one, = (test for test in presets["testPresets"] if test["name"] == preset)
-    build, = (build for build in presets["configurePresets"] if build["name"] == one["configurePreset"])
+    tests = {test["name"]: test for test in presets["testPresets"]}
+    while "configurePreset" not in tests[preset]:
+        preset = tests[preset]["inherits"]
+    build, = (build for build in presets["configurePresets"] if build["name"] == tests[preset]["configurePreset"])
     return pathlib.Path(build["binaryDir"].replace("${sourceDir}", str(ROOT)))
 
 
