@@ -122,7 +122,7 @@ class Disks(ProgramTest):
         self.assertTrue(summary(self.folder / "out")["metrics"])
 
     def test_closed_terminal(self):
-        self.end_at_progress("mechanics", "run", QUICK, "--no-report", "-o", "out", how=signal.SIGHUP)
+        self.end_at_progress("mechanics", "run", QUICK, *SMALL, "--no-report", "-o", "out", how=signal.SIGHUP)
         manifest = json.loads((self.folder / "out" / "manifest.json").read_text())
         self.assertEqual(manifest["state"], "interrupted")
 
