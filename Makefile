@@ -57,7 +57,7 @@ check: check-sources build
 	@cmake --preset sanitize
 	@cmake --build --preset sanitize --parallel $(JOBS)
 	@/usr/bin/python3 scripts/run_tests.py sanitize
-	@scripts/fuzz.sh --smoke 8
+	@scripts/fuzz.sh 3
 	@scripts/check_threads.sh threads $(JOBS)
 	@/usr/bin/python3 scripts/run_tests.py check
 
