@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # The thin front of the build: CMake presets do the work.
-.PHONY: help setup setup-demo setup-all build demo check install package docs format format-check bench sanitize separate clean
+.PHONY: help setup setup-demo setup-all build demo check-sources quick check check-long separate install package docs format bench clean
 
 BUILD := build
 JOBS := $(shell nproc)
@@ -9,8 +9,10 @@ PREFIX := /usr/local
 
 help:
 	@echo "make demo    install what a run needs, build that, run the paper's case, say where the report is"
+	@echo "make quick   sources, unit tests and one run: minutes once ionskin is built, while one works"
+	@echo "make check   a part of every kind of test: a quarter of an hour, before every push"
+	@echo "make check-long   every test: hours, before a release"
 	@echo "make build   install what every part needs, build all: build/ionskin"
-	@echo "make check   install what the tests need, too, then every test"
 	@echo "make install put what is built below PREFIX (/usr/local); DESTDIR goes before it"
 	@echo "make package a Debian package, in build/package"
 	@echo "make docs    the pages, in docs/_build/html"
@@ -48,22 +50,34 @@ package: build
 	@echo "Package: $$(ls -t $(CURDIR)/$(BUILD)/package/*.deb | head -1)"
 
 # The cheap checks come first, so that a slip shows before the long build.
-check: setup-all
+check-sources: setup-all
 	@scripts/check_format.sh
 	@/usr/bin/python3 scripts/check_includes.py
 	@/usr/bin/python3 scripts/check_equations.py
 	@/usr/bin/python3 scripts/check_packages.py
-	@$(MAKE) --no-print-directory build sanitize
-	@scripts/check_threads.sh $(JOBS)
-	@scripts/fuzz.sh --smoke 8
-	@cmake --build --preset release --target benchmarks --parallel $(JOBS)
-	@ctest --preset release
 
-# The unit tests, compiled several sources at a time, under the address and undefined-behaviour sanitizers.
-sanitize: setup-all
+quick: check-sources build
+	@cmake --build --preset release --target unit_tests --parallel $(JOBS)
+	@/usr/bin/python3 scripts/run_tests.py quick
+
+# What reads users' files also runs under the address and undefined-behaviour sanitizers, what hands memory between threads
+# under that for threads. CONTRIBUTING.md says what each tier holds.
+check: check-sources build
+	@cmake --build --preset release --target unit_tests --parallel $(JOBS)
 	@cmake --preset sanitize
-	@cmake --build --preset sanitize --target unit_tests --parallel $(JOBS)
-	@ctest --preset sanitize
+	@cmake --build --preset sanitize --parallel $(JOBS)
+	@/usr/bin/python3 scripts/run_tests.py sanitize
+	@scripts/fuzz.sh 3
+	@scripts/check_threads.sh threads $(JOBS)
+	@/usr/bin/python3 scripts/run_tests.py check
+
+check-long: check
+	@cmake --build --preset release --target benchmarks --parallel $(JOBS)
+	@cmake --build --preset sanitize-long --parallel $(JOBS)
+	@/usr/bin/python3 scripts/run_tests.py sanitize-long
+	@scripts/fuzz.sh 60
+	@scripts/check_threads.sh threads-long $(JOBS)
+	@/usr/bin/python3 scripts/run_tests.py long
 
 # Every source by itself: the release and the sanitizers compile several together, where a missing include does not show.
 separate: setup-all
@@ -86,4 +100,4 @@ bench: setup-all build
 	$(BUILD)/benchmarks/stages
 
 clean:
-	rm -rf build build-debug build-separate build-sanitize build-threads build-audit build-fuzz out docs/_build
+	rm -rf build build-debug build-separate build-sanitize build-audit build-threads out docs/_build

@@ -1,25 +1,18 @@
 #!/bin/bash
 # SPDX-License-Identifier: Apache-2.0
 # Runs every fuzzer for some seconds from its corpus and sums up: scripts/fuzz.sh [SECONDS_EACH [FOLDER]]
-# New inputs and artefacts (crash-*, timeout-*, leak-*) stay in FOLDER. With --smoke first, only those of `make check`.
+# New inputs and artefacts (crash-*, timeout-*, leak-*) stay in FOLDER.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-preset=fuzz
-if [ "${1:-}" = --smoke ]; then
-  preset=fuzz-smoke
-  shift
-fi
 seconds=${1:-10}
 work=${2:-$(mktemp -d)}
-cmake --preset fuzz > /dev/null
-cmake --build --preset "$preset" --parallel "$(nproc)"
+cmake --preset sanitize > /dev/null
+cmake --build --preset sanitize --target fuzzers --parallel "$(nproc)"
 export LSAN_OPTIONS="suppressions=$PWD/tests/leak_suppressions.txt"
 failures=0
-for fuzzer in build-fuzz/fuzz_*; do
+for fuzzer in build-sanitize/fuzz_*; do
   [ -x "$fuzzer" ] || continue
-  # An earlier build may have left the others.
-  [ "$preset" = fuzz ] || grep -q "^ionskin_fuzzer(${fuzzer#build-fuzz/fuzz_} SMOKE" fuzz/CMakeLists.txt || continue
-  name=${fuzzer#build-fuzz/fuzz_}
+  name=${fuzzer#build-sanitize/fuzz_}
   mkdir -p "$work/$name"
   status=0
   "$fuzzer" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 \

@@ -9,6 +9,7 @@ import unittest
 
 from documented import console_blocks, first_difference, indented_commands
 from program import PROGRAM, ROOT, ProgramTest
+from tiers import long_test
 
 DOCS = ROOT / "docs"
 # Only the case, its mesh and the number of points are made smaller.
@@ -52,12 +53,15 @@ class Pages(DocumentedTest):
     def test_tutorial(self):
         self.check_page("tutorial.md")
 
+    @long_test
     def test_touch(self):
         self.check_page("touch.md")
 
+    @long_test
     def test_friction(self):
         self.check_page("friction.md")
 
+    @long_test
     def test_what_slip_looks_like(self):
         self.check_page("what-slip-looks-like.md")
 

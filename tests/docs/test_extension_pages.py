@@ -13,6 +13,7 @@ import unittest
 from documented import console_blocks, first_difference
 from moved_build import move_build
 from program import PROGRAM, ROOT, metric, signals, summary
+from tiers import long_test
 
 LAWS, CIRCUITS, SHAPES = (ROOT / "docs" / name for name in ("laws.md", "circuits.md", "shapes.md"))
 COPIED = ("apps", "benchmarks", "cases", "cmake", "docs", "examples", "fuzz", "materials", "packaging", "python", "src",
@@ -32,13 +33,11 @@ def steps(text):
     return [step for _, step in sorted(found)]
 
 
-def copy_tree(tree):
-    """Sources with their times and the build folder, so that only what the steps touch is built again."""
+def copy_sources(tree):
+    """With their times, so that only what the steps touch is built again."""
     tree.mkdir()
     for name in COPIED:
         (shutil.copytree if (ROOT / name).is_dir() else shutil.copy2)(ROOT / name, tree / name)
-    shutil.copytree(PROGRAM.parent, tree / "build", symlinks=True,
-                    ignore=shutil.ignore_patterns("unit_*", "docs", "benchmarks", "Testing"))
 
 
 def carry_out(page, tree):
@@ -57,18 +56,50 @@ def carry_out(page, tree):
     return named
 
 
-class ExtensionPages(unittest.TestCase):
-    """All pages on one copy, so that one build serves them."""
+class Steps(unittest.TestCase):
+    """All pages carried out on one copy of the sources."""
 
     @classmethod
     def setUpClass(cls):
-        folder = pathlib.Path(tempfile.mkdtemp(prefix="ionskin-test-"))
-        os.environ["XDG_CACHE_HOME"] = str(folder / "cache")  # pages share their slider positions
-        cls.addClassCleanup(shutil.rmtree, folder, ignore_errors=True)
-        cls.tree = folder / "tree"
-        copy_tree(cls.tree)
-        move_build(cls.tree / "build", ROOT, cls.tree)
+        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="ionskin-test-"))
+        cls.addClassCleanup(shutil.rmtree, cls.folder, ignore_errors=True)
+        cls.tree = cls.folder / "tree"
+        copy_sources(cls.tree)
         cls.named = {page: carry_out(page, cls.tree) for page in (LAWS, CIRCUITS, SHAPES)}
+
+    def test_the_files_that_the_pages_name_are_all_that_differ(self):
+        touched = set()
+        for name in COPIED:
+            files = [self.tree / name] if (self.tree / name).is_file() else (self.tree / name).rglob("*")
+            for file in files:
+                own = file.relative_to(self.tree)
+                if file.is_file() and "__pycache__" not in own.parts and not (
+                        (ROOT / own).is_file() and filecmp.cmp(file, ROOT / own, shallow=False)):
+                    touched.add(str(own))
+        self.assertEqual(touched, set.union(*self.named.values()))
+
+    def test_a_circuit_and_a_shape_touch_their_own_folders_alone(self):
+        self.assertEqual(self.named[CIRCUITS], {
+            "src/ionskin/circuits/voltmeter.hpp", "src/ionskin/circuits/voltmeter.cpp", "src/ionskin/circuits/circuit.cpp",
+            "src/ionskin/circuits/CMakeLists.txt", "tests/unit/circuits/voltmeter_test.cpp",
+            "tests/unit/circuits/CMakeLists.txt"})
+        self.assertEqual(self.named[SHAPES], {
+            "src/ionskin/shapes/paraboloid.hpp", "src/ionskin/shapes/paraboloid.cpp", "src/ionskin/shapes/shape.cpp",
+            "src/ionskin/shapes/CMakeLists.txt", "tests/unit/shapes/paraboloid_test.cpp",
+            "tests/unit/shapes/CMakeLists.txt"})
+
+
+@long_test
+class Built(Steps):
+    """The copy is built, and does what the pages say. One build serves them."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        os.environ["XDG_CACHE_HOME"] = str(cls.folder / "cache")  # pages share their slider positions
+        shutil.copytree(PROGRAM.parent, cls.tree / "build", symlinks=True,
+                        ignore=shutil.ignore_patterns("unit_*", "docs", "benchmarks", "Testing"))
+        move_build(cls.tree / "build", ROOT, cls.tree)
 
     def shell(self, command, expect=0):
         """Runs a line of a page in the copy; returns the finished process."""
@@ -91,10 +122,6 @@ class ExtensionPages(unittest.TestCase):
 
     def test_circuits(self):
         self.run_commands(CIRCUITS)
-        self.assertEqual(self.named[CIRCUITS], {
-            "src/ionskin/circuits/voltmeter.hpp", "src/ionskin/circuits/voltmeter.cpp", "src/ionskin/circuits/circuit.cpp",
-            "src/ionskin/circuits/CMakeLists.txt", "tests/unit/circuits/voltmeter_test.cpp",
-            "tests/unit/circuits/CMakeLists.txt"})
         told = summary(self.tree / "voltmeter")
         self.assertEqual(told["circuit"]["words"], "voltmeter of 1000 ohm behind 2e-10 F of cable")
         self.assertEqual(told["circuit"]["top_potential"], "φ = U, I = U/R + C dU/dt")
@@ -109,10 +136,6 @@ class ExtensionPages(unittest.TestCase):
 
     def test_shapes(self):
         self.run_commands(SHAPES)
-        self.assertEqual(self.named[SHAPES], {
-            "src/ionskin/shapes/paraboloid.hpp", "src/ionskin/shapes/paraboloid.cpp", "src/ionskin/shapes/shape.cpp",
-            "src/ionskin/shapes/CMakeLists.txt", "tests/unit/shapes/paraboloid_test.cpp",
-            "tests/unit/shapes/CMakeLists.txt"})
         sphere, paraboloid = (metric(self.tree / name, "normal_force_slide") for name in ("sphere", "paraboloid"))
         self.assertGreater(sphere, 0)
         self.assertAlmostEqual(paraboloid / sphere, 1, delta=1e-3)
@@ -121,17 +144,6 @@ class ExtensionPages(unittest.TestCase):
         refused = self.shell("build/ionskin check cases/quick.toml --set slider.radius_x='\"8 mm\"'", expect=2).stderr
         self.assertIn("slider.radius_x does not belong to this shape of slider", refused)
         self.assertIn('choose slider.shape = "paraboloid"', refused)
-
-    def test_the_files_that_the_pages_name_are_all_that_differ(self):
-        touched = set()
-        for name in COPIED:
-            files = [self.tree / name] if (self.tree / name).is_file() else (self.tree / name).rglob("*")
-            for file in files:
-                own = file.relative_to(self.tree)
-                if file.is_file() and "__pycache__" not in own.parts and not (
-                        (ROOT / own).is_file() and filecmp.cmp(file, ROOT / own, shallow=False)):
-                    touched.add(str(own))
-        self.assertEqual(touched, set.union(*self.named.values()))
 
     def parameters_belong_to_their_law(self):
         """A parameter of another law is refused, a missing one asked for, the stored case says both laws' own."""

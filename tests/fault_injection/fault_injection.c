@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Preloaded into the program: lets one call of the system fail, or all from one on.
+// Preloaded into the program: lets one call of the system fail, or all from one on, or ends the program at it.
 //
 // IONSKIN_FAULT_CALL    write, rename, fsync, open or malloc
 // IONSKIN_FAULT_NUMBER  the call that fails, from 1
 // IONSKIN_FAULT_STAYS   1: those after it fail too, as on a full disk
+// IONSKIN_FAULT_SIGNAL  the call does not fail: the program gets this signal before it
+// IONSKIN_FAULT_TEXT    the signal comes before this text is first printed by fputs, as progress is
 // IONSKIN_FAULT_FOLDER  only files whose path begins so count
 // IONSKIN_FAULT_COUNT   a file to leave the number of calls in
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdatomic.h>
 #include <stdio.h>
@@ -21,16 +24,20 @@
 
 static atomic_long calls;
 static long number;
-static int stays, counts;
-static char call[16], folder[4096];
+static int stays, counts, signal_number;
+static char call[16], folder[4096], text[256];
+static atomic_flag said = ATOMIC_FLAG_INIT;
 enum { least_allocation = 65536 };
 
 __attribute__((constructor)) static void begin(void) {
   const char *name = getenv("IONSKIN_FAULT_CALL"), *which = getenv("IONSKIN_FAULT_NUMBER");
   const char *place = getenv("IONSKIN_FAULT_FOLDER"), *all = getenv("IONSKIN_FAULT_STAYS");
+  const char *ends = getenv("IONSKIN_FAULT_SIGNAL"), *words = getenv("IONSKIN_FAULT_TEXT");
   snprintf(call, sizeof call, "%s", name ? name : "");
+  snprintf(text, sizeof text, "%s", words ? words : "");
   snprintf(folder, sizeof folder, "%s", place ? place : "/");
   number = which ? atol(which) : 0;
+  signal_number = ends ? atoi(ends) : 0;
   stays = all && *all == '1';
   counts = *call != '\0';
 }
@@ -50,7 +57,10 @@ static int fails(const char *name) {
     return 0;
   }
   const long now = atomic_fetch_add(&calls, 1) + 1;
-  return number > 0 && (now == number || (stays && now > number));
+  if (signal_number && now == number) {
+    kill(getpid(), signal_number);
+  }
+  return !signal_number && number > 0 && (now == number || (stays && now > number));
 }
 
 static int counted_path(const char *path) {
@@ -131,6 +141,13 @@ int fsync(int file) {
     return -1;
   }
   return NEXT(fsync)(file);
+}
+
+int fputs(const char *line, FILE *file) {
+  if (*text && strstr(line, text) && !atomic_flag_test_and_set(&said)) {
+    kill(getpid(), signal_number);
+  }
+  return NEXT(fputs)(line, file);
 }
 
 #define OPEN(name)                                                                                 \

@@ -4,11 +4,11 @@
 import json
 import os
 import pathlib
+import resource
 import shutil
 import signal
 import subprocess
 import tempfile
-import time
 import unittest
 
 import h5py
@@ -17,6 +17,7 @@ import numpy
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 PROGRAM = pathlib.Path(os.environ.get("IONSKIN_PROGRAM", ROOT / "build" / "ionskin"))
 QUICK = ROOT / "cases" / "quick.toml"
+FAULTS = PROGRAM.parent / "tests" / "fault_injection" / "libionskin_fault_injection.so"
 PAPER = ROOT / "cases" / "paper.toml"
 
 
@@ -30,11 +31,14 @@ class ProgramTest(unittest.TestCase):
         os.environ["IONSKIN_CACHE"] = str(self.folder / "cache")
         os.environ["IONSKIN_CACHE_LIMIT"] = "0 GB"
 
-    def run_program(self, *arguments, expect=0):
-        """Runs `ionskin ARGUMENTS`; asserts the exit code; returns the finished process."""
-        process = subprocess.run(
-            [PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, check=False
-        )
+    def run_program(self, *arguments, expect=0, processor_seconds=None, **settings):
+        """Runs `ionskin ARGUMENTS`; asserts the exit code; returns the finished process. One that works longer than so many
+        seconds of a processor is ended, however busy the machine is."""
+        def limit():
+            resource.setrlimit(resource.RLIMIT_CPU, (processor_seconds, processor_seconds))
+
+        process = subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, check=False, **{
+            "capture_output": True, "text": True, "preexec_fn": limit if processor_seconds else None, **settings})
         self.assertEqual(process.returncode, expect, f"{arguments}\n{process.stdout}\n{process.stderr}")
         return process
 
@@ -42,20 +46,21 @@ class ProgramTest(unittest.TestCase):
         """`ionskin run` without the report, whose drawing takes longer than a quick case."""
         return self.run_program("run", *arguments, "--no-report", expect=expect)
 
-    def interrupt_program(self, *arguments, when, how=signal.SIGINT, expect=130):
-        """Starts the program, sends a signal once `when()` holds, and asserts the exit code."""
-        with subprocess.Popen(
-            [PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-            cwd=self.folder,
-        ) as process:
-            deadline = time.monotonic() + 300
-            while not when() and process.poll() is None and time.monotonic() < deadline:
-                time.sleep(0.01)
-            self.assertIsNone(process.poll(), "the run ended before it could be interrupted")
-            process.send_signal(how)
-            _, errors = process.communicate(timeout=300)
-        self.assertEqual(process.returncode, expect, errors)
-        return errors
+    def run_observed(self, *arguments, expect=0, **point):
+        """Runs the program with tests/fault_injection/fault_injection.c, whose variables IONSKIN_FAULT_... are given."""
+        self.assertTrue(FAULTS.exists(), "cmake --build build --target unit_tests builds it")
+        environment = {f"IONSKIN_FAULT_{name.upper()}": str(value) for name, value in point.items()}
+        return self.run_program(*arguments, expect=expect, env={**os.environ, "LD_PRELOAD": str(FAULTS), **environment})
+
+    def end_at_file(self, number, *arguments, below, how=signal.SIGKILL, expect=-signal.SIGKILL):
+        """Sends the program a signal before the file of this number below a folder gets its name; returns what it said."""
+        return self.run_observed(*arguments, expect=expect, call="rename", folder=self.folder / below, number=number,
+                                 signal=int(how)).stderr
+
+    def end_at_progress(self, activity, *arguments, how=signal.SIGINT, expect=130):
+        """Sends the program a signal before it first tells of an activity; returns what it said."""
+        return self.run_observed(*arguments, "--progress", "json", expect=expect, text=f'"activity":"{activity}"',
+                                 signal=int(how)).stderr
 
     def write(self, name, text):
         """Writes a text file into the scratch folder and returns its path."""

@@ -16,6 +16,7 @@ import unittest
 from urllib.parse import urlsplit
 
 from program import PROGRAM, QUICK, ProgramTest
+from tiers import long_test
 
 SMALL = ("--set", "numerics.mesh_refinement=0.5", "--set", "numerics.time_refinement=0.3")
 GRID = (*SMALL, "--over", "contact.friction=0.1,0.2", "--over", "motion.preload=1 um,1.5 um", "--no-report")
@@ -151,6 +152,7 @@ class Cluster(ProgramTest):
         self.assertGreaterEqual(len(addresses), 5)
         self.assertEqual(set(addresses), {"0100007F"})
 
+    @long_test
     def test_studies(self):
         """Runs of a study go to the workers too: the store is that of this machine, though a worker was killed."""
         subprocess.run([sys.executable, QUICK.parent / "make_strain.py", self.folder / "strain.h5"], check=True)

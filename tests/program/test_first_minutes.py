@@ -13,6 +13,8 @@ import numpy
 
 from program import PAPER, QUICK, ProgramTest, signals, summary
 
+# A mesh that serves where no figure is compared.
+SMALL = (QUICK, "--set", "numerics.mesh_refinement=0.5")
 SIGNAL_COLUMNS = [
     "time [s]", "cycle", "phase", "slider_x [m]", "slider_z [m]", "normal_force [N]",
     "tangential_force [N]", "mean_shear [1]", "rms_shear [1]", "p99_shear [1]", "shear_first_moment [1]",
@@ -64,7 +66,7 @@ class FirstMinutes(ProgramTest):
         self.assertIn("contact.kinetic_friction", json.loads(self.run_program(*stribeck).stdout)["applicable"])
 
     def test_files_of_a_run(self):
-        self.run_program("run", QUICK, "-o", "out", "--threads", 2)
+        self.run_program("run", *SMALL, "-o", "out", "--threads", 2)
         out = self.folder / "out"
         for name in ("manifest.json", "case.toml", "summary.json", "signals.csv", "sampled.csv", "results.h5",
                      "report.html"):
@@ -146,7 +148,7 @@ class FirstMinutes(ProgramTest):
             self.assertIn(f" {len(processors)} threads\n", self.run_program("doctor").stdout)
 
     def test_json_progress(self):
-        process = self.run_case(QUICK, "-o", "out", "--log", "json")
+        process = self.run_case(*SMALL, "-o", "out", "--log", "json")
         lines = [json.loads(line) for line in process.stderr.splitlines() if line.startswith("{")]
         self.assertGreater(len(lines), 5)
         self.assertEqual(lines[-1]["fraction"], 1)
@@ -155,23 +157,23 @@ class FirstMinutes(ProgramTest):
 class Physics(ProgramTest):
     def test_no_coupling_no_current(self):
         """C1: zero coupling gives exactly zero current; zero friction does not."""
-        self.run_case(QUICK, "-o", "none", "--set", "coupling.coefficient=0")
+        self.run_case(*SMALL, "-o", "none", "--set", "coupling.coefficient=0")
         result = signals(self.folder / "none")
         self.assertEqual(abs(result["current_top"]).max(), 0)
         self.assertEqual(abs(result["current_bottom"]).max(), 0)
-        self.run_case(QUICK, "-o", "smooth", "--set", "contact.friction=0")
+        self.run_case(*SMALL, "-o", "smooth", "--set", "contact.friction=0")
         self.assertGreater(abs(signals(self.folder / "smooth")["current_difference"]).max(), 0)
 
     def test_press_and_hold(self):
         """A zero stroke holds the touchdown state."""
-        self.run_case(QUICK, "-o", "out", "--set", "motion.stroke=0 mm")
+        self.run_case(*SMALL, "-o", "out", "--set", "motion.stroke=0 mm")
         result = signals(self.folder / "out")
         held = result["normal_force"][result["phase"] == "slide"]
         self.assertLess(abs(held - held[-1]).max(), 1e-9 * held[-1])
 
     def test_stroke_too_short_to_slide(self):
         """A stroke within onset runs, and the friction force stays below its limit while the slider holds."""
-        self.run_case(QUICK, "-o", "out", "--set", "motion.stroke=2 um")
+        self.run_case(*SMALL, "-o", "out", "--set", "motion.stroke=2 um")
         result = signals(self.folder / "out")
         sliding = result["phase"] == "slide"
         friction = result["tangential_force"][sliding] / result["normal_force"][sliding]
@@ -180,7 +182,7 @@ class Physics(ProgramTest):
 
     def test_threads_do_not_change_the_result(self):
         for threads in (1, 2):
-            self.run_case(QUICK, "-o", f"out{threads}", "--threads", threads)
+            self.run_case(*SMALL, "-o", f"out{threads}", "--threads", threads)
         one, two = ((self.folder / f"out{threads}" / "signals.csv").read_text() for threads in (1, 2))
         self.assertEqual(one, two)
 

@@ -42,13 +42,10 @@ class Fit(ProgramTest):
         (self.folder / "truth" / "sampled.csv").rename(self.folder / "data.csv")
         self.run_program(*self.fit_of("whole"))
 
-        def solved(count):
-            return lambda: len(list((self.folder / "out" / "evaluations").glob("*.h5"))) >= count
-
-        errors = self.interrupt_program(*self.fit_of("out"), when=solved(2))
+        errors = self.end_at_file(3, *self.fit_of("out"), below="out/evaluations", how=signal.SIGINT, expect=130)
         self.assertIn("--resume", errors)
         self.assertEqual(json.loads((self.folder / "out" / "manifest.json").read_text())["state"], "interrupted")
-        self.interrupt_program(*self.fit_of("out", "--resume"), when=solved(6), how=signal.SIGKILL, expect=-signal.SIGKILL)
+        self.end_at_file(5, *self.fit_of("out", "--resume"), below="out/evaluations")
         shorter = self.write("shorter.csv", "".join((self.folder / "data.csv").read_text().splitlines(True)[:-1]))
         for other in (self.fit_of("out", "--resume", data=shorter),
                       self.fit_of("out", "--resume", "--set", "coupling.coefficient=0.2")):

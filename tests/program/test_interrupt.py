@@ -13,6 +13,9 @@ import numpy
 
 from program import PROGRAM, QUICK, ProgramTest, signals, summary
 
+# A mesh that serves to test the bookkeeping, not the physics.
+SMALL = (QUICK, "--set", "numerics.mesh_refinement=0.5")
+
 
 class Interrupt(ProgramTest):
     def stages(self):
@@ -23,36 +26,28 @@ class Interrupt(ProgramTest):
             return {}
         return manifest.get("stages", {})
 
-    def stage(self, name):
-        """The state of a stage."""
-        return self.stages().get(name, {}).get("state")
-
-    def stage_finished(self, stage):
-        return self.stage(stage) == "finished"
-
     whole = None
 
     def undisturbed(self):
         """Signals of a run that nothing interrupts, made once."""
         if Interrupt.whole is None:
-            self.run_case(QUICK, "-o", "whole")
+            self.run_case(*SMALL, "-o", "whole")
             Interrupt.whole = signals(self.folder / "whole")
         return Interrupt.whole
 
     def assert_resumes_to_the_same(self):
-        self.run_case(QUICK, "-o", "out", "--resume")
+        self.run_case(*SMALL, "-o", "out", "--resume")
         resumed, whole = signals(self.folder / "out"), self.undisturbed()
         for name in ("time", "charge_top", "current_top", "mean_shear", "normal_force"):
             numpy.testing.assert_array_equal(resumed[name], whole[name], name)
 
     def test_during_mechanics(self):
-        self.interrupt_program("run", QUICK, "--no-report", "-o", "out", when=(self.folder / "out" / "case.toml").exists)
+        self.end_at_progress("mechanics", "run", *SMALL, "--no-report", "-o", "out")
         self.assertFalse((self.folder / "out" / "signals.csv").exists())
         self.assert_resumes_to_the_same()
 
     def test_during_electrochemistry(self):
-        self.interrupt_program("run", QUICK, "--no-report", "-o", "out", how=signal.SIGTERM,
-                               when=lambda: self.stage_finished("strain"))
+        self.end_at_progress("ion transport", "run", *SMALL, "--no-report", "-o", "out", how=signal.SIGTERM)
         with h5py.File(self.folder / "out" / "results.h5") as file:
             self.assertTrue(numpy.isfinite(file["strain/gamma"][...]).all())
         self.assertEqual(list((self.folder / "out").glob("*.ionskin-pending")), [])
@@ -78,8 +73,7 @@ drag_number = 2.5
 drained_poissons_ratio = 0.4
 mobility = "5e-17 m2/(Pa s)"
 """)
-        self.interrupt_program("run", case, "--no-report", "-o", "out",
-                               when=lambda: self.stage("electrochemistry") == "running")
+        self.end_at_progress("ion transport", "run", case, "--no-report", "-o", "out")
         with h5py.File(self.folder / "out" / "checkpoint.h5") as file:
             self.assertIn("water/pressure", file)
         self.run_case(case, "-o", "out", "--resume")
@@ -89,7 +83,7 @@ mobility = "5e-17 m2/(Pa s)"
 
     def test_during_the_error_estimate(self):
         """Both studies are finished and kept to their end."""
-        self.interrupt_program("run", QUICK, "--no-report", "-o", "out", when=lambda: self.stage_finished("electrochemistry"))
+        self.end_at_progress("error estimate", "run", *SMALL, "--no-report", "-o", "out")
         self.assertFalse((self.folder / "out" / "signals.csv").exists())
         with h5py.File(self.folder / "out" / "checkpoint.h5") as file:
             last = file["rows/time"][-1]
@@ -103,7 +97,7 @@ mobility = "5e-17 m2/(Pa s)"
         shutil.copy(pathlib.Path(PROGRAM).with_name("ionskin-solver"), solver)
         with open(solver, "ab") as file:
             file.write(b"0")
-        small = [QUICK, "-o", "out", "--only", "mechanics", "--set", "numerics.mesh_refinement=0.5"]
+        small = [*SMALL, "-o", "out", "--only", "mechanics"]
         self.run_case(*small)
         kept = self.stages()
         subprocess.run([solver, "run", *small, "--no-report", "--resume"], cwd=self.folder, capture_output=True, check=True)
@@ -112,17 +106,17 @@ mobility = "5e-17 m2/(Pa s)"
                       summary(self.folder / "out")["warnings"])
 
     def test_one_study_after_the_other(self):
-        self.run_case(QUICK, "-o", "apart", "--only", "electrochemistry", expect=2)
-        self.run_case(QUICK, "-o", "out", "--only", "mechanics")
+        self.run_case(*SMALL, "-o", "apart", "--only", "electrochemistry", expect=2)
+        self.run_case(*SMALL, "-o", "out", "--only", "mechanics")
         mechanics = signals(self.folder / "out")
         self.assertTrue(numpy.isnan(mechanics["current_top"]).all())
         self.assertGreater(mechanics["normal_force"].max(), 60)
-        self.run_case(QUICK, "-o", "out", "--only", "electrochemistry")
+        self.run_case(*SMALL, "-o", "out", "--only", "electrochemistry")
         numpy.testing.assert_array_equal(signals(self.folder / "out")["current_top"], self.undisturbed()["current_top"])
 
     def test_solver_that_gives_up_keeps_the_mechanics(self):
         """A fixed charge below zero that only Study 1 reveals: exit 3, the strain is kept."""
-        process = self.run_case(QUICK, "-o", "out", "--set", "coupling.coefficient=-40", expect=3)
+        process = self.run_case(*SMALL, "-o", "out", "--set", "coupling.coefficient=-40", expect=3)
         for words in ("fixed charge", "remedy"):
             self.assertIn(words, process.stderr)
         with h5py.File(self.folder / "out" / "results.h5") as file:
@@ -131,8 +125,8 @@ mobility = "5e-17 m2/(Pa s)"
         self.assertFalse((self.folder / "out" / "signals.csv").exists())
 
     def test_resume_refuses_another_case(self):
-        self.interrupt_program("run", QUICK, "--no-report", "-o", "out", when=lambda: self.stage_finished("strain"))
-        process = self.run_case(QUICK, "-o", "out", "--resume", "--set", "contact.friction=0.1",
+        self.end_at_progress("ion transport", "run", *SMALL, "--no-report", "-o", "out")
+        process = self.run_case(*SMALL, "-o", "out", "--resume", "--set", "contact.friction=0.1",
                                    expect=2)
         self.assertIn("--overwrite", process.stderr)
 

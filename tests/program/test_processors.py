@@ -5,13 +5,10 @@ all agree within the bound of docs/sweeps.md."""
 import csv
 import os
 import pathlib
-import signal
-import subprocess
-import time
 import unittest
 from unittest import mock
 
-from program import PROGRAM, QUICK, ProgramTest
+from program import QUICK, ProgramTest
 
 # Kernel of OpenBLAS and what the processor must be able to do for it.
 KERNELS = {"Nehalem": "sse4_2", "Haswell": "avx2", "Zen": "avx2", "SkylakeX": "avx512vl"}
@@ -28,17 +25,6 @@ def usable():
 
 
 class Processors(ProgramTest):
-    def kill(self, out):
-        """Starts the sweep and kills it once the first point is whole, or late in its mechanics."""
-        with subprocess.Popen([PROGRAM, *map(str, SWEEP), "-o", out], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                              cwd=self.folder) as process:
-            deadline = time.monotonic() + 120
-            while process.poll() is None and time.monotonic() < deadline:
-                if list((self.folder / out).glob("points/*/results.h5")):
-                    break
-                time.sleep(0.01)
-            process.send_signal(signal.SIGKILL)
-
     def table(self, out):
         """Bytes of the sweep's table."""
         return (self.folder / out / "sweep.csv").read_bytes()
@@ -49,7 +35,8 @@ class Processors(ProgramTest):
             with self.subTest(kernel), mock.patch.dict(os.environ, {"OPENBLAS_CORETYPE": kernel}):
                 whole, killed, single = f"whole_{kernel}", f"killed_{kernel}", f"single_{kernel}"
                 self.run_program(*SWEEP, "-o", whole, "--threads", 1)
-                self.kill(killed)
+                # Once the first point is whole, and the second is about to be.
+                self.end_at_file(2, *SWEEP, "-o", killed, below=f"{killed}/points")
                 self.run_program(*SWEEP, "-o", killed, "--resume")
                 self.assertEqual(self.table(killed), self.table(whole))
                 point = self.folder / whole / "points" / "0002_friction=0.4"

@@ -8,7 +8,6 @@ import resource
 import shutil
 import signal
 import subprocess
-import time
 import unittest
 
 import h5py
@@ -35,11 +34,13 @@ class Sweep(ProgramTest):
             self.assertEqual(one, two)
 
     def test_kill_and_resume(self):
-        """Killed without warning ten times, or without one of its points, the sweep ends with the table of
-        an untouched one on one thread, which equals a run of its point's case, which has the ParaView files, too."""
+        """Killed ten times, each time before a certain file gets its name, or without one of its points, the sweep ends with
+        the table of an untouched one on one thread, which equals a run of its point's case, which has the ParaView files, too."""
         self.run_program(*SWEEP[:2], "-o", "whole", *SWEEP[4:], "--threads", 1)
-        for share in (0.0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.5, 0.8):
-            self.kill_after_points(share)
+        points = (("out/staging", (1, 2, 3, 5, 8, 12, 16)), ("out/points", (1, 2)), ("out/sweep.h5", (1,)))
+        for place, number in ((place, number) for place, numbers in points for number in numbers):
+            resumed = ["--resume"] if (self.folder / "out").exists() else []
+            self.end_at_file(number, *SWEEP, *resumed, below=place)
         self.run_program(*SWEEP, "--resume")
         self.assert_same_tables(self.folder / "out", self.folder / "whole")
         self.assertEqual([row["status"] for row in rows(self.folder / "out")], ["finished"] * 2)
@@ -65,22 +66,8 @@ class Sweep(ProgramTest):
         self.run_program(*SWEEP, "--only", "mechanics", "--resume")
         self.assertEqual(before, [(path, path.stat().st_mtime_ns) for path in files])
 
-    def kill_after_points(self, share):
-        """Starts or resumes the sweep and kills it a while after its first file appeared."""
-        start = ["--resume"] if (self.folder / "out").exists() else []
-        with subprocess.Popen([PROGRAM, *map(str, SWEEP), *start], cwd=self.folder, stdout=subprocess.DEVNULL,
-                              stderr=subprocess.DEVNULL) as process:
-            deadline = time.monotonic() + 300
-            while not list(self.folder.glob("out/staging/*/0001_friction=0.1")) and process.poll() is None and time.monotonic() < deadline:
-                time.sleep(0.01)
-            time.sleep(share)
-            process.send_signal(signal.SIGKILL)
-
     def test_interrupt_keeps_finished_points(self):
-        def first_finished():
-            return (self.folder / "out" / "sweep.csv").exists() and rows(self.folder / "out")[0]["status"] == "finished"
-
-        self.interrupt_program(*SWEEP, "--threads", "1", when=first_finished)
+        self.end_at_file(1, *SWEEP, "--threads", "1", below="out/points", how=signal.SIGINT, expect=130)
         self.assertEqual([row["status"] for row in rows(self.folder / "out")], ["finished", "pending"])
         process = self.run_program(*SWEEP, "--over", "motion.stroke=3 mm", "--resume", expect=2)
         self.assertIn("another case", process.stderr)

@@ -122,8 +122,7 @@ class Disks(ProgramTest):
         self.assertTrue(summary(self.folder / "out")["metrics"])
 
     def test_closed_terminal(self):
-        self.interrupt_program("run", QUICK, "--no-report", "-o", "out", how=signal.SIGHUP,
-                               when=(self.folder / "out" / "case.toml").exists)
+        self.end_at_progress("mechanics", "run", QUICK, *SMALL, "--no-report", "-o", "out", how=signal.SIGHUP)
         manifest = json.loads((self.folder / "out" / "manifest.json").read_text())
         self.assertEqual(manifest["state"], "interrupted")
 

@@ -3,9 +3,12 @@
 
 #include "ionskin/case/reading/read_case.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
+#include "ionskin/mechanics/position/memory_estimate.hpp"
+#include "ionskin/mesh/skin_mesh.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -16,10 +19,30 @@ MechanicsCost cost(const std::vector<std::string>& edits, int threads = 1) {
   return estimate_mechanics_cost(read_case(IONSKIN_CASES "/quick.toml", edits), threads, {});
 }
 
+TEST(MechanicsCost, OfAFlatSliderIsMostlyThatOfItsPositions) {
+  const Case input = read_case(IONSKIN_CASES "/quick.toml", {"numerics.error_estimate=off"});
+  const MechanicsCost told = estimate_mechanics_cost(input, 1, {});
+  const mesh::SkinMesh mesh(input, mesh::expected_footprint(input));
+  EXPECT_EQ(told.unknowns, mesh.unknowns());
+  EXPECT_EQ(told.contact_cells,
+            (mesh.footprint_lines_x().size() - 1) * (mesh.footprint_lines_y().size() - 1));
+  EXPECT_EQ(told.positions, 3u); // the ends and the middle of the path
+  // As measured: the first factor, two that share a part of it, responses to unit forces at three.
+  const double n = static_cast<double>(told.unknowns);
+  const double seconds = 6e-8 * std::pow(n, 1.59) + 2 * 9.2e-8 * std::pow(n, 1.44) +
+                         3 * 1.25e-7 * n * static_cast<double>(told.contact_cells);
+  EXPECT_GT(told.seconds, seconds);
+  EXPECT_LT(told.seconds, 1.2 * seconds);
+  const double factor = mechanics::factorisation_memory(told.unknowns);
+  EXPECT_GT(told.memory, factor);
+  EXPECT_LT(told.memory, 2 * factor);
+}
+
 TEST(MechanicsCost, OfErrorsIsThatOfTheCompanions) {
   const MechanicsCost with = cost({}), without = cost({"numerics.error_estimate=off"});
-  EXPECT_GT(with.seconds, 1.1 * without.seconds);
+  EXPECT_NEAR(with.seconds / without.seconds, 1.5, 0.15);
   EXPECT_GE(with.memory, without.memory);
+  EXPECT_LT(with.memory, 1.1 * without.memory); // they are solved before, on coarser meshes
   EXPECT_EQ(with.unknowns, without.unknowns);
 }
 
@@ -34,7 +57,7 @@ TEST(MechanicsCost, GrowsWithEveryStroke) {
   const auto strokes = [](int count) {
     return cost({"motion.kind=reciprocating", "motion.strokes=" + std::to_string(count)}).steps;
   };
-  EXPECT_GT(strokes(4) - strokes(2), strokes(2) / 2);
+  EXPECT_NEAR(static_cast<double>(strokes(4) - strokes(2)), 2 * 85, 2 * 10);
   EXPECT_EQ(strokes(6) - strokes(4), strokes(4) - strokes(2));
 }
 
@@ -42,9 +65,9 @@ TEST(MechanicsCost, HoldsTheStrainOfALongPath) {
   const auto strokes = [](int count) {
     return cost({"motion.kind=reciprocating", "motion.strokes=" + std::to_string(count)});
   };
-  EXPECT_GT(strokes(1000).histories, 100 * strokes(4).histories);
+  EXPECT_NEAR(strokes(1000).histories / strokes(4).histories, 1000 / 4, 30); // and an approach
   EXPECT_GT(strokes(1000).memory, strokes(1000).histories);
-  EXPECT_GT(strokes(1000).histories, 1e9);
+  EXPECT_NEAR(strokes(1000).histories, 6.7e9, 0.7e9);
 }
 
 TEST(MechanicsCost, CountsStickSlipOfADrive) {

@@ -119,10 +119,25 @@ TEST(Quantity, FormatsWithItsUnit) {
   EXPECT_EQ(format_si(0.3, Dimension::number), "0.3");
 }
 
-TEST(Dimension, EveryExampleUnitIsUnderstood) {
-  for (const Dimension dimension : all_dimensions())
-    for (const std::string& unit : dimension_info(dimension).examples)
-      EXPECT_NO_THROW(parse_quantity("1 " + unit, dimension)) << unit;
+TEST(Dimension, EveryExampleUnitIsAMultipleOfThatOfSI) {
+  for (const Dimension dimension : all_dimensions()) {
+    for (const std::string& unit : dimension_info(dimension).examples) {
+      const double none = parse_quantity("0 " + unit, dimension);
+      const double one = parse_quantity("1 " + unit, dimension) - none;
+      EXPECT_NEAR(none,
+                  unit == "degC"   ? 273.15
+                  : unit == "degF" ? 459.67 * 5 / 9
+                                   : 0,
+                  1e-9)
+          << unit;
+      EXPECT_GT(one, 0) << unit;
+      EXPECT_NEAR(parse_quantity("3 " + unit, dimension) - none, 3 * one,
+                  1e-12 * one + 1e-13 * none);
+      if (unit == dimension_info(dimension).si_unit) {
+        EXPECT_EQ(one, 1) << unit;
+      }
+    }
+  }
 }
 
 TEST(NearestName, FindsMisspellingsAndNothingElse) {

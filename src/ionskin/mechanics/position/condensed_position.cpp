@@ -3,7 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/largest.hpp"
-#include "ionskin/mechanics/position/position_input.hpp"
+#include "ionskin/mechanics/position/position_key.hpp"
 #include "ionskin/mechanics/position/position_memory.hpp"
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 #include "ionskin/mechanics/position/elastic_skin.hpp"
 
 #include "ionskin/mechanics/position/memory_estimate.hpp"
-#include "ionskin/mechanics/position/position_input.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -62,11 +61,6 @@ ElasticSkin::ElasticSkin(const Case& input, const mesh::SkinMesh& mesh)
       law_of_row(laws_of_rows(input.skin, mesh)), layer_of_row(mesh.layer_of_row()),
       core_z(mesh.core_z()), cells(contact_cells(mesh, space)), cut(cut_of(mesh)),
       any_lines_(mesh.lines(input.slider.start)) {}
-
-ElasticSkin::ElasticSkin(const PositionInput& input)
-    : fixed(input.fixed), space(input.lines, fixed, ElasticSpace::Structure::none),
-      law_of_row(input.law_of_row), layer_of_row(input.layer_of_row), core_z(input.core_z),
-      cells(input.cells), cut(input.cut), any_lines_(input.lines) {}
 
 const SkinAnalysis& ElasticSkin::analysis(int threads) const {
   std::call_once(analysed_, [&] {

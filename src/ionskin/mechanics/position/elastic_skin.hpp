@@ -18,8 +18,6 @@
 
 namespace ionskin::mechanics {
 
-struct PositionInput;
-
 struct InnerFactor;
 
 /// The factor of the inner part at some lines across the cut, made by the first that needs it.
@@ -73,8 +71,6 @@ struct ElasticSkin {
   SkinCut cut;
 
   ElasticSkin(const Case& input, const mesh::SkinMesh& mesh);
-  /// The same skin from what one of its positions needs.
-  explicit ElasticSkin(const PositionInput& input);
   /// Made at the first call: positions that come from a cache need none.
   /// @param threads of the first call, for which others wait
   const SkinAnalysis& analysis(int threads = 1) const;

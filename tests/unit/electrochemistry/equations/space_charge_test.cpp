@@ -65,9 +65,14 @@ TEST(SpaceCharge, ReleasedIonsMustFit) {
   EXPECT_NO_THROW(check_fixed_charge(input, history));
 }
 
-TEST(SpaceCharge, HarmlessShearPasses) {
-  EXPECT_NO_THROW(check_fixed_charge(verification::model_case(),
-                                     verification::linear_step_history(-1.0, 1.0, {0.0, 1.0})));
+TEST(SpaceCharge, TheLargestHarmlessShearIsThatWhichLeavesNoFixedCharge) {
+  const Case input = verification::model_case();
+  const double limit = -1 / input.coupling.coefficient; // of N = N_0 (1 + coefficient shear)
+  const auto history = [](double shear) {
+    return verification::linear_step_history(0.0, shear, {0.0, 1.0});
+  };
+  EXPECT_NO_THROW(check_fixed_charge(input, history(0.999 * limit)));
+  EXPECT_THROW(check_fixed_charge(input, history(1.001 * limit)), SolverError);
 }
 
 } // namespace

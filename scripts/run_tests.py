@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs the tests of a preset and sums up: run_tests.py PRESET [options of ctest]
+
+Every test must belong to a tier and have a time limit. Tells at the end the ten that took longest and what was skipped; ends
+with 1 where a test failed, was skipped unexpectedly, or could not be run.
+"""
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+TIERS = {"quick", "check", "long"}
+TEST = re.compile(r'^"([^"\n]+)" start time: .*?^Output:\n(.*?)^<end of output>\nTest time = +([\d.]+) sec', re.DOTALL | re.MULTILINE)
+SKIPPED = re.compile(r"^skipped(?: unexpectedly)?: .*", re.MULTILINE)
+PROCESSOR = re.compile(r"^processor time: ([\d.]+) s$", re.MULTILINE)
+
+
+def folder_of(preset):
+    """The build folder of a preset of tests."""
+    presets = json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))
+    tests = {test["name"]: test for test in presets["testPresets"]}
+    while "configurePreset" not in tests[preset]:
+        preset = tests[preset]["inherits"]
+    build, = (build for build in presets["configurePresets"] if build["name"] == tests[preset]["configurePreset"])
+    return pathlib.Path(build["binaryDir"].replace("${sourceDir}", str(ROOT)))
+
+
+def complaints(tests):
+    """What tests lack of what every test has."""
+    for test in tests:
+        properties = {one["name"]: one["value"] for one in test["properties"]}
+        if len(TIERS & set(properties.get("LABELS", []))) != 1:
+            yield f"{test['name']} belongs to no tier: ionskin_tier in cmake/IonskinTests.cmake"
+        if not properties.get("TIMEOUT"):
+            yield f"{test['name']} has no TIMEOUT"
+
+
+def sum_up(log):
+    """Prints the longest tests and the skipped ones of a log of ctest."""
+    found = [(float(seconds), name, output) for name, output, seconds in TEST.findall(log)]
+    print("\nThe longest tests, in seconds (of processor time where it is known):")
+    for seconds, name, output in sorted(found, reverse=True)[:10]:
+        processor = PROCESSOR.findall(output)
+        print(f"  {seconds:7.1f}  {name}" + (f" ({processor[-1]})" if processor else ""))
+    skipped = [(name, line) for _, name, output in found for line in SKIPPED.findall(output)]
+    print(f"{len(found)} tests of ctest ran, {len(skipped)} tests in them were skipped")
+    for name, line in skipped:
+        print(f"  {name}: {line}")
+
+
+def main(preset, *options):
+    """Command line."""
+    told = subprocess.run(["ctest", "--preset", preset, *options, "--show-only=json-v1"], cwd=ROOT, check=True, capture_output=True,
+                          text=True)
+    tests = json.loads(told.stdout)["tests"]
+    wrong = [*complaints(tests)] or ([] if tests else [f"no test belongs to the preset {preset}"])
+    if wrong:
+        sys.exit("\n".join(wrong))
+    ended = subprocess.run(["ctest", "--preset", preset, *options], cwd=ROOT, check=False).returncode
+    sum_up((folder_of(preset) / "Testing" / "Temporary" / "LastTest.log").read_text(encoding="utf-8", errors="replace"))
+    sys.exit(1 if ended else 0)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    main(*sys.argv[1:])
