@@ -88,7 +88,8 @@ void send(httplib::Response& response, std::string content, const char* type) {
   const auto kept = std::make_shared<const std::string>(std::move(content));
   response.set_content_provider(
       kept->size(), type, [kept](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
-        return sink.write(kept->data() + offset, length);
+        const std::string_view part = std::string_view(*kept).substr(offset, length);
+        return sink.write(part.data(), part.size());
       });
 }
 
@@ -152,7 +153,11 @@ void Server::stop() {
 }
 
 Server::Handled Server::admit(const httplib::Request& request, httplib::Response& response) {
+  // Every answer is sent whole: the library asks a provider for bytes beyond its end when a request
+  // names a range there. It passes its own request, which is not constant.
+  const_cast<httplib::Request&>(request).ranges.clear();
   add_safety_headers(response);
+  response.set_header("Accept-Ranges", "none");
   Handled handled = Handled::Handled;
   const auto gate = [&] {
     access_->require_own_origin(request);
