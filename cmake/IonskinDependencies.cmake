@@ -25,7 +25,6 @@ function(ionskin_find_library target header library)
   endif()
 endfunction()
 
-pkg_check_modules(httplib REQUIRED IMPORTED_TARGET cpp-httplib)
 pkg_check_modules(minizip REQUIRED IMPORTED_TARGET minizip)
 ionskin_find_library(dep_toml11 toml.hpp "")
 # By hand: its package looks for glog and gflags, which we do not use.

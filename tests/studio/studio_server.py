@@ -18,6 +18,11 @@ PROGRAM = pathlib.Path(os.environ.get("IONSKIN_PROGRAM", ROOT / "build" / "ionsk
 QUICK = (ROOT / "cases" / "quick.toml").read_text()
 
 
+def resident_bytes(process):
+    text = pathlib.Path(f"/proc/{process.pid}/status").read_text()
+    return int(text.split("VmRSS:")[1].split()[0]) * 1024
+
+
 class Studio:
     """A running server; `call` sends one request with the cookie of its link."""
 
