@@ -54,7 +54,7 @@ void Access::require_own_origin(const Request& request) const {
     throw HttpError(403, "requests of other pages are refused");
   }
   const std::string site = request.header("sec-fetch-site");
-  if (site == "cross-site" || site == "same-site") {
+  if ((site == "cross-site" || site == "same-site") && !opens(request)) {
     throw HttpError(403, "requests of other pages are refused");
   }
 }

@@ -17,7 +17,7 @@ public:
   const std::string& link_path() const { return link_path_; }
 
   /// Throws HttpError 403 when the request was sent for another host, or by another page: DNS
-  /// rebinding, cross-site requests.
+  /// rebinding, cross-site requests. Any page may lead to the link: one has to know it.
   void require_own_origin(const Request& request) const;
   bool has_cookie(const Request& request) const;
   /// Whether this gets the link, and it was not used before.

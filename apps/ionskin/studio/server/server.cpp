@@ -53,6 +53,10 @@ std::string Server::link() const {
   return fmt::format("http://127.0.0.1:{}{}", gate_.port(), access_.link_path());
 }
 
+std::filesystem::path Server::link_file() {
+  return link_file_.emplace(link()).path();
+}
+
 void Server::listen() {
   gate_.serve([this](const Request& head) { return admit(head); },
               [this](Request& request) { return answer(request); });
@@ -115,11 +119,20 @@ void Server::open(const Request& request, Response& response) {
   const std::string cookie = access_.redeem(request);
   if (!cookie.empty()) {
     response.headers.emplace_back("Set-Cookie", cookie);
+    link_file_.reset();
   } else if (!access_.has_cookie(request)) {
     throw HttpError(403, "this link was used before");
   }
-  response.status = 303;
-  response.headers.emplace_back("Location", "/");
+  const std::string site = request.header("sec-fetch-site");
+  if (site.empty() || site == "none") {
+    response.status = 303;
+    response.headers.emplace_back("Location", "/");
+    return;
+  }
+  // Another page led here, such as the file for the browser: along a redirection the browser would
+  // keep the cookie back.
+  send(response, "<!DOCTYPE html>\n<meta http-equiv=\"refresh\" content=\"0; url=/\">\n",
+       "text/html; charset=utf-8");
 }
 
 void Server::get(const std::string& path, Answer answer) {

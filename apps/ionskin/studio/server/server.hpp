@@ -7,10 +7,13 @@
 #include "studio/jobs/job_queue.hpp"
 #include "studio/server/access.hpp"
 #include "studio/server/json.hpp"
+#include "studio/server/link_file.hpp"
 
 #include <atomic>
+#include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace ionskin::apps::studio {
@@ -25,6 +28,9 @@ public:
 
   /// The link that opens the page once.
   std::string link() const;
+  /// A page that only the user can read and that leads to the link; it is there until the link is
+  /// used or the server ends. Called before `listen`. Throws std::system_error.
+  std::filesystem::path link_file();
   /// Serves until `stop`.
   void listen();
   /// May be called from another thread.
@@ -49,6 +55,7 @@ private:
   FieldData fields_;
   Gate gate_;
   Access access_;
+  std::optional<LinkFile> link_file_;
   std::map<std::string, std::map<std::string, Answer>> calls_; ///< by path, by method
   std::atomic<std::size_t> listeners_ = 0;
 };
