@@ -49,8 +49,9 @@ check: setup
 	@cmake --build --preset release --target benchmarks --parallel $(JOBS)
 	@ctest --preset release
 
-# The unit tests, compiled several sources at a time, under the address and undefined-behaviour sanitizers.
-sanitize: setup
+# The unit tests and the Studio's server, compiled several sources at a time, under the address and undefined-behaviour
+# sanitizers. The server has cases checked by the program that is built.
+sanitize: build
 	@cmake --preset sanitize
 	@cmake --build --preset sanitize --target unit_tests --parallel $(JOBS)
 	@ctest --preset sanitize
