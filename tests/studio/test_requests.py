@@ -86,7 +86,7 @@ class Requests(StudioTest):
                                     ("GET /api/runs HTTP/1.1", "a : b\r\n", 400), ("GET /api/runs HTTP/1.1", " folded\r\n", 400),
                                     ("GET /api/runs HTTP/1.1", "a: b\nc: d\r\n", 400), ("GET /api/runs HTTP/1.1", "a: \0\r\n", 400),
                                     ("GET /api/runs HTTP/1.1", "Host: evil.example\r\n", 403), ("GET /api/runs HTTP/1.1", "Content-Length: 0\r\n", 400),
-                                    ("HEAD /api/events HTTP/1.1", "", 200), ("GET /api/jobs/1/cancel HTTP/1.1", "", 405), ("GET /\x7f HTTP/1.1", "", 400)):
+                                    ("HEAD /api/events HTTP/1.1", "", 200), ("HEAD /api/runs HTTP/1.1", "Origin: null\r\n", 403), ("GET /api/jobs/1/cancel HTTP/1.1", "", 405), ("GET /\x7f HTTP/1.1", "", 400)):
             with self.subTest(first=first, more=more):
                 head, _, body = self.exchange(f"{first}\r\n{host}{more}\r\n".encode()).partition(b"\r\n\r\n")
                 self.assertEqual(int(head.split()[1]), status)
@@ -136,6 +136,29 @@ class Requests(StudioTest):
             for byte in again:  # the same, byte by byte
                 line.sendall(bytes([byte]))
             self.assertIn(b" 200 ", line.recv(65536))
+
+    def test_bodies_are_awaited_within_a_bound_and_with_100_continue(self):
+        def upload(more):
+            line = socket.create_connection(("127.0.0.1", self.studio.port), timeout=60)
+            self.addCleanup(line.close)
+            line.sendall(self.head(self.studio.cookie, "POST", more).replace(b"/api/runs", b"/api/upload?name=a.csv"))
+            return line
+
+        large = f"Content-Type: text/csv\r\nContent-Length: {16 << 20}\r\nExpect: 100-continue\r\n\r\n"
+        lines = [upload(large) for _ in range(4)]
+        for line in lines:
+            self.assertEqual(line.recv(100), b"HTTP/1.1 100 Continue\r\n\r\n")
+        self.assertIn(b" 503 ", upload(large).recv(65536))
+        self.assertEqual(self.studio.call("GET", "/api/runs")[0], 200)
+        lines[0].sendall(b"x" * (16 << 20))
+        self.assertIn(b" 201 ", lines[0].recv(65536))
+        for line in lines:
+            line.close()
+        again = upload("Content-Type: text/csv\r\nContent-Length: 1\r\nExpect: 100-continue\r\n\r\n")
+        self.assertEqual(again.recv(100), b"HTTP/1.1 100 Continue\r\n\r\n")
+        again.sendall(b"x")
+        self.assertIn(b" 201 ", again.recv(65536))
+        self.assertEqual((self.folder / "a.csv").stat().st_size, 16 << 20)
 
     def test_a_table_without_end_takes_no_memory(self):
         run = self.folder / "run"

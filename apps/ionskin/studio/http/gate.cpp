@@ -137,7 +137,8 @@ void Gate::receive(std::shared_ptr<Connection>& connection, const Judge& judge,
   } catch (const HttpError& error) {
     // Closed at once, the line would be reset, and the client might never read the answer.
     const Response response = error_response(error.status(), error.what());
-    const std::string text = head_of(response) + response.body;
+    const bool content = connection->reader.request().method != "HEAD";
+    const std::string text = head_of(response) + (content ? response.body : "");
     ::send(connection->socket, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     ::shutdown(connection->socket, SHUT_WR);
     connection->refused = true;
