@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/http/request.hpp"
 
+#include "ionskin/base/text.hpp"
 #include "studio/server/http_error.hpp"
 #include "studio/server/limits.hpp"
 
@@ -36,11 +37,6 @@ bool is_visible(char c) {
   return c > ' ' && c <= '~';
 }
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t");
-  return begin == text.npos ? "" : text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
-}
-
 /// The words of a query: "+" is a blank, "%41" an "A"; other signs stand for themselves.
 std::string decoded(std::string_view text) {
   std::string plain;
@@ -70,7 +66,7 @@ Request::Pairs parameters_of(std::string_view query) {
 
 std::pair<std::string, std::string> header_of(std::string_view line) {
   const std::size_t colon = line.find(':');
-  const std::string_view value = trimmed(line.substr(colon == line.npos ? line.size() : colon + 1));
+  std::string value = base::trimmed(line.substr(colon == line.npos ? line.size() : colon + 1));
   const bool plain = std::ranges::none_of(
       value, [](char c) { return (c >= 0 && c < ' ' && c != '\t') || c == '\x7f'; });
   if (colon == line.npos || !is_token(line.substr(0, colon)) || !plain) {
@@ -79,7 +75,7 @@ std::pair<std::string, std::string> header_of(std::string_view line) {
   std::string name(line.substr(0, colon));
   std::ranges::transform(name, name.begin(),
                          [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-  return {std::move(name), std::string(value)};
+  return {std::move(name), std::move(value)};
 }
 
 std::string first(const Request::Pairs& pairs, std::string_view name) {
