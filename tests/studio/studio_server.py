@@ -18,18 +18,27 @@ PROGRAM = pathlib.Path(os.environ.get("IONSKIN_PROGRAM", ROOT / "build" / "ionsk
 QUICK = (ROOT / "cases" / "quick.toml").read_text()
 
 
-class Studio:
-    """A running server; `call` sends one request with the cookie of its link."""
+def resident_bytes(process):
+    text = pathlib.Path(f"/proc/{process.pid}/status").read_text()
+    return int(text.split("VmRSS:")[1].split()[0]) * 1024
 
-    def __init__(self, workspace, cache):
-        environment = {**os.environ, "IONSKIN_CACHE": str(cache)}
-        self.process = subprocess.Popen([PROGRAM, "studio", workspace, "--no-browser"], stdout=subprocess.PIPE,
-                                        stderr=subprocess.PIPE, text=True, env=environment)
+
+class Studio:
+    """A running server; `call` sends one request with the cookie of its link, which is redeemed unless told otherwise."""
+
+    def __init__(self, workspace, cache, browser=None, redeem=True, **more):
+        environment = {**os.environ, "IONSKIN_CACHE": str(cache), "BROWSER": str(browser), **more}
+        words = [PROGRAM, "studio", workspace] + ([] if browser else ["--no-browser"])
+        self.process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)
         line = self.process.stdout.readline()
         match = re.search(r"http://127\.0\.0\.1:(\d+)(/\S+)", line)
         if not match:
             raise AssertionError(f"no link: {line!r} {self.process.stderr.read()!r}")
-        self.port, self.link = int(match[1]), match[2]
+        self.port, self.link, self.cookie = int(match[1]), match[2], ""
+        if redeem:
+            self.redeem()
+
+    def redeem(self):
         status, headers, _ = self.call("GET", self.link, cookie="")
         assert status == 303, status
         self.set_cookie = headers["Set-Cookie"]
@@ -75,8 +84,11 @@ class Studio:
         if self.process.poll() is None:
             self.process.send_signal(how)
         self.process.wait(timeout=60)
+        errors = self.process.stderr.read()
         self.process.stdout.close()
         self.process.stderr.close()
+        if "Sanitizer" in errors or "runtime error" in errors:
+            raise AssertionError(errors)
         return self.process.returncode
 
 

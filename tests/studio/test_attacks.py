@@ -11,12 +11,7 @@ import unittest
 
 import h5py
 
-from studio_server import QUICK, ROOT, StudioTest
-
-
-def resident_bytes(process):
-    text = pathlib.Path(f"/proc/{process.pid}/status").read_text()
-    return int(text.split("VmRSS:")[1].split()[0]) * 1024
+from studio_server import QUICK, ROOT, StudioTest, resident_bytes
 
 
 class Attacks(StudioTest):

@@ -36,7 +36,7 @@ class Jobs(StudioTest):
         self.assertEqual(command, ["ionskin", "run", "first.toml", "-o", "first", "--no-report"])
         # The same command by hand, elsewhere: the same currents.
         by_hand = [*command[1:4], str(self.scratch / "by_hand"), *command[5:]]
-        subprocess.run([PROGRAM, *by_hand], cwd=self.folder, check=True, capture_output=True,
+        subprocess.run([os.environ.get("IONSKIN_FRONT", PROGRAM), *by_hand], cwd=self.folder, check=True, capture_output=True,
                        env={**os.environ, "IONSKIN_CACHE": str(self.cache)})
         self.assertEqual((self.folder / "first" / "signals.csv").read_bytes(), (self.scratch / "by_hand" / "signals.csv").read_bytes())
 

@@ -12,15 +12,20 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <string_view>
 #include <thread>
 
 namespace ionskin::apps {
 namespace {
 
-void open_browser(const std::string& link, const std::filesystem::path& folder) {
+/// Never with the link itself: command lines are seen by every user.
+void open_browser(studio::Server& server, const std::filesystem::path& folder) {
+  const char* const browser = std::getenv("BROWSER");
+  const bool chosen = browser != nullptr && browser[0] == '/';
   try {
-    studio::start_detached({"/usr/bin/xdg-open", link}, folder, "/dev/null", "/dev/null");
+    studio::start_detached({chosen ? browser : "/usr/bin/xdg-open", server.link_file().string()},
+                           folder, "/dev/null", "/dev/null");
   } catch (const std::exception&) {
     return; // the link is printed
   }
@@ -40,7 +45,7 @@ int serve(const StudioOptions& options) {
   fmt::print("ionskin studio: {}\n", server.link());
   std::fflush(stdout);
   if (!options.no_browser) {
-    open_browser(server.link(), workspace.root());
+    open_browser(server, workspace.root());
   }
   std::thread waiter([&] {
     int signal = 0;

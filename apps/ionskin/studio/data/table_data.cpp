@@ -5,38 +5,40 @@
 #include "studio/server/limits.hpp"
 
 #include <charconv>
-#include <cmath>
 #include <fstream>
 #include <limits>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace ionskin::apps::studio {
 namespace {
 
-using Row = std::vector<std::string>;
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-/// The cells of a line; quoted ones may hold commas (RFC 4180), but no line breaks.
-Row cells_of(const std::string& line) {
-  Row cells(1);
+/// Takes a cell and its comma from the front of a line; quoted ones may hold commas (RFC 4180), but
+/// no line breaks. True when another cell follows.
+bool take_cell(std::string_view& line, std::string& cell) {
+  cell.clear();
   bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
+  std::size_t i = 0;
+  for (; i < line.size() && (quoted || line[i] != ','); ++i) {
     if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"') {
-      cells.back() += line[i++];
+      cell += line[i++];
     } else if (line[i] == '"') {
       quoted = !quoted;
-    } else if (line[i] == ',' && !quoted) {
-      cells.emplace_back();
     } else if (line[i] != '\r') {
-      cells.back() += line[i];
+      cell += line[i];
     }
   }
-  return cells;
+  const bool more = i < line.size();
+  line.remove_prefix(more ? i + 1 : i);
+  return more;
 }
 
 std::optional<double> number_of(const std::string& cell) {
   if (cell.empty()) {
-    return std::numeric_limits<double>::quiet_NaN();
+    return missing;
   }
   double value = 0;
   const auto [end, problem] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
@@ -51,43 +53,119 @@ Json heading_of(const std::string& title) {
           {"unit", has_unit ? title.substr(bracket + 2, title.size() - bracket - 3) : ""}};
 }
 
+[[noreturn]] void refuse() {
+  throw HttpError(413, "this table is too large to be shown; Python or ParaView reads it");
+}
+
+/// A CSV file that is read line by line, as often as `begin` is called.
+class Lines {
+public:
+  explicit Lines(const std::filesystem::path& path)
+      : file_(path), buffer_(limits::table_line, '\0') {}
+
+  void begin() {
+    file_.clear();
+    file_.seekg(0);
+  }
+  /// False at the end.
+  bool next(std::string_view& line) {
+    file_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    const auto taken = static_cast<std::size_t>(file_.gcount());
+    if (file_.fail() && taken > 0) {
+      refuse(); // longer than the buffer
+    }
+    // The count has the line's end, which the last line may lack.
+    line = std::string_view(buffer_).substr(0, taken - (file_.eof() || taken == 0 ? 0 : 1));
+    return !file_.fail();
+  }
+
+private:
+  std::ifstream file_;
+  std::string buffer_;
+};
+
+std::vector<std::string> titles_of(std::string_view line) {
+  std::vector<std::string> titles;
+  std::string title;
+  for (bool more = true; more;) {
+    more = take_cell(line, title);
+    if (titles.size() == limits::table_columns) {
+      refuse();
+    }
+    titles.push_back(title);
+  }
+  return titles;
+}
+
+/// How many rows there are, and which columns hold words.
+struct Shape {
+  std::size_t rows = 0;
+  std::vector<bool> words;
+};
+
+/// Throws HttpError when the table would not fit into memory.
+Shape shape_of(Lines& lines, std::size_t columns) {
+  Shape shape{0, std::vector<bool>(columns, false)};
+  std::vector<std::size_t> bytes(columns, 0);
+  std::string cell;
+  for (std::string_view line; lines.next(line); ++shape.rows) {
+    if ((shape.rows + 1) * columns > limits::table_cells) {
+      refuse();
+    }
+    for (std::size_t i = 0; i < columns; ++i) {
+      take_cell(line, cell);
+      shape.words[i] = shape.words[i] || !number_of(cell);
+      bytes[i] += cell.size();
+    }
+  }
+  std::size_t words = 0, text = 0;
+  for (std::size_t i = 0; i < columns; ++i) {
+    words += shape.words[i] ? shape.rows : 0;
+    text += shape.words[i] ? bytes[i] : 0;
+  }
+  if (words > limits::table_words || text > limits::table_text) {
+    refuse();
+  }
+  return shape;
+}
+
 } // namespace
 
 std::string packed_table(const std::filesystem::path& path) {
   std::error_code error;
   if (std::filesystem::file_size(path, error) > limits::table_bytes || error) {
-    throw HttpError(413, "this table is too large to be shown; Python or ParaView reads it");
+    refuse();
   }
-  std::ifstream file(path);
-  std::string line;
-  std::getline(file, line);
-  const Row titles = cells_of(line);
-  std::vector<std::vector<double>> numbers(titles.size());
-  std::vector<Row> texts(titles.size());
-  std::vector<bool> words(titles.size(), false);
-  std::size_t rows = 0;
-  while (std::getline(file, line)) {
-    Row cells = cells_of(line);
-    cells.resize(titles.size());
-    for (std::size_t i = 0; i < titles.size(); ++i) {
-      const auto number = number_of(cells[i]);
-      words[i] = words[i] || !number;
-      numbers[i].push_back(number.value_or(std::numeric_limits<double>::quiet_NaN()));
-      texts[i].push_back(std::move(cells[i]));
-    }
-    ++rows;
-  }
-  Json columns = Json::array();
-  std::vector<double> all;
+  Lines lines(path);
+  std::string_view line;
+  lines.next(line);
+  const auto titles = titles_of(line);
+  const Shape shape = shape_of(lines, titles.size());
+  Json heading = {{"rows", shape.rows}, {"columns", Json::array()}};
+  Json& columns = heading["columns"];
+  std::vector<std::size_t> begins; // of the columns of numbers
+  std::size_t count = 0;
   for (std::size_t i = 0; i < titles.size(); ++i) {
-    Json column = heading_of(titles[i]);
-    column["texts"] = words[i] ? Json(texts[i]) : Json();
-    columns.push_back(std::move(column));
-    if (!words[i]) {
-      all.insert(all.end(), numbers[i].begin(), numbers[i].end());
+    columns.push_back(heading_of(titles[i]));
+    columns.back()["texts"] = shape.words[i] ? Json::array() : Json();
+    begins.push_back(count);
+    count += shape.words[i] ? 0 : shape.rows;
+  }
+  std::vector<double> numbers(count, missing);
+  std::string cell;
+  lines.begin();
+  lines.next(line);
+  for (std::size_t row = 0; row < shape.rows && lines.next(line); ++row) {
+    for (std::size_t i = 0; i < titles.size(); ++i) {
+      take_cell(line, cell);
+      if (shape.words[i]) {
+        columns[i]["texts"].push_back(cell);
+      } else {
+        numbers[begins[i] + row] = number_of(cell).value_or(missing);
+      }
     }
   }
-  return packed(Json{{"rows", rows}, {"columns", columns}}, all);
+  return packed(heading, numbers);
 }
 
 } // namespace ionskin::apps::studio

@@ -43,24 +43,24 @@ Access::Access(int port)
       // Cookies do not tell ports apart; their names do.
       cookie_name_(fmt::format("ionskin_studio_{}", port)), cookie_(random_token()) {}
 
-void Access::require_own_origin(const httplib::Request& request) const {
-  const std::string host = request.get_header_value("Host");
+void Access::require_own_origin(const Request& request) const {
+  const std::string host = request.header("host");
   const std::string by_number = fmt::format("127.0.0.1:{}", port_);
   const std::string by_name = fmt::format("localhost:{}", port_);
-  if (request.get_header_value_count("Host") != 1 || (host != by_number && host != by_name)) {
+  if (request.count("host") != 1 || (host != by_number && host != by_name)) {
     throw HttpError(403, "this host is not served here");
   }
-  if (request.has_header("Origin") && request.get_header_value("Origin") != "http://" + host) {
+  if (request.count("origin") > 0 && request.header("origin") != "http://" + host) {
     throw HttpError(403, "requests of other pages are refused");
   }
-  const std::string site = request.get_header_value("Sec-Fetch-Site");
-  if (site == "cross-site" || site == "same-site") {
+  const std::string site = request.header("sec-fetch-site");
+  if ((site == "cross-site" || site == "same-site") && !opens(request)) {
     throw HttpError(403, "requests of other pages are refused");
   }
 }
 
-bool Access::has_cookie(const httplib::Request& request) const {
-  const std::string cookies = "; " + request.get_header_value("Cookie");
+bool Access::has_cookie(const Request& request) const {
+  const std::string cookies = "; " + request.header("cookie");
   const std::string name = "; " + cookie_name_ + "=";
   const std::size_t begin = cookies.find(name);
   if (begin == std::string::npos) {
@@ -70,9 +70,18 @@ bool Access::has_cookie(const httplib::Request& request) const {
   return equal(cookies.substr(value, cookies.find(';', value) - value), cookie_);
 }
 
-std::string Access::redeem(const std::string& path) {
+bool Access::gets_link(const Request& request) const {
+  return request.method == "GET" && equal(request.path, link_path_);
+}
+
+bool Access::opens(const Request& request) const {
   const std::lock_guard lock(mutex_);
-  if (used_ || !equal(path, link_path_)) {
+  return !used_ && gets_link(request);
+}
+
+std::string Access::redeem(const Request& request) {
+  const std::lock_guard lock(mutex_);
+  if (used_ || !gets_link(request)) {
     return "";
   }
   used_ = true;

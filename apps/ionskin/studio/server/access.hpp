@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <httplib.h>
+#include "studio/http/request.hpp"
 
 #include <mutex>
 #include <string>
@@ -17,16 +17,20 @@ public:
   const std::string& link_path() const { return link_path_; }
 
   /// Throws HttpError 403 when the request was sent for another host, or by another page: DNS
-  /// rebinding, cross-site requests.
-  void require_own_origin(const httplib::Request& request) const;
-  bool has_cookie(const httplib::Request& request) const;
-  /// The value of Set-Cookie when this is the link and it was not used before; else empty.
-  std::string redeem(const std::string& path);
+  /// rebinding, cross-site requests. Any page may lead to the link: one has to know it.
+  void require_own_origin(const Request& request) const;
+  bool has_cookie(const Request& request) const;
+  /// Whether this gets the link, and it was not used before.
+  bool opens(const Request& request) const;
+  /// The value of Set-Cookie when this gets the link and it was not used before; else empty.
+  std::string redeem(const Request& request);
 
 private:
+  bool gets_link(const Request& request) const;
+
   int port_;
   std::string link_path_, cookie_name_, cookie_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   bool used_ = false;
 };
 

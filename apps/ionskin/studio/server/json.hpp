@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/base/files/read_json.hpp"
 #include "studio/server/http_error.hpp"
 
 #include <nlohmann/json.hpp>
@@ -12,34 +13,20 @@ namespace ionskin::apps::studio {
 
 using Json = nlohmann::ordered_json;
 
+inline constexpr const char* json_type = "application/json; charset=utf-8";
+
 /// JSON text whatever bytes file names hold.
 inline std::string dump(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// The body of a request. Throws HttpError 400 when it is no JSON object.
+/// The body of a request. Throws HttpError 400 when it is no JSON object, or nested too deeply.
 inline Json parse_object(std::string_view text) {
-  // Copies of a value recurse, so its nesting is bounded. Brackets within texts do not nest.
-  int depth = 0;
-  bool in_text = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (in_text && c == '\\') {
-      ++i;
-    } else if (c == '"') {
-      in_text = !in_text;
-    } else if (!in_text) {
-      depth += c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;
-    }
-    if (depth > 16) {
-      throw HttpError(400, "the request is nested too deeply");
-    }
+  auto value = base::parse_json(text);
+  if (!value || !value->is_object()) {
+    throw HttpError(400, "the request holds no JSON object, or one that is nested too deeply");
   }
-  Json value = Json::parse(text, nullptr, false);
-  if (!value.is_object()) {
-    throw HttpError(400, "the request holds no JSON object");
-  }
-  return value;
+  return *std::move(value);
 }
 
 /// A text of a request, or the default when it is missing. Throws HttpError 400 for other types.

@@ -8,7 +8,8 @@ namespace ionskin::apps::studio {
 
 /// A file of the page, compiled into the program.
 struct PageFile {
-  std::string_view content, type;
+  std::string_view content;
+  const char* type = "";
 };
 
 /// The file at "/", "/app.js" or "/app.css"; no content for other paths.

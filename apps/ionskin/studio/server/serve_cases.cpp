@@ -10,22 +10,20 @@ namespace ionskin::apps::studio {
 
 /// Cases: keys, checks, edits, the gallery.
 void Server::serve_case_calls() {
-  get("/api/keys", [](const httplib::Request&, httplib::Response& response) {
-    send(response, keys_json(), "application/json; charset=utf-8");
-  });
-  post("/api/case/check", [this](const httplib::Request& request, httplib::Response& response) {
+  get("/api/keys",
+      [](const Request&, Response& response) { send(response, keys_json(), json_type); });
+  post("/api/case/check", [this](const Request& request, Response& response) {
     const Json verdict = check_case(workspace_, text_of(parse_object(request.body), "text"));
     send_json(response, verdict);
   });
-  post("/api/case/set", [](const httplib::Request& request, httplib::Response& response) {
+  post("/api/case/set", [](const Request& request, Response& response) {
     const Json body = parse_object(request.body);
     CaseText text("the case", text_of(body, "text"));
     apply_set_edit(text, text_of(body, "key") + "=" + text_of(body, "value"));
     send_json(response, {{"text", text.text()}});
   });
-  get("/api/gallery",
-      [](const httplib::Request&, httplib::Response& response) { send_json(response, gallery()); });
-  post("/api/gallery/open", [this](const httplib::Request& request, httplib::Response& response) {
+  get("/api/gallery", [](const Request&, Response& response) { send_json(response, gallery()); });
+  post("/api/gallery/open", [this](const Request& request, Response& response) {
     prepare(workspace_, text_of(parse_object(request.body), "id"));
     send_json(response, Json::object());
   });

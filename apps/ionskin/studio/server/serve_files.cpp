@@ -54,13 +54,13 @@ fs::path unused_place(const Workspace& workspace, const std::string& name) {
 
 /// Files of the workspace: cases and measurements, and what a run wrote, to save.
 void Server::serve_file_calls() {
-  get("/api/files", [this](const httplib::Request&, httplib::Response& response) {
+  get("/api/files", [this](const Request&, Response& response) {
     Json all = list_files(workspace_);
     all["workspace"] = workspace_.root().filename().string();
     send_json(response, all);
   });
-  get("/api/text", [this](const httplib::Request& request, httplib::Response& response) {
-    const fs::path path = workspace_.inside(request.get_param_value("path"));
+  get("/api/text", [this](const Request& request, Response& response) {
+    const fs::path path = workspace_.inside(request.parameter("path"));
     std::error_code error;
     if (!is_text(path) || !fs::is_regular_file(path, error)) {
       throw HttpError(404, "only cases, tables and summaries are shown as text");
@@ -70,18 +70,18 @@ void Server::serve_file_calls() {
     }
     send_json(response, {{"text", file_text(path, limits::upload)}});
   });
-  get("/api/download", [this](const httplib::Request& request, httplib::Response& response) {
-    const fs::path path = workspace_.inside(request.get_param_value("path"));
+  get("/api/download", [this](const Request& request, Response& response) {
+    const fs::path path = workspace_.inside(request.parameter("path"));
     std::error_code error;
     if (!fs::is_regular_file(path, error) || fs::file_size(path, error) > limits::table_bytes) {
       throw HttpError(404, "there is no such file, or it is too large");
     }
     // Never shown by the browser as a page of the Studio.
-    response.set_header("Content-Disposition", "attachment");
+    response.headers.emplace_back("Content-Disposition", "attachment");
     send(response, file_text(path, limits::table_bytes), "application/octet-stream");
   });
-  post("/api/upload", [this](const httplib::Request& request, httplib::Response& response) {
-    const fs::path path = unused_place(workspace_, request.get_param_value("name"));
+  post("/api/upload", [this](const Request& request, Response& response) {
+    const fs::path path = unused_place(workspace_, request.parameter("name"));
     base::write_text_file(path, request.body);
     response.status = 201;
     send_json(response, {{"path", workspace_.relative(path)}});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "studio/server/bounded_pool.hpp"
+#include "studio/http/bounded_pool.hpp"
 
 namespace ionskin::apps::studio {
 
@@ -12,13 +12,13 @@ BoundedPool::BoundedPool(std::size_t workers, std::size_t waiting) : waiting_(wa
 void BoundedPool::enqueue(std::function<void()> task) {
   {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return ends_ || tasks_.size() < waiting_; });
+    changed_.wait(lock, [this] { return tasks_.size() < waiting_; });
     tasks_.push_back(std::move(task));
   }
   changed_.notify_all();
 }
 
-void BoundedPool::shutdown() {
+BoundedPool::~BoundedPool() {
   {
     const std::lock_guard lock(mutex_);
     ends_ = true;

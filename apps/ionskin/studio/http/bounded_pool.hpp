@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <httplib.h>
-
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -12,13 +10,16 @@
 
 namespace ionskin::apps::studio {
 
-/// Workers of the server. When too many connections wait, no more are accepted until one is served.
-class BoundedPool : public httplib::TaskQueue {
+/// Workers of the server.
+class BoundedPool {
 public:
   BoundedPool(std::size_t workers, std::size_t waiting);
-  ~BoundedPool() override = default;
-  void enqueue(std::function<void()> task) override;
-  void shutdown() override;
+  /// Waits for the tasks that were enqueued.
+  ~BoundedPool();
+  BoundedPool(const BoundedPool&) = delete;
+  BoundedPool& operator=(const BoundedPool&) = delete;
+  /// Waits while too many tasks wait.
+  void enqueue(std::function<void()> task);
 
 private:
   void work();
