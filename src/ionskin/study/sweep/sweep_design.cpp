@@ -52,9 +52,13 @@ std::vector<std::vector<double>> latin_points(std::size_t points, std::size_t di
   return result;
 }
 
-} // namespace
-
 constexpr std::size_t most_points = 100'000; // each has a folder
+
+[[noreturn]] void refuse_points(const char* remedy) {
+  throw UserError(fmt::format("the sweep has more than {} points\n  = {}", most_points, remedy));
+}
+
+} // namespace
 
 std::vector<std::vector<std::string>> grid_design(const std::vector<SweepAxis>& axes) {
   std::vector<std::vector<std::string>> points{{}};
@@ -66,10 +70,7 @@ std::vector<std::vector<std::string>> grid_design(const std::vector<SweepAxis>& 
                                   axis.key));
     }
     if (points.size() * axis.values.size() > most_points) {
-      throw UserError(
-          fmt::format("the sweep has more than {} points\n  = give --over fewer values, "
-                      "or take --samples N of intervals",
-                      most_points));
+      refuse_points("give --over fewer values, or take --samples N of intervals");
     }
     std::vector<std::vector<std::string>> longer;
     for (const auto& point : points) {
@@ -92,6 +93,9 @@ std::vector<std::vector<double>> unit_points(Sampling sampling, std::size_t poin
 std::vector<std::vector<std::string>> sampled_design(const std::vector<SweepAxis>& axes,
                                                      Sampling sampling, std::size_t points,
                                                      std::uint64_t seed) {
+  if (points > most_points) {
+    refuse_points("give fewer --samples");
+  }
   for (const SweepAxis& axis : axes) {
     if (!axis.interval) {
       throw UserError(
