@@ -30,8 +30,8 @@ STUDIES = {
                         "--subject-to=normal_force_slide < 30 N"]),
     "generate": (generation, ["--touches=3", f"--vary={K}=uniform(0.05, 0.15)"]),
 }
-DEEP = "[" * 100_000
-TEXTS = {"empty": "", "a bracket": "[", "deep": DEEP, "deep within": '{"study": ' + DEEP, "a number": "3", "null": "null",
+DEEP = "[" * 100_000 + "]" * 100_000
+TEXTS = {"empty": "", "a bracket": "[", "deep": DEEP, "deep within": '{"study": ' + DEEP + "}", "without end": "[" * 100_000, "a number": "3", "null": "null",
          "a list": "[]", "an object": "{}", "a text": '"study"', "true": "true", "wrong types": '{"study": 3, "case": [], "vary": 1}',
          "not a number": '{"study": NaN}', "infinite": '{"study": 1e999}', "huge": '{"seed": 1' + "0" * 5000 + "}",
          "of a list": '{"study": {"study": {"study": [[[]]]}}}', "cut off": '{"study": "uncert', "commas": "{,,,}",

@@ -159,10 +159,12 @@ TEST_F(SweepPlanFile, AForgedPlanIsRefused) {
 }
 
 TEST_F(SweepPlanFile, WhatIsNoPlanIsRefused) {
-  const std::string whole = plan_text(plan_, batches_, Studies::both), deep(1'000'000, '[');
+  const std::string whole = plan_text(plan_, batches_, Studies::both),
+                    deep = std::string(1'000'000, '[') + std::string(1'000'000, ']');
   for (const std::string& text :
        {std::string(), std::string("3"), std::string("[]"), std::string("{}"), std::string("null"),
-        deep, "{\"batches\":" + deep, whole.substr(0, whole.size() / 2), whole + "x"}) {
+        deep, "{\"digest\":\"\",\"batches\":" + deep + "}", whole.substr(0, whole.size() / 2),
+        whole + "x"}) {
     write(text);
     EXPECT_THROW(read_planned_sweep(folder_.path(), 0), UserError) << text.substr(0, 20);
   }
