@@ -196,6 +196,15 @@ TEST(SweepPoints, AreCountedBeforeTheyAreMade) {
   EXPECT_THROW(designed_points({.over = std::vector<std::string>(5000, "a=1:2"), .samples = 2}),
                UserError);
   EXPECT_THROW(designed_points({}), UserError);
+  std::vector<std::string> over{"x=1:1:100000"};
+  for (int i = 0; i < 900; ++i) {
+    over.push_back("k" + std::to_string(i) + "=1");
+  }
+  EXPECT_THROW(designed_points({.over = over}), UserError) << "90 million values";
+  EXPECT_THROW(
+      designed_points({.over = {"t=\"" + std::string(100'000, 'x') + "\"", "x=1:1:100000"}}),
+      UserError)
+      << "10 GB";
 }
 
 TEST_F(SweepPlanFile, WhatAPointGivesIsReadBackToTheLastBit) {
