@@ -97,11 +97,14 @@ def _table(header, *rows):
 
 
 def read_json(path):
-    """The content of a JSON file; empty when it is missing. Raises CaseError when it is damaged."""
+    """The object in a JSON file; empty when it is missing. Raises CaseError when it is damaged."""
     try:
-        return files.read_json(path, LARGEST_SUMMARY)
+        found = files.read_json(path, LARGEST_SUMMARY)
     except FileNotFoundError:
         return {}
+    if not isinstance(found, dict):
+        raise CaseError(f"{path} is damaged: it is no JSON object\n  = run the case again")
+    return found
 
 
 def _object(parent, name):
@@ -177,7 +180,9 @@ class Results:
     def _take_mechanics(self, wanted):
         found = mechanics(self.folder / "results.h5") if wanted else None
         if found is None:
-            raise FileNotFoundError(reason(self.folder, self.manifest))
+            with whole(self.folder / "manifest.json"):
+                told = reason(self.folder, self.manifest)
+            raise FileNotFoundError(told)
         columns, units, metrics = found
         self.signals, self.sampled = Table(columns, units), Table({"time": numpy.empty(0)}, {"time": "s"})
         self.metrics = {name: Metric(value, unit) for name, value, unit in metrics}

@@ -20,6 +20,8 @@ import ionskin
 from ionskin.design import __main__ as design
 from ionskin.evaluation import Outcome, StudyFolder
 from ionskin.generation import __main__ as generation
+from ionskin.reading.hdf5 import open_hdf5
+from ionskin.results import Results
 from ionskin.uncertainty import __main__ as uncertainty
 from package import CASES, PackageTest
 
@@ -229,6 +231,22 @@ class Stores(PackageTest):
                 code, said = self.main(study)
                 self.assertEqual((code, self.out.exists()), (2, False), said)
                 self.assertIn("IONSKIN_DISK_LIMIT", said)
+
+
+class Folders(PackageTest):
+    def test_runs_whose_records_are_none(self):
+        """A run that has not ended is told by its manifest, whatever stands there."""
+        for text in ("[]", "3", "null", '{"state": 1, "stages": 3}', '{"state": 1, "stages": {"ions": 3}}', '{"state": NaN}', DEEP, ""):
+            (self.folder / "manifest.json").write_text(text)
+            for more in ({}, {"unfinished": True}):
+                with self.subTest(text[:40], **more), self.assertRaises(ionskin.CaseError):
+                    Results(self.folder, **more)
+        (self.folder / "manifest.json").unlink()
+        (self.folder / "results.h5").symlink_to(self.folder / "results.h5")
+        with self.assertRaises(FileNotFoundError):
+            Results(self.folder, unfinished=True)
+        with self.assertRaisesRegex(ionskin.CaseError, "cannot be read"):
+            open_hdf5(self.folder / "results.h5")
 
 
 class Sweeps(PackageTest):
