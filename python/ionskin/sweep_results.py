@@ -15,7 +15,7 @@ from .results import Results, name_and_unit, read_json, whole
 from .words import quantity, short
 
 FRICTION = "contact.friction"
-POINT = re.compile(r"points/\d{4,}[^/]*")
+POINT = re.compile(r"points/(?!\.{1,2}$)[^/\0]+")
 NAMES = {FRICTION: "friction coefficient µ", "coupling.coefficient": "coupling coefficient k",
          "motion.preload": "preload", "motion.stroke": "stroke", "electrochemistry.diffusivity": "diffusivity"}
 LONGEST_VALUE = 24  # letters of a swept text in a label

@@ -257,7 +257,7 @@ class Sweeps(PackageTest):
         path = self.folder / "sweep.csv"
         path.write_text(header + row)
         self.assertEqual(ionskin.open_results(self.folder).points[0].metrics, {"peak": 2.0})
-        for text in ("", "x", header + "1\n", header + row.replace("points/", "../"), header + row.replace("points/0001", "/etc/0001"),
+        for text in ("", "x", header + "1\n", header + row.replace("points/", "../"), header + row.replace("points/0001", "/etc/0001"), header + row.replace("points/0001_friction=0.1", "points/.."),
                      header + row.replace("0.1,finished", "high,finished"), header + row.replace("1,points", "one,points"),
                      header + row.replace("points/0001", "points/0001/../../x"), "\0" * 100, header + '"' + row):
             path.write_text(text)
