@@ -16,6 +16,8 @@
 #include "ionskin/mechanics/position/position_memory.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 #include "ionskin/planning/cost_estimate.hpp"
+#include "ionskin/planning/output_size.hpp"
+#include "ionskin/planning/resources.hpp"
 #include "ionskin/results/strain_file/strain_file.hpp"
 #include "ionskin/study/run/run_case.hpp"
 #include "ionskin/study/sweep/sweep.hpp"
@@ -133,6 +135,15 @@ double memory(const py::handle& python_case) {
              : planning::estimate_cost(input, 1).memory;
 }
 
+/// Estimates of what the files of a run take, and what an outcome of a study keeps of it, its
+/// tables [bytes]; 0 for a strain that is given by a file, which tells how long it lasts.
+std::pair<double, double> output(const py::handle& python_case) {
+  const Case input = read(case_source(python_case)).input;
+  return input.strain.kind == StrainSourceKind::file
+             ? std::pair(0.0, 0.0)
+             : std::pair(planning::expected_output(input, true), planning::expected_tables(input));
+}
+
 std::map<std::string, std::string> sweep(const py::handle& python_case,
                                          const std::vector<std::string>& over,
                                          const py::dict& settings, const py::object& callback) {
@@ -184,6 +195,10 @@ PYBIND11_MODULE(_ionskin_solver, module) {
   module.def("nearest_key", &nearest_key);
   module.def("footprint", &footprint);
   module.def("memory", &memory);
+  module.def("output", &output);
+  module.def("require_disk", [](double bytes, const std::string& folder) {
+    planning::require_disk(bytes, folder);
+  });
   module.def("keep_positions", [](std::size_t most_bytes) {
     mechanics::PositionMemory::of_process().set_bound(most_bytes);
   });

@@ -4,7 +4,6 @@
 import json
 import numbers
 import os
-import pathlib
 import re
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
@@ -13,8 +12,10 @@ import numpy
 
 from . import solver
 from .errors import CaseError
+from .reading import files
 
 
+LARGEST = 1 << 20  # bytes, as the program reads
 LIST_ENTRY = re.compile(r"(?P<list>.+)\[(?P<index>\d+)\]")  # slider.start[0]
 
 
@@ -71,9 +72,9 @@ class Case:
     def from_file(cls, path: str | os.PathLike) -> "Case":
         """Reads and checks a case file. Raises CaseError."""
         try:
-            text = pathlib.Path(path).read_text(encoding="utf-8")
-        except (OSError, UnicodeDecodeError) as error:
-            raise CaseError(f"the case {os.fspath(path)} cannot be read: {error}") from error
+            text = files.read_text(path, LARGEST)
+        except OSError as error:
+            raise CaseError(f"the case {os.fspath(path)} cannot be read: {error.strerror}\n  = check its name") from error
         return cls(text, os.fspath(path)).check()
 
     @classmethod

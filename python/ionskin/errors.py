@@ -2,6 +2,7 @@
 """What goes wrong, with the messages of the program. An interrupt is Python's own KeyboardInterrupt."""
 
 import contextlib
+import os
 import sys
 
 
@@ -29,11 +30,20 @@ def _restored_solver_error(message: str, remedy: str) -> SolverError:
     return error
 
 
+def in_words(error: Exception) -> str:
+    """What an error says; of the system's it names the file and the remedy."""
+    if isinstance(error, OSError) and error.strerror:
+        place = error.filename2 or error.filename
+        where = f"{os.fsdecode(place)}: " if isinstance(place, (str, bytes, os.PathLike)) else ""
+        return f"{where}{error.strerror}\n  = check the name, the permissions and the free space"
+    return str(error)
+
+
 @contextlib.contextmanager
 def exit_on(*kinds):
     """Ends a program at an error of these kinds as ionskin ends at the user's mistake: with its message and code 2."""
     try:
         yield
     except kinds as error:
-        print(f"error: {error}", file=sys.stderr)
+        print(f"error: {in_words(error)}", file=sys.stderr)
         sys.exit(2)

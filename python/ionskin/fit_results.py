@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy
 
-from .results import read_json, read_table
+from .results import read_json, read_table, whole
 
 
 class Estimate(NamedTuple):
@@ -55,11 +55,12 @@ class Fit:
         if not (folder / "fit.json").exists():
             raise FileNotFoundError(f"{folder} holds no fit.json: name the folder of a finished fit")
         summary, table = read_json(folder / "fit.json"), read_table(folder / "fit.csv")
-        name = summary["column"]
-        fit = cls(summary, table["time"], table[f"{name}_measured"], table[f"{name}_fitted"], folder)
-        if f"{name}_fitted_error" in table:
-            fit.fitted_error = table[f"{name}_fitted_error"]
-        return fit
+        with whole(folder / "fit.json"):
+            name = summary["column"]
+            fit = cls(summary, table["time"], table[f"{name}_measured"], table[f"{name}_fitted"], folder)
+            if f"{name}_fitted_error" in table:
+                fit.fitted_error = table[f"{name}_fitted_error"]
+            return fit
 
     @classmethod
     def from_text(cls, text: str, time, measured, fitted) -> "Fit":

@@ -289,12 +289,14 @@ class Skin:
         return state.tobytes()
 
     def restore(self, state: bytes) -> None:
-        """Takes up a state; time may go back by it. ValueError when it is of another skin."""
+        """Takes up a state; time may go back by it. ValueError when it is of another skin or damaged; nothing changes
+        then."""
         if len(state) % 8:
             raise ValueError("state: is none of a skin")
         values = numpy.frombuffer(state)
         if not self._library.ionskin_live_restore(self._handle, _pointer(values), len(values)):
-            raise ValueError("state: is that of a skin from another file")
+            raise ValueError("state: is that of a skin from another file, or damaged: a number is not finite or beyond what a "
+                             "step can leave")
         # First numbers of a state: whether it was stepped, and when.
         self._time = float(values[1]) if values[0] else None
 

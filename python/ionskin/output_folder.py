@@ -6,15 +6,19 @@ import os
 import pathlib
 import tempfile
 
+from .errors import CaseError
+from .reading import files
+
 LIST = ".ionskin-files"
 PENDING = ".ionskin-pending"
+LARGEST_LIST = 64 << 20  # bytes
 
 
 @contextlib.contextmanager
 def writing(path):
     """Gives a place to write a file of this name; the file appears when it is whole.
 
-    `path` is FOLDER/NAME of an output folder, or FOLDER/figures/NAME. Raises ValueError where a file of the user or a
+    `path` is FOLDER/NAME of an output folder, or FOLDER/figures/NAME. Raises CaseError where a file of the user or a
     link is in the way.
     """
     path = pathlib.Path(path)
@@ -22,8 +26,8 @@ def writing(path):
     folder = path.parent.parent if inside else path.parent
     if inside:
         if path.parent.is_symlink():
-            raise ValueError(f"{path.parent} is a link, and ionskin writes nothing through a link out of its folder: "
-                             "remove the link")
+            raise CaseError(f"{path.parent} is a link, and ionskin writes nothing through a link out of its folder\n"
+                            "  = remove the link")
         path.parent.mkdir(exist_ok=True)
     _note(folder, f"figures/{path.name}" if inside else path.name, path)
     handle, pending = tempfile.mkstemp(prefix=f"{path.name}.", suffix=PENDING, dir=path.parent)
@@ -53,15 +57,23 @@ def write_text(path, text):
         pending.write_text(text, encoding="utf-8")
 
 
-def _note(folder, name, path):
-    """Adds a name to the list of the folder, if it keeps one: those of earlier versions do not."""
-    entries = folder / LIST
+def listed(folder):
+    """The names in the list of a folder; None where it keeps none, as those of earlier versions."""
+    entries = pathlib.Path(folder, LIST)
     if not entries.is_file() or entries.is_symlink():
-        return
-    if name in entries.read_text(encoding="utf-8", errors="replace").splitlines():
+        return None
+    with files.open_ordinary(entries, LARGEST_LIST) as file:
+        names = file.read().decode("utf-8", errors="replace").splitlines()
+    return [name for name in names if name and not name.startswith("#")]
+
+
+def _note(folder, name, path):
+    """Adds a name to the list of the folder, if it keeps one."""
+    names = listed(folder)
+    if names is None or name in names:
         return
     if os.path.lexists(path):
-        raise ValueError(f"{path} is in the way of a result and was not written by ionskin, which replaces its own files "
-                         "only: move it away")
-    with open(entries, "a", encoding="utf-8") as file:
+        raise CaseError(f"{path} is in the way of a result and was not written by ionskin, which replaces its own files "
+                        "only\n  = move it away")
+    with open(folder / LIST, "a", encoding="utf-8") as file:
         file.write(f"\n{name}\n")

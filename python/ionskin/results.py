@@ -2,21 +2,20 @@
 """The output folder of one run, as arrays and plain dictionaries."""
 
 import contextlib
-import json
-import os
+import csv
 import pathlib
-import stat
 import tomllib
 from typing import NamedTuple
 
 import numpy
 
 from .errors import CaseError
-from .reading import labelled
+from .reading import files, labelled
 from .reading.hdf5 import open_hdf5
 from .reading.unfinished import mechanics, reason
 
 TEXT_COLUMNS = ("phase",)
+LARGEST_SUMMARY = 64 << 20  # a warning for each instant of a long motion
 
 
 class Metric(NamedTuple):
@@ -80,8 +79,8 @@ def name_and_unit(title):
 
 def read_table(path):
     """Reads signals.csv or sampled.csv. Raises FileNotFoundError when it is missing, CaseError when it is damaged."""
-    with _whole(path):
-        return _table(*_text(path).splitlines())
+    with whole(path):
+        return _table(*files.read_text(path).splitlines())
 
 
 def _table(header, *rows):
@@ -98,17 +97,14 @@ def _table(header, *rows):
 
 
 def read_json(path):
-    """The content of a JSON file; empty when it is missing. Raises CaseError when it is damaged."""
-    if not path.exists():
+    """The object in a JSON file; empty when it is missing. Raises CaseError when it is damaged."""
+    try:
+        found = files.read_json(path, LARGEST_SUMMARY)
+    except FileNotFoundError:
         return {}
-    with _whole(path):
-        return json.loads(_text(path))
-
-
-def _text(path):
-    if not stat.S_ISREG(os.stat(path).st_mode):  # a pipe would be waited for
-        raise ValueError("it is no regular file")
-    return pathlib.Path(path).read_text(encoding="utf-8")
+    if not isinstance(found, dict):
+        raise CaseError(f"{path} is damaged: it is no JSON object\n  = run the case again")
+    return found
 
 
 def _object(parent, name):
@@ -119,11 +115,13 @@ def _object(parent, name):
 
 
 @contextlib.contextmanager
-def _whole(path):
+def whole(path):
     """Turns what a damaged file raises into a CaseError that names it."""
     try:
         yield
-    except (ValueError, TypeError, KeyError, IndexError, RecursionError) as error:
+    except CaseError:
+        raise
+    except (csv.Error, ValueError, TypeError, KeyError, IndexError, AttributeError, RecursionError) as error:
         raise CaseError(f"{path} is damaged: {error}\n  = run the case again") from error
 
 
@@ -168,21 +166,23 @@ class Results:
                        if (path := self.folder / f"{name}_error.csv").exists()}
         self.summary = read_json(self.folder / "summary.json")
         if self.complete:
-            with _whole(self.folder / "summary.json"):
+            with whole(self.folder / "summary.json"):
                 self.metrics = {name: Metric(entry["value"], entry["unit"])
                                 for name, entry in _object(self.summary, "metrics").items()}
-        with _whole(self.folder / "summary.json"):
+        with whole(self.folder / "summary.json"):
             self.circuit_words = {name: str(text) for name, text in _object(self.summary, "circuit").items()}
         case = self.folder / "case.toml"
         self.case = {}
         if case.exists():
-            with _whole(case):
-                self.case = tomllib.loads(_text(case))
+            with whole(case):
+                self.case = tomllib.loads(files.read_text(case, files.LARGEST_JSON))
 
     def _take_mechanics(self, wanted):
         found = mechanics(self.folder / "results.h5") if wanted else None
         if found is None:
-            raise FileNotFoundError(reason(self.folder, self.manifest))
+            with whole(self.folder / "manifest.json"):
+                told = reason(self.folder, self.manifest)
+            raise FileNotFoundError(told)
         columns, units, metrics = found
         self.signals, self.sampled = Table(columns, units), Table({"time": numpy.empty(0)}, {"time": "s"})
         self.metrics = {name: Metric(value, unit) for name, value, unit in metrics}

@@ -3,16 +3,19 @@
 
 import csv
 import functools
+import io
 import pathlib
+import re
 from typing import NamedTuple
 
 import numpy
 
-from .reading import labelled
-from .results import Results, name_and_unit, read_json
+from .reading import files, labelled
+from .results import Results, name_and_unit, read_json, whole
 from .words import quantity, short
 
 FRICTION = "contact.friction"
+POINT = re.compile(r"points/(?!\.{1,2}$)[^/\0]+")
 NAMES = {FRICTION: "friction coefficient µ", "coupling.coefficient": "coupling coefficient k",
          "motion.preload": "preload", "motion.stroke": "stroke", "electrochemistry.diffusivity": "diffusivity"}
 LONGEST_VALUE = 24  # letters of a swept text in a label
@@ -55,14 +58,14 @@ class Sweep:
         path = self.folder / "sweep.csv"
         if not path.exists():
             raise FileNotFoundError(f"{self.folder} holds no sweep.csv: name the folder of a sweep")
-        with open(path, newline="", encoding="utf-8") as file:
-            header, *rows = list(csv.reader(file))
-        titles = [name_and_unit(title) for title in header]
-        status = header.index("status")
-        self.keys = dict(titles[2:status])
-        self.units = dict(titles[status + 2:])
+        with whole(path):
+            header, *rows = list(csv.reader(io.StringIO(files.read_text(path), newline=""), strict=True))
+            titles = [name_and_unit(title) for title in header]
+            status = header.index("status")
+            self.keys = dict(titles[2:status])
+            self.units = dict(titles[status + 2:])
+            self.points = [self._point(titles, status, row) for row in rows]
         self.manifest = read_json(self.folder / "manifest.json")
-        self.points = [self._point(titles, status, row) for row in rows]
 
     def values(self, key):
         """The values of a swept key as an array [points]: SI numbers, or texts."""
@@ -92,6 +95,8 @@ class Sweep:
     def _point(self, titles, status, row):
         values = {name: float(text) if unit else text for (name, unit), text in zip(titles[2:status], row[2:status])}
         metrics = {name: float(text) for (name, _), text in zip(titles[status + 2:], row[status + 2:]) if text}
+        if len(row) != len(titles) or not POINT.fullmatch(row[1]):
+            raise ValueError(f"row {row[0][:20]} is none of a sweep")
         return Point(int(row[0]), self.folder / row[1], values, row[status], row[status + 1], metrics)
 
 

@@ -3,6 +3,7 @@
 
 import os
 import pathlib
+import struct
 import subprocess
 import sys
 import time
@@ -249,6 +250,7 @@ class LiveTest(ProgramTest):
                             (ValueError, lambda: skin.run([2, 3], [[0, 0]], heights=[0, 0])),
                             (ValueError, lambda: skin.run([3, 2], [[0, 0]] * 2, heights=[0, 0])),
                             (ValueError, lambda: skin.restore(b"12345678")),
+                            (ValueError, lambda: skin.restore(skin.save()[:-8] + struct.pack("d", numpy.nan))),
                             (ionskin.CaseError, lambda: ionskin.live.Skin(ROOT / "README.md")),
                             (KeyError, lambda: skin.step(2, (5e-3, 1e-3), height=0)["nothing"])):
             self.assertRaises(error, call)

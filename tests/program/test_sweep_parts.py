@@ -2,6 +2,7 @@
 """Sweeps in parts: planned, done batch by batch in any order and beside each other, collected; damage and mistakes."""
 
 import json
+import os
 import signal
 import subprocess
 import unittest
@@ -11,6 +12,7 @@ from program import PROGRAM, QUICK, ProgramTest
 # A mesh and time steps that serve to test the bookkeeping, not the physics.
 SMALL = ("--set", "numerics.mesh_refinement=0.5", "--set", "numerics.time_refinement=0.3")
 GRID = (*SMALL, "--over", "contact.friction=0.1,0.2", "--over", "motion.preload=1 um,1.5 um")
+DEEP = '{"program": {"name": "ionskin"}, "digest": "", "metrics": ' + "[" * 1_000_000 + "]" * 1_000_000 + "}"
 MECHANICS = (*SMALL, "--only", "mechanics", "--over", "motion.preload=1 um,1.5 um")
 
 
@@ -96,6 +98,39 @@ class SweepParts(ProgramTest):
             path.write_text(changed)
             self.assertIn(words, self.do_batch(0, expect=2).stderr)
             self.assertIn(words, self.collect(expect=2).stderr)
+        path.write_text(DEEP)
+        self.assertIn("damaged", self.do_batch(0, expect=2).stderr)
+        self.assertIn("damaged", self.collect(expect=2).stderr)
+        path.unlink()
+        os.mkfifo(path)
+        self.assertIn("a pipe", self.do_batch(0, expect=2).stderr)
+        self.assertIn("a pipe", self.collect(expect=2).stderr)
+
+    def test_records_of_points_that_are_none(self):
+        """A point whose records are nested deep, of wrong types, pipes or folders is one that is still to be solved."""
+        self.plan(*MECHANICS)
+        self.do_batch(0)
+        self.do_batch(1)
+        self.collect()
+        first, second = sorted((self.folder / "parts" / "points").iterdir())
+        for name in ("manifest.json", "summary.json"):
+            path = first / name
+            whole = path.read_bytes()
+            for content in (DEEP.encode(), b"[" * 1_000_000, b"{}", b"3", b'{"program": {"name": 3}}', whole[:100],
+                            whole.replace(b'"', b"'"), whole.replace(b": ", b": -")):
+                path.write_bytes(content)
+                self.assertIn("1 of 2 points are still to be solved", self.collect(expect=4).stderr, (name, content[:40]))
+            path.unlink()
+            for make in (os.mkfifo, os.mkdir, lambda place: place.symlink_to(place)):
+                make(path)
+                self.assertIn("1 of 2 points are still to be solved", self.collect(expect=4).stderr, name)
+                path.rmdir() if path.is_dir() else path.unlink()
+            path.write_bytes(whole)
+        self.collect()
+        (first / "manifest.json").write_text(DEEP)
+        self.run_program("sweep", QUICK, *MECHANICS, "-o", "parts", "--resume", "--no-report")
+        self.assertIn("finished", (self.folder / "parts" / "sweep.csv").read_text())
+        self.assertTrue(second.is_dir())
 
     def test_a_running_sweep_keeps_batches_out(self):
         self.plan(*MECHANICS)

@@ -12,6 +12,7 @@ import numpy
 
 import ionskin
 from ionskin.evaluation import LocalEngine, StudyFolder
+from ionskin.uncertainty.distributions import parse
 from package import CASES, PackageTest
 
 K, D = "coupling.coefficient", "electrochemistry.diffusivity"
@@ -152,6 +153,22 @@ class OfACase(PackageTest):
         self.assertEqual(other.returncode, 2)
         self.assertIn("seed", other.stderr)
         self.assertEqual(self.command().returncode, 2)
+
+    def test_texts_that_are_not_wholly_understood(self):
+        """None is taken for less than it says: 5 % % was 0.05 %."""
+        case = ionskin.Case.from_file(CASES / "quick.toml")
+        for written in ("normal(0.3, 5 % %)", "normal(0.3, 5 %%)", "normal(0.3, 5 percent)", "normal(0.3, 5 % 5 %)",
+                        "normal(0.3, 5 % 1)", "normal(0.3, 5 %2)", "normal(0.3, 5 %.%)", "normal(0.3, 5 %/1)", "normal(0.3, 5 % m/m)",
+                        "normal(0.3, \uff15 %)", "normal(0.3, + 5 %)", "normal(0.3, 5 '%')", "normal(0.3, 0.02 (0.1))",
+                        "normal(0.3 0.2, 0.05)", "normal(0.3, 0.05))", "normal((0.3), 0.05)", "uniform(0.1 % %, 0.4)",
+                        "uniform(0.1, 0.4) x", "uniform(0.1, 0.4) uniform(0.2, 0.3)", "x uniform(0.1, 0.4)", "uniform(0.1, 0.4,)",
+                        "uniform(0.1, 0.4);", "uniform(0x1, 0.4)", "uniform(0.1_0, 0.4)", "uniform(\u0660.\u0661, 0.4)",
+                        "uniform(0.1 - 0.05, 0.4)", "uniform(0.1, inf)", "uniform(nan, 1)", "uniform(0.1, 1e999)"):
+            for of in (case, None):
+                with self.subTest(written, case=of is not None), self.assertRaises(ionskin.CaseError):
+                    parse("contact.friction", written, of)
+        for written in ("normal(0.3, 5%)", " NORMAL ( 30 % , 5. % ) ", "normal(.3, 0.015)", "normal(+3e-1, 1.5e-2)"):
+            self.assertAlmostEqual(parse("contact.friction", written, case).scale, 0.015, msg=written)
 
     def test_mistakes(self):
         for key, written, words in (

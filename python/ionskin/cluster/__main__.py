@@ -10,7 +10,7 @@ import time
 
 from .. import isolated
 from ..errors import CaseError, exit_on
-from .security import CERTIFICATE, KEY, SCHEDULER, is_loopback, make_certificate, read_scheduler, require_distributed
+from .security import CERTIFICATE, KEY, SCHEDULER, is_loopback, make_certificate, read_scheduler, require_distributed, require_listening
 from .worker import default_memory, default_threads, work
 
 START, STOP = 60, 30  # seconds to wait
@@ -26,7 +26,11 @@ def detached(folder, name, *arguments):
 def require_idle(folder):
     """Raises CaseError where a cluster of this folder answers."""
     path = folder / SCHEDULER
-    if path.exists() and answering(path):
+    try:
+        client = answering(path) if os.path.lexists(path) else None
+    except CaseError as error:
+        raise CaseError(f"{str(error).splitlines()[0]}\n  = move it away, or choose another folder") from error
+    if client is not None:
         raise CaseError(f"{folder} has a running cluster\n  = stop it: ionskin cluster stop {folder}, or choose another folder")
     path.unlink(missing_ok=True)
 
@@ -36,8 +40,9 @@ def answering(path):
     from distributed import Client  # pylint: disable=import-outside-toplevel
     address, security = read_scheduler(path)
     try:
+        require_listening(address, path)
         return Client(address, security=security, timeout=5, set_as_default=False)
-    except OSError:
+    except (CaseError, OSError):
         return None
 
 
@@ -90,7 +95,7 @@ def stop(arguments):
     """Scheduler and workers. A batch that runs is lost, and its finished points are kept."""
     path = arguments.folder / SCHEDULER
     require_distributed()
-    if not path.exists():
+    if not os.path.lexists(path):
         raise CaseError(f"{arguments.folder} has no running cluster: {path} is missing")
     client = answering(path)
     if client is None:

@@ -5,14 +5,16 @@ places for."""
 import asyncio
 import contextlib
 import logging
+import sys
+import threading
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from ..errors import CaseError
-from .security import read_scheduler
+from .security import read_scheduler, require_listening
 
 LOST = 5  # exit code
-CONNECT, FIRST_WORKER = 30, 60  # seconds to wait
+AT_ONCE, CONNECT, FIRST_WORKER = 1, 30, 60  # seconds to wait
 WINDOW = 2  # jobs per place that the scheduler knows of: it never queues tasks with resources
 
 
@@ -37,19 +39,40 @@ class Job(NamedTuple):
 
 
 @contextlib.contextmanager
+def patience(what, most):
+    """Says what is waited for, where it is not there at once.
+
+    most  seconds
+    """
+    def tell():
+        print(f"waiting for {what}, {most} s at most", file=sys.stderr, flush=True)
+
+    timer = threading.Timer(AT_ONCE, tell)
+    timer.daemon = True
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
+
+
+@contextlib.contextmanager
 def connected(scheduler):
     """A client of the scheduler whose file is given, with a worker at least. Raises CaseError."""
     address, security = read_scheduler(scheduler)
+    require_listening(address, scheduler)
     from distributed import Client  # pylint: disable=import-outside-toplevel
     logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what is lost is told here
     try:
-        client = Client(address, security=security, timeout=CONNECT, name="ionskin")
+        with patience(f"the scheduler at {address}", CONNECT):
+            client = Client(address, security=security, timeout=CONNECT, name="ionskin")
     except OSError as error:
         raise CaseError(f"the scheduler at {address}, which {scheduler} names, does not answer: {error}\n  = start the cluster "
                         "again: ionskin cluster start FOLDER") from error
     try:
         try:
-            client.wait_for_workers(1, timeout=FIRST_WORKER)
+            with patience(f"a worker at {address}", FIRST_WORKER):
+                client.wait_for_workers(1, timeout=FIRST_WORKER)
         except TimeoutError as late:
             raise CaseError(f"no worker came to {address} within {FIRST_WORKER} s\n  = start one: ionskin cluster worker "
                             "FOLDER") from late

@@ -5,7 +5,6 @@ The protocol of Dask carries pickles: whoever can connect can run code.
 """
 
 import ipaddress
-import json
 import pathlib
 import socket
 import stat
@@ -13,10 +12,12 @@ import subprocess
 from urllib.parse import urlsplit
 
 from ..errors import CaseError
+from ..reading import files
 
 SCHEDULER = "scheduler.json"
 CERTIFICATE, KEY = "certificate.pem", "key.pem"
 DAYS = 3650
+REACH = 5  # seconds to wait for a connection
 
 
 def require_distributed():
@@ -67,20 +68,40 @@ def tls(folder):
     return Security(tls_ca_file=str(certificate), require_encryption=True, **parts)
 
 
+def _address(path):
+    """Address and host in the file of a scheduler. Raises CaseError."""
+    remedy = f"start a cluster: ionskin cluster start FOLDER, and name FOLDER/{SCHEDULER}"
+    try:
+        address = files.read_json(path, remedy=remedy)["address"]
+        parts = urlsplit(address)
+        if parts.scheme not in ("tcp", "tls") or not parts.hostname or not parts.port:
+            raise ValueError("its address is none")
+    except CaseError as error:
+        raise CaseError(f"{path} is no file of a scheduler: {error}") from error
+    except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+        what = error.strerror if isinstance(error, OSError) else f"address {error}" if isinstance(error, KeyError) else error
+        raise CaseError(f"{path} is no file of a scheduler: {what}\n  = {remedy}") from error
+    return address, parts.hostname
+
+
+def require_listening(address, path):
+    """Raises CaseError where nothing waits for connections at the address that a file names: the scheduler was killed."""
+    parts = urlsplit(address)
+    try:
+        socket.create_connection((parts.hostname, parts.port), timeout=REACH).close()
+    except OSError as error:
+        raise CaseError(f"the scheduler at {address}, which {path} names, does not answer: {error.strerror or error}\n  = start "
+                        "the cluster again: ionskin cluster start FOLDER") from error
+
+
 def read_scheduler(path):
     """Address and Security from the file of a scheduler. Raises CaseError."""
     path = pathlib.Path(path)
-    try:
-        address = json.loads(path.read_text(encoding="utf-8"))["address"]
-        parts = urlsplit(address)
-        host = parts.hostname
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise CaseError(f"{path} is no file of a scheduler: {error}\n  = start a cluster: ionskin cluster start FOLDER, and "
-                        f"name FOLDER/{SCHEDULER}") from error
+    address, host = _address(path)
     require_distributed()
-    if parts.scheme == "tls":
+    if address.startswith("tls:"):
         return address, tls(path.parent)
-    if not host or not is_loopback(host):
+    if not is_loopback(host):
         raise CaseError(f"the scheduler at {address} takes connections from other machines without encryption, and whoever "
                         "connects can run code\n  = start it with: ionskin cluster start FOLDER --tls --address ADDRESS")
     return address, None

@@ -13,10 +13,12 @@ import sys
 import uuid
 
 from ..errors import CaseError, exit_on
+from ..reading import files
 from .client import LOST, Job, SchedulerLost, connected, require_room, work_off, workers_of
 from .progress import BatchProgress
 from .task import do_batch, unpack
 
+LARGEST_PLAN = 128 << 20  # bytes
 DONE = (0, 3)  # exit codes of a batch whose points are rows
 
 
@@ -66,7 +68,8 @@ class Driver:
 
 def drive(folder, scheduler, chosen, cache, mode):
     """Does the chosen batches on a cluster. Raises CaseError and SchedulerLost."""
-    plan = (folder / "plan.json").read_bytes()
+    with files.open_ordinary(folder / "plan.json", LARGEST_PLAN) as file:
+        plan = file.read()
     batches = [batch for batch in json.loads(plan)["batches"] if batch["number"] in set(chosen)]
     progress = BatchProgress(mode, {batch["number"]: batch["seconds"] or 1 for batch in batches})
     with connected(scheduler) as client:

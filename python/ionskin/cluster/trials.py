@@ -60,7 +60,7 @@ class ClusterEngine:
                 raise CaseError(result["mistake"])
             else:
                 Outcome.keep(result["outcome"], path)
-            told(trial, Outcome.read(path))
+            told(trial, Outcome.read_back(path))
 
         def show(running, workers):
             del running

@@ -7,7 +7,7 @@ import pathlib
 import tempfile
 
 from ..errors import CaseError
-from .security import SCHEDULER, read_scheduler
+from .security import SCHEDULER, read_scheduler, require_listening
 
 MEMORY_SHARE = 0.9  # of what is free, by default
 
@@ -50,6 +50,7 @@ async def _work(address, security, host, threads, memory, death_timeout):
 def work(folder, threads, memory, death_timeout):
     """Works for the cluster of a folder. Raises CaseError."""
     address, security = read_scheduler(pathlib.Path(folder) / SCHEDULER)
+    require_listening(address, pathlib.Path(folder) / SCHEDULER)
     try:
         asyncio.run(_work(address, security, None if security else "127.0.0.1", threads or default_threads(),
                           memory or default_memory(), death_timeout))

@@ -8,7 +8,7 @@ import sys
 
 from ..errors import CaseError
 from ..evaluation import StudyFolder
-from ..evaluation.command import SOLVER_GAVE_UP, Progress, base_case, engine, guarded, parser
+from ..evaluation.command import SOLVER_GAVE_UP, Progress, base_case, engine, guarded, parser, require_disk
 from .search import Design
 
 RANGE = re.compile(r"\s*([^=]+?)\s*=\s*([^:]+):\s*([-+.\deE]+)\s*(.*?)\s*")
@@ -61,6 +61,7 @@ def main() -> int:
                    maximise=bool(arguments.maximise), subject_to=arguments.subject_to, budget=arguments.budget,
                    seed=arguments.seed)
     runner = engine(arguments)
+    require_disk(study.trials, arguments.budget, arguments.output, runner)
     question = {"study": "design", "case": case.text, "free": {one.key: one.written for one in study.parameters},
                 "objective": study.objective, "maximise": bool(arguments.maximise), "subject_to": arguments.subject_to,
                 "seed": arguments.seed, "budget": arguments.budget}

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The search for the best design, by ask and tell."""
 
+import math
 import re
 from collections.abc import Sequence
 from typing import Any, NamedTuple
@@ -14,7 +15,7 @@ from ..uncertainty import designs
 from ..uncertainty.distributions import parse
 from . import surrogate
 
-CONSTRAINT = re.compile(r"\s*(\w+)\s*(<=|>=|==|<|>|=)\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^\s\d]\S*)?\s*")
+CONSTRAINT = re.compile(r"\s*(\w+)\s*(<=|>=|==|<|>|=)\s*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*([^\s\d]\S*)?\s*")
 SMALLEST = 1e-4  # of the ranges: a trust region below it ends the search
 FIRST_RADIUS, SHRINK, GROW, LARGEST = 0.3, 0.5, 1.6, 0.6
 TOLERANCE = 1e-4  # of a constraint's bound
@@ -77,7 +78,7 @@ class Design:
     @staticmethod
     def _constraint(text: str) -> Constraint:
         match = CONSTRAINT.fullmatch(text)
-        if not match:
+        if not match or not math.isfinite(float(match[3])):
             raise CaseError(f'"{text}" is no constraint\n  = write \"METRIC < NUMBER UNIT\"; > and == too')
         return Constraint(match[1], match[2], float(match[3]), match[4] or "")
 

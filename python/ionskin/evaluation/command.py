@@ -4,17 +4,21 @@
 import argparse
 import contextlib
 import os
+import pathlib
 import sys
+import tempfile
 import time
 
+from .. import solver
 from ..case import Case
 from ..cluster.client import LOST, SchedulerLost
 from ..cluster.trials import ClusterEngine
-from ..errors import CaseError
+from ..errors import CaseError, in_words
 from .local import LocalEngine
 
 SOLVER_GAVE_UP, INTERRUPTED = 3, 130
 EVERY = 60  # seconds
+REPRESENTATIVE = 16  # trials
 
 
 def parser(prog: str) -> argparse.ArgumentParser:
@@ -53,6 +57,23 @@ def engine(arguments, *, positions: bool = False) -> LocalEngine | ClusterEngine
     return LocalEngine(arguments.threads, cache=cache)
 
 
+def require_disk(trials, count: int, folder, runner) -> None:
+    """Raises CaseError, before any work, where the files of so many trials find no room: what the study keeps of each, and
+    what those that run at once write meanwhile.
+
+    trials  some of them, that stand for all
+    """
+    kept = pathlib.Path(folder, "points")
+    there = sum(1 for _ in kept.iterdir()) if kept.is_dir() else 0
+    sizes = [solver.load().output(trial.case) for trial in trials[:REPRESENTATIVE]]
+    if sizes:
+        tables = sum(of_tables for _, of_tables in sizes) / len(sizes)
+        solver.load().require_disk(tables * max(0, count - there), os.fsencode(folder))
+        if isinstance(runner, LocalEngine):  # the cluster's workers have disks of their own
+            at_once = min(runner.workers, count)
+            solver.load().require_disk(at_once * max(whole for whole, _ in sizes), tempfile.gettempdir())
+
+
 class Progress:
     """Lines on standard error: what failed, and how far the runs are, once for each tenth and after each minute."""
 
@@ -89,7 +110,7 @@ def guarded():
         sys.stdout.flush()
         os._exit(LOST)  # Dask would go on trying to connect
     except (CaseError, OSError) as error:
-        print(f"error: {error}", file=sys.stderr)
+        print(f"error: {in_words(error)}", file=sys.stderr)
         sys.exit(2)
     except KeyboardInterrupt:
         print("interrupted: finish with --resume", file=sys.stderr)

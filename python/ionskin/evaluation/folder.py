@@ -6,14 +6,17 @@ import json
 import os
 import pathlib
 import re
+import stat
 
 from .. import output_folder
 from ..errors import CaseError
-from ..results import read_json
+from ..reading import files
+from ..words import short
 from .trial import Outcome
 
 QUESTION = "study.json"
-OUTCOME = re.compile(r"\d{6}\.npz")
+OUTCOME = re.compile(r"\d{6}\.npz", re.ASCII)
+INNER = re.compile(r"(figures/)?(?!\.{1,2}$)[^/\0]+")  # name of a file of the folder
 
 
 class StudyFolder:
@@ -29,11 +32,14 @@ class StudyFolder:
         if resume and overwrite:
             raise CaseError("overwrite and resume exclude each other")
         self.folder, self._points = pathlib.Path(folder), pathlib.Path(folder) / "points"
-        if self.folder.exists() and not self.folder.is_dir():
+        if os.path.lexists(self.folder) and not self.folder.is_dir():
             raise CaseError(f"{folder} is no folder\n  = give another one to --output")
-        if self._points.is_symlink():
-            raise CaseError(f"{self._points} is a link, and ionskin writes nothing through a link\n  = remove the link")
-        former = read_json(self.folder / QUESTION)
+        for inner in (self._points, self.folder / "figures"):
+            if inner.is_symlink():
+                raise CaseError(f"{inner} is a link, and ionskin writes nothing through a link\n  = remove the link")
+            if inner.exists() and not inner.is_dir():
+                raise CaseError(f"{inner} is no folder, which a study keeps there\n  = move it away")
+        former = {} if overwrite else _former(self.folder / QUESTION)
         if overwrite:
             self._remove()
         elif former and not resume:
@@ -47,7 +53,9 @@ class StudyFolder:
         self._points.mkdir(parents=True, exist_ok=True)
         self._lock()
         entries = self.folder / output_folder.LIST
-        if not entries.exists():
+        if os.path.lexists(entries):
+            _require_ordinary(entries)
+        else:
             entries.write_text("# What ionskin wrote here: --overwrite removes these files and no others.\n",
                                encoding="utf-8")
         self.write(QUESTION, question)
@@ -58,10 +66,14 @@ class StudyFolder:
         return self._points
 
     def finished(self) -> dict[int, Outcome]:
-        """Outcomes by number of the trial. Trials whose solver gave up are tried again."""
+        """Outcomes by number of the trial. Trials whose solver gave up, and those whose file is damaged, are tried again.
+
+        Raises CaseError where an outcome is no ordinary file.
+        """
         found = {}
-        for path in sorted(self._points.iterdir()):
-            outcome = Outcome.read(path) if OUTCOME.fullmatch(path.name) else None
+        for path in sorted(path for path in self._points.iterdir() if OUTCOME.fullmatch(path.name)):
+            _require_ordinary(path)
+            outcome = Outcome.read(path)
             if outcome is not None and not outcome.reason:
                 found[int(path.stem)] = outcome
         return found
@@ -84,21 +96,39 @@ class StudyFolder:
         os.close(self._held)
 
     def _remove(self) -> None:
-        entries = self.folder / output_folder.LIST
-        if not entries.is_file():
+        names = output_folder.listed(self.folder)
+        if names is None:
             if self.folder.exists() and any(self.folder.iterdir()):
                 raise CaseError(f"{self.folder} was not written by ionskin, which removes its own files only\n"
                                 "  = give a new folder to --output")
             return
-        for name in entries.read_text(encoding="utf-8").splitlines():
-            path = self.folder / name
-            if name and not name.startswith("#") and path.parent in (self.folder, self.folder / "figures"):
-                path.unlink(missing_ok=True)
+        ours = [self.folder / name for name in names if INNER.fullmatch(name)]
         if self._points.is_dir():
-            for path in self._points.iterdir():
-                if OUTCOME.fullmatch(path.name) or path.name.endswith(".pending"):
-                    path.unlink()
-        entries.unlink()
+            ours += [path for path in self._points.iterdir() if OUTCOME.fullmatch(path.name) or path.name.endswith(".pending")]
+        for path in ours:
+            if os.path.lexists(path) and stat.S_ISDIR(os.lstat(path).st_mode):
+                raise CaseError(f"{path} is a folder, where ionskin writes a file\n  = move it away")
+        for path in ours:
+            path.unlink(missing_ok=True)
+        (self.folder / output_folder.LIST).unlink()
+
+
+def _former(path) -> dict:
+    """The question of the study that a folder holds; empty where it holds none."""
+    remedy = "--overwrite begins anew, or give another folder to --output"
+    try:
+        found = files.read_json(path, remedy=remedy)
+    except FileNotFoundError:
+        return {}
+    if not isinstance(found, dict):
+        raise CaseError(f"{path} is damaged: it is no JSON object\n  = {remedy}")
+    return found
+
+
+def _require_ordinary(path) -> None:
+    """A link counts as what it is: it leads elsewhere."""
+    if not stat.S_ISREG(os.lstat(path).st_mode):
+        raise CaseError(f"{path} is no ordinary file, where ionskin writes one\n  = move it away")
 
 
 def _require_same(former: dict, question: dict, free, folder) -> None:
@@ -108,5 +138,5 @@ def _require_same(former: dict, question: dict, free, folder) -> None:
         if name not in free and former.get(name) != question.get(name):
             if name == "case":
                 raise CaseError(f"{folder} holds a study of another case\n  = give the same case, or another folder")
-            raise CaseError(f"{folder} holds a study with {name} = {former.get(name)!r}, not {question.get(name)!r}\n"
+            raise CaseError(f"{folder} holds a study with {name} = {short(former.get(name))}, not {short(question.get(name))}\n"
                             "  = give the same, or another folder")

@@ -82,7 +82,7 @@ class TrialProcess:
             for _ in range(2):  # a killed process is no fault of the trial
                 answer = self._ask(line)
                 if answer == "done":
-                    return Outcome.read(path)
+                    return Outcome.read_back(path)
                 if answer:
                     raise CaseError(answer)
         lost = Outcome({}, {}, reason="the process that ran it ended twice without an answer")

@@ -6,15 +6,19 @@ import difflib
 import json
 import os
 import pathlib
+import zipfile
 from typing import Any, NamedTuple
 
 import numpy
 
 from ..case import Case
 from ..errors import CaseError
+from ..reading import files
 from ..results import Results
 
 TABLES = ("signals", "sampled")
+LARGEST = 1 << 30  # bytes of an outcome
+LARGEST_NUMBER = 1e30  # in SI units; squares of larger ones, and single precision, would overflow
 
 
 class Trial(NamedTuple):
@@ -94,9 +98,37 @@ class Outcome:
     def read(cls, path: pathlib.Path) -> "Outcome | None":
         """What stands in a file; None where it is damaged, so that the trial is run again."""
         try:
-            with numpy.load(path, allow_pickle=False) as file:
-                head = json.loads(str(file["head"]))
-                columns = {name: file[name] for name in file.files if name != "head"}
-            return cls(head["metrics"], head["units"], columns, head["reason"])
+            with files.open_ordinary(path, LARGEST) as content:
+                with zipfile.ZipFile(content) as archive:
+                    if sum(entry.file_size for entry in archive.infolist()) > LARGEST:
+                        return None
+                with numpy.load(content, allow_pickle=False) as arrays:
+                    head = files.parse_json(str(arrays["head"]))
+                    columns = {name: arrays[name] for name in arrays.files if name != "head"}
+            found = cls(head["metrics"], head["units"], columns, head["reason"])
+            return found if found._is_sound() else None
         except Exception:  # whatever a damaged archive raises
             return None
+
+    @classmethod
+    def read_back(cls, path: pathlib.Path) -> "Outcome":
+        """What a run has just written: a failure where it is damaged."""
+        return cls.read(path) or cls({}, {}, reason="what it wrote cannot be read back: is the disk full?")
+
+    def _is_sound(self) -> bool:
+        """Whether it has the shape of what `of` makes of a run, and numbers that can be reckoned with."""
+        metrics, units, columns = self.metrics, self.units, self.columns
+        if not (isinstance(metrics, dict) and isinstance(units, dict) and isinstance(self.reason, str)):
+            return False
+        if not all(isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= LARGEST_NUMBER
+                   for value in metrics.values()):
+            return False
+        if not all(isinstance(unit, str) for unit in units.values()) or (units and not set(metrics) <= set(units)):
+            return False
+        for name, values in columns.items():
+            clock = columns.get(f"{name.split('/')[0]}/time")
+            if name.split("/")[0] not in TABLES or values.dtype.kind != "f" or clock is None or values.ndim != 1:
+                return False
+            if values.shape != clock.shape or (numpy.abs(values) > LARGEST_NUMBER).any() or not (numpy.diff(clock) >= 0).all():
+                return False
+        return all(numpy.isfinite(columns[name]).all() for name in columns if name.endswith("/time"))

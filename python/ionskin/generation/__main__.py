@@ -5,7 +5,7 @@ import sys
 import time
 
 from ..evaluation import StudyFolder
-from ..evaluation.command import SOLVER_GAVE_UP, Progress, base_case, engine, guarded, parser
+from ..evaluation.command import SOLVER_GAVE_UP, Progress, base_case, engine, guarded, parser, require_disk
 from . import store
 from .touches import Touches
 
@@ -20,6 +20,7 @@ def main() -> int:
     case = base_case(arguments)
     touches = Touches(case, arguments.touches, seed=arguments.seed, vary=arguments.vary)
     runner = engine(arguments, positions=touches.shares_positions)
+    require_disk(touches.trials, len(touches.trials), arguments.output, runner)
     varying = {one.key: one.written for one in touches.parameters}
     kept = StudyFolder(arguments.output, {"study": "generate", "case": touches.case.text, "vary": varying,
                                           "seed": arguments.seed, "touches": arguments.touches},

@@ -15,7 +15,13 @@ def open_hdf5(path):
     """
     import h5py  # costs a quarter of a second that most readers need not pay
 
-    if not stat.S_ISREG(os.stat(path).st_mode):
+    try:
+        state = os.stat(path)
+    except FileNotFoundError:
+        raise
+    except OSError as error:  # a link to itself
+        raise CaseError(f"{path} cannot be read: {error.strerror}\n  = name the folder of a run") from error
+    if not stat.S_ISREG(state.st_mode):
         raise CaseError(f"{path} is no regular file\n  = name the folder of a run")
     try:
         file = h5py.File(path, "r")

@@ -3,7 +3,6 @@
 
 import contextlib
 
-from ..errors import CaseError
 from .hdf5 import open_hdf5
 
 # Columns by their places in results.h5.
@@ -15,7 +14,7 @@ PLACES = {"time": "path/time", "slider_x": "strain/slider_x", "slider_z": "path/
 
 def mechanics(path):
     """Columns and units by name, and metrics as (name, value, unit); None where the file does not hold Study 1."""
-    with contextlib.suppress(OSError, KeyError, CaseError), open_hdf5(path) as file:
+    with contextlib.suppress(OSError, KeyError, TypeError, ValueError, AttributeError), open_hdf5(path) as file:
         # A run of an earlier version lacks the later columns.
         places = {name: place for name, place in PLACES.items() if place in file or name == "time"}
         columns = {name: file[place][:] for name, place in places.items()}

@@ -4,7 +4,7 @@
 import sys
 
 from ..evaluation import StudyFolder
-from ..evaluation.command import SOLVER_GAVE_UP, Progress, base_case, engine, guarded, parser
+from ..evaluation.command import SOLVER_GAVE_UP, Progress, base_case, engine, guarded, parser, require_disk
 from . import output
 from .study import LEAST_Q2, Uncertainty
 
@@ -41,6 +41,7 @@ def main() -> int:
     study = Uncertainty(case, arguments.vary, samples=arguments.samples, design=arguments.design, seed=arguments.seed,
                         metrics=[name for name in arguments.metrics.split(",") if name], least_q2=arguments.least_q2)
     runner = engine(arguments)
+    require_disk(study.trials, len(study.trials), arguments.output, runner)
     question = {"study": "uncertainty", "case": case.text, "vary": {one.key: one.written for one in study.parameters},
                 "design": arguments.design, "seed": arguments.seed, "samples": arguments.samples}
     kept = StudyFolder(arguments.output, question, resume=arguments.resume, overwrite=arguments.overwrite,

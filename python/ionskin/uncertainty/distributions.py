@@ -13,7 +13,7 @@ from ..errors import CaseError
 from ..libraries import need
 
 CALL = re.compile(r"\s*([A-Za-z_]+)\s*\((.*)\)\s*")
-NUMBER = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*")
+NUMBER = re.compile(r"\s*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*(.*?)\s*")
 FORMS = {
     "uniform": "uniform(lowest, highest)",
     "loguniform": "loguniform(lowest, highest)",
@@ -104,7 +104,7 @@ def quantity(key: str, text: str, case: Case | None) -> tuple[float, str]:
         except CaseError as error:
             raise CaseError(f"{key}: {error}") from error
     match = NUMBER.fullmatch(text)
-    if not match or match[2]:
+    if not match or match[2] or not math.isfinite(float(match[1])):
         raise CaseError(f"{key}: {text!r} is no number")
     return float(match[1]), "1"
 
@@ -114,6 +114,8 @@ def _deviation(key: str, text: str, mean: float, unit: str, case: Case | None) -
     if match and match[2] == "%":
         result = abs(mean) * float(match[1]) / 100
     else:
+        if "%" in text or "percent" in text:
+            raise CaseError(f"{key}: the deviation {text} is not understood\n  = write NUMBER % for a share of the mean: 5 %")
         if text.endswith(("degC", "celsius")):
             raise CaseError(f"{key}: {text} is a temperature, no difference of two\n  = give the deviation in K")
         result, own = quantity(key, text, case)

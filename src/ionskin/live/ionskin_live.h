@@ -49,7 +49,8 @@ void ionskin_live_run(ionskin_live_skin* skin, size_t count, const double* times
 
 size_t ionskin_live_state_size(const ionskin_live_skin* skin); /* numbers */
 void ionskin_live_save(const ionskin_live_skin* skin, double* state);
-/* 1, or 0 when the size is not that of this skin; nothing changes then. */
+/* 1, or 0 when it is no state of this skin: the size is another, or a number is not finite or beyond what a step can
+   leave; nothing changes then. */
 int ionskin_live_restore(ionskin_live_skin* skin, const double* state, size_t size);
 /* Back to a detached skin at rest. */
 void ionskin_live_reset(ionskin_live_skin* skin);

@@ -86,7 +86,8 @@ public:
   /// @param state [state_size()]
   void save(double* state) const noexcept { ionskin_live_save(handle_.get(), state); }
   /// Takes up a state of a skin of the same file, kept in `size` numbers; time may go back by it.
-  /// @returns whether the size fits; if not nothing changes
+  /// @returns whether it is one: its size fits, and every number is finite and within what a step
+  /// can leave; if not nothing changes
   bool restore(const double* state, std::size_t size) noexcept {
     return ionskin_live_restore(handle_.get(), state, size) != 0;
   }

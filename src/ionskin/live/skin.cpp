@@ -5,22 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ionskin::live {
 namespace {
 
-// Places of single numbers in the state.
-enum : std::size_t {
-  started,
-  last_time,
-  last_x,
-  last_y,
-  assembled_x,
-  assembled_y,
-  indentation,
-  singles
-};
 // Places of the signals that every skin has.
 enum : std::size_t {
   slider_x,
@@ -104,30 +92,6 @@ bool Skin::set_friction(double coefficient) {
   }
   contact_.set_friction(coefficient);
   return true;
-}
-
-void Skin::reset() noexcept {
-  std::fill(state_.begin(), state_.end(), 0.0);
-  state_[assembled_x] = state_[assembled_y] = std::numeric_limits<double>::quiet_NaN();
-}
-
-bool Skin::restore(std::span<const double> state) noexcept {
-  if (state.size() != state_.size()) {
-    return false;
-  }
-  std::copy(state.begin(), state.end(), state_.begin());
-  contact_.assemble(contact_state());
-  return true;
-}
-
-LiveContact::State Skin::contact_state() noexcept {
-  const std::size_t size = 3 * data_.area.size();
-  return {std::span(state_).subspan(force_, size),
-          std::span(state_).subspan(surface_, size),
-          std::span(state_).subspan(memory_, contact_.memory_size()),
-          state_[indentation],
-          state_[assembled_x],
-          state_[assembled_y]};
 }
 
 void Skin::add_contact(std::span<double> signals) noexcept {

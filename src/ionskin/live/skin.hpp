@@ -58,13 +58,28 @@ public:
   /// All that passes from step to step.
   std::span<const double> state() const { return state_; }
   /// Takes up a state of a skin of the same file.
-  /// @returns whether its size fits; if not nothing changes
+  /// @returns whether it is one that steps can leave: its size fits, every number is finite and in
+  /// its range; if not nothing changes
   bool restore(std::span<const double> state) noexcept;
 
 private:
   static constexpr std::size_t sides = 2; ///< of a region: top, bottom
+  /// Places of single numbers in the state.
+  enum Single : std::size_t {
+    started,
+    last_time,
+    last_x,
+    last_y,
+    assembled_x,
+    assembled_y,
+    indentation,
+    singles
+  };
 
+  // What passes from step to step: skin_state.cpp.
   LiveContact::State contact_state() noexcept;
+  bool may_be_state(std::span<const double> state) const noexcept;
+  bool is_place(double x, double y) const noexcept;
   void add_contact(std::span<double> signals) noexcept;
   // From the strain to the charges: skin_charges.cpp.
   void set_levels(ChannelField& field, const std::array<double, 2>& place) noexcept;

@@ -3,6 +3,7 @@
 
 #include "ionskin/base/byte_count.hpp"
 #include "ionskin/case/run_duration.hpp"
+#include "ionskin/electrochemistry/time/problem_size.hpp"
 
 #include <fmt/format.h>
 
@@ -18,16 +19,34 @@ constexpr double taxel_row = 80;      // by taxel, in either
 
 constexpr double worth_telling = 1e9;
 
+/// Signals and readings, with those of the taxels.
+double tables_size(const Case& input, std::size_t ion_steps) {
+  const double readings = run_duration(input).value_or(0) / input.readout.sample_interval,
+               taxels = taxel_row * static_cast<double>(input.readout.taxels.size());
+  return (signal_row + taxels) * static_cast<double>(ion_steps) + (reading_row + taxels) * readings;
+}
+
 } // namespace
 
 double output_size(const Case& input, std::size_t ion_unknowns, std::size_t ion_steps) {
   const auto unknowns = static_cast<double>(ion_unknowns), steps = static_cast<double>(ion_steps);
-  const double readings = run_duration(input).value_or(0) / input.readout.sample_interval,
-               taxels = taxel_row * static_cast<double>(input.readout.taxels.size());
   const bool solves_contact = input.strain.kind == StrainSourceKind::contact;
   return field_bytes * unknowns * static_cast<double>(input.output.fields.size()) +
-         (solves_contact ? history_bytes * unknowns * steps : 0.0) + (signal_row + taxels) * steps +
-         (reading_row + taxels) * readings;
+         (solves_contact ? history_bytes * unknowns * steps : 0.0) + tables_size(input, ion_steps);
+}
+
+double expected_output(const Case& input, bool studies_ions) {
+  const auto ions = electrochemistry::estimate_problem_size(input);
+  if (studies_ions) {
+    return output_size(input, ions.unknowns, ions.steps);
+  }
+  Case mechanics = input;
+  mechanics.output.fields.clear();
+  return output_size(mechanics, ions.unknowns, ions.steps);
+}
+
+double expected_tables(const Case& input) {
+  return tables_size(input, electrochemistry::estimate_problem_size(input).steps);
 }
 
 std::string announced_output(const Case& input, double bytes) {

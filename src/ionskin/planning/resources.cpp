@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/planning/resources.hpp"
 
+#include "ionskin/base/byte_count.hpp"
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/system/available_disk.hpp"
 #include "ionskin/base/system/available_memory.hpp"
 #include "ionskin/planning/cost_estimate.hpp"
 
@@ -56,6 +58,19 @@ std::string shortage(const Case& input, int threads, const std::optional<mesh::F
                      "IONSKIN_MEMORY_LIMIT=\"{:.0f} GB\" in the environment runs it all the same",
                      cost.memory * 1e-9, available.bytes * 1e-9, available.bound, coarser,
                      std::ceil(cost.memory * 1e-9));
+}
+
+void require_disk(double bytes, const std::filesystem::path& folder) {
+  const base::AvailableDisk available = base::available_disk(folder);
+  if (bytes > available.bytes) {
+    throw UserError(fmt::format(
+        "the files of the results will take about {}, and {} are {}\n  = keep fewer instants in "
+        "output.fields, shorten the run, raise readout.sample_interval, take fewer points, or "
+        "choose a folder on another disk; IONSKIN_DISK_LIMIT=\"{:.0f} MB\" in the environment "
+        "runs it all the same",
+        base::byte_text(bytes), base::byte_text(available.bytes), available.bound,
+        std::ceil(bytes * 1e-6)));
+  }
 }
 
 void require_resources(const Case& input, int threads,

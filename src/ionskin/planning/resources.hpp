@@ -4,6 +4,7 @@
 #include "ionskin/case/case.hpp"
 #include "ionskin/mesh/footprint.hpp"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -16,8 +17,13 @@ namespace ionskin::planning {
 void require_resources(const Case& input, int threads,
                        const std::optional<mesh::Footprint>& found = std::nullopt);
 
-/// The same as a sentence, empty where all is well. For checks on a machine that need not be the
-/// one that runs the case. Throws UserError for what no machine can do.
+/// Throws UserError when files of so many bytes have no room on the disk of a folder
+/// (base::available_disk), with both numbers and the remedy.
+/// @param bytes see `expected_output`
+void require_disk(double bytes, const std::filesystem::path& folder);
+
+/// What `require_resources` tells as a sentence, empty where all is well. For checks on a machine
+/// that need not be the one that runs the case. Throws UserError for what no machine can do.
 std::string shortage(const Case& input, int threads,
                      const std::optional<mesh::Footprint>& found = std::nullopt);
 

@@ -2,11 +2,12 @@
 #include "ionskin/results/file_list.hpp"
 
 #include "ionskin/base/files/atomic_file.hpp"
+#include "ionskin/base/files/read_text_file.hpp"
 
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
-#include <fstream>
+#include <sstream>
 #include <system_error>
 #include <unistd.h>
 
@@ -14,6 +15,8 @@ namespace ionskin::results {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t largest_list = 64U << 20; ///< bytes
 
 constexpr const char* heading =
     "# What ionskin wrote here: --overwrite removes these files and no others.\n";
@@ -33,7 +36,7 @@ std::optional<std::set<std::string>> read_file_list(const fs::path& folder) {
   if (!fs::is_regular_file(fs::symlink_status(path, error))) {
     return std::nullopt;
   }
-  std::ifstream stream(path, std::ios::binary);
+  std::istringstream stream(base::read_text_file(path.string(), "list", largest_list));
   std::set<std::string> names;
   for (std::string line; std::getline(stream, line);) {
     if (is_inner_name(line)) {

@@ -3,18 +3,40 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/files/atomic_file.hpp"
+#include "ionskin/base/files/read_json.hpp"
+#include "ionskin/base/files/read_text_file.hpp"
+#include "ionskin/base/text.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include <fstream>
 #include <limits>
+#include <optional>
+#include <string_view>
 
 namespace ionskin::results {
+namespace {
+
+/// Nothing for what is no JSON in an ordinary file.
+std::optional<base::Json> read_if_ordinary(const std::filesystem::path& path) {
+  try {
+    return base::read_json(path, "summary", base::largest_table);
+  } catch (const UserError&) {
+    return std::nullopt;
+  }
+}
+
+/// Fit for a column of a table and for the name of a dataset.
+bool is_name(const std::string& text, std::string_view forbidden) {
+  return text.find_first_not_of('.') != std::string::npos &&
+         text.find_first_of(forbidden) == std::string::npos &&
+         base::shown(text, text.size()) == text;
+}
+
+} // namespace
 
 std::string summary_text(const Summary& summary) {
-  nlohmann::ordered_json json;
-  json["metrics"] = nlohmann::ordered_json::object();
+  base::Json json;
+  json["metrics"] = base::Json::object();
   for (const readout::Metric& metric : summary.metrics) {
     json["metrics"][metric.name] = {{"value", metric.value}, {"unit", metric.unit}};
   }
@@ -24,7 +46,7 @@ std::string summary_text(const Summary& summary) {
   json["error_parts"] = summary.error_parts;
   json["not_converging"] = summary.not_converging;
   json["not_estimated"] = summary.not_estimated;
-  json["audits"] = nlohmann::ordered_json::object();
+  json["audits"] = base::Json::object();
   for (const AuditEntry& audit : summary.audits) {
     json["audits"][audit.metric] = {{"value", audit.value},
                                     {"warn_above", audit.warn_above},
@@ -37,7 +59,7 @@ std::string summary_text(const Summary& summary) {
                        {"top_potential", summary.circuit->top_potential}};
   }
   // Names of files need not be UTF-8, as JSON must.
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', false, base::Json::error_handler_t::replace) + "\n";
 }
 
 void write_summary(const std::filesystem::path& path, const Summary& summary) {
@@ -45,27 +67,34 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
 }
 
 Summary read_summary(const std::filesystem::path& path) {
-  std::ifstream stream(path);
-  const auto json = nlohmann::ordered_json::parse(stream, nullptr, false);
-  if (json.is_discarded() || !json.is_object() || !json.contains("metrics")) {
-    throw UserError(fmt::format("{} is missing or no summary of a run\n  = run the case again with "
-                                "--overwrite",
-                                path.string()));
+  const UserError damaged(
+      fmt::format("{} is missing or no summary of a run\n  = run the case again with --overwrite",
+                  path.string()));
+  const auto json = read_if_ordinary(path);
+  if (!json) {
+    throw damaged;
   }
-  Summary summary;
-  for (const auto& [name, entry] : json["metrics"].items()) {
-    const auto& value = entry.at("value");
-    summary.metrics.push_back(
-        {name, value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>(),
-         entry.at("unit").get<std::string>()});
+  try {
+    Summary summary;
+    for (const auto& [name, entry] : json->at("metrics").items()) {
+      const auto& value = entry.at("value");
+      if (!is_name(name, "/,\"[]") || !is_name(entry.at("unit").get<std::string>(), ",\"[]")) {
+        throw damaged;
+      }
+      summary.metrics.push_back(
+          {name, value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>(),
+           entry.at("unit").get<std::string>()});
+    }
+    summary.timing = json->value("timing", summary.timing);
+    summary.warnings = json->value("warnings", summary.warnings);
+    summary.error_estimate = json->value("error_estimate", summary.error_estimate);
+    summary.error_parts = json->value("error_parts", summary.error_parts);
+    summary.not_converging = json->value("not_converging", summary.not_converging);
+    summary.not_estimated = json->value("not_estimated", summary.not_estimated);
+    return summary;
+  } catch (const nlohmann::json::exception&) {
+    throw damaged;
   }
-  summary.timing = json.value("timing", summary.timing);
-  summary.warnings = json.value("warnings", summary.warnings);
-  summary.error_estimate = json.value("error_estimate", summary.error_estimate);
-  summary.error_parts = json.value("error_parts", summary.error_parts);
-  summary.not_converging = json.value("not_converging", summary.not_converging);
-  summary.not_estimated = json.value("not_estimated", summary.not_estimated);
-  return summary;
 }
 
 std::vector<readout::Metric> read_metrics(const std::filesystem::path& path) {

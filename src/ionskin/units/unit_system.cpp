@@ -2,6 +2,7 @@
 #include "ionskin/units/unit_system.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/text.hpp"
 
 #include <fmt/format.h>
 #include <udunits2.h>
@@ -101,20 +102,44 @@ bool has_forbidden_word(const std::string& unit) {
   return false;
 }
 
+/// Whether a number stands in the unit that is no exponent. udunits2 multiplies by it: "1 3 mm" and
+/// "1 mm 3" would be 3 mm. The 1 of "1/s" may stand.
+bool has_factor(const std::string& unit) {
+  const auto is_digit = [](char letter) { return digits.find(letter) != std::string_view::npos; };
+  const auto takes_exponent = [](char letter) {
+    return is_word_letter(letter) || letter == ')' || letter == '^' ||
+           static_cast<unsigned char>(letter) > 0x7F;
+  };
+  const std::size_t first = unit.find_first_not_of(blanks);
+  for (std::size_t begin = 0; begin < unit.size(); ++begin) {
+    if (!is_digit(unit[begin]) || (begin > 0 && is_digit(unit[begin - 1])))
+      continue;
+    const std::string_view before = std::string_view(unit).substr(0, begin);
+    const bool sign = before.ends_with('-') || before.ends_with('+');
+    const std::string_view base = before.substr(0, before.size() - (sign ? 1 : 0));
+    const bool exponent = !base.empty() && (takes_exponent(base.back()) || base.ends_with("**"));
+    const bool one = begin == first && unit.substr(begin, 2) == "1/";
+    if (!exponent && !one)
+      return true;
+  }
+  return false;
+}
+
+/// "5 % %" and "5 % m/m" are mistakes: a percent sign stands alone.
+bool has_mixed_percent(const std::string& unit) {
+  const std::string clean = base::trimmed(unit);
+  return clean != "%" && clean != "percent" &&
+         (clean.find('%') != clean.npos || clean.find("percent") != clean.npos);
+}
+
 // Words of udunits2 that shift the origin or take logarithms make no sense in a case file.
 bool is_plain_unit(const std::string& unit) {
   if (unit == "1")
     return true;
-  if (unit.size() > longest_unit || unit.find_first_of(std::string_view("@\0", 2)) != unit.npos)
+  if (unit.size() > longest_unit || unit.find_first_of(std::string_view("@\0", 2)) != unit.npos ||
+      unit.find_first_not_of(blanks) == unit.npos)
     return false;
-  const std::size_t first = unit.find_first_not_of(blanks);
-  if (first == unit.npos)
-    return false;
-  const std::size_t after_number = unit.find_first_not_of(digits, first);
-  if (after_number != first &&
-      (after_number - first > 1 || after_number == unit.npos || unit[after_number] != '/'))
-    return false;
-  return !has_forbidden_word(unit);
+  return !has_factor(unit) && !has_mixed_percent(unit) && !has_forbidden_word(unit);
 }
 
 Unit parse(const std::string& unit) {

@@ -56,6 +56,11 @@ TEST_F(LiveController, CopiesGoOnByThemselves) {
   EXPECT_EQ(skin.step(1e-3, {2.1e-3, 1e-3}, Height{-5e-7})[0], expected[0]);
   EXPECT_TRUE(skin.step(1, {9e-3, 1e-3}, Height{-5e-7}).outside());
   EXPECT_FALSE(skin.restore(expected.data(), 1));
+  std::vector<double> state(skin.state_size());
+  skin.save(state.data());
+  EXPECT_TRUE(skin.restore(state.data(), state.size()));
+  state.back() = NAN;
+  EXPECT_FALSE(skin.restore(state.data(), state.size()));
   EXPECT_EQ(skin.range()[4], small_skin().heaviest_force);
 }
 

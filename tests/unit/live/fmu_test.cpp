@@ -10,7 +10,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstring>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -101,6 +103,33 @@ TEST_F(LiveFmu, TakesUpStatesOfAnyBytes) {
   }
   ASSERT_EQ(fmi2SetFMUstate(component, state), fmi2OK);
   EXPECT_EQ(get(), expected);
+  fmi2FreeFMUstate(component, &state);
+}
+
+TEST_F(LiveFmu, RefusesStatesWithNumbersThatAreNotFinite) {
+  ASSERT_EQ(fmi2EnterInitializationMode(component), fmi2OK);
+  set(2e-3, -4e-7);
+  ASSERT_EQ(fmi2ExitInitializationMode(component), fmi2OK);
+  const std::vector<double> expected = get();
+  fmi2FMUstate state = nullptr;
+  ASSERT_EQ(fmi2GetFMUstate(component, &state), fmi2OK);
+  std::size_t size = 0;
+  ASSERT_EQ(fmi2SerializedFMUstateSize(component, state, &size), fmi2OK);
+  std::vector<fmi2Byte> bytes(size);
+  ASSERT_EQ(fmi2SerializeFMUstate(component, state, bytes.data(), size), fmi2OK);
+  for (std::size_t at = fmu::guid(small_skin()).size(); at < size; at += sizeof(double)) {
+    for (const double value :
+         {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity()}) {
+      std::vector<fmi2Byte> damaged = bytes;
+      std::memcpy(damaged.data() + at, &value, sizeof value);
+      fmi2FMUstate other = nullptr;
+      ASSERT_EQ(fmi2DeSerializeFMUstate(component, damaged.data(), size, &other), fmi2OK);
+      EXPECT_EQ(fmi2SetFMUstate(component, other), fmi2Error) << value << " at byte " << at;
+      EXPECT_EQ(get(), expected);
+      fmi2FreeFMUstate(component, &other);
+    }
+  }
+  EXPECT_EQ(fmi2DoStep(component, 0, 1e-3, fmi2True), fmi2OK);
   fmi2FreeFMUstate(component, &state);
 }
 

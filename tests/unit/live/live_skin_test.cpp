@@ -103,6 +103,59 @@ TEST_F(LiveSkin, GoesOnAfterARestoreToTheBit) {
   EXPECT_FALSE(other.restore(std::vector<double>(3)));
 }
 
+TEST_F(LiveSkin, RefusesAStateThatNoStepLeaves) {
+  Skin skin(data);
+  const std::vector<double> fresh(skin.state().begin(), skin.state().end());
+  for (int i = 0; i < 20; ++i) {
+    step(skin, 1e-3 * i, 2e-3 + 1e-5 * i, -4e-7);
+  }
+  const std::vector<double> whole(skin.state().begin(), skin.state().end());
+  step(skin, 0.02, 2.2e-3, -4e-7);
+  const std::vector<double> expected = signals;
+  const auto refuses = [&](std::vector<double> state, std::size_t at, double value) {
+    ASSERT_TRUE(skin.restore(whole));
+    state[at] = value;
+    EXPECT_FALSE(skin.restore(state)) << value << " at " << at;
+    EXPECT_EQ(step(skin, 0.02, 2.2e-3, -4e-7), 0u);
+    EXPECT_EQ(signals, expected) << "nothing has changed";
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               infinity = std::numeric_limits<double>::infinity();
+  enum : std::size_t { started, last_time, last_x, last_y, assembled_x, assembled_y, indentation };
+  const std::size_t first_signal = whole.size() - signals.size();
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    for (const double value : {nan, infinity, -infinity}) {
+      refuses(whole, at, value);
+    }
+    if (at != last_time && at < first_signal) {
+      refuses(whole, at, 1e300);
+    }
+    if (at != assembled_x && at != assembled_y) {
+      refuses(fresh, at, nan);
+    }
+    if (at != started) {
+      refuses(fresh, at, 1e-3);
+    }
+  }
+  refuses(whole, started, 0);
+  refuses(whole, started, 0.5);
+  refuses(whole, last_x, 0);
+  refuses(whole, assembled_y, 2e-3);
+  refuses(whole, indentation + 1, -1e-9); // a cell that pulls
+  EXPECT_TRUE(skin.restore(fresh));
+}
+
+TEST_F(LiveSkin, TakesUpTheStatesOfAbsurdSteps) {
+  Skin skin(data);
+  for (const double absurd : {-1e300, 1e300, 1e-300}) {
+    for (const bool is_force : {false, true}) {
+      step(skin, 0, absurd, absurd, is_force);
+      const std::vector<double> state(skin.state().begin(), skin.state().end());
+      EXPECT_TRUE(skin.restore(state)) << absurd << (is_force ? " N" : " m");
+    }
+  }
+}
+
 TEST_F(LiveSkin, AllocatesNothing) {
   const std::size_t first = allocations();
   Skin skin(data);

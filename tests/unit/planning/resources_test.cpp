@@ -30,6 +30,29 @@ TEST(Resources, BeyondTheLimitAreRefusedWithTheNumbers) {
   unsetenv("IONSKIN_MEMORY_LIMIT");
 }
 
+TEST(Resources, AreNotThereForFilesThatTheDiskDoesNotHold) {
+  Case input = quick();
+  input.output.fields.assign(10'000, 0.6);
+  const double bytes = expected_output(input, true);
+  EXPECT_NEAR(bytes, 5.5e9, 1.5e9);
+  EXPECT_LT(expected_output(input, false), 20e6) << "the mechanics keeps no fields";
+  EXPECT_THROW(require_disk(1e19, "/no/such/folder"), UserError);
+  EXPECT_NO_THROW(require_disk(1, "/no/such/folder"));
+  setenv("IONSKIN_DISK_LIMIT", "1 GB", 1);
+  try {
+    require_disk(bytes, ".");
+    ADD_FAILURE();
+  } catch (const UserError& error) {
+    EXPECT_THAT(error.what(),
+                testing::HasSubstr("GB, and 1.0 GB are allowed by IONSKIN_DISK_LIMIT"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("fewer instants in output.fields"));
+  }
+  EXPECT_NO_THROW(require_disk(0.9e9, "."));
+  setenv("IONSKIN_DISK_LIMIT", "much", 1);
+  EXPECT_THROW(require_disk(1, "."), UserError);
+  unsetenv("IONSKIN_DISK_LIMIT");
+}
+
 TEST(OutputSize, GrowsWithFieldsReadingsAndTaxels) {
   Case input = quick();
   const double plain = estimate_cost(input, 2).output;

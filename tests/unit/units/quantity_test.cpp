@@ -53,7 +53,11 @@ INSTANTIATE_TEST_SUITE_P(
         Good{"2 1/s", Dimension::frequency, 2}, Good{"10 mA", Dimension::current, 0.01},
         Good{"5 pA/sqrt(Hz)", Dimension::current_noise_density, 5e-12},
         Good{"5 fA/√Hz", Dimension::current_noise_density, 5e-15},
-        Good{"0.3", Dimension::number, 0.3}, Good{"30 %", Dimension::number, 0.3}));
+        Good{"3 m**2/s", Dimension::diffusivity, 3}, Good{"3 m2.s-1", Dimension::diffusivity, 3},
+        Good{"3 m^+2 s^-1", Dimension::diffusivity, 3}, Good{"3 (m2)/s", Dimension::diffusivity, 3},
+        Good{"3 (m)2/s", Dimension::diffusivity, 3}, Good{"4 Ω2/Ohm", Dimension::resistance, 4},
+        Good{"0.3", Dimension::number, 0.3}, Good{"30 %", Dimension::number, 0.3},
+        Good{"30 percent", Dimension::number, 0.3}));
 
 struct Bad {
   const char* text;
@@ -94,6 +98,18 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"1e999 mm", Dimension::length, {"too large"}},
         Bad{"1e308 Mm", Dimension::length, {"too large"}},
         Bad{"10 3 mm", Dimension::length, {"unknown unit \"3 mm\""}},
+        Bad{"10 mm 3", Dimension::length, {"unknown unit \"mm 3\""}},
+        Bad{"10 mm*3", Dimension::length, {"unknown unit"}},
+        Bad{"5 1/2 mm", Dimension::length, {"unknown unit"}},
+        Bad{"5 2/s", Dimension::frequency, {"unknown unit"}},
+        Bad{"5 1/2", Dimension::number, {"unknown unit"}},
+        Bad{"5 (0.1)", Dimension::number, {"unknown unit"}},
+        Bad{"5 % %", Dimension::number, {"unknown unit \"% %\""}},
+        Bad{"5 %%", Dimension::number, {"unknown unit"}},
+        Bad{"5 %2", Dimension::number, {"unknown unit"}},
+        Bad{"5 % m/m", Dimension::number, {"unknown unit"}},
+        Bad{"5 percent percent", Dimension::number, {"unknown unit"}},
+        Bad{"5 m %", Dimension::length, {"unknown unit"}},
         Bad{"10 m @ 3", Dimension::length, {"unknown unit"}},
         Bad{"3 s since 1970", Dimension::time, {"unknown unit"}},
         Bad{"3 mm",

@@ -103,9 +103,17 @@ void Instance::save(std::span<double> state) const {
 }
 
 bool Instance::restore(std::span<const double> state) {
-  if (state.size() != state_size() || !(state[place_of_mode] >= 0 && state[place_of_mode] <= 3) ||
-      !(state[place_of_flags] >= 0 && state[place_of_flags] < 2 * flag::refused) ||
-      !std::isfinite(state[place_of_time])) {
+  if (state.size() != state_size()) {
+    return false;
+  }
+  const auto is_count = [&](std::size_t place, double end) {
+    return state[place] >= 0 && state[place] < end && std::trunc(state[place]) == state[place];
+  };
+  const auto own = state.first(singles + inputs_.size() + signals_.size());
+  if (!is_count(place_of_mode, static_cast<double>(Mode::terminated) + 1) ||
+      !is_count(place_of_control, 2) || !is_count(place_of_flags, 2 * flag::refused) ||
+      !std::ranges::all_of(own, [](double value) { return std::isfinite(value); }) ||
+      !skin_.restore(state.subspan(own.size()))) {
     return false;
   }
   mode_ = static_cast<Mode>(static_cast<int>(state[place_of_mode]));
@@ -113,11 +121,10 @@ bool Instance::restore(std::span<const double> state) {
   force_control_ = state[place_of_control] != 0;
   flags_ = static_cast<std::uint32_t>(state[place_of_flags]);
   followed_ = false;
-  const double* next = state.data() + singles;
-  std::copy_n(next, inputs_.size(), inputs_.begin());
-  next += inputs_.size();
-  std::copy_n(next, signals_.size(), signals_.begin());
-  return skin_.restore(state.subspan(singles + inputs_.size() + signals_.size()));
+  std::copy_n(own.begin() + singles, inputs_.size(), inputs_.begin());
+  std::copy_n(own.begin() + static_cast<std::ptrdiff_t>(singles + inputs_.size()), signals_.size(),
+              signals_.begin());
+  return true;
 }
 
 } // namespace ionskin::live::fmu

@@ -9,6 +9,8 @@
 #include "ionskin/electrochemistry/equations/space_charge.hpp"
 #include "ionskin/electrochemistry/equations/wall_potential.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
+#include "ionskin/planning/cost_estimate.hpp"
+#include "ionskin/planning/output_size.hpp"
 #include "ionskin/planning/resources.hpp"
 #include "ionskin/poroelasticity/prescribed_load.hpp"
 #include "ionskin/results/output_folder.hpp"
@@ -29,8 +31,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace ionskin::study {
@@ -217,6 +221,31 @@ bool has_finished(const RunFolder& folder, const RunOptions& options) {
          (options.studies == Studies::mechanics || folder.was_finished("electrochemistry"));
 }
 
+/// What the folder holds already is taken up, or replaced.
+double bytes_in(const std::filesystem::path& folder) {
+  double sum = 0;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (std::filesystem::is_regular_file(entry.symlink_status(error))) {
+      sum += static_cast<double>(entry.file_size(error));
+    }
+  }
+  return sum;
+}
+
+/// On the disk, before any work. Of the points of a sweep it is judged together, but for those
+/// whose strain is given by a file, which tells how long they last.
+void require_room(const Case& input, const std::optional<GivenStrain>& given,
+                  const RunOptions& options) {
+  const bool from_file = input.strain.kind == StrainSourceKind::file;
+  if (from_file || options.judge_resources) {
+    const double bytes =
+        from_file ? planning::estimate_cost(input, given->history, options.threads).output
+                  : planning::expected_output(input, options.studies != Studies::mechanics);
+    planning::require_disk(bytes - bytes_in(options.folder), options.folder);
+  }
+}
+
 } // namespace
 
 RunOutcome run_case(const Case& input, const RunOptions& options) {
@@ -225,6 +254,7 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
   if (options.judge_resources) {
     planning::require_resources(input, options.threads);
   }
+  require_room(input, given_strain, options);
   const auto cache = open_user_cache(options);
   RunFolder folder(input, options);
   if (has_finished(folder, options)) {

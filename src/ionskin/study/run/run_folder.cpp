@@ -7,11 +7,13 @@
 #include "ionskin/base/files/sealed_file.hpp"
 #include "ionskin/base/system/own_build.hpp"
 #include "ionskin/case/coupling.hpp"
+#include "ionskin/results/file_list.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace ionskin::study {
@@ -46,7 +48,9 @@ bool is_whole(const results::Manifest& manifest, const std::string& hash,
   return manifest.state == "finished" && manifest.input_hash == hash && base::own_build() &&
          manifest.build == base::own_build()->hex() && !files.empty() &&
          std::all_of(files.begin(), files.end(), [&](const auto& entry) {
-           const auto digest = base::digest_if_readable(folder / entry.first);
+           const auto digest = results::is_inner_name(entry.first)
+                                   ? base::digest_if_readable(folder / entry.first)
+                                   : std::nullopt;
            return digest && digest->hex() == entry.second;
          });
 }

@@ -3,6 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/files/atomic_file.hpp"
+#include "ionskin/planning/output_size.hpp"
 #include "ionskin/planning/resources.hpp"
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/study/run/report.hpp"
@@ -118,6 +119,21 @@ SweepOutcome collect(const SweepPlan& plan, const std::vector<PointState>& state
   return outcome;
 }
 
+/// For the files of those points that are not finished, before any work. How long those last whose
+/// strain a file gives, their runs tell.
+void require_room(const SweepPlan& plan, const std::vector<std::size_t>& points,
+                  const fs::path& folder, Studies studies) {
+  double bytes = 0;
+  for (const std::size_t i : points) {
+    const SweepPoint& point = plan.points[i];
+    if (point.input.strain.kind != StrainSourceKind::file &&
+        !fs::exists(folder / names::points / point.name)) {
+      bytes += planning::expected_output(point.input, studies != Studies::mechanics);
+    }
+  }
+  planning::require_disk(bytes, folder);
+}
+
 } // namespace
 
 SweepOutcome run_sweep(const SweepPlan& plan, const SweepOptions& options) {
@@ -125,6 +141,7 @@ SweepOutcome run_sweep(const SweepPlan& plan, const SweepOptions& options) {
   for (const SweepPoint& point : plan.points) {
     planning::require_resources(point.input, options.threads);
   }
+  require_room(plan, all_points(plan), options.folder, options.studies);
   RunFolder folder(plan.base, folder_options(options));
   write_plan(plan, options, folder);
   settle_staging(options.folder, plan, options.studies, false);
@@ -149,6 +166,7 @@ PlannedFolder plan_sweep_folder(const SweepPlan& plan, const SweepOptions& optio
   for (const SweepPoint& point : plan.points) {
     planning::shortage(point.input, options.threads); // throws for what no machine can do
   }
+  require_room(plan, all_points(plan), options.folder, options.studies);
   RunFolder folder(plan.base, folder_options(options));
   PlannedFolder result{write_plan(plan, options, folder), {}};
   settle_staging(options.folder, plan, options.studies, false);
@@ -176,6 +194,7 @@ SweepOutcome do_batch(std::size_t batch, const SweepOptions& options) {
   for (const std::size_t i : chosen.points) {
     planning::require_resources(sweep.plan.points[i].input, settings.threads);
   }
+  require_room(sweep.plan, chosen.points, options.folder, sweep.studies);
   std::vector<PointState> states(sweep.plan.points.size());
   for (const std::size_t i : chosen.points) {
     states[i] =

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <random>
 #include <utility>
 
@@ -52,12 +53,43 @@ std::vector<std::vector<double>> latin_points(std::size_t points, std::size_t di
   return result;
 }
 
-} // namespace
+constexpr std::size_t most_points = 100'000;   // each has a folder
+constexpr std::size_t most_values = 2'000'000; // of all keys at all points
+constexpr std::size_t most_bytes = 128U << 20; // of their texts, as of a plan
 
-constexpr std::size_t most_points = 100'000; // each has a folder
+void require_countable(std::size_t points, std::size_t keys, const char* remedy) {
+  if (points > most_points) {
+    throw UserError(fmt::format("the sweep has more than {} points\n  = {}", most_points, remedy));
+  }
+  if (points * keys > most_values) {
+    throw UserError(fmt::format("the sweep has {} keys at {} points, more than {} values\n  = vary "
+                                "fewer keys, or {}",
+                                keys, points, most_values, remedy));
+  }
+}
+
+void require_short(std::size_t points, std::size_t bytes) {
+  if (bytes > most_bytes / std::max<std::size_t>(1, points)) {
+    throw UserError(
+        fmt::format("the values of --over have {} bytes at each of {} points, more than "
+                    "{} in all\n  = give fewer values, or shorter ones",
+                    bytes, points, most_bytes));
+  }
+}
+
+std::size_t longest_of(const std::vector<std::string>& values) {
+  std::size_t longest = 0;
+  for (const std::string& value : values) {
+    longest = std::max(longest, value.size());
+  }
+  return longest;
+}
+
+} // namespace
 
 std::vector<std::vector<std::string>> grid_design(const std::vector<SweepAxis>& axes) {
   std::vector<std::vector<std::string>> points{{}};
+  std::size_t bytes = 0;
   for (const SweepAxis& axis : axes) {
     if (axis.interval) {
       throw UserError(fmt::format("--over {0} gives the ends of an interval without saying which "
@@ -65,12 +97,10 @@ std::vector<std::vector<std::string>> grid_design(const std::vector<SweepAxis>& 
                                   "--samples N",
                                   axis.key));
     }
-    if (points.size() * axis.values.size() > most_points) {
-      throw UserError(
-          fmt::format("the sweep has more than {} points\n  = give --over fewer values, "
-                      "or take --samples N of intervals",
-                      most_points));
-    }
+    require_countable(points.size() * axis.values.size(), axes.size(),
+                      "give --over fewer values, or take --samples N of intervals");
+    bytes += longest_of(axis.values);
+    require_short(points.size() * axis.values.size(), bytes);
     std::vector<std::vector<std::string>> longer;
     for (const auto& point : points) {
       for (const std::string& value : axis.values) {
@@ -92,6 +122,7 @@ std::vector<std::vector<double>> unit_points(Sampling sampling, std::size_t poin
 std::vector<std::vector<std::string>> sampled_design(const std::vector<SweepAxis>& axes,
                                                      Sampling sampling, std::size_t points,
                                                      std::uint64_t seed) {
+  require_countable(points, axes.size(), "give fewer --samples");
   for (const SweepAxis& axis : axes) {
     if (!axis.interval) {
       throw UserError(

@@ -9,7 +9,7 @@
 #include "ionskin/mechanics/position/memory_estimate.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 #include "ionskin/parallel/task_pool.hpp"
-#include "ionskin/results/hdf5/hdf5_file.hpp"
+#include "ionskin/results/hdf5/foreign_hdf5_file.hpp"
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/study/run/run_folder.hpp"
 #include "ionskin/study/run/solve_mechanics.hpp"
@@ -266,8 +266,12 @@ bool has_mechanics(const std::filesystem::path& path, const std::string& hash) {
   if (base::check_seal(path) != base::SealState::whole) {
     return false;
   }
-  const results::Hdf5File file(path, results::Hdf5File::Access::read);
-  return file.has("/path") && file.text_attribute("/path", "mechanics_hash") == hash;
+  try { // a seal can be made anew by whoever damages a file
+    const results::ForeignHdf5File file(path);
+    return file.has("/path") && file.text_attribute("/path", "mechanics_hash") == hash;
+  } catch (const UserError&) {
+    return false;
+  }
 }
 
 /// Finds the mechanics that points leave in their folders.

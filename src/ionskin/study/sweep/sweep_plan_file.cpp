@@ -3,21 +3,32 @@
 
 #include "ionskin/base/digest.hpp"
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/files/read_json.hpp"
 #include "ionskin/base/system/own_build.hpp"
 #include "ionskin/results/build_info.hpp"
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/study/run/run_folder.hpp"
+#include "ionskin/units/dimension.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include <fstream>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <utility>
 
 namespace ionskin::study {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using base::Json;
+
+constexpr std::size_t largest_file = 128U << 20;
+constexpr std::uint64_t most_threads = 1U << 16;
+constexpr double most_cost = 1e18; ///< bytes, or seconds
 
 constexpr const char* digest_key = "digest"; ///< of everything else in the file
 constexpr const char* again = "plan again: ionskin sweep CASE.toml --over KEY=VALUES --plan "
@@ -47,18 +58,6 @@ Json request_json(const SweepRequest& request) {
           {"seed", request.seed}};
 }
 
-SweepRequest request_of(const Json& json) {
-  SweepRequest request;
-  request.case_path = json.at("case_path").get<std::string>();
-  request.case_text = json.at("case_text").get<std::string>();
-  request.set_edits = json.at("set").get<std::vector<std::string>>();
-  request.over = json.at("over").get<std::vector<std::string>>();
-  request.samples = json.at("samples").get<std::size_t>();
-  request.sampling = json.at("sampling") == "latin" ? Sampling::latin_hypercube : Sampling::sobol;
-  request.seed = json.at("seed").get<std::uint64_t>();
-  return request;
-}
-
 Json point_json(const SweepPoint& point, std::size_t number) {
   Json values = Json::array();
   for (const SweptValue& value : point.values) {
@@ -71,20 +70,6 @@ Json point_json(const SweepPoint& point, std::size_t number) {
           {"values", std::move(values)},
           {"input_hash", point.input_hash},
           {"mechanics_hash", point.mechanics_hash}};
-}
-
-SweepPoint point_of(const Json& json) {
-  SweepPoint point;
-  point.name = json.at("name").get<std::string>();
-  point.edits = json.at("edits").get<std::vector<std::string>>();
-  for (const Json& value : json.at("values")) {
-    point.values.push_back(
-        {value.at("key").get<std::string>(), value.at("written").get<std::string>(),
-         value.at("si").get<std::string>(), value.at("unit").get<std::string>()});
-  }
-  point.input_hash = json.at("input_hash").get<std::string>();
-  point.mechanics_hash = json.at("mechanics_hash").get<std::string>();
-  return point;
 }
 
 Json batch_json(const SweepPlan& plan, const SweepBatch& batch, std::size_t number) {
@@ -100,54 +85,138 @@ Json batch_json(const SweepPlan& plan, const SweepBatch& batch, std::size_t numb
           {"seconds", batch.seconds}};
 }
 
+/// What is wrong with a plan, which the user need not know more closely.
+class Damaged {};
+
+void require(bool holds) {
+  if (!holds) {
+    throw Damaged();
+  }
+}
+
+std::uint64_t count_of(const Json& json, std::uint64_t most) {
+  require(json.is_number_unsigned() && json.get<std::uint64_t>() <= most);
+  return json.get<std::uint64_t>();
+}
+
+double cost_of(const Json& json) {
+  const auto value = json.get<double>();
+  require(value >= 0 && value <= most_cost);
+  return value;
+}
+
+std::string hash_of(const Json& json) {
+  auto text = json.get<std::string>();
+  require(text.size() <= 32 && text.find_first_not_of("0123456789abcdef") == std::string::npos);
+  return text;
+}
+
+SweepRequest request_of(const Json& json) {
+  SweepRequest request;
+  request.case_path = json.at("case_path").get<std::string>();
+  request.case_text = json.at("case_text").get<std::string>();
+  request.set_edits = json.at("set").get<std::vector<std::string>>();
+  request.over = json.at("over").get<std::vector<std::string>>();
+  request.samples = count_of(json.at("samples"), std::numeric_limits<std::size_t>::max());
+  request.sampling = json.at("sampling") == "latin" ? Sampling::latin_hypercube : Sampling::sobol;
+  request.seed = count_of(json.at("seed"), std::numeric_limits<std::uint64_t>::max());
+  return request;
+}
+
+bool is_si_unit(const std::string& unit) {
+  return std::ranges::any_of(units::all_dimensions(), [&](units::Dimension dimension) {
+    return units::dimension_info(dimension).si_unit == unit;
+  });
+}
+
+bool is_number(const std::string& text) {
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, status] = std::from_chars(text.data(), end, value);
+  return status == std::errc() && rest == end && std::isfinite(value);
+}
+
+/// What only the point's case tells.
+void take_point(const Json& json, SweepPoint& point) {
+  const Json& values = json.at("values");
+  require(values.is_array() && values.size() == point.values.size());
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    SweptValue& value = point.values[k];
+    value.si = values[k].at("si").get<std::string>();
+    value.unit = values[k].at("unit").get<std::string>();
+    require(value.unit.empty() || (is_si_unit(value.unit) && is_number(value.si)));
+  }
+  point.input_hash = hash_of(json.at("input_hash"));
+  point.mechanics_hash = hash_of(json.at("mechanics_hash"));
+}
+
+bool have_the_same_units(const std::vector<SweepPoint>& points) {
+  const auto equal = [](const SweptValue& one, const SweptValue& other) {
+    return one.unit == other.unit;
+  };
+  return std::ranges::all_of(points, [&](const SweepPoint& point) {
+    return std::ranges::equal(point.values, points.front().values, equal);
+  });
+}
+
+/// Names and edits of the points are made from the request, and every one stands in one batch.
 PlannedSweep sweep_of(const Json& json) {
   PlannedSweep sweep;
   sweep.plan.request = request_of(json.at("sweep"));
   sweep.studies = json.at("only") == "mechanics" ? Studies::mechanics : Studies::both;
-  sweep.plan.points.resize(json.at("points").get<std::size_t>());
+  std::vector<SweepPoint>& points = sweep.plan.points;
+  try {
+    points = designed_points(sweep.plan.request);
+  } catch (const UserError&) { // its remedy is for the one who plans
+    throw Damaged();
+  }
+  std::vector<bool> taken(points.size());
+  require(json.at("batches").is_array() && json.at("batches").size() <= points.size());
   for (const Json& one : json.at("batches")) {
     SweepBatch& batch = sweep.batches.emplace_back();
-    batch.solutions = one.at("contact_solutions").get<std::size_t>();
-    batch.threads = one.at("threads").get<int>();
-    batch.memory = one.at("memory_bytes").get<double>();
-    batch.seconds = one.at("seconds").get<double>();
+    batch.solutions = count_of(one.at("contact_solutions"), points.size());
+    batch.threads = static_cast<int>(count_of(one.at("threads"), most_threads));
+    batch.memory = cost_of(one.at("memory_bytes"));
+    batch.seconds = cost_of(one.at("seconds"));
+    require(batch.threads > 0 && one.at("points").is_array() && !one.at("points").empty());
     for (const Json& point : one.at("points")) {
-      const auto i = point.at("number").get<std::size_t>() - 1;
-      sweep.plan.points.at(i) = point_of(point);
-      batch.points.push_back(i);
+      const std::size_t number = count_of(point.at("number"), points.size());
+      require(number > 0 && !taken[number - 1]);
+      taken[number - 1] = true;
+      take_point(point, points[number - 1]);
+      batch.points.push_back(number - 1);
     }
   }
+  require(std::ranges::find(taken, false) == taken.end() && have_the_same_units(points));
   return sweep;
 }
 
+/// A plan is whole when what was read of it makes the same text again, digest included.
 PlannedSweep parse(const fs::path& path) {
-  std::ifstream stream(path);
-  Json json = Json::parse(stream, nullptr, false);
-  const UserError damaged(
-      fmt::format("{} is no plan of ionskin or is damaged\n  = {}", path.string(), again));
+  const auto json = base::read_json(path, "plan", largest_file);
   try {
-    const auto digest = json.at(digest_key).get<std::string>();
-    json.erase(digest_key);
-    if (digest != digest_of(json)) {
-      throw damaged;
-    }
-    if (json.at("build") != build() || build().empty()) {
+    require(json.has_value());
+    if (json->at("build") != build() || build().empty()) {
       throw UserError(fmt::format(
           "{} was made by another build of ionskin, whose results may differ\n  = use that build "
           "on all machines, or {}",
           path.string(), again));
     }
-    return sweep_of(json);
+    PlannedSweep sweep = sweep_of(*json);
+    require(plan_text(sweep.plan, sweep.batches, sweep.studies) == text_of(*json));
+    return sweep;
+  } catch (const Damaged&) {
   } catch (const nlohmann::json::exception&) {
-    throw damaged;
-  } catch (const std::out_of_range&) {
-    throw damaged;
   }
+  throw UserError(
+      fmt::format("{} is no plan of ionskin or is damaged\n  = {}", path.string(), again));
 }
 
 void read_case_of(const SweepRequest& request, SweepPoint& point) {
   point.input = read_point_case(request, point.edits).input;
-  if (input_hash(point.input) != point.input_hash) {
+  const bool contact = point.input.strain.kind == StrainSourceKind::contact;
+  if (input_hash(point.input) != point.input_hash ||
+      (contact ? mechanics_hash(point.input) : "") != point.mechanics_hash) {
     throw UserError(fmt::format("the case of point {} is not what it was when the sweep was "
                                 "planned: a file that it names has changed\n  = {}",
                                 point.name, again));
@@ -169,13 +238,19 @@ std::string plan_text(const SweepPlan& plan, const std::vector<SweepBatch>& batc
     json["batches"].push_back(batch_json(plan, batches[i], i));
   }
   json[digest_key] = digest_of(json);
-  return text_of(json);
+  std::string text = text_of(json);
+  if (text.size() > largest_file) {
+    throw UserError(fmt::format("the plan of {} points has {} bytes, more than the {} that one may "
+                                "have\n  = take fewer points, or vary fewer keys",
+                                plan.points.size(), text.size(), largest_file));
+  }
+  return text;
 }
 
 PlannedSweep read_planned_sweep(const fs::path& folder, std::optional<std::size_t> batch) {
   const fs::path path = folder / results::file_names::sweep_plan;
   std::error_code error;
-  if (!fs::is_regular_file(path, error)) {
+  if (!fs::exists(fs::symlink_status(path, error))) {
     throw UserError(fmt::format("{} holds no plan.json\n  = plan the sweep first: ionskin sweep "
                                 "CASE.toml --over KEY=VALUES --plan -o DIR",
                                 folder.string()));

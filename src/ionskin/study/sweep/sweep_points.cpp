@@ -10,16 +10,26 @@
 #include "ionskin/study/run/run_folder.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
+#include <string_view>
+#include <utility>
 
 namespace ionskin::study {
 namespace {
 
 constexpr std::size_t longest_name = 100;
+constexpr std::size_t most_keys = 1000;  ///< that vary
+constexpr std::size_t most_edits = 1000; ///< of the base case; each reads the case anew
 
 std::vector<SweepAxis> parse_axes(const std::vector<std::string>& over) {
+  if (over.empty() || over.size() > most_keys) {
+    throw UserError(
+        fmt::format("the sweep varies {} keys\n  = give --over KEY=VALUES 1 to {} times",
+                    over.size(), most_keys));
+  }
   std::vector<SweepAxis> axes;
   for (const std::string& argument : over) {
     SweepAxis axis = parse_axis(argument);
@@ -35,18 +45,24 @@ std::vector<SweepAxis> parse_axes(const std::vector<std::string>& over) {
   return axes;
 }
 
-/// The last part of a key and its value, fit for the name of a folder.
-std::string name_part(const std::string& key, const std::string& value) {
-  std::string text = fmt::format("_{}=", key.substr(key.rfind('.') + 1));
-  for (const char letter : value) {
+/// What of a text may stand in the name of a folder.
+std::string name_letters(std::string_view text, std::string_view others) {
+  std::string result;
+  for (const char letter : text) {
     if (std::isalnum(static_cast<unsigned char>(letter)) ||
-        std::string_view("+-.").find(letter) != std::string_view::npos) {
-      text += letter;
+        others.find(letter) != std::string_view::npos) {
+      result += letter;
     } else if (letter == ',' || letter == '/') {
-      text += '_';
+      result += '_';
     }
   }
-  return text;
+  return result;
+}
+
+/// The last part of a key and its value, fit for the name of a folder.
+std::string name_part(const std::string& key, const std::string& value) {
+  return fmt::format("_{}={}", name_letters(key.substr(key.rfind('.') + 1), "_-[]"),
+                     name_letters(value, "+-."));
 }
 
 SweptValue swept_value(const CaseDocument& document, const std::string& key,
@@ -59,17 +75,20 @@ SweptValue swept_value(const CaseDocument& document, const std::string& key,
   return {key, written, record != nullptr ? record->si : written, ""};
 }
 
-SweepPoint read_point(const SweepRequest& request, const std::vector<SweepAxis>& axes,
-                      const std::vector<std::string>& values, std::size_t number) {
+SweepPoint designed_point(const std::vector<SweepAxis>& axes,
+                          const std::vector<std::string>& values, std::size_t number) {
   SweepPoint point;
   point.name = fmt::format("{:04}", number);
-  std::string where;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     point.edits.push_back(axes[i].key + "=" + values[i]);
-    where += (i > 0 ? ", " : "") + point.edits.back();
+    point.values.push_back({axes[i].key, values[i], "", ""});
     point.name += name_part(axes[i].key, values[i]);
   }
   point.name = point.name.substr(0, longest_name);
+  return point;
+}
+
+void read_point(const SweepRequest& request, std::size_t number, SweepPoint& point) {
   try {
     CaseDocument document = read_point_case(request, point.edits);
     if (document.input.strain.kind == StrainSourceKind::contact) {
@@ -77,15 +96,15 @@ SweepPoint read_point(const SweepRequest& request, const std::vector<SweepAxis>&
       point.mechanics_hash = mechanics_hash(document.input);
     }
     point.input_hash = input_hash(document.input);
-    for (std::size_t i = 0; i < axes.size(); ++i) {
-      point.values.push_back(swept_value(document, axes[i].key, values[i]));
+    for (SweptValue& value : point.values) {
+      value = swept_value(document, value.key, value.written);
     }
     point.input = std::move(document.input);
   } catch (const UserError& error) {
-    throw UserError(
-        fmt::format("point {} of the sweep ({}): {}", number, base::shown(where), error.what()));
+    throw UserError(fmt::format("point {} of the sweep ({}): {}", number,
+                                base::shown(fmt::format("{}", fmt::join(point.edits, ", "))),
+                                error.what()));
   }
-  return point;
 }
 
 /// A key whose values are of several kinds (an indentation here, a force there) becomes a text.
@@ -130,18 +149,32 @@ Case base_case(const SweepRequest& request, Case first) {
   return first;
 }
 
-SweepPlan plan_sweep(const SweepRequest& request) {
+std::vector<SweepPoint> designed_points(const SweepRequest& request) {
+  if (request.set_edits.size() > most_edits) {
+    throw UserError(fmt::format("{} edits of the case are more than {}\n  = write them into the "
+                                "case file",
+                                request.set_edits.size(), most_edits));
+  }
   const std::vector<SweepAxis> axes = parse_axes(request.over);
   const auto design = request.samples > 0
                           ? sampled_design(axes, request.sampling, request.samples, request.seed)
                           : grid_design(axes);
+  std::vector<SweepPoint> points;
+  for (const auto& values : design) {
+    points.push_back(designed_point(axes, values, points.size() + 1));
+  }
+  return points;
+}
+
+SweepPlan plan_sweep(const SweepRequest& request) {
   SweepPlan plan;
+  plan.points = designed_points(request);
   plan.request = request;
   if (!request.case_text) {
     plan.request.case_text = base::read_text_file(request.case_path, "case", toml_limits::bytes);
   }
-  for (std::size_t i = 0; i < design.size(); ++i) {
-    plan.points.push_back(read_point(plan.request, axes, design[i], i + 1));
+  for (std::size_t i = 0; i < plan.points.size(); ++i) {
+    read_point(plan.request, i + 1, plan.points[i]);
   }
   unify_units(plan.points);
   plan.base = base_case(plan.request, plan.points.front().input);

@@ -44,6 +44,10 @@ struct SweepPlan {
   std::vector<SweepPoint> points;
 };
 
+/// Every point as the request alone makes it: name, edits, keys and values as written. Nothing of
+/// its case is read. Throws UserError, as for more points, keys or edits than a sweep may have.
+std::vector<SweepPoint> designed_points(const SweepRequest& request);
+
 /// Reads and checks the case of every point. Throws UserError with the point that is wrong.
 SweepPlan plan_sweep(const SweepRequest& request);
 

@@ -2,10 +2,14 @@
 #include "ionskin/study/sweep/sweep.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/planning/output_size.hpp"
 #include "scratch_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <functional>
 #include <map>
 #include <stdlib.h>
 #include <string>
@@ -42,6 +46,30 @@ TEST(Sweep, does_not_refuse_points_whose_contact_is_solved_when_memory_has_becom
   EXPECT_NE(results::message_of<UserError>([&] { run_sweep(plan, another); }).find(limit),
             std::string::npos)
       << "before any work";
+}
+
+TEST(Sweep, is_refused_before_any_work_where_its_files_find_no_room_together) {
+  const SweepPlan plan =
+      plan_sweep({.case_path = IONSKIN_CASES "/quick.toml", .over = {"contact.friction=0.1,0.3"}});
+  const results::ScratchFolder scratch;
+  const SweepOptions options{.folder = scratch / "out", .report = false, .use_cache = false};
+  const double one = planning::expected_output(plan.points.front().input, true);
+  setenv("IONSKIN_DISK_LIMIT", fmt::format("{} MB", 1.5e-6 * one).c_str(), 1);
+  for (const auto& [what, start] : std::map<std::string, std::function<void()>>{
+           {"sweep", [&] { run_sweep(plan, options); }},
+           {"plan", [&] { plan_sweep_folder(plan, options); }}}) {
+    EXPECT_NE(results::message_of<UserError>(start).find("IONSKIN_DISK_LIMIT"), std::string::npos)
+        << what;
+    EXPECT_FALSE(std::filesystem::exists(options.folder)) << what;
+  }
+  unsetenv("IONSKIN_DISK_LIMIT");
+  plan_sweep_folder(plan, options);
+  setenv("IONSKIN_DISK_LIMIT", "1 kB", 1);
+  EXPECT_NE(
+      results::message_of<UserError>([&] { do_batch(0, options); }).find("IONSKIN_DISK_LIMIT"),
+      std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(options.folder / "points"));
+  unsetenv("IONSKIN_DISK_LIMIT");
 }
 
 } // namespace

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/live/skin.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ionskin::live {
+namespace {
+
+/// A load is taken at no more than 100 times the trained one, and a contact stiffens as it grows: a
+/// step leaves less than so many times the trained force and indentation.
+constexpr double wildest = 1e6;
+/// Of what follows from forces, in SI units; far from what would overflow in a step.
+constexpr double largest = 1e30;
+
+bool all_within(std::span<const double> values, double most) {
+  return std::ranges::all_of(values, [=](double value) { return std::abs(value) <= most; });
+}
+
+} // namespace
+
+void Skin::reset() noexcept {
+  std::fill(state_.begin(), state_.end(), 0.0);
+  state_[assembled_x] = state_[assembled_y] = std::numeric_limits<double>::quiet_NaN();
+}
+
+bool Skin::restore(std::span<const double> state) noexcept {
+  if (!may_be_state(state)) {
+    return false;
+  }
+  std::copy(state.begin(), state.end(), state_.begin());
+  contact_.assemble(contact_state());
+  return true;
+}
+
+bool Skin::is_place(double x, double y) const noexcept {
+  return x >= data_.lowest_place[0] && x <= data_.highest_place[0] && y >= data_.lowest_place[1] &&
+         y <= data_.highest_place[1];
+}
+
+bool Skin::may_be_state(std::span<const double> state) const noexcept {
+  if (state.size() != state_.size()) {
+    return false;
+  }
+  if (state[started] == 0) { // what `reset` leaves, and nothing else
+    return std::isnan(state[assembled_x]) && std::isnan(state[assembled_y]) &&
+           all_within(state.first(assembled_x), 0) && all_within(state.subspan(indentation), 0);
+  }
+  const auto part = [&](std::size_t begin, std::size_t end) {
+    return state.subspan(begin, end - begin);
+  };
+  const double most_force = wildest * data_.heaviest_force,
+               most_length = wildest * data_.deepest_indentation;
+  for (std::size_t at = force_; at < surface_; at += 3) {
+    if (!(state[at] >= 0)) { // no cell pulls
+      return false;
+    }
+  }
+  return state[started] == 1 && std::isfinite(state[last_time]) &&
+         is_place(state[last_x], state[last_y]) &&
+         is_place(state[assembled_x], state[assembled_y]) && std::isfinite(state[indentation]) &&
+         state[indentation] <= most_length && all_within(part(force_, surface_), most_force) &&
+         all_within(part(surface_, memory_), most_length) &&
+         all_within(part(memory_, signals_), largest) &&
+         all_within(state.subspan(signals_), std::numeric_limits<double>::max());
+}
+
+LiveContact::State Skin::contact_state() noexcept {
+  const std::size_t size = 3 * data_.area.size();
+  return {std::span(state_).subspan(force_, size),
+          std::span(state_).subspan(surface_, size),
+          std::span(state_).subspan(memory_, contact_.memory_size()),
+          state_[indentation],
+          state_[assembled_x],
+          state_[assembled_y]};
+}
+
+} // namespace ionskin::live
