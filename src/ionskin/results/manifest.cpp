@@ -3,21 +3,20 @@
 
 #include "ionskin/base/digest.hpp"
 #include "ionskin/base/files/atomic_file.hpp"
+#include "ionskin/base/files/read_json.hpp"
 #include "ionskin/base/system/own_build.hpp"
 #include "ionskin/results/build_info.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <chrono>
-#include <fstream>
 #include <optional>
 
 namespace ionskin::results {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using base::Json;
 
 /// Key of the digest of everything else in the file.
 constexpr const char* digest_key = "digest";
@@ -53,16 +52,17 @@ Json stages_json(const std::map<std::string, StageRecord>& stages) {
 
 bool is_ours(const Json& json) {
   return json.is_object() && json.contains("program") && json["program"].is_object() &&
-         json["program"].value("name", "") == "ionskin";
+         json["program"].contains("name") && json["program"]["name"] == "ionskin";
 }
 
+/// Nothing where the file is missing, or is no manifest of ours.
 std::optional<Json> parse(const std::filesystem::path& path) {
-  std::ifstream stream(path);
-  Json json = Json::parse(stream, nullptr, false);
-  if (json.is_discarded() || !is_ours(json)) {
+  try {
+    auto json = base::read_json(path, "manifest");
+    return json && is_ours(*json) ? std::move(json) : std::nullopt;
+  } catch (const UserError&) {
     return std::nullopt;
   }
-  return json;
 }
 
 std::map<std::string, StageRecord> read_stages(const Json& json) {
@@ -132,6 +132,9 @@ Manifest read_manifest(const std::filesystem::path& path) {
     manifest.reason = json->value("reason", "");
     manifest.started = json->at("started").get<std::string>();
     manifest.command = json->at("command").get<std::string>();
+    if (!json->at("threads").is_number_integer()) {
+      throw damaged; // the library would cast any other number
+    }
     manifest.threads = json->at("threads").get<int>();
     manifest.input_hash = json->at("input_hash").get<std::string>();
     manifest.stages = read_stages(json->at("stages"));

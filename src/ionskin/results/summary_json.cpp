@@ -3,14 +3,34 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/files/atomic_file.hpp"
+#include "ionskin/base/files/read_json.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include <fstream>
 #include <limits>
 
 namespace ionskin::results {
+namespace {
+
+/// Throws exceptions of the library where a value has another type.
+Summary summary_of(const base::Json& json) {
+  Summary summary;
+  for (const auto& [name, entry] : json.at("metrics").get_ref<const base::Json::object_t&>()) {
+    const auto& value = entry.at("value");
+    summary.metrics.push_back(
+        {name, value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>(),
+         entry.at("unit").get<std::string>()});
+  }
+  summary.timing = json.value("timing", summary.timing);
+  summary.warnings = json.value("warnings", summary.warnings);
+  summary.error_estimate = json.value("error_estimate", summary.error_estimate);
+  summary.error_parts = json.value("error_parts", summary.error_parts);
+  summary.not_converging = json.value("not_converging", summary.not_converging);
+  summary.not_estimated = json.value("not_estimated", summary.not_estimated);
+  return summary;
+}
+
+} // namespace
 
 std::string summary_text(const Summary& summary) {
   nlohmann::ordered_json json;
@@ -45,27 +65,21 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
 }
 
 Summary read_summary(const std::filesystem::path& path) {
-  std::ifstream stream(path);
-  const auto json = nlohmann::ordered_json::parse(stream, nullptr, false);
-  if (json.is_discarded() || !json.is_object() || !json.contains("metrics")) {
-    throw UserError(fmt::format("{} is missing or no summary of a run\n  = run the case again with "
-                                "--overwrite",
-                                path.string()));
+  const UserError damaged(
+      fmt::format("{} is missing or no summary of a run\n  = run the case again "
+                  "with --overwrite",
+                  path.string()));
+  try {
+    const auto json = base::read_json(path, "summary");
+    if (!json) {
+      throw damaged;
+    }
+    return summary_of(*json);
+  } catch (const base::Json::exception&) {
+    throw damaged;
+  } catch (const UserError&) {
+    throw damaged;
   }
-  Summary summary;
-  for (const auto& [name, entry] : json["metrics"].items()) {
-    const auto& value = entry.at("value");
-    summary.metrics.push_back(
-        {name, value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>(),
-         entry.at("unit").get<std::string>()});
-  }
-  summary.timing = json.value("timing", summary.timing);
-  summary.warnings = json.value("warnings", summary.warnings);
-  summary.error_estimate = json.value("error_estimate", summary.error_estimate);
-  summary.error_parts = json.value("error_parts", summary.error_parts);
-  summary.not_converging = json.value("not_converging", summary.not_converging);
-  summary.not_estimated = json.value("not_estimated", summary.not_estimated);
-  return summary;
 }
 
 std::vector<readout::Metric> read_metrics(const std::filesystem::path& path) {
