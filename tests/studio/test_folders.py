@@ -51,6 +51,14 @@ class Folders(StudioTest):
                     self.assertEqual((run["state"], run["started"], run["metrics"], whole["summary"]), ("damaged", "", {}, {}))
                     self.assertEqual(len(run["warnings"]), 1)
 
+    def test_a_command_that_is_copied_is_one_of_ionskin_alone(self):
+        commands = ["ionskin run a.toml -o a", "ionskin run 'a b.toml' -o 'it'\\''s'", "rm -r ~", "ionskin run a.toml; rm -r ~", "ionskin run $(id)", "ionskin `id`",
+                    "ionskin run a\nid", "ionskin run 'a", "ionskin run a\\", "ionskin run a > b", "ionskin run 'a\x1b[2J'", "ionskin run \\'a;id", "ionskin run ~"]
+        for number, command in enumerate(commands):
+            self.result(f"run-{number:02d}", manifest=json.dumps({"command": command}))
+        runs = sorted(self.studio.json("GET", "/api/runs"), key=lambda run: run["path"])
+        self.assertEqual([run["command"] for run in runs], commands[:2] + [""] * (len(commands) - 2))
+
     def test_titles_are_texts_whatever_a_case_holds(self):
         for number, title in enumerate((f'"{DEEP[:100_000]}"', DEEP[:100_000], f'"a" {DEEP[:100_000]} "b"', '"\\ud800"', '"""', "'x'", '"', "\0", '"a\\u0000b"')):
             self.result(f"run-{number}", case=f"title = {title}\n")

@@ -8,6 +8,8 @@
 #include "studio/server/limits.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <string_view>
 #include <vector>
 
 namespace ionskin::apps::studio {
@@ -85,6 +87,27 @@ Contents read_contents(const FileDescriptor& folder, const std::string& kind) {
   }
 }
 
+/// A command that pages offer to be copied into a shell: words as `shell_text` writes them, and
+/// nothing that a shell would take for more. Empty for any other.
+std::string plain_command(const std::string& text) {
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (static_cast<unsigned char>(c) < 32 || c == 127) {
+      return "";
+    }
+    if (c == '\'') {
+      quoted = !quoted;
+    } else if (!quoted && text.compare(i, 2, "\\'") == 0) {
+      ++i;
+    } else if (!quoted && std::isalnum(static_cast<unsigned char>(c)) == 0 &&
+               std::string_view("_-./=,:+ ").find(c) == std::string_view::npos) {
+      return "";
+    }
+  }
+  return text.starts_with("ionskin ") && !quoted ? text : "";
+}
+
 Json outline(const Opened& folder, const std::string& kind, const Contents& contents) {
   const auto& [manifest, summary, case_text, damage] = contents;
   Json one = {{"path", folder.name},
@@ -92,7 +115,7 @@ Json outline(const Opened& folder, const std::string& kind, const Contents& cont
               {"title", title_in(case_text)},
               {"state", damage.empty() ? manifest.value("state", "") : "damaged"},
               {"started", manifest.value("started", "")},
-              {"command", manifest.value("command", "")},
+              {"command", plain_command(manifest.value("command", ""))},
               {"warnings", summary.value("warnings", Json::array())},
               {"metrics", Json::object()}};
   if (!damage.empty()) {
