@@ -3,7 +3,6 @@
 
 import json
 import os
-import pathlib
 import shutil
 import signal
 import subprocess
@@ -134,13 +133,18 @@ class Brought(StudioTest):
             (self.jobs / name).mkdir()
             make(self.jobs / name / "job.json")
         os.mkfifo(self.jobs / "a pipe as the folder")
+        (self.scratch / "outside" / "kept").mkdir(parents=True)
+        (self.scratch / "outside" / "job.json").write_text(json.dumps(good))
+        (self.jobs / "a link as the folder").symlink_to(self.scratch / "outside")
+        (self.jobs / "0" / "a link in it").symlink_to(self.scratch / "outside")
         self.studio = self.start()
         found = self.found()
-        self.assertEqual(len(found), 17)
+        self.assertEqual(len(found), 18)
         for job in found:
             self.assertEqual(self.studio.call("POST", f"/api/jobs/{job['id']}/resume", {})[0], 422, job)
             self.studio.json("POST", f"/api/jobs/{job['id']}/remove", {})
         self.assertEqual(list(self.jobs.iterdir()), [])
+        self.assertEqual(sorted(os.listdir(self.scratch / "outside")), ["job.json", "kept"])
 
     def test_jobs_that_wait_are_of_this_user_alone(self):
         self.studio = self.start()
