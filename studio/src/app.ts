@@ -63,7 +63,9 @@ function take(jobs: Job[]): void {
   const active = jobs.find((job) => job.state === "running");
   const waiting = jobs.filter((job) => job.state === "queued").length;
   const line = active && progress(active);
-  running.replaceChildren(...(active ? [el("span", {}, active.folder + (waiting ? ` (+${waiting})` : "")), ...(line ? [line] : [])] : []));
+  const found = jobs.filter((job) => job.state === "found").length;
+  running.replaceChildren(...(active ? [el("span", {}, active.folder + (waiting ? ` (+${waiting})` : "")), ...(line ? [line] : [])] : []),
+    ...(found ? [el("a", { href: "#queue" }, `${found} found in this folder, not run`)] : []));
   for (const job of jobs) {
     if (!store.awaited.has(job.folder)) continue;
     if (job.state === "finished") {

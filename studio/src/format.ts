@@ -24,6 +24,11 @@ export function quantity(value: number, unit: string, digits = 4): string {
   return `${number(value * scaled.factor, digits)} ${scaled.unit}`.trim();
 }
 
+/// A word as one types it in a shell, whatever it holds.
+export function shell_word(text: string): string {
+  return /^[\w./=,:+-]+$/.test(text) ? text : `'${text.replace(/'/g, "'\\''")}'`;
+}
+
 export function duration(seconds: number): string {
   if (seconds < 90) return `${Math.max(1, Math.round(seconds))} s`;
   if (seconds < 5400) return `${Math.round(seconds / 60)} min`;

@@ -2,7 +2,7 @@
 // What a result says in numbers and words: figures, warnings, parameters of a fit, differences between two runs.
 import { Result, get, post } from "./api";
 import { attempt, button, el, say } from "./dom";
-import { number, quantity, words } from "./format";
+import { number, quantity, shell_word, words } from "./format";
 import { copy_buttons } from "./save";
 import { store } from "./store";
 
@@ -13,7 +13,7 @@ export function result_facts(result: Result): HTMLElement {
   const head = el("thead", {}, el("tr", {}, ...["Figure", "Value", "Estimated error"].map((text) => el("th", { scope: "col" }, text))));
   const box = el("section", { class: "facts" }, el("h2", {}, result.title || result.path),
     el("p", { class: "hint" }, `${result.path}, ${result.kind}, ${result.state}, ${result.started}`),
-    el("div", { class: "row" }, copy_buttons(() => result.command || `ionskin report ${result.path}`, () => python_of(result)),
+    el("div", { class: "row" }, copy_buttons(() => result.command || `ionskin report ${shell_word(result.path)}`, () => python_of(result)),
       button("Open its case", () => store.open_case(result.case, "", result.path.replace(/[^\w.-]/g, "-").replace(/^[^A-Za-z0-9]+/, "") || "run"), "small"),
       result.kind === "fit" ? null : result.report
         ? el("a", { href: `/api/download?${new URLSearchParams({ path: `${result.path}/report.html` })}`, download: `${result.path.replace(/\//g, "-")}.html` }, "Save the report")
@@ -42,7 +42,7 @@ function fit_table(parameters: NonNullable<Result["summary"]["parameters"]>): HT
 export function differences(first: Result, second: Result): HTMLElement {
   const text = el("pre", { tabIndex: 0 }, "…");
   const box = el("details", { class: "differences", ontoggle: () => attempt(fill) }, el("summary", {}, `What differs between ${first.path} and ${second.path}`), text,
-    copy_buttons(() => `ionskin compare ${first.path} ${second.path}`, () => `${python_of(first)}\nother = ionskin.open_results(${JSON.stringify(second.path)})`));
+    copy_buttons(() => `ionskin compare ${shell_word(first.path)} ${shell_word(second.path)}`, () => `${python_of(first)}\nother = ionskin.open_results(${JSON.stringify(second.path)})`));
   async function fill(): Promise<void> {
     if (!box.open || text.textContent !== "…") return;
     text.textContent = (await get<{ text: string }>("/api/compare", { first: first.path, second: second.path })).text;

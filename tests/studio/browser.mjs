@@ -18,6 +18,10 @@ const downloads = path.join(folder, "downloads");
 fs.mkdirSync(workspace);
 fs.mkdirSync(downloads);
 fs.mkdirSync(pictures, { recursive: true });
+// A record that came with the folder.
+const brought = path.join(workspace, ".studio", "jobs", "1");
+fs.mkdirSync(brought, { recursive: true });
+fs.writeFileSync(path.join(brought, "job.json"), JSON.stringify({ words: ["run", "<i>brought.toml", "-o", "brought", "--no-report"], state: "queued" }));
 const times = {};
 
 // Starts the server with a browser that only says which page it was given.
@@ -27,7 +31,7 @@ async function start_server() {
   fs.rmSync(word, { force: true });
   fs.writeFileSync(browser, `#!/bin/sh\nprintf '%s' "$1" > '${word}.part' && mv '${word}.part' '${word}'\n`, { mode: 0o700 });
   const begun = performance.now();
-  const server = spawn(program, ["studio", workspace], { env: { ...process.env, BROWSER: browser, IONSKIN_CACHE: path.join(folder, "cache") } });
+  const server = spawn(program, ["studio", workspace], { env: { ...process.env, BROWSER: browser, IONSKIN_CACHE: path.join(folder, "cache"), XDG_STATE_HOME: path.join(folder, "state") } });
   await new Promise((resolve, reject) => {
     server.stdout.once("data", resolve);
     server.once("exit", () => reject(new Error("the server ended")));
@@ -237,7 +241,11 @@ const main = async (page, link) => {
   await picture("dark");
   await click("Queue");
   await wait(() => document.querySelectorAll(".job.finished").length === 6);
+  assert.equal(await page.$eval(".job.found pre", (one) => one.textContent), "ionskin run '<i>brought.toml' -o brought --no-report");
   await picture("queue");
+  await click("Remove", ".job.found");
+  await wait(() => !document.querySelector(".job.found"));
+  assert.ok(!fs.existsSync(brought));
   await page.keyboard.press("Tab");
   assert.notEqual(await page.evaluate(() => document.activeElement.tagName), "BODY");
 };

@@ -27,7 +27,8 @@ class Studio:
     """A running server; `call` sends one request with the cookie of its link, which is redeemed unless told otherwise."""
 
     def __init__(self, workspace, cache, browser=None, redeem=True, **more):
-        environment = {**os.environ, "IONSKIN_CACHE": str(cache), "BROWSER": str(browser), **more}
+        environment = {**os.environ, "IONSKIN_CACHE": str(cache), "XDG_STATE_HOME": str(cache.with_name("state")),
+                       "BROWSER": str(browser), **more}
         words = [PROGRAM, "studio", workspace] + ([] if browser else ["--no-browser"])
         self.process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)
         line = self.process.stdout.readline()
@@ -100,9 +101,10 @@ class StudioTest(unittest.TestCase):
         self.addCleanup(shutil.rmtree, scratch, ignore_errors=True)
         self.scratch, self.folder, self.cache = scratch, scratch / "workspace", scratch / "cache"
         self.folder.mkdir()
+        self.environment = {"IONSKIN_CACHE": str(self.cache), "XDG_STATE_HOME": str(scratch / "state")}
         self.studio = self.start()
 
     def start(self):
-        studio = Studio(self.folder, self.cache)
+        studio = Studio(self.folder, self.cache, **self.environment)
         self.addCleanup(lambda: studio.end() if studio.process.returncode is None else None)
         return studio

@@ -37,7 +37,7 @@ class Jobs(StudioTest):
         # The same command by hand, elsewhere: the same currents.
         by_hand = [*command[1:4], str(self.scratch / "by_hand"), *command[5:]]
         subprocess.run([os.environ.get("IONSKIN_FRONT", PROGRAM), *by_hand], cwd=self.folder, check=True, capture_output=True,
-                       env={**os.environ, "IONSKIN_CACHE": str(self.cache)})
+                       env={**os.environ, **self.environment})
         self.assertEqual((self.folder / "first" / "signals.csv").read_bytes(), (self.scratch / "by_hand" / "signals.csv").read_bytes())
 
     def test_a_run_that_was_ended_with_the_server_is_resumed(self):
@@ -73,7 +73,8 @@ class Jobs(StudioTest):
         self.studio.wait("first", lambda one: one["state"] == "stopped")
 
     def test_a_second_studio_in_the_folder_is_refused(self):
-        other = subprocess.run([PROGRAM, "studio", self.folder, "--no-browser"], capture_output=True, text=True, check=False)
+        other = subprocess.run([PROGRAM, "studio", self.folder, "--no-browser"], capture_output=True, text=True, check=False,
+                               env={**os.environ, **self.environment})
         self.assertEqual(other.returncode, 2)
         self.assertIn("another Studio", other.stderr)
 

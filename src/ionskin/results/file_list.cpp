@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/results/file_list.hpp"
 
+#include "ionskin/base/error.hpp"
 #include "ionskin/base/files/atomic_file.hpp"
 #include "ionskin/base/files/read_text_file.hpp"
 
@@ -16,8 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t largest_list = 64U << 20; ///< bytes
-
 constexpr const char* heading =
     "# What ionskin wrote here: --overwrite removes these files and no others.\n";
 
@@ -31,19 +30,21 @@ bool is_inner_name(const std::string& name) {
 }
 
 std::optional<std::set<std::string>> read_file_list(const fs::path& folder) {
-  std::error_code error;
   const fs::path path = folder / file_list_name;
-  if (!fs::is_regular_file(fs::symlink_status(path, error))) {
-    return std::nullopt;
-  }
-  std::istringstream stream(base::read_text_file(path.string(), "list", largest_list));
-  std::set<std::string> names;
-  for (std::string line; std::getline(stream, line);) {
-    if (is_inner_name(line)) {
-      names.insert(line);
+  const base::FileDescriptor file(
+      ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC));
+  try {
+    std::istringstream lines(base::read_text_file(file, path.string(), "list of results"));
+    std::set<std::string> names;
+    for (std::string line; std::getline(lines, line);) {
+      if (is_inner_name(line)) {
+        names.insert(line);
+      }
     }
+    return names;
+  } catch (const UserError&) {
+    return std::nullopt; // missing, a link, or nothing that a run wrote
   }
-  return names;
 }
 
 void add_to_file_list(const fs::path& folder, const std::string& name) {

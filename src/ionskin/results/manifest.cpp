@@ -53,12 +53,11 @@ Json stages_json(const std::map<std::string, StageRecord>& stages) {
 }
 
 bool is_ours(const Json& json) {
-  const Json* program = json.is_object() && json.contains("program") ? &json["program"] : nullptr;
-  return program != nullptr && program->is_object() && program->contains("name") &&
-         (*program)["name"] == "ionskin";
+  return json.is_object() && json.contains("program") && json["program"].is_object() &&
+         json["program"].contains("name") && json["program"]["name"] == "ionskin";
 }
 
-/// Nothing where the file is none of ours, or none that can be read.
+/// Nothing where the file is missing, or is no manifest of ours.
 std::optional<Json> parse(const std::filesystem::path& path) {
   try {
     auto json = base::read_json(path, "manifest");
@@ -136,7 +135,7 @@ Manifest read_manifest(const std::filesystem::path& path) {
     manifest.started = json->at("started").get<std::string>();
     manifest.command = json->at("command").get<std::string>();
     if (!json->at("threads").is_number_integer()) {
-      throw damaged;
+      throw damaged; // the library would cast any other number
     }
     manifest.threads = json->at("threads").get<int>();
     manifest.input_hash = json->at("input_hash").get<std::string>();

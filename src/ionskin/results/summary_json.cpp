@@ -4,7 +4,6 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/files/atomic_file.hpp"
 #include "ionskin/base/files/read_json.hpp"
-#include "ionskin/base/files/read_text_file.hpp"
 #include "ionskin/base/text.hpp"
 
 #include <fmt/format.h>
@@ -16,20 +15,34 @@
 namespace ionskin::results {
 namespace {
 
-/// Nothing for what is no JSON in an ordinary file.
-std::optional<base::Json> read_if_ordinary(const std::filesystem::path& path) {
-  try {
-    return base::read_json(path, "summary", base::largest_table);
-  } catch (const UserError&) {
-    return std::nullopt;
-  }
-}
-
 /// Fit for a column of a table and for the name of a dataset.
 bool is_name(const std::string& text, std::string_view forbidden) {
   return text.find_first_not_of('.') != std::string::npos &&
          text.find_first_of(forbidden) == std::string::npos &&
          base::shown(text, text.size()) == text;
+}
+
+/// Nothing where a metric has no proper name or unit. Throws exceptions of the library where a value
+/// has another type.
+std::optional<Summary> summary_of(const base::Json& json) {
+  Summary summary;
+  for (const auto& [name, entry] : json.at("metrics").get_ref<const base::Json::object_t&>()) {
+    const auto& value = entry.at("value");
+    const auto unit = entry.at("unit").get<std::string>();
+    if (!is_name(name, "/,\"[]") || !is_name(unit, ",\"[]")) {
+      return std::nullopt;
+    }
+    summary.metrics.push_back(
+        {name, value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>(),
+         unit});
+  }
+  summary.timing = json.value("timing", summary.timing);
+  summary.warnings = json.value("warnings", summary.warnings);
+  summary.error_estimate = json.value("error_estimate", summary.error_estimate);
+  summary.error_parts = json.value("error_parts", summary.error_parts);
+  summary.not_converging = json.value("not_converging", summary.not_converging);
+  summary.not_estimated = json.value("not_estimated", summary.not_estimated);
+  return summary;
 }
 
 } // namespace
@@ -68,31 +81,19 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
 
 Summary read_summary(const std::filesystem::path& path) {
   const UserError damaged(
-      fmt::format("{} is missing or no summary of a run\n  = run the case again with --overwrite",
+      fmt::format("{} is missing or no summary of a run\n  = run the case again "
+                  "with --overwrite",
                   path.string()));
-  const auto json = read_if_ordinary(path);
-  if (!json) {
-    throw damaged;
-  }
   try {
-    Summary summary;
-    for (const auto& [name, entry] : json->at("metrics").items()) {
-      const auto& value = entry.at("value");
-      if (!is_name(name, "/,\"[]") || !is_name(entry.at("unit").get<std::string>(), ",\"[]")) {
-        throw damaged;
-      }
-      summary.metrics.push_back(
-          {name, value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>(),
-           entry.at("unit").get<std::string>()});
+    const auto json = base::read_json(path, "summary");
+    const auto summary = json ? summary_of(*json) : std::nullopt;
+    if (!summary) {
+      throw damaged;
     }
-    summary.timing = json->value("timing", summary.timing);
-    summary.warnings = json->value("warnings", summary.warnings);
-    summary.error_estimate = json->value("error_estimate", summary.error_estimate);
-    summary.error_parts = json->value("error_parts", summary.error_parts);
-    summary.not_converging = json->value("not_converging", summary.not_converging);
-    summary.not_estimated = json->value("not_estimated", summary.not_estimated);
-    return summary;
-  } catch (const nlohmann::json::exception&) {
+    return *summary;
+  } catch (const base::Json::exception&) {
+    throw damaged;
+  } catch (const UserError&) {
     throw damaged;
   }
 }

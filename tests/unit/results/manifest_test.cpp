@@ -7,6 +7,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
+#include <string>
+#include <sys/stat.h>
+
 namespace ionskin::results {
 namespace {
 
@@ -62,6 +66,31 @@ TEST(Manifest, ADamagedOneIsAUserError) {
   const std::string message =
       message_of<UserError>([&] { read_manifest(folder / "manifest.json"); });
   EXPECT_NE(message.find("manifest.json"), std::string::npos);
+}
+
+TEST(Manifest, OfAnyTypesAndDepthIsAUserError) {
+  const ScratchFolder folder;
+  const std::string deep = std::string(1'000'000, '[') + std::string(1'000'000, ']');
+  const std::string own =
+      "{\"program\": {\"name\": \"ionskin\"}, \"digest\": \"\", \"state\": " + deep + "}";
+  for (const std::string& text :
+       {deep, own, own.substr(0, 1000), std::string("{\"program\": {\"name\": 3}}"),
+        std::string("{\"program\": {\"name\": [\"ionskin\"]}}"), std::string("null")}) {
+    write_all(folder / "manifest.json", text);
+    EXPECT_FALSE(is_ionskin_manifest(folder / "manifest.json"));
+    EXPECT_THROW(read_manifest(folder / "manifest.json"), UserError);
+  }
+}
+
+TEST(Manifest, AFolderAPipeOrADeviceIsNone) {
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder / "folder");
+  std::filesystem::create_symlink("/dev/zero", folder / "device");
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  for (const char* name : {"folder", "device", "pipe"}) {
+    EXPECT_FALSE(is_ionskin_manifest(folder / name));
+    EXPECT_THROW(read_manifest(folder / name), UserError);
+  }
 }
 
 TEST(Manifest, ContentHashTellsTextsApart) {

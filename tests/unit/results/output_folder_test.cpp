@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sys/stat.h>
 #include <vector>
 
 namespace ionskin::results {
@@ -218,6 +219,17 @@ TEST(OutputFolder, AFileInTheWayIsNamed) {
   EXPECT_NE(refusal(scratch / "file", ExistingFolder::refuse).find("is a file"), std::string::npos);
   const std::string message = refusal(scratch / "file/out", ExistingFolder::refuse);
   EXPECT_NE(message.find("file/out"), std::string::npos) << message;
+}
+
+TEST(OutputFolder, APipeInTheWayIsNotWaitedFor) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(mkfifo((scratch / "plan.json").c_str(), 0600), 0);
+  EXPECT_TRUE(lock_path(scratch / "plan.json", LockKind::exclusive));
+  ASSERT_EQ(mkfifo((scratch / file_list_name).c_str(), 0600), 0);
+  EXPECT_FALSE(read_file_list(scratch.path()));
+  fs::remove(scratch / file_list_name);
+  write_all(scratch / file_list_name, std::string(80'000'000, 'x')); // one line
+  EXPECT_FALSE(read_file_list(scratch.path()));
 }
 
 TEST(OutputFolder, AnUnwritableOneIsRefused) {

@@ -2,6 +2,7 @@
 #include "studio/data/case_check.hpp"
 
 #include "ionskin/base/files/atomic_file.hpp"
+#include "ionskin/base/files/read_json.hpp"
 #include "ionskin/case/schema/schema.hpp"
 #include "studio/jobs/process.hpp"
 #include "studio/server/limits.hpp"
@@ -12,6 +13,7 @@
 #include <regex>
 #include <semaphore>
 #include <sstream>
+#include <unistd.h>
 
 namespace ionskin::apps::studio {
 
@@ -29,13 +31,6 @@ struct ScratchFile {
     fs::remove(path, error);
   }
 };
-
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos;
-       at = text.find(from, at + to.size())) {
-    text.replace(at, from.size(), to);
-  }
-}
 
 /// Keys of the schema that a message names.
 Json keys_in(const std::string& message) {
@@ -80,11 +75,6 @@ Json one_error(const std::string& text) {
           {"column", column},   {"length", length}, {"keys", keys_in(message)}};
 }
 
-/// A key of a case that names a file.
-bool names_file(const std::string& key) {
-  return key == "strain.file" || key == "slider.profile" || key == "motion.file";
-}
-
 /// Files that a valid case names outside the workspace.
 Json files_outside(const Workspace& workspace, const Json& values) {
   Json errors = Json::array();
@@ -95,7 +85,7 @@ Json files_outside(const Workspace& workspace, const Json& values) {
       continue;
     }
     try {
-      workspace.inside(name);
+      workspace.open(name);
     } catch (const HttpError&) {
       errors.push_back({{"message", key + " names a file outside the workspace"},
                         {"remedy", "copy the file into the workspace and name it without a folder"},
@@ -113,6 +103,17 @@ Json failure(const std::string& message) {
 }
 
 } // namespace
+
+bool names_file(const std::string& key) {
+  return key == "strain.file" || key == "slider.profile" || key == "motion.file";
+}
+
+void require_valid(const Json& verdict) {
+  if (!verdict.value("valid", false)) {
+    throw HttpError(422, "the case has mistakes: " +
+                             verdict["errors"][0].value("message", std::string("see its check")));
+  }
+}
 
 Json split_errors(const std::string& text) {
   std::string rest = text.rfind("error: ", 0) == 0 ? text.substr(7) : text;
@@ -137,7 +138,10 @@ Json check_case(const Workspace& workspace, const std::string& text) {
   struct Release {
     ~Release() { checks.release(); }
   } release;
-  const ScratchFile scratch{workspace.root() / fmt::format(".studio-check-{}.toml", ++number)};
+  // In the workspace, for files that a case names lie beside it. Others may have a Studio here,
+  // too.
+  const ScratchFile scratch{workspace.root() /
+                            fmt::format(".studio-check-{}-{}.toml", ::getpid(), ++number)};
   base::write_text_file(scratch.path, text);
   Outcome outcome =
       run_to_end({program().string(), "check", scratch.path.filename().string(), "--json"},
@@ -146,16 +150,16 @@ Json check_case(const Workspace& workspace, const std::string& text) {
     return failure("the check takes too long: the case is too large to be estimated");
   }
   if (outcome.exit_code != 0) {
-    replace_all(outcome.errors, scratch.path.filename().string(), "the case");
+    outcome.rename(scratch.path.filename().string(), "the case");
     return failure(outcome.errors.empty() ? "the check ended early: the case needs too much memory"
                                           : outcome.errors);
   }
-  Json verdict = Json::parse(outcome.output, nullptr, false);
-  if (!verdict.is_object()) {
+  const auto verdict = base::parse_json(outcome.output);
+  if (!verdict || !verdict->is_object()) {
     return failure("the check's answer cannot be read");
   }
-  const Json outside = files_outside(workspace, verdict["values"]);
-  return outside.empty() ? verdict : Json{{"valid", false}, {"errors", outside}};
+  const Json outside = files_outside(workspace, verdict->value("values", Json::array()));
+  return outside.empty() ? *verdict : Json{{"valid", false}, {"errors", outside}};
 }
 
 } // namespace ionskin::apps::studio

@@ -14,6 +14,12 @@ namespace ionskin::apps::studio {
 /// case names are looked for in the workspace; others are errors.
 Json check_case(const Workspace& workspace, const std::string& text);
 
+/// Throws HttpError 422 with the first mistake of a case that `check_case` refused.
+void require_valid(const Json& verdict);
+
+/// Whether the value of a key of a case is the name of a file.
+bool names_file(const std::string& key);
+
 /// The errors in the text of a UserError: one entry per problem.
 Json split_errors(const std::string& text);
 

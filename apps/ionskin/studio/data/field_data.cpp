@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <sys/stat.h>
 
 namespace ionskin::apps::studio {
 namespace {
@@ -123,32 +124,48 @@ std::string one_frame(const ForeignHdf5File& file, const std::string& path, std:
 
 } // namespace
 
-template <class Read> auto FieldData::with(const std::filesystem::path& results, const Read& read) {
+namespace {
+
+FieldData::Version version_of(const Opened& results) {
+  struct stat status {};
+  ::fstat(results.file, &status);
+  return {static_cast<long long>(status.st_dev), static_cast<long long>(status.st_ino),
+          status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
+}
+
+} // namespace
+
+template <class Read> auto FieldData::with(const Opened& results, const Read& read) {
   const std::lock_guard lock(mutex_);
-  std::error_code missing; // of which opening it tells
-  const auto written = std::filesystem::last_write_time(results, missing);
-  if (!file_ || file_->path() != results || written != written_) {
-    file_.reset();
-    auto file = std::make_unique<ForeignHdf5File>(results);
-    file->require_plain();
-    file_ = std::move(file);
-    written_ = written;
-  }
+  const Version version = version_of(results);
+  const std::string path = path_of(results.file).string();
   try {
+    if (!file_ || version != version_) {
+      file_.reset();
+      auto file = std::make_unique<ForeignHdf5File>(path);
+      file->require_plain();
+      file_ = std::move(file);
+      version_ = version;
+    }
     return read(*file_);
-  } catch (const UserError&) {
+  } catch (const UserError& error) {
     file_.reset(); // its reader may have ended
-    throw;
+    std::string text = error.what();
+    if (const std::size_t at = text.find("/proc/self/fd/"); at != std::string::npos) {
+      const std::size_t end = text.find_first_not_of("0123456789", at + 14);
+      text.replace(at, end - at, results.name);
+    }
+    throw UserError(text);
   }
 }
 
-Json FieldData::list(const std::filesystem::path& results) {
+Json FieldData::list(const Opened& results) {
   return with(results, [](const ForeignHdf5File& file) -> Json {
     return {{"ions", ions(file)}, {"strain", strain(file)}, {"contact", contact(file)}};
   });
 }
 
-std::string FieldData::packed(const std::filesystem::path& results, const std::string& group,
+std::string FieldData::packed(const Opened& results, const std::string& group,
                               const std::string& frame, const std::string& name) {
   require_name(frame);
   require_name(name);

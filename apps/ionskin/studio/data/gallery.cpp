@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/data/gallery.hpp"
 
+#include "ionskin/base/files/atomic_file.hpp"
+#include "ionskin/base/files/read_text_file.hpp"
 #include "ionskin/case/text/data_folder.hpp"
-#include "studio/jobs/job.hpp"
 #include "studio/jobs/process.hpp"
 #include "studio/server/limits.hpp"
 
@@ -37,14 +38,11 @@ constexpr std::array<Starter, 8> starters{{
 Json gallery() {
   Json all = Json::array();
   for (const Starter& starter : starters) {
-    const std::string text =
-        file_text(data_folder() / "cases" / (std::string(starter.id) + ".toml"), limits::body);
-    if (!text.empty()) {
-      all.push_back({{"id", starter.id},
-                     {"name", starter.name},
-                     {"summary", starter.summary},
-                     {"text", text}});
-    }
+    const fs::path file = data_folder() / "cases" / (std::string(starter.id) + ".toml");
+    all.push_back({{"id", starter.id},
+                   {"name", starter.name},
+                   {"summary", starter.summary},
+                   {"text", base::read_text_file(file.string(), "case", limits::body)}});
   }
   return all;
 }
@@ -55,12 +53,14 @@ void prepare(const Workspace& workspace, const std::string& id) {
   if (id != "strain_file" || fs::exists(fs::symlink_status(target, error))) {
     return;
   }
+  base::PendingFile file(target);
   const Outcome outcome = run_to_end(
-      {IONSKIN_PYTHON, (data_folder() / "cases" / "make_strain.py").string(), target.string()},
+      {IONSKIN_PYTHON, (data_folder() / "cases" / "make_strain.py").string(), file.path().string()},
       workspace.root(), limits::check_time, 0);
   if (outcome.exit_code != 0) {
     throw HttpError(500, "the strain file cannot be written; ionskin doctor says what is missing");
   }
+  file.commit();
 }
 
 } // namespace ionskin::apps::studio

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/data/result_list.hpp"
 
-#include "ionskin/base/text.hpp"
-#include "studio/jobs/job.hpp"
+#include "ionskin/base/error.hpp"
+#include "ionskin/base/files/read_json.hpp"
+#include "ionskin/base/files/read_text_file.hpp"
+#include "studio/data/result_shape.hpp"
 #include "studio/server/limits.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <string_view>
 #include <vector>
 
 namespace ionskin::apps::studio {
@@ -16,19 +20,38 @@ namespace {
 
 constexpr std::size_t largest_text = 8u << 20;
 
+using base::FileDescriptor;
+
 /// What lies in the folder itself and is no link.
-bool has(const fs::path& folder, const char* name) {
-  std::error_code error;
-  return fs::is_regular_file(fs::symlink_status(folder / name, error));
+bool has(const FileDescriptor& folder, const std::string& name) {
+  return is_file(open_below(folder, name));
 }
 
-std::string text_in(const fs::path& folder, const char* name) {
-  return has(folder, name) ? file_text(folder / name, largest_text) : "";
+/// Throws UserError when it is too large.
+std::string text_in(const FileDescriptor& folder, const char* name) {
+  const FileDescriptor file = open_below(folder, name);
+  return is_file(file) ? base::read_text_file(file, name, "result", largest_text) : "";
 }
 
-Json json_in(const fs::path& folder, const char* name) {
-  Json value = Json::parse(text_in(folder, name), nullptr, false);
-  return value.is_object() ? value : Json::object();
+/// An empty object when there is no such file. Throws UserError when it is too large or no JSON.
+Json json_in(const FileDescriptor& folder, const char* name) {
+  const FileDescriptor file = open_below(folder, name);
+  if (!is_file(file)) {
+    return Json::object();
+  }
+  auto value = base::read_json(file, name, "result", largest_text);
+  if (!value || !value->is_object()) {
+    throw UserError(std::string(name) + " is damaged: it holds no JSON object");
+  }
+  return std::move(*value);
+}
+
+const char* summary_of(const std::string& kind) {
+  return kind == "fit" ? "fit.json" : "summary.json";
+}
+
+const char* case_of(const std::string& kind) {
+  return kind == "fit" ? "fitted.toml" : "case.toml";
 }
 
 /// The title in a case's text, without reading the whole case.
@@ -41,21 +64,63 @@ std::string title_in(const std::string& text) {
   }
   std::string rest = text.substr(open, end == std::string::npos ? end : end - open);
   rest = rest.substr(0, rest.rfind('"') + 1);
-  const Json title = Json::parse(rest, nullptr, false); // escapes as in JSON
-  return title.is_string() ? title.get<std::string>() : rest;
+  const auto title = base::parse_json(rest); // escapes as in JSON
+  return title && title->is_string() ? title->get<std::string>() : rest;
 }
 
-Json outline(const Workspace& workspace, const fs::path& folder, const std::string& kind) {
-  const Json manifest = json_in(folder, "manifest.json");
-  const Json summary = json_in(folder, kind == "fit" ? "fit.json" : "summary.json");
-  Json one = {{"path", workspace.relative(folder)},
+/// What a page shows of a folder. Its files may come from anybody.
+struct Contents {
+  Json manifest = Json::object(), summary = Json::object();
+  std::string case_text;
+  std::string damage; ///< why they are not shown
+};
+
+Contents read_contents(const FileDescriptor& folder, const std::string& kind) {
+  try {
+    Contents contents{json_in(folder, "manifest.json"), json_in(folder, summary_of(kind)),
+                      text_in(folder, case_of(kind)), ""};
+    require_manifest(contents.manifest);
+    require_summary(contents.summary);
+    return contents;
+  } catch (const UserError& error) {
+    return {Json::object(), Json::object(), "", error.what()};
+  }
+}
+
+/// A command that pages offer to be copied into a shell: words as `shell_text` writes them, and
+/// nothing that a shell would take for more. Empty for any other.
+std::string plain_command(const std::string& text) {
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (static_cast<unsigned char>(c) < 32 || c == 127) {
+      return "";
+    }
+    if (c == '\'') {
+      quoted = !quoted;
+    } else if (!quoted && text.compare(i, 2, "\\'") == 0) {
+      ++i;
+    } else if (!quoted && std::isalnum(static_cast<unsigned char>(c)) == 0 &&
+               std::string_view("_-./=,:+ ").find(c) == std::string_view::npos) {
+      return "";
+    }
+  }
+  return text.starts_with("ionskin ") && !quoted ? text : "";
+}
+
+Json outline(const Opened& folder, const std::string& kind, const Contents& contents) {
+  const auto& [manifest, summary, case_text, damage] = contents;
+  Json one = {{"path", folder.name},
               {"kind", kind},
-              {"title", title_in(text_in(folder, kind == "fit" ? "fitted.toml" : "case.toml"))},
-              {"state", manifest.value("state", "")},
+              {"title", title_in(case_text)},
+              {"state", damage.empty() ? manifest.value("state", "") : "damaged"},
               {"started", manifest.value("started", "")},
-              {"command", manifest.value("command", "")},
+              {"command", plain_command(manifest.value("command", ""))},
               {"warnings", summary.value("warnings", Json::array())},
               {"metrics", Json::object()}};
+  if (!damage.empty()) {
+    one["warnings"].push_back(damage);
+  }
   const Json metrics = summary.value("metrics", Json::object());
   for (const char* name : {"normal_force_slide", "mean_shear_slide", "peak_sampled_current_top",
                            "peak_sampled_current_difference", "rms_current_difference"}) {
@@ -66,31 +131,42 @@ Json outline(const Workspace& workspace, const fs::path& folder, const std::stri
   return one;
 }
 
-void look_into(const Workspace& workspace, const fs::path& folder, int depth, std::size_t& left,
-               Json& list) {
+/// Names of the folders in a folder, those behind links left out.
+std::vector<std::string> folders_in(const FileDescriptor& folder) {
+  std::vector<std::string> names;
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
+  for (fs::directory_iterator at(path_of(folder), error), end; !error && at != end;
+       at.increment(error)) {
+    if (fs::is_directory(at->symlink_status(error))) {
+      names.push_back(at->path().filename().string());
+    }
+  }
+  return names;
+}
+
+void look_into(const Opened& folder, int depth, std::size_t& left, Json& list) {
+  for (const std::string& name : folders_in(folder.file)) {
     if (left == 0) {
       return;
     }
-    if (!fs::is_directory(entry.symlink_status(error)) ||
-        entry.path().filename().string().front() == '.') {
+    if (name.front() == '.') {
       continue;
     }
     --left;
-    const std::string kind = result_kind(entry.path());
+    const Opened inner{open_below(folder.file, name), name_below(folder.name, name)};
+    const std::string kind = result_kind(inner.file);
     if (!kind.empty()) {
-      list.push_back(outline(workspace, entry.path(), kind));
+      list.push_back(outline(inner, kind, read_contents(inner.file, kind)));
     } else if (depth > 1) {
-      look_into(workspace, entry.path(), depth - 1, left, list);
+      look_into(inner, depth - 1, left, list);
     }
   }
 }
 
-Json table_names(const fs::path& folder) {
+Json table_names(const FileDescriptor& folder) {
   Json names = Json::array();
   for (const std::string& name : known_tables()) {
-    if (has(folder, (name + ".csv").c_str())) {
+    if (has(folder, name + ".csv")) {
       names.push_back(name);
     }
   }
@@ -98,14 +174,8 @@ Json table_names(const fs::path& folder) {
 }
 
 /// Folders of a sweep's points in their order.
-Json points(const fs::path& folder) {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder / "points", error)) {
-    if (fs::is_directory(entry.symlink_status(error))) {
-      names.push_back(entry.path().filename().string());
-    }
-  }
+Json points(const FileDescriptor& folder) {
+  std::vector<std::string> names = folders_in(open_below(folder, "points"));
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -126,7 +196,7 @@ const std::vector<std::string>& known_tables() {
   return names;
 }
 
-std::string result_kind(const fs::path& folder) {
+std::string result_kind(const FileDescriptor& folder) {
   if (has(folder, "sweep.csv")) {
     return "sweep";
   }
@@ -139,10 +209,11 @@ std::string result_kind(const fs::path& folder) {
 Json list_results(const Workspace& workspace) {
   Json list = Json::array();
   std::size_t left = limits::listed_folders;
-  if (const std::string kind = result_kind(workspace.root()); !kind.empty()) {
-    list.push_back(outline(workspace, workspace.root(), kind));
+  const Opened root = workspace.open(".");
+  if (const std::string kind = result_kind(root.file); !kind.empty()) {
+    list.push_back(outline(root, kind, read_contents(root.file, kind)));
   } else {
-    look_into(workspace, workspace.root(), limits::listed_depth, left, list);
+    look_into(root, limits::listed_depth, left, list);
   }
   std::sort(list.begin(), list.end(), [](const Json& a, const Json& b) {
     return a["started"].get<std::string>() > b["started"].get<std::string>();
@@ -150,21 +221,21 @@ Json list_results(const Workspace& workspace) {
   return list;
 }
 
-Json describe_result(const Workspace& workspace, const fs::path& folder) {
-  const std::string kind = result_kind(folder);
+Json describe_result(const Opened& folder) {
+  const std::string kind = result_kind(folder.file);
   if (kind.empty()) {
     throw HttpError(404, "this folder holds no results of ionskin");
   }
-  Json one = outline(workspace, folder, kind);
-  const Json summary = json_in(folder, kind == "fit" ? "fit.json" : "summary.json");
-  one["summary"] = summary;
-  one["manifest"] = json_in(folder, "manifest.json");
-  one["case"] = text_in(folder, kind == "fit" ? "fitted.toml" : "case.toml");
-  one["tables"] = table_names(folder);
-  one["fields"] = has(folder, "results.h5");
-  one["report"] = has(folder, "report.html");
+  const Contents contents = read_contents(folder.file, kind);
+  Json one = outline(folder, kind, contents);
+  one["summary"] = contents.summary;
+  one["manifest"] = contents.manifest;
+  one["case"] = contents.case_text;
+  one["tables"] = table_names(folder.file);
+  one["fields"] = has(folder.file, "results.h5");
+  one["report"] = has(folder.file, "report.html");
   if (kind == "sweep") {
-    one["points"] = points(folder);
+    one["points"] = points(folder.file);
   }
   return one;
 }

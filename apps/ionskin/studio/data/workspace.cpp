@@ -2,12 +2,14 @@
 #include "studio/data/workspace.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "studio/data/state_folder.hpp"
 #include "studio/server/http_error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
@@ -30,7 +32,18 @@ bool lies_in(const fs::path& path, const fs::path& folder) {
          folder.end();
 }
 
+/// Without "." and "..", as far as they cancel; "." for nothing.
+fs::path plain_path(const std::string& relative) {
+  const fs::path path = fs::path(relative).lexically_normal();
+  return path.empty() ? fs::path(".") : path.has_filename() ? path : path.parent_path();
+}
+
 } // namespace
+
+std::string name_below(const std::string& folder, const std::string& name) {
+  const std::string whole = folder == "." ? name : folder + "/" + name;
+  return whole.front() == '-' ? "./" + whole : whole;
+}
 
 Workspace::Workspace(const fs::path& folder) {
   std::error_code error;
@@ -41,50 +54,37 @@ Workspace::Workspace(const fs::path& folder) {
                                 "and results: ionskin studio FOLDER",
                                 folder.string(), error ? error.message() : "it is a file"));
   }
-  if (fs::is_symlink(fs::symlink_status(state(), error))) {
-    throw UserError(fmt::format("{} is a link; the Studio keeps its records there\n  = remove it",
-                                state().string()));
-  }
-  fs::create_directories(state() / "jobs", error);
-  lock_ = ::open((state() / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
-  if (lock_ < 0) {
+  folder_ = base::FileDescriptor(::open(root_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder_ < 0 || ::access(root_.c_str(), W_OK | X_OK) != 0) {
     throw UserError(fmt::format("{} cannot be written\n  = choose a folder of your own: ionskin "
                                 "studio FOLDER",
                                 root_.string()));
   }
-  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
+  state_ = state_folder(root_);
+  lock_ =
+      base::FileDescriptor(::open((state_ / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
+  if (lock_ < 0 || ::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
     throw UserError(fmt::format("another Studio works in {}\n  = use its page, stop it with Ctrl-C "
                                 "where it runs, or name another folder",
                                 root_.string()));
   }
 }
 
-Workspace::~Workspace() {
-  if (lock_ >= 0) {
-    ::close(lock_);
-  }
-}
-
-fs::path Workspace::inside(const std::string& relative) const {
-  if (relative.find('\0') != std::string::npos || fs::path(relative).is_absolute()) {
-    throw HttpError(403, "paths are relative to the workspace");
-  }
-  std::error_code error;
-  const fs::path path = fs::canonical(root_ / relative, error);
-  // What lies outside is refused before one learns whether it is there.
-  const fs::path known = error ? fs::weakly_canonical(root_ / relative, error) : path;
-  if (known.empty() || !lies_in(known, root_) || lies_in(known, state())) {
+Opened Workspace::open(const std::string& relative) const {
+  const fs::path name = plain_path(relative);
+  const bool has_zero = relative.find('\0') != std::string::npos;
+  if (has_zero || name.is_absolute() || *name.begin() == ".." || *name.begin() == brought_records ||
+      lies_in(root_ / name, state_)) {
     throw HttpError(403, "this path lies outside the workspace");
   }
-  if (path.empty()) {
+  Opened opened{open_below(folder_, name), name_below(".", name.string())};
+  if (opened.file < 0 && (errno == ELOOP || errno == EXDEV)) {
+    throw HttpError(403, "this path is a link, and the Studio follows none");
+  }
+  if (opened.file < 0) {
     throw HttpError(404, "there is no such file in the workspace");
   }
-  return path;
-}
-
-std::string Workspace::relative(const fs::path& path) const {
-  const std::string name = path.lexically_relative(root_).generic_string();
-  return name.front() == '-' ? "./" + name : name; // else a program would take it for an option
+  return opened;
 }
 
 fs::path Workspace::place(const std::string& name) const {
@@ -94,35 +94,6 @@ fs::path Workspace::place(const std::string& name) const {
                          "with a letter or digit");
   }
   return root_ / name;
-}
-
-std::string Workspace::free_name(const std::string& wanted) const {
-  const auto taken = [this](const std::string& name) {
-    std::error_code error;
-    return fs::exists(fs::symlink_status(place(name), error)) ||
-           fs::exists(fs::symlink_status(place(name + ".toml"), error));
-  };
-  std::string name = wanted;
-  for (int number = 2; taken(name); ++number) {
-    name = fmt::format("{}-{}", wanted, number);
-  }
-  return name;
-}
-
-std::string plain_name(const std::string& title) {
-  std::string name;
-  for (const char c : title) {
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
-      name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    } else if (!name.empty() && name.back() != '-') {
-      name += '-';
-    }
-  }
-  name = name.substr(0, 40);
-  while (!name.empty() && name.back() == '-') {
-    name.pop_back();
-  }
-  return name.empty() ? "run" : name;
 }
 
 } // namespace ionskin::apps::studio

@@ -10,13 +10,14 @@
 
 namespace ionskin::apps::studio {
 
-/// How far a job is. `stopping` was told to end; `stopped` can be resumed.
-enum class JobState { queued, running, stopping, stopped, finished, failed };
+/// How far a job is. `stopping` was told to end; `stopped` can be resumed; `found` came with the
+/// workspace and runs only when the user says so.
+enum class JobState { queued, running, stopping, stopped, finished, failed, found };
 
 /// One command of ionskin that the Studio runs. Its folder among the Studio's records holds
 /// job.json, and while it runs `output` and `messages`, and end.json when it ended.
 struct Job {
-  std::string id;
+  std::string id;                 ///< name of its folder
   std::string kind;               ///< "run", "sweep", "fit" or "report"
   std::string folder;             ///< of the results, relative to the workspace
   std::vector<std::string> words; ///< arguments of ionskin
@@ -34,10 +35,8 @@ struct Job {
 
 std::string to_string(JobState state);
 Json to_json(const Job& job);
-/// Throws nlohmann exceptions for a record that is damaged.
-Job job_from_json(const Json& record);
-
-/// Reads a whole small file; empty when it is not there.
-std::string file_text(const std::filesystem::path& path, std::size_t last_bytes);
+/// Reads job.json in a folder of the Studio's own records.
+/// Throws UserError for a record that is damaged, or of a job that is not named like its folder.
+Job read_job(const std::filesystem::path& folder);
 
 } // namespace ionskin::apps::studio

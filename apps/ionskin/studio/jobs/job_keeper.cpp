@@ -50,7 +50,7 @@ int keep_job(const std::filesystem::path& folder) {
   // A cancellation goes to the whole group; the keeper stays to tell how the command ended.
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGTERM, SIG_IGN);
-  const Job job = job_from_json(Json::parse(file_text(folder / "job.json", 1u << 20)));
+  const Job job = read_job(folder);
   const int exit_code = run(job.words);
   base::write_text_file(folder / "end.json",
                         dump({{"exit_code", exit_code}, {"ended", std::time(nullptr)}}));

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/jobs/job_queue.hpp"
 
+#include "ionskin/base/error.hpp"
 #include "ionskin/base/files/atomic_file.hpp"
+#include "ionskin/base/files/read_json.hpp"
+#include "studio/jobs/found_jobs.hpp"
+#include "studio/jobs/job_words.hpp"
 #include "studio/jobs/progress_log.hpp"
+#include "studio/server/http_error.hpp"
 #include "studio/server/limits.hpp"
 
 #include <fmt/format.h>
@@ -72,25 +77,42 @@ std::string JobQueue::add(Job job) {
                                      "numerics.mesh_refinement, or end other programs",
                                      job.memory * 1e-9, available * 1e-9));
   }
-  job.created = now();
-  for (std::uint64_t number = static_cast<std::uint64_t>(job.created * 1e3);; ++number) {
-    job.id = fmt::format("{}", number);
-    if (fs::create_directory(workspace_.state() / "jobs" / job.id)) {
-      break;
-    }
-  }
-  entries_.push_back({std::move(job), nullptr, 0});
-  save(entries_.back());
+  Entry entry{std::move(job), nullptr};
+  adopt(entry);
+  entries_.push_back(std::move(entry));
   return entries_.back().job.id;
 }
 
-JobQueue::Entry& JobQueue::find(const std::string& id) {
+/// Makes a job one of the Studio's own, that waits.
+void JobQueue::adopt(Entry& entry) {
+  entry.job.created = now();
+  entry.job.state = JobState::queued;
+  for (auto number = static_cast<std::uint64_t>(entry.job.created * 1e3);; ++number) {
+    entry.job.id = fmt::format("{}", number);
+    if (fs::create_directory(records(entry.job))) {
+      break;
+    }
+  }
+  try {
+    save(entry);
+  } catch (...) {
+    std::error_code error;
+    fs::remove_all(records(entry.job), error);
+    throw;
+  }
+}
+
+const JobQueue::Entry& JobQueue::find(const std::string& id) const {
   const auto entry = std::find_if(entries_.begin(), entries_.end(),
                                   [&](const Entry& other) { return other.job.id == id; });
   if (entry == entries_.end()) {
     throw HttpError(404, "there is no such job");
   }
   return *entry;
+}
+
+JobQueue::Entry& JobQueue::find(const std::string& id) {
+  return const_cast<Entry&>(std::as_const(*this).find(id));
 }
 
 void JobQueue::cancel(const std::string& id) {
@@ -112,11 +134,21 @@ void JobQueue::cancel(const std::string& id) {
 void JobQueue::resume(const std::string& id) {
   const std::lock_guard lock(mutex_);
   Entry& entry = find(id);
-  Job& job = entry.job;
-  if (job.state != JobState::stopped && job.state != JobState::failed) {
+  if (entry.job.state < JobState::stopped || entry.job.state == JobState::finished) {
     throw HttpError(409, "only a job that was stopped or failed can be resumed");
   }
+  if (entry.job.state == JobState::found) {
+    Entry own{entry.job, nullptr};
+    own.job.message.clear();
+    adopt(own);
+    remove_found(workspace_, entry.found);
+    entry = std::move(own);
+    std::rotate(entries_.begin() + (&entry - entries_.data()),
+                entries_.begin() + (&entry - entries_.data()) + 1, entries_.end());
+    return;
+  }
   std::error_code error;
+  Job& job = entry.job;
   const bool begun = fs::exists(workspace_.root() / job.folder / "manifest.json", error);
   if (begun && job.kind != "report" &&
       std::find(job.words.begin(), job.words.end(), "--resume") == job.words.end()) {
@@ -130,6 +162,27 @@ void JobQueue::resume(const std::string& id) {
   job.message.clear();
   entry.progress = nullptr;
   save(entry);
+}
+
+void JobQueue::remove(const std::string& id) {
+  const std::lock_guard lock(mutex_);
+  Entry& entry = find(id);
+  if (entry.job.open()) {
+    throw HttpError(409, "this job waits or runs; cancel it first");
+  }
+  if (entry.job.state == JobState::found) {
+    remove_found(workspace_, entry.found);
+  } else {
+    std::error_code error;
+    fs::remove_all(records(entry.job), error);
+  }
+  entries_.erase(entries_.begin() + (&entry - entries_.data()));
+  changed();
+}
+
+Job JobQueue::job(const std::string& id) const {
+  const std::lock_guard lock(mutex_);
+  return find(id).job;
 }
 
 Json JobQueue::list() const {
@@ -158,10 +211,8 @@ void JobQueue::load() {
   std::error_code error;
   for (const auto& folder : fs::directory_iterator(workspace_.state() / "jobs", error)) {
     try {
-      entries_.push_back(
-          {job_from_json(Json::parse(file_text(folder.path() / "job.json", 1u << 20))), nullptr,
-           0});
-    } catch (const Json::exception&) {
+      entries_.push_back({read_job(folder.path()), nullptr});
+    } catch (const UserError&) {
       continue; // a record that was never whole
     }
   }
@@ -171,10 +222,21 @@ void JobQueue::load() {
     fs::remove_all(records(entries_.front().job), error);
     entries_.erase(entries_.begin());
   }
+  // Before the Studio's own in the list, with numbers that those never have.
+  std::size_t number = 0;
+  for (FoundJob& found : find_jobs(workspace_)) {
+    found.job.id = fmt::format("{}", number);
+    entries_.insert(entries_.begin(), {std::move(found.job), nullptr, 0, std::move(found.name)});
+    ++number;
+  }
 }
 
 void JobQueue::save(const Entry& entry) {
   base::write_text_file(records(entry.job) / "job.json", dump(to_json(entry.job)));
+  changed();
+}
+
+void JobQueue::changed() {
   ++version_;
   changed_.notify_all();
 }
@@ -200,16 +262,14 @@ void JobQueue::watch() {
 
 void JobQueue::look_at(Entry& entry) {
   const bool alive = entry.job.keeper.alive();
-  const ProgressLog log =
-      read_progress(file_text(records(entry.job) / "messages", limits::log_tail));
+  const ProgressLog log = read_progress(records(entry.job) / "messages");
   Json progress = {{"activity", log.activity},
                    {"fraction", log.fraction},
                    {"left_s", log.left < 0 ? Json() : Json(log.left)},
                    {"elapsed_s", std::floor(now() - entry.job.started)}};
   if (progress != entry.progress) {
     entry.progress = std::move(progress);
-    ++version_;
-    changed_.notify_all();
+    changed();
   }
   if (!alive || fs::exists(records(entry.job) / "end.json")) {
     end(entry);
@@ -233,11 +293,15 @@ void JobQueue::press(Entry& entry) {
 
 void JobQueue::end(Entry& entry) {
   Job& job = entry.job;
-  const Json record = Json::parse(file_text(records(job) / "end.json", 4096), nullptr, false);
-  const bool told = record.is_object();
-  job.exit_code = told ? record.value("exit_code", -1) : interrupted;
+  const fs::path told_end = records(job) / "end.json";
+  const bool told = fs::exists(told_end);
+  job.exit_code = interrupted;
+  if (told) {
+    const Json record = base::read_json(told_end, "record", limits::record).value_or(Json());
+    job.exit_code = record.is_object() ? record.value("exit_code", -1) : -1;
+  }
   job.ended = now();
-  job.message = read_progress(file_text(records(job) / "messages", limits::log_tail)).messages;
+  job.message = read_progress(records(job) / "messages").messages;
   if (job.exit_code == 0) {
     job.state = JobState::finished;
   } else if (job.exit_code == interrupted || job.state == JobState::stopping) {
@@ -266,14 +330,24 @@ void JobQueue::start_next() {
   }
 }
 
+void JobQueue::refuse(Entry& entry, const std::string& why) {
+  entry.job.state = JobState::failed;
+  entry.job.message = why;
+  save(entry);
+}
+
 void JobQueue::start(Entry& entry) {
   Job& job = entry.job;
   const double available = available_memory();
   if (job.memory > available) {
-    job.state = JobState::failed;
-    job.message = fmt::format("this needs about {:.2g} GB of memory, and {:.2g} GB are free",
-                              job.memory * 1e-9, available * 1e-9);
-    save(entry);
+    refuse(entry, fmt::format("this needs about {:.2g} GB of memory, and {:.2g} GB are free",
+                              job.memory * 1e-9, available * 1e-9));
+    return;
+  }
+  try {
+    require_inside(workspace_, job.words); // which may have become links while it waited
+  } catch (const HttpError& error) {
+    refuse(entry, error.what());
     return;
   }
   const fs::path folder = records(job);

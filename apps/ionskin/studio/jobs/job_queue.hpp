@@ -13,8 +13,10 @@
 
 namespace ionskin::apps::studio {
 
-/// The jobs of a workspace, one running at a time. They are kept in files: a new queue takes up
-/// what an earlier one left, whether it still runs, waits or was ended with the machine.
+/// The jobs of a workspace, one running at a time. They are kept in files of the user's own,
+/// outside the workspace: a new queue takes up what an earlier one left, whether it still runs,
+/// waits or was ended with the machine. Jobs that the workspace brings are listed and wait for
+/// `resume`.
 class JobQueue {
 public:
   explicit JobQueue(const Workspace& workspace);
@@ -28,8 +30,13 @@ public:
   std::string add(Job job);
   /// Throws HttpError 404 and, for jobs that ended, 409.
   void cancel(const std::string& id);
-  /// Goes on with a job that was stopped. Throws HttpError 404, 409.
+  /// Goes on with a job that was stopped, failed or found. What it would run is looked at first:
+  /// `require_runnable`. Throws HttpError 404, 409.
   void resume(const std::string& id);
+  /// Forgets a job that does not wait or run. Throws HttpError 404, 409.
+  void remove(const std::string& id);
+  /// Throws HttpError 404.
+  Job job(const std::string& id) const;
 
   /// All jobs with their progress, the newest first.
   Json list() const;
@@ -45,18 +52,23 @@ private:
   struct Entry {
     Job job;
     Json progress;
-    double cancelled = 0; ///< when it was told to stop
+    double cancelled = 0;   ///< when it was told to stop
+    std::string found = {}; ///< name of its record in the workspace
   };
   Entry& find(const std::string& id);
+  const Entry& find(const std::string& id) const;
+  void adopt(Entry& entry);
   std::filesystem::path records(const Job& job) const;
   void load();
   void save(const Entry& entry);
+  void changed();
   void watch();
   void look_at(Entry& entry);
   void press(Entry& entry);
   void end(Entry& entry);
   void start_next();
   void start(Entry& entry);
+  void refuse(Entry& entry, const std::string& why);
 
   const Workspace& workspace_;
   mutable std::mutex mutex_;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/jobs/job_request.hpp"
 
-#include "ionskin/base/files/atomic_file.hpp"
+#include "ionskin/base/files/read_text_file.hpp"
 #include "ionskin/case/schema/schema.hpp"
 #include "studio/data/case_check.hpp"
+#include "studio/jobs/job_words.hpp"
 #include "studio/server/limits.hpp"
 #include "terminal/terminal.hpp"
 
@@ -58,18 +59,14 @@ Json list_in(const Json& request, const char* name, std::size_t most) {
   return list;
 }
 
-/// The case file to run: the one it came from while its text is the same, or a new one.
-std::string case_file(const Workspace& workspace, const Json& request, const std::string& text,
-                      const std::string& name) {
-  const std::string source = text_of(request, "source");
-  if (!source.empty() && file_text(workspace.inside(source), limits::body) == text) {
-    return source;
+/// True when the case came from a file of the workspace whose text is still the same: it is run
+/// from there, and needs no new one.
+bool is_text_of(const Workspace& workspace, const std::string& source, const std::string& text) {
+  if (source.empty()) {
+    return false;
   }
-  const std::string file = name + ".toml";
-  if (!request.value("dry", false)) {
-    base::write_text_file(workspace.place(file), text);
-  }
-  return file;
+  const Opened file = workspace.open(source);
+  return base::read_text_file(file.file, file.name, "case", limits::body) == text;
 }
 
 void add_sweep(const Json& request, Job& job) {
@@ -93,11 +90,11 @@ void add_sweep(const Json& request, Job& job) {
 }
 
 void add_fit(const Workspace& workspace, const Json& request, Job& job) {
-  const fs::path measured = workspace.inside(text_of(request, "data"));
-  if (!fs::is_regular_file(measured)) {
+  const Opened measured = workspace.open(text_of(request, "data"));
+  if (!is_file(measured.file)) {
     throw HttpError(400, "data is the name of a CSV file in the workspace");
   }
-  const std::string data = workspace.relative(measured);
+  const std::string& data = measured.name;
   const std::string column = text_of(request, "column");
   std::string keys, keys_python;
   for (const Json& key : list_in(request, "free", most_keys)) {
@@ -117,7 +114,7 @@ void add_fit(const Workspace& workspace, const Json& request, Job& job) {
 Job report_job(const Workspace& workspace, const Json& request) {
   Job job;
   job.kind = "report";
-  job.folder = workspace.relative(workspace.inside(text_of(request, "path")));
+  job.folder = workspace.open(text_of(request, "path")).name;
   job.words = {"report", job.folder};
   job.command = shell_text({"ionskin", "report", job.folder});
   job.python =
@@ -125,30 +122,12 @@ Job report_job(const Workspace& workspace, const Json& request) {
   return job;
 }
 
-} // namespace
-
-Job job_of(const Workspace& workspace, const Json& request) {
+/// Everything of a run, a sweep or a fit but where its case and its results lie.
+Job study_job(const Workspace& workspace, const Json& request, const std::string& file,
+              const std::string& folder) {
   Job job;
   job.kind = text_of(request, "kind");
-  if (job.kind == "report") {
-    return report_job(workspace, request);
-  }
-  if (job.kind != "run" && job.kind != "sweep" && job.kind != "fit") {
-    throw HttpError(400, "a job is a run, a sweep, a fit or a report");
-  }
-  const std::string text = text_of(request, "case");
-  const Json verdict = check_case(workspace, text);
-  if (!verdict.value("valid", false)) {
-    throw HttpError(422, "the case has mistakes: " +
-                             verdict["errors"][0].value("message", std::string("see its check")));
-  }
-  if (const Json cost = verdict.value("cost", Json()); cost.is_object()) {
-    job.memory = cost.value("memory_bytes", 0.0);
-    job.seconds = cost.value("seconds", 0.0);
-  }
-  const std::string wanted = text_of(request, "name", job.kind);
-  job.folder = workspace.free_name(workspace.place(wanted).filename().string());
-  const std::string file = case_file(workspace, request, text, job.folder);
+  job.folder = folder;
   job.words = {job.kind, file, "-o", job.folder};
   job.python =
       fmt::format("import ionskin\ncase = ionskin.Case.from_file({})\n", python_text(file));
@@ -167,6 +146,38 @@ Job job_of(const Workspace& workspace, const Json& request) {
   job.command = shell_text(shown);
   job.words.insert(job.words.end(), {"--log", "json"});
   return job;
+}
+
+} // namespace
+
+RequestedJob::RequestedJob(const Workspace& workspace, const Json& request) {
+  const std::string kind = text_of(request, "kind");
+  if (kind == "report") {
+    job = report_job(workspace, request);
+    require_inside(workspace, job.words);
+    return;
+  }
+  if (kind != "run" && kind != "sweep" && kind != "fit") {
+    throw HttpError(400, "a job is a run, a sweep, a fit or a report");
+  }
+  const std::string text = text_of(request, "case"), source = text_of(request, "source");
+  const Json verdict = check_case(workspace, text);
+  require_valid(verdict);
+  const bool own_file = !is_text_of(workspace, source, text);
+  std::string folder = free_name(workspace, text_of(request, "name", kind));
+  if (!request.value("dry", false)) {
+    results.emplace(workspace, text_of(request, "name", kind), own_file ? &text : nullptr);
+    folder = results->name();
+  }
+  job = study_job(workspace, request, own_file ? folder + ".toml" : workspace.open(source).name,
+                  folder);
+  if (results) {
+    require_inside(workspace, job.words);
+  }
+  if (const Json cost = verdict.value("cost", Json()); cost.is_object()) {
+    job.memory = cost.value("memory_bytes", 0.0);
+    job.seconds = cost.value("seconds", 0.0);
+  }
 }
 
 } // namespace ionskin::apps::studio

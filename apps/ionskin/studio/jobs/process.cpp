@@ -126,6 +126,13 @@ bool drain(std::array<pollfd, 2> ends, Outcome& outcome,
 
 } // namespace
 
+void Outcome::rename(const std::string& given, const std::string& known) {
+  for (std::size_t at = errors.find(given); at != std::string::npos;
+       at = errors.find(given, at + known.size())) {
+    errors.replace(at, given.size(), known);
+  }
+}
+
 bool ProcessId::alive() const {
   return pid > 0 && !started.empty() && identify(pid).started == started;
 }

@@ -37,6 +37,9 @@ struct Outcome {
   int exit_code = -1; ///< -1 when it was ended from outside
   bool timed_out = false;
   std::string output, errors;
+
+  /// Puts the name that the user knows into the errors, where the program was given another.
+  void rename(const std::string& given, const std::string& known);
 };
 
 /// Runs a program to its end with bounded time, memory and output.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "studio/server/json.hpp"
-
+#include <filesystem>
 #include <string>
 
 namespace ionskin::apps::studio {
@@ -15,7 +14,8 @@ struct ProgressLog {
   std::string messages; ///< lines that tell no progress
 };
 
-/// @param text the end of what was said; a first line that is cut is passed over
-ProgressLog read_progress(const std::string& text);
+/// Of the last `limits::log_tail` bytes of a file; a first line that is cut is passed over. Nothing
+/// of a file that is not there.
+ProgressLog read_progress(const std::filesystem::path& messages);
 
 } // namespace ionskin::apps::studio

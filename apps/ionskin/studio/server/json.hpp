@@ -4,14 +4,12 @@
 #include "ionskin/base/files/read_json.hpp"
 #include "studio/server/http_error.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <string>
 #include <string_view>
 
 namespace ionskin::apps::studio {
 
-using Json = nlohmann::ordered_json;
+using base::Json;
 
 inline constexpr const char* json_type = "application/json; charset=utf-8";
 

@@ -22,10 +22,13 @@ inline constexpr std::chrono::seconds head_time{5};    ///< from the connection 
 inline constexpr std::chrono::seconds body_time{30};   ///< from the head to the whole body
 inline constexpr std::chrono::seconds answer_time{60}; ///< to send an answer
 inline constexpr std::chrono::seconds passing_time{
-    2};                                        ///< in which a refused request is passed over
-inline constexpr std::size_t listeners = 8;    ///< pages that follow the progress
-inline constexpr std::size_t queued_jobs = 64; ///< that wait or run
-inline constexpr std::size_t kept_jobs = 500;  ///< of which the list tells
+    2};                                         ///< in which a refused request is passed over
+inline constexpr std::size_t listeners = 8;     ///< pages that follow the progress
+inline constexpr std::size_t queued_jobs = 64;  ///< that wait or run
+inline constexpr std::size_t kept_jobs = 500;   ///< of which the list tells
+inline constexpr std::size_t found_jobs = 100;  ///< records that came with a folder and are shown
+inline constexpr std::size_t record = 8u << 20; ///< of a job [bytes]
+inline constexpr std::size_t found_record = 64u << 10; ///< of a job that came with a folder [bytes]
 inline constexpr std::size_t checks_at_once = 4;
 inline constexpr std::size_t listed_folders = 5000; ///< that are looked into for results
 inline constexpr int listed_depth = 4;

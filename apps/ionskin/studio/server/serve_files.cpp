@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/base/files/atomic_file.hpp"
-#include "studio/jobs/job.hpp"
+#include "ionskin/base/files/read_text_file.hpp"
+#include "studio/data/new_names.hpp"
 #include "studio/server/limits.hpp"
 #include "studio/server/server.hpp"
 
@@ -37,17 +37,13 @@ Json list_files(const Workspace& workspace) {
   return {{"cases", cases}, {"data", data}};
 }
 
-fs::path unused_place(const Workspace& workspace, const std::string& name) {
-  fs::path path = workspace.place(name);
-  if (path.extension() != ".csv") {
-    throw HttpError(400, "a measurement is a file NAME.csv");
+/// The text of an ordinary file that a request names.
+std::string file_text(const Workspace& workspace, const std::string& path, std::size_t most) {
+  const Opened opened = workspace.open(path);
+  if (!is_file(opened.file)) {
+    throw HttpError(404, "this is no file but a folder, a pipe or a device");
   }
-  const std::string stem = path.stem().string();
-  std::error_code error;
-  for (int number = 2; fs::exists(fs::symlink_status(path, error)); ++number) {
-    path = workspace.place(stem + "-" + std::to_string(number) + ".csv");
-  }
-  return path;
+  return base::read_text_file(opened.file, opened.name, "chosen", most);
 }
 
 } // namespace
@@ -60,31 +56,28 @@ void Server::serve_file_calls() {
     send_json(response, all);
   });
   get("/api/text", [this](const Request& request, Response& response) {
-    const fs::path path = workspace_.inside(request.parameter("path"));
-    std::error_code error;
-    if (!is_text(path) || !fs::is_regular_file(path, error)) {
+    const std::string path = request.parameter("path");
+    const std::string text = file_text(workspace_, path, limits::upload);
+    if (!is_text(path)) {
       throw HttpError(404, "only cases, tables and summaries are shown as text");
     }
-    if (fs::file_size(path, error) > limits::upload) {
-      throw HttpError(413, "this file is too large to be shown");
-    }
-    send_json(response, {{"text", file_text(path, limits::upload)}});
+    send_json(response, {{"text", text}});
   });
   get("/api/download", [this](const Request& request, Response& response) {
-    const fs::path path = workspace_.inside(request.parameter("path"));
-    std::error_code error;
-    if (!fs::is_regular_file(path, error) || fs::file_size(path, error) > limits::table_bytes) {
-      throw HttpError(404, "there is no such file, or it is too large");
-    }
+    std::string text = file_text(workspace_, request.parameter("path"), limits::table_bytes);
     // Never shown by the browser as a page of the Studio.
     response.headers.emplace_back("Content-Disposition", "attachment");
-    send(response, file_text(path, limits::table_bytes), "application/octet-stream");
+    send(response, std::move(text), "application/octet-stream");
   });
   post("/api/upload", [this](const Request& request, Response& response) {
-    const fs::path path = unused_place(workspace_, request.parameter("name"));
-    base::write_text_file(path, request.body);
+    const fs::path name = request.parameter("name");
+    if (name.extension() != ".csv") {
+      throw HttpError(400, "a measurement is a file NAME.csv");
+    }
+    const std::string path =
+        write_new_file(workspace_, name.parent_path() / name.stem(), ".csv", request.body);
     response.status = 201;
-    send_json(response, {{"path", workspace_.relative(path)}});
+    send_json(response, {{"path", path}});
   });
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "studio/jobs/found_jobs.hpp"
 #include "studio/jobs/job_request.hpp"
 #include "studio/server/limits.hpp"
 #include "studio/server/server.hpp"
@@ -7,20 +8,24 @@
 
 namespace ionskin::apps::studio {
 
-/// Jobs: start, follow, cancel, resume.
+/// Jobs: start, follow, cancel, resume, forget.
 void Server::serve_job_calls() {
   get("/api/jobs",
       [this](const Request&, Response& response) { send_json(response, jobs_.list()); });
   post("/api/jobs", [this](const Request& request, Response& response) {
     const Json body = parse_object(request.body);
-    Job job = job_of(workspace_, body);
+    RequestedJob asked(workspace_, body);
+    const Job& job = asked.job;
     const Json answer = {{"folder", job.folder}, {"command", job.command}, {"python", job.python}};
     if (body.value("dry", false)) {
       send_json(response, answer);
       return;
     }
     Json all = answer;
-    all["id"] = jobs_.add(std::move(job));
+    all["id"] = jobs_.add(job);
+    if (asked.results) {
+      asked.results->keep();
+    }
     response.status = 201;
     send_json(response, all);
   });
@@ -29,7 +34,12 @@ void Server::serve_job_calls() {
     send_json(response, Json::object());
   });
   post("/api/jobs/ID/resume", [this](const Request& request, Response& response) {
+    require_runnable(workspace_, jobs_.job(request.id));
     jobs_.resume(request.id);
+    send_json(response, Json::object());
+  });
+  post("/api/jobs/ID/remove", [this](const Request& request, Response& response) {
+    jobs_.remove(request.id);
     send_json(response, Json::object());
   });
   get("/api/events", [this](const Request&, Response& response) { serve_events(response); });

@@ -5,25 +5,56 @@
 #include "studio/server/limits.hpp"
 #include "studio/server/server.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <filesystem>
+#include <unistd.h>
 
 namespace ionskin::apps::studio {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 constexpr const char* numbers = "application/octet-stream";
 
-/// A file of a run that is no link out of its folder.
-std::filesystem::path file_of(const Workspace& workspace, const Request& request,
-                              const std::string& name) {
-  return workspace.inside(request.parameter("path") + "/" + name);
+/// A file of a run.
+Opened file_of(const Workspace& workspace, const Request& request, const std::string& name) {
+  Opened opened = workspace.open(request.parameter("path") + "/" + name);
+  if (!is_file(opened.file)) {
+    throw HttpError(404, opened.name + " is no ordinary file");
+  }
+  return opened;
+}
+
+/// A folder of results without a link, which another program would follow out of the workspace.
+Opened plain_folder(const Workspace& workspace, const std::string& path) {
+  Opened opened = workspace.open(path);
+  std::error_code error;
+  for (fs::directory_iterator at(path_of(opened.file), error), end; !error && at != end;
+       at.increment(error)) {
+    if (fs::is_symlink(at->symlink_status(error))) {
+      throw HttpError(403, opened.name + " holds a link, and the Studio follows none");
+    }
+  }
+  return opened;
+}
+
+/// A name of what this process has open, for a program that it starts.
+std::string path_for_child(const Opened& opened) {
+  return fmt::format("/proc/{}/fd/{}", ::getpid(), static_cast<int>(opened.file));
 }
 
 std::string compare(const Workspace& workspace, const Request& request) {
-  const auto first = workspace.relative(workspace.inside(request.parameter("first")));
-  const auto second = workspace.relative(workspace.inside(request.parameter("second")));
-  const Outcome outcome = run_to_end({program().string(), "compare", first, second},
-                                     workspace.root(), limits::compare_time, 0);
+  const Opened first = plain_folder(workspace, request.parameter("first"));
+  const Opened second = plain_folder(workspace, request.parameter("second"));
+  Outcome outcome =
+      run_to_end({program().string(), "compare", path_for_child(first), path_for_child(second)},
+                 workspace.root(), limits::compare_time, 0);
   if (outcome.exit_code != 0) {
+    outcome.rename(path_for_child(first), first.name);
+    outcome.rename(path_for_child(second), second.name);
     throw HttpError(422, outcome.errors.empty() ? "the comparison ended early" : outcome.errors);
   }
   return outcome.output;
@@ -37,14 +68,15 @@ void Server::serve_result_calls() {
     send_json(response, list_results(workspace_));
   });
   get("/api/result", [this](const Request& request, Response& response) {
-    send_json(response, describe_result(workspace_, workspace_.inside(request.parameter("path"))));
+    send_json(response, describe_result(workspace_.open(request.parameter("path"))));
   });
   get("/api/table", [this](const Request& request, Response& response) {
     const std::string name = request.parameter("name");
     if (std::ranges::find(known_tables(), name) == known_tables().end()) {
       throw HttpError(404, "there is no such table");
     }
-    send(response, packed_table(file_of(workspace_, request, name + ".csv")), numbers);
+    const Opened table = file_of(workspace_, request, name + ".csv");
+    send(response, packed_table(path_of(table.file)), numbers);
   });
   get("/api/fields", [this](const Request& request, Response& response) {
     send_json(response, fields_.list(file_of(workspace_, request, "results.h5")));

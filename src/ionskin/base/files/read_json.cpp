@@ -40,4 +40,9 @@ std::optional<Json> read_json(const std::filesystem::path& path, const char* wha
   return parse_json(read_text_file(path.string(), what, most));
 }
 
+std::optional<Json> read_json(const FileDescriptor& file, const std::string& path, const char* what,
+                              std::size_t most) {
+  return parse_json(read_text_file(file, path, what, most));
+}
+
 } // namespace ionskin::base

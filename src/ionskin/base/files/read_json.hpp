@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/base/system/file_descriptor.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace ionskin::base {
@@ -27,6 +30,11 @@ std::optional<Json> parse_json(std::string_view text);
 /// @param what kind of file, for the message: "plan"
 /// @param most bytes
 std::optional<Json> read_json(const std::filesystem::path& path, const char* what,
+                              std::size_t most = largest_json);
+
+/// The same of a file that is open already, with O_NONBLOCK.
+/// @param path for the message
+std::optional<Json> read_json(const FileDescriptor& file, const std::string& path, const char* what,
                               std::size_t most = largest_json);
 
 } // namespace ionskin::base

@@ -17,15 +17,6 @@ namespace ionskin::base {
 
 namespace {
 
-/// An open file, closed at the end.
-struct Descriptor {
-  int number = -1;
-  ~Descriptor() {
-    if (number >= 0)
-      close(number);
-  }
-};
-
 [[noreturn]] void refuse_unreadable(const std::string& what, const std::string& path) {
   throw UserError(
       fmt::format("the {} file {} cannot be read: {}\n  = check its name and its permissions", what,
@@ -56,16 +47,21 @@ std::string read_text_file(const std::string& path, const std::string& what, std
     throw UserError(fmt::format("the name of the {} file holds a zero byte: {}\n  = check its name",
                                 what, shown(path)));
   // Opening a pipe would wait for its other end.
-  const Descriptor file{open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)};
+  return read_text_file(FileDescriptor(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)), path,
+                        what, most);
+}
+
+std::string read_text_file(const FileDescriptor& file, const std::string& path,
+                           const std::string& what, std::size_t most) {
   struct stat status {};
-  if (file.number < 0 || fstat(file.number, &status) != 0)
+  if (file < 0 || fstat(file, &status) != 0)
     refuse_unreadable(what, path);
   require_ordinary(status, what, path);
   require_size(static_cast<std::size_t>(status.st_size), most, what, path);
   std::string text;
   std::array<char, 1U << 16> block{};
   for (;;) {
-    const ssize_t count = read(file.number, block.data(), block.size());
+    const ssize_t count = read(file, block.data(), block.size());
     if (count < 0 && errno != EINTR)
       refuse_unreadable(what, path);
     if (count == 0)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/base/system/file_descriptor.hpp"
+
 #include <cstddef>
 #include <string>
 
@@ -15,5 +17,11 @@ inline constexpr std::size_t largest_table = 64U << 20;
 /// @param most bytes
 std::string read_text_file(const std::string& path, const std::string& what,
                            std::size_t most = largest_table);
+
+/// The same of a file that is open already, from where it was read to. It was opened with
+/// O_NONBLOCK, or else opening a pipe would have waited.
+/// @param path for the message
+std::string read_text_file(const FileDescriptor& file, const std::string& path,
+                           const std::string& what, std::size_t most = largest_table);
 
 } // namespace ionskin::base

@@ -31,6 +31,10 @@ void require_readable(const std::filesystem::path& path) {
     throw UserError(
         fmt::format("{} is a folder, not an HDF5 file\n  = name a file in it", path.string()));
   }
+  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored)) {
+    throw UserError(
+        fmt::format("{} is a pipe or a device, not an HDF5 file\n  = name a file", path.string()));
+  }
   if (!std::ifstream(path)) {
     throw UserError(
         fmt::format("the file {} cannot be read: {}\n  = check its name and its permissions",

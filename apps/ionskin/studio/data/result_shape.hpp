@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "studio/server/json.hpp"
+
+namespace ionskin::apps::studio {
+
+/// What a page takes from manifest.json has the types that it expects, where it is there. Throws
+/// UserError with the first entry that has not.
+void require_manifest(const Json& manifest);
+
+/// The same of summary.json or fit.json.
+void require_summary(const Json& summary);
+
+} // namespace ionskin::apps::studio
