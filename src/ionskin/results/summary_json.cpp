@@ -22,8 +22,8 @@ bool is_name(const std::string& text, std::string_view forbidden) {
          base::shown(text, text.size()) == text;
 }
 
-/// Nothing where a metric has no proper name or unit. Throws exceptions of the library where a value
-/// has another type.
+/// Nothing where a metric has no proper name or unit. Throws exceptions of the library where a
+/// value has another type.
 std::optional<Summary> summary_of(const base::Json& json) {
   Summary summary;
   for (const auto& [name, entry] : json.at("metrics").get_ref<const base::Json::object_t&>()) {
