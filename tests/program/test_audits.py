@@ -44,6 +44,29 @@ class Audits(ProgramTest):
         self.assertNotIn("do not pass their audits", str(rows[0]))
         self.assertIn("do not pass their audits", str(rows[1]))
 
+    def test_friction_gives_no_more_than_it_took(self):
+        """Elastic slip wound up under 1 N and given back under 20 N, and the other way round, in closed cycles."""
+        for name, there, back in (("rising", 1, 20), ("falling", 20, 1)):
+            time, rows = 0.5, [(0, 5, "1", ""), (0.5, 5, "", there)]
+            for _ in range(3):
+                for x, force in ((5.05, there), (5.05, back), (5, back), (5, there)):
+                    time += 0.1
+                    rows.append((round(time, 3), x, "", force))
+            rows.append((time + 0.5, 5, "1", ""))
+            self.write("path.csv", "time [s], x [mm], y [mm], height [mm], force [N]\n"
+                       + "".join(f"{t},{x},1,{height},{force}\n" for t, x, height, force in rows))
+            head, rest = QUICK.read_text().replace('start = ["4.5 mm", "1 mm"]\n', "").split("[motion]")
+            self.write("case.toml", head + '[motion]\nkind = "waypoints"\nfile = "path.csv"\n[contact]' + rest.split("[contact]")[1])
+            self.run_case("case.toml", *SMALL, "--set", "contact.law=regularised", "--set", "contact.friction=0.5",
+                          "--set", "contact.slip_length=100 um", "-o", name)
+            metrics = summary(self.folder / name)["metrics"]
+            work = metrics["external_work"]["value"]
+            self.assertGreater(work, 0, name)
+            self.assertGreater(metrics["friction_work"]["value"], 0.5 * work, name)
+            audit = summary(self.folder / name)["audits"]["energy_creation_error"]
+            self.assertEqual(audit["verdict"], "passed", name)
+            self.assertLess(audit["value"], 1e-8, name)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -36,13 +36,16 @@ EnergyBalance energy_balance(const ContactTimeline& timeline,
     }
   }
   const StateCombination last = timeline.at_sample(timeline.sample_times().size() - 1);
-  balance.elastic_energy -= last.sum(&mechanics::ContactState::binding_energy);
+  const double stored = last.sum(&mechanics::ContactState::friction_energy);
+  balance.friction_work -= stored;
+  balance.elastic_energy += stored - last.sum(&mechanics::ContactState::binding_energy);
   constexpr double rounding = 1e-9; // of steps that might have jumped and did not
   const bool jumps = std::abs(contact.adhesion_loss) > rounding * all_work;
   balance.adhesion_loss = jumps ? contact.adhesion_loss : 0.0;
   const double missing = balance.external_work - balance.friction_work - balance.elastic_energy -
                          balance.adhesion_loss;
   balance.relative_error = all_work > 0 ? std::abs(missing) / all_work : 0;
+  balance.creation_error = all_work > 0 ? contact.created_energy / all_work : 0;
   return balance;
 }
 

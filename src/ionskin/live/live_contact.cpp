@@ -23,10 +23,12 @@ constexpr double shortest_step = 1e-9;
 /// A traction nearer to its limit slips.
 constexpr double slipping = 1e-9;
 
+constexpr std::size_t of_elastic_slip = 3; ///< numbers of a cell in the memory
+
 /// With any coefficient that may be set.
 std::size_t memory_per_cell(const SkinData& data) {
   const laws::Friction friction = friction_of(data, data.highest_friction);
-  return friction.elastic_slip > 0 ? 2 : friction.lag > 0 ? 1 : 0;
+  return friction.elastic_slip > 0 ? of_elastic_slip : friction.lag > 0 ? 1 : 0;
 }
 
 } // namespace
@@ -114,7 +116,8 @@ LiveContact::Sweep LiveContact::sweep(double time_step, const std::array<double,
                                           (state.force[at + 2] + slip_y / own_tangential) / area},
                                          own_tangential * area,
                                          time_step,
-                                         friction_.lag > 0 ? state.memory[cell] : 0.0});
+                                         friction_.lag > 0 ? state.memory[cell] : 0.0,
+                                         elastic_slip(cell, state)});
     drag_[cell] = response.by_normal;
     const std::array<double, 3> next{normal, area * response.traction[0],
                                      area * response.traction[1]};
@@ -197,10 +200,21 @@ bool LiveContact::correct(const Load& load, double total, State& state) noexcept
   return true;
 }
 
-/// Which cells slip, and what friction keeps of their slip.
+/// At the begin of the step, until it is remembered.
+laws::ElasticSlip LiveContact::elastic_slip(std::size_t cell, const State& state) const noexcept {
+  if (friction_.elastic_slip == 0) {
+    return {};
+  }
+  const double* memory = &state.memory[of_elastic_slip * cell];
+  return {{memory[0], memory[1]}, memory[2]};
+}
+
+/// Which cells slip, and what friction keeps of their slip: nothing where there is none.
 void LiveContact::remember(double time_step, const std::array<double, 2>& travel,
                            State& state) noexcept {
-  const double most = friction_.elastic_slip;
+  if (friction_.coefficient == 0) {
+    std::fill(state.memory.begin(), state.memory.end(), 0.0);
+  }
   for (std::size_t cell = 0, at = 0; at < size_; ++cell, at += 3) {
     const bool touches = state.force[at] > 0;
     const double area = data_.area[cell], lagged = friction_.lag > 0 ? state.memory[cell] : 0;
@@ -209,15 +223,20 @@ void LiveContact::remember(double time_step, const std::array<double, 2>& travel
                                                            state.force[at + 2] / area}) >=
                                   (1 - slipping) * limit;
     const double slip_x = travel[0] - (state.surface[at + 1] - before_[at + 1]),
-                 slip_y = travel[1] - (state.surface[at + 2] - before_[at + 2]),
-                 length = std::hypot(slip_x, slip_y);
-    if (most > 0) {
-      const double share = !touches ? 0 : length > most ? most / length : 1;
-      state.memory[2 * cell] = share * slip_x;
-      state.memory[2 * cell + 1] = share * slip_y;
+                 slip_y = travel[1] - (state.surface[at + 2] - before_[at + 2]);
+    if (friction_.elastic_slip > 0) {
+      const laws::ElasticSlip elastic =
+          laws::divided_slip(friction_, elastic_slip(cell, state),
+                             {state.force[at] / area, 0, time_step, lagged}, {slip_x, slip_y})
+              .elastic;
+      double* memory = &state.memory[of_elastic_slip * cell];
+      memory[0] = elastic.slip[0];
+      memory[1] = elastic.slip[1];
+      memory[2] = elastic.limit;
     } else if (friction_.lag > 0) {
       const double left = std::exp(-time_step / friction_.lag);
-      state.memory[cell] = touches ? left * lagged + (1 - left) * length / time_step : 0;
+      const double speed = std::hypot(slip_x, slip_y) / time_step;
+      state.memory[cell] = touches ? left * lagged + (1 - left) * speed : 0;
     }
   }
 }
@@ -242,10 +261,6 @@ double LiveContact::step(double time_step, const std::array<double, 2>& place,
   }
   time_step = std::max(time_step, shortest_step);
   std::copy(state.surface.begin(), state.surface.end(), before_.begin());
-  for (std::size_t cell = 0; friction_.elastic_slip > 0 && cell < data_.area.size(); ++cell) {
-    before_[3 * cell + 1] += state.memory[2 * cell];
-    before_[3 * cell + 2] += state.memory[2 * cell + 1];
-  }
   std::fill(state.surface.begin(), state.surface.end(), 0.0);
   double largest = 0, total = 0;
   const auto add_up = [&] {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/laws/friction/friction_law.hpp"
+#include "ionskin/laws/friction/elastic_slip.hpp"
 #include "ionskin/live/normal_correction.hpp"
 #include "ionskin/live/skin_data.hpp"
 
@@ -39,8 +39,8 @@ public:
   void assemble(const State& state) noexcept;
   bool slips(std::size_t cell) const { return slips_[cell] != 0; } ///< of the last step
   /// Numbers that the friction law keeps from step to step: of each cell its elastic slip along x
-  /// and y [m], or the speed that it follows with a lag [m/s]; none for a law that remembers
-  /// nothing.
+  /// and y [m] and the limit under which it was made [Pa], or the speed that it follows with a lag
+  /// [m/s]; none for a law that remembers nothing.
   std::size_t memory_size() const { return memory_size_; }
   /// Another coefficient of the law, which takes memory. Throws where the law has none of it.
   void set_friction(double coefficient);
@@ -54,18 +54,17 @@ private:
   void add(std::size_t cell, const std::array<double, 3>& force, State& state) noexcept;
   Sweep sweep(double time_step, const std::array<double, 2>& travel, State& state) noexcept;
   void remember(double time_step, const std::array<double, 2>& travel, State& state) noexcept;
+  laws::ElasticSlip elastic_slip(std::size_t cell, const State& state) const noexcept;
   bool correct(const Load& load, double total, State& state) noexcept;
 
   const SkinData& data_;
   laws::Friction friction_;
   std::size_t size_, memory_size_;
   double first_touch_;
-  std::vector<float> compliance_; ///< [column][row], where `assembled_` says so
-  std::vector<char> assembled_;   ///< columns
-  std::vector<double> own_;       ///< [3 cells] diagonal
-  /// [3 cells] surface of the step before, as it was without the elastic slip, which is to be
-  /// slipped again.
-  std::vector<double> before_;
+  std::vector<float> compliance_;           ///< [column][row], where `assembled_` says so
+  std::vector<char> assembled_;             ///< columns
+  std::vector<double> own_;                 ///< [3 cells] diagonal
+  std::vector<double> before_;              ///< [3 cells] surface of the step before
   std::vector<double> amplitude_;           ///< of the modes at the assembled place
   std::vector<std::array<double, 2>> drag_; ///< derivative of the friction by the normal force
   std::vector<char> slips_;

@@ -114,6 +114,7 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
   solution.stepped_onsets = stepper.onsets();
   solution.contact_solves = stepper.steps();
   solution.adhesion_loss = stepper.adhesion_loss() / options.meshed_share;
+  solution.created_energy = contact.created_energy() / options.meshed_share;
   solution.worst_interpolation_error = nodes.error();
   return solution;
 }

@@ -129,6 +129,34 @@ TEST(LiveFriction, IsRememberedByTheStateAndTakesNoMemory) {
   }
 }
 
+// Neither a new coefficient nor a new pressure winds up what a slider at rest holds.
+TEST(LiveFriction, GivesNoEnergyToAnElasticSlip) {
+  SkinData data = skin_with({"regularised", {"slip_length"}, {1e-5}});
+  data.lowest_friction = 0;
+  data.highest_friction = 0.5;
+  Skin skin(data);
+  std::vector<double> signals(skin.names().size());
+  double time = 0;
+  const auto step = [&](double way, double depth) {
+    skin.step(time, {3e-3 + way, 1e-3}, false, -depth, signals);
+    time += 1e-3;
+    return signals[5];
+  };
+  ASSERT_TRUE(skin.set_friction(0.1));
+  step(0, 3e-7);
+  for (int i = 1; i <= 20; ++i) {
+    step(1e-7 * i, 3e-7);
+  }
+  const double wound = step(2e-6, 3e-7);
+  EXPECT_GT(wound, 0);
+  ASSERT_TRUE(skin.set_friction(0.5));
+  EXPECT_NEAR(step(2e-6, 3e-7), wound, 0.02 * wound);
+  ASSERT_TRUE(skin.set_friction(0));
+  EXPECT_EQ(step(2e-6, 3e-7), 0);
+  ASSERT_TRUE(skin.set_friction(0.5));
+  EXPECT_NEAR(step(2e-6, 3e-7), 0, 0.02 * wound);
+}
+
 TEST(LiveFriction, CanBeSetWithinTheTrainedRange) {
   SkinData data = small_skin();
   data.lowest_friction = 0;

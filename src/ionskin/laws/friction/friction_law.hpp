@@ -17,8 +17,8 @@ namespace ionskin::laws {
 /// what it tends to.
 struct FrictionArguments {
   double normal_traction = 0; ///< compression positive [Pa]
-  /// Length of the relative sliding in the step [m]; where the law has an elastic slip, with that
-  /// of the steps before.
+  /// Length of the relative sliding in the step [m]; where the law has an elastic slip, with what
+  /// is kept of that of the steps before (elastic_slip.hpp).
   double slip_increment = 0;
   double time_step = 0;    ///< [s]
   double lagged_speed = 0; ///< of the sliding, as it was `lag` ago [m/s]

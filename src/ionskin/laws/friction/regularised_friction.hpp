@@ -9,8 +9,8 @@ namespace ionskin::laws {
 
 /// Coulomb's law with an elastic slip: the contact gives way by d before it slips,
 ///   t = mu p min(|z| / d, 1) z / |z|,
-/// where z is the elastic slip before the step and the slip of the step; at most d of it stays
-/// elastic. Independent of rate and of the length of steps, and Coulomb's law for d to 0. The
+/// where z is what is kept of the elastic slip before the step (elastic_slip.hpp) and the slip of
+/// the step; at most d of it stays elastic. Independent of rate, and Coulomb's law for d to 0. The
 /// tangential stiffness of interfaces (Mindlin 1949; Jenkins' element); elastic slip of contact
 /// codes (Wriggers, Computational Contact Mechanics, 2006, section 5.2).
 struct RegularisedFriction {

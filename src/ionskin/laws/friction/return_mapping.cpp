@@ -125,21 +125,7 @@ FrictionResponse returned_to_ellipse(const Friction& friction, const FrictionTri
   return response;
 }
 
-} // namespace
-
-double limit_norm(const Friction& friction, const TangentialVector& traction) {
-  return std::hypot(traction[0], traction[1] / friction.across);
-}
-
-TangentialVector sliding_traction(const Friction& friction, double limit,
-                                  const TangentialVector& direction) {
-  const double across = friction.across * friction.across * direction[1];
-  const double length = std::hypot(direction[0], friction.across * direction[1]);
-  return length > 0 ? TangentialVector{limit * direction[0] / length, limit * across / length}
-                    : TangentialVector{};
-}
-
-FrictionResponse return_mapping(const Friction& friction, const FrictionTrial& trial, bool slips) {
+FrictionResponse returned(const Friction& friction, const FrictionTrial& trial, bool slips) {
   const double held = friction.limit(arguments(trial, 0));
   const double norm = limit_norm(friction, trial.traction);
   if (!slips && held > 0 && norm <= held) {
@@ -155,6 +141,44 @@ FrictionResponse return_mapping(const Friction& friction, const FrictionTrial& t
   const bool sought = friction.slip_dependent && norm > held;
   return returned_radially(friction, trial, norm,
                            sought ? returned_length(friction, trial, norm) : held);
+}
+
+} // namespace
+
+double limit_norm(const Friction& friction, const TangentialVector& traction) {
+  return std::hypot(traction[0], traction[1] / friction.across);
+}
+
+TangentialVector sliding_traction(const Friction& friction, double limit,
+                                  const TangentialVector& direction) {
+  const double across = friction.across * friction.across * direction[1];
+  const double length = std::hypot(direction[0], friction.across * direction[1]);
+  return length > 0 ? TangentialVector{limit * direction[0] / length, limit * across / length}
+                    : TangentialVector{};
+}
+
+FrictionResponse return_mapping(const Friction& friction, const FrictionTrial& trial, bool slips) {
+  if (friction.elastic_slip == 0) {
+    return returned(friction, trial, slips);
+  }
+  // The slip of the limit, docs/model.md (45), is that of a compliance `taken` times as large from
+  // a trial that is larger by what is kept of the elastic slip; both follow the normal traction.
+  const ElasticStep step = elastic_step(friction, trial.elastic, arguments(trial, 0));
+  FrictionTrial whole = trial;
+  whole.compliance *= step.taken;
+  for (std::size_t c = 0; c < 2; ++c) {
+    whole.traction[c] += step.kept * trial.elastic.slip[c] / whole.compliance;
+  }
+  FrictionResponse response = returned(friction, whole, slips);
+  for (std::size_t s = 0; s < 2; ++s) {
+    const double moved =
+        0.5 * step.kept_by_normal / step.taken *
+        (trial.elastic.slip[s] / whole.compliance + whole.traction[s] - response.traction[s]);
+    for (std::size_t r = 0; r < 2; ++r) {
+      response.by_normal[r] += response.by_trial[r][s] * moved;
+    }
+  }
+  return response;
 }
 
 } // namespace ionskin::laws

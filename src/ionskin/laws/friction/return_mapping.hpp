@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/laws/friction/elastic_slip.hpp"
 #include "ionskin/laws/friction/friction_law.hpp"
 
 #include <array>
 
 namespace ionskin::laws {
-
-using TangentialVector = std::array<double, 2>;
 
 /// The traction that a law allows where a trial traction would hold the surface to the slider: the
 /// surface gives way by `compliance` times the difference of both, and that is the slip. In the
@@ -26,6 +25,7 @@ struct FrictionTrial {
   double compliance = 0;       ///< slip over the traction that is not carried [m/Pa]
   double time_step = 0;        ///< [s]
   double lagged_speed = 0;     ///< [m/s]
+  ElasticSlip elastic{};       ///< at the begin of the step
 };
 
 /// @param slips takes for granted that the cell slips: its traction is at the limit, to where it is

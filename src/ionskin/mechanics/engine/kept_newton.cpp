@@ -89,7 +89,7 @@ void KeptNewton::correct(const ContactProblem& problem, const SliderStep& step, 
       const std::array<double, 2> trial{tangential[0] + slip[0] / compliance,
                                         tangential[1] + slip[1] / compliance};
       const auto friction = problem.friction_response(cell, std::max(0.0, iterate.force[from]),
-                                                      trial, compliance, step.time_step, true);
+                                                      trial, compliance, step, true);
       for (std::size_t c = 0; c < 2; ++c) {
         rest[c] = tangential[c] - friction.traction[c];
       }
@@ -126,9 +126,8 @@ void KeptNewton::settle(const ContactProblem& problem, const SliderStep& step, c
     if (at.status[cell] == CellStatus::separated || at.status[cell] == CellStatus::pulled) {
       force[1] = force[2] = 0;
     } else if (at.status[cell] == CellStatus::slipping) {
-      const auto friction =
-          problem.friction_response(cell, force[0], predictor.tangential,
-                                    problem.own_compliance(cell, 1), step.time_step, true);
+      const auto friction = problem.friction_response(cell, force[0], predictor.tangential,
+                                                      problem.own_compliance(cell, 1), step, true);
       force[1] = friction.traction[0];
       force[2] = friction.traction[1];
     }

@@ -97,30 +97,20 @@ std::vector<double> SlidingContact::followed(const std::vector<double>& speed,
   return result;
 }
 
-/// The surface displacement as it would be without the elastic slip, which is to be slipped again.
-CellVector SlidingContact::held_surface() const {
-  CellVector surface = state_.surface;
-  for (std::size_t cell = 0; cell < elastic_slip_.size(); ++cell) {
-    surface[3 * cell + 1] += elastic_slip_[cell][0];
-    surface[3 * cell + 2] += elastic_slip_[cell][1];
-  }
-  return surface;
-}
-
-/// Divides the slip of the present state into what is elastic and what is not.
-void SlidingContact::keep_elastic_slip() {
-  const double most = problem_.friction.elastic_slip;
-  if (most == 0) {
+/// Divides the slip of the present state into what is elastic and what is not, and counts what
+/// friction creates.
+void SlidingContact::divide_slip() {
+  created_energy_ += friction_energy(problem_, state_).created;
+  if (problem_.friction.elastic_slip == 0) {
     return;
   }
   elastic_slip_.resize(problem_.area.size());
   for (int cell = 0; cell < problem_.cells(); ++cell) {
     const auto at = static_cast<std::size_t>(cell);
-    const auto slip = slip_increment(state_.step, state_.surface, cell);
-    const double length = std::hypot(slip[0], slip[1]);
-    const double share = state_.force[3 * at] <= 0 ? 0.0 : length > most ? most / length : 1.0;
-    elastic_slip_[at] = {share * slip[0], share * slip[1]};
-    state_.slip[at] = (1 - share) * length;
+    const laws::SlipDivision division = problem_.divided_slip(
+        cell, state_.force[3 * at], slip_increment(state_.step, state_.surface, cell), state_.step);
+    elastic_slip_[at] = division.elastic;
+    state_.slip[at] = division.lost;
   }
 }
 
@@ -198,8 +188,11 @@ const SurfaceState& SlidingContact::step(double time_step, const std::array<doub
 const SurfaceState& SlidingContact::step_yielding(double time_step, const SliderGuide& guide,
                                                   const SliderLoad& load) {
   const std::array<double, 2> from = place_.value_or(guide.expected);
-  SliderStep step{
-      load, {guide.place[0] - from[0], guide.place[1] - from[1]}, time_step, held_surface()};
+  SliderStep step{load,
+                  {guide.place[0] - from[0], guide.place[1] - from[1]},
+                  time_step,
+                  state_.surface,
+                  elastic_slip_};
   const bool yields = guide.compliance != std::array<double, 2>{};
   condense_at(guide.expected);
   may_have_jumped_ = false;
@@ -227,7 +220,7 @@ const SurfaceState& SlidingContact::step_yielding(double time_step, const Slider
     } else {
       state_ = solve(problem_, step);
     }
-    keep_elastic_slip();
+    divide_slip();
     if (!in_contact() && problem_.friction.adhesion.pulls()) {
       detach(step);
       place_ = guide.place;
@@ -250,6 +243,7 @@ void SlidingContact::go_back(Moment moment) {
   elastic_slip_ = std::move(moment.elastic_slip);
   remembered_speed_ = std::move(moment.remembered_speed);
   place_ = moment.place;
+  created_energy_ = moment.created_energy;
 }
 
 SlidingContact::OnsetDistance SlidingContact::onset_distance(const std::array<double, 2>& direction,

@@ -45,11 +45,14 @@ public:
   /// What a step changes but for the compliance.
   struct Moment {
     SurfaceState state;
-    std::vector<std::array<double, 2>> elastic_slip;
+    std::vector<laws::ElasticSlip> elastic_slip;
     std::vector<double> remembered_speed;
     std::optional<std::array<double, 2>> place;
+    double created_energy = 0;
   };
-  Moment moment() const { return {state_, elastic_slip_, remembered_speed_, place_}; }
+  Moment moment() const {
+    return {state_, elastic_slip_, remembered_speed_, place_, created_energy_};
+  }
   void go_back(Moment moment);
 
   const std::array<double, 2>& place() const { return *place_; } ///< after a step [m]
@@ -62,6 +65,9 @@ public:
   bool may_have_jumped() const { return may_have_jumped_; }
   /// Elastic less binding energy; 0 off the skin [J].
   double energy() const;
+  /// That friction created so far, in cells and steps of negative dissipation; 0 but for rounding
+  /// under a law that only takes energy [J].
+  double created_energy() const { return created_energy_; }
   /// Whether a cell that touches does not slip.
   bool sticks() const;
   /// Length of the mean tangential displacement that the surface has to make before all of it
@@ -83,17 +89,17 @@ private:
   SurfaceState solve_adhesive(const ContactProblem& problem, const SliderStep& step);
   void detach(const SliderStep& step);
   std::vector<double> followed(const std::vector<double>& speed, double time_step) const;
-  CellVector held_surface() const;
-  void keep_elastic_slip();
+  void divide_slip();
 
   const ComplianceMap& map_;
   ContactProblem problem_;
   KeptNewton newton_;
   SurfaceState state_;
-  std::vector<std::array<double, 2>> elastic_slip_; ///< of the cells [m]; empty without
-  std::vector<double> remembered_speed_;            ///< by friction, before the present state [m/s]
+  std::vector<laws::ElasticSlip> elastic_slip_; ///< of the cells; empty without
+  std::vector<double> remembered_speed_;        ///< by friction, before the present state [m/s]
   std::optional<std::array<double, 2>> place_;
   std::optional<std::array<double, 2>> condensed_at_; ///< of the compliance
+  double created_energy_ = 0;                         ///< [J]
   int fallbacks_ = 0;
   bool may_have_jumped_ = false;
 };

@@ -59,7 +59,8 @@ struct ContactState {
   double stick_area = 0;   ///< of it, where nothing slips [m2]
   // By how much whole cells leave the borders of both in doubt, see border_area [m2].
   double contact_border = 0, stick_border = 0;
-  double binding_energy = 0; ///< of adhesion, full skin [J]
+  double binding_energy = 0;  ///< of adhesion, full skin [J]
+  double friction_energy = 0; ///< stored in the elastic slip of friction, full skin [J]
   // diagnostics
   double complementarity_residual =
       0;                     ///< worst violation of contact and friction conditions, relative
@@ -101,6 +102,8 @@ struct ContactSolution {
   double worst_interpolation_error = 0;
   /// Energy that the contact loses in jumps of adhesion, full skin [J].
   double adhesion_loss = 0;
+  /// Energy that friction creates, in steps and cells of negative dissipation, full skin [J].
+  double created_energy = 0;
   int contact_solves = 0;
 };
 

@@ -57,6 +57,7 @@ void describe(const SkinModel& model, const SurfaceState& state, const ContactPr
   destination.complementarity_residual =
       contact_violations(problem, state, reference_force, reference_indentation).largest();
   destination.binding_energy = parts * binding_energy(problem, state);
+  destination.friction_energy = parts * friction_energy(problem, state).stored;
   destination.stick_fraction = stick_fraction(problem, state.force);
   destination.iterations = state.iterations;
 }

@@ -72,10 +72,9 @@ SurfaceState search_indentation(const ContactProblem& problem, const SliderStep&
   int iterations = guess.sweeps;
   CellVector force = guess.force;
   const auto excess = [&](double indentation, SurfaceState& state) {
-    state = solve_contact_step(
-        problem,
-        {{LoadKind::indentation, indentation}, step.travel, step.time_step, step.surface_before},
-        force);
+    SliderStep by_height = step;
+    by_height.load = {LoadKind::indentation, indentation};
+    state = solve_contact_step(problem, by_height, force);
     iterations += state.iterations;
     force = state.force;
     return total_normal_force(state.force) / step.load.value - 1;

@@ -39,21 +39,44 @@ ContactViolations contact_violations(const ContactProblem& problem, const Surfac
     worst.penetration = base::larger(worst.penetration, touches ? std::abs(gap) : -gap);
 
     const auto slip = slip_increment(step, state.surface, cell);
-    const double limit =
-        problem.friction_limit(cell, normal, std::hypot(slip[0], slip[1]), step.time_step);
+    const double limit = problem.friction_limit_behind(cell, normal, slip, step);
     const std::array<double, 2> force{state.force[at + 1], state.force[at + 2]};
     worst.cone = base::larger(
         worst.cone, share(laws::limit_norm(problem.friction, force) - limit, reference_force));
     const double compliance = problem.own_compliance(cell, 1);
     const std::array<double, 2> trial{force[0] + slip[0] / compliance,
                                       force[1] + slip[1] / compliance};
-    const auto allowed =
-        problem.friction_response(cell, normal, trial, compliance, step.time_step).traction;
+    const auto allowed = problem.friction_response(cell, normal, trial, compliance, step).traction;
     worst.slip_law =
         base::larger(worst.slip_law, share(std::hypot(force[0] - allowed[0], force[1] - allowed[1]),
                                            reference_force));
   }
   return worst;
+}
+
+// What is stored follows from the traction as it is, not from the slip that the law made it of.
+FrictionEnergy friction_energy(const ContactProblem& problem, const SurfaceState& state) {
+  const laws::Friction& friction = problem.friction;
+  FrictionEnergy energy;
+  for (int cell = 0; cell < problem.cells(); ++cell) {
+    const std::size_t at = 3 * static_cast<std::size_t>(cell);
+    const std::array<double, 2> force{state.force[at + 1], state.force[at + 2]};
+    double before = 0, behind = 0;
+    if (friction.elastic_slip > 0) {
+      const double limit = problem.friction_limit(cell, state.force[at], friction.elastic_slip,
+                                                  state.step.time_step);
+      before =
+          problem.area[cell] * laws::stored_energy(friction, state.step.elastic_slip_before(cell));
+      behind = limit > 0 ? 0.5 * friction.elastic_slip / limit *
+                               (force[0] * force[0] + force[1] * force[1])
+                         : 0.0;
+    }
+    const auto slip = slip_increment(state.step, state.surface, cell);
+    const double work = force[0] * slip[0] + force[1] * slip[1];
+    energy.stored += behind;
+    energy.created += std::max(0.0, behind - before - work);
+  }
+  return energy;
 }
 
 std::vector<double> stick_reserve(const ContactProblem& problem, const CellVector& force) {

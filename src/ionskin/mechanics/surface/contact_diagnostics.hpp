@@ -22,6 +22,14 @@ struct ContactViolations {
 ContactViolations contact_violations(const ContactProblem& problem, const SurfaceState& state,
                                      double reference_force, double preload);
 
+/// What friction did with energy in the step that led to a state [J].
+struct FrictionEnergy {
+  double stored = 0; ///< behind the step, in the elastic slip
+  /// Sum over the cells that dissipate less than nothing, docs/model.md (46), without its sign.
+  double created = 0;
+};
+FrictionEnergy friction_energy(const ContactProblem& problem, const SurfaceState& state);
+
 /// Friction limit less tangential traction of each cell [Pa]; 0 where it slips or is open.
 std::vector<double> stick_reserve(const ContactProblem& problem, const CellVector& force);
 

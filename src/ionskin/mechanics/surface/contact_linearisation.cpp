@@ -30,7 +30,7 @@ CellPredictor predict(const ContactProblem& problem, const SliderStep& step, con
   const double compliance = problem.own_compliance(cell, 1);
   result.tangential = {force[at + 1] + slip[0] / compliance, force[at + 2] + slip[1] / compliance};
   const laws::FrictionResponse response =
-      problem.friction_response(cell, normal, result.tangential, compliance, step.time_step);
+      problem.friction_response(cell, normal, result.tangential, compliance, step);
   result.status = response.sticks ? CellStatus::sticking : CellStatus::slipping;
   const auto& allowed = response.traction;
   result.residual =
@@ -92,8 +92,8 @@ void LinearSystem::add_stick_rows(int i) {
 void LinearSystem::add_slip_rows(int i, const CellPredictor& predictor, double normal_force) {
   const int cell = touching_[i];
   const double compliance = problem_.own_compliance(cell, 1), scale = 1 / compliance;
-  const laws::FrictionResponse friction = problem_.friction_response(
-      cell, normal_force, predictor.tangential, compliance, step_.time_step, true);
+  const laws::FrictionResponse friction =
+      problem_.friction_response(cell, normal_force, predictor.tangential, compliance, step_, true);
   for (int r = 0; r < 2; ++r) {
     const int row = 3 * i + 1 + r;
     matrix_(row, row) += 1;

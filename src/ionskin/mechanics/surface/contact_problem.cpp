@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
+
 namespace ionskin::mechanics {
 
 double ContactProblem::own_compliance(int cell, int component) const {
@@ -72,7 +74,7 @@ double ContactProblem::friction_limit_slope(int cell, double normal_force, doubl
 
 laws::FrictionResponse ContactProblem::friction_response(int cell, double normal_force,
                                                          const std::array<double, 2>& trial,
-                                                         double own_slip, double time_step,
+                                                         double own_slip, const SliderStep& step,
                                                          bool slips) const {
   const double cell_area = area[cell];
   laws::FrictionResponse response =
@@ -80,13 +82,34 @@ laws::FrictionResponse ContactProblem::friction_response(int cell, double normal
                            {normal_force / cell_area,
                             {trial[0] / cell_area, trial[1] / cell_area},
                             own_slip * cell_area,
-                            time_step,
-                            lagged_speed_of(cell)},
+                            step.time_step,
+                            lagged_speed_of(cell),
+                            step.elastic_slip_before(cell)},
                            slips);
   for (double& component : response.traction) {
     component *= cell_area;
   }
   return response;
+}
+
+laws::FrictionArguments ContactProblem::arguments(int cell, double normal_force,
+                                                  const SliderStep& step) const {
+  return {normal_force / area[cell], 0, step.time_step, lagged_speed_of(cell)};
+}
+
+double ContactProblem::friction_limit_behind(int cell, double normal_force,
+                                             const std::array<double, 2>& slip,
+                                             const SliderStep& step) const {
+  const auto seen = laws::slip_of_limit(friction, step.elastic_slip_before(cell),
+                                        arguments(cell, normal_force, step), slip);
+  return friction_limit(cell, normal_force, std::hypot(seen[0], seen[1]), step.time_step);
+}
+
+laws::SlipDivision ContactProblem::divided_slip(int cell, double normal_force,
+                                                const std::array<double, 2>& slip,
+                                                const SliderStep& step) const {
+  return laws::divided_slip(friction, step.elastic_slip_before(cell),
+                            arguments(cell, normal_force, step), slip);
 }
 
 double total_normal_force(const CellVector& force) {

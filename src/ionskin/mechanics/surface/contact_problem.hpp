@@ -13,6 +13,8 @@ namespace ionskin::mechanics {
 /// down), along x, along y.
 using CellVector = std::vector<double>;
 
+struct SliderStep;
+
 /// Dense contact problem of one slider position: find cell forces f with surface displacement w = C
 /// f such that no cell is penetrated (w >= indentation - gap) or pulled, only touching cells carry
 /// force, docs/model.md (4), and every cell obeys the friction law. Where that adheres, cells that
@@ -54,14 +56,21 @@ struct ContactProblem {
   double friction_limit(int cell, double normal_force, double slip, double time_step) const;
   double friction_limit_slope(int cell, double normal_force, double slip, double time_step) const;
   /// The tangential force that friction allows a cell where a trial force would hold it to the
-  /// slider, with its derivatives by forces; as laws::return_mapping, in forces [N].
+  /// slider in a step, with its derivatives by forces; as laws::return_mapping, in forces [N].
   /// @param own_slip over the force that is not carried [m/N]
   laws::FrictionResponse friction_response(int cell, double normal_force,
                                            const std::array<double, 2>& trial, double own_slip,
-                                           double time_step, bool slips = false) const;
+                                           const SliderStep& step, bool slips = false) const;
+  /// Largest tangential force of a cell that slipped in a step, along x [N].
+  double friction_limit_behind(int cell, double normal_force, const std::array<double, 2>& slip,
+                               const SliderStep& step) const;
+  /// Parts of its slip, as laws::divided_slip.
+  laws::SlipDivision divided_slip(int cell, double normal_force, const std::array<double, 2>& slip,
+                                  const SliderStep& step) const;
 
 private:
   double lagged_speed_of(int cell) const;
+  laws::FrictionArguments arguments(int cell, double normal_force, const SliderStep& step) const;
 };
 
 /// What presses the slider on the skin: a given indentation, or a given force that the indentation
@@ -78,6 +87,13 @@ struct SliderStep {
   std::array<double, 2> travel{}; ///< during the step, x and y [m]
   double time_step = 0;           ///< [s]
   CellVector surface_before;      ///< surface displacement at its start [m]
+  /// Of the cells at its start; empty without.
+  std::vector<laws::ElasticSlip> elastic_before = {};
+
+  laws::ElasticSlip elastic_slip_before(int cell) const {
+    return elastic_before.empty() ? laws::ElasticSlip{}
+                                  : elastic_before[static_cast<std::size_t>(cell)];
+  }
 };
 
 /// Sum of the normal forces [N].

@@ -23,8 +23,7 @@ std::array<double, 3> relaxed(const ContactProblem& problem, const SliderStep& s
                                      problem.own_compliance(cell, 2) + problem.common[1]);
   const std::array<double, 2> trial{force[at + 1] + slip[0] / compliance,
                                     force[at + 2] + slip[1] / compliance};
-  const auto tangential =
-      problem.friction_response(cell, normal, trial, compliance, step.time_step).traction;
+  const auto tangential = problem.friction_response(cell, normal, trial, compliance, step).traction;
   return {normal, tangential[0], tangential[1]};
 }
 

@@ -31,6 +31,9 @@ const std::vector<AuditRule>& audit_rules() {
       {"energy_balance_error", 0.02, 0.2,
        "the energy that the steps of contact gain or lose (energy_balance_error)",
        "choose a finer numerics.preset, or raise numerics.time_refinement"},
+      {"energy_creation_error", 1e-6, 1e-3,
+       "the energy that friction creates, where it may only take (energy_creation_error)",
+       "choose another contact.law: this one gives back more than it took"},
       {"largest_p99_shear", 0.1, 1.0,
        "the largest 99th percentile of the core's shear (largest_p99_shear), for which strains are "
        "taken as small,",

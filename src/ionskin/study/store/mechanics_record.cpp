@@ -26,7 +26,8 @@ std::vector<readout::Metric> contact_metrics(const Case& input,
       {"mean_pressure_slide", area > 0 ? slide.normal_force() / area : 0.0, "Pa"},
       {"external_work", energy.external_work, "J"},
       {"friction_work", energy.friction_work, "J"},
-      {"energy_balance_error", energy.relative_error, "1"}};
+      {"energy_balance_error", energy.relative_error, "1"},
+      {"energy_creation_error", energy.creation_error, "1"}};
   if (const Slider& slider = input.slider; !slider.rigid() && slider.pad_thickness == 0) {
     const double nu = slider.poissons_ratio;
     metrics.push_back(

@@ -13,7 +13,8 @@ Friction of(const char* law, const LawValues& values) {
   return friction(law, 0.3, values);
 }
 
-const FrictionTrial trial{1e6, {5e5, 2e5}, 2e-13, 1e-3, 0};
+/// Under the pressure of the step before, where friction remembers one.
+const FrictionTrial trial{1e6, {5e5, 2e5}, 2e-13, 1e-3, 0, {{}, 3e5}};
 
 TEST(ReturnMapping, StickingCarriesTheTrial) {
   FrictionTrial small = trial;
@@ -87,17 +88,23 @@ TEST(ReturnMapping, DerivativesAgreeWithFiniteDifferences) {
         of("viscous", {{"reference_speed", 1e-4}}), of("regularised", {{"slip_length", 3e-7}}),
         of("stribeck", {{"kinetic_friction", 0.2}, {"stribeck_speed", 1e-3}, {"lag_time", 1e-3}}),
         of("anisotropic", {{"transverse_friction", 0.1}})}) {
-    const FrictionResponse response = return_mapping(friction, trial);
-    constexpr double step = 10; // Pa
-    for (std::size_t s = 0; s < 3; ++s) {
-      FrictionTrial more = trial, less = trial;
-      (s < 2 ? more.traction[s] : more.normal_traction) += step;
-      (s < 2 ? less.traction[s] : less.normal_traction) -= step;
-      const auto above = return_mapping(friction, more), below = return_mapping(friction, less);
-      for (std::size_t r = 0; r < 2; ++r) {
-        const double difference = (above.traction[r] - below.traction[r]) / (2 * step);
-        const double found = s < 2 ? response.by_trial[r][s] : response.by_normal[r];
-        EXPECT_NEAR(found, difference, 1e-6) << friction.law << r << s;
+    // Under a pressure that rose, fell, or rose from nothing since an elastic slip was made.
+    for (const ElasticSlip& elastic :
+         {ElasticSlip{{5e-8, -9e-8}, 1e5}, ElasticSlip{{5e-8, -9e-8}, 5e5}, ElasticSlip{{}, 0}}) {
+      FrictionTrial at = trial;
+      at.elastic = elastic;
+      const FrictionResponse response = return_mapping(friction, at);
+      constexpr double step = 10; // Pa
+      for (std::size_t s = 0; s < 3; ++s) {
+        FrictionTrial more = at, less = at;
+        (s < 2 ? more.traction[s] : more.normal_traction) += step;
+        (s < 2 ? less.traction[s] : less.normal_traction) -= step;
+        const auto above = return_mapping(friction, more), below = return_mapping(friction, less);
+        for (std::size_t r = 0; r < 2; ++r) {
+          const double difference = (above.traction[r] - below.traction[r]) / (2 * step);
+          const double found = s < 2 ? response.by_trial[r][s] : response.by_normal[r];
+          EXPECT_NEAR(found, difference, 1e-6) << friction.law << r << s;
+        }
       }
     }
   }

@@ -57,15 +57,24 @@ std::vector<laws::Friction> all_laws() {
           laws::friction("anisotropic", 0.3, {{"transverse_friction", 0.1}})};
 }
 
+double tangential_force(const SurfaceState& state) {
+  double sum = 0;
+  for (std::size_t at = 0; at < state.force.size(); at += 3) {
+    sum += state.force[at + 1];
+  }
+  return sum;
+}
+
 TEST(SlidingContact, takes_any_step_of_a_random_walk) {
   for (const laws::Friction& law : all_laws()) {
     for (const bool by_force : {false, true}) {
       SlidingContact slider = line().slider(law);
       std::mt19937 random(by_force ? 2 : 1);
       std::uniform_real_distribution<double> unit(-1, 1);
-      double x = 2.5e-3, worst = 0;
+      double x = 2.5e-3, worst = 0, work = 0;
       for (int i = 0; i < 100; ++i) {
         const double size = std::pow(10, -3 - 3 * std::abs(unit(random))); // 1 um to 1 mm
+        const double from = x;
         x = std::clamp(x + size * unit(random), 1.5e-3, 3.5e-3);
         const double level = 0.5 + unit(random);
         const SliderLoad load = by_force ? SliderLoad{LoadKind::force, 10 * level}
@@ -76,21 +85,15 @@ TEST(SlidingContact, takes_any_step_of_a_random_walk) {
           for (std::size_t at = 0; at < state.force.size(); at += 3) {
             largest = std::max(largest, state.force[at]);
           }
+          work += std::abs(tangential_force(state) * (x - from));
           worst =
               std::max(worst, contact_violations(slider.problem(), state, largest, 1e-6).largest());
         }
       }
       EXPECT_LT(worst, 1e-5) << law.law;
+      EXPECT_LT(slider.created_energy(), 1e-9 * work) << law.law;
     }
   }
-}
-
-double tangential_force(const SurfaceState& state) {
-  double sum = 0;
-  for (std::size_t at = 0; at < state.force.size(); at += 3) {
-    sum += state.force[at + 1];
-  }
-  return sum;
 }
 
 /// Tangential over normal force after a slide of 0.4 mm at a constant speed.
@@ -158,6 +161,41 @@ TEST(SlidingContact, elastic_slip_comes_back_in_any_number_of_steps) {
   }
   // One long step leaves a little more of the elastic slip across the way, from landing, than five.
   EXPECT_NEAR(force[0], force[1], 1e-5 * force[0]);
+}
+
+/// Work of a slider along the skin, over the sum of its magnitudes, that is moved a way and back
+/// again and again, under one force there and another one back.
+double work_of_cycles(const laws::Friction& law, double force_there, double force_back) {
+  SlidingContact slider = line().slider(law);
+  constexpr int steps = 40, cycles = 3;
+  double work = 0, all = 0;
+  const auto go = [&](double from, double to, double first, double last) {
+    for (int i = 1; i <= steps; ++i) {
+      const double part = static_cast<double>(i) / steps, before = tangential_force(slider.state());
+      slider.step(1e-3, {2e-3 + from + part * (to - from), 1e-3},
+                  {LoadKind::force, first + part * (last - first)});
+      const double done = 0.5 * (before + tangential_force(slider.state())) * (to - from) / steps;
+      work += done;
+      all += std::abs(done);
+    }
+  };
+  constexpr double way = 20e-6;
+  go(0, 0, 0, force_there);
+  for (int i = 0; i < cycles; ++i) {
+    go(0, way, force_there, force_there);
+    go(way, way, force_there, force_back);
+    go(way, 0, force_back, force_back);
+    go(0, 0, force_back, force_there);
+  }
+  EXPECT_LT(slider.created_energy(), 1e-9 * all);
+  return work / all;
+}
+
+TEST(SlidingContact, no_cycle_of_force_and_way_gives_energy) {
+  const auto law = laws::friction("regularised", 0.5, {{"slip_length", 100e-6}});
+  EXPECT_GT(work_of_cycles(law, 1, 20), 0);
+  EXPECT_GT(work_of_cycles(law, 20, 1), 0);
+  EXPECT_NEAR(work_of_cycles(law, 5, 5), 0, 0.01); // elastic
 }
 
 TEST(SlidingContact, a_step_without_solution_leaves_what_friction_remembers) {
