@@ -8,6 +8,7 @@
 
 #include "ionskin/base/text.hpp"
 #include "ionskin/case/reading/read_case.hpp"
+#include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/path/first_touch.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 #include "ionskin/planning/output_size.hpp"
@@ -16,6 +17,24 @@
 #include <fmt/format.h>
 
 namespace ionskin::apps {
+
+namespace {
+
+/// The contact is not solved for: `mesh::expected_footprint` tells it, as for the memory of a run.
+std::string warning_of_edge(const Case& input, const std::optional<mesh::Footprint>& found) {
+  const mesh::Footprint footprint = found ? *found : mesh::expected_footprint(input);
+  std::string text;
+  for (const std::size_t d : {0, 1})
+    if (mesh::ends_at_skin(input, footprint, d))
+      text +=
+          paragraph(fmt::format("warning: the contact is expected to reach the edge of the skin "
+                                "along {}, and a run would end there: {}",
+                                d == 0 ? "x" : "y", mechanics::remedy_of_edge),
+                    2);
+  return text;
+}
+
+} // namespace
 
 bool check(const CheckOptions& options) {
   const CaseDocument document = read_case_document(options.case_path, options.set_edits);
@@ -40,7 +59,10 @@ void check_case(const CheckOptions& options, const CaseDocument& document,
   }
   const std::string shortage = planning::shortage(document.input, threads, footprint);
   print_valid(options, document,
-              (contact ? warning_of_ions(document.input) : "") + warnings_of_water(document.input) +
+              (contact
+                   ? warning_of_edge(document.input, footprint) + warning_of_ions(document.input)
+                   : "") +
+                  warnings_of_water(document.input) +
                   (shortage.empty() ? "" : fmt::format("warning: {}\n", shortage)),
               planning::estimate_cost(document.input, threads, footprint));
 }

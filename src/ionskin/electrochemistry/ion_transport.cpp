@@ -7,6 +7,7 @@
 #include "ionskin/electrochemistry/grid/mid_width_mirror.hpp"
 #include "ionskin/electrochemistry/grid/transport_grid.hpp"
 #include "ionskin/electrochemistry/thin_layers.hpp"
+#include "ionskin/electrochemistry/time/problem_size.hpp"
 #include "ionskin/electrochemistry/time/solution_rows.hpp"
 #include "ionskin/electrochemistry/time/step_control.hpp"
 #include "ionskin/electrochemistry/time/time_integrator.hpp"
@@ -28,14 +29,24 @@ int useful_threads(int threads, const ScaledGrid& grid) {
 }
 
 /// Share of the error allowed to a time step that Newton's method may leave, within what single
-/// precision in the preconditioner and rounding allow.
-double newton_tolerance(double time_tolerance) {
-  return std::clamp(0.3 * time_tolerance, 1e-9, 1e-4);
+/// precision in the preconditioner and rounding allow. Beside crowded ions the room, not the
+/// concentration, must be exact.
+double newton_tolerance(double time_tolerance, IonModel model) {
+  const double share = model == IonModel::steric ? 3e-3 : 0.3;
+  return std::clamp(share * time_tolerance, 1e-9, 1e-4);
 }
 
 /// The least charge that the steps resolve, as a share of what the largest coupling makes in one
 /// Debye length: without it a first contact would be resolved from nothing.
 constexpr double least_charge = 1e-3;
+
+/// A step takes some ten residuals and Krylov iterations, and where columns differ much some
+/// hundred. Steps that were estimated and take as many times more lead nowhere.
+constexpr std::size_t least_patience = 30'000, patience_per_step = 100;
+
+std::size_t patience(const Case& input, const history::CoreHistory& history) {
+  return least_patience + patience_per_step * problem_size(input, history).steps;
+}
 
 /// The parts of one run, wired together.
 class TransportRun {
@@ -48,9 +59,10 @@ public:
                  step_rule(input.numerics, input.readout, scales_)),
         fixed_charge_(input, history, mirror_.solved_grid(), scaled_),
         charge_floor_(least_charge * fixed_charge_.largest_coupling()),
+        most_work_(options.most_work > 0 ? options.most_work : patience(input, history)),
         team_(useful_threads(options.threads, scaled_)),
-        solver_(scaled_, newton_tolerance(control_.tolerance()), team_,
-                steric_excess(input.electrochemistry)),
+        solver_(scaled_, newton_tolerance(control_.tolerance(), input.electrochemistry.ion_model),
+                team_, steric_excess(input.electrochemistry)),
         integrator_(
             scaled_, scales_, fixed_charge_, options.potentials, solver_, team_,
             scaled_admittance(input.readout, scales_, input.skin.length * input.skin.width)),
@@ -88,6 +100,7 @@ private:
       append_row(begin);
       copy_counters();
     }
+    work_before_ = work();
   }
 
   void resume() {
@@ -128,6 +141,9 @@ private:
     while (true) {
       base::check_interrupt();
       const double end = control_.step_end(begin, state.next_step);
+      if (work() - work_before_ > most_work_) {
+        end_without_progress(begin, end);
+      }
       const std::optional<double> error =
           integrator_.try_step(begin, end, state, control_.column_share(begin));
       const double share = error.value_or(0.0) / control_.tolerance();
@@ -143,6 +159,31 @@ private:
         give_up(begin, end);
       }
     }
+  }
+
+  std::size_t work() const {
+    return solver_.counters().residual_evaluations + solver_.counters().krylov_iterations;
+  }
+
+  [[noreturn]] void end_without_progress(double begin, double end) const {
+    throw SolverError(
+        fmt::format(
+            "the ion transport gets nowhere: {} steps and {} tries in vain led to t = {:.9g} "
+            "s of {:.9g} s, and the next step is of {:.2g} s; potentials reach {:.3g} V",
+            run_.step, run_.solution.rejected_steps, begin, control_.span().second, end - begin,
+            scales_.potential_scale * largest_potential()),
+        fmt::format(
+            "make coupling.coefficient smaller or the motion slower: charge that comes "
+            "faster than ions can follow makes such potentials{}; --resume goes on as it is",
+            solver_.excess() ? "; or raise electrochemistry.largest_concentration, or set "
+                               "electrochemistry.ion_model = \"dilute\""
+                             : ""));
+  }
+
+  double largest_potential() const {
+    const auto potential = run_.state.ions.potential();
+    const auto [least, most] = std::ranges::minmax(potential);
+    return std::max(std::abs(least), std::abs(most));
   }
 
   [[noreturn]] void give_up(double begin, double end) const {
@@ -180,6 +221,7 @@ private:
   StepControl control_;
   FixedCharge fixed_charge_;
   double charge_floor_;
+  std::size_t most_work_, work_before_ = 0;
   parallel::WorkerTeam team_;
   NewtonKrylov solver_;
   TimeIntegrator integrator_;

@@ -38,11 +38,14 @@ struct IonOptions {
   double checkpoint_seconds = 5;
   /// Continues from here. UserError when it belongs to another grid or other time steps.
   std::optional<IonCheckpoint> resume;
+  /// Residuals and Krylov iterations after which a run that is not at its end is given up; 0 for
+  /// many times what the case is expected to take. What a resumed run did before does not count.
+  std::size_t most_work = 0;
 };
 
 /// Solves ion transport in the core for a history of shear and returns one row per time step.
 /// Stage in `timers`: "electrochemistry". Throws Interrupted, and SolverError when the fixed charge
-/// becomes negative or a step finds no solution.
+/// becomes negative, a step finds no solution, or steps get nowhere.
 IonSolution solve_ion_transport(const Case& input, const history::CoreHistory& history,
                                 const IonOptions& options, base::Timers& timers);
 

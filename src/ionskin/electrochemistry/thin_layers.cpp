@@ -57,6 +57,9 @@ double width_of(const std::vector<double>& edges) {
   return (edges.back() - edges.front()) / static_cast<double>(edges.size() - 1);
 }
 
+/// Steps in vain after which a run leads nowhere; a few per cent of the steps are usual.
+constexpr std::size_t patience = 1000, patience_per_step = 10;
+
 class ThinLayerRun {
 public:
   ThinLayerRun(const Case& input, const history::CoreHistory& history, const IonOptions& options)
@@ -216,6 +219,12 @@ private:
         return;
       }
       ++solution_.rejected_steps;
+      if (solution_.rejected_steps > patience + patience_per_step * solution_.steps) {
+        throw SolverError(fmt::format("the charge of thin double layers gets nowhere: {} steps and "
+                                      "{} tries in vain led to t = {:.9g} s",
+                                      solution_.steps, solution_.rejected_steps, begin),
+                          "raise numerics.time_tolerance, or make the motion slower");
+      }
       drive_.restore(water);
       next_step_ = control_.after_rejection(begin, end, share);
       if (control_.too_short(next_step_)) {

@@ -7,6 +7,7 @@
 #include "ionskin/mechanics/engine/drive_room.hpp"
 #include "ionskin/mechanics/engine/kept_path.hpp"
 #include "ionskin/mechanics/engine/stepped_strains.hpp"
+#include "ionskin/mechanics/path/expected_steps.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/path/path_resolution.hpp"
 #include "ionskin/mechanics/position/interpolation_error.hpp"
@@ -54,6 +55,17 @@ std::vector<double> requested_instants(const Case& input, const std::vector<Moti
   return instants;
 }
 
+/// Of a drive: many times what is expected, and what its swings take.
+std::size_t most_tries(const Case& input) {
+  constexpr double least = 5000, per_step = 50, per_period = 200, most_periods = 1e4;
+  const double period = input.motion.drive.natural_period();
+  const double swings =
+      period > 0 ? std::min(input.motion.cycle_duration() / period, most_periods) : 0;
+  const double tries =
+      least + per_step * static_cast<double>(expected_steps(input).taken) + per_period * swings;
+  return static_cast<std::size_t>(tries);
+}
+
 std::optional<DriveOptions> drive_options(const Case& input, const SkinModel& model,
                                           double longest_travel) {
   constexpr double share = 0.2; // of the square of the resolution
@@ -66,7 +78,8 @@ std::optional<DriveOptions> drive_options(const Case& input, const SkinModel& mo
                       {true, along_y},
                       share * resolution * resolution,
                       longest_travel,
-                      room_on_skin(input, model.mesh.footprint())};
+                      room_on_skin(input, model.mesh.footprint()),
+                      most_tries(input)};
 }
 
 ContactSolution empty_solution(const SkinModel& model) {

@@ -113,6 +113,14 @@ Footprint footprint_limit(const Case& input) {
   return result;
 }
 
+bool ends_at_skin(const Case& input, const Footprint& footprint, std::size_t direction) {
+  constexpr double rounding = 1 - 1e-9;
+  const Footprint limit = footprint_limit(input);
+  return !footprint.sharp(direction) &&
+         footprint.rim[direction] >= limit.rim[direction] * rounding &&
+         limit.half_size[direction] < input.slider.size[direction] / 2 * rounding;
+}
+
 Footprint largest_footprint(const Case& input) {
   return footprint_on_even_skin(input, softest_plane_modulus(input.skin));
 }

@@ -33,6 +33,10 @@ Footprint footprint_limit(const Case& input);
 /// touches at once and the bound that its shape has for the border around it.
 Footprint largest_footprint(const Case& input);
 
+/// Whether a footprint along a direction ends where the skin does, not the slider: a contact that
+/// reaches its border leaves the skin.
+bool ends_at_skin(const Case& input, const Footprint& footprint, std::size_t direction);
+
 /// About what a solution will find: the largest but for a round contact under a force, which feels
 /// what lies on the softest layer as a plate.
 Footprint expected_footprint(const Case& input);

@@ -92,9 +92,9 @@ double parse_quantity(std::string_view text, Dimension expected) {
     throw UserError(
         fmt::format("missing unit in \"{}\": {}", base::shown(text), expectation(expected)));
   }
-  if (!unit_is_known(unit))
-    throw_unknown_unit(unit, text, expected);
   const auto value = convert_unit(number, unit, info.si_unit);
+  if (!value && !unit_is_known(unit))
+    throw_unknown_unit(unit, text, expected);
   if (!value)
     throw_wrong_dimension(unit, text, expected);
   if (!std::isfinite(*value))

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string_view>
@@ -149,6 +150,21 @@ Unit parse(const std::string& unit) {
           &ut_free};
 }
 
+Converter make_converter(const std::string& unit, const std::string& si_unit) {
+  const Unit from = parse(unit), to = parse(si_unit);
+  if (!from || !to)
+    return {nullptr, &cv_free};
+  // udunits2 also converts between reciprocals (seconds to hertz), so compare the dimensions
+  // themselves.
+  const Unit quotient(ut_divide(from.get(), to.get()), &ut_free);
+  if (!quotient || !ut_is_dimensionless(quotient.get()))
+    return {nullptr, &cv_free};
+  return {ut_get_converter(from.get(), to.get()), &cv_free};
+}
+
+// The rows of a file have the same few units; those of hostile texts are not kept.
+constexpr std::size_t most_converters = 256;
+
 } // namespace
 
 bool unit_is_known(const std::string& unit) {
@@ -158,19 +174,17 @@ bool unit_is_known(const std::string& unit) {
 
 std::optional<double> convert_unit(double value, const std::string& unit,
                                    const std::string& si_unit) {
+  static std::map<std::pair<std::string, std::string>, Converter> converters;
   const std::scoped_lock lock(library_mutex());
-  const Unit from = parse(unit), to = parse(si_unit);
-  if (!from || !to)
+  auto known = converters.find({unit, si_unit});
+  if (known == converters.end()) {
+    if (converters.size() == most_converters)
+      converters.clear();
+    known = converters.emplace(std::pair(unit, si_unit), make_converter(unit, si_unit)).first;
+  }
+  if (!known->second)
     return {};
-  // udunits2 also converts between reciprocals (seconds to hertz), so compare the dimensions
-  // themselves.
-  const Unit quotient(ut_divide(from.get(), to.get()), &ut_free);
-  if (!quotient || !ut_is_dimensionless(quotient.get()))
-    return {};
-  const Converter converter(ut_get_converter(from.get(), to.get()), &cv_free);
-  if (!converter)
-    return {};
-  return cv_convert_double(converter.get(), value);
+  return cv_convert_double(known->second.get(), value);
 }
 
 std::string in_base_units(const std::string& unit) {

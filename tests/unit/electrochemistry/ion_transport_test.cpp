@@ -5,6 +5,7 @@
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "model_cases.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -89,6 +90,56 @@ TEST(IonTransport, InterruptedAndResumedEqualsUninterrupted) {
   IonOptions second = options;
   second.resume = kept;
   expect_equal(whole, solve(coarse_case(), history, second));
+}
+
+TEST(IonTransport, StepsThatGetNowhereEndAndCanBeResumed) {
+  const auto history = onset_history();
+  const IonSolution whole = solve(coarse_case(), history);
+
+  IonCheckpoint kept;
+  IonOptions first;
+  first.checkpoint = [&kept](const IonCheckpoint& checkpoint) { kept = checkpoint; };
+  first.most_work = (whole.residual_evaluations + whole.krylov_iterations) / 2;
+  try {
+    solve(coarse_case(), history, first);
+    FAIL() << "no end";
+  } catch (const SolverError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("gets nowhere"));
+    EXPECT_THAT(error.remedy(), testing::HasSubstr("coupling.coefficient"));
+  }
+  EXPECT_GT(kept.step, 0U);
+  EXPECT_LT(kept.solution.time.back(), history.time.back());
+
+  IonOptions second;
+  second.resume = kept;
+  second.most_work = whole.residual_evaluations + whole.krylov_iterations;
+  expect_equal(whole, solve(coarse_case(), history, second));
+}
+
+/// Double layers of half a nanometre, strained within microseconds: potentials of thousands of
+/// thermal voltages crowd the ions at the walls below the slider, and nowhere else.
+TEST(IonTransport, IonsThatCrowdInSomeColumnsTakeFewSteps) {
+  Case input = coarse_case();
+  input.numerics.mesh_refinement = 0.3;
+  input.electrochemistry.ion_model = IonModel::steric;
+  input.electrochemistry.valence = 2;
+  input.electrochemistry.fixed_charge_concentration = 902;
+  input.electrochemistry.largest_concentration = 1271;
+  input.electrochemistry.diffusivity = 3.7e-13;
+  input.electrochemistry.permittivity = 6.8e-10;
+  input.coupling.coefficient = -3e-4;
+  history::CoreHistory history = onset_history();
+  for (double& time : history.time) {
+    time *= 2e-5;
+  }
+  for (double& time : history.event_time) {
+    time *= 2e-5;
+  }
+  IonOptions options;
+  options.most_work = 20'000; // lest it takes for ever
+  const IonSolution solution = solve(input, history, options);
+  EXPECT_EQ(solution.time.back(), history.time.back());
+  EXPECT_LT(solution.residual_evaluations + solution.krylov_iterations, 1000U);
 }
 
 TEST(IonTransport, QuickRunsKeepTheirEndAlone) {

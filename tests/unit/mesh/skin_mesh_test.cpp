@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace ionskin::mesh {
 namespace {
@@ -32,6 +33,22 @@ void expect_ascending(const std::vector<double>& line, double end) {
   EXPECT_EQ(line.front(), 0.0);
   EXPECT_DOUBLE_EQ(line.back(), end);
   EXPECT_TRUE(std::is_sorted(line.begin(), line.end(), std::less_equal<>()));
+}
+
+TEST(Footprint, is_expected_at_the_edge_of_the_skin_under_a_heavy_load_alone) {
+  Case input = example();
+  input.slider.shape = "sphere";
+  input.slider.parameters = {{"radius", 20e-3}};
+  input.slider.size = {8e-3, 8e-3};
+  for (const auto& [force, at_edge] : {std::pair{0.01, false}, {50.0, true}}) {
+    input.motion.preload_force = force;
+    const Footprint footprint = expected_footprint(input);
+    EXPECT_EQ(ends_at_skin(input, footprint, 1), at_edge) << force; // 1 mm to either side
+    EXPECT_FALSE(ends_at_skin(input, footprint, 0)) << force;
+  }
+  input.slider.size = {1.5e-3, 1.5e-3}; // the slider ends before the skin does
+  EXPECT_FALSE(ends_at_skin(input, expected_footprint(input), 1));
+  EXPECT_FALSE(ends_at_skin(example(), expected_footprint(example()), 1)); // sharp
 }
 
 TEST(SkinMesh, topology_does_not_depend_on_the_position) {

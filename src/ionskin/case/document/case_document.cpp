@@ -3,7 +3,7 @@
 
 #include "ionskin/case/schema/schema.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace ionskin {
 
@@ -21,10 +21,15 @@ std::string to_string(ValueOrigin origin) {
   return "";
 }
 
+CaseDocument::CaseDocument(Case given, std::string name, std::vector<ValueRecord> values)
+    : input(std::move(given)), file(std::move(name)), records(std::move(values)) {
+  for (std::size_t i = 0; i < records.size(); ++i)
+    index_.emplace(records[i].key, i);
+}
+
 const ValueRecord* CaseDocument::find(const std::string& key) const {
-  const auto found = std::find_if(records.begin(), records.end(),
-                                  [&](const ValueRecord& record) { return record.key == key; });
-  return found == records.end() ? nullptr : &*found;
+  const auto found = index_.find(key);
+  return found == index_.end() ? nullptr : &records[found->second];
 }
 
 std::optional<NumberRecord> CaseDocument::number(const std::string& key) const {

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace ionskin {
@@ -35,9 +36,12 @@ struct NumberRecord {
 
 /// A case together with the origin of its values.
 struct CaseDocument {
+  /// @param records those of the case, each key once, in the order of the schema
+  CaseDocument(Case input, std::string file, std::vector<ValueRecord> records);
+
   Case input;
   std::string file;
-  std::vector<ValueRecord> records; ///< in the order of the schema
+  std::vector<ValueRecord> records;
 
   /// The record of a key, or nullptr.
   const ValueRecord* find(const std::string& key) const;
@@ -46,6 +50,9 @@ struct CaseDocument {
   std::optional<NumberRecord> number(const std::string& key) const;
   /// Where the key stands, with a note; empty when its value is a default.
   std::vector<Pointer> point_at(const std::string& key, const std::string& note = "") const;
+
+private:
+  std::unordered_map<std::string, std::size_t> index_; ///< of records, by key
 };
 
 } // namespace ionskin

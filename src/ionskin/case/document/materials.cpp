@@ -33,8 +33,9 @@ std::string key_of(const std::string& material, const std::string& property) {
 void complete_from_preset(const std::string& name, TomlWalk& walk, Problems& problems) {
   const fs::path file = materials_folder() / (name + ".toml");
   const CaseText text(file.string(), base::read_text_file(file.string(), "material preset"));
-  TomlWalk preset(text, problems);
-  preset.visit(parse_toml(text.text(), text.file()));
+  const TomlText values(text.text(), text.file());
+  TomlWalk preset(text, values, problems);
+  preset.visit();
   walk.draft.materials[name]; // known from now on, whatever the preset leaves out
   for (ValueRecord record : preset.records) {
     if (!record.key.starts_with(key_of(name, "")) || walk.seen[record.key])
@@ -74,6 +75,10 @@ std::string quoted_list(const std::set<std::string>& names) {
 void report_unknown(const std::string& name, const std::vector<Pointer>& where,
                     const TomlWalk& walk, const std::vector<std::string>& presets,
                     Problems& problems) {
+  if (problems.full()) {
+    problems.add("", {}, ""); // lists of names cost work that nobody would see
+    return;
+  }
   std::set<std::string> known(presets.begin(), presets.end());
   for (const auto& [defined, material] : walk.draft.materials)
     known.insert(defined);

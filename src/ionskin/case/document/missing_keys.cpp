@@ -88,14 +88,22 @@ private:
   }
 
   void set_default(const SchemaRow& row, const std::string& key, const KeyIndex& index) {
-    const toml::value root = parse_toml("value = " + row.default_value, "default of " + row.key);
-    const auto result = read_value(row, key, root.as_table().at("value"));
-    if (std::holds_alternative<BadValue>(result))
-      throw InternalError("the default of " + row.key + " breaks its own row");
-    const Value& value = std::get<Value>(result);
+    const Value& value = default_of(row);
     row.set(walk_.draft, index, value);
     walk_.records.push_back(
         {key, row.default_value, format_value(row, value), ValueOrigin::default_value, {}, value});
+  }
+
+  /// Parsed once, however many entries of a list take it.
+  const Value& default_of(const SchemaRow& row) {
+    const auto known = defaults_.find(&row);
+    if (known != defaults_.end())
+      return known->second;
+    const TomlText text("value = " + row.default_value, "default of " + row.key);
+    const auto result = read_value(row, row.key, text.root().as_table().at("value"));
+    if (std::holds_alternative<BadValue>(result))
+      throw InternalError("the default of " + row.key + " breaks its own row");
+    return defaults_.emplace(&row, std::get<Value>(result)).first->second;
   }
 
   std::vector<Pointer> pointers_to(const std::string& table) const {
@@ -139,6 +147,7 @@ private:
   const std::string& file_;
   Problems& problems_;
   std::set<std::string> reported_sections_;
+  std::map<const SchemaRow*, Value> defaults_;
 };
 
 } // namespace

@@ -2,297 +2,152 @@
 #include "ionskin/case/document/set_edit.hpp"
 
 #include "ionskin/base/error.hpp"
-#include "ionskin/base/text.hpp"
-#include "ionskin/case/text/toml_limits.hpp"
-#include "ionskin/case/text/toml_text.hpp"
+#include "ionskin/case/document/placed_edit.hpp"
 
-#include <fmt/format.h>
-
-#include <charconv>
+#include <algorithm>
+#include <map>
 #include <optional>
-#include <sstream>
+#include <set>
+#include <tuple>
+#include <utility>
 
 namespace ionskin {
-
 namespace {
 
-// A name, with the index into an array where one follows.
-struct Step {
-  std::string name;
-  std::optional<std::size_t> index;
-};
-using Path = std::vector<Step>;
+/// Rounds of edits that depend on those of the round before; a few are a user's.
+constexpr int most_rounds = 20;
 
-[[noreturn]] void refuse(const std::string& argument, const std::string& message, bool value,
-                         const std::string& remedy) {
-  Problems problems;
-  problems.add(message, {{place_in_edit(argument, value), ""}}, remedy);
-  problems.throw_if_any("--set");
-  throw InternalError("a refused edit was accepted");
-}
-
-constexpr std::string_view name_letters =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";
-
-/// "name" or "name[3]".
-std::optional<Step> parse_step(const std::string& part) {
-  const std::size_t open = std::min(part.find_first_not_of(name_letters), part.size());
-  Step step{part.substr(0, open), {}};
-  if (open == 0)
-    return std::nullopt;
-  if (open == part.size())
-    return step;
-  constexpr std::size_t most_digits = 6;
-  const std::string digits = part.substr(open + 1, part.size() - open - 2);
-  if (part[open] != '[' || part.back() != ']' || digits.empty() || digits.size() > most_digits ||
-      digits.find_first_not_of("0123456789") != std::string::npos)
-    return std::nullopt;
-  step.index = std::stoul(digits);
-  return step;
-}
-
-Path parse_path(const std::string& argument, const std::string& key) {
-  Path path;
-  std::istringstream parts(key);
-  for (std::string part; std::getline(parts, part, '.');) {
-    const std::optional<Step> step = parse_step(part);
-    if (!step)
-      refuse(argument, fmt::format("\"{}\" is not a key", base::shown(key)), false,
-             "keys look like contact.friction or skin.layers[1].thickness");
-    path.push_back(*step);
+/// Keys that edits set, with what they lie in.
+class Claims {
+public:
+  /// Whether one of the claims sets the key, lies in it, or holds it.
+  bool touch(const SetEdit& edit) const {
+    const std::vector<std::string> names = edit.tables_and_key();
+    return holding_.contains(names.back()) ||
+           std::ranges::any_of(names, [&](const auto& name) { return claimed_.contains(name); });
   }
-  if (path.empty() || key.ends_with('.'))
-    refuse(argument, "the edit names no key", false, "write --set key=value");
-  return path;
-}
-
-bool is_toml_value(const std::string& text) {
-  const std::string line = "value = " + text;
-  const auto root = try_parse_toml(line);
-  if (!root || root->as_table().size() != 1)
-    return false;
-  // A trailing comment would swallow what follows in an inline table.
-  return value_span(line, root->as_table().at("value")).length == text.size();
-}
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char letter : text) {
-    if (letter == '"' || letter == '\\')
-      result += '\\';
-    result += letter;
+  /// @param claim one of the edit's names
+  void add(const SetEdit& edit, const std::string& claim) {
+    claimed_.insert(claim);
+    for (const std::string& name : edit.tables_and_key()) {
+      if (name == claim)
+        return;
+      holding_.insert(name);
+    }
   }
-  return result + "\"";
-}
 
-std::string array_text(const std::string& typed) {
-  std::istringstream items(typed.substr(1, typed.size() - 2));
-  std::string result;
-  for (std::string item; std::getline(items, item, ',');)
-    result += (result.empty() ? "" : ", ") + toml_value_text(base::trimmed(item));
-  return "[" + result + "]";
-}
-
-// The deepest value on a path that exists, and how many steps lead to it.
-struct Descent {
-  const toml::value* value = nullptr;
-  std::size_t steps = 0;
+private:
+  std::set<std::string> claimed_, holding_;
 };
 
-const toml::value& element(const std::string& argument, const toml::value& array,
-                           const Step& step) {
-  if (!array.is_array() || *step.index >= array.as_array().size())
-    refuse(argument, fmt::format("{} has no entry {}", step.name, *step.index), false,
-           array.is_array()
-               ? fmt::format("it has {} entries, counted from 0", array.as_array().size())
-               : fmt::format("{} is no array", step.name));
-  return array.as_array()[*step.index];
-}
-
-enum class Indices { left_out, written };
-
-std::string dotted(Path::const_iterator begin, Path::const_iterator end,
-                   Indices indices = Indices::left_out) {
-  std::string key;
-  for (auto step = begin; step != end; ++step) {
-    key += (key.empty() ? "" : ".") + step->name;
-    if (step->index && indices == Indices::written)
-      key += fmt::format("[{}]", *step->index);
+std::vector<TextEdit> in_order_of_text(const std::vector<PlacedEdit>& placed) {
+  // At one place, what stands on top of what is there comes first, the latest of it before all.
+  std::vector<std::tuple<std::size_t, bool, std::ptrdiff_t>> order;
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    const auto turn = static_cast<std::ptrdiff_t>(i);
+    order.emplace_back(placed[i].text.begin, !placed[i].on_top, placed[i].on_top ? -turn : turn);
   }
-  return key;
+  std::ranges::sort(order);
+  std::vector<TextEdit> edits;
+  for (const auto& [begin, after, turn] : order)
+    edits.push_back(placed[static_cast<std::size_t>(turn < 0 ? -turn : turn)].text);
+  return edits;
 }
 
-/// `step` asks a list or a single value for what only tables have.
-[[noreturn]] void refuse_step(const std::string& argument, const toml::value& value,
-                              const Path& path, Path::const_iterator step) {
-  const std::string key = dotted(path.begin(), step, Indices::written), &name = (step - 1)->name;
-  if (!value.is_array())
-    refuse(argument, fmt::format("{} is a value, not a table", name), false,
-           fmt::format("set it by {}=VALUE", key));
-  const bool counts = step->name.find_first_not_of("0123456789") == std::string::npos;
-  const auto entry = counts ? step + 1 : step;
-  refuse(argument, fmt::format("{} is a list, not a table", name), false,
-         fmt::format("its entries, {} in all, are counted from 0: {}[{}]{}{}",
-                     value.as_array().size(), key, counts ? step->name : "0",
-                     entry == path.end() ? "" : ".", dotted(entry, path.end(), Indices::written)));
-}
+class Editor {
+public:
+  explicit Editor(CaseText& text) : text_(text), values_(text.text(), text.file()) {}
 
-Descent descend(const std::string& argument, const toml::value& root, const Path& path) {
-  Descent descent{&root, 0};
-  for (auto step = path.begin(); step != path.end(); ++step) {
-    if (!descent.value->is_table())
-      refuse_step(argument, *descent.value, path, step);
-    const auto& table = descent.value->as_table();
-    const auto found = table.find(step->name);
-    if (found == table.end())
-      return descent;
-    descent.value = step->index ? &element(argument, found->second, *step) : &found->second;
-    ++descent.steps;
+  void apply(std::vector<SetEdit> edits) {
+    for (int round = 0; !edits.empty(); ++round) {
+      if (round == most_rounds)
+        refuse_set_edit(edits.front().argument,
+                        "edits of this key undo one another again and again", false,
+                        "write each key once, or write them in the file");
+      edits = apply_independent(edits);
+    }
   }
-  return descent;
-}
 
-std::size_t line_end(const std::string& text, std::size_t position) {
-  return std::min(text.find('\n', position), text.size());
-}
+  TomlText take_values() { return std::move(values_); }
 
-// A place for a new key, and the text around "key = value" there.
-struct Slot {
-  std::size_t position = 0;
-  std::string before, key, after;
+private:
+  /// @return the edits that depend on others of the round
+  std::vector<SetEdit> apply_independent(const std::vector<SetEdit>& edits) {
+    std::vector<SetEdit> chosen, left;
+    std::vector<PlacedEdit> placed;
+    std::map<std::string, std::size_t> of_key; // index of those that set just this key
+    Claims claims, waiting;
+    for (const SetEdit& edit : edits) {
+      const std::string key = edit.tables_and_key().back();
+      const auto same = of_key.find(key);
+      const bool waits = waiting.touch(edit);
+      if (!waits && same != of_key.end()) { // the last edit of a key counts
+        chosen[same->second] = edit;
+        placed[same->second] = place_set_edit(edit, values_);
+      } else if (waits || claims.touch(edit)) {
+        waiting.add(edit, key);
+        left.push_back(edit);
+      } else {
+        PlacedEdit here = place_set_edit(edit, values_);
+        claims.add(edit, here.claim);
+        if (here.claim == key)
+          of_key.emplace(key, chosen.size());
+        chosen.push_back(edit);
+        placed.push_back(std::move(here));
+      }
+    }
+    write(chosen, placed);
+    return left;
+  }
+
+  /// Writes edits that are independent of one another; where they do not fit, by halves, to tell
+  /// which one.
+  void write(const std::vector<SetEdit>& edits, const std::vector<PlacedEdit>& placed) {
+    CaseText trial = text_;
+    trial.edit(in_order_of_text(placed));
+    std::optional<TomlText> values;
+    try {
+      values.emplace(trial.text(), trial.file());
+    } catch (const UserError&) {
+      if (edits.size() == 1)
+        refuse_set_edit(edits.front().argument,
+                        "this key cannot be added to the case as it is written", false,
+                        "write it in the file");
+    }
+    if (values) {
+      text_ = std::move(trial);
+      values_ = std::move(*values);
+      return;
+    }
+    const auto middle = edits.begin() + static_cast<std::ptrdiff_t>(edits.size() / 2);
+    write_anew({edits.begin(), middle});
+    write_anew({middle, edits.end()});
+  }
+
+  void write_anew(const std::vector<SetEdit>& edits) {
+    std::vector<PlacedEdit> placed;
+    for (const SetEdit& edit : edits)
+      placed.push_back(place_set_edit(edit, values_));
+    write(edits, placed);
+  }
+
+  CaseText& text_;
+  TomlText values_;
 };
-
-Slot slot_at_end(const std::string& text, const std::string& table, const std::string& key) {
-  const std::string gap = text.empty() || text.ends_with('\n') ? "\n" : "\n\n";
-  return {text.size(), fmt::format("{}[{}]\n", gap, table), key, "\n"};
-}
-
-Slot slot_after_line(const std::string& text, std::size_t position, const std::string& key) {
-  return {line_end(text, position), "\n", key, ""};
-}
-
-// Beside `contact.law = ...`, the new key must be written the same way: [contact] cannot be opened
-// again.
-Slot slot_beside_dotted(const std::string& argument, const std::string& text,
-                        const toml::value& table, const std::string& new_key) {
-  const toml::value* leaf = &table;
-  std::size_t depth = 0;
-  for (; leaf->is_table() && !leaf->as_table().empty(); ++depth)
-    leaf = &leaf->as_table().begin()->second;
-  const TextSpan span = key_span(text, *leaf);
-  std::string prefix = text.substr(span.begin, span.length);
-  for (std::size_t i = 0; i < depth && prefix.find('.') != std::string::npos; ++i)
-    prefix.erase(prefix.rfind('.'));
-  const std::size_t line_begin = span.begin == 0 ? 0 : text.rfind('\n', span.begin - 1) + 1;
-  if (!base::trimmed(text.substr(line_begin, span.begin - line_begin)).empty())
-    refuse(argument, "this key cannot be added inside the inline table of the file", false,
-           "write it in the file");
-  const TextSpan value = value_span(text, *leaf);
-  return slot_after_line(text, value.begin + value.length, prefix + "." + new_key);
-}
-
-Slot find_slot(const std::string& argument, const std::string& text, const Descent& descent,
-               const Path& path) {
-  const auto missing = path.begin() + static_cast<std::ptrdiff_t>(descent.steps);
-  for (auto step = missing; step != path.end(); ++step)
-    if (step->index)
-      refuse(argument, fmt::format("the case has no array {}", dotted(path.begin(), step + 1)),
-             false, "write the array in the file");
-  const std::string rest = dotted(missing, path.end());
-  if (descent.steps == 0)
-    return path.size() == 1
-               ? Slot{0, "", rest, "\n"}
-               : slot_at_end(text, dotted(path.begin(), path.end() - 1), path.back().name);
-  const toml::value& table = *descent.value;
-  const TextSpan span = value_span(text, table);
-  const std::string written = text.substr(span.begin, span.length);
-  const std::string name = dotted(path.begin(), missing);
-  if (written.starts_with('{'))
-    return {span.begin + span.length - 1, table.as_table().empty() ? "" : ", ", rest, ""};
-  if (written == "[" + name + "]" || written == "[[" + name + "]]")
-    return slot_after_line(text, span.begin, rest);
-  if (written.starts_with('['))
-    return slot_at_end(text, name,
-                       rest); // only sub-tables such as [materials.platinum] exist so far
-  return slot_beside_dotted(argument, text, table, rest);
-}
-
-bool is_headed(const std::string& text, const toml::value& value) {
-  if (value.is_table())
-    return !text.substr(value_span(text, value).begin).starts_with('{');
-  const bool table_list =
-      value.is_array() && !value.as_array().empty() && value.as_array().front().is_table();
-  return table_list &&
-         value_span(text, value).begin == value_span(text, value.as_array().front()).begin;
-}
 
 } // namespace
 
-std::string toml_value_text(const std::string& typed) {
-  if (is_toml_value(typed))
-    return typed;
-  if (typed.size() >= 2 && typed.front() == '[' && typed.back() == ']')
-    return array_text(typed);
-  return quoted(typed);
+TomlText apply_set_edits(CaseText& text, const std::vector<std::string>& arguments) {
+  Editor editor(text);
+  std::vector<SetEdit> edits;
+  for (const std::string& argument : arguments)
+    edits.push_back(parse_set_edit(argument));
+  editor.apply(std::move(edits));
+  return editor.take_values();
 }
-
-namespace {
-
-/// Before anything of an edit is read.
-void check_limits(const std::string& argument) {
-  if (argument.size() > toml_limits::text_bytes)
-    refuse(argument, fmt::format("the edit has {} bytes", argument.size()), false,
-           fmt::format("it may have {}", toml_limits::text_bytes));
-  if (!base::is_utf8(argument))
-    refuse(argument, "the edit is not UTF-8", false, "write --set key=value in UTF-8");
-  std::size_t depth = 0, deepest = 0;
-  for (const char letter : argument) {
-    depth += letter == '[' || letter == '{' ? 1 : 0;
-    depth -= depth > 0 && (letter == ']' || letter == '}') ? 1 : 0;
-    deepest = std::max(deepest, depth);
-  }
-  if (deepest > toml_limits::depth)
-    refuse(argument, fmt::format("more than {} brackets stand in one another", toml_limits::depth),
-           true, "no key of a case needs more than 3");
-}
-
-} // namespace
 
 void apply_set_edit(CaseText& text, const std::string& argument) {
-  check_limits(argument);
-  const std::size_t equals = argument.find('=');
-  if (equals == std::string::npos)
-    refuse(argument, "the edit has no value", false, "write --set key=value");
-  const std::string key = base::trimmed(argument.substr(0, equals));
-  const std::string typed = base::trimmed(argument.substr(equals + 1));
-  if (typed.empty() || typed.find('\n') != std::string::npos)
-    refuse(argument, typed.empty() ? "the edit has no value" : "the value has several lines", true,
-           "write --set key=value; an empty text is \"\"");
-  const std::string value = toml_value_text(typed);
-  if (!is_toml_value(value))
-    refuse(argument, fmt::format("{} is not a TOML value", base::shown(typed)), true,
-           "numbers, quantities such as 3 mm, words, \"texts\" and [lists] are");
-
-  const Path path = parse_path(argument, key);
-  const toml::value root = parse_toml(text.text(), text.file());
-  const Descent descent = descend(argument, root, path);
-  if (descent.steps == path.size()) {
-    if (is_headed(text.text(), *descent.value))
-      refuse(argument, key + " is a table; its keys can be set one by one", false,
-             fmt::format("write --set {}.KEY=VALUE", key));
-    const TextSpan span = value_span(text.text(), *descent.value);
-    text.edit(span.begin, span.length, value, 0, argument);
-  } else {
-    const Slot slot = find_slot(argument, text.text(), descent, path);
-    const std::string head = slot.before + slot.key + " = ";
-    text.edit(slot.position, 0, head + value + slot.after, head.size(), argument);
-  }
-  try {
-    parse_toml(text.text(), text.file());
-  } catch (const UserError&) {
-    refuse(argument, "this key cannot be added to the case as it is written", false,
-           "write it in the file");
-  }
+  apply_set_edits(text, {argument});
 }
 
 } // namespace ionskin

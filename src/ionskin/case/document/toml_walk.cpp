@@ -6,7 +6,6 @@
 #include "ionskin/case/document/unknown_key.hpp"
 #include "ionskin/case/document/waypoint_file.hpp"
 #include "ionskin/case/text/toml_limits.hpp"
-#include "ionskin/case/text/toml_text.hpp"
 
 #include <fmt/format.h>
 
@@ -50,7 +49,7 @@ void resize_list(Case& input, const std::string& pattern, std::size_t size) {
 } // namespace
 
 Place TomlWalk::place_of(const toml::value& value) const {
-  const TextSpan span = value_span(text_.text(), value);
+  const TextSpan span = values_.span(value);
   return text_.place(span.begin, span.length);
 }
 
@@ -77,7 +76,7 @@ void TomlWalk::visit_table(const toml::value& value, const std::string& key,
   }
   if (!key.empty())
     tables[key] = place_of(value);
-  for (const auto& [name, child] : children_in_order(text_.text(), value)) {
+  for (const auto& [name, child] : values_.children_in_order(value)) {
     if (name.size() > toml_limits::name_bytes || base::shown(name, name.size()) != name) {
       problems_.add(
           fmt::format("\"{}\" cannot be a name", base::shown(name)), {{place_of(*child), ""}},
@@ -129,7 +128,7 @@ void TomlWalk::read(const SchemaRow& row, const toml::value& value, const std::s
   }
   const Value& read = std::get<Value>(result);
   row.set(draft, index, read);
-  const TextSpan span = value_span(text_.text(), value);
+  const TextSpan span = values_.span(value);
   records.push_back({key, text_.text().substr(span.begin, span.length), format_value(row, read),
                      text_.is_edited(span.begin) ? ValueOrigin::set_edit : ValueOrigin::file,
                      place_of(value), read});
@@ -137,7 +136,11 @@ void TomlWalk::read(const SchemaRow& row, const toml::value& value, const std::s
 
 void TomlWalk::report_unknown(const toml::value& value, const std::string& key,
                               const std::string& pattern) {
-  const TextSpan span = key_span(text_.text(), value);
+  if (problems_.full()) {
+    problems_.add("", {}, ""); // the nearest name costs work that nobody would see
+    return;
+  }
+  const TextSpan span = values_.key_span(value);
   const std::vector<Pointer> where = {{text_.place(span.begin, span.length), ""}};
   const std::string meant = meant_key(key, pattern);
   seen[meant] = true; // so that it is not reported as missing too

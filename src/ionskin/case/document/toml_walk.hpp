@@ -4,8 +4,7 @@
 #include "ionskin/case/document/case_document.hpp"
 #include "ionskin/case/schema/schema.hpp"
 #include "ionskin/case/text/case_text.hpp"
-
-#include <toml.hpp>
+#include "ionskin/case/text/toml_text.hpp"
 
 #include <map>
 #include <string>
@@ -17,9 +16,11 @@ namespace ionskin {
 /// unknown keys and bad values.
 class TomlWalk {
 public:
-  TomlWalk(const CaseText& text, Problems& problems) : text_(text), problems_(problems) {}
+  /// @param values those of the text
+  TomlWalk(const CaseText& text, const TomlText& values, Problems& problems)
+      : text_(text), values_(values), problems_(problems) {}
 
-  void visit(const toml::value& root) { visit_table(root, "", "", {}); }
+  void visit() { visit_table(values_.root(), "", "", {}); }
 
   CaseDraft draft;
   std::vector<ValueRecord> records;
@@ -42,6 +43,7 @@ private:
   Place place_of(const toml::value& value) const;
 
   const CaseText& text_;
+  const TomlText& values_;
   Problems& problems_;
 };
 

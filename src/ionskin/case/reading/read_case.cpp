@@ -21,19 +21,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <utility>
 
 namespace ionskin {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-CaseText edited_text(CaseText text, const std::vector<std::string>& set_edits) {
-  parse_toml(text.text(), text.file()); // mistakes of the file are not to be blamed on an edit
-  for (const std::string& edit : set_edits)
-    apply_set_edit(text, edit);
-  return text;
-}
 
 // The written case must run from any folder, so a file that it names gets an absolute path.
 void anchor_file(const CaseDocument& document, const std::string& key, std::string& file,
@@ -42,7 +37,7 @@ void anchor_file(const CaseDocument& document, const std::string& key, std::stri
     return;
   const fs::path folder = fs::absolute(document.file).parent_path();
   file = (folder / file).lexically_normal().string();
-  apply_set_edit(text, key + "=" + file);
+  apply_set_edits(text, {key + "=" + file});
 }
 
 void take_waypoints(Case& input) {
@@ -62,15 +57,26 @@ void settle_slider(Slider& slider) {
     slider.profile_heights = read_height_map(slider.profile);
 }
 
-// Place in the schema; the keys of one layer or material stay together, in the order of the file.
-std::size_t rank(const std::string& key) {
-  const std::size_t wildcard =
-      std::min(key.find('['), key.starts_with("materials.") ? 9 : key.size());
-  for (std::size_t i = 0; i < schema().size(); ++i)
-    if (wildcard < key.size() ? schema()[i].key.starts_with(key.substr(0, wildcard) + key[wildcard])
-                              : schema()[i].key == key)
-      return i;
-  return schema().size();
+// By place in the schema; the keys of one layer or material stay together, in the order of the
+// file.
+std::vector<ValueRecord> in_order_of_schema(std::vector<ValueRecord> records) {
+  std::map<std::string, std::size_t> rank; // of keys, and of what several keys begin with
+  const auto group = [](const std::string& key) {
+    const std::size_t end = std::min(key.find('['), key.starts_with("materials.") ? 9 : key.size());
+    return key.substr(0, end + 1);
+  };
+  for (const SchemaRow& row : schema())
+    rank.emplace(group(row.key), rank.size());
+  std::vector<std::pair<std::size_t, std::size_t>> order; // rank, and place in the file
+  for (const ValueRecord& record : records) {
+    const auto known = rank.find(group(record.key));
+    order.emplace_back(known == rank.end() ? rank.size() : known->second, order.size());
+  }
+  std::ranges::sort(order);
+  std::vector<ValueRecord> sorted;
+  for (const auto& [of_key, index] : order)
+    sorted.push_back(std::move(records[index]));
+  return sorted;
 }
 
 std::string values_text(const std::vector<ValueRecord>& records) {
@@ -90,19 +96,17 @@ CaseDocument read_case_document(const std::string& path,
 
 CaseDocument read_case_text(const std::string& original, const std::string& path,
                             const std::vector<std::string>& set_edits) {
-  CaseText text = edited_text({path, original}, set_edits);
+  CaseText text(path, original);
+  const TomlText values = apply_set_edits(text, set_edits);
   Problems problems;
-  TomlWalk walk(text, problems);
-  walk.visit(parse_toml(text.text(), text.file()));
+  TomlWalk walk(text, values, problems);
+  walk.visit();
   complete_materials(walk, problems);
   complete(walk, path, problems);
   resolve_materials(walk, problems);
 
-  std::stable_sort(walk.records.begin(), walk.records.end(),
-                   [](const ValueRecord& first, const ValueRecord& second) {
-                     return rank(first.key) < rank(second.key);
-                   });
-  CaseDocument document{std::move(walk.draft.input), path, std::move(walk.records)};
+  CaseDocument document(std::move(walk.draft.input), path,
+                        in_order_of_schema(std::move(walk.records)));
   check_water_keys(document, problems);
   check_prescribed_keys(document, problems);
   problems.throw_if_any(path);
@@ -124,9 +128,10 @@ CaseDocument read_case_text(const std::string& original, const std::string& path
 
 void check_values(const std::string& original, const std::string& name,
                   const std::vector<std::string>& set_edits) {
-  const CaseText text = edited_text({name, original}, set_edits);
+  CaseText text(name, original);
+  const TomlText values = apply_set_edits(text, set_edits);
   Problems problems;
-  TomlWalk(text, problems).visit(parse_toml(text.text(), text.file()));
+  TomlWalk(text, values, problems).visit();
   problems.throw_if_any(name);
 }
 

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <unordered_map>
 
 namespace ionskin {
 
@@ -50,9 +50,14 @@ const std::vector<SchemaRow>& schema() {
 }
 
 const SchemaRow* find_row(const std::string& pattern) {
-  const auto found = std::find_if(schema().begin(), schema().end(),
-                                  [&](const SchemaRow& row) { return row.key == pattern; });
-  return found == schema().end() ? nullptr : &*found;
+  static const auto index = [] {
+    std::unordered_map<std::string, const SchemaRow*> by_key;
+    for (const SchemaRow& row : schema())
+      by_key.emplace(row.key, &row);
+    return by_key;
+  }();
+  const auto found = index.find(pattern);
+  return found == index.end() ? nullptr : found->second;
 }
 
 bool is_list(ValueType type) {

@@ -6,53 +6,74 @@
 namespace ionskin {
 
 CaseText::CaseText(std::string file, std::string text)
-    : file_(std::move(file)), original_(text), text_(std::move(text)) {}
-
-void CaseText::edit(std::size_t begin, std::size_t replaced, const std::string& text,
-                    std::size_t value_begin, const std::string& argument) {
-  Insertion insertion{begin, text.size(), replaced, value_begin, argument, false};
-  for (Insertion& earlier : insertions_) {
-    if (earlier.begin >= begin + replaced) {
-      earlier.begin = earlier.begin + text.size() - replaced;
-    } else if (earlier.begin <= begin && begin < earlier.begin + earlier.length) {
-      earlier.length = earlier.length + text.size() - replaced;
-      insertion.nested = true;
-    }
-  }
-  text_.replace(begin, replaced, text);
-  insertions_.push_back(insertion);
+    : file_(std::move(file)), original_(text),
+      text_(std::move(text)), line_begins_{0}, pieces_{{}} {
+  for (std::size_t end = original_.find('\n'); end != std::string::npos;
+       end = original_.find('\n', end + 1))
+    line_begins_.push_back(end + 1);
 }
 
-const CaseText::Insertion* CaseText::insertion_at(std::size_t position) const {
-  const auto holds = [&](const Insertion& insertion) {
-    return insertion.begin <= position && position < insertion.begin + insertion.length;
+void CaseText::edit(const std::vector<TextEdit>& edits) {
+  std::string text;
+  std::vector<Piece> pieces;
+  std::size_t at = 0, piece = 0;
+  const auto keep_until = [&](std::size_t end) {
+    for (; at < end; ++piece) {
+      const std::size_t piece_end =
+          piece + 1 < pieces_.size() ? pieces_[piece + 1].begin : text_.size();
+      if (piece_end <= at)
+        continue;
+      Piece kept = pieces_[piece];
+      kept.source += kept.is_edit ? 0 : at - kept.begin;
+      kept.begin = text.size();
+      pieces.push_back(kept);
+      text.append(text_, at, std::min(piece_end, end) - at);
+      at = std::min(piece_end, end);
+      if (piece_end > end)
+        return;
+    }
   };
-  // The latest edit of a stretch is the one that counts.
-  const auto found = std::find_if(insertions_.rbegin(), insertions_.rend(), holds);
-  return found == insertions_.rend() ? nullptr : &*found;
+  for (const TextEdit& edit : edits) {
+    keep_until(edit.begin);
+    if (edit.value_begin > 0)
+      pieces.push_back({text.size(), true, arguments_.size(), false});
+    pieces.push_back({text.size() + edit.value_begin, true, arguments_.size(), true});
+    arguments_.push_back(edit.argument);
+    text += edit.text;
+    at = edit.begin + edit.replaced;
+  }
+  keep_until(text_.size());
+  text_ = std::move(text);
+  pieces_ = std::move(pieces);
+}
+
+const CaseText::Piece& CaseText::piece_at(std::size_t position) const {
+  const auto next = std::ranges::upper_bound(pieces_, position, {}, &Piece::begin);
+  return next == pieces_.begin() ? *next : *(next - 1);
 }
 
 Place CaseText::place(std::size_t begin, std::size_t length) const {
-  if (const Insertion* insertion = insertion_at(begin))
-    return place_in_edit(insertion->argument, begin >= insertion->begin + insertion->value_begin);
-  std::size_t position = begin;
-  for (const Insertion& insertion : insertions_)
-    if (!insertion.nested && insertion.begin < begin)
-      position = position + insertion.replaced - insertion.length;
-  position = std::min(position, original_.size());
+  const Piece& piece = piece_at(begin);
+  if (piece.is_edit)
+    return place_in_edit(arguments_[piece.source], piece.is_value);
+  const std::size_t position = std::min(piece.source + begin - piece.begin, original_.size());
+  const auto next_line = std::ranges::upper_bound(line_begins_, position);
+  const std::size_t line_begin = *(next_line - 1);
+  std::size_t line_end = next_line == line_begins_.end() ? original_.size() : *next_line - 1;
 
   Place place;
   place.origin = file_;
-  place.line = static_cast<std::size_t>(
-      1 + std::count(original_.begin(), original_.begin() + static_cast<std::ptrdiff_t>(position),
-                     '\n'));
-  const std::size_t line_begin = position == 0 ? 0 : original_.rfind('\n', position - 1) + 1;
-  const std::size_t line_end = std::min(original_.find('\n', position), original_.size());
-  place.line_text = original_.substr(line_begin, line_end - line_begin);
-  if (place.line_text.ends_with('\r'))
-    place.line_text.pop_back();
+  place.line = static_cast<std::size_t>(next_line - line_begins_.begin());
   place.column = position - line_begin + 1;
   place.length = std::min(length, line_end - position);
+  if (line_end > line_begin && original_[line_end - 1] == '\r')
+    --line_end;
+  // A list of thousands may stand in one line, and every entry has a place.
+  constexpr std::size_t kept = 400;
+  place.cut = position > line_begin + kept ? position - line_begin - kept : 0;
+  const std::size_t shown_end = std::min(line_end, position + std::min(place.length, kept) + kept);
+  place.line_text = original_.substr(
+      line_begin + place.cut, std::max(line_begin + place.cut, shown_end) - line_begin - place.cut);
   return place;
 }
 

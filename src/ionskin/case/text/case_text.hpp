@@ -9,8 +9,18 @@
 
 namespace ionskin {
 
+/// A stretch of the text that a `--set` edit replaces.
+struct TextEdit {
+  std::size_t begin = 0;       ///< in the text before the edits made with it
+  std::size_t replaced = 0;    ///< bytes that stand there; 0 to insert
+  std::string text;            ///< what stands there instead
+  std::size_t value_begin = 0; ///< where the edit's value starts within `text`
+  std::string argument;        ///< the edit as the user wrote it, "contact.friction=0.3"
+};
+
 /// The text of a case file together with the `--set` edits made in it, so that every position in
-/// the edited text can be shown where the user wrote it: in the file, or in the edit.
+/// the edited text can be shown where the user wrote it: in the file, or in the edit. A position is
+/// found in the logarithm of the number of edits and lines.
 class CaseText {
 public:
   /// @param file name shown in messages
@@ -20,32 +30,30 @@ public:
   /// With all edits so far.
   const std::string& text() const { return text_; }
 
-  /// One stretch of text written by an edit.
-  struct Insertion {
-    std::size_t begin = 0;       ///< in the edited text
-    std::size_t length = 0;      ///< in the edited text
-    std::size_t replaced = 0;    ///< bytes that stood there before
-    std::size_t value_begin = 0; ///< where the value starts within the insertion
-    std::string argument;        ///< "contact.friction=0.3"
-    bool nested = false;         ///< lies inside an earlier insertion
-  };
-
-  /// Replaces `replaced` bytes at `begin` by `text`.
-  /// @param value_begin where the edit's value starts within `text`
-  /// @param argument the edit as the user wrote it, "key=value"
-  void edit(std::size_t begin, std::size_t replaced, const std::string& text,
-            std::size_t value_begin, const std::string& argument);
+  /// Makes several edits at once.
+  /// @param edits by ascending begin; they must not overlap
+  void edit(const std::vector<TextEdit>& edits);
 
   /// Where the user wrote the stretch [begin, begin + length) of the edited text.
   Place place(std::size_t begin, std::size_t length) const;
   /// True when an edit wrote the text at this position.
-  bool is_edited(std::size_t position) const { return insertion_at(position) != nullptr; }
+  bool is_edited(std::size_t position) const { return piece_at(position).is_edit; }
 
 private:
-  const Insertion* insertion_at(std::size_t position) const;
+  /// The edited text consists of these, one behind the other.
+  struct Piece {
+    std::size_t begin = 0; ///< in the edited text
+    bool is_edit = false;
+    std::size_t source =
+        0;                 ///< where it begins in the original, or the index of the edit's argument
+    bool is_value = false; ///< of an edit: the value, not the key
+  };
+  const Piece& piece_at(std::size_t position) const;
 
   std::string file_, original_, text_;
-  std::vector<Insertion> insertions_;
+  std::vector<std::size_t> line_begins_; ///< of the original
+  std::vector<Piece> pieces_;
+  std::vector<std::string> arguments_;
 };
 
 /// A place in a `--set` argument "key=value": the value, or the key.

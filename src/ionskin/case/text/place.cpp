@@ -54,25 +54,29 @@ Window window_of(const std::string& line, std::size_t column, std::size_t length
 
 std::string excerpt(const Pointer& pointer) {
   const Place& place = pointer.place;
-  const std::size_t column = std::min(place.column - 1, place.line_text.size());
+  const std::size_t column = std::min(place.column - 1 - place.cut, place.line_text.size());
   const auto [before, marked, after] = window_of(place.line_text, column, place.length);
   const auto width =
       static_cast<std::size_t>(std::count_if(marked.begin(), marked.end(), starts_code_point));
   const std::string number = place.line == 0 ? "" : std::to_string(place.line);
   const std::string margin = blanks_under(number);
-  const std::string where =
-      place.line == 0
-          ? place.origin
-          : fmt::format("{}:{}:{}", base::shown(place.origin, 200), place.line, column + 1);
+  const std::string where = place.line == 0
+                                ? place.origin
+                                : fmt::format("{}:{}:{}", base::shown(place.origin, 200),
+                                              place.line, place.cut + column + 1);
   const std::string indent = blanks_under(before);
   return fmt::format("{0} --> {1}\n {0} |\n {2} | {3}\n {0} | {4}{5:^>{6}}{7}", margin, where,
                      number, before + marked + after, indent, "", std::max<std::size_t>(width, 1),
                      pointer.note.empty() ? "" : fmt::format(" {}", pointer.note));
 }
 
+bool Problems::full() const {
+  return texts_.size() >= most_told;
+}
+
 void Problems::add(const std::string& message, const std::vector<Pointer>& pointers,
                    const std::string& remedy) {
-  if (texts_.size() >= most_told) {
+  if (full()) {
     texts_.emplace_back(); // is only counted
     return;
   }

@@ -13,7 +13,8 @@ struct Place {
   std::size_t line = 0;   ///< from 1; 0 for a --set argument, which has no lines
   std::size_t column = 1; ///< from 1, in bytes
   std::size_t length = 1; ///< in bytes
-  std::string line_text;
+  std::string line_text;  ///< of a long line what stands around the place
+  std::size_t cut = 0;    ///< bytes of the line before `line_text`
 };
 
 /// A place and what is to be said about it.
@@ -36,6 +37,8 @@ public:
            const std::string& remedy);
 
   bool empty() const { return texts_.empty(); }
+  /// Whether further problems are only counted: what costs work need not be made for them.
+  bool full() const;
   /// Throws UserError with all problems when there are any.
   /// @param file the case, for the heading of several problems
   void throw_if_any(const std::string& file) const;

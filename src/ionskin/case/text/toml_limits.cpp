@@ -25,10 +25,12 @@ class Scan {
 public:
   Scan(const std::string& text, const std::string& file) : text_(text), file_(file) {}
 
-  void run() {
+  /// @return see `check_toml_limits`
+  std::vector<std::size_t> run() {
     check_bytes();
     while (at_ < text_.size())
       step();
+    return std::move(breaks_);
   }
 
 private:
@@ -79,17 +81,27 @@ private:
 
   void take_sign(char letter) {
     if (letter == '[' || letter == '{')
-      open();
-    if (letter == ']' || letter == '}')
-      depth_ = depth_ > 0 ? depth_ - 1 : 0;
+      open(letter);
+    if ((letter == ']' || letter == '}') && !open_.empty())
+      open_.pop_back();
     if (letter == '=' || letter == ',')
       count_value();
+    if (letter == ',' && open_.ends_with('[') && at_ + 1 - line_begin_ >= long_line)
+      begin_line(breaks_.emplace_back(at_ + 1));
+    if (letter == '\n')
+      begin_line(at_ + 1);
     if (letter != ' ' && letter != '\t')
       dots_ = 0;
   }
 
-  void open() {
-    if (++depth_ > toml_limits::depth)
+  void begin_line(std::size_t begin) {
+    line_begin_ = begin;
+    braced_ = 0;
+  }
+
+  void open(char bracket) {
+    open_ += bracket;
+    if (open_.size() > toml_limits::depth)
       refuse(at_, 1, fmt::format("more than {} brackets stand in one another", toml_limits::depth),
              "no key of a case needs more than 3");
   }
@@ -98,6 +110,11 @@ private:
     if (++values_ > toml_limits::values)
       refuse(at_, 1, fmt::format("the text holds more than {} values", toml_limits::values),
              "keep long paths and height maps in files of their own: motion.file, slider.profile");
+    braced_ += open_.find('{') != std::string::npos ? 1 : 0;
+    if (braced_ > toml_limits::braced)
+      refuse(at_, 1,
+             fmt::format("more than {} values stand in braces in one line", toml_limits::braced),
+             "write a section [NAME] with a line for each key");
   }
 
   void count_dots(std::size_t count) {
@@ -181,13 +198,16 @@ private:
 
   const std::string& text_;
   const std::string& file_;
-  std::size_t at_ = 0, depth_ = 0, dots_ = 0, values_ = 0;
+  static constexpr std::size_t long_line = 200;
+  std::size_t at_ = 0, dots_ = 0, values_ = 0, line_begin_ = 0, braced_ = 0;
+  std::string open_;                ///< brackets that are open
+  std::vector<std::size_t> breaks_; ///< so that no line is much longer than `long_line`
 };
 
 } // namespace
 
-void check_toml_limits(const std::string& text, const std::string& file) {
-  Scan(text, file).run();
+std::vector<std::size_t> check_toml_limits(const std::string& text, const std::string& file) {
+  return Scan(text, file).run();
 }
 
 } // namespace ionskin

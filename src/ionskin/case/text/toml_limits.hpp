@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace ionskin {
 
@@ -14,12 +15,14 @@ inline constexpr std::size_t values = 50'000;       ///< signs = and entries of 
 inline constexpr std::size_t depth = 16;            ///< of nested brackets, of parts of a key
 inline constexpr std::size_t name_bytes = 256;      ///< of a key or a section's name
 inline constexpr std::size_t text_bytes = 1U << 15; ///< of a text in quotes
+inline constexpr std::size_t braced = 500;          ///< values in braces in one line
 } // namespace toml_limits
 
 /// Judges a text before it is parsed: its size, its depth, its bytes (UTF-8 without control
 /// characters), and its numbers, which the parser would clamp to what a machine can hold.
 /// @param file name shown in the message
+/// @return positions behind commas of lists at which long lines may be broken, ascending
 /// Throws UserError pointing at the place.
-void check_toml_limits(const std::string& text, const std::string& file);
+std::vector<std::size_t> check_toml_limits(const std::string& text, const std::string& file);
 
 } // namespace ionskin

@@ -4,19 +4,15 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/case/text/toml_limits.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <optional>
 #include <sstream>
 
 namespace ionskin {
 
 namespace {
-
-// toml11's parser is instantiated here alone: it takes long to compile.
-toml::value parse(const std::string& text, const std::string& file) {
-  check_toml_limits(text, file);
-  std::istringstream stream(text);
-  return toml::parse(stream, file);
-}
 
 // toml11 names its own functions in its messages; users need not see them.
 std::string without_function_name(const std::string& message) {
@@ -36,65 +32,106 @@ std::size_t skip_blanks_back(const std::string& text, std::size_t end) {
   return end;
 }
 
+// For every value toml11 looks at the whole line that it stands in, and copies it more than once: a
+// list in one line would take the square of its length. Between the entries of a list a line may
+// end, so it is parsed with newlines there, and positions are told without them.
+std::string with_breaks(const std::string& text, const std::vector<std::size_t>& positions,
+                        std::vector<std::size_t>& breaks) {
+  std::string parsed;
+  parsed.reserve(text.size() + positions.size());
+  std::size_t begin = 0;
+  for (const std::size_t position : positions) {
+    parsed.append(text, begin, position - begin);
+    breaks.push_back(parsed.size());
+    parsed += '\n';
+    begin = position;
+  }
+  return parsed.append(text, begin);
+}
+
+// Its source_location would count the lines before the value and copy its own.
+const toml::detail::region* region_of(const toml::value& value) {
+  return dynamic_cast<const toml::detail::region*>(toml::detail::get_region(value));
+}
+
+std::size_t offset_of(const std::string& text, const toml::source_location& where) {
+  std::size_t line_begin = 0;
+  for (std::size_t line = 1; line < where.line(); ++line)
+    line_begin = text.find('\n', line_begin) + 1;
+  return std::min<std::size_t>(line_begin + where.column() - 1, text.size());
+}
+
+constexpr const char* remedy =
+    "lines read key = value; texts and quantities stand in quotes, numbers do not";
+
 } // namespace
 
-std::optional<toml::value> try_parse_toml(const std::string& text) {
+TomlText::TomlText(std::string text, const std::string& file)
+    : text_(std::move(text)), file_(file) {
+  const std::string parsed = with_breaks(text_, check_toml_limits(text_, file), breaks_);
   try {
-    return parse(text, "");
-  } catch (const std::exception&) {
-    return std::nullopt;
-  }
-}
-
-toml::value parse_toml(const std::string& text, const std::string& file) {
-  try {
-    return parse(text, file);
-  } catch (const UserError&) {
-    throw;
+    std::istringstream stream(parsed);
+    root_ = toml::parse(stream, file);
+  } catch (const toml::exception& error) {
+    refuse(error.what(), &error.location(), parsed);
   } catch (const std::exception& error) {
-    throw UserError(
-        "the case is not valid TOML: " + without_function_name(error.what()) +
-        "\n  = lines read key = value; texts and quantities stand in quotes, numbers do not");
+    refuse(error.what(), nullptr, parsed);
   }
 }
 
-TextSpan value_span(const std::string& text, const toml::value& value) {
-  const toml::source_location location = value.location();
-  std::size_t line_begin = 0;
-  for (std::size_t line = 1; line < location.line(); ++line)
-    line_begin = text.find('\n', line_begin) + 1;
-  const std::size_t begin = std::min<std::size_t>(line_begin + location.column() - 1, text.size());
-  return {begin, std::min<std::size_t>(location.region(), text.size() - begin)};
+void TomlText::refuse(const std::string& message, const toml::source_location* where,
+                      const std::string& parsed) const {
+  const std::string what = "the case is not valid TOML: " + without_function_name(message);
+  if (breaks_.empty() || where == nullptr)
+    throw UserError(fmt::format("{}\n  = {}", what, remedy));
+  // toml11's excerpt would tell lines that the file does not have.
+  Problems problems;
+  const std::size_t begin = in_text(offset_of(parsed, *where));
+  problems.add(what.substr(0, what.find('\n')),
+               {{CaseText(file_, text_).place(begin, where->region()), ""}}, remedy);
+  problems.throw_if_any(file_);
+  throw InternalError("a refused text was accepted");
 }
 
-TextSpan key_span(const std::string& text, const toml::value& value) {
-  const TextSpan span = value_span(text, value);
-  const std::size_t equals = skip_blanks_back(text, span.begin);
-  if (equals == 0 || text[equals - 1] != '=')
-    return span;
-  const std::size_t end = skip_blanks_back(text, equals - 1);
+std::size_t TomlText::in_text(std::size_t parsed) const {
+  return parsed -
+         static_cast<std::size_t>(std::ranges::lower_bound(breaks_, parsed) - breaks_.begin());
+}
+
+TextSpan TomlText::span(const toml::value& value) const {
+  const toml::detail::region* region = region_of(value);
+  if (region == nullptr)
+    return {};
+  const auto offset = [&](const auto& iterator) {
+    return std::min(in_text(static_cast<std::size_t>(iterator - region->begin())), text_.size());
+  };
+  const std::size_t begin = offset(region->first());
+  return {begin, offset(region->last()) - begin};
+}
+
+TextSpan TomlText::key_span(const toml::value& value) const {
+  const TextSpan of_value = span(value);
+  const std::size_t equals = skip_blanks_back(text_, of_value.begin);
+  if (equals == 0 || text_[equals - 1] != '=')
+    return of_value;
+  const std::size_t end = skip_blanks_back(text_, equals - 1);
   std::size_t begin = end;
-  while (begin > 0 && std::string_view(" \t\n\r,{").find(text[begin - 1]) == std::string_view::npos)
+  while (begin > 0 &&
+         std::string_view(" \t\n\r,{").find(text_[begin - 1]) == std::string_view::npos)
     --begin;
   return {begin, end - begin};
 }
 
 std::vector<std::pair<std::string, const toml::value*>>
-children_in_order(const std::string& text, const toml::value& table) {
-  // A span costs a walk over the text: one for each child.
+TomlText::children_in_order(const toml::value& table) const {
   std::vector<std::pair<std::size_t, std::pair<std::string, const toml::value*>>> placed;
   for (const auto& [name, child] : table.as_table())
-    placed.push_back({value_span(text, child).begin, {name, &child}});
+    placed.push_back({span(child).begin, {name, &child}});
   std::ranges::sort(placed, {}, [](const auto& child) { return child.first; });
   std::vector<std::pair<std::string, const toml::value*>> children;
   for (auto& [begin, child] : placed)
     children.push_back(std::move(child));
   return children;
-}
-
-bool has_header(const std::string& text, const toml::value& table) {
-  const TextSpan span = value_span(text, table);
-  return span.begin < text.size() && text[span.begin] == '[';
 }
 
 } // namespace ionskin

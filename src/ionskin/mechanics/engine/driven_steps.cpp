@@ -90,6 +90,24 @@ void DrivenSteps::require_room(double time) const {
   }
 }
 
+void DrivenSteps::require_progress(double time, double time_step) {
+  if (++tries_ <= options_.most_tries) {
+    return;
+  }
+  const bool light = options_.drive.mass == 0;
+  throw SolverError(
+      fmt::format(
+          "the slider on its drive gets nowhere: {} contacts were solved until {:.9g} s, and "
+          "the next step is of {:.2g} s",
+          options_.most_tries, time, time_step),
+      light
+          ? "give motion.drive.mass, raise motion.drive.damping, or raise contact.kinetic_friction "
+            "towards contact.friction: without a mass nothing but damping bounds the speed of a "
+            "slip"
+          : "raise motion.drive.mass or motion.drive.damping, lower motion.drive.stiffness, or "
+            "shorten the motion: every swing is resolved");
+}
+
 double DrivenSteps::advance(const MotionLeg& leg, double from, double to, const Load& load) {
   const double wanted = to;
   to = std::min(to, from + longest_step(leg) / leg.duration);
@@ -101,6 +119,7 @@ double DrivenSteps::advance(const MotionLeg& leg, double from, double to, const 
   while (true) {
     const double time_step = (to - from) * leg.duration;
     const DriveEnd end = end_at(leg, to);
+    require_progress(leg.begin + from * leg.duration, time_step);
     try {
       contact_.step_yielding(time_step, drive_.guide(time_step, end), load(to));
     } catch (const SolverError&) {

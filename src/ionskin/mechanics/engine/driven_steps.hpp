@@ -5,6 +5,7 @@
 #include "ionskin/mechanics/engine/compliant_drive.hpp"
 
 #include <array>
+#include <cstddef>
 #include <functional>
 
 namespace ionskin::mechanics {
@@ -16,6 +17,7 @@ struct DriveOptions {
   double tolerance = 0;                  ///< of a step, of the way that the slider may yield [1]
   double longest_travel = 0;             ///< of the slider in a step [m]
   MotionBox room;                        ///< that its centre must not leave [m]
+  std::size_t most_tries = 0;            ///< contacts solved until the motion is given up
 };
 
 /// Steps of a slider on a compliant drive, as long as the place at their end is foreseen within a
@@ -31,7 +33,8 @@ public:
   /// The slider stands at the end of the drive at a fraction of a leg, as where it lands.
   void hold(const MotionLeg& leg, double fraction);
   /// One step from a fraction of a leg towards another. @returns the fraction that it reached
-  /// Throws SolverError when the contact has no solution, or the slider leaves its room.
+  /// Throws SolverError when the contact has no solution, the slider leaves its room, or steps get
+  /// nowhere.
   double advance(const MotionLeg& leg, double from, double to, const Load& load);
   /// Of the drive on the slider [N].
   std::array<double, 2> force(const MotionLeg& leg, double fraction) const;
@@ -39,6 +42,7 @@ public:
 private:
   double longest_step(const MotionLeg& leg) const;
   void require_room(double time) const;
+  void require_progress(double time, double time_step);
 
   SlidingContact& contact_;
   DriveOptions options_;
@@ -46,6 +50,7 @@ private:
   double meshed_share_;
   double longest_ = 0; ///< next step at most [s]; 0 for any
   double yield_ = 0;   ///< largest so far, between slider and end of the drive [m]
+  std::size_t tries_ = 0;
 };
 
 } // namespace ionskin::mechanics

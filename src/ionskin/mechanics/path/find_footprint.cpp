@@ -158,17 +158,9 @@ std::array<bool, 2> border_touched(const ContactState& state, std::size_t column
   return touched;
 }
 
-/// Whether the rim can grow no further because the skin ends, not the slider.
-bool ends_at_skin(const Case& input, const mesh::Footprint& footprint, const mesh::Footprint& limit,
-                  std::size_t direction) {
-  return footprint.rim[direction] >= limit.rim[direction] * (1 - 1e-9) &&
-         limit.half_size[direction] < input.slider.size[direction] / 2 * (1 - 1e-9);
-}
-
 [[noreturn]] void refuse_edge(std::size_t direction) {
-  throw UserError(fmt::format("the contact reaches the edge of the skin along {}: move "
-                              "slider.start, shorten motion.stroke or lower motion.preload",
-                              direction == 0 ? "x" : "y"));
+  throw UserError(fmt::format("the contact reaches the edge of the skin along {}: {}",
+                              direction == 0 ? "x" : "y", remedy_of_edge));
 }
 
 /// Of a slider that is not sharp.
@@ -195,7 +187,7 @@ mesh::Footprint footprint_at(const Case& input, double friction, int threads,
         settled = false;
         too_narrow[d] = std::max(too_narrow[d], footprint.rim[d]);
         set_rim(footprint, d, growth * footprint.rim[d], limit);
-      } else if (reach.border[d] && ends_at_skin(input, footprint, limit, d)) {
+      } else if (reach.border[d] && mesh::ends_at_skin(input, footprint, d)) {
         refuse_edge(d);
       } else if (trial_margin * rim[d] <= too_narrow[d]) {
         rim[d] = footprint.rim[d] / margin;
@@ -291,7 +283,7 @@ std::optional<mesh::Footprint> widened_footprint(const Case& input,
         border_touched(*state, solution.cell_lines_x.size() - 1, solution.mesh.half_model());
     for (std::size_t d = 0; d < 2; ++d) {
       if (touched[d] && !footprint.sharp(d)) {
-        if (ends_at_skin(input, footprint, limit, d)) {
+        if (mesh::ends_at_skin(input, footprint, d)) {
           refuse_edge(d);
         }
         set_rim(wider, d, growth * footprint.rim[d], limit);

@@ -24,6 +24,10 @@ namespace ionskin::mechanics {
 mesh::Footprint find_footprint(const Case& input, double friction, int threads,
                                const base::ProgressCallback& progress = base::no_progress);
 
+/// What keeps a contact from the edge of the skin.
+inline constexpr const char* remedy_of_edge =
+    "move slider.start, shorten motion.stroke or lower motion.preload";
+
 /// That of `numerics.shared_positions.footprint`, of a slider that is not sharp; empty without.
 /// Where the contact turns out larger, `widened_footprint` widens it as any other.
 std::optional<mesh::Footprint> given_footprint(const Case& input);
