@@ -53,12 +53,12 @@ def run(command, seconds, wall):
 
 
 def table(path):
-    """Columns of a CSV by name without unit; what is no number is left out."""
+    """Columns of a CSV by name without unit, but for phases and for what the case does not have."""
     with open(path, encoding="utf-8") as file:
         rows = list(csv.reader(file))
     columns = {name.split(" [")[0]: [row[i] for row in rows[1:]] for i, name in enumerate(rows[0])}
     return {name: numpy.array([float(cell) if cell else numpy.nan for cell in cells])
-            for name, cells in columns.items() if name != "phase"}
+            for name, cells in columns.items() if name != "phase" and any(cells)}
 
 
 def largest(values):
@@ -83,7 +83,7 @@ def impossible_energy(signals, metrics):
 
 def impossible_contact(case, signals, results):
     """Areas and shares out of range, and tractions above the limit of friction or without pressure."""
-    if "normal_force" not in signals:
+    if "contact" not in case:
         return
     contact = case["contact"]
     force, drag = signals["normal_force"], signals["tangential_force"]
@@ -127,7 +127,7 @@ def impossible_currents(case, signals):
         yield f"{largest(top - bottom):.3g} C through an open circuit"
     if case["coupling"]["law"] != "fixed-charge" and largest(top + bottom) > least:
         yield f"{largest(top + bottom):.3g} C to ground under a neutral law"
-    if "normal_force" in signals:
+    if "contact" in case:
         touched = numpy.flatnonzero(signals["normal_force"] != 0)
         before = max(0, touched[0] - 1) if len(touched) else len(top)
         if max(largest(top[:before]), largest(bottom[:before])) > least:

@@ -47,9 +47,11 @@ TEST(Audits, EveryQuantityWarnsBeforeItFails) {
   }
 }
 
-// Energy 0.33 off, charges 0.99 and a shear of 3.7 once ended with exit 0.
+// Energy 0.33 off, energy of 0.86 of the work from nothing, charges 0.99 and a shear of 3.7 once
+// ended with exit 0.
 TEST(Audits, NothingFarFromSoundPasses) {
   for (const auto& [name, value] : std::map<std::string, double>{{"energy_balance_error", 0.33},
+                                                                 {"energy_creation_error", 0.86},
                                                                  {"charge_identity_error", 0.99},
                                                                  {"largest_p99_shear", 3.7}}) {
     EXPECT_EQ(audit({{name, value, "1"}}).front().verdict, Verdict::failed) << name;
