@@ -13,7 +13,8 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TIERS = {"quick", "check", "long"}
-TEST = re.compile(r'^"([^"\n]+)" start time: .*?^Output:\n(.*?)^<end of output>\nTest time = +([\d.]+) sec', re.DOTALL | re.MULTILINE)
+TEST = re.compile(r'^"([^"\n]+)" start time: .*?^Output:\n(.*?)^<end of output>\nTest time = +([\d.]+) sec',
+                  re.DOTALL | re.MULTILINE)
 SKIPPED = re.compile(r"^skipped(?: unexpectedly)?: .*", re.MULTILINE)
 PROCESSOR = re.compile(r"^processor time: ([\d.]+) s$", re.MULTILINE)
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the built program in a scratch folder; shared by the program tests."""
 
+import contextlib
 import json
 import os
 import pathlib
@@ -46,21 +47,33 @@ class ProgramTest(unittest.TestCase):
         """`ionskin run` without the report, whose drawing takes longer than a quick case."""
         return self.run_program("run", *arguments, "--no-report", expect=expect)
 
-    def run_observed(self, *arguments, expect=0, **point):
-        """Runs the program with tests/fault_injection/fault_injection.c, whose variables IONSKIN_FAULT_... are given."""
+    def observed(self, **point):
+        """An environment in which tests/fault_injection/fault_injection.c sends the program a signal at a named point."""
         self.assertTrue(FAULTS.exists(), "cmake --build build --target unit_tests builds it")
-        environment = {f"IONSKIN_FAULT_{name.upper()}": str(value) for name, value in point.items()}
-        return self.run_program(*arguments, expect=expect, env={**os.environ, "LD_PRELOAD": str(FAULTS), **environment})
+        return {**os.environ, "LD_PRELOAD": str(FAULTS),
+                **{f"IONSKIN_FAULT_{name.upper()}": str(value) for name, value in point.items()}}
 
     def end_at_file(self, number, *arguments, below, how=signal.SIGKILL, expect=-signal.SIGKILL):
         """Sends the program a signal before the file of this number below a folder gets its name; returns what it said."""
-        return self.run_observed(*arguments, expect=expect, call="rename", folder=self.folder / below, number=number,
-                                 signal=int(how)).stderr
+        point = self.observed(call="rename", folder=self.folder / below, number=number, signal=int(how))
+        return self.run_program(*arguments, expect=expect, env=point).stderr
+
+    @contextlib.contextmanager
+    def stopped_at_file(self, number, *arguments, below):
+        """A context in which the program stands before the file of this number below a folder gets its name; then kills it."""
+        point = self.observed(call="rename", folder=self.folder / below, number=number, signal=int(signal.SIGSTOP))
+        with subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=self.folder, env=point) as process:
+            try:
+                ended = os.waitid(os.P_PID, process.pid, os.WSTOPPED | os.WEXITED | os.WNOWAIT)
+                self.assertEqual(ended.si_code, os.CLD_STOPPED)
+                yield
+            finally:
+                process.kill()
 
     def end_at_progress(self, activity, *arguments, how=signal.SIGINT, expect=130):
         """Sends the program a signal before it first tells of an activity; returns what it said."""
-        return self.run_observed(*arguments, "--progress", "json", expect=expect, text=f'"activity":"{activity}"',
-                                 signal=int(how)).stderr
+        point = self.observed(text=f'"activity":"{activity}"', signal=int(how))
+        return self.run_program(*arguments, "--progress", "json", expect=expect, env=point).stderr
 
     def write(self, name, text):
         """Writes a text file into the scratch folder and returns its path."""

@@ -3,7 +3,6 @@
 
 import json
 import os
-import signal
 import subprocess
 import unittest
 
@@ -43,10 +42,8 @@ class SweepParts(ProgramTest):
             self.assertGreater(batch["memory_bytes"], 1e8)
             self.assertGreater(batch["seconds"], 0.1)
         self.assertIn("4 of 4 points are still to be solved", self.collect(expect=4).stderr)
-        with subprocess.Popen([PROGRAM, "sweep", "--do-batch", "1", "-o", "parts", "--quiet"], cwd=self.folder) as killed:
-            while not list(self.folder.glob("parts/staging/*/*/manifest.json")):
-                self.assertIsNone(killed.poll())
-            killed.send_signal(signal.SIGKILL)
+        self.end_at_file(3, "sweep", "--do-batch", 1, "-o", "parts", "--quiet", below="parts/staging")
+        self.assertTrue(list(self.folder.glob("parts/staging/*/*/*")))
         with subprocess.Popen([PROGRAM, "sweep", "--do-batch", "0", "-o", "parts", "--quiet"], cwd=self.folder) as beside:
             self.do_batch(1)
             self.assertEqual(beside.wait(), 0)
@@ -134,13 +131,9 @@ class SweepParts(ProgramTest):
 
     def test_a_running_sweep_keeps_batches_out(self):
         self.plan(*MECHANICS)
-        with subprocess.Popen([PROGRAM, "sweep", QUICK, *MECHANICS, "-o", "parts", "--resume", "--no-report", "--quiet"],
-                              cwd=self.folder) as whole:
-            while not (self.folder / "parts" / "staging").exists():
-                self.assertIsNone(whole.poll())
-            whole.send_signal(signal.SIGSTOP)
+        whole = ("sweep", QUICK, *MECHANICS, "-o", "parts", "--resume", "--no-report", "--quiet")
+        with self.stopped_at_file(1, *whole, below="parts/staging"):
             self.assertIn("another ionskin is writing", self.do_batch(0, expect=2).stderr)
-            whole.send_signal(signal.SIGKILL)
         self.do_batch(0)
 
 

@@ -51,14 +51,10 @@ class UsersFiles(ProgramTest):
         self.assertEqual([path.name for path in second.iterdir() if path.name[0] != "."], ["notes.txt"])
 
     def test_two_runs_in_one_folder(self):
-        with subprocess.Popen([PROGRAM, "run", QUICK, "-o", "out", "--no-report", "--quiet"], cwd=self.folder) as run:
-            while not (self.folder / "out" / "manifest.json").exists():
-                self.assertIsNone(run.poll())
-            os.kill(run.pid, signal.SIGSTOP)
+        with self.stopped_at_file(2, "run", QUICK, "-o", "out", "--no-report", "--quiet", below="out/manifest.json"):
             for option in ("--resume", "--overwrite"):
                 process = self.run_case(QUICK, "-o", "out", option, expect=2)
                 self.assertIn("another ionskin is writing", process.stderr)
-            os.kill(run.pid, signal.SIGKILL)
         self.small("out", "--overwrite")
 
     def test_finished_run_is_not_solved_again(self):
