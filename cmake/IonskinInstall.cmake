@@ -86,7 +86,7 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 # The extension module is made for one version of Python.
 math(EXPR next_python "${Python_VERSION_MINOR} + 1")
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}~), \
-python3 (<< ${Python_VERSION_MAJOR}.${next_python}), python3-numpy, python3-h5py, python3-matplotlib, python3-jinja2")
+python3 (<< ${Python_VERSION_MAJOR}.${next_python}), python3-numpy, python3-h5py, python3-matplotlib, python3-contourpy, python3-pil, python3-jinja2")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "man-db, bash-completion, python3-distributed, openssl, python3-openturns, python3-scipy")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-xarray, cmake, g++")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packaging/postinst ${PROJECT_SOURCE_DIR}/packaging/prerm

@@ -98,7 +98,7 @@ def modules():
     """(file, module) of each Python module that neither Python nor this tree has."""
     own = {"_ionskin_solver"}.union(*({*pathlib.PurePath(file).parts[:-1], pathlib.PurePath(file).stem} for file in sources("*.py")))
     for file in sources("*.py"):
-        for words in re.findall(r"^\s*(?:import ([a-z_][\w.]*)|from ([a-z_][\w.]*) import )", (ROOT / file).read_text(), re.MULTILINE):
+        for words in re.findall(r"^\s*(?:import ([A-Za-z_][\w.]*)|from ([A-Za-z_][\w.]*) import )", (ROOT / file).read_text(), re.MULTILINE):
             module = max(words).split(".")[0]
             if module not in own and module not in sys.stdlib_module_names and module not in OF_OTHERS:
                 yield file, module

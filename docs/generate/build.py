@@ -33,7 +33,7 @@ def make_material(program, material):
     if not list(sweep.glob("figures/fig*.png")):
         subprocess.run([program, "sweep", DOCS.parent / "cases" / "quick.toml", "-o", sweep, "--overwrite", "--no-report",
                         "--over", "contact.friction=0.05:0.05:0.5"], check=True)
-        subprocess.run([program, "report", sweep], check=True)
+        subprocess.run([program, "report", sweep, "--figures"], check=True)
 
 
 def copy_sources(source):

@@ -5,12 +5,13 @@ import argparse
 import pathlib
 
 import numpy
-from matplotlib.ticker import EngFormatter, MultipleLocator
 
 from . import output_folder
-from .drawing import style
+from .drawing import style  # first: it imports matplotlib without the settings of the working folder
 from .errors import exit_on
 from .results import read_table
+
+from matplotlib.ticker import EngFormatter, MultipleLocator  # isort: skip
 
 PNG_DPI = 180
 MARKED = 4  # decades that stand beside the Nyquist curve, at most

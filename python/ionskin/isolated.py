@@ -35,10 +35,10 @@ def import_matplotlib(package):
 def main():
     """Command line."""
     package = os.path.dirname(os.path.abspath(__file__))
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # no matrix here is large: threads that wait cost more than they give
     sys.path.insert(0, os.path.dirname(package))
     module, sys.argv = sys.argv[1], sys.argv[1:]
     try:
-        import_matplotlib(package)
         runpy.run_module(module, run_name="__main__", alter_sys=True)
     except ImportError as error:
         print(f"error: {reason(error)}", file=sys.stderr)

@@ -6,61 +6,44 @@ import argparse
 import pathlib
 
 import numpy
-from matplotlib.figure import Figure
 
-from . import figures
-from .drawing import figures_readout, style
+from .charts.chart import Axis, Cell, Chart, Curve, current_axis, phase_spans
+from .charts.colours import BLUE, GREEN, ORANGE, PURPLE, QUIET
+from .charts.readout import TAXEL, circuit_panel, taxel_names
 from .errors import exit_on
 from .results import Results
 
 PNG_DPI = 180
-COLOURS = (style.BLUE, style.ORANGE, style.GREEN, style.PURPLE, style.QUIET)
-TAXEL_PREFIX = "current_top_"
+COLOURS = (BLUE, ORANGE, GREEN, PURPLE, QUIET)
+HEIGHT = 0.85
 
 
-def draw_taxels(panel, taxels):
-    """Currents of a segmented top electrode."""
-    names = [name for name in taxels.columns if name.startswith(TAXEL_PREFIX)]
-    for name, colour in zip(names, COLOURS):
-        panel.plot(taxels["time"], taxels[name], color=colour, lw=0.8, label=name.removeprefix(TAXEL_PREFIX),
-                   **figures.STEP)
-    figures.signed_log_axis(panel, "A", figures.peak_of(*(taxels[name] for name in names)))
-    panel.set_ylabel("current")
-    style.title(panel, "Taxels of the top electrode, shorted")
-    style.legend(panel, columns=len(names))
-
-
-def draw_short(results, panel):
-    """Difference current of the short circuit."""
-    current = results.signals["current_difference"]
-    panel.plot(results.signals["time"], current, color=style.BLUE, lw=0.8, **figures.STEP)
-    figures.signed_log_axis(panel, "A", figures.peak_of(current))
-    panel.set_ylabel("current")
-    style.title(panel, "Short circuit, difference current")
-
-
-def draw_panel(results, panel):
-    """What the run's readout shows."""
+def panel(results):
+    """Title, vertical axis and curves of what the run's readout shows."""
     if results.taxels is not None:
-        draw_taxels(panel, results.taxels)
-    elif results.circuit is None:
-        draw_short(results, panel)
-    else:
-        figures_readout.circuit_panel(panel, results)
+        columns = [results.taxels[TAXEL + name] for name in taxel_names(results)]
+        curves = [Curve(results.taxels["time"], values, name, colour, True, 0.8)
+                  for name, values, colour in zip(taxel_names(results), columns, COLOURS)]
+        return "Taxels of the top electrode, shorted", current_axis(*columns), curves
+    if results.circuit is not None:
+        return circuit_panel(results)[:3]
+    current = results.signals["current_difference"]
+    return ("Short circuit, difference current", current_axis(current),
+            [Curve(results.signals["time"], current, "", BLUE, True, 0.8)])
 
 
-def draw(folders) -> Figure:
-    """One panel per run, on a common axis of time."""
+def draw(folders):
+    """One panel per run, on a common axis of time, as a figure of matplotlib."""
+    from .drawing import draw_chart
+
     runs = [Results(folder) for folder in folders]
-    figure, axes = style.stacked(len(runs), heights=[0.85] * len(runs), left=0.125)
-    for results, panel in zip(runs, axes):
-        draw_panel(results, panel)
-        # Runs from the strain file of the first know no phases.
-        figures.shade_phases(runs[0], panel)
-    axes[-1].set_xlim(runs[0].signals["time"][0], max(numpy.max(results.signals["time"]) for results in runs))
-    axes[-1].set_xlabel("time [s]")
-    figure.subplots_adjust(hspace=0.32, right=0.97)
-    return figure
+    begin, end = runs[0].signals["time"][0], max(numpy.max(results.signals["time"]) for results in runs)
+    spans = phase_spans(runs[0])  # runs from the strain file of the first know no phases
+    rows = []
+    for place, results in enumerate(runs):
+        title, y, curves = panel(results)
+        rows.append([Cell(title, Axis("time" if place == len(runs) - 1 else "", "s", begin, end), y, tuple(curves), spans, height=HEIGHT)])
+    return draw_chart.draw(Chart(rows))
 
 
 def main():

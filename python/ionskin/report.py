@@ -1,60 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Makes report.html and figures/ of a run or a sweep: /usr/bin/python3 -m ionskin.report FOLDER"""
+"""Makes report.html of a run or a sweep, and its figures as files where asked for: /usr/bin/python3 -m ionskin.report FOLDER"""
 
 import argparse
-import io
 import pathlib
-import re
+import sys
 
-from markupsafe import Markup
-
-from . import figures, output_folder
+from . import figures
 from .analysis import claims, paper
-from .drawing import gallery, style
 from .errors import exit_on
-from .page import pages, report_text, sweep_page
+from .page import chart_data, pages, report_text, sweep_page
 from .results import Results
 from .sweep_results import Study
 
-PNG_DPI = 180
-FAST_PNG = {"compress_level": 2}
 FIRST = ("model",)  # figures that stand before the charts to explore
 
 
-def inline_svg(svg, name):
-    """The SVG element of a figure, fit to stand in a page: scalable, themed, with ids of its own."""
-    body = svg[svg.index("<svg"):]
-    body = re.sub(r"<metadata>.*?</metadata>", "", body, flags=re.S)
-    body = re.sub(r'(<svg[^>]*?) width="[^"]*"', r"\1", body, count=1)
-    body = re.sub(r'(<svg[^>]*?) height="[^"]*"', r"\1", body, count=1)
-    body = re.sub(r'id="([^"]+)"', rf'id="{name}-\1"', body)
-    body = re.sub(r'(url\(#|xlink:href="#)', rf"\1{name}-", body)
-    for colour, variable in style.THEMED_COLOURS.items():
-        body = body.replace(colour, f"var(--{variable})")
-    return body
-
-
-def save_figures(results):
-    """Writes figures/NAME.png and .svg; yields a section of the page for each."""
-    folder = results.folder / "figures"
-    for entry, figure in figures.draw_all(results):
-        if isinstance(figure, str):
-            yield pages.Section(entry.name, entry.heading, "paragraphs", [f"Not drawn: {figure}."])
-            continue
-        output_folder.save(figure, folder / f"{entry.name}.png", dpi=PNG_DPI, pil_kwargs=FAST_PNG)
-        page = io.StringIO()
-        figure.savefig(page, format="svg", metadata={"Date": None}, transparent=True)
-        svg = page.getvalue()
-        picture = pages.Picture(entry.name, entry.heading, entry.words(results), Markup(inline_svg(svg, entry.name)))
-        yield pages.Section(entry.name, entry.heading, "figure", picture)
-        # A file of its own is seen on any background.
-        output_folder.write_text(folder / f"{entry.name}.svg", white_background(svg))
-
-
-def white_background(svg):
-    """The same SVG on white."""
-    start = svg.index(">", svg.index("<svg")) + 1
-    return f'{svg[:start]}\n <rect width="100%" height="100%" fill="white"/>{svg[start:]}'
+def chart_section(results, entry, chart):
+    """The section of a figure of a run, a Chart, or of what the run would need for it, a text."""
+    if isinstance(chart, str):
+        return pages.Section(entry.name, entry.heading, "paragraphs", [f"Not drawn: {chart}."])
+    words = f"{entry.words(results)} {chart.note}".strip()
+    return pages.Section(entry.name, entry.heading, "chart", pages.Picture(entry.name, entry.heading, words, None))
 
 
 def numbers(results):
@@ -84,10 +50,12 @@ def claims_section(study, wanted=False):
     return pages.Section("claims", "The article's claims", "verdicts", data)
 
 
-def page(results, drawn, with_claims=False):
+def page(results, with_claims=False):
     """The whole page."""
+    charts = list(figures.charts(results))
+    drawn = [chart_section(results, *each) for each in charts]
     title = results.case.get("title", results.folder.resolve().name)
-    study = Study(results.folder)
+    study = Study(results.folder, results)
     sections = [
         pages.Section("warnings", "Warnings", "warnings", {"texts": results.warnings}),
         pages.Section("case", "What was simulated", "case", case_summary(results)),
@@ -100,62 +68,96 @@ def page(results, drawn, with_claims=False):
         pages.Section("limits", "Limits of the model", "list", report_text.limits(results)),
         pages.Section("origin", "Origin", "table", pages.Table(("", ""), report_text.origin_rows(results))),
     ]
+    shown = chart_data.chart_data({entry.name: chart for entry, chart in charts if not isinstance(chart, str)})
     return pages.page(title, report_text.subtitle(results), sections, cards=report_text.headline(results),
-                      script=sweep_page.script(study))
+                      script=pages.chart_script({**sweep_page.script(study), "FIGURES": ("chart_cells.js", shown)}))
 
 
-def make_report(folder, with_claims=False):
-    """Writes figures/ and report.html of a run or a sweep; returns the path of the report.
+def make_report(folder, with_claims=False, *, files=False, progress=None, left_out=None):
+    """Writes report.html of a run or a sweep; returns its path.
 
     with_claims  judge the article's claims although the case is not its own
+    files        write every figure into figures/ too
+    progress     called with the finished part, from 0 to 1
+    left_out     a list that takes pairs of name and reason of the numbered figures that are not written
     """
     folder = pathlib.Path(folder)
+    told = progress or (lambda part: None)
     if (folder / "sweep.csv").exists():
+        from .drawing import gallery, making  # the page of a run needs no matplotlib
+
         study = Study(folder)
-        return sweep_page.make(study, claims_section(study, with_claims))
+        made = making.make(making.numbered(study, files=files), folder / "figures", True, told)
+        if left_out is not None:
+            left_out += [(each.name, each.reason) for each in made if each.reason]
+        return sweep_page.make(study, claims_section(study, with_claims), list(zip(gallery.ENTRIES, made)))
     results = Results(folder)
-    return pages.write_page(folder / "report.html", page(results, list(save_figures(results)), with_claims))
+    path = pages.write_page(folder / "report.html", page(results, with_claims))
+    if files:
+        missing = make_gallery(folder, progress=told, results=results)
+        if left_out is not None:
+            left_out += missing
+    told(1.0)
+    return path
 
 
-def make_gallery(folder, only=()):
-    """Writes the numbered figures; returns pairs of name and reason for those that cannot be drawn."""
+def make_gallery(folder, only=(), *, progress=None, results=None):
+    """Writes the numbered figures, and those of a run's page, or the numbered ones that are named; returns pairs of name and
+    reason for those that cannot be drawn.
+
+    results  of the folder's run, where they have been read already
+    """
+    from .drawing import gallery, making  # a page needs no matplotlib
+
     unknown = [name for name in only if name not in gallery.known_names()]
     if unknown:
         raise ValueError(f"there is no figure {unknown[0]}: choose among {', '.join(gallery.known_names())}")
-    left_out = []
-    for entry, figure in gallery.draw(Study(folder), only):
-        if isinstance(figure, str):
-            left_out.append((entry.name, figure))
-        else:
-            gallery.save(figure, pathlib.Path(folder) / "figures", entry.name)
-    return left_out
+    study = Study(folder, results)
+    jobs = making.numbered(study, only)
+    if not only and study.sweep is None:
+        jobs += making.of_page(study.typical.results)
+    made = making.make(jobs, pathlib.Path(folder) / "figures", progress=progress)
+    return [(each.name, each.reason) for each in made if each.reason]
+
+
+def tell_progress(part):
+    """A line that the program reads."""
+    print(f"progress {part:.3f}", file=sys.stderr, flush=True)
 
 
 def main():
     """Command line."""
     parser = argparse.ArgumentParser(prog="ionskin.report", description=__doc__)
     parser.add_argument("folder", type=pathlib.Path, help="output folder of a run or a sweep")
-    parser.add_argument("--all", action="store_true", help="the numbered figures too, and what was left out")
+    parser.add_argument("--figures", action="store_true", help="every figure as a file too")
+    parser.add_argument("--figure", action="append", default=[], metavar="NAME", help="this numbered figure as a file, no page")
     parser.add_argument("--claims", action="store_true", help="judge the article's claims whatever the case")
-    parser.add_argument("--figure", action="append", default=[], metavar="NAME", help="this numbered figure only")
+    parser.add_argument("--tell", action="store_true", help="print what was made, and the verdicts")
+    parser.add_argument("--progress", action="store_true", help="tell the finished part on standard error")
     arguments = parser.parse_args()
+    progress = tell_progress if arguments.progress else None
+    left_out = []
     with exit_on(OSError, ValueError):
-        if arguments.all:
-            tell(arguments.folder, arguments.figure, arguments.claims)
-        if not arguments.figure:
-            make_report(arguments.folder, arguments.claims)
+        if arguments.figure:
+            left_out += make_gallery(arguments.folder, arguments.figure, progress=progress)
+        else:
+            make_report(arguments.folder, arguments.claims, files=arguments.figures, progress=progress, left_out=left_out)
+        if arguments.tell:
+            tell(arguments, left_out)
 
 
-def tell(folder, only, with_claims):
-    """Draws the numbered figures and prints where they are, what was left out, and the verdicts."""
-    for name, reason in make_gallery(folder, only):
-        print(f"{name}: left out, {reason}")
-    print(f"figures: {folder}/figures (PNG, SVG, PDF)")
-    if not only:
-        section = claims_section(Study(folder), with_claims)
-        for verdict in section.data["verdicts"] if section.data else ():
-            print(f"{verdict.verdict}: {verdict.claim}; {verdict.number}")
-        print(f"report: {folder}/report.html")
+def tell(arguments, left_out):
+    """Prints what was made and where, what was left out, and the verdicts."""
+    if arguments.figures or arguments.figure:
+        for name, reason in left_out:
+            print(f"{name}: left out, {reason}")
+        print(f"figures: {arguments.folder}/figures (PNG, SVG, PDF)")
+    if arguments.figure:
+        return
+    section = claims_section(Study(arguments.folder), arguments.claims)
+    for verdict in section.data["verdicts"] if section.data else ():
+        print(f"{verdict.verdict}: {verdict.claim}; {verdict.number}")
+    print(f"report: {arguments.folder}/report.html")
 
 
 if __name__ == "__main__":

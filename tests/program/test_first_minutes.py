@@ -73,7 +73,7 @@ class FirstMinutes(ProgramTest):
             self.assertTrue((out / name).stat().st_size > 0, name)
         self.assertTrue(list((out / "fields").glob("*.vtu")))
         self.assertTrue(list((out / "fields").glob("*.pvd")))
-        self.assertTrue(list((out / "figures").glob("*.png")))
+        self.assertFalse((out / "figures").exists())
         self.assertEqual((out / "signals.csv").read_text().splitlines()[0].split(","), SIGNAL_COLUMNS)
         self.assertLessEqual(set(METRICS), set(summary(out)["metrics"]))
         self.assertLessEqual({"mechanics", "strain", "electrochemistry", "output", "total"},
@@ -90,6 +90,12 @@ class FirstMinutes(ProgramTest):
 
     def figures_and_comparison_of_a_run(self):
         """`report` and `compare` on the run in `out`; `fig05_shear` needs no several runs, the maps do."""
+        (self.folder / "out" / "report.html").unlink()
+        said = self.run_program("report", "out", "--progress", "json")
+        self.assertIn("report: out/report.html", said.stdout)
+        self.assertEqual(json.loads(said.stderr.splitlines()[-1])["fraction"], 1.0)
+        self.assertTrue((self.folder / "out" / "report.html").exists())
+        self.assertFalse((self.folder / "out" / "figures").exists())
         self.assertIn("figures", self.run_program("report", "out", "--figure", "fig05_shear").stdout)
         for kind in ("png", "svg", "pdf"):
             self.assertTrue((self.folder / "out" / "figures" / f"fig05_shear.{kind}").exists())

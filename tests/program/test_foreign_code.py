@@ -52,15 +52,19 @@ class ForeignCode(ProgramTest):
         self.run_program("compare", "one", "two")
         self.assertTrue((self.folder / "executed").exists())
 
-    def test_report_that_cannot_be_drawn_is_a_warning_with_the_reason(self):
+    def test_report_that_cannot_be_made_is_a_failure_with_the_reason(self):
         (self.folder / "given" / "ionskin").mkdir(parents=True)
         self.write("given/ionskin/isolated.py", "import sys\nprint('Trace\\nerror: no such\\n  glyph', file=sys.stderr)\n"
                                                 "sys.exit(2)\n")
         os.environ["IONSKIN_PYTHON_PATH"] = str(self.folder / "given")
-        self.run_program("run", QUICK, "-o", "drawn", "--set", "numerics.mesh_refinement=0.5")
+        said = self.run_program("run", QUICK, "-o", "drawn", "--set", "numerics.mesh_refinement=0.5", expect=4)
+        self.assertIn("made: no such glyph.", " ".join((said.stderr + said.stdout).split()))
+        self.assertNotIn("report: ", said.stdout)
         [warning] = [text for text in summary(self.folder / "drawn")["warnings"] if "No report was made" in text]
         self.assertIn("made: no such glyph.", warning)
         self.assertNotIn("python3-numpy", warning)
+        said = self.run_program("report", "drawn", "--quiet", expect=2)
+        self.assertEqual((said.stdout, said.stderr), ("", "error: no such glyph\n"))
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ class UsersFiles(ProgramTest):
 
     def test_overwrite_leaves_what_is_the_users(self):
         self.run_program("run", QUICK, "-o", "out", *SMALL)
+        self.run_program("report", "out", "--figure", "fig02_layers")
         out, pictures = self.folder / "out", self.folder / "Pictures"
         drawn = sorted((out / "figures").iterdir())
         self.assertTrue(drawn)
@@ -38,7 +39,7 @@ class UsersFiles(ProgramTest):
         for option in ("--overwrite", "--resume"):
             self.assertIn("is a link", self.small("out", option, expect=2).stderr)
         self.assertEqual((out / "signals.csv").read_text(), before)
-        self.assertIn("is a link", self.run_program("report", "out", expect=2).stderr)
+        self.assertIn("is a link", self.run_program("report", "out", "--figures", expect=2).stderr)
         self.assertEqual([path.name for path in pictures.iterdir()], ["holiday.png"])
 
     def test_overwrite_of_a_sweep(self):

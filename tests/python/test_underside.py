@@ -5,8 +5,8 @@ import unittest
 
 import numpy
 
-from ionskin.drawing.figures_model import slider_words
-from ionskin.drawing.underside import Underside, interpolated
+from ionskin.charts.skin import slider_words
+from ionskin.charts.underside import Underside, interpolated
 
 
 class UndersideTest(unittest.TestCase):

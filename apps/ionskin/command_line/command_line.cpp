@@ -27,8 +27,8 @@ constexpr const char* description =
 constexpr const char* exit_codes =
     "Exit codes: 0 success, 2 the case or command line is wrong, 3 a solver gave up (what was\n"
     "finished is kept; in a sweep: every point failed), 4 points of a sweep in parts are still to\n"
-    "be solved, 5 the scheduler of a cluster is lost (finish with --resume), 130 interrupted\n"
-    "(finish with --resume).";
+    "be solved, or the report could not be made, 5 the scheduler of a cluster is lost (finish\n"
+    "with --resume), 130 interrupted (finish with --resume).";
 
 void add_init(CLI::App& app, Command& command) {
   auto options = std::make_shared<InitOptions>();
@@ -68,7 +68,7 @@ void add_run(CLI::App& app, Command& command) {
   verb->add_option("--only", options->only,
                    "Run one study: electrochemistry takes up finished mechanics")
       ->check(CLI::IsMember({"mechanics", "electrochemistry"}));
-  add_report_option(*verb, options->no_report);
+  add_report_options(*verb, options->no_report, options->figures);
   add_cache_option(*verb, options->use_cache);
   add_log_options(*verb, options->log);
   set_when_parsed(*verb, options, command);

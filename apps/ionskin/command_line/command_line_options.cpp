@@ -52,9 +52,13 @@ void add_cache_option(CLI::App& verb, bool& use_cache) {
       "(IONSKIN_CACHE, by default ~/.cache/ionskin; see docs/cache.md)");
 }
 
-void add_report_option(CLI::App& verb, bool& no_report) {
-  verb.add_flag("--no-report", no_report,
-                "Leave out figures and report (ionskin report DIR makes them later)");
+void add_report_options(CLI::App& verb, bool& no_report, bool& figures) {
+  CLI::Option* none = verb.add_flag("--no-report", no_report,
+                                    "Leave out the report (ionskin report DIR makes it later)");
+  verb.add_flag("--figures", figures,
+                "Write its figures as PNG, SVG and PDF files too, in DIR/figures (ionskin report\n"
+                "DIR --figures does so later)")
+      ->excludes(none);
 }
 
 void add_log_options(CLI::App& verb, LogFormat& log) {

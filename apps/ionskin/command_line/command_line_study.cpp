@@ -70,7 +70,7 @@ void add_sweep(CLI::App& app, Command& command) {
       part->excludes(verb->get_option(other));
     }
   }
-  add_report_option(*verb, options->no_report);
+  add_report_options(*verb, options->no_report, options->figures);
   add_cache_option(*verb, options->use_cache);
   add_log_options(*verb, options->log);
   verb->callback([=, &command] {
@@ -152,18 +152,22 @@ void add_fit(CLI::App& app, Command& command) {
 
 void add_report(CLI::App& app, Command& command) {
   auto options = std::make_shared<ReportOptions>();
-  CLI::App* verb =
-      app.add_subcommand("report", "Draw all figures and the report of a run or a sweep");
+  CLI::App* verb = app.add_subcommand(
+      "report", "Write the report of a run or a sweep, and its figures as files");
   verb->add_option("folder", options->folder, "Folder of a run or a sweep")
       ->required()
       ->type_name("DIR");
-  verb->add_option("--figure", options->figures, "Only this figure, such as fig05_shear")
+  verb->add_flag("--figures", options->files,
+                 "Every figure as PNG, SVG and PDF files too, in DIR/figures");
+  verb->add_option("--figure", options->figures,
+                   "Only this figure, such as fig05_shear, as PNG, SVG and PDF files; no page")
       ->expected(1)
       ->allow_extra_args(false)
       ->take_all();
   verb->add_flag(
       "--claims", options->claims,
       "Judge the claims of the paper (ionskin cite names it) for a case that is not its own too");
+  add_log_options(*verb, options->log);
   set_when_parsed(*verb, options, command);
 }
 

@@ -28,6 +28,7 @@ struct RunOptions {
   bool overwrite = false;
   bool resume = false;
   bool no_report = false;
+  bool figures = false; ///< of the report, as files too
   bool use_cache = true;
   std::string only; ///< "mechanics", "electrochemistry" or empty for both
   LogFormat log = LogFormat::automatic;
@@ -45,6 +46,7 @@ struct SweepOptions {
   bool overwrite = false;
   bool resume = false;
   bool no_report = false;
+  bool figures = false; ///< of the report, as files too
   bool use_cache = true;
   std::string only;                 ///< "mechanics" or empty for both studies
   bool explain = false;             ///< say what it costs, and stop
@@ -113,8 +115,10 @@ struct GenerateOptions : TrialOptions {
 
 struct ReportOptions {
   std::string folder;
-  std::vector<std::string> figures; ///< only these; empty for all
+  std::vector<std::string> figures; ///< only these, as files; empty for the page
+  bool files = false;               ///< every figure as a file too
   bool claims = false;              ///< judge the paper's claims whatever the case
+  LogFormat log = LogFormat::automatic;
 };
 
 struct CompareOptions {

@@ -4,6 +4,7 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/case/schema/schema.hpp"
 #include "ionskin/study/run/python_module.hpp"
+#include "terminal/progress_display.hpp"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -42,14 +43,34 @@ std::string ranges(const std::vector<std::size_t>& numbers) {
 } // namespace
 
 int report(const ReportOptions& options) {
-  std::vector<std::string> arguments{options.folder, "--all"};
+  std::vector<std::string> arguments{options.folder, "--progress"};
+  if (options.log != LogFormat::quiet) {
+    arguments.emplace_back("--tell");
+  }
   if (options.claims) {
     arguments.emplace_back("--claims");
+  }
+  if (options.files) {
+    arguments.emplace_back("--figures");
   }
   for (const std::string& figure : options.figures) {
     arguments.insert(arguments.end(), {"--figure", figure});
   }
-  return run_module("ionskin.report", arguments);
+  study::PythonOutcome outcome;
+  {
+    ProgressDisplay display(options.log);
+    display.update("report", 0.0);
+    outcome = study::run_python_module("ionskin.report", arguments, study::PythonErrors::captured,
+                                       [&](double part) { display.update("report", part); });
+  }
+  if (outcome.exit_code < 0 && outcome.message.empty()) {
+    throw_no_python();
+  }
+  if (outcome.exit_code != 0) {
+    fmt::print(stderr, "error: {}\n",
+               outcome.message.empty() ? "the report could not be made" : outcome.message);
+  }
+  return outcome.exit_code < 0 ? static_cast<int>(ExitCode::internal_error) : outcome.exit_code;
 }
 
 int cluster(const ClusterOptions& options) {

@@ -95,10 +95,15 @@ int run(const RunOptions& options, const std::string& command) {
     settings.resume = options.resume;
     settings.studies = studies(options.only);
     settings.report = !options.no_report;
+    settings.figures = options.figures;
     outcome = study::run_case(input, settings);
   }
   if (options.log != LogFormat::quiet) {
     print_outcome(outcome);
+  }
+  if (!outcome.report_problem.empty()) {
+    fmt::print(stderr, "error: {}\n", outcome.report_problem);
+    return static_cast<int>(ExitCode::unfinished);
   }
   return static_cast<int>(ExitCode::success);
 }

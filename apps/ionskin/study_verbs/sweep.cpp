@@ -41,7 +41,7 @@ void print_outcome(const SweepOptions& options, const study::SweepOutcome& outco
   }
   fmt::print("table: {}/sweep.csv\n", options.output);
   if (outcome.report.empty()) {
-    fmt::print("figures and report: ionskin report {}\n", options.output);
+    fmt::print("report: ionskin report {}\n", options.output);
   } else {
     fmt::print("report: {}\n", outcome.report.string());
   }
@@ -79,12 +79,12 @@ void print_problems(const SweepOptions& options, const study::SweepOutcome& outc
         outcome.missing.size(), outcome.points, outcome.missing.front());
   }
   if (!outcome.report_problem.empty()) {
-    fmt::print(stderr, "warning: {}\n", outcome.report_problem);
+    fmt::print(stderr, "error: {}\n", outcome.report_problem);
   }
 }
 
 ExitCode exit_code(const study::SweepOutcome& outcome) {
-  if (!outcome.missing.empty()) {
+  if (!outcome.missing.empty() || !outcome.report_problem.empty()) {
     return ExitCode::unfinished;
   }
   return outcome.failures.size() < outcome.points ? ExitCode::success : ExitCode::solver_gave_up;
@@ -100,6 +100,7 @@ study::SweepOptions settings_of(const SweepOptions& options, const std::string& 
   auto settings = study_settings<study::SweepOptions>(options, command, display);
   settings.resume = options.resume;
   settings.report = !options.no_report;
+  settings.figures = options.figures;
   settings.studies = options.only == "mechanics" ? study::Studies::mechanics : study::Studies::both;
   if (!here(options)) { // other machines have other processors
     settings.threads = std::max(1, options.threads);
@@ -109,13 +110,21 @@ study::SweepOptions settings_of(const SweepOptions& options, const std::string& 
   return settings;
 }
 
+/// Processor time of the report of ten points, and what files of its figures add, over the
+/// processes that draw them [s].
+double report_seconds(const SweepOptions& options, int threads) {
+  constexpr double page = 8.0, files = 9.0;
+  return options.no_report ? 0.0 : (page + (options.figures ? files : 0.0)) / threads;
+}
+
 /// What the whole sweep and --plan begin with; nothing where that is all.
 std::optional<study::SweepPlan> planned(const SweepOptions& options) {
   study::SweepPlan plan = study::plan_sweep(request(options));
   if (options.explain || options.log == LogFormat::automatic) {
     const int threads =
         here(options) ? thread_count(options.threads) : std::max(1, options.threads);
-    const std::string cost = sweep_cost(plan, options.only != "mechanics", threads);
+    const std::string cost =
+        sweep_cost(plan, options.only != "mechanics", threads, report_seconds(options, threads));
     std::FILE* file = options.explain ? stdout : stderr;
     fmt::print(file, "{}", paragraph(cost, 2, fileno(file)));
   }

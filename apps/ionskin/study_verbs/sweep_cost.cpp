@@ -12,7 +12,6 @@ namespace {
 // Measured on cases/quick.toml (0.08): what a further friction coefficient adds to a contact
 // solution, whose factorisations it shares.
 constexpr double further_friction = 0.1;
-constexpr double seconds_of_report = 10.0;
 
 std::string duration(double seconds) {
   if (seconds < 90) {
@@ -39,7 +38,8 @@ std::string solutions_in_words(const std::vector<study::MechanicsGroup>& groups)
 
 } // namespace
 
-std::string sweep_cost(const study::SweepPlan& plan, bool both_studies, int threads) {
+std::string sweep_cost(const study::SweepPlan& plan, bool both_studies, int threads,
+                       double report_seconds) {
   const auto groups = study::mechanics_groups(plan.points);
   const std::string points = counted(plan.points.size(), "point");
   if (groups.empty()) {
@@ -47,7 +47,7 @@ std::string sweep_cost(const study::SweepPlan& plan, bool both_studies, int thre
                          ? ", no contact to solve"
                          : ", no contact to solve; the time follows from the strain file");
   }
-  double seconds = seconds_of_report;
+  double seconds = report_seconds;
   for (const auto& group : groups) {
     const planning::CostEstimate cost =
         planning::estimate_cost(plan.points[group.first_point()].input, threads);

@@ -11,6 +11,7 @@ namespace ionskin::apps {
 /// the wall time, estimated.
 /// @param both_studies false for the mechanics alone
 /// @param threads that will run
-std::string sweep_cost(const study::SweepPlan& plan, bool both_studies, int threads);
+std::string sweep_cost(const study::SweepPlan& plan, bool both_studies, int threads,
+                       double report_seconds);
 
 } // namespace ionskin::apps

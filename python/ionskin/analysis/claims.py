@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy
 
-from ..drawing.panels import peak_of
+from ..charts.spans import peak_of
 from ..words import quantity
 from . import derived, regimes, sensitivity
 

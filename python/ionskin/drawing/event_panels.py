@@ -6,34 +6,11 @@ import numpy
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
+from ..charts.spans import windows
 from . import style
-from .panels import contact_spans, shade_phases
+from .panels import shade_phases
 
-BEFORE, AFTER = 3, 9  # readout intervals that a window shows around its event
-INTERVAL = 10e-3  # [s]; where nothing is sampled
-MOST_OF_A_CONTACT = 0.25  # a window is no longer than this part of the contact
 WHOLE = 2.3  # width of the whole run over that of a window
-
-
-def windows(results):
-    """Begin and end [s], instant and name of what is enlarged: where the first contact begins and where it ends."""
-    spans = contact_spans(results)
-    if not spans:
-        return []
-    last = spans[0]
-    for span in spans[1:]:
-        if span.start <= last.end + 1e-9 * max(1.0, last.end):
-            last = span
-        else:
-            break
-    first, end = spans[0].start, last.end
-    time = results.sampled["time"]
-    interval = float(time[1] - time[0]) if len(time) > 1 else INTERVAL
-    interval = min(interval, MOST_OF_A_CONTACT * (end - first) / (BEFORE + AFTER))
-    if interval <= 0:
-        return []
-    return [(instant - BEFORE * interval, instant + AFTER * interval, instant, words)
-            for instant, words in ((first, "contact begins"), (end, "contact ends"))]
 
 
 class Row:

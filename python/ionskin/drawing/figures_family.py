@@ -6,9 +6,10 @@ from matplotlib.colors import SymLogNorm
 from matplotlib.ticker import EngFormatter
 
 from ..analysis import regimes
+from ..charts.spans import peak_of, sampled_label, scaled_label
 from ..words import short
 from . import event_panels, style
-from .panels import peak_of, sampled_label, scaled, scaled_label, shade_phases
+from .panels import scaled, shade_phases
 
 NO_CURRENT = "the runs have no currents"
 NEEDS_SEVERAL = "it needs several runs of a sweep"

@@ -1,25 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures 17 and 19: stick and slip over the onset of sliding, ions through the thickness."""
+"""Figure 17: stick and slip over the onset of sliding."""
 
 import numpy
 
+from ..charts.fields import NO_CONTACT, STUCK, cell_areas, fields_of
+from ..charts.spans import slide_start
 from . import style
 from .figures_family import value_edges
-from .panels import peak_of, scaled, slide_start
 
-STUCK = 1e-6  # speed of slip over the largest one below which a cell sticks
-NO_FIELDS = "the run has no results.h5"
-NO_CONTACT = "the run has no contact"
-
-
-def fields_of(results):
-    """results.h5, or None."""
-    return results.open_fields() if (results.folder / "results.h5").exists() else None
-
-
-def cell_areas(file):
-    """Area per cell of the footprint [y][x]."""
-    return numpy.outer(numpy.diff(file["contact/grid/y"][...]), numpy.diff(file["contact/grid/x"][...]))
 
 
 def stick_history(file):
@@ -80,52 +68,3 @@ def stick_slip(study):
     style.title(axes[1], "Sticking; line: full slip")
     figure.colorbar(image, ax=axes[1], pad=0.02).set_label("stuck part of the contact area")
     return figure
-
-
-def ions(study):
-    """Figure 19: concentration and potential through the thickness at the instants of the case's output.fields."""
-    results = study.typical.results
-    if fields_of(results) is None:
-        return NO_FIELDS
-    with fields_of(results) as file:
-        instants = sorted((name for name in file.get("ions", {}) if name != "grid"), key=float)
-        if not instants:
-            return "the case asks for no fields: set output.fields"
-        grid = file["ions/grid"]
-        z = grid["z"][...] * 1e6
-        column = loaded_column(file, instants)
-        figure = style.canvas(height=3.9, left=0.09, right=0.975, top=0.90, bottom=0.115, hspace=0.22, wspace=0.10)
-        panels = figure.subplots(2, 3, sharex="col", sharey="row", gridspec_kw={"width_ratios": [1, 1.4, 1]})
-        initial = file["ions"][instants[0]]["concentration"][0].mean()
-        potentials = [file["ions"][name]["potential"][0][:, column[0], column[1]] for name in instants]
-        unit = scaled(panels[1, 0], "potential φ", "V", peak_of(*potentials))
-        for name, potential, colour in zip(instants, potentials, style.sequence(len(instants))):
-            concentration = file["ions"][name]["concentration"][0][:, column[0], column[1]]
-            for place in range(3):
-                panels[0, place].plot(z, concentration / initial, color=colour, lw=1.0, label=f"{float(name):g} s")
-                panels[1, place].plot(z, potential / unit, color=colour, lw=1.0)
-        panels[0, 0].set_ylabel("concentration c / mean")
-        wall = 0.03 * z[-1]
-        for row in panels:
-            for panel, limits in zip(row, ((0, wall), (0, z[-1]), (z[-1] - wall, z[-1]))):
-                panel.set_xlim(*limits)
-        for panel, words in zip(panels[0], ("bottom wall", "whole core", "top wall")):
-            style.title(panel, words)
-        for panel in panels[1]:
-            panel.set_xlabel("height in the core [µm]")
-        centre = [(edges[i] + edges[i + 1]) / 2 * 1e3
-                  for edges, i in ((grid["x"][...], column[1]), (grid["y"][...], column[0]))]
-        panels[0, 1].legend(loc="lower left", fontsize=6.5, ncol=2)
-        words = (f"{study.label(study.typical)}; column at x = {centre[0]:.3g} mm, y = {centre[1]:.3g} mm, where the "
-                 "potential deviates most")
-        figure.text(0.985, 0.985, words, ha="right", va="top", fontsize=7, color=style.QUIET)
-    return figure
-
-
-def loaded_column(file, instants):
-    """Index (y, x) of the column whose potential deviates most over the chosen instants."""
-    largest = None
-    for name in instants:
-        amplitude = numpy.abs(file["ions"][name]["potential"][0]).max(axis=0)
-        largest = amplitude if largest is None else numpy.maximum(largest, amplitude)
-    return numpy.unravel_index(int(largest.argmax()), largest.shape)

@@ -7,9 +7,10 @@ import numpy
 from matplotlib.ticker import MaxNLocator
 
 from ..analysis import sensitivity as measures
+from ..charts.spans import peak_of
 from ..words import si_scale
 from . import style
-from .panels import peak_of, scaled
+from .panels import scaled
 
 NO_DESIGN = "it needs a sweep whose keys vary at once (--samples)"
 METRICS = {"peak_mean_shear": "peak mean shear", "time_mean_shear": "time mean of the shear",

@@ -4,8 +4,9 @@
 import numpy
 
 from ..analysis import derived
+from ..charts.spans import peak_of, sampled_label
 from . import event_panels, style
-from .panels import STEP, error_band, name_phases, peak_of, sampled_label, scaled, shade_phases
+from .panels import STEP, error_band, name_phases, scaled, shade_phases
 
 NO_CURRENT = "the run has no currents"
 NO_MOTION = "the run has no prescribed motion"

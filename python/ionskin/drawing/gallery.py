@@ -3,8 +3,9 @@
 
 from typing import Callable, NamedTuple
 
-from .. import output_folder
-from . import figures_contact, figures_family, figures_fields, figures_model, figures_sensitivity, figures_signals, figures_slip
+from .. import figures, output_folder
+from ..charts import contact, fields, ions, skin
+from . import draw_chart, figures_family, figures_fields, figures_model, figures_sensitivity, figures_signals, figures_slip
 
 PNG_DPI = 300
 
@@ -18,14 +19,37 @@ class Entry(NamedTuple):
     draw: Callable
 
 
+def of_run(build, lacks, named=True):
+    """A figure of the typical run from its Chart. lacks: words for its absence, of the Results; named: says which run it is"""
+    def drawn(study):
+        results = study.typical.results
+        chart = build(results)
+        if chart is None or isinstance(chart, str):
+            return chart or lacks(results)
+        member = "" if study.single or not named else f"{study.label(study.typical)}; "
+        return draw_chart.draw(chart._replace(note=f"{member}{chart.note}".removesuffix("; ")))
+
+    return drawn
+
+
+def no_slider(_):
+    """Why a run has no figure of its slider."""
+    return figures_model.NO_CONTACT
+
+
+def no_fields(results):
+    """Why a run has no figure of what results.h5 holds."""
+    return fields.NO_CONTACT if (results.folder / "results.h5").exists() else fields.NO_FIELDS
+
+
 ENTRIES = [
-    Entry("fig01_model", "The model", "Skin and slider before touchdown.", figures_model.model),
+    Entry("fig01_model", "The model", "Skin and slider before touchdown.", of_run(skin.model, no_slider, named=False)),
     Entry("fig02_layers", "The layers", "Section through the skin, not to scale, with what holds on its faces.",
           figures_model.layers),
     Entry("fig03_stages", "The stages of a cycle", "Pale: where a stage begins; heights are not to scale.",
           figures_model.stages),
     Entry("fig04_motion", "Input motion", "Prescribed position and height of the slider. Bands: pale where slider and "
-          "skin touch, darker while it slides.", figures_model.motion),
+          "skin touch, darker while it slides.", of_run(figures.motion, no_slider)),
     Entry("fig05_shear", "Shear over time", "Volume mean of γ over the core; right: its rise at the first contact. The vertical "
           "axis is common.",
           figures_family.shear),
@@ -55,9 +79,9 @@ ENTRIES = [
           figures_fields.stick_slip),
     Entry("fig18_contact_maps", "Contact and shear maps", "In the slider's frame, seen from above. Under sharp edges the peaks "
           "depend on the mesh: there the colour scales end where 95 % of the area (tractions) and 99 % of the section (shear, "
-          "at mid-width) lie below.", figures_contact.contact_maps),
+          "at mid-width) lie below.", of_run(contact.contact_maps, no_fields)),
     Entry("fig19_ions", "Ions through the thickness", "Concentration and potential in one column at the instants of "
-          "output.fields; the outer panels enlarge the double layers.", figures_fields.ions),
+          "output.fields; the outer panels enlarge the double layers.", of_run(ions.ions, no_fields)),
     Entry("fig20_charge", "Charge per phase", "Charge gained by each electrode in each phase; the marks are what the shear "
           "predicts for the sum.", figures_signals.charge),
     Entry("fig21_scatter", "Metrics against the sampled keys", "One mark per point of the sweep; all keys vary at once.",
@@ -82,7 +106,7 @@ def draw(study, only=()):
 
 def save(figure, folder, name):
     """Writes NAME.png, .svg and .pdf into the folder."""
-    output_folder.save(figure, folder / f"{name}.png", dpi=PNG_DPI)
+    output_folder.save(figure, folder / f"{name}.png", dpi=PNG_DPI, pil_kwargs={"compress_level": 2})
     output_folder.save(figure, folder / f"{name}.svg", metadata={"Date": None})
     output_folder.save(figure, folder / f"{name}.pdf", metadata={"CreationDate": None})
 

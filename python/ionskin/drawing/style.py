@@ -5,25 +5,10 @@ import matplotlib
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from ..words import si_scale as si_scale  # noqa: PLC0414  figures take it from here
+from ..charts.colours import BAND, BAND_STRONG, BLUE, DIVERGING, GREEN, GRID, INK, ORANGE, PALE, PURPLE, QUIET, SEQUENCE
+from ..words import si_scale  # figures take it and the colours from here
 
-INK = "#22252a"
-QUIET = "#6b7280"
 BEHIND_TEXT = {"facecolor": "white", "alpha": 0.8, "edgecolor": "none", "pad": 1.0}
-GRID = "#dfe2e7"
-PALE = "#b4bac4"
-BAND = "#eef1f5"
-BAND_STRONG = "#e0e5ec"
-# Blue, vermilion, green and purple after Okabe and Ito (2008, jfly.uni-koeln.de/color).
-BLUE = "#0072b2"
-ORANGE = "#d55e00"
-GREEN = "#00875f"
-PURPLE = "#b3588f"
-# What a page replaces by its own variables, so that figures follow light and dark.
-THEMED_COLOURS = {
-    INK: "ink", QUIET: "quiet", GRID: "grid", PALE: "pale", BAND: "band", BAND_STRONG: "band-strong",
-    BLUE: "blue", ORANGE: "orange", GREEN: "green", PURPLE: "purple",
-}
 
 WIDTH = 170 / 25.4  # full text width of most journals [inch]
 ROW = 44 / 25.4  # height of one panel [inch]
@@ -91,8 +76,6 @@ def title(axes, text):
     """The name of a panel, above it on the left."""
     axes.set_title(text, loc="left", pad=4, color=INK, fontweight="bold")
 
-SEQUENCE = "viridis"  # perceptually even and safe for colour-blind readers
-DIVERGING = "PuOr_r"
 
 
 def canvas(width=WIDTH, height=3.0, **margins):

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-"use strict";
 (() => {
   const LEFT = 74, RIGHT = 14, TOP = 24, BOTTOM = 24, HEIGHT = 154, MARGIN = 8;
   const PREFIX = [[1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"], [1e-12, "p"], [1e-15, "f"]];

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The page that plays a trajectory through a live skin: offline, with data and script inside."""
 
-import json
 import pathlib
 import tomllib
 
@@ -91,7 +90,6 @@ def write(path, skin, times, signals):
     if len(times) == 0:
         raise ValueError("times: there is no step to play")
     content = data(skin, times, signals)
-    payload = json.dumps(content, separators=(",", ":")).replace("</", "<\\/").replace("<!", "<\\u0021")
     title = tomllib.loads(skin.case).get("title") or "A live skin"
     shape = "The outline is the face of the slider" if content["footprint"] else \
         "The disc has the area of the contact"
@@ -100,5 +98,5 @@ def write(path, skin, times, signals):
                             {"speeds": SPEEDS, "frames": len(content["time"]), "notes": notes})
     subtitle = (f"{quantity(times[-1] - times[0], 's')} in {len(times)} step{'s' * (len(times) != 1)} of a reduced skin · "
                 f"ionskin {skin.version}")
-    script = pages.chart_script(payload, "live_page.js")
+    script = pages.chart_script({"DATA": ("live_page.js", content)})
     return pages.write_page(pathlib.Path(path), pages.page(title, subtitle, [section], script=script))

@@ -2,6 +2,7 @@
 """Report pages from the templates beside this file. Whatever comes from a case or a file is escaped by them."""
 
 import functools
+import json
 import pathlib
 from typing import Any, NamedTuple
 
@@ -55,10 +56,14 @@ def page(title, subtitle, sections, *, cards=(), script=None):
         style=Markup(style), script=Markup(script) if script else "")
 
 
-def chart_script(payload, name):
-    """The script NAME of this folder behind what all charts are drawn with. payload: JSON, its DATA."""
-    parts = (FOLDER / one for one in ("charts.js", name))
-    return "\n".join([f"const DATA={payload};", *(part.read_text(encoding="utf-8") for part in parts)])
+def chart_script(scripts):
+    """What all charts are drawn with, and the scripts of a page behind it. scripts: {constant: (file of this folder, data)};
+    a script finds its data, which JSON can hold, in the constant"""
+    texts = [(FOLDER / "charts.js").read_text(encoding="utf-8")]
+    for constant, (name, data) in scripts.items():
+        payload = json.dumps(data, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
+        texts += [f"const {constant}={payload};", (FOLDER / name).read_text(encoding="utf-8")]
+    return "\n".join(texts)
 
 
 def write_page(path, text):

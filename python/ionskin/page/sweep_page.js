@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-"use strict";
 (() => {
   const LEFT = 74, RIGHT = 14, TOP = 24, BOTTOM = 42, NARROWEST = 280;
   let WIDTH = 900; // of the charts in pixels, so that their letters keep their size on every screen
-  const PREFIX = [[1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"], [1e-12, "p"]];
-  const STEPS = [1, 2, 2.5, 5, 10];
   const PANELS = [
     { title: "Motion", height: 146, curves: ["slider_x", "slider_z"], colours: ["--blue", "--orange"] },
     { title: "Mean shear γ of the core", height: 156, curves: ["mean_shear"], colours: ["--blue"] },
@@ -14,14 +11,6 @@
       colours: ["--green"] },
   ];
   const state = { member: DATA.typical, span: null, metric: 0, key: 0 };
-
-  function withUnit(value, unit, digits = 4) {
-    if (value === null || value === undefined) return "–";
-    if (unit === "1") return Number(value.toPrecision(digits)).toString();
-    if (value === 0) return "0";
-    const [scale, prefix] = PREFIX.find(([size]) => Math.abs(value) >= size) || PREFIX[PREFIX.length - 1];
-    return `${Number((value / scale).toPrecision(digits))} ${prefix}${unit}`;
-  }
 
   // Common over all members, so that picking another run changes the curve and not the scale.
   function commonRange(names) {
@@ -119,7 +108,11 @@
     if (names.length > 1) {
       legend(svg, frame, names.map((name) => DATA.curves.find((curve) => curve.name === name).label), panel.colours);
     }
-    interact(svg, frame);
+    interact(svg, { width: WIDTH, left: LEFT, right: WIDTH - RIGHT, top: TOP, bottom: frame.bottom }, {
+      tell: (pixel) => tell(frame.time(pixel)),
+      zoom: (low, high) => { state.span = [frame.time(low), frame.time(high)]; drawAll(); },
+      whole: () => { state.span = null; drawAll(); },
+    });
   }
 
   // The longer name where it fits.
@@ -129,51 +122,6 @@
       name.textContent = short;
       name.setAttribute("x", 0);
     }
-  }
-
-  function pixelOf(svg, event) {
-    const box = svg.getBoundingClientRect();
-    return Math.min(WIDTH - RIGHT, Math.max(LEFT, (event.clientX - box.left) / box.width * WIDTH));
-  }
-
-  function interact(svg, frame) {
-    let from = null, shade = null;
-    const cursor = make(svg, "line", { class: "cursor", x1: -9, x2: -9, y1: TOP, y2: frame.bottom });
-    svg.addEventListener("pointermove", (event) => {
-      const pixel = pixelOf(svg, event);
-      cursor.setAttribute("x1", pixel);
-      cursor.setAttribute("x2", pixel);
-      tell(frame.time(pixel));
-      if (shade) {
-        shade.setAttribute("x", Math.min(from, pixel));
-        shade.setAttribute("width", Math.abs(pixel - from));
-      }
-    });
-    svg.addEventListener("pointerdown", (event) => {
-      from = pixelOf(svg, event);
-      shade = make(svg, "rect", { class: "window", x: from, y: TOP, width: 0, height: frame.bottom - TOP });
-    });
-    const end = (event) => {
-      if (from === null) return;
-      const to = pixelOf(svg, event), begin = from;
-      from = null;
-      if (Math.abs(to - begin) > 4) {
-        state.span = [frame.time(Math.min(to, begin)), frame.time(Math.max(to, begin))];
-        drawAll();
-      } else {
-        shade.remove();
-        shade = null;
-      }
-    };
-    svg.addEventListener("pointerup", end);
-    svg.addEventListener("pointerleave", end);
-    // A finger that begins to scroll the page ends its drag.
-    svg.addEventListener("pointercancel", () => {
-      from = null;
-      if (shade) shade.remove();
-      shade = null;
-    });
-    svg.addEventListener("dblclick", () => { state.span = null; drawAll(); });
   }
 
   function tell(time) {
@@ -254,15 +202,7 @@
     if (metrics && DATA.metrics.length) drawTrend();
   }
 
-  // Only a new width: on a phone the address bar changes the height while one scrolls.
-  let lastWidth = 0;
-  new ResizeObserver(() => {
-    const width = document.getElementById("charts").clientWidth;
-    if (width !== lastWidth) {
-      lastWidth = width;
-      drawAll();
-    }
-  }).observe(document.getElementById("charts"));
+  onWidth(document.getElementById("charts"), drawAll);
   document.addEventListener("keydown", (event) => {
     if (event.target.closest && event.target.closest("[tabindex]")) return; // arrows scroll a wide table
     if (event.key === "ArrowRight") pick(state.member + 1);

@@ -2,30 +2,19 @@
 """report.html of a sweep, and the charts to explore in that of a run: offline, with data and script inside."""
 
 import base64
-import io
-import json
 
-import numpy
-
-from ..drawing import gallery
-from ..drawing.panels import contact_spans
+from ..charts.spans import contact_spans
 from ..sweep_results import value_text
 from ..words import quantity
 from . import pages, report_text
+from .chart_data import rounded
 
-EMBEDDED_DPI = 130
 TREND_NOTE = "A click on a mark shows its run in the charts above."
-DIGITS = 5
 CURVES = [("slider_x", "position x", "m"), ("slider_z", "height z", "m"), ("mean_shear", "mean shear γ", "1"),
           ("current_top", "top", "A"), ("current_bottom", "bottom", "A"), ("current_difference", "difference", "A"),
           ("current_common", "common", "A")]
 AGAINST = ["peak_mean_shear", "time_mean_shear", "peak_sampled_current_top", "peak_sampled_current_difference",
            "peak_current_top", "rms_current_top", "rms_current_difference", "normal_force_slide"]
-
-
-def rounded(values):
-    """Numbers short enough for the page; null where there is none."""
-    return [float(f"{value:.{DIGITS}g}") if numpy.isfinite(value) else None for value in values]
 
 
 def member_data(study, member):
@@ -48,7 +37,7 @@ def axes(study):
     keys = [study.key, *(key for key in study.numeric_keys if key != study.key)] if study.scattered else [study.key]
     return [{"name": study.axis_label(key).split(" [")[0], "axis": study.axis_label(key),
              "unit": study.sweep.keys.get(key, "1") if study.sweep else "1",
-             "values": rounded(member.values.get(key, member.value) for member in study.members)} for key in keys]
+             "values": rounded([member.values.get(key, member.value) for member in study.members])} for key in keys]
 
 
 def data(study):
@@ -61,22 +50,15 @@ def data(study):
             "curves": [{"name": name, "label": label, "unit": unit} for name, label, unit in CURVES]}
 
 
-def embedded(figure, entry):
-    """A figure as a picture inside the page."""
-    file = io.BytesIO()
-    figure.savefig(file, format="png", dpi=EMBEDDED_DPI)
-    address = "data:image/png;base64," + base64.b64encode(file.getvalue()).decode("ascii")
-    return pages.Picture(entry.name, entry.heading, entry.caption, address)
-
-
-def figures(study):
-    """All numbered figures; a line for each that is left out."""
+def figures(made):
+    """The numbered figures as pictures inside the page, a line for each that is left out. made: pairs of entry and Made"""
     pictures, notes = [], []
-    for entry, figure in gallery.draw(study):
-        if isinstance(figure, str):
-            notes.append(f"{entry.heading}: left out, {figure}.")
+    for entry, each in made:
+        if each.reason:
+            notes.append(f"{entry.heading}: left out, {each.reason}.")
         else:
-            pictures.append(embedded(figure, entry))
+            address = "data:image/png;base64," + base64.b64encode(each.picture).decode("ascii")
+            pictures.append(pages.Picture(entry.name, entry.heading, entry.caption, address))
     return {"pictures": pictures, "notes": notes}
 
 
@@ -104,14 +86,11 @@ def explore(study):
 
 
 def script(study):
-    """Data and code of the charts; None where there are none."""
-    if "time" not in study.typical.results.sampled:
-        return None
-    payload = json.dumps(data(study), separators=(",", ":"), ensure_ascii=False).replace("</", "<\\/").replace("<!", "<\\u0021")
-    return pages.chart_script(payload, "sweep_page.js")
+    """The script of the charts to explore and its data; empty where there are none."""
+    return {"DATA": ("sweep_page.js", data(study))} if "time" in study.typical.results.sampled else {}
 
 
-def page(study, verdicts):
+def page(study, verdicts, made):
     """The whole page."""
     results = study.typical.results
     title = results.case.get("title") or study.folder.resolve().name
@@ -122,13 +101,13 @@ def page(study, verdicts):
         pages.Section("explore", "Explore", "explore", explore(study)),
         pages.Section("against", against, "trend", {"notes": [TREND_NOTE]}),
         verdicts,
-        pages.Section("figures", "Figures", "gallery", figures(study)),
+        pages.Section("figures", "Figures", "gallery", figures(made)),
         pages.Section("points", "Points", "table", points(study)),
         pages.Section("limits", "Limits of the model", "list", report_text.limits(results)),
         pages.Section("origin", "Origin", "table", pages.Table(("", ""), report_text.origin_rows(study.sweep))),
     ]
     subtitle = f"{finished} of {len(study.sweep.points)} points finished · {solving_time(study)}"
-    return pages.page(f"{title}: sweep", subtitle, sections, script=script(study))
+    return pages.page(f"{title}: sweep", subtitle, sections, script=pages.chart_script(script(study)))
 
 
 def solving_time(study):
@@ -143,6 +122,6 @@ def solving_time(study):
     return " · ".join(parts)
 
 
-def make(study, verdicts):
-    """Writes report.html of a sweep and returns its path; `verdicts` is a section."""
-    return pages.write_page(study.folder / "report.html", page(study, verdicts))
+def make(study, verdicts, made):
+    """Writes report.html of a sweep and returns its path; `verdicts` is a section, `made` pairs of entry and Made."""
+    return pages.write_page(study.folder / "report.html", page(study, verdicts, made))

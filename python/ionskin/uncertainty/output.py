@@ -7,11 +7,14 @@ import io
 import numpy
 from markupsafe import Markup
 
-from .. import output_folder, report
+from .. import output_folder
 from ..drawing import style
 from ..page import pages
+from ..page.inline_svg import inline_svg, white_background
 from ..words import quantity, si_scale
 from .bands import LEVELS, bands
+
+PNG_DPI = 180
 
 
 def _table(rows) -> str:
@@ -115,9 +118,9 @@ def picture(folder, name, heading, caption, drawing):
     """Saves a figure and returns its section of the page."""
     text = io.StringIO()
     drawing.savefig(text, format="svg", metadata={"Date": None}, transparent=True)
-    output_folder.save(drawing, folder / "figures" / f"{name}.png", dpi=report.PNG_DPI)
-    output_folder.write_text(folder / "figures" / f"{name}.svg", report.white_background(text.getvalue()))
-    image = Markup(report.inline_svg(text.getvalue(), name))
+    output_folder.save(drawing, folder / "figures" / f"{name}.png", dpi=PNG_DPI)
+    output_folder.write_text(folder / "figures" / f"{name}.svg", white_background(text.getvalue()))
+    image = Markup(inline_svg(text.getvalue(), name))
     return pages.Section(name, heading, "figure", pages.Picture(name, heading, caption, image))
 
 

@@ -12,7 +12,7 @@ enum class ExitCode {
   internal_error = 1,
   user_error = 2,
   solver_gave_up = 3,
-  unfinished = 4, ///< points of a planned sweep are still to be solved
+  unfinished = 4, ///< points of a planned sweep are still to be solved, or no report was made
   interrupted = 130
 };
 

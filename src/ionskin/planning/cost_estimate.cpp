@@ -15,7 +15,7 @@ constexpr double bytes_at_rest = 0.12e9; // the program and its libraries
 // Processor time per unknown of the whole core and time step, with the error estimate.
 constexpr double seconds_per_ion_step = 7e-8;
 constexpr double own_share_of_ions = 0.6; // the rest is the error estimate's
-constexpr double seconds_of_output = 3.0; // files, figures and report
+constexpr double seconds_of_output = 1.0; // files, and a page that takes half a second
 
 double ion_seconds(const Case& input, const electrochemistry::ProblemSize& ions, int threads) {
   return (input.numerics.error_estimate ? 1 : own_share_of_ions) * seconds_per_ion_step *

@@ -72,6 +72,11 @@ class Page:
         """The value of a JavaScript expression."""
         return self.call("Runtime.evaluate", expression=expression, returnByValue=True)["result"].get("value")
 
+    def settle(self):
+        """Waits until two frames have been drawn: elements have learned of a new width."""
+        self.call("Runtime.evaluate", awaitPromise=True,
+                  expression="new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 0))))")
+
     def box(self, selector):
         """Place of the first element of a selector: left, top, width, height."""
         find = f"const e = document.querySelector({json.dumps(selector)}); e.scrollIntoView({{behavior: 'instant'}});"

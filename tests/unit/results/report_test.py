@@ -1,23 +1,29 @@
 # SPDX-License-Identifier: Apache-2.0
 """The report of small hand-made runs: what it must say, and that it stands alone."""
 
+import base64
+import io
 import json
 import pathlib
 import re
 import shutil
+import subprocess
+import sys
 import tempfile
 import tomllib
 import types
 import unittest
 
 import numpy
+from PIL import Image
 
 from ionskin import Results
 from ionskin.analysis import paper
-from ionskin.drawing import event_panels, figures_model, figures_readout, panels
-from ionskin.drawing.style import THEMED_COLOURS
-from ionskin.figures import draw_all
-from ionskin.page import report_text
+from ionskin.charts import readout, spans
+from ionskin.charts.chart import Curve, Map
+from ionskin.drawing import figures_model
+from ionskin.figures import charts, draw_all
+from ionskin.page import chart_data, report_text
 from ionskin.report import make_gallery, make_report
 from ionskin.words import percent, quantity, si_scale
 
@@ -93,21 +99,43 @@ class Report(unittest.TestCase):
         self.assertNotIn("@import", self.page)
         self.assertNotIn("url(http", self.page)
 
-    def test_every_figure_is_a_file_and_stands_in_the_page(self):
+    def test_every_figure_stands_in_the_page_and_is_a_file_where_asked_for(self):
         names = {"motion", "shear", "currents", "forces", "charge", "relaxation"}
-        self.assertEqual({path.stem for path in (self.folder / "figures").glob("*.png")}, names)
-        self.assertEqual({path.stem for path in (self.folder / "figures").glob("*.svg")}, names)
-        self.assertEqual(self.page.count("<svg"), len(names))
+        self.assertEqual(set(re.findall(r'id="chart-([^"]+)"', self.page)), names)
+        self.assertEqual(set(self.data()["charts"]), names)
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            write_run(folder)
+            make_report(folder)
+            self.assertFalse((folder / "figures").exists())
+            parts = []
+            self.assertEqual(make_report(folder, files=True, progress=parts.append).read_text(), self.page.replace(self.folder.name, folder.name))
+            for kind in ("png", "svg"):
+                found = {path.stem for path in (folder / "figures").glob(f"*.{kind}")}
+                self.assertLessEqual(names | {"fig04_motion", "fig13_cycle"}, found)
+            self.assertTrue((folder / "figures" / "fig04_motion.pdf").exists())
+            self.assertEqual(parts, sorted(parts))
+            self.assertEqual(parts[-1], 1.0)
+
+    def data(self):
+        """What the script of the page draws."""
+        start = self.page.index("const FIGURES=") + len("const FIGURES=")
+        return json.JSONDecoder().raw_decode(self.page[start:])[0]
+
+    def test_the_page_is_made_without_matplotlib(self):
+        code = (f"import sys; from ionskin.report import make_report; make_report({str(self.folder)!r}); "
+                "sys.exit('matplotlib' in sys.modules)")
+        self.assertEqual(subprocess.run([sys.executable, "-c", code], check=False).returncode, 0)
 
     def test_ids_of_the_page_are_unique(self):
         identifiers = re.findall(r'\bid="([^"]+)"', self.page)
         self.assertEqual(len(identifiers), len(set(identifiers)))
 
-    def test_figures_follow_light_and_dark(self):
-        figures = self.page[self.page.index("<svg"):self.page.rindex("</svg>")]
-        for colour in THEMED_COLOURS:
-            self.assertNotIn(colour, figures)
-        self.assertIn("var(--blue)", figures)
+    def test_curves_follow_light_and_dark(self):
+        curves = [curve for chart in self.data()["charts"].values() for row in chart["rows"] for cell in row for curve in cell["curves"]]
+        self.assertTrue(curves)
+        for curve in curves:
+            self.assertRegex(curve["colour"], r"^var\(--[a-z-]+\)$")
 
 
 class OtherRuns(unittest.TestCase):
@@ -124,6 +152,16 @@ class OtherRuns(unittest.TestCase):
 
     def test_mechanics_alone_has_no_currents(self):
         self.assertEqual(self.figures(ions=False), ["motion", "shear", "forces"])
+
+    def test_every_circuit_is_drawn(self):
+        """An instrument such as the amplifier has no voltage, and its current a logarithmic axis."""
+        write_run(self.folder)
+        for table in ("time [s],current [A],charge [C]\n0,0,0\n4,1e-9,2e-9\n", "time [s],voltage [V]\n0,0\n4,1e-3\n",
+                      "time [s],voltage [V],current [A],charge [C]\n0,0,0,0\n4,1e-3,1e-9,2e-9\n"):
+            (self.folder / "circuit.csv").write_text(table)
+            with self.subTest(table):
+                self.assertIn('id="chart-circuit"', make_report(self.folder).read_text())
+                self.assertIn("circuit", {entry.name for entry, _ in draw_all(Results(self.folder))})
 
     def test_a_folder_without_results_is_named(self):
         with self.assertRaisesRegex(FileNotFoundError, "signals.csv"):
@@ -200,7 +238,42 @@ circuit = "load"
         layers = make_gallery(self.folder, ["fig01_model", "fig02_layers"])
         self.assertEqual(layers, [])
         self.assertIn(r"$\frac{1}$", (self.folder / "figures" / "fig02_layers.svg").read_text())
-        self.assertLess((self.folder / "figures" / "model.svg").stat().st_size, 200_000)
+        self.assertLess((self.folder / "figures" / "fig01_model.svg").stat().st_size, 200_000)
+        self.assertLess(len(page), 300_000)
+
+
+class ChartData(unittest.TestCase):
+    def test_numbers_are_short_and_right(self):
+        self.assertEqual(chart_data.rounded([0.0, 1.23456789e-9, -98765.4321, 7e300]), [0.0, 1.2346e-09, -98765.0, 7e300])
+        self.assertEqual(chart_data.rounded([1.0, numpy.nan, numpy.inf]), [1.0, None, None])
+
+    def test_long_curves_keep_their_extremes_and_ends(self):
+        values = numpy.sin(numpy.linspace(0, 50, 100_001))
+        values[[17, 70_000]] = (9.0, -9.0)
+        rows = chart_data.kept_rows(Curve(numpy.arange(len(values)), values))
+        self.assertLessEqual(len(rows), chart_data.MOST_POINTS + 2)
+        self.assertTrue({0, 17, 70_000, 100_000} <= set(rows))
+        self.assertEqual(list(chart_data.kept_rows(Curve(values[:5], values[:5]))), [0, 1, 2, 3, 4])
+
+    def test_a_map_is_a_picture_of_its_values(self):
+        edges = numpy.array([0.0, 1.0, 3.0])
+        drawn = Map(edges, edges, numpy.array([[0.0, 1.0], [numpy.nan, 0.5]]), palette="viridis")
+        address = chart_data.picture(drawn)
+        image = Image.open(io.BytesIO(base64.b64decode(address.removeprefix("data:image/png;base64,")))).convert("RGBA")
+        self.assertEqual(image.size, (3, 3))  # pixels as wide as the narrowest cell, y upwards
+        self.assertEqual(image.getpixel((0, 2)), (0x44, 0x01, 0x54, 255))
+        self.assertEqual(image.getpixel((2, 2)), (0xfd, 0xe7, 0x25, 255))
+        self.assertEqual(image.getpixel((0, 0))[3], 0)
+
+    def test_a_series_that_several_curves_show_stands_once(self):
+        folder = pathlib.Path(tempfile.mkdtemp(prefix="ionskin-report-"))
+        self.addCleanup(shutil.rmtree, folder)
+        write_run(folder)
+        shown = chart_data.chart_data({entry.name: chart for entry, chart in charts(Results(folder))})
+        times = {curve["x"] for name in ("shear", "forces", "charge") for row in shown["charts"][name]["rows"]
+                 for cell in row for curve in cell["curves"]}
+        self.assertEqual(len(times), 1)
+        self.assertEqual(shown["arrays"][times.pop()], Results(folder).signals["time"].tolist())
 
 
 class Words(unittest.TestCase):
@@ -214,14 +287,14 @@ class Words(unittest.TestCase):
     def test_the_circuit_is_told_as_the_run_says_it(self):
         told = types.SimpleNamespace(case={}, circuit=None, circuit_words={
             "words": "resistor of 1e+06 ohm and capacitor of 1e-10 F in parallel", "top_potential": "φ = U = R I"})
-        self.assertEqual(figures_readout.circuit_words(told), "Resistor of 1 MΩ and capacitor of 100 pF in parallel")
+        self.assertEqual(readout.circuit_words(told), "Resistor of 1 MΩ and capacitor of 100 pF in parallel")
         self.assertEqual(figures_model.wall_potentials(told)["top"], "φ = U = R I")
         older = types.SimpleNamespace(case={"readout": {"circuit": "open"}}, circuit_words={},
                                       circuit=types.SimpleNamespace(has=lambda *_: True))
-        self.assertEqual(figures_readout.circuit_words(older), "Open circuit")
+        self.assertEqual(readout.circuit_words(older), "Open circuit")
         self.assertEqual(figures_model.wall_potentials(older)["top"], "φ = U")
         shorted = types.SimpleNamespace(case={}, circuit_words={}, circuit=None)
-        self.assertEqual(figures_readout.circuit_words(shorted), "Short circuit")
+        self.assertEqual(readout.circuit_words(shorted), "Short circuit")
         self.assertEqual(figures_model.wall_potentials(shorted)["top"], "φ = 0")
 
     def test_captions_and_limits_follow_slider_and_law(self):
@@ -239,12 +312,12 @@ class Words(unittest.TestCase):
 
     def test_a_grid_of_taxels_lies_as_the_program_lays_it(self):
         case = {"skin": {"length": "15 mm", "width": "6 mm"}, "readout": {"taxels": {"rows": 2, "columns": 4, "gap": "1 mm"}}}
-        places = figures_readout.rectangles(types.SimpleNamespace(case=case))
+        places = readout.rectangles(types.SimpleNamespace(case=case))
         self.assertEqual(len(places), 8)
         numpy.testing.assert_allclose(places["r1c1"], [[0, 0], [3e-3, 2.5e-3]], atol=1e-15)
         numpy.testing.assert_allclose(places["r2c4"], [[12e-3, 3.5e-3], [15e-3, 6e-3]], atol=1e-15)
         for odd in ({"rows": 2}, {"rows": 2, "columns": 4, "gap": "1 furlong"}):
-            self.assertEqual(figures_readout.rectangles(types.SimpleNamespace(case={**case, "readout": {"taxels": odd}})), {})
+            self.assertEqual(readout.rectangles(types.SimpleNamespace(case={**case, "readout": {"taxels": odd}})), {})
 
     def test_the_articles_claims_stand_with_its_own_case(self):
         for name, own in (("paper.toml", True), ("quick.toml", True), ("finger.toml", False)):
@@ -266,8 +339,8 @@ class Words(unittest.TestCase):
         write_run(folder, cycles=1)
         results = Results(folder)
         results.signals["normal_force"][:] = [0, 0, 65, 0, 0]  # touchdown ends at 1 s, the slide at 2 s
-        spans = panels.contact_spans(results)
-        self.assertEqual([(span.phase, span.start, span.end) for span in spans], [("slide", 1.0, 2.0)])
+        found = spans.contact_spans(results)
+        self.assertEqual([(span.phase, span.start, span.end) for span in found], [("slide", 1.0, 2.0)])
 
     def test_events_of_milliseconds_are_enlarged(self):
         folder = pathlib.Path(tempfile.mkdtemp(prefix="ionskin-report-"))
@@ -276,7 +349,7 @@ class Words(unittest.TestCase):
         results = Results(folder)
         results.signals["normal_force"][:] = [0, 0, 65, 0, 0]  # contact from 1 s to 2 s
         results.sampled["time"][:] = [0.01, 0.02, 0.03]
-        windows = event_panels.windows(results)
+        windows = spans.windows(results)
         self.assertEqual([(instant, words) for _, _, instant, words in windows], [(1.0, "contact begins"), (2.0, "contact ends")])
         for begin, end, instant, _ in windows:  # twelve readout intervals, and the event among them
             self.assertAlmostEqual(end - begin, 0.12)

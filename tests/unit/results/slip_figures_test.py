@@ -10,9 +10,10 @@ import unittest
 import h5py
 import numpy
 
-from ionskin import Results, Study
+from ionskin import CaseError, Results, Study
 from ionskin.analysis import slip
-from ionskin.drawing import figures_slip
+from ionskin.charts import onset
+from ionskin.drawing import draw_chart, figures_slip
 from report_test import write_run
 from sweep_report_test import FRICTIONS, overlapping_texts, write_sweep
 
@@ -80,15 +81,28 @@ class Onset(SlipTest):
 
     def test_a_run_has_a_figure_of_its_onset(self):
         write_run(self.folder)
-        self.assertIsNone(figures_slip.onset(Results(self.folder)))
+        self.assertIsNone(onset.onset(Results(self.folder)))
         add_metrics(self.folder, METRICS)
         write_onset(self.folder)
-        figure = figures_slip.onset(Results(self.folder))
+        figure = draw_chart.draw(onset.onset(Results(self.folder)))
         titles = [axes.get_title(loc="left") for axes in figure.axes]
         for words in ("When it slips", "Slipped by full slip", "Part of the contact that sticks",
                       "Difference current, correlation with the stuck share 0.94", "Common current"):
             self.assertIn(words, titles)
         self.assertEqual(crowded_words(figure), [])
+
+
+class Fields(SlipTest):
+    def test_a_file_that_was_found_plain_is_looked_at_again_once_it_is_another(self):
+        write_run(self.folder)
+        write_onset(self.folder)
+        results = Results(self.folder)
+        for _ in range(2):
+            results.open_fields().close()
+        with h5py.File(self.folder / "results.h5", "a") as file:
+            file["elsewhere"] = h5py.ExternalLink("/etc/hostname", "/")
+        with self.assertRaisesRegex(CaseError, "link to elsewhere"):
+            results.open_fields()
 
 
 class Window(SlipTest):

@@ -17,10 +17,18 @@ from browser import browser_page, chromium
 from ionskin import Results, Study
 from ionskin import compare
 from ionskin.analysis import claims, regimes, sensitivity
-from ionskin.drawing import figures_contact, gallery
+from ionskin.charts import contact
+from ionskin.drawing import gallery
 from ionskin.report import make_gallery, make_report
 from report_test import write_run
 
+CUT_LABELS = """[...document.querySelectorAll('.cells svg')].flatMap((svg) => {
+  const box = svg.getBoundingClientRect();
+  return [...svg.querySelectorAll('text')].filter((text) => {
+    const own = text.getBoundingClientRect();
+    return own.left < box.left - 1 || own.right > box.right + 1 || own.top < box.top - 1 || own.bottom > box.bottom + 1;
+  }).map((text) => text.textContent);
+})"""
 FRICTIONS = [0.1, 0.2, 0.3, 0.4, 0.5]
 
 
@@ -103,19 +111,19 @@ class ContactStates(unittest.TestCase):
     def test_a_touchdown_takes_one_step_or_several(self):
         for last, names in (("touchdown", ["onset_01", "touchdown"]), ("touchdown_10", ["touchdown_09", "touchdown_10"])):
             file = {"contact": dict.fromkeys(names)}
-            self.assertEqual(figures_contact.touchdown_state(file), last)
-            self.assertEqual(figures_contact.middle_state(file), last)
+            self.assertEqual(contact.touchdown_state(file), last)
+            self.assertEqual(contact.middle_state(file), last)
         times = {"touchdown": 0.5, "steady_0": 1, "steady_1": 1.1, "steady_2": 1.9, "steady_10": 3}
         file = {"contact": {name: SimpleNamespace(attrs={"parameter": time}) for name, time in times.items()}}
-        self.assertEqual(figures_contact.middle_state(file), "steady_2")
+        self.assertEqual(contact.middle_state(file), "steady_2")
 
     def test_colours_of_a_round_contact_reach_its_peak(self):
         """Only under sharp edges, where peaks depend on the mesh, does the scale end below the largest value."""
         radius = (numpy.arange(200) + 0.5) / 200
         pressure, areas = 1e6 * numpy.sqrt(1 - radius**2), 2 * numpy.pi * radius
-        self.assertEqual(figures_contact.capped(pressure, areas, 1.0), pressure.max())
-        self.assertLess(figures_contact.capped(pressure, areas, 0.95), pressure.max())
-        self.assertEqual(figures_contact.capped(numpy.zeros(5), numpy.ones(5), 1.0), 1.0)
+        self.assertEqual(contact.capped(pressure, areas, 1.0), pressure.max())
+        self.assertLess(contact.capped(pressure, areas, 0.95), pressure.max())
+        self.assertEqual(contact.capped(numpy.zeros(5), numpy.ones(5), 1.0), 1.0)
 
 
 class Regimes(unittest.TestCase):
@@ -243,6 +251,37 @@ class Page(SweepTest):
             self.assertEqual(page.evaluate("document.querySelectorAll('#explore .picker button').length"), 0)
             self.hover_and_zoom(page, r"t = .*mean shear")
             self.assert_quiet(page)
+
+    @unittest.skipUnless(chromium(), "no Chromium on this machine: apt-get install chromium to test the page in it")
+    def test_figures_of_a_run_are_drawn_for_every_width(self):
+        write_run(self.folder)
+        (self.folder / "circuit.csv").write_text("time [s],current [A],charge [C]\n0,0,0\n4,1e-9,2e-9\n8,-1e-9,0\n")
+        with browser_page(make_report(self.folder)) as page:
+            for width in (1300, 390):
+                page.call("Emulation.setDeviceMetricsOverride", width=width, height=2400, deviceScaleFactor=1, mobile=width < 500)
+                page.settle()
+                for name, count in (("motion", 2), ("currents", 3), ("circuit", 3), ("relaxation", 2)):
+                    self.assertEqual(page.evaluate(f"document.querySelectorAll('#{name} .cells svg').length"), count, name)
+                self.assertGreater(page.evaluate("document.querySelectorAll('#forces path.curve').length"), 1)
+                self.assertEqual(page.overlapping_labels(".cells svg"), [])
+                self.assertEqual(page.evaluate(CUT_LABELS), [])
+                self.assertLessEqual(page.evaluate("document.documentElement.scrollWidth"), width)
+            self.zoom_into_the_forces(page)
+            self.assert_quiet(page)
+
+    def zoom_into_the_forces(self, page):
+        """A drag enlarges a part of the time, a double click shows all again; the pointer reads values."""
+        left, top, width, height = page.box("#forces .cells svg")
+        middle, ticks = top + height / 2, "[...document.querySelectorAll('#forces text[text-anchor=middle]')].map(t => t.textContent)"
+        whole = page.evaluate(ticks)
+        page.mouse("mouseMoved", left + width / 2, middle)
+        self.assertRegex(page.evaluate("document.querySelector('#forces .readout').textContent"), "time .* s: normal 65 N, tangential")
+        page.mouse("mousePressed", left + 0.3 * width, middle)
+        page.mouse("mouseMoved", left + 0.4 * width, middle)
+        page.mouse("mouseReleased", left + 0.5 * width, middle)
+        self.assertNotEqual(page.evaluate(ticks), whole)
+        page.click(left + 0.5 * width, middle, clicks=2)
+        self.assertEqual(page.evaluate(ticks), whole)
 
     def assert_quiet(self, page):
         """No error, nothing asked of the network, no label over another."""

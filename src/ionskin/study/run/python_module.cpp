@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstdlib>
 #include <fcntl.h>
 #include <spawn.h>
@@ -56,8 +57,26 @@ std::string last_message(std::string text) {
   return result;
 }
 
+/// Takes the lines "progress PART" that are whole out of a text.
+void take_progress(std::string& text, const PythonProgress& progress) {
+  constexpr std::string_view mark = "progress ";
+  for (std::size_t begin = 0, end = 0; (end = text.find('\n', begin)) != std::string::npos;) {
+    const std::string line = text.substr(begin, end - begin);
+    double part = 0;
+    const char* number = line.data() + mark.size();
+    const char* last = line.data() + line.size();
+    if (line.starts_with(mark) && std::from_chars(number, last, part).ptr == last && part >= 0 &&
+        part <= 1) {
+      progress(part);
+      text.erase(begin, end + 1 - begin);
+    } else {
+      begin = end + 1;
+    }
+  }
+}
+
 /// Reads until the other end is closed, keeping the end of what came.
-std::string read_end(int descriptor) {
+std::string read_end(int descriptor, const PythonProgress& progress) {
   constexpr std::size_t most = 4096;
   std::string text;
   std::array<char, 1024> buffer;
@@ -65,6 +84,9 @@ std::string read_end(int descriptor) {
     const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
     if (count > 0) {
       text.append(buffer.data(), static_cast<std::size_t>(count));
+      if (progress) {
+        take_progress(text, progress);
+      }
       text.erase(0, text.size() > most ? text.size() - most : 0);
     } else if (count == 0 || errno != EINTR) {
       return text;
@@ -87,9 +109,9 @@ public:
   ErrorPipe(const ErrorPipe&) = delete;
   ErrorPipe& operator=(const ErrorPipe&) = delete;
 
-  std::string message() {
+  std::string message(const PythonProgress& progress) {
     close_end(1);
-    return ends_[0] >= 0 ? last_message(read_end(ends_[0])) : "";
+    return ends_[0] >= 0 ? last_message(read_end(ends_[0], progress)) : "";
   }
 
 private:
@@ -129,7 +151,8 @@ void become_python_module(const std::string& module, const std::vector<std::stri
 }
 
 PythonOutcome run_python_module(const std::string& module,
-                                const std::vector<std::string>& arguments, PythonErrors errors) {
+                                const std::vector<std::string>& arguments, PythonErrors errors,
+                                const PythonProgress& progress) {
   std::vector<std::string> words = command_of(module, arguments);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -143,7 +166,7 @@ PythonOutcome run_python_module(const std::string& module,
     if (failure != 0) {
       return {-1, ""};
     }
-    outcome.message = pipe.message();
+    outcome.message = pipe.message(progress);
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }

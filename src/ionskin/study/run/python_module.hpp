@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,12 +22,18 @@ struct PythonOutcome {
 /// Where Python's messages go.
 enum class PythonErrors { shown, captured };
 
+/// Told the finished part, in [0, 1], when a module says "progress PART" in a line of its own on
+/// standard error.
+using PythonProgress = std::function<void(double)>;
+
 /// Runs a module of ionskin's Python package with these arguments and waits for it. The interpreter
 /// is in its isolated mode: neither the working folder nor PYTHONPATH and its kin decide what is
 /// imported. The package stands in the folder $IONSKIN_PYTHON_PATH, or where it was built.
 /// @param errors whether standard error goes to the terminal or into the outcome
+/// @param progress heard of errors that are captured
 PythonOutcome run_python_module(const std::string& module,
-                                const std::vector<std::string>& arguments, PythonErrors errors);
+                                const std::vector<std::string>& arguments, PythonErrors errors,
+                                const PythonProgress& progress = {});
 
 /// Replaces this process by a module of the package; returns only where that is not possible.
 void become_python_module(const std::string& module, const std::vector<std::string>& arguments);

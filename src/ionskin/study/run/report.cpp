@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/run/report.hpp"
 
-#include "ionskin/study/run/python_module.hpp"
-
 #include <fmt/core.h>
 
 namespace ionskin::study {
@@ -17,10 +15,12 @@ std::string reason_of(const PythonOutcome& outcome) {
 }
 
 /// @param product, again what the module makes and how to ask for it again, for messages
-std::optional<std::string> draw(const std::string& module, const std::filesystem::path& folder,
-                                const std::string& product, const std::string& again) {
+std::optional<std::string> draw(const std::string& module,
+                                const std::vector<std::string>& arguments,
+                                const std::string& product, const std::string& again,
+                                const PythonProgress& progress = {}) {
   const PythonOutcome outcome =
-      run_python_module(module, {folder.string()}, PythonErrors::captured);
+      run_python_module(module, arguments, PythonErrors::captured, progress);
   if (outcome.exit_code == 0) {
     return std::nullopt;
   }
@@ -36,16 +36,24 @@ std::optional<std::string> draw(const std::string& module, const std::filesystem
 
 } // namespace
 
-std::optional<std::string> make_report(const std::filesystem::path& folder) {
-  return draw("ionskin.report", folder, "report", "run: ionskin report " + folder.string());
+std::optional<std::string> make_report(const std::filesystem::path& folder, bool figures,
+                                       const PythonProgress& progress) {
+  std::vector<std::string> arguments{folder.string(), "--progress"};
+  if (figures) {
+    arguments.emplace_back("--figures");
+  }
+  return draw("ionskin.report", arguments, "report",
+              "run: ionskin report " + folder.string() + (figures ? " --figures" : ""), progress);
 }
 
 std::optional<std::string> draw_impedance(const std::filesystem::path& folder) {
-  return draw("ionskin.impedance", folder, "figure", "give the command again with --overwrite");
+  return draw("ionskin.impedance", {folder.string()}, "figure",
+              "give the command again with --overwrite");
 }
 
 std::optional<std::string> draw_fit(const std::filesystem::path& folder) {
-  return draw("ionskin.fit_figure", folder, "figure", "give the command again with --overwrite");
+  return draw("ionskin.drawing.fit_figure", {folder.string()}, "figure",
+              "give the command again with --overwrite");
 }
 
 } // namespace ionskin::study

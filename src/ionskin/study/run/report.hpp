@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/study/run/python_module.hpp"
+
 #include <filesystem>
 #include <optional>
 #include <string>
 
 namespace ionskin::study {
 
-/// Draws the figures and writes report.html of a finished run with ionskin's Python package.
+/// Writes report.html of a finished run or sweep with ionskin's Python package.
+/// @param figures write them as files too
+/// @param progress of the drawing
 /// @return what went wrong, with the remedy; empty on success. The results themselves do not depend
 /// on it.
-std::optional<std::string> make_report(const std::filesystem::path& folder);
+std::optional<std::string> make_report(const std::filesystem::path& folder, bool figures,
+                                       const PythonProgress& progress);
 
 /// The same for the figures of an impedance spectrum.
 std::optional<std::string> draw_impedance(const std::filesystem::path& folder);

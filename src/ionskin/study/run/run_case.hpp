@@ -25,7 +25,8 @@ struct RunOptions {
   bool beside_others = false; ///< others may write other results into the folder meanwhile
   /// `electrochemistry` alone takes up the finished mechanics in the folder.
   Studies studies = Studies::both;
-  bool report = true;          ///< draw the figures and the page
+  bool report = true;          ///< write the page
+  bool figures = false;        ///< and its figures as files
   bool paraview = true;        ///< write the kept fields for ParaView, beside those in results.h5
   bool use_cache = true;       ///< look up and keep condensed slider positions in the user's cache
   bool keep_mechanics = true;  ///< and whole results of Study 1, which some others may share
@@ -38,6 +39,7 @@ struct RunOptions {
 struct RunOutcome {
   std::filesystem::path folder;
   std::filesystem::path report; ///< empty when no report was made
+  std::string report_problem;   ///< why one that was wanted was not; among the warnings too
   std::vector<readout::Metric> metrics;
   ErrorEstimate errors;
   std::vector<std::string> warnings;

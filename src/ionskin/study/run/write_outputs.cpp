@@ -97,8 +97,14 @@ std::map<std::string, double> timing(const RunFolder& folder, double start) {
   return result;
 }
 
+constexpr const char* writing = "results and report";
+
 std::optional<std::string> draw_report(const RunOptions& options, RunFolder& folder) {
-  return options.report ? make_report(folder.path()) : std::nullopt;
+  if (!options.report) {
+    return std::nullopt;
+  }
+  return make_report(folder.path(), options.figures,
+                     [&](double part) { options.progress(writing, 0.5 * (1 + part)); });
 }
 
 } // namespace
@@ -116,9 +122,13 @@ RunOutcome complete_report(const RunOptions& options, double start, RunFolder& f
   errors.parts = summary.error_parts;
   errors.not_converging = summary.not_converging;
   errors.not_estimated = summary.not_estimated;
-  return {folder.path(),    reported ? folder.file(names::report) : std::filesystem::path{},
-          summary.metrics,  std::move(errors),
-          summary.warnings, base::wall_time() - start};
+  return {.folder = folder.path(),
+          .report = reported ? folder.file(names::report) : std::filesystem::path{},
+          .report_problem = problem.value_or(""),
+          .metrics = summary.metrics,
+          .errors = std::move(errors),
+          .warnings = summary.warnings,
+          .seconds = base::wall_time() - start};
 }
 
 RunOutcome write_outputs(const Case& input, const RunOptions& options,
@@ -147,7 +157,7 @@ RunOutcome write_outputs(const Case& input, const RunOptions& options,
     results::write_summary(folder.own(names::summary), summary);
   };
   const auto report_problem = folder.stage("output", [&] {
-    options.progress("results and report", 0.0);
+    options.progress(writing, 0.0);
     results::write_csv(folder.own(names::signals), outputs.signals.resolved);
     results::write_csv(folder.own(names::sampled), outputs.signals.sampled);
     write_optional(folder, names::taxels, outputs.signals.taxels);
@@ -167,9 +177,9 @@ RunOutcome write_outputs(const Case& input, const RunOptions& options,
     write_results_file(input, mechanics, outputs, folder);
     // The report reads the summary; its own time is added below.
     write_summary();
-    options.progress("results and report", 0.5);
+    options.progress(writing, 0.5);
     auto problem = draw_report(options, folder);
-    options.progress("results and report", 1.0);
+    options.progress(writing, 1.0);
     return problem;
   });
   if (report_problem) {
@@ -180,9 +190,13 @@ RunOutcome write_outputs(const Case& input, const RunOptions& options,
       outputs.audits, [](const Audit& one) { return one.verdict == Verdict::failed; });
   folder.finish(sound);
   const bool reported = options.report && !report_problem;
-  return {folder.path(),    reported ? folder.file(names::report) : std::filesystem::path{},
-          summary.metrics,  outputs.errors,
-          summary.warnings, base::wall_time() - start};
+  return {.folder = folder.path(),
+          .report = reported ? folder.file(names::report) : std::filesystem::path{},
+          .report_problem = report_problem.value_or(""),
+          .metrics = summary.metrics,
+          .errors = outputs.errors,
+          .warnings = summary.warnings,
+          .seconds = base::wall_time() - start};
 }
 
 } // namespace ionskin::study

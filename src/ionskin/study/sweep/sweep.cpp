@@ -110,7 +110,9 @@ SweepOutcome collect(const SweepPlan& plan, const std::vector<PointState>& state
   }
   if (options.report && outcome.failures.size() + outcome.missing.size() < outcome.points) {
     options.progress("report", 0.0);
-    outcome.report_problem = make_report(options.folder).value_or("");
+    outcome.report_problem = make_report(options.folder, options.figures, [&](double part) {
+                               options.progress("report", part);
+                             }).value_or("");
     options.progress("report", 1.0);
     if (outcome.report_problem.empty()) {
       outcome.report = folder.file(names::report);

@@ -19,7 +19,8 @@ struct SweepOptions {
   bool overwrite = false;          ///< replace the results of an earlier sweep
   bool resume = false;             ///< finish what an earlier sweep of the same points lacks
   Studies studies = Studies::both; ///< or `mechanics`
-  bool report = true;              ///< draw the figures and the page of the whole sweep
+  bool report = true;              ///< write the page of the whole sweep
+  bool figures = false;            ///< and its figures as files
   bool use_cache = true;           ///< of condensed slider positions
   std::string command;             ///< for the manifests
   base::ProgressCallback progress = base::no_progress; ///< called from one thread at a time

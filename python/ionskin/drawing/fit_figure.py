@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws what `ionskin fit` has written: /usr/bin/python3 -m ionskin.fit_figure FOLDER"""
+"""Draws what `ionskin fit` has written: /usr/bin/python3 -m ionskin.drawing.fit_figure FOLDER"""
 
 import sys
 
 import numpy
 
-from .drawing import gallery, style
-from .fit_results import Fit
+from ..fit_results import Fit
+from . import gallery, style
 
 
 def figure(fit: Fit):

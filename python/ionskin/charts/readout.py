@@ -4,12 +4,12 @@
 import re
 
 import numpy
-from matplotlib.patches import Rectangle
 
 from ..quantity import si
-from ..words import quantity, short
-from . import event_panels, style
-from .panels import STEP, peak_of, scaled, signed_log_axis, time_axis
+from ..words import quantity, short, si_scale
+from .chart import Axis, Cell, Chart, Curve, Map, Note, Shape, current_axis, limits, phase_spans, with_events
+from .colours import BLUE, GREEN, ORANGE, PURPLE, SEQUENCE, mixed
+from .spans import peak_of
 
 TAXEL = "current_top_"
 NO_TAXELS = "the run has no taxels"
@@ -27,17 +27,12 @@ def circuit_words(results):
     return words[:1].upper() + words[1:]
 
 
-def circuit_panel(panel, results):
-    """The voltage of the cell, or the reading of the amplifier, over time."""
+def circuit_panel(results):
+    """Title, vertical axis, curves and height of the cell's voltage, or of the amplifier's reading, over time."""
     table = results.circuit
     if table.has("voltage"):
-        divisor = scaled(panel, "voltage", "V", peak_of(table["voltage"]))
-        panel.plot(table["time"], table["voltage"] / divisor, color=style.GREEN)
-    else:
-        panel.plot(table["time"], table["current"], color=style.PURPLE, lw=0.8)
-        signed_log_axis(panel, "A", peak_of(table["current"]))
-        panel.set_ylabel("current")
-    style.title(panel, circuit_words(results))
+        return circuit_words(results), Axis("voltage", "V"), [Curve(table["time"], table["voltage"], "", GREEN)], 1.0
+    return circuit_words(results), current_axis(table["current"]), [Curve(table["time"], table["current"], "", PURPLE, width=0.8)], 1.0
 
 
 def circuit(results):
@@ -45,15 +40,10 @@ def circuit(results):
     table = results.circuit
     if table is None:
         return None
-    loaded = table.has("voltage", "current") and peak_of(table["current"]) > 0
-    figure, axes = event_panels.rows(results, [1.0] * (2 if loaded else 1), left=0.125)
-    circuit_panel(axes[0], results)
-    if loaded:
-        unit = scaled(axes[1], "current", "A", peak_of(table["current"]))
-        axes[1].plot(table["time"], table["current"] / unit, color=style.BLUE, lw=0.9, **STEP)
-        style.title(axes[1], "Current through it")
-    event_panels.finish(results, axes)
-    return figure
+    panels = [circuit_panel(results)]
+    if table.has("voltage", "current") and peak_of(table["current"]) > 0:
+        panels.append(("Current through it", Axis("current", "A"), [Curve(table["time"], table["current"], "", BLUE, True, 0.9)], 1.0))
+    return with_events(results, panels)
 
 
 def taxel_names(results):
@@ -96,51 +86,43 @@ def taxel_map(results):
     if not drawn:
         return "the case does not list the taxels' corners in a unit that this figure knows"
     moved = {name: peak_of(results.taxels[f"charge_top_{name}"]) for name in drawn}
-    divisor, prefix = style.si_scale(max(moved.values()))
-    corners = numpy.array([places[name] for name in drawn]) * 1e3
-    extent = numpy.array([skin_size(results, "length", corners[:, 1, 0].max()),
-                          skin_size(results, "width", corners[:, 1, 1].max())])
-    height = float(numpy.clip(5.6 * extent[1] / extent[0], 1.0, 4.5)) + 0.75
-    figure = style.canvas(height=height, left=0.085, right=0.91, top=1 - 0.30 / height, bottom=0.42 / height)
-    axes = figure.add_subplot()
-    top = max(moved.values()) / divisor or 1.0
-    colours = style.matplotlib.cm.ScalarMappable(style.matplotlib.colors.Normalize(0, top), style.SEQUENCE)
+    top = max(moved.values()) or 1.0
+    divisor = si_scale(top)[0]
+    corners = [places[name] for name in drawn]
+    extent = [skin_size(results, "length", max(high[0] for _, high in corners)),
+              skin_size(results, "width", max(high[1] for _, high in corners))]
+    shapes, notes = [], []
     for name, (low, high) in zip(drawn, corners):
-        value = moved[name] / divisor
-        axes.add_patch(Rectangle(low, *(high - low), facecolor=colours.to_rgba(value), edgecolor="white", lw=1.0))
+        outline = numpy.array([low, (high[0], low[1]), high, (low[0], high[1])])
+        shapes.append(Shape([outline], mixed(SEQUENCE, moved[name] / top), "#ffffff", 1.0))
         if len(drawn) <= MOST_TAXELS:
-            axes.text(*(low + high) / 2, f"{short(name, 12)}\n{value:.3g}", ha="center", va="center", fontsize=6.5,
-                      color="white" if value < 0.6 * top else "black")
-    slider_path(axes, results)
-    axes.set(xlim=(0, extent[0]), ylim=(0, extent[1]), xlabel="x [mm]", ylabel="y [mm]", aspect="equal")
-    axes.grid(False)
-    style.title(axes, "Largest charge of each taxel")
-    figure.colorbar(colours, ax=axes, pad=0.02, fraction=0.03).set_label(f"charge [{prefix}C]")
-    return figure
+            notes.append(Note(*(low + high) / 2, f"{short(name, 12)}\n{moved[name] / divisor:.3g}", "middle",
+                              "#ffffff" if moved[name] < 0.6 * top else "#000000", 6.5))
+    bar = Map(numpy.empty(0), numpy.empty(0), numpy.empty((0, 0)), 0.0, top, "charge", "C")
+    return Chart([[Cell("Largest charge of each taxel", Axis("x", "m", 0.0, extent[0]), Axis("y", "m", 0.0, extent[1]), map=bar,
+                        shapes=(*shapes, *slider_path(results)), notes=tuple(notes), equal=True)]])
 
 
 def skin_size(results, name, otherwise):
-    """A length of the skin [mm]."""
+    """A length of the skin [m]."""
     try:
-        return 1e3 * si(results.case["skin"][name])
+        return si(results.case["skin"][name])
     except (KeyError, ValueError):
         return otherwise
 
 
-def slider_path(axes, results):
+def slider_path(results):
     """The way of the slider's centre, dashed, where it is known."""
     try:
-        y = 1e3 * si(results.case["slider"]["start"])[1]
+        y = si(results.case["slider"]["start"])[1]
     except (KeyError, ValueError, IndexError):
-        return
+        return []
     direction = results.case.get("motion", {}).get("direction", [1, 0])
-    if results.signals.has("slider_x") and not direction[1:] == [0] and direction[1]:
-        return
-    if results.signals.has("slider_x"):
-        x = results.signals["slider_x"] * 1e3
-        axes.plot([numpy.nanmin(x), numpy.nanmax(x)], [y, y], color=style.ORANGE, lw=1.4, ls=(0, (4, 2)),
-                  label="way of the slider's centre")
-        axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.1, handlelength=2.4)
+    if not results.signals.has("slider_x") or (not direction[1:] == [0] and direction[1]):
+        return []
+    x = results.signals["slider_x"]
+    way = numpy.array([[numpy.nanmin(x), y], [numpy.nanmax(x), y]])
+    return [Shape([way], None, ORANGE, 1.4, "dashed", "way of the slider's centre")]
 
 
 def taxel_charges(results):
@@ -152,23 +134,13 @@ def taxel_charges(results):
     places = rectangles(results)
     if all(name in places for name in names):  # as on the map, y upwards
         names.sort(key=lambda name: (-round(float(places[name][0][1]), 9), float(places[name][0][0])))
-    rows = -(-len(names) // columns)
-    height = 0.78 * rows + 0.85
-    figure = style.canvas(height=height, left=0.095, right=0.985, top=1 - 0.26 / height, bottom=0.42 / height,
-                          hspace=0.42, wspace=0.12)
-    panels = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
-    values = [results.taxels[f"charge_top_{name}"] for name in names]
-    divisor, prefix = style.si_scale(peak_of(*values))
-    for panel, name, charge in zip(panels.ravel(), names, values):
-        panel.plot(results.taxels["time"], charge / divisor, color=style.BLUE, lw=0.9)
-        panel.set_title(short(name, 20), loc="left", fontsize=7, pad=2)
-    for panel in panels.ravel()[len(names):]:
-        panel.set_visible(False)
-    time_axis(results, list(panels.ravel()))
-    panels.ravel()[-1].set_xlabel("")
-    figure.supxlabel("time [s]", fontsize=8, y=0.02 / height)
-    figure.supylabel(f"charge [{prefix}C]", fontsize=8, x=0.005)
-    return figure
+    time, spans = results.signals["time"], phase_spans(results)
+    curves = [Curve(results.taxels["time"], results.taxels[f"charge_top_{name}"], width=0.9) for name in names]
+    low, high = limits(curves)
+    cells = [Cell(short(name, 20), Axis("time" if place + columns >= len(names) else "", "s", time[0], time[-1]),
+                  Axis("" if place % columns else "charge", "C", low, high), (curve,), spans, height=0.45)
+             for place, (name, curve) in enumerate(zip(names, curves))]
+    return Chart([cells[begin:begin + columns] for begin in range(0, len(cells), columns)], (1.0,) * columns, min(2, columns))
 
 
 def taxel_columns(results, names):

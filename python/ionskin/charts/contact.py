@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Figure 18: pressure, shear traction, stick and slip under the slider, and the shear of the core below."""
+
+import numpy
+
+from ..page.report_text import has_sharp_edges
+from .chart import Axis, Cell, Chart, Map
+from .colours import BLUE, DIVERGING, ORANGE, SEQUENCE
+from .fields import STUCK, cell_areas, fields_of, mirrored
+
+CLASSES = {"sticks": BLUE, "slips": ORANGE}
+SECTION = 0.6  # height of a section
+UNDERSHOOT = -0.3  # of the largest shear; what the smoothing of a shear without sign may leave is smaller
+AT_LIMIT = 1e-3  # of the friction limit below which a cell sticks
+
+
+def capped(values, areas, share):
+    """Upper end of a colour scale: what `share` of the area stays below, or 1 for maps of zeros."""
+    order = numpy.argsort(values, axis=None)
+    below = numpy.cumsum(numpy.broadcast_to(areas, values.shape).ravel()[order])
+    return float(values.ravel()[order][numpy.searchsorted(below, min(share, 1 - 1e-12) * below[-1])]) or 1.0
+
+
+def touchdown_state(file):
+    """Name of the state at the end of the first touchdown, which takes one step or several; None without any."""
+    return max((name for name in file["contact"] if name.startswith("touchdown")), default=None)
+
+
+def middle_state(file):
+    """Name of the state of steady sliding nearest the middle of the slide, or of touchdown."""
+    times = {name: group.attrs["parameter"] for name, group in file["contact"].items() if name.startswith("steady_")}
+    if not times:
+        return touchdown_state(file)
+    middle = (min(times.values()) + max(times.values())) / 2
+    return min(times, key=lambda name: abs(times[name] - middle))
+
+
+def contact_maps(results):
+    """Pressure and traction under the slider, what sticks and slips, and the shear in the core; None without a contact."""
+    if fields_of(results) is None:
+        return None
+    with fields_of(results) as file:
+        if "contact" not in file or touchdown_state(file) is None:
+            return None
+        # Peaks at sharp edges depend on the mesh and must not set the colours.
+        share = 0.95 if has_sharp_edges(results.case.get("slider", {})) else 1.0
+        landed, middle = (touchdown_state(file), "end of touchdown"), (middle_state(file), "mid-slide")
+        columns = [traction_maps(file, *which, share) for which in (landed, middle)]
+        friction = results.case.get("contact", {}).get("friction")
+        sticking = [stick_map(file, *which, friction) for which in (landed, onset_state(file, friction))]
+        rows = [*map(list, zip(*columns)), sticking, core_sections(file, results, 0.99 if share < 1 else 1.0)]
+    return Chart(rows, (1.0, 1.0))
+
+
+def from_above(file, title, values, **look):
+    """A cell that shows a map of the footprint."""
+    x, (y, values) = file["contact/grid/x"][...], mirrored(file, values)
+    return Cell(title, Axis("x from the slider's centre", "m", x[0], x[-1]), Axis("y", "m", y[0], y[-1]), map=Map(x, y, values, **look),
+                equal=True)
+
+
+def traction_maps(file, state, words, share):
+    """Pressure and shear traction of a state; the colour scale ends where `share` of the touched area lies below."""
+    group, areas = file["contact"][state], cell_areas(file)
+    pressure, shear = group["pressure"][...], numpy.hypot(group["shear_x"][...], group["shear_y"][...])
+    touching, cells = pressure > 0, []
+    for values, name in ((pressure, "Pressure"), (shear, "Shear traction")):
+        top = capped(values[touching], areas[touching], share) if touching.any() else 1.0
+        cells.append(from_above(file, f"{name}, {words}", numpy.where(touching, values, numpy.nan), high=top, unit="Pa",
+                                beyond=share < 1))
+    return cells
+
+
+def touching_and_slipping(file, state, friction):
+    """Cells that touch, and those of them whose traction is at the limit of Coulomb's law; by their slip for other laws."""
+    group = file["contact"][state]
+    pressure, slip = group["pressure"][...], group["slip"][...]
+    shear = numpy.hypot(group["shear_x"][...], group["shear_y"][...])
+    touching = pressure > 0
+    limit = (friction or 0.0) * pressure
+    if friction and (shear <= limit * (1 + AT_LIMIT)).all():
+        return touching, touching & (shear >= limit * (1 - AT_LIMIT))
+    return touching, touching & (slip > STUCK * (slip.max() or 1.0))
+
+
+def onset_state(file, friction):
+    """The state of the onset of sliding whose stuck part is nearest a half, and words for it."""
+    names = sorted(name for name in file["contact"] if name.startswith("onset_"))
+    if not names:
+        return middle_state(file), "mid-slide"
+    areas = cell_areas(file)
+
+    def stuck(name):
+        touching, slipping = touching_and_slipping(file, name, friction)
+        return (areas * (touching & ~slipping)).sum() / max((areas * touching).sum(), 1e-300)
+
+    name = min(names, key=lambda each: abs(stuck(each) - 0.5))
+    since = float(file["contact"][name].attrs["parameter"]) - float(file["path/onset_begin"][0])
+    return name, f"{since * 1e3:.2g} ms into the slide"
+
+
+def stick_map(file, state, words, friction):
+    """What sticks and what slips, in two colours."""
+    touching, slipping = touching_and_slipping(file, state, friction)
+    return from_above(file, f"Contact, {words}", numpy.where(touching, slipping.astype(float), numpy.nan), classes=CLASSES)
+
+
+def core_sections(file, results, share):
+    """Shear of the core at the end of touchdown and mid-slide, on the section at mid-width."""
+    strain = file["strain"]
+    time = strain["time"][...]
+    x, z = strain["grid/x"][...], strain["grid/z"][...]
+    spans = {span.phase: span for span in reversed(results.phases())}
+    slide = spans.get("slide")
+    instants = (spans["touchdown"].end, (slide.start + slide.end) / 2) if slide else (time[0], time[-1])
+    middle = strain["gamma"].shape[2] // 2
+    centres = (x[1:] + x[:-1]) / 2
+    # As far to both sides of the footprint as the core is thick several times over: beyond there is nothing to see.
+    reach = float(numpy.abs(file["contact/grid/x"][...]).max()) + 4 * z[-1]
+    shown, cells = numpy.abs(centres) <= reach, []
+    for instant, words in zip(instants, ("end of touchdown", "mid-slide")):
+        section = strain["gamma"][int(numpy.abs(time - instant).argmin()), :, middle, :]
+        top = capped(numpy.abs(section), numpy.diff(x), share)
+        signed = bool(section[:, shown].min() < UNDERSHOOT * section[:, shown].max())
+        cells.append(Cell(f"Core shear γ, {words}", Axis("x from the slider's centre", "m", -reach, reach), Axis("z", "m", z[0], z[-1]),
+                          map=Map(centres, z, section, -top if signed else 0.0, top, palette=DIVERGING if signed else SEQUENCE,
+                                  beyond=share < 1, smooth=True), height=SECTION))
+    return cells

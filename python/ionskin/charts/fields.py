@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What figures read of results.h5."""
+
+import numpy
+
+STUCK = 1e-6  # speed of slip over the largest one below which a cell sticks
+NO_FIELDS = "the run has no results.h5"
+NO_CONTACT = "the run has no contact"
+
+
+def fields_of(results):
+    """results.h5, or None."""
+    return results.open_fields() if (results.folder / "results.h5").exists() else None
+
+
+def cell_areas(file):
+    """Area per cell of the footprint [y][x]."""
+    return numpy.outer(numpy.diff(file["contact/grid/y"][...]), numpy.diff(file["contact/grid/x"][...]))
+
+
+def mirrored(file, values):
+    """A map of the half model completed to the full footprint, with its y edges."""
+    edges = file["contact/grid/y"][...]
+    if edges[-1] > 1e-9:
+        return edges, values
+    return numpy.concatenate([edges, -edges[-2::-1]]), numpy.concatenate([values, values[::-1]])

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Figure 1: the skin and the slider above it, seen from the side and from above at once."""
+
+import numpy
+
+from ..quantity import si
+from ..words import short
+from .chart import Axis, Cell, Chart, Note, Shape
+from .colours import INK
+from .underside import Underside, read_heights
+
+ROLE_COLOURS = {"electrode": "#a9b1bd", "core": "#7fc4b0"}
+SLIDER_COLOUR = "#e3a27c"
+SLIDER_SHADES = {"top": "#ecbda1", "cut": SLIDER_COLOUR, "side": "#cf8a62"}
+MAGNIFIED = 5  # the skin's thickness in the view of the model
+ELEVATION, AZIMUTH = numpy.radians((22.0, -66.0))  # of the eye, which is far away
+ARROW = 0.35  # length of the head [mm]
+
+
+def geometry(results):
+    """Skin, slider and motion in metres, or None without a contact."""
+    case = results.case
+    if case.get("strain", {}).get("source") == "file" or "slider" not in case:
+        return None
+    try:
+        skin, slider, motion = case["skin"], case["slider"], case["motion"]
+        return {"length": si(skin["length"]), "width": si(skin["width"]), "slider": Underside(slider, read_heights(results)),
+                "start": si(slider["start"]), "gap": si(motion["gap"]), "stroke": si(motion["stroke"]),
+                "direction": motion.get("direction", [1, 0]),
+                "layers": [(layer["name"], layer["role"], layer["material"], si(layer["thickness"]))
+                           for layer in skin["layers"]]}
+    except (KeyError, ValueError):
+        return None
+
+
+def slider_words(slider):
+    """Shape and measures of the slider."""
+    plan = " × ".join(f"{1e3 * side:.4g} mm" for side in slider.size)
+    if slider.shape == "sphere":
+        return f"slider (sphere): radius {slider.radius * 1e3:.4g} mm"
+    if slider.shape == "cylinder":
+        return f"slider (cylinder): radius {slider.radius * 1e3:.4g} mm, length {slider.size[1] * 1e3:.4g} mm"
+    if slider.edge_radius > 0:
+        return f"slider (flat): {plan}, edges {slider.edge_radius * 1e3:.4g} mm"
+    if slider.unknown:
+        return f"slider ({slider.shape}): {plan}, heights not at hand"
+    return f"slider ({slider.shape}): {plan}"
+
+
+
+
+def seen(points):
+    """Where the eye sees points [..., (x, y, z)], to the right and up."""
+    right = numpy.array([-numpy.sin(AZIMUTH), numpy.cos(AZIMUTH), 0.0])
+    up = numpy.array([-numpy.cos(AZIMUTH) * numpy.sin(ELEVATION), -numpy.sin(AZIMUTH) * numpy.sin(ELEVATION), numpy.cos(ELEVATION)])
+    return numpy.asarray(points, float) @ numpy.array([right, up]).T
+
+
+def box(low, high, colour, label):
+    """The three faces of a box that the eye sees."""
+    (x0, y0, z0), (x1, y1, z1) = low, high
+    faces = [[(x0, y0, z0), (x1, y0, z0), (x1, y0, z1), (x0, y0, z1)], [(x1, y0, z0), (x1, y1, z0), (x1, y1, z1), (x1, y0, z1)],
+             [(x0, y0, z1), (x1, y0, z1), (x1, y1, z1), (x0, y1, z1)]]
+    return Shape([seen(face) for face in faces], colour, label=label)
+
+
+def half_body(slider, centre, lowest, label):
+    """The half of a slider behind its middle, whose cut shows the underside; centre and height in mm."""
+    y = slider.half_size[1] * numpy.sin(numpy.linspace(0, numpy.pi / 2, 17))  # denser where a round edge is steep
+    x, heights = slider.lines(y, 41)
+    points = numpy.stack([1e3 * x + centre[0], numpy.broadcast_to(1e3 * y[:, None] + centre[1], x.shape),
+                          1e3 * heights + lowest], axis=-1)
+    top = lowest + 1e3 * slider.depth
+
+    def raised(line):
+        return numpy.column_stack([line[:, :2], numpy.full(len(line), top)])
+
+    flat = seen(points)
+    strips = [numpy.concatenate([near, far[::-1]]) for near, far in zip(flat, flat[1:])]
+    cut = numpy.concatenate([points[0], raised(points[0, [-1, 0]])])
+    parts = {"side": [*strips, seen(numpy.concatenate([points[:, -1], raised(points[:, -1])[::-1]]))],
+             "top": [seen(raised(numpy.concatenate([points[:, 0], points[::-1, -1]])))], "cut": [seen(cut)]}
+    return [Shape(outlines, SLIDER_SHADES[part], INK if part != "side" else SLIDER_SHADES[part], label=label if part == "cut" else "")
+            for part, outlines in parts.items()]
+
+
+def arrow(begin, way):
+    """An arrow in the plane of the skin [mm]."""
+    tip, ahead = begin + way, way / numpy.linalg.norm(way)
+    aside = numpy.array([-ahead[1], ahead[0], 0.0])
+    head = [tip - ARROW * (ahead - 0.35 * aside), tip, tip - ARROW * (ahead + 0.35 * aside)]
+    return [Shape([seen([begin, tip])], None, width=1.0), Shape([seen(head)], None, width=1.0)]
+
+
+def skin(shape):
+    """The layers from below, and the height of the surface [mm]."""
+    height, found = 0.0, []
+    for name, role, material, thickness in shape["layers"]:
+        top = height + MAGNIFIED * thickness * 1e3
+        label = f"{short(name, 24)}: {short(material, 24)}, {thickness * 1e6:.4g} µm"
+        found.append(box((0, 0, height), (shape["length"] * 1e3, shape["width"] * 1e3, top), ROLE_COLOURS[role], label))
+        height = top
+    return found, height
+
+
+def model(results):
+    """The skin and the slider above it; None without a slider that can be drawn."""
+    shape = geometry(results)
+    if shape is None:
+        return None
+    shapes, height = skin(shape)
+    slider, length, width = shape["slider"], shape["length"] * 1e3, shape["width"] * 1e3
+    start, gap, body = numpy.array(shape["start"]) * 1e3, shape["gap"] * 1e3, slider.depth * 1e3
+    notes = [f"Thickness of the skin drawn {MAGNIFIED} times", "the slider's height is not part of the model"]
+    if slider.sharp:
+        half = slider.half_size * 1e3
+        shapes.append(box((*(start - half), height + gap), (*(start + half), height + gap + body), SLIDER_COLOUR, slider_words(slider)))
+        lowest = start + half * (1, -1)
+    else:
+        shapes += half_body(slider, start, height + gap, slider_words(slider))
+        across, rise = (values[0] for values in slider.lines(0.0))
+        middle = numpy.lexsort((numpy.abs(across), rise))[0]  # of the lowest places that nearest to the centre
+        lowest = start + (1e3 * across[middle], 0.0)
+        notes.insert(1, "the slider is cut along its middle")
+    way = numpy.array([*(numpy.array(shape["direction"]) / numpy.linalg.norm(shape["direction"]) * shape["stroke"] * 1e3), 0.0])
+    above = numpy.array([*start, height + gap + body])
+    if way.any():
+        shapes += arrow(above, way)
+    shapes.append(Shape([seen([(*lowest, height), (*lowest, height + gap)])], None, width=0.8))
+    words = [Note(*seen(above + way + (0, 0, 0.25)), f"stroke {shape['stroke'] * 1e3:.4g} mm"),
+             Note(*seen((lowest[0] + 0.2, lowest[1], height + gap / 2)), f"gap {gap:.4g} mm", boxed=True),
+             Note(*seen((length / 2, 0, -0.35)), f"length {length:.4g} mm (x)", "middle"),
+             Note(*seen((length + 0.35, width / 2, 0)), f"width {width:.4g} mm (y)")]
+    corners = numpy.concatenate([outline for each in shapes for outline in each.outlines])
+    low, high = corners.min(axis=0) - (0.3, 0.8), corners.max(axis=0) + (2.5, 0.5)
+    return Chart([[Cell("", Axis("", "1", low[0], high[0]), Axis("", "1", low[1], high[1]), shapes=tuple(shapes), notes=tuple(words),
+                        equal=True, bare=True)]], note="; ".join(notes) + ".")

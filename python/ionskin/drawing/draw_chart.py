@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Draws a Chart with matplotlib, for files."""
+
+import numpy
+from matplotlib.colors import ListedColormap, Normalize
+from matplotlib.cm import ScalarMappable
+from matplotlib.patches import Patch, Polygon
+from matplotlib.ticker import FuncFormatter, MaxNLocator
+
+from ..charts.chart import limits
+from ..charts.spans import peak_of, scaled_label
+from . import style
+from .panels import STEP, signed_log_axis
+
+LEFT, RIGHT, BAR, BETWEEN = 0.80, 0.14, 0.55, 0.16  # widths [inch]: of labels, of what is free, of a bar of colours
+TITLE, TICKS, NAME, NOTE = 0.24, 0.20, 0.18, 0.20  # heights [inch]
+TALLEST = 3.0  # of a cell with equal scales [inch]
+NARROW = 2.9  # width of a cell that holds its legend [inch]
+LOOKS = {"": "-", "dashed": (0, (5, 2)), "dotted": (0, (1.5, 1.5))}
+ANCHORS = {"start": "left", "middle": "center", "end": "right"}
+
+
+def draw(chart):
+    """The chart as a figure in the common style."""
+    rows = [(row, places(chart, row)) for row in chart.rows]
+    heights = [max(height_of(cell, width) for cell, (_, width) in zip(row, across)) for row, across in rows]
+    lows = [0.06 if row[0].bare else TICKS + NAME * any(cell.x.name for cell in row) for row, _ in rows]
+    highs = [TITLE + 0.1 * any(cell.phases for cell in row) if any(cell.title for cell in row) else 0.06 for row, _ in rows]
+    legends = [2 * NOTE if row[0].bare else 0.0 for row, _ in rows]
+    height = sum(heights) + sum(lows) + sum(highs) + sum(legends) + NOTE * bool(chart.note)
+    figure = style.canvas(height=height)
+    top = height
+    for (row, across), tall, low, high, more in zip(rows, heights, lows, highs, legends):
+        top -= high + more
+        for cell, (left, width) in zip(row, across):
+            own = height_of(cell, width)
+            panel = figure.add_axes((left / style.WIDTH, (top - own) / height, width / style.WIDTH, own / height))
+            draw_cell(figure, panel, cell)
+        top -= tall + low
+    if chart.note:
+        figure.text(0.01, 0.05 / height, chart.note, fontsize=7, color=style.QUIET, va="bottom")
+    return figure
+
+
+def places(chart, row):
+    """Left edge and width of each cell of a row [inch]."""
+    widths = chart.widths if len(row) == len(chart.widths) else (1.0,)
+    lefts = [0.1 if cell.bare else LEFT if place == 0 or cell.y.name or cell.map else BETWEEN for place, cell in enumerate(row)]
+    rights = [RIGHT + BAR * (cell.map is not None) if place == len(row) - 1 or cell.map else 0.0 for place, cell in enumerate(row)]
+    free = style.WIDTH - sum(lefts) - sum(rights)
+    found, at = [], 0.0
+    for left, right, part in zip(lefts, rights, widths):
+        width = free * part / sum(widths[:len(row)])
+        found.append((at + left, width))
+        at += left + width + right
+    return found
+
+
+def height_of(cell, width):
+    """Of the axes of a cell [inch]."""
+    if not cell.equal:
+        return style.ROW * cell.height
+    return min(TALLEST, width * (cell.y.high - cell.y.low) / (cell.x.high - cell.x.low))
+
+
+def draw_cell(figure, panel, cell):
+    """One pair of axes."""
+    style.title(panel, cell.title)
+    xs = [end for end in (cell.x.low, cell.x.high) if end is not None] or [curve.x for curve in cell.curves]
+    reach = peak_of(*(numpy.asarray(end) - cell.x.origin for end in xs))
+    values = [part for curve in cell.curves for part in (curve.y, *(curve.band or ()))]
+    ends = [end for end in (cell.y.low, cell.y.high) if end is not None]
+    height = peak_of(*values, ends)
+    both = max(reach, height) if cell.equal else 0.0  # one unit where both have one scale
+    x_divisor, x_label = scaled_label(cell.x.name, cell.x.unit, both or reach)
+    y_divisor, y_label = (1.0, cell.y.name) if cell.y.signed else scaled_label(cell.y.name, cell.y.unit, both or height)
+
+    def along(place):
+        return (place - cell.x.origin) / x_divisor
+
+    for span in cell.spans:
+        if span.along == "x":
+            panel.axvspan(along(span.low), along(span.high), color=span.colour, lw=0, zorder=0, label=span.label or None)
+        else:
+            panel.axhspan(span.low / y_divisor, span.high / y_divisor, color=span.colour, alpha=0.5, lw=0)
+    for curve in cell.curves:
+        draw_curve(panel, curve, along, y_divisor)
+    for mark in cell.marks:
+        look = {"color": style.QUIET, "lw": 0.8, "ls": LOOKS[mark.look], "label": mark.label or None}
+        panel.axvline(along(mark.at), **look) if mark.along == "x" else panel.axhline(mark.at / y_divisor, **look)
+        if mark.words:
+            panel.annotate(mark.words, (along(mark.at), 0.97), xycoords=panel.get_xaxis_transform(), xytext=(4, 0),
+                           textcoords="offset points", va="top", fontsize=7.5, color=style.QUIET)
+    for note in cell.phases:
+        panel.text(along(note.x), 1.0, note.words, transform=panel.get_xaxis_transform(), ha="center", va="bottom", fontsize=7,
+                   color=style.QUIET)
+    if cell.phases:
+        panel.set_title(cell.title, loc="left", pad=13, fontweight="bold")
+    if cell.map is not None:
+        draw_map(figure, panel, cell.map, along, y_divisor)
+    draw_shapes(panel, cell, along, y_divisor)
+    set_axes(panel, cell, along, y_divisor)
+    panel.set_xlabel(x_label if cell.x.name else "")
+    panel.set_ylabel(y_label if cell.y.name else "")
+    name_curves(panel, cell)
+
+
+def draw_curve(panel, curve, along, divisor):
+    """A curve with its band of errors."""
+    x = along(curve.x)
+    if curve.band is not None:
+        panel.fill_between(x, *(end / divisor for end in curve.band), step="pre" if curve.step else None, color=curve.colour, alpha=0.25,
+                           lw=0, zorder=1.5)
+    panel.plot(x, curve.y / divisor, color=curve.colour, lw=curve.width, ls=LOOKS[curve.look], label=curve.label or None,
+               **({"marker": "o", "markersize": 1.8} if curve.marks else {}), **(STEP if curve.step else {}))
+
+
+def set_axes(panel, cell, along, divisor):
+    """Limits and ticks."""
+    if cell.x.low is not None:
+        panel.set_xlim(along(cell.x.low), along(cell.x.high))
+    if cell.y.signed:
+        signed_log_axis(panel, cell.y.unit, cell.y.signed)
+    else:
+        low, high = (cell.y.low, cell.y.high) if cell.y.low is not None else limits(cell.curves)
+        if low is not None:
+            panel.set_ylim(low / divisor, high / divisor)
+    if cell.bare:
+        panel.set_axis_off()
+    if cell.map is not None:
+        panel.grid(False)
+    if not cell.y.name and not cell.map:
+        panel.tick_params(labelleft=False)
+    if cell.x.origin:
+        panel.xaxis.set_major_locator(MaxNLocator(4, prune="both"))
+        panel.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.4g}"))
+        panel.xaxis.label.set_fontsize(7)
+
+
+def draw_map(figure, panel, drawn, along, divisor):
+    """A map with its bar of colours, or a legend of its classes."""
+    classes = drawn.classes
+    palette = ListedColormap(list(classes.values())) if classes else drawn.palette
+    scale, label = scaled_label(drawn.name, drawn.unit, max(abs(drawn.low), abs(drawn.high)))
+    norm = Normalize(drawn.low / scale, drawn.high / scale)
+    image = ScalarMappable(norm, palette)
+    if drawn.values.size:
+        image = panel.pcolormesh(along(drawn.x), drawn.y / divisor, drawn.values / scale, cmap=palette, norm=norm, rasterized=True,
+                                 shading="gouraud" if drawn.smooth else "flat")
+    for line in drawn.lines:
+        panel.plot(along(line[:, 0]), line[:, 1] / divisor, color="white", lw=0.7)
+    if classes:
+        panel.legend(handles=[Patch(color=colour, label=name) for name, colour in classes.items()], loc="center left",
+                     bbox_to_anchor=(1.01, 0.5), fontsize=6.5, handlelength=0.9)
+        return
+    bar = figure.colorbar(image, cax=panel.inset_axes((1.03, 0, 0.035, 1)), extend="max" if drawn.beyond else "neither")
+    bar.ax.yaxis.set_major_locator(MaxNLocator(4))
+    bar.ax.tick_params(labelsize=7)
+    if label.strip():
+        bar.set_label(label.strip(), fontsize=7)
+
+
+def draw_shapes(panel, cell, along, divisor):
+    """Outlines and words of a drawing."""
+    scale = numpy.array([along(cell.x.origin + 1.0), 1 / divisor])
+    for shape in cell.shapes:
+        for outline in shape.outlines:
+            points = (outline - (cell.x.origin, 0)) * scale
+            if shape.fill:
+                panel.add_patch(Polygon(points, closed=True, facecolor=shape.fill, edgecolor=shape.edge, lw=shape.width, clip_on=False))
+            else:
+                panel.plot(*points.T, color=shape.edge, lw=shape.width, ls=LOOKS[shape.look], clip_on=False)
+    for note in cell.notes:
+        place = {"transform": panel.transAxes} if not cell.shapes else {}
+        x, y = (note.x, note.y) if not cell.shapes else (along(note.x), note.y / divisor)
+        panel.text(x, y, note.words, ha=ANCHORS[note.anchor], va="center", fontsize=note.size, color=note.colour,
+                   bbox=style.BEHIND_TEXT if note.boxed else None, **place)
+
+
+def name_curves(panel, cell):
+    """The legend above a cell."""
+    handles, names = panel.get_legend_handles_labels()
+    for shape in reversed(cell.shapes):  # the upper parts of a drawing come last
+        if shape.label:
+            handles.append(Patch(facecolor=shape.fill, edgecolor=shape.edge, lw=0.4) if shape.fill else panel.plot(
+                [], [], color=shape.edge, lw=shape.width, ls=LOOKS[shape.look])[0])
+            names.append(shape.label)
+    if not handles or not cell.legend:
+        return
+    legend = {"loc": "lower right", "bbox_to_anchor": (1.0, 0.98), "ncol": 4, "borderaxespad": 0.1, "handlelength": 1.6,
+              "columnspacing": 1.4}
+    if cell.bare:
+        legend.update(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=2)
+    elif panel.get_position().width * style.WIDTH < NARROW:
+        legend.update(loc="lower center", bbox_to_anchor=(0.5, 0.0), ncol=2, fontsize=6.5)
+    elif cell.phases:
+        legend["bbox_to_anchor"] = (1.0, 1.07)
+    if panel.get_legend() is not None:
+        return
+    panel.legend(handles, names, **legend)
