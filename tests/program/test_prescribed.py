@@ -70,7 +70,7 @@ mesh_refinement = 0.5
 [output]
 fields = ["0.1 s", "0.3 s"]
 """)
-        self.run_program("run", case, "-o", "out")
+        self.run_program("run", case, "-o", "out", "--figures")
         for name in ("water_voltage", "water_section", "water_walls"):
             self.assertTrue((self.folder / "out" / "figures" / f"{name}.png").exists(), name)
         with h5py.File(self.folder / "out" / "results.h5") as file:
