@@ -7,7 +7,6 @@
 #include "ionskin/electrochemistry/grid/mid_width_mirror.hpp"
 #include "ionskin/electrochemistry/grid/transport_grid.hpp"
 #include "ionskin/electrochemistry/thin_layers.hpp"
-#include "ionskin/electrochemistry/time/problem_size.hpp"
 #include "ionskin/electrochemistry/time/solution_rows.hpp"
 #include "ionskin/electrochemistry/time/step_control.hpp"
 #include "ionskin/electrochemistry/time/time_integrator.hpp"
@@ -41,12 +40,9 @@ double newton_tolerance(double time_tolerance, IonModel model) {
 constexpr double least_charge = 1e-3;
 
 /// A step takes some ten residuals and Krylov iterations, and where columns differ much some
-/// hundred. Steps that were estimated and take as many times more lead nowhere.
-constexpr std::size_t least_patience = 30'000, patience_per_step = 100;
-
-std::size_t patience(const Case& input, const history::CoreHistory& history) {
-  return least_patience + patience_per_step * problem_size(input, history).steps;
-}
+/// hundred: so many within so short a share of the history lead nowhere.
+constexpr std::size_t patience = 30'000;
+constexpr double least_progress = 0.01;
 
 /// The parts of one run, wired together.
 class TransportRun {
@@ -59,7 +55,7 @@ public:
                  step_rule(input.numerics, input.readout, scales_)),
         fixed_charge_(input, history, mirror_.solved_grid(), scaled_),
         charge_floor_(least_charge * fixed_charge_.largest_coupling()),
-        most_work_(options.most_work > 0 ? options.most_work : patience(input, history)),
+        most_work_(options.most_work > 0 ? options.most_work : patience),
         team_(useful_threads(options.threads, scaled_)),
         solver_(scaled_, newton_tolerance(control_.tolerance(), input.electrochemistry.ion_model),
                 team_, steric_excess(input.electrochemistry)),
@@ -100,7 +96,7 @@ private:
       append_row(begin);
       copy_counters();
     }
-    work_before_ = work();
+    note_progress();
   }
 
   void resume() {
@@ -127,6 +123,9 @@ private:
     append_row(end);
     copy_counters();
     const auto [from, to] = control_.span();
+    if (end - noted_time_ > least_progress * (to - from)) {
+      note_progress();
+    }
     options_.progress("ion transport", (end - from) / (to - from));
     if (run_.step % options_.checkpoint_interval == 0 &&
         base::wall_time() - saved_at_ >= options_.checkpoint_seconds) {
@@ -141,7 +140,7 @@ private:
     while (true) {
       base::check_interrupt();
       const double end = control_.step_end(begin, state.next_step);
-      if (work() - work_before_ > most_work_) {
+      if (work() - noted_work_ > most_work_) {
         end_without_progress(begin, end);
       }
       const std::optional<double> error =
@@ -159,6 +158,11 @@ private:
         give_up(begin, end);
       }
     }
+  }
+
+  void note_progress() {
+    noted_time_ = time();
+    noted_work_ = work();
   }
 
   std::size_t work() const {
@@ -221,7 +225,8 @@ private:
   StepControl control_;
   FixedCharge fixed_charge_;
   double charge_floor_;
-  std::size_t most_work_, work_before_ = 0;
+  std::size_t most_work_, noted_work_ = 0;
+  double noted_time_ = 0; ///< [s]
   parallel::WorkerTeam team_;
   NewtonKrylov solver_;
   TimeIntegrator integrator_;

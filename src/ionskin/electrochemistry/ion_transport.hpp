@@ -38,8 +38,8 @@ struct IonOptions {
   double checkpoint_seconds = 5;
   /// Continues from here. UserError when it belongs to another grid or other time steps.
   std::optional<IonCheckpoint> resume;
-  /// Residuals and Krylov iterations after which a run that is not at its end is given up; 0 for
-  /// many times what the case is expected to take. What a resumed run did before does not count.
+  /// Residuals and Krylov iterations within a hundredth of the history after which a run is given
+  /// up; 0 for many times what any case is known to take.
   std::size_t most_work = 0;
 };
 

@@ -19,16 +19,32 @@ constexpr std::size_t modes_at_once = 128;
 /// Levels that are transformed together.
 constexpr std::size_t tile_levels = 8;
 
+/// Flux between two levels of the averaged state, differentiated.
+struct FluxDerivatives {
+  double by_lower = 0, by_upper = 0, by_difference = 0;
+};
+
+FluxDerivatives flux_derivatives(double c_lower, double c_upper, double u, double spacing) {
+  const Bernoulli b = bernoulli(u);
+  return {b.value / spacing, (b.value + u) / spacing,
+          (b.derivative * c_lower - (b.derivative + 1.0) * c_upper) / spacing};
+}
+
+/// With the part of the difference that the concentrations make by the excess.
+FluxDerivatives with_excess(const FluxDerivatives& flux, double slope_lower, double slope_upper) {
+  return {flux.by_lower - flux.by_difference * slope_lower,
+          flux.by_upper - flux.by_difference * slope_upper, flux.by_difference};
+}
+
 } // namespace
 
 FastDiagonalisation::FastDiagonalisation(const ScaledGrid& grid, parallel::WorkerTeam& team,
                                          std::optional<StericExcess> excess)
     : grid_(grid), team_(team), excess_(excess), transform_(grid), mean_concentration_(grid.levels),
-      mean_drive_(grid.levels), mean_diffusion_(grid.levels, 1.0), flux_(grid.levels),
-      share_(excess ? grid.nodes() : 0), lower_(grid.levels), upper_(grid.levels),
-      inverse_00_(grid.nodes()), inverse_01_(grid.nodes()), inverse_10_(grid.nodes()),
-      inverse_11_(grid.nodes()), balance_(grid.nodes()), poisson_(grid.nodes()),
-      sums_(2 * grid.columns()),
+      mean_drive_(grid.levels), slope_(grid.levels, 0.0), share_(excess ? grid.nodes() : 0),
+      lower_(grid.levels), upper_(grid.levels), inverse_00_(grid.nodes()),
+      inverse_01_(grid.nodes()), inverse_10_(grid.nodes()), inverse_11_(grid.nodes()),
+      balance_(grid.nodes()), poisson_(grid.nodes()), sums_(2 * grid.columns()),
       scratch_(team.size(), std::vector<float>(tile_levels * grid.columns())) {}
 
 void FastDiagonalisation::average(const IonState& state) {
@@ -46,65 +62,14 @@ void FastDiagonalisation::average(const IonState& state) {
     for (std::size_t k = begin; k < end; ++k) {
       mean_concentration_[k] = mean(state.concentration(), k);
       mean_drive_[k] = mean(state.potential(), k);
-    }
-  });
-  if (excess_) {
-    average_crowded(state);
-    return;
-  }
-  for (std::size_t k = 0; k + 1 < grid_.levels; ++k) {
-    const double u = mean_drive_[k + 1] - mean_drive_[k], spacing = grid_.spacing[k];
-    const Bernoulli b = bernoulli(u);
-    flux_[k] = {b.value / spacing, (b.value + u) / spacing,
-                (b.derivative * mean_concentration_[k] -
-                 (b.derivative + 1.0) * mean_concentration_[k + 1]) /
-                    spacing};
-  }
-}
-
-/// Where ions crowd, the same change of their chemical potential w = ln c - ln(1 - f c) changes c
-/// by dc/dw = c (1 - f c), which differs by decades from column to column, and c and fluxes by w
-/// otherwise do not. So the derivatives by w are averaged; what is solved for is the mean change of
-/// c in a level, of which a column has its share.
-void FastDiagonalisation::average_crowded(const IonState& state) {
-  const std::size_t columns = grid_.columns();
-  const double filling = excess_->filling, count = static_cast<double>(columns);
-  std::vector<double> answer(grid_.levels); // mean dc/dw
-  for (std::size_t k = 0; k < grid_.levels; ++k) {
-    double sum = 0.0;
-    for (std::size_t i = k * columns; i < (k + 1) * columns; ++i) {
-      const double c = state.concentration()[i];
-      share_[i] = c * excess_->room(c);
-      sum += share_[i];
-    }
-    answer[k] = sum / count;
-    for (std::size_t i = k * columns; i < (k + 1) * columns; ++i) {
-      share_[i] /= answer[k];
-    }
-    mean_diffusion_[k] = mean_concentration_[k] / answer[k];
-  }
-  team_.for_blocks(grid_.levels - 1, 1, [&](std::size_t begin, std::size_t end, std::size_t) {
-    ThicknessFlux flux(columns);
-    std::vector<double> drive(2 * columns), by_lower(columns), by_upper(columns),
-        by_difference(columns);
-    for (std::size_t k = begin; k < end; ++k) {
-      const auto c_lower = state.concentration().subspan(k * columns, columns),
-                 c_upper = state.concentration().subspan((k + 1) * columns, columns);
-      const auto lower = std::span(drive).first(columns), upper = std::span(drive).last(columns);
-      excess_->drive(c_lower, state.potential().subspan(k * columns, columns), lower);
-      excess_->drive(c_upper, state.potential().subspan((k + 1) * columns, columns), upper);
-      flux.derivatives(c_lower, c_upper, lower, upper, grid_.spacing[k], by_lower, by_upper,
-                       by_difference);
-      FluxDerivatives sum;
-      for (std::size_t i = 0; i < columns; ++i) { // the slope of the excess times dc/dw is f c
-        sum.by_lower += by_lower[i] * share_[k * columns + i] * answer[k] -
-                        by_difference[i] * filling * c_lower[i];
-        sum.by_upper += by_upper[i] * share_[(k + 1) * columns + i] * answer[k + 1] -
-                        by_difference[i] * filling * c_upper[i];
-        sum.by_difference += by_difference[i];
+      if (excess_) {
+        mean_drive_[k] += excess_->excess(mean_concentration_[k]);
+        slope_[k] = excess_->slope(mean_concentration_[k]);
+        const double mean_room = excess_->room(mean_concentration_[k]);
+        for (std::size_t i = k * columns; i < (k + 1) * columns; ++i) {
+          share_[i] = excess_->room(state.concentration()[i]) / mean_room;
+        }
       }
-      flux_[k] = {sum.by_lower / count / answer[k], sum.by_upper / count / answer[k + 1],
-                  sum.by_difference / count};
     }
   });
 }
@@ -127,7 +92,11 @@ void FastDiagonalisation::factorise_modes(double step, std::size_t begin, std::s
   for (std::size_t k = 0; k <= top; ++k) {
     FluxDerivatives above;
     if (k < top) {
-      above = flux_[k];
+      above = flux_derivatives(mean_concentration_[k], mean_concentration_[k + 1],
+                               mean_drive_[k + 1] - mean_drive_[k], grid_.spacing[k]);
+      if (excess_) {
+        above = with_excess(above, slope_[k], slope_[k + 1]);
+      }
     }
     const bool wall = k == 0 || k == top;
     const double height = grid_.height[k], concentration = mean_concentration_[k];
@@ -137,7 +106,8 @@ void FastDiagonalisation::factorise_modes(double step, std::size_t begin, std::s
     const ChargeWeights charge = wall ? ChargeWeights{} : charge_weights(grid_, k);
     const double l10 = -charge.below, l11 = wall ? 0.0 : -down;
     const double flux_diagonal = above.by_lower + below.by_upper;
-    const double diffusion = mean_diffusion_[k];
+    // Lateral diffusion is enhanced by the thermodynamic factor 1 + c dmu/dc.
+    const double diffusion = 1.0 + concentration * slope_[k];
     const double flux_potential = -above.by_difference - below.by_difference;
     const double* lambda = transform_.eigenvalues().data() + begin;
     const std::size_t offset = k * columns + begin;

@@ -15,10 +15,10 @@
 namespace ionskin::electrochemistry {
 
 /// Nearly exact inverse of the Jacobian: the equations are linearised about the laterally averaged
-/// state, or, for ions of finite size, averaged themselves, which a cosine transform along x and y
-/// turns into one block-tridiagonal system of 2x2 blocks through the thickness per lateral mode
-/// (fast diagonalisation: Lynch, Rice and Thomas 1964, doi 10.1007/BF01386067). Single precision
-/// suffices inside a Krylov method in double precision.
+/// state, which a cosine transform along x and y turns into one block-tridiagonal system of 2x2
+/// blocks through the thickness per lateral mode (fast diagonalisation: Lynch, Rice and Thomas
+/// 1964, doi 10.1007/BF01386067). Single precision suffices inside a Krylov method in double
+/// precision.
 class FastDiagonalisation {
 public:
   /// @param excess nothing for dilute ions
@@ -46,13 +46,7 @@ private:
     float poisson_concentration = 0, poisson_potential = 0;
   };
 
-  /// Flux between two levels, differentiated.
-  struct FluxDerivatives {
-    double by_lower = 0, by_upper = 0, by_difference = 0;
-  };
-
   void average(const IonState& state);
-  void average_crowded(const IonState& state);
   void factorise_modes(double step, std::size_t begin, std::size_t end, bool keep_off_diagonals);
   template <class Body> void for_tiles(const Body& body);
   template <class Body> void for_modes(const Body& body);
@@ -65,10 +59,11 @@ private:
   std::optional<StericExcess> excess_;
   CosineTransform transform_;
   std::vector<double> mean_concentration_, mean_drive_; ///< per level; of the fluxes
-  std::vector<double> mean_diffusion_; ///< along the skin, per level; 1 for dilute ions
-  std::vector<FluxDerivatives> flux_;  ///< between two levels, averaged
-  /// Change of each concentration over that of its level's mean, for the same change of the
-  /// chemical potential; empty for dilute ions. [level][column]
+  /// Slope of the excess by the concentration per level; 0 for dilute ions.
+  std::vector<double> slope_;
+  /// Change of each concentration over the mean of its level, for the same change of the excess:
+  /// its room over the mean room, which differ by decades where ions crowd in some columns; empty
+  /// for dilute ions. [level][column]
   std::vector<double> share_;
   std::vector<OffDiagonal> lower_, upper_; ///< per level
   /// Inverse of the eliminated diagonal block, row-major entries, each [level][mode].
