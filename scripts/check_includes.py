@@ -17,6 +17,7 @@ ROOMS = {
     "circuits": ["."],
     "shapes": ["."],
     "case": ["text", ".", "schema", "document", "checks", "reading"],
+    "finite_layers": ["thickness", "plane", "faces"],
     "mesh": ["."],
     "linear_algebra": ["."],
     "history": ["."],

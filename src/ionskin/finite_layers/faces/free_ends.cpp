@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/finite_layers/faces/free_ends.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace ionskin::finite_layers {
+namespace {
+
+/// Modes 0, 2, 4, ... or 1, 3, 5, ... below a count.
+std::vector<Eigen::Index> modes_of(Parity parity, Eigen::Index count) {
+  std::vector<Eigen::Index> modes;
+  for (Eigen::Index i = parity == Parity::even ? 0 : 1; i < count; i += 2) {
+    modes.push_back(i);
+  }
+  return modes;
+}
+
+double multiplicity(Eigen::Index mode) {
+  return mode == 0 ? 1 : 2;
+}
+
+} // namespace
+
+FreeEnds::FreeEnds(const ThicknessColumn& column, double length, double width,
+                   const WaveSplit& split, const FaceResolution& resolution, const FreeSides* sides)
+    : along_x_(ModeLine::up_to(length, split.last_long())),
+      along_y_(ModeLine::up_to(width, split.last_long())), sides_(sides) {
+  for (const Parity along_y : {Parity::even, Parity::odd}) {
+    for (const Parity along_x : {Parity::even, Parity::odd}) {
+      classes_.push_back(solved(column, length, width, split, resolution, along_x, along_y));
+    }
+  }
+}
+
+FreeEnds::Class FreeEnds::solved(const ThicknessColumn& column, double length, double width,
+                                 const WaveSplit& split, const FaceResolution& resolution,
+                                 Parity along_x, Parity along_y) const {
+  const Eigen::Index nodes = column.nodes();
+  Class result{along_x, along_y, modes_of(along_y, resolution.modes), {}, {}, {}};
+  const auto modes_x = modes_of(along_x, along_x_.wave_numbers.size());
+  const auto blocks = static_cast<Eigen::Index>(result.modes_y.size());
+  const Eigen::Index size = nodes * blocks, coupled = sides_ == nullptr ? 0 : sides_->modes();
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(size, size);
+  result.stress.assign(modes_x.size(), {});
+  result.on_sides.assign(modes_x.size(), Eigen::MatrixXd());
+  for (Eigen::Index block = 0; block < blocks; ++block) {
+    const Eigen::Index n = result.modes_y[static_cast<std::size_t>(block)];
+    const double ky = static_cast<double>(n) * std::numbers::pi / width;
+    const double factor = 4 * width / (multiplicity(n) * length);
+    const auto own = Eigen::seqN(block * nodes, nodes);
+    const int summed = std::max<int>(resolution.one_by_one, static_cast<int>(modes_x.back()));
+    std::size_t at = 0;
+    for (const ModeTerm& term : mode_sum(along_x, summed)) {
+      const PlaneMode mode{term.number * std::numbers::pi / length, ky};
+      if (at < modes_x.size()) { // the terms begin with these
+        const Eigen::Index m = modes_x[at];
+        const FaceTerms terms = face_terms(column, mode, Face::end);
+        stiffness(own, own) += factor * term.weight * terms.stiffness;
+        result.stress[at].push_back(2 * split.long_share(std::hypot(mode.x, mode.y)) *
+                                    terms.stress);
+        if (m < coupled) {
+          result.on_sides[at].conservativeResize(nodes, size);
+          result.on_sides[at](Eigen::all, own) = 4 * terms.on_sides;
+        }
+      } else {
+        stiffness(own, own) += factor * term.weight * face_stiffness(column, mode, Face::end);
+      }
+      ++at;
+    }
+  }
+  for (std::size_t at = 0; at < modes_x.size() && modes_x[at] < coupled; ++at) {
+    const Eigen::MatrixXd half =
+        sides_->stiffness(modes_x[at], along_y).matrixL().solve(result.on_sides[at]);
+    stiffness.noalias() -= multiplicity(modes_x[at]) / length * half.transpose() * half;
+  }
+  result.stiffness.compute(stiffness);
+  return result;
+}
+
+FreeEnds::Rows FreeEnds::rows(const ContactGrid& grid, double centre_y) const {
+  Rows result;
+  result.ends_ = this;
+  const ModeTransform of_rows = along_y_.transform(grid.y, centre_y);
+  const Eigen::Index count = grid.rows();
+  for (std::size_t c = 0; c < classes_.size(); ++c) {
+    const Class& own = classes_[c];
+    if (grid.half && own.along_y == Parity::odd) {
+      continue;
+    }
+    const Eigen::Index first = own.along_x == Parity::even ? 0 : 1;
+    for (std::size_t at = 0; at < own.stress.size(); ++at) {
+      const Eigen::Index m = first + 2 * static_cast<Eigen::Index>(at);
+      Eigen::MatrixXd stress(own.stiffness.rows(), 3 * count);
+      for (std::size_t block = 0; block < own.modes_y.size(); ++block) {
+        const Eigen::MatrixX3d& terms = own.stress[at][block];
+        const auto nodes =
+            Eigen::seqN(static_cast<Eigen::Index>(block) * terms.rows(), terms.rows());
+        for (Eigen::Index component = 0; component < 3; ++component) {
+          const auto& wave = component == 2 ? of_rows.sine : of_rows.cosine;
+          stress(nodes, Eigen::seqN(component, count, 3)) =
+              terms.col(component) * wave.col(own.modes_y[block]).matrix().transpose();
+        }
+      }
+      if (own.on_sides[at].size() > 0) {
+        stress.noalias() -=
+            own.on_sides[at].transpose() *
+            sides_->stiffness(m, own.along_y).solve(sides_->stress(m, own.along_y, of_rows));
+      }
+      result.stress_[c].push_back(multiplicity(m) / along_x_.extent * stress);
+    }
+  }
+  return result;
+}
+
+void FreeEnds::Rows::add(const ContactGrid& grid, double centre_x,
+                         Eigen::MatrixXd& compliance) const {
+  const ModeTransform of_columns = ends_->along_x_.transform(grid.x, centre_x);
+  const Eigen::Index columns = grid.columns(), rows = grid.rows();
+  const double images = grid.half ? 2 : 1;
+  for (std::size_t c = 0; c < stress_.size(); ++c) {
+    if (stress_[c].empty()) {
+      continue;
+    }
+    const Class& own = ends_->classes_[c];
+    const Eigen::Index first = own.along_x == Parity::even ? 0 : 1, size = own.stiffness.rows();
+    const auto modes = static_cast<Eigen::Index>(stress_[c].size());
+    Eigen::MatrixXd stress(size, 3 * columns * rows);
+    for (Eigen::Index component = 0; component < 3; ++component) {
+      const auto& wave = component == 1 ? of_columns.sine : of_columns.cosine;
+      const Eigen::MatrixXd of_modes =
+          wave(Eigen::all, Eigen::seqN(first, modes, 2)); // [column, m]
+      for (Eigen::Index j = 0; j < rows; ++j) {
+        Eigen::MatrixXd by_mode(size, modes);
+        for (Eigen::Index m = 0; m < modes; ++m) {
+          by_mode.col(m) = stress_[c][static_cast<std::size_t>(m)].col(3 * j + component);
+        }
+        stress(Eigen::all, Eigen::seqN(3 * columns * j + component, columns, 3)) =
+            by_mode * of_modes.transpose();
+      }
+    }
+    const Eigen::MatrixXd half = own.stiffness.matrixL().solve(stress);
+    compliance.noalias() += images * half.transpose() * half;
+  }
+}
+
+} // namespace ionskin::finite_layers

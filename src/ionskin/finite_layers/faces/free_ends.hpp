@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/finite_layers/faces/free_sides.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
+
+namespace ionskin::finite_layers {
+
+/// What it adds to the compliance of a skin on rollers that its two ends are free of stress
+/// instead, docs/model.md (57): as `FreeSides`, but that modes across the ends meet in the sides,
+/// which are eliminated first.
+class FreeEnds {
+public:
+  /// @param sides free sides; null where rollers hold them. Outlives this
+  /// @param resolution its modes are those along an end, across the skin
+  FreeEnds(const ThicknessColumn& column, double length, double width, const WaveSplit& split,
+           const FaceResolution& resolution, const FreeSides* sides);
+
+  /// Forces on rows of cells, as far as the ends feel them.
+  class Rows {
+  public:
+    /// Adds to the compliance of cells, [3 cell + component].
+    /// @param centre_x of the slider [m]
+    void add(const ContactGrid& grid, double centre_x, Eigen::MatrixXd& compliance) const;
+
+  private:
+    friend class FreeEnds;
+    const FreeEnds* ends_ = nullptr;
+    /// Stress of the ends over unit forces of the rows, of each class and mode along the skin,
+    /// [unknown, 3 row + component].
+    std::array<std::vector<Eigen::MatrixXd>, 4> stress_;
+  };
+  /// @param centre_y of the slider [m]
+  Rows rows(const ContactGrid& grid, double centre_y) const;
+
+private:
+  /// Modes m of one parity and n of one parity, which meet no others.
+  struct Class {
+    Parity along_x, along_y;
+    std::vector<Eigen::Index> modes_y;     ///< along the ends
+    Eigen::LLT<Eigen::MatrixXd> stiffness; ///< of the ends, with the sides eliminated
+    /// Of each mode m of this parity: stress over tractions on the top, of each mode n,
+    /// [3][unknown at n], and on the sides over the motion of the ends, [node, unknown].
+    std::vector<std::vector<Eigen::MatrixX3d>> stress;
+    std::vector<Eigen::MatrixXd> on_sides;
+  };
+  Class solved(const ThicknessColumn& column, double length, double width, const WaveSplit& split,
+               const FaceResolution& resolution, Parity along_x, Parity along_y) const;
+
+  ModeLine along_x_, along_y_;
+  const FreeSides* sides_;
+  std::vector<Class> classes_;
+};
+
+} // namespace ionskin::finite_layers

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/finite_layers/plane/box_modes.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace ionskin::finite_layers {
+ModeLine ModeLine::up_to(double extent, double last) {
+  const auto count = static_cast<Eigen::Index>(last * extent / std::numbers::pi) + 1;
+  ModeLine line;
+  line.extent = extent;
+  line.wave_numbers = Eigen::ArrayXd::LinSpaced(
+      count, 0, static_cast<double>(count - 1) * std::numbers::pi / extent);
+  line.weights = Eigen::ArrayXd::Constant(count, 2 / extent);
+  line.weights(0) = 1 / extent;
+  return line;
+}
+
+ModeTransform ModeLine::transform(const std::vector<double>& lines, double centre) const {
+  const auto cells = static_cast<Eigen::Index>(lines.size()) - 1;
+  ModeTransform result{Eigen::ArrayXXd(cells, wave_numbers.size()),
+                       Eigen::ArrayXXd(cells, wave_numbers.size())};
+  for (Eigen::Index i = 0; i < cells; ++i) {
+    const double from = lines[static_cast<std::size_t>(i)],
+                 to = lines[static_cast<std::size_t>(i) + 1];
+    const Eigen::ArrayXd phase = wave_numbers * (centre + 0.5 * (from + to));
+    const Eigen::ArrayXd half = wave_numbers * (0.5 * (to - from));
+    const Eigen::ArrayXd mean = (half > 0).select(half.sin() / half, 1.0);
+    result.cosine.row(i) = (mean * phase.cos()).transpose();
+    result.sine.row(i) = (mean * phase.sin()).transpose();
+  }
+  return result;
+}
+
+BoxModes::BoxModes(const SurfaceCompliance& surface, double length, double width,
+                   const WaveSplit& split)
+    : surface_(surface), split_(split), x_(ModeLine::up_to(length, split.last_long())),
+      y_(ModeLine::up_to(width, split.last_long())) {}
+
+std::vector<Eigen::MatrixXd> BoxModes::rows(const ContactGrid& grid, double centre_y) const {
+  const ModeTransform transform = y_.transform(grid.y, centre_y);
+  const Eigen::Index count = grid.rows(), modes = y_.wave_numbers.size();
+  const Eigen::Index step = grid.half ? 2 : 1; // odd modes do not occur in a mirrored load
+  const double images = grid.half ? 2 : 1;
+  std::vector<Eigen::MatrixXd> result;
+  for (const double kx : x_.wave_numbers) {
+    Eigen::MatrixXd of_mode = Eigen::MatrixXd::Zero(3 * count, 3 * count);
+    Eigen::MatrixXd left(3 * count, 2), right(3 * count, 2);
+    for (Eigen::Index n = 0; n < modes; n += step) {
+      const double ky = y_.wave_numbers(n), k = std::hypot(kx, ky);
+      const WaveCompliance at = surface_.at(k);
+      const double c = k > 0 ? kx / k : 1.0, s = k > 0 ? ky / k : 0.0;
+      const double weight = images * y_.weights(n) * split_.long_share(k);
+      Eigen::Matrix3d wave;
+      wave << at.normal, -c * at.mixed, -s * at.mixed,                                         //
+          -c * at.mixed, c * c * at.along + s * s * at.across, c * s * (at.along - at.across), //
+          -s * at.mixed, c * s * (at.along - at.across), s * s * at.along + c * c * at.across;
+      for (Eigen::Index a = 0; a < 3; ++a) {
+        const auto& at_rows = a == 2 ? transform.sine : transform.cosine;
+        for (Eigen::Index b = 0; b < 3; ++b) {
+          const auto& from_rows = b == 2 ? transform.sine : transform.cosine;
+          of_mode(Eigen::seqN(a, count, 3), Eigen::seqN(b, count, 3)) +=
+              weight * wave(a, b) * at_rows.col(n).matrix() * from_rows.col(n).matrix().transpose();
+        }
+      }
+    }
+    result.push_back(std::move(of_mode));
+  }
+  return result;
+}
+
+void add_modes(const std::vector<Eigen::MatrixXd>& rows, const ModeLine& along_x,
+               const ContactGrid& grid, double centre_x, Eigen::MatrixXd& compliance) {
+  const ModeTransform transform = along_x.transform(grid.x, centre_x);
+  const Eigen::Index nx = grid.columns(), ny = grid.rows();
+  const auto modes = static_cast<Eigen::Index>(rows.size());
+  Eigen::MatrixXd pairs(nx * nx, modes), of_rows(modes, ny * ny);
+  for (Eigen::Index a = 0; a < 3; ++a) {
+    const auto& at = a == 1 ? transform.sine : transform.cosine;
+    for (Eigen::Index b = 0; b < 3; ++b) {
+      const auto& from = b == 1 ? transform.sine : transform.cosine;
+      for (Eigen::Index m = 0; m < modes; ++m) {
+        pairs.col(m) =
+            (along_x.weights(m) * at.col(m).matrix() * from.col(m).matrix().transpose()).reshaped();
+        of_rows.row(m) =
+            rows[static_cast<std::size_t>(m)](Eigen::seqN(a, ny, 3), Eigen::seqN(b, ny, 3))
+                .reshaped()
+                .transpose();
+      }
+      const Eigen::MatrixXd product = pairs * of_rows; // [column at, from; row at, from]
+      for (Eigen::Index jf = 0; jf < ny; ++jf) {
+        for (Eigen::Index ja = 0; ja < ny; ++ja) {
+          const auto block = product.col(ja + ny * jf).reshaped(nx, nx);
+          compliance(Eigen::seqN(3 * nx * ja + a, nx, 3), Eigen::seqN(3 * nx * jf + b, nx, 3)) +=
+              block;
+        }
+      }
+    }
+  }
+}
+
+} // namespace ionskin::finite_layers

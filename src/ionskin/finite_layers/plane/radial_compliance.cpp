@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/finite_layers/plane/radial_compliance.hpp"
+
+#include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
+#include <boost/math/quadrature/gauss.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+namespace ionskin::finite_layers {
+namespace {
+
+/// The table is even in ln(r + offset), with this offset over the finest length.
+constexpr double offset_share = 0.5;
+constexpr double intervals_per_unit = 100;
+/// Waves of more than this number over the distance cancel, as the compliance varies slowly there.
+constexpr double cancelling = 120;
+
+/// Compliance of short waves less that of the half-space, times the wave number [1/Pa].
+WaveCompliance remainder(const SurfaceCompliance& surface, const WaveSplit& split, double k) {
+  const WaveCompliance at = surface.at(k), &half_space = surface.half_space();
+  const double share = split.short_share(k) * k;
+  return {share * at.normal - half_space.normal, share * at.along - half_space.along,
+          share * at.across - half_space.across, share * at.mixed - half_space.mixed};
+}
+
+/// 1 for waves that are summed, falling to 0 between `cancelling` and twice that over the distance.
+double taper(double argument) {
+  const double t = std::clamp(argument / cancelling - 1, 0.0, 1.0);
+  return 1 - t * t * t * (10 - t * (15 - 6 * t));
+}
+
+/// Inverse Hankel transforms at a distance: integrals over k of the remainder with J_0, J_1, J_2.
+RadialCompliance transform(const SurfaceCompliance& surface, const WaveSplit& split,
+                           double distance) {
+  using Rule = boost::math::quadrature::gauss<double, 10>;
+  constexpr double growth = 1.6;
+  const double longest = 1 / std::max(split.reach(), surface.thickness());
+  const double last = std::max(surface.half_space_from(), split.last_long());
+  const double end = distance > 0 ? std::min(last, 2 * cancelling / distance) : last;
+  const double half_wave =
+      distance > 0 ? 2 * std::numbers::pi / distance : std::numeric_limits<double>::infinity();
+  RadialCompliance sum;
+  const auto add = [&](double k, double weight) {
+    const double argument = k * distance;
+    const WaveCompliance at = remainder(surface, split, k);
+    const double j0 = ::j0(argument), j1 = ::j1(argument);
+    const double j2 = argument < 1e-4 ? argument * argument / 8 : 2 * j1 / argument - j0;
+    const double factor = weight * taper(argument) / (2 * std::numbers::pi);
+    sum.normal += factor * at.normal * j0;
+    sum.mixed += factor * at.mixed * j1;
+    sum.isotropic += factor * 0.5 * (at.along + at.across) * j0;
+    sum.deviatoric -= factor * 0.5 * (at.along - at.across) * j2;
+  };
+  double from = 0;
+  while (from < end) {
+    const double size = from == 0 ? longest : (growth - 1) * from;
+    const double to = std::min({from + size, from + half_wave, end});
+    const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
+    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
+      for (const double sign : {1.0, -1.0}) {
+        add(middle + sign * half * Rule::abscissa()[i], half * Rule::weights()[i]);
+      }
+    }
+    from = to;
+  }
+  return sum;
+}
+
+} // namespace
+
+struct ShortWaveCompliance::Splines {
+  using Spline = boost::math::interpolators::cardinal_cubic_b_spline<double>;
+  double offset = 0; ///< [m]
+  std::array<Spline, 4> of;
+};
+
+ShortWaveCompliance::ShortWaveCompliance(const SurfaceCompliance& surface, const WaveSplit& split)
+    : reach_(split.reach()), finest_(std::min(surface.top_thickness(), 1 / split.last_long())) {
+  const WaveCompliance& half_space = surface.half_space();
+  const double factor = 1 / (2 * std::numbers::pi);
+  half_space_ = {factor * half_space.normal, factor * half_space.mixed,
+                 factor * 0.5 * (half_space.along + half_space.across),
+                 factor * 0.5 * (half_space.across - half_space.along)};
+  const double offset = offset_share * finest_, range = std::log(reach_ / offset + 1);
+  const auto intervals = static_cast<std::size_t>(std::ceil(intervals_per_unit * range));
+  const double step = range / static_cast<double>(intervals);
+  std::array<std::vector<double>, 4> values;
+  for (std::size_t i = 0; i <= intervals; ++i) {
+    const double distance = offset * std::expm1(step * static_cast<double>(i));
+    const RadialCompliance at = transform(surface, split, distance);
+    values[0].push_back(at.normal);
+    values[1].push_back(at.mixed);
+    values[2].push_back(at.isotropic);
+    values[3].push_back(at.deviatoric);
+  }
+  const auto spline = [&](std::size_t i) {
+    return Splines::Spline(values[i].begin(), values[i].end(), 0.0, step);
+  };
+  splines_ =
+      std::make_unique<Splines>(Splines{offset, {spline(0), spline(1), spline(2), spline(3)}});
+}
+
+ShortWaveCompliance::~ShortWaveCompliance() = default;
+
+RadialCompliance ShortWaveCompliance::difference(double distance) const {
+  if (distance >= reach_) {
+    const double inverse = -1 / distance;
+    return {inverse * half_space_.normal, inverse * half_space_.mixed,
+            inverse * half_space_.isotropic, inverse * half_space_.deviatoric};
+  }
+  const double place = std::log1p(distance / splines_->offset);
+  return {splines_->of[0](place), splines_->of[1](place), splines_->of[2](place),
+          splines_->of[3](place)};
+}
+
+} // namespace ionskin::finite_layers

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/finite_layers/plane/wave_split.hpp"
+#include "ionskin/finite_layers/thickness/surface_compliance.hpp"
+
+#include <memory>
+
+namespace ionskin::finite_layers {
+
+/// What a point force on the face of an unbounded skin does at a distance, at an angle theta from x
+/// to y [m/N]. Normal is downwards.
+struct RadialCompliance {
+  double normal = 0; ///< downwards, of a normal force
+  /// Along the radius, of a normal force with the opposite sign; normal, of a force along it.
+  double mixed = 0;
+  double isotropic = 0;  ///< mean of along and across, of a tangential force
+  double deviatoric = 0; ///< by cos 2 theta: of it along x, of a force along x
+};
+
+/// The share of short waves in the surface compliance over the distance from a point force, less
+/// the half-space of the top layer: the difference is smooth over the thickness of the top layer,
+/// and the half-space has closed forms, docs/model.md (53).
+class ShortWaveCompliance {
+public:
+  /// @param surface outlives this
+  ShortWaveCompliance(const SurfaceCompliance& surface, const WaveSplit& split);
+  ~ShortWaveCompliance();
+
+  /// Of short waves, less the half-space.
+  /// @param distance 0 or above [m]
+  RadialCompliance difference(double distance) const;
+  /// Of the half-space [m/N]; its parts are over 1/r.
+  const RadialCompliance& half_space() const { return half_space_; }
+  /// Beyond this distance the sum of both is taken as 0 [m].
+  double reach() const { return reach_; }
+  /// Length over which the difference varies where it varies most [m].
+  double finest() const { return finest_; }
+
+private:
+  struct Splines;
+
+  RadialCompliance half_space_; ///< times the distance
+  double reach_, finest_;
+  std::unique_ptr<const Splines> splines_;
+};
+
+} // namespace ionskin::finite_layers

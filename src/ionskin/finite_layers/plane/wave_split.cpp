@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/finite_layers/plane/wave_split.hpp"
+
+#include <boost/math/special_functions/gamma.hpp>
+
+#include <cmath>
+
+namespace ionskin::finite_layers {
+namespace {
+
+constexpr int order = 8; // the short waves begin with x^(2 order)
+
+} // namespace
+
+WaveSplit::WaveSplit(double reach, double tolerance)
+    : reach_(reach), kappa_(std::sqrt(boost::math::gamma_q_inv(order, tolerance)) / reach),
+      last_long_(2 * kappa_ * kappa_ * reach) {}
+
+double WaveSplit::long_share(double wave_number) const {
+  const double x = wave_number / (2 * kappa_), square = x * x;
+  double sum = 1; // of square^i / i!, i < order
+  for (int i = order - 1; i > 0; --i) {
+    sum = 1 + square / i * sum;
+  }
+  return std::exp(-square) * sum;
+}
+
+} // namespace ionskin::finite_layers

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+
+#include <vector>
+
+namespace ionskin::finite_layers {
+
+/// A flat, bonded layer of an isotropic linear elastic material, docs/model.md (3).
+struct ElasticLayer {
+  double lame_lambda = 0;   ///< [Pa]
+  double shear_modulus = 0; ///< mu [Pa]
+  double thickness = 0;     ///< [m]
+
+  double poissons_ratio() const { return lame_lambda / (2 * (lame_lambda + shear_modulus)); }
+  /// Stiffness against strain along one direction with both others held [Pa].
+  double oedometric_modulus() const { return lame_lambda + 2 * shear_modulus; }
+};
+
+/// The layers of a skin, bottom to top.
+std::vector<ElasticLayer> elastic_layers(const Skin& skin);
+
+} // namespace ionskin::finite_layers

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/finite_layers/thickness/lobatto_element.hpp"
+
+#include <boost/math/special_functions/legendre.hpp>
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <vector>
+
+namespace ionskin::finite_layers {
+namespace {
+
+/// Zeros of a Legendre polynomial in [-1, 1], ascending.
+Eigen::VectorXd legendre_zeros(int degree) {
+  const std::vector<double> upper = boost::math::legendre_p_zeros<double>(degree); // 0 and above
+  Eigen::VectorXd zeros(degree);
+  for (std::size_t i = 0; i < upper.size(); ++i) {
+    const auto from_end = static_cast<Eigen::Index>(upper.size() - 1 - i);
+    zeros(from_end) = -upper[i];
+    zeros(degree - 1 - from_end) = upper[i];
+  }
+  return zeros;
+}
+
+/// Gauss-Lobatto nodes in [-1, 1]: the ends, and where P' is 0, which Newton finds between the
+/// zeros of P.
+Eigen::VectorXd lobatto_nodes(int degree) {
+  Eigen::VectorXd nodes(degree + 1);
+  nodes(0) = -1;
+  nodes(degree) = 1;
+  const Eigen::VectorXd zeros = legendre_zeros(degree);
+  for (int i = 1; i < degree; ++i) {
+    double x = 0.5 * (zeros(i - 1) + zeros(i));
+    for (int iteration = 0; iteration < 50; ++iteration) {
+      // (1 - x^2) P'' = 2 x P' - n (n + 1) P
+      const double value = boost::math::legendre_p(degree, x);
+      const double slope = boost::math::legendre_p_prime(degree, x);
+      const double curvature =
+          (2 * x * slope - degree * (degree + 1) * value) / ((1 - x) * (1 + x));
+      const double change = slope / curvature;
+      x -= change;
+      if (std::abs(change) < 1e-15) {
+        break;
+      }
+    }
+    nodes(i) = x;
+  }
+  return nodes;
+}
+
+} // namespace
+
+LobattoElement::LobattoElement(int degree, double size) {
+  const int count = degree + 1;
+  const Eigen::VectorXd on_unit = lobatto_nodes(degree), gauss = legendre_zeros(count);
+  Eigen::MatrixXd at_nodes(count, count), at_points(count, count), slope_at_points(count, count);
+  weights.resize(count);
+  for (int i = 0; i < count; ++i) {
+    const double slope = boost::math::legendre_p_prime(count, gauss(i));
+    weights(i) = size / ((1 - gauss(i) * gauss(i)) * slope * slope);
+    for (int j = 0; j < count; ++j) {
+      at_nodes(i, j) = boost::math::legendre_p(j, on_unit(i));
+      at_points(i, j) = boost::math::legendre_p(j, gauss(i));
+      slope_at_points(i, j) = boost::math::legendre_p_prime(j, gauss(i));
+    }
+  }
+  const Eigen::MatrixXd to_legendre = at_nodes.inverse();
+  nodes = (on_unit.array() + 1) * size / 2;
+  points = (gauss.array() + 1) * size / 2;
+  values = at_points * to_legendre;
+  slopes = slope_at_points * to_legendre * 2 / size;
+}
+
+Eigen::MatrixXd LobattoElement::mass() const {
+  return values.transpose() * weights.asDiagonal() * values;
+}
+
+Eigen::MatrixXd LobattoElement::stiffness() const {
+  return slopes.transpose() * weights.asDiagonal() * slopes;
+}
+
+Eigen::MatrixXd LobattoElement::convection() const {
+  return values.transpose() * weights.asDiagonal() * slopes;
+}
+
+Eigen::MatrixXd plane_strain_matrix(const LobattoElement& element, const ElasticLayer& layer,
+                                    double wave_number) {
+  const Eigen::Index n = element.nodes.size();
+  const double k = wave_number, mu = layer.shear_modulus, oedometric = layer.oedometric_modulus();
+  const Eigen::MatrixXd mass = element.mass(), stiffness = element.stiffness(),
+                        convection = element.convection();
+  Eigen::MatrixXd result(2 * n, 2 * n);
+  result.topLeftCorner(n, n) = k * k * oedometric * mass + mu * stiffness;
+  result.bottomRightCorner(n, n) = k * k * mu * mass + oedometric * stiffness;
+  result.topRightCorner(n, n) = k * (layer.lame_lambda * convection - mu * convection.transpose());
+  result.bottomLeftCorner(n, n) = result.topRightCorner(n, n).transpose();
+  return result;
+}
+
+} // namespace ionskin::finite_layers

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/finite_layers/plane/box_modes.hpp"
+#include "paper_skin.hpp"
+
+#include <Eigen/Cholesky>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace ionskin::finite_layers {
+namespace {
+
+constexpr double length = 6e-3, width = 2e-3;
+
+ContactGrid graded_grid() {
+  return {{-0.5e-3, -0.49e-3, -0.4e-3, 0, 0.4e-3, 0.5e-3}, {-0.3e-3, -0.28e-3, 0, 0.3e-3}};
+}
+
+Eigen::MatrixXd compliance(const SurfaceCompliance& surface, const WaveSplit& split,
+                           const ContactGrid& grid, double x, double y) {
+  Eigen::MatrixXd result = short_wave_compliance(ShortWaveCompliance(surface, split), grid);
+  const BoxModes modes(surface, length, width, split);
+  add_modes(modes.rows(grid, y), modes.along_x(), grid, x, result);
+  return result;
+}
+
+TEST(SplitCompliance, does_not_depend_on_where_the_waves_are_divided) {
+  const SurfaceCompliance surface(paper_skin());
+  const ContactGrid grid = graded_grid();
+  const Eigen::MatrixXd one = compliance(surface, WaveSplit(0.4e-3, 1e-4), grid, 2e-3, 1.1e-3),
+                        other = compliance(surface, WaveSplit(0.8e-3, 1e-4), grid, 2e-3, 1.1e-3);
+  EXPECT_LT((one - other).cwiseAbs().maxCoeff(), 1e-5 * one.cwiseAbs().maxCoeff());
+}
+
+TEST(SplitCompliance, is_that_of_all_modes_of_the_box) {
+  // With waves that are all long, the modes are summed as far as cells of 0.1 mm see them.
+  const SurfaceCompliance surface({elastic_layer(249e6, 0.45, 0.2e-3)});
+  const ContactGrid grid{{-0.2e-3, -0.1e-3, 0.1e-3, 0.2e-3}, {-0.1e-3, 0, 0.1e-3}};
+  const Eigen::MatrixXd split = compliance(surface, WaveSplit(0.6e-3, 1e-4), grid, 2e-3, 1.1e-3),
+                        modes = compliance(surface, WaveSplit(0.04e-3, 1e-4), grid, 2e-3, 1.1e-3);
+  EXPECT_LT((split - modes).cwiseAbs().maxCoeff(), 4e-5 * split.cwiseAbs().maxCoeff());
+}
+
+TEST(SplitCompliance, is_symmetric_and_positive) {
+  const SurfaceCompliance surface(paper_skin());
+  const Eigen::MatrixXd found =
+      compliance(surface, WaveSplit(0.6e-3, 1e-4), graded_grid(), 1.5e-3, 0.9e-3);
+  EXPECT_LT((found - found.transpose()).cwiseAbs().maxCoeff(), 1e-12 * found.cwiseAbs().maxCoeff());
+  EXPECT_EQ(found.llt().info(), Eigen::Success);
+}
+
+TEST(SplitCompliance, of_the_half_is_that_of_the_whole_under_mirrored_forces) {
+  const SurfaceCompliance surface(paper_skin());
+  const ContactGrid half{{-0.2e-3, 0, 0.3e-3}, {-0.3e-3, -0.28e-3, 0}, true},
+      whole{half.x, {-0.3e-3, -0.28e-3, 0, 0.28e-3, 0.3e-3}};
+  const WaveSplit split(0.6e-3, 1e-4);
+  const Eigen::MatrixXd of_half = compliance(surface, split, half, 2e-3, width / 2),
+                        of_whole = compliance(surface, split, whole, 2e-3, width / 2);
+  const Eigen::Index columns = 2;
+  for (Eigen::Index at = 0; at < 4; ++at) {
+    for (Eigen::Index from = 0; from < 4; ++from) {
+      const Eigen::Index image = from % columns + columns * (3 - from / columns);
+      Eigen::Matrix3d mirrored = of_whole.block<3, 3>(3 * at, 3 * image);
+      mirrored.col(2) *= -1;
+      const Eigen::Matrix3d expected = of_whole.block<3, 3>(3 * at, 3 * from) + mirrored;
+      EXPECT_LT((of_half.block<3, 3>(3 * at, 3 * from) - expected).cwiseAbs().maxCoeff(),
+                1e-9 * of_whole.cwiseAbs().maxCoeff());
+    }
+  }
+}
+
+TEST(SplitCompliance, is_cerrutis_and_boussinesqs_on_a_thick_layer) {
+  // Far above the base and far from the faces, under small cells.
+  const ElasticLayer thick = elastic_layer(1e6, 0.3, 50e-3);
+  const SurfaceCompliance surface({thick});
+  const ShortWaveCompliance skin(surface, WaveSplit(40e-3, 1e-4));
+  const Interval x_at{0, 2e-6}, y{0, 2e-6}, x_from{10e-6, 12e-6};
+  const CellCompliance found = short_wave_compliance(skin, x_at, y, x_from, y);
+  const double r = 10e-6, factor = 1 / (2 * M_PI * thick.shear_modulus * r);
+  EXPECT_NEAR(found(0, 0), factor * 0.7, 0.01 * factor);
+  EXPECT_NEAR(found(1, 1), factor, 0.01 * factor);
+  EXPECT_NEAR(found(2, 2), factor * 0.7, 0.01 * factor);
+  EXPECT_NEAR(found(1, 0), factor * 0.2, 0.01 * factor); // drawn towards the pressure
+  EXPECT_NEAR(found(0, 1), -factor * 0.2, 0.01 * factor);
+}
+
+} // namespace
+} // namespace ionskin::finite_layers
