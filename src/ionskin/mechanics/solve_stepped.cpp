@@ -67,7 +67,7 @@ std::size_t most_tries(const Case& input) {
 }
 
 std::optional<DriveOptions> drive_options(const Case& input, const SkinModel& model,
-                                          double longest_travel) {
+                                          double longest_travel, const PathSteps& steps) {
   constexpr double share = 0.2; // of the square of the resolution
   if (!input.motion.drive.given()) {
     return std::nullopt;
@@ -79,7 +79,7 @@ std::optional<DriveOptions> drive_options(const Case& input, const SkinModel& mo
                       share * resolution * resolution,
                       longest_travel,
                       room_on_skin(input, model.mesh.footprint()),
-                      most_tries(input)};
+                      steps.most_driven > 0 ? steps.most_driven : most_tries(input)};
 }
 
 ContactSolution empty_solution(const SkinModel& model) {
@@ -102,7 +102,7 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
   options.heaviest_force = heaviest.force * options.meshed_share;
   const ThinningTolerance tolerance = thinning_tolerance(input, model.mesh.footprint());
   options.longest_travel = longest_step_travel(input);
-  options.drive = drive_options(input, model, options.longest_travel);
+  options.drive = drive_options(input, model, options.longest_travel, variant.steps);
 
   ContactSolution solution = empty_solution(model);
   const auto strains = std::make_shared<SteppedStrains>(recovery);

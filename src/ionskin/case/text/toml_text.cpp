@@ -61,7 +61,7 @@ std::size_t offset_of(const std::string& text, const toml::source_location& wher
   return std::min<std::size_t>(line_begin + where.column() - 1, text.size());
 }
 
-constexpr const char* remedy =
+constexpr const char* remedy_of_line =
     "lines read key = value; texts and quantities stand in quotes, numbers do not";
 
 } // namespace
@@ -83,12 +83,12 @@ void TomlText::refuse(const std::string& message, const toml::source_location* w
                       const std::string& parsed) const {
   const std::string what = "the case is not valid TOML: " + without_function_name(message);
   if (breaks_.empty() || where == nullptr)
-    throw UserError(fmt::format("{}\n  = {}", what, remedy));
+    throw UserError(fmt::format("{}\n  = {}", what, remedy_of_line));
   // toml11's excerpt would tell lines that the file does not have.
   Problems problems;
   const std::size_t begin = in_text(offset_of(parsed, *where));
   problems.add(what.substr(0, what.find('\n')),
-               {{CaseText(file_, text_).place(begin, where->region()), ""}}, remedy);
+               {{CaseText(file_, text_).place(begin, where->region()), ""}}, remedy_of_line);
   problems.throw_if_any(file_);
   throw InternalError("a refused text was accepted");
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+
 namespace ionskin::mechanics {
 
 /// A turn by more than this is a new onset of slip [rad].
@@ -14,6 +16,9 @@ struct PathSteps {
   double onset_growth = 1.06; ///< of successive travel increments
   /// Travel of the onset over the mean tangential displacement that the surface still has to make.
   double onset_travel_ratio = 4;
+  /// Contacts solved for a slider on a drive until its motion is given up; 0 for many times what is
+  /// expected.
+  std::size_t most_driven = 0;
 };
 
 } // namespace ionskin::mechanics

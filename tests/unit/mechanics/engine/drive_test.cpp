@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "ionskin/base/error.hpp"
 #include "ionskin/mechanics/engine/compliant_drive.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
 #include "ionskin/mechanics/solve_stepped.hpp"
@@ -125,6 +126,22 @@ TEST(DrivenSlider, swings_on_where_the_path_halts_beyond_its_end) {
   }
   EXPECT_GT(furthest, 2.6e-3);
   EXPECT_LT(solution.worst_complementarity_residual, 1e-6);
+}
+
+TEST(DrivenSlider, is_given_up_where_its_steps_get_nowhere) {
+  Case input = driven_case();
+  input.motion.drive = {1e6, 0, 1e-9}; // a period of 0.2 us: every swing would be resolved
+  base::Timers timers;
+  ContactOptions options;
+  options.steps.most_driven = 500;
+  try {
+    solve_contact(input, options, timers);
+    FAIL() << "no end";
+  } catch (const SolverError& error) {
+    EXPECT_NE(std::string(error.what()).find("500 contacts were solved"), std::string::npos)
+        << error.what();
+    EXPECT_NE(error.remedy().find("motion.drive.mass"), std::string::npos) << error.remedy();
+  }
 }
 
 } // namespace
