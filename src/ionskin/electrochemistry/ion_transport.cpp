@@ -41,7 +41,7 @@ constexpr double least_charge = 1e-3;
 
 /// A step takes some ten residuals and Krylov iterations, and where columns differ much some
 /// hundred: so many within so short a share of the history lead nowhere.
-constexpr std::size_t patience = 30'000;
+constexpr std::size_t work_without_progress = 30'000;
 constexpr double least_progress = 0.01;
 
 /// The parts of one run, wired together.
@@ -55,7 +55,7 @@ public:
                  step_rule(input.numerics, input.readout, scales_)),
         fixed_charge_(input, history, mirror_.solved_grid(), scaled_),
         charge_floor_(least_charge * fixed_charge_.largest_coupling()),
-        most_work_(options.most_work > 0 ? options.most_work : patience),
+        most_work_(options.most_work > 0 ? options.most_work : work_without_progress),
         team_(useful_threads(options.threads, scaled_)),
         solver_(scaled_, newton_tolerance(control_.tolerance(), input.electrochemistry.ion_model),
                 team_, steric_excess(input.electrochemistry)),

@@ -58,7 +58,7 @@ double width_of(const std::vector<double>& edges) {
 }
 
 /// Steps in vain after which a run leads nowhere; a few per cent of the steps are usual.
-constexpr std::size_t patience = 1000, patience_per_step = 10;
+constexpr std::size_t tries_in_vain = 1000, tries_in_vain_per_step = 10;
 
 class ThinLayerRun {
 public:
@@ -219,7 +219,7 @@ private:
         return;
       }
       ++solution_.rejected_steps;
-      if (solution_.rejected_steps > patience + patience_per_step * solution_.steps) {
+      if (solution_.rejected_steps > tries_in_vain + tries_in_vain_per_step * solution_.steps) {
         throw SolverError(fmt::format("the charge of thin double layers gets nowhere: {} steps and "
                                       "{} tries in vain led to t = {:.9g} s",
                                       solution_.steps, solution_.rejected_steps, begin),

@@ -181,7 +181,7 @@ TEST(LongLists, BracesOfManyKeysAreRefused) {
               testing::AllOf(HasSubstr("in braces in one line"), HasSubstr("write a section")));
 }
 
-std::string edited(const std::string& text, const std::vector<std::string>& edits) {
+std::string edited_text(const std::string& text, const std::vector<std::string>& edits) {
   CaseText result("case.toml", text);
   apply_set_edits(result, edits);
   return result.text();
@@ -216,14 +216,14 @@ TEST(LongLists, EditsTogetherDoWhatTheyDoOneByOne) {
   CaseText one_by_one("case.toml", text);
   for (const std::string& edit : all)
     apply_set_edits(one_by_one, {edit});
-  EXPECT_EQ(toml::format(TomlText(edited(text, all), "").root()),
+  EXPECT_EQ(toml::format(TomlText(edited_text(text, all), "").root()),
             toml::format(TomlText(one_by_one.text(), "").root()));
 }
 
 TEST(LongLists, TheEditThatDoesNotFitIsFoundAmongMany) {
   std::vector<std::string> edits = each(50, [](int i) { return fmt::format("contact.k{}=1", i); });
   edits.insert(edits.begin() + 20, "title.deep=1");
-  EXPECT_THAT([&] { edited(valid_case(), edits); },
+  EXPECT_THAT([&] { edited_text(valid_case(), edits); },
               testing::ThrowsMessage<UserError>(HasSubstr("--set title.deep=1\n")));
 }
 
@@ -233,7 +233,7 @@ TEST(LongLists, EditsThatUndoOneAnotherAreRefused) {
     edits.push_back("a={b = 1}");
     edits.push_back("a.b=2");
   }
-  EXPECT_THAT([&] { edited("a = 1\n", edits); },
+  EXPECT_THAT([&] { edited_text("a = 1\n", edits); },
               testing::ThrowsMessage<UserError>(HasSubstr("again and again")));
 }
 

@@ -48,7 +48,7 @@ Eigen::VectorXd disc_load(const ContactCells& cells, int component) {
   return force;
 }
 
-double work(const linear_algebra::DenseMatrix& compliance, const Eigen::VectorXd& force) {
+double work_of(const linear_algebra::DenseMatrix& compliance, const Eigen::VectorXd& force) {
   double sum = 0;
   for (int row = 0; row < compliance.rows; ++row) {
     for (int column = 0; column < compliance.columns; ++column) {
@@ -72,7 +72,7 @@ TEST(FiniteLayers, are_what_finite_elements_come_near_to) {
   constexpr std::array<double, 3> stiffer{0.06, 0.01, 0.025}; // normal, along x, along y
   for (int component = 0; component < 3; ++component) {
     const Eigen::VectorXd force = disc_load(model.cells, component);
-    const double exact = force.dot(layers * force), found = work(elements.compliance(), force);
+    const double exact = force.dot(layers * force), found = work_of(elements.compliance(), force);
     EXPECT_LT(found, exact) << component;
     EXPECT_GT(found, (1 - stiffer[static_cast<std::size_t>(component)]) * exact) << component;
     if (component == 1) {

@@ -16,7 +16,7 @@ namespace {
 
 /// The table is even in ln(r + offset), with this offset over the finest length.
 constexpr double offset_share = 0.5;
-constexpr double intervals_per_unit = 100;
+constexpr double intervals_of_distance = 100;
 /// Waves of more than this number over the distance cancel, as the compliance varies slowly there.
 constexpr double cancelling = 120;
 
@@ -87,7 +87,7 @@ ShortWaveCompliance::ShortWaveCompliance(const SurfaceCompliance& surface, const
                  factor * 0.5 * (half_space.along + half_space.across),
                  factor * 0.5 * (half_space.across - half_space.along)};
   const double offset = offset_share * finest_, range = std::log(reach_ / offset + 1);
-  const auto intervals = static_cast<std::size_t>(std::ceil(intervals_per_unit * range));
+  const auto intervals = static_cast<std::size_t>(std::ceil(intervals_of_distance * range));
   const double step = range / static_cast<double>(intervals);
   std::array<std::vector<double>, 4> values;
   for (std::size_t i = 0; i <= intervals; ++i) {

@@ -21,7 +21,7 @@ namespace {
 constexpr double uniform_below = 1e-6;
 /// Waves shorter than the top layer over this do not feel what lies below: (k t)^2 exp(-2 k t).
 constexpr double half_space_beyond = 22;
-constexpr double intervals_per_unit = 160; // of ln k
+constexpr double intervals_of_wave_number = 160; // of ln k
 
 } // namespace
 
@@ -73,7 +73,7 @@ SurfaceCompliance::SurfaceCompliance(std::vector<ElasticLayer> layers)
       half_space_(half_space_compliance(layers_.back())), first_(uniform_below / thickness()),
       last_(half_space_beyond / layers_.back().thickness) {
   const double range = std::log(last_ / first_);
-  const auto intervals = static_cast<std::size_t>(std::ceil(intervals_per_unit * range));
+  const auto intervals = static_cast<std::size_t>(std::ceil(intervals_of_wave_number * range));
   const double step = range / static_cast<double>(intervals);
   std::array<std::vector<double>, 4> values;
   for (std::size_t i = 0; i <= intervals; ++i) {

@@ -53,18 +53,18 @@ std::vector<std::vector<double>> latin_points(std::size_t points, std::size_t di
   return result;
 }
 
-constexpr std::size_t most_points = 100'000;   // each has a folder
-constexpr std::size_t most_values = 2'000'000; // of all keys at all points
-constexpr std::size_t most_bytes = 128U << 20; // of their texts, as of a plan
+constexpr std::size_t most_points = 100'000;             // each has a folder
+constexpr std::size_t most_values_of_points = 2'000'000; // of all keys at all points
+constexpr std::size_t most_bytes = 128U << 20;           // of their texts, as of a plan
 
 void require_countable(std::size_t points, std::size_t keys, const char* remedy) {
   if (points > most_points) {
     throw UserError(fmt::format("the sweep has more than {} points\n  = {}", most_points, remedy));
   }
-  if (points * keys > most_values) {
+  if (points * keys > most_values_of_points) {
     throw UserError(fmt::format("the sweep has {} keys at {} points, more than {} values\n  = vary "
                                 "fewer keys, or {}",
-                                keys, points, most_values, remedy));
+                                keys, points, most_values_of_points, remedy));
   }
 }
 

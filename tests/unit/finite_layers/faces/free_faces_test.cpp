@@ -11,8 +11,8 @@
 namespace ionskin::finite_layers {
 namespace {
 
-constexpr double length = 3e-3, width = 1.2e-3;
-const WaveSplit split(0.4e-3, 1e-3);
+constexpr double skin_x = 3e-3, skin_y = 1.2e-3;
+const WaveSplit long_waves(0.4e-3, 1e-3);
 
 ThicknessColumn column(int degree) {
   return {paper_skin(), {{1}, {1, 2, 2, 1}, {1}}, degree};
@@ -25,20 +25,20 @@ struct Faces {
 };
 
 Eigen::MatrixXd compliance(const ContactGrid& grid, double x, double y, const Faces& faces,
-                           double skin_length = length, double skin_width = width) {
+                           double length = skin_x, double width = skin_y) {
   static const SurfaceCompliance surface(paper_skin());
-  static const ShortWaveCompliance short_waves(surface, split);
-  const BoxModes modes(surface, skin_length, skin_width, split);
+  static const ShortWaveCompliance short_waves(surface, long_waves);
+  const BoxModes modes(surface, length, width, long_waves);
   const ThicknessColumn through = column(faces.degree);
   auto rows = modes.rows(grid, y);
-  const FreeSides sides(through, skin_length, skin_width, split, {faces.along_side, 60});
+  const FreeSides sides(through, length, width, long_waves, {faces.along_side, 60});
   Eigen::MatrixXd result = short_wave_compliance(short_waves, grid);
   if (faces.sides_free) {
     sides.add(grid, y, rows);
   }
   add_modes(rows, modes.along_x(), grid, x, result);
   if (faces.ends_free) {
-    const FreeEnds ends(through, skin_length, skin_width, split, {faces.along_end, 120},
+    const FreeEnds ends(through, length, width, long_waves, {faces.along_end, 120},
                         faces.sides_free ? &sides : nullptr);
     ends.rows(grid, y).add(grid, x, result);
   }
@@ -68,7 +68,7 @@ TEST(FreeFaces, are_alike_under_an_exchange_of_x_and_y) {
   const ContactGrid one = cells(), other{one.y, one.x};
   const Eigen::MatrixXd a = compliance(one, 0.6e-3, 0.5e-3, {.along_side = 60, .along_end = 36}),
                         b = compliance(other, 0.5e-3, 0.6e-3, {.along_side = 36, .along_end = 60},
-                                       width, length);
+                                       skin_y, skin_x);
   const Eigen::Index columns = one.columns(), rows = one.rows();
   const auto exchanged = [&](Eigen::Index cell) {
     return cell / columns + rows * (cell % columns);
