@@ -129,16 +129,15 @@ TEST(DrivenSlider, swings_on_where_the_path_halts_beyond_its_end) {
 }
 
 TEST(DrivenSlider, is_given_up_where_its_steps_get_nowhere) {
-  Case input = driven_case();
-  input.motion.drive = {1e6, 0, 1e-9}; // a period of 0.2 us: every swing would be resolved
+  const Case input = driven_case();
   base::Timers timers;
   ContactOptions options;
-  options.steps.most_driven = 500;
+  options.steps.most_driven = 10; // far fewer than the motion takes
   try {
     solve_contact(input, options, timers);
     FAIL() << "no end";
   } catch (const SolverError& error) {
-    EXPECT_NE(std::string(error.what()).find("500 contacts were solved"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("10 contacts were solved"), std::string::npos)
         << error.what();
     EXPECT_NE(error.remedy().find("motion.drive.mass"), std::string::npos) << error.remedy();
   }
