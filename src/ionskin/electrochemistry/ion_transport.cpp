@@ -41,7 +41,7 @@ constexpr double least_charge = 1e-3;
 
 /// A step takes some ten residuals and Krylov iterations, and where columns differ much some
 /// hundred: so many within so short a share of the history lead nowhere.
-constexpr std::size_t work_without_progress = 30'000;
+constexpr std::size_t work_without_progress = 200'000;
 constexpr double least_progress = 0.01;
 
 /// The parts of one run, wired together.
