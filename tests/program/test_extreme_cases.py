@@ -5,7 +5,7 @@ nanometres. Each ends, within the memory that it promised, with audits that say 
 import json
 import unittest
 
-from program import ProgramTest, summary
+from program import ROOT, ProgramTest, summary
 
 # Layers from below as (Young's modulus [Pa], Poisson's ratio, thickness).
 CASES = {
@@ -86,6 +86,15 @@ class ExtremeCases(ProgramTest):
         used = max(stage["peak_memory_bytes"] for stage in manifest["stages"].values())
         self.assertLess(used, 2 * float(value) * {"GB": 1e9, "MB": 1e6}[unit], name)
         return summary(self.folder / "out")
+
+    def test_check_warns_of_a_contact_at_the_edge_of_the_skin(self):
+        finger = ROOT / "cases" / "finger.toml"
+        narrow = ("--set", "skin.width=0.3 mm", "--set", 'slider.start=["4.5 mm", "0.15 mm"]', "--set", "numerics.preset=coarse")
+        words = "reach the edge of the skin along y"
+        self.assertIn(words, " ".join(self.run_program("check", finger, *narrow).stdout.split()))
+        self.assertNotIn("edge of the skin", self.run_program("check", finger).stdout)
+        refused = self.run_program("run", finger, *narrow, "-o", "out", expect=2)
+        self.assertIn("reaches the edge of the skin along y", refused.stderr)
 
     def test_each_passes_or_names_what_it_is_not_worth(self):
         for name in CASES:
