@@ -89,6 +89,7 @@ class BadInput(ProgramTest):
     def test_unwritable_folder(self):
         self.write("file", "")
         self.assert_refused(["file"], QUICK, "-o", "file/out")
+        self.assertNotIn("free below", self.assert_refused(["/proc/ionskin"], QUICK, "-o", "/proc/ionskin"))
 
     def test_existing_folder(self):
         (self.folder / "out").mkdir()

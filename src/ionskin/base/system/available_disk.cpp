@@ -20,7 +20,9 @@ AvailableDisk available_disk(const std::filesystem::path& folder) {
     place = place.parent_path();
   }
   const std::filesystem::space_info space = std::filesystem::space(place, error);
-  return {error ? std::numeric_limits<double>::infinity() : static_cast<double>(space.available),
+  // /proc and the like have no size: whether they can be written shows later.
+  const bool told = !error && space.capacity > 0;
+  return {told ? static_cast<double>(space.available) : std::numeric_limits<double>::infinity(),
           "free below " + place.string()};
 }
 

@@ -44,7 +44,6 @@ std::vector<Response> responses_of(const CondensedPosition& condensed,
 /// Of the states where the node counts.
 void keep_stresses(const CondensedPosition& condensed,
                    const std::vector<std::vector<double>>& electrode_strain, NodeResponse& node) {
-  node.electrode_stress.resize(node.states.size());
   for (std::size_t i = 0; i < node.states.size(); ++i) {
     if (std::abs(node.weight[i]) < counting_weight || electrode_strain.empty()) {
       continue;

@@ -44,7 +44,11 @@ public:
   /// @param nodes in the order of their places
   PathResponse(const std::array<std::size_t, 2>& core_z, std::size_t states,
                std::vector<NodeResponse> nodes)
-      : core_z_(core_z), states_(states), nodes_(std::move(nodes)) {}
+      : core_z_(core_z), states_(states), nodes_(std::move(nodes)) {
+    for (NodeResponse& node : nodes_) { // states without any load have no pattern to solve
+      node.electrode_stress.resize(node.states.size());
+    }
+  }
 
   std::size_t count() const { return states_; }
   /// Memory of what it holds of the core.

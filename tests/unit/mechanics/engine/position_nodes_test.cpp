@@ -48,6 +48,15 @@ TEST(PositionNodes, give_the_skin_at_places_that_were_not_solved) {
   }
 }
 
+TEST(PositionNodes, leave_a_skin_at_rest_that_carries_no_load) {
+  const CellVector none(3 * line().model->cells.count());
+  const auto responses = line().nodes->respond({{2.2e-3, 1e-3}, {2.3e-3, 1e-3}}, {none, none});
+  for (const StateResponse& response : responses) {
+    EXPECT_EQ(*std::ranges::max_element(response.strain.component[4]), 0);
+    EXPECT_EQ(response.equilibrium_residual, 0);
+  }
+}
+
 TEST(PositionNodes, share_places_that_mirror_each_other) {
   Case input = small_case(); // 5 mm long
   const auto model = std::make_shared<const SkinModel>(input, mesh::largest_footprint(input));
