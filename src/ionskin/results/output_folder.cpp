@@ -112,7 +112,7 @@ void refuse_link(const fs::path& path) {
   }
 }
 
-base::FileDescriptor lock_output_folder(const fs::path& folder, LockKind kind) {
+PathLock lock_output_folder(const fs::path& folder, LockKind kind) {
   auto lock = lock_path(folder, kind);
   if (!lock) {
     throw UserError(fmt::format("another ionskin is writing to the folder {}\n  = wait until it "

@@ -51,12 +51,12 @@ private:
   void remove_staging();
 
   std::filesystem::path folder_;
-  base::FileDescriptor lock_;
+  PathLock lock_;
   std::set<std::string> owned_;
 };
 
 /// The lock alone, of a folder that is there. Throws UserError when another holds it.
-base::FileDescriptor lock_output_folder(const std::filesystem::path& folder, LockKind kind);
+PathLock lock_output_folder(const std::filesystem::path& folder, LockKind kind);
 
 /// Throws UserError where a path is a link, through which nothing is written.
 void refuse_link(const std::filesystem::path& path);

@@ -7,14 +7,23 @@
 
 namespace ionskin::results {
 
-std::optional<base::FileDescriptor> lock_path(const std::filesystem::path& path, LockKind kind) {
+// Closing the file would not do: a child that another thread starts shares it until it runs its own
+// program.
+PathLock::~PathLock() {
+  if (file_ >= 0) {
+    ::flock(file_, LOCK_UN);
+  }
+}
+
+std::optional<PathLock> lock_path(const std::filesystem::path& path, LockKind kind) {
+  PathLock lock;
   // Opening a pipe would wait for its writer.
-  base::FileDescriptor descriptor(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  lock.file_ = base::FileDescriptor(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   const int operation = (kind == LockKind::exclusive ? LOCK_EX : LOCK_SH) | LOCK_NB;
-  if (descriptor >= 0 && ::flock(descriptor, operation) != 0 && errno == EWOULDBLOCK) {
+  if (lock.file_ >= 0 && ::flock(lock.file_, operation) != 0 && errno == EWOULDBLOCK) {
     return std::nullopt;
   }
-  return descriptor;
+  return lock;
 }
 
 } // namespace ionskin::results

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/base/system/file_descriptor.hpp"
+#include "ionskin/results/path_lock.hpp"
 #include "ionskin/study/run/run_case.hpp"
 #include "ionskin/study/sweep/sweep_points.hpp"
 #include "ionskin/study/sweep/sweep_table.hpp"
@@ -36,7 +36,7 @@ public:
 
 private:
   std::filesystem::path sweep_, path_;
-  base::FileDescriptor lock_;
+  results::PathLock lock_;
 };
 
 /// Publishes what stands whole in staging places that nobody works in: points that came from
