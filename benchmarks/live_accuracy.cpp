@@ -7,7 +7,6 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/case/reading/read_case.hpp"
 #include "ionskin/live/training/stated_errors.hpp"
-#include "ionskin/study/run/user_cache.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -64,10 +63,8 @@ int main(int argc, char** argv) {
   try {
     const SkinData data = read_skin(path);
     const ionskin::Case input = ionskin::read_case_text(data.case_text, path).input;
-    const auto cache = ionskin::study::open_user_cache({});
     TrainingOptions options;
     options.threads = threads;
-    options.cache = cache.get();
     const TouchRange range = touch_range(input);
     const auto footprint =
         full_run(input, random_touches(range, 1, seed), {}, options).contact.mesh.footprint();

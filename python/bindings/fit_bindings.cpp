@@ -18,10 +18,9 @@ struct Model {
   base::ProgressCallback progress = base::no_progress;
   study::FitModel model;
 
-  Model(const CaseSource& source, const std::vector<std::string>& free, int threads, bool cache)
+  Model(const CaseSource& source, const std::vector<std::string>& free, int threads)
       : model(source.text, source.path, source.edits, free,
-              {apps::thread_count(threads), cache,
-               [this](std::string_view activity, double fraction) {
+              {apps::thread_count(threads), [this](std::string_view activity, double fraction) {
                  progress(activity, fraction);
                }}) {}
 };
@@ -54,7 +53,6 @@ void fit_folder(const py::handle& python_case, const std::string& data, const st
   options.threads = apps::thread_count(settings["threads"].cast<int>());
   options.overwrite = settings["overwrite"].cast<bool>();
   options.resume = settings["resume"].cast<bool>();
-  options.use_cache = settings["cache"].cast<bool>();
   options.report = settings["report"].cast<bool>();
   options.command = settings["command"].cast<std::string>();
   options.progress = progress.callback();
@@ -69,10 +67,10 @@ void add_fit_bindings(py::module_& module) {
   module.def("fit_folder", &fit_folder);
   module.def("fit_columns", &study::fit_columns);
   py::class_<Model>(module, "FitModel")
-      .def(py::init([](const py::handle& python_case, const std::vector<std::string>& free,
-                       int threads, bool cache) {
-        return std::make_unique<Model>(case_source(python_case), free, threads, cache);
-      }))
+      .def(py::init(
+          [](const py::handle& python_case, const std::vector<std::string>& free, int threads) {
+            return std::make_unique<Model>(case_source(python_case), free, threads);
+          }))
       .def("fit", &fit);
 }
 

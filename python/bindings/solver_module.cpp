@@ -13,7 +13,6 @@
 #include "ionskin/base/system/own_build.hpp"
 #include "ionskin/case/reading/read_case.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
-#include "ionskin/mechanics/position/position_memory.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 #include "ionskin/planning/cost_estimate.hpp"
 #include "ionskin/planning/output_size.hpp"
@@ -198,9 +197,6 @@ PYBIND11_MODULE(_ionskin_solver, module) {
   module.def("output", &output);
   module.def("require_disk", [](double bytes, const std::string& folder) {
     planning::require_disk(bytes, folder);
-  });
-  module.def("keep_positions", [](std::size_t most_bytes) {
-    mechanics::PositionMemory::of_process().set_bound(most_bytes);
   });
   module.def("build", [] {
     const auto build = base::own_build();

@@ -25,7 +25,7 @@ class FitModel:
     """
 
     def __init__(self, case: Case, free: Sequence[str], *, threads: int = 0, cache: bool = True) -> None:
-        self._model = solver.load().FitModel(case, list(free), threads, cache)
+        self._model = solver.load().FitModel(case, list(free), threads)
 
     def fit(self, time, values, column: str = "current_difference", *, progress: Progress | None = None) -> Fit:
         """Least squares in the logarithms of the keys.

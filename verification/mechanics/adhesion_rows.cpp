@@ -2,7 +2,7 @@
 #include "mechanics/rows.hpp"
 
 #include "ionskin/mechanics/engine/sliding_contact.hpp"
-#include "ionskin/mechanics/position/condensed_position.hpp"
+#include "ionskin/mechanics/skin/skin_model.hpp"
 #include "ionskin/parallel/task_pool.hpp"
 
 #include <Eigen/QR>
@@ -84,12 +84,12 @@ PullOff pull_off(double transition, double refinement) {
   constexpr double way = 0.05, crest_begin = -0.01, crest_end = 0.51;
   constexpr double widest = 1.45 * pull_off_radius;
   const Case input = adhesive_block(transition, refinement);
-  const mechanics::SkinModel model(input, {{widest, widest}, {widest, widest}});
-  const mechanics::CondensedPosition condensed(model, input.slider.start);
-  const mechanics::ComplianceMap map({{{{input.slider.start[0]}, {input.slider.start[1]}}}, {}},
-                                     {mechanics::contact_compliance(model, condensed)});
-  mechanics::SlidingContact contact(map, model.cells.area, model.gap,
-                                    laws::friction(input.contact.law, 0, input.contact.parameters));
+  const mechanics::SkinModel model(input, {{widest, widest}, {widest, widest}},
+                                   {input.slider.start, input.slider.start});
+  mechanics::ContactCompliance compliance(model);
+  mechanics::SlidingContact contact(
+      [&](const auto& place, auto& result) { compliance.at(place, result); }, model.cells.area,
+      model.gap, laws::friction(input.contact.law, 0, input.contact.parameters));
   const double scale = (model.mesh.half_model() ? 2 : 1) / (pi * work_of_adhesion * sphere_radius);
   PullOff result;
   std::vector<double> heights, pulls;

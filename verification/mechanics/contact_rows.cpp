@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/slider_motion.hpp"
-#include "ionskin/mechanics/elasticity/core_strain.hpp"
+#include "ionskin/mechanics/output/core_strain.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
 #include "mechanics/baseline_case.hpp"
 #include "mechanics/rows.hpp"
@@ -35,8 +35,6 @@ constexpr Reference references[] = {
     {0.5, 68.4, 0.5, 2.535e-3, 64.7, 0.3, 1.3395e-2, 0.045e-3, 9e-6}};
 /// Discretisation error granted to the coarse preset.
 constexpr double coarse_tolerance = 0.02;
-/// Positions along the slide: enough for that.
-constexpr std::size_t node_count = 5;
 
 using Instants = std::vector<const mechanics::SteppedInstant*>;
 
@@ -136,8 +134,8 @@ void add_condition_rows(const Case& input, double friction, const ContactSolutio
     return fmt::format("{} at mu = {}", quantity, friction);
   };
   rows.push_back(at_most("M4", name("|T / (mu N) - 1| in full slip"), full_slip, 1e-8));
-  rows.push_back(at_most("M4", name("contact forces against base reactions"),
-                         source->worst_equilibrium_residual(), 1e-9));
+  rows.push_back(at_most("M4", name("contact forces against those through levels of the core"),
+                         source->worst_equilibrium_residual(), 2e-3));
   rows.push_back(at_most("M5", name("worst tension, penetration, cone or slip violation"),
                          solution.worst_complementarity_residual, 1e-8));
 }
@@ -179,7 +177,6 @@ void add_cycle_rows(const Case& cycle, const Options& options, std::vector<Row>&
   }
   mechanics::ContactOptions contact;
   contact.threads = options.threads;
-  contact.nodes = node_count;
   base::Timers timers;
   const ContactSolution both = mechanics::solve_contact(input, contact, timers);
   for (const auto& [quantity, instants] : phases) {
@@ -204,7 +201,6 @@ std::vector<Row> contact_rows(const Options& options) {
   mechanics::ContactOptions contact;
   contact.threads = options.threads;
   contact.progress = options.progress;
-  contact.nodes = node_count;
   base::Timers timers;
   const auto solutions = mechanics::solve_contact(input, frictions, contact, timers);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/mechanics/elasticity/core_strain.hpp"
+#include "ionskin/mechanics/output/core_strain.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
 #include "mechanics/baseline_case.hpp"
 #include "mechanics/rows.hpp"

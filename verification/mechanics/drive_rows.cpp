@@ -144,12 +144,9 @@ StickSlip reference() {
 
 /// The engine with equal steps on a skin of one cell that hardly gives.
 StickSlip in_steps(double step) {
-  linear_algebra::DenseMatrix stiff(3, 3);
-  for (int i = 0; i < 3; ++i) {
-    stiff(i, i) = 1e-10;
-  }
-  const mechanics::ComplianceMap map({{{{0.0}, {0.0}}}, {}}, {stiff});
-  SlidingContact contact(map, {1e-6}, {0.0}, block::friction());
+  const Eigen::MatrixXd stiff = 1e-10 * Eigen::MatrixXd::Identity(3, 3);
+  SlidingContact contact([&](const auto&, Eigen::MatrixXd& result) { result = stiff; }, {1e-6},
+                         {0.0}, block::friction());
   CompliantDrive slider(block::drive, 1, {true, false});
   contact.step(1, {0, 0}, {LoadKind::force, block::normal_force});
   slider.hold({});
@@ -188,7 +185,6 @@ StickSlip as_case(double time_refinement, const Options& options) {
   input.numerics.time_refinement = time_refinement;
   mechanics::ContactOptions contact;
   contact.threads = options.threads;
-  contact.nodes = 1;
   base::Timers timers;
   const auto solution = mechanics::solve_contact(input, contact, timers);
   PeakCounter peaks;

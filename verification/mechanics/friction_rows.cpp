@@ -39,7 +39,6 @@ Case short_stroke(const std::string& law, const laws::LawValues& parameters, dou
 mechanics::ContactSolution solve_at_one_place(const Case& input, const Options& options) {
   mechanics::ContactOptions contact;
   contact.threads = options.threads;
-  contact.nodes = 1; // near enough: ratios and loops do not depend on the place
   base::Timers timers;
   return mechanics::solve_contact(input, contact, timers);
 }

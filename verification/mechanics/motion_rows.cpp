@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/handover/contact_timeline.hpp"
 #include "ionskin/handover/energy_balance.hpp"
-#include "ionskin/mechanics/elasticity/core_strain.hpp"
+#include "ionskin/mechanics/output/core_strain.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
 #include "mechanics/baseline_case.hpp"
 #include "mechanics/rows.hpp"
@@ -33,7 +33,6 @@ ContactSolution solve(const Case& input, const Options& options, bool full_model
   mechanics::ContactOptions contact;
   contact.threads = options.threads;
   contact.full_model = full_model;
-  contact.nodes = 3;
   base::Timers timers;
   return mechanics::solve_contact(input, contact, timers);
 }

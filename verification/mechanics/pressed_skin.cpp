@@ -10,11 +10,14 @@
 namespace ionskin::verification {
 
 PressedSkin::PressedSkin(const Case& input)
-    : model_(input, mechanics::find_footprint(input, input.contact.friction, 2)),
-      condensed_(model_, input.slider.start),
-      problem_{mechanics::contact_compliance(model_, condensed_), model_.cells.area, model_.gap,
+    : model_(input, mechanics::find_footprint(input, input.contact.friction, 2),
+             {input.slider.start, input.slider.start}),
+      problem_{{},
+               model_.cells.area,
+               model_.gap,
                laws::friction(input.contact.law, input.contact.friction, input.contact.parameters)},
       indentation_(input.motion.preload) {
+  mechanics::ContactCompliance(model_).at(input.slider.start, problem_.compliance);
   state_.force.assign(3 * model_.cells.count(), 0.0);
   state_.surface = state_.force;
 }

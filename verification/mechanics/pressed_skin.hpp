@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/mechanics/position/condensed_position.hpp"
+#include "ionskin/mechanics/skin/skin_model.hpp"
 #include "ionskin/mechanics/surface/contact_solver.hpp"
 
 #include <array>
@@ -31,7 +31,6 @@ private:
   double parts() const { return model_.mesh.half_model() ? 2 : 1; }
 
   mechanics::SkinModel model_;
-  mechanics::CondensedPosition condensed_;
   mechanics::ContactProblem problem_;
   mechanics::SurfaceState state_;
   double indentation_;

@@ -2,7 +2,7 @@
 #include "mechanics/pressed_skin.hpp"
 #include "mechanics/rows.hpp"
 
-#include "ionskin/mechanics/elasticity/elastic_law.hpp"
+#include "ionskin/finite_layers/thickness/elastic_layer.hpp"
 
 #include <array>
 #include <cmath>
@@ -32,7 +32,7 @@ double winkler_ratio(double contact_over_thickness) {
   input.numerics.mesh_refinement = 3;
   PressedSkin skin(input);
   skin.advance({0, 0});
-  const double modulus = mechanics::isotropic_elasticity(material).oedometric_modulus();
+  const double modulus = finite_layers::elastic_layer(material, thickness).oedometric_modulus();
   const double expected =
       4.0 / 3 * modulus * indentation / thickness * half_width * input.skin.width;
   return skin.force(0) / expected;

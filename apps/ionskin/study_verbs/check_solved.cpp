@@ -9,7 +9,6 @@
 #include "ionskin/electrochemistry/equations/wall_potential.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mesh/footprint.hpp"
-#include "ionskin/mesh/skin_mesh.hpp"
 #include "ionskin/planning/cost_estimate.hpp"
 #include "ionskin/study/stations/given_strain.hpp"
 
@@ -33,16 +32,9 @@ std::string warning_of_strain(const Case& input, const history::CoreHistory& his
   return "";
 }
 
-/// Of a coarse solution for a cost: a larger one takes minutes.
-constexpr std::size_t most_unknowns = 100000;
-
-/// Empty where the coarse solution is large, or fails, which a run will tell.
+/// Empty where the coarse solution fails, which a run will tell.
 std::optional<mesh::Footprint> found_footprint(const Case& input) {
   const int threads = thread_count(0);
-  const mesh::SkinMesh coarse(mechanics::footprint_case(input), mesh::largest_footprint(input));
-  if (coarse.unknowns() > most_unknowns) {
-    return std::nullopt;
-  }
   ProgressDisplay display(isatty(STDERR_FILENO) != 0 ? LogFormat::bar : LogFormat::none);
   return mechanics::find_common_footprint(input, input.contact.friction, threads,
                                           display.callback());

@@ -10,7 +10,6 @@
 #include "ionskin/live/fmu/archive.hpp"
 #include "ionskin/live/training/train.hpp"
 #include "ionskin/planning/resources.hpp"
-#include "ionskin/study/run/user_cache.hpp"
 #include "terminal/progress_display.hpp"
 
 #include <fmt/core.h>
@@ -119,9 +118,6 @@ int live(const LiveOptions& options, const std::string& command) {
   settings.friction = options.friction;
   ionskin::live::check_trainable(input, settings);
   planning::require_resources(input, thread_count(options.threads));
-  study::RunOptions cache_options;
-  cache_options.use_cache = options.use_cache;
-  const auto cache = study::open_user_cache(cache_options);
   ionskin::live::SkinData data;
   bool interrupted = false;
   {
@@ -130,7 +126,6 @@ int live(const LiveOptions& options, const std::string& command) {
     settings.validation = options.validation;
     settings.seed = options.seed;
     settings.threads = thread_count(options.threads);
-    settings.cache = cache.get();
     settings.progress = display.callback();
     settings.command = command;
     try {

@@ -32,9 +32,9 @@ Json cost_json(const planning::CostEstimate& cost) {
           {"output_bytes", cost.output},
           {"seconds", cost.seconds},
           {"threads", thread_count(0)},
-          {"mechanics_unknowns", cost.mechanics_unknowns},
+          {"mechanics_unknowns", 3 * cost.contact_cells},
           {"contact_cells", cost.contact_cells},
-          {"positions", cost.positions},
+          {"contact_steps", cost.contact_steps},
           {"ion_unknowns", cost.ion_unknowns},
           {"ion_steps", cost.ion_steps}};
 }

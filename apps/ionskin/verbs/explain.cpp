@@ -245,10 +245,10 @@ std::string events(const Case& input) {
 
 std::string costs(const planning::CostEstimate& cost) {
   std::string text = "\nSize and cost\n";
-  if (cost.positions > 0)
-    text += row("Study 1: unknowns", fmt::format("{}", cost.mechanics_unknowns),
-                fmt::format("displacements and {} contact cells, factorised at {} positions",
-                            cost.contact_cells, cost.positions));
+  if (cost.contact_cells > 0)
+    text += row("Study 1: unknowns", fmt::format("{}", 3 * cost.contact_cells),
+                fmt::format("forces on {} contact cells, over about {} steps", cost.contact_cells,
+                            cost.contact_steps));
   text += row("Study 2: unknowns", fmt::format("{}", cost.ion_unknowns),
               fmt::format("over about {} time steps", cost.ion_steps));
   text += row("memory", fmt::format("{:.2g} GB", cost.memory * 1e-9),

@@ -12,8 +12,6 @@ import ionskin
 from ionskin import solver
 from ionskin.evaluation.trial import Outcome
 
-POSITIONS = {False: 0, True: 500_000_000, "positions": 2_000_000_000}  # bytes in memory from one trial to the next
-
 
 def end_with(parent: int) -> None:
     """Ends this process when the one that started it is gone, however that ended."""
@@ -26,7 +24,6 @@ def run(task: dict) -> str:
     """Runs one case and writes its outcome."""
     if task["build"] != solver.load().build():
         return "a worker has another build of ionskin, whose numbers differ\n  = start it from the same build"
-    solver.load().keep_positions(POSITIONS[task["cache"]])
     case = ionskin.Case(task["text"], task["path"])
     case._edits = task["edits"]
     try:

@@ -3,10 +3,11 @@
 
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/case/slider_motion.hpp"
+#include "ionskin/mechanics/engine/contact_state.hpp"
+#include "ionskin/mechanics/engine/stepped_strains.hpp"
+#include "ionskin/mechanics/path/contact_box.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/path/steady_sliding.hpp"
-#include "ionskin/mechanics/position/condensed_position.hpp"
-#include "ionskin/mechanics/position/contact_state.hpp"
 #include "ionskin/mechanics/solve_stepped.hpp"
 #include "ionskin/parallel/shared_progress.hpp"
 #include "ionskin/parallel/task_pool.hpp"
@@ -129,27 +130,30 @@ std::vector<ContactState> solve_steady_sliding(const Case& input,
                                                const ContactOptions& options,
                                                base::Timers& timers) {
   const base::Timers::Scope scope(timers, "mechanics: steady sliding");
-  const SkinModel model(input, find_footprint(input, input.contact.friction, options.threads));
   const MotionLeg leg = first_slide(motion_legs(input.motion, input.slider));
+  const auto model = std::make_shared<const SkinModel>(
+      input, find_footprint(input, input.contact.friction, options.threads), *contact_box(input));
   const auto direction = leg.direction();
   const double value = leg.to_level.is_force
-                           ? leg.to_level.value * (model.mesh.half_model() ? 0.5 : 1.0)
+                           ? leg.to_level.value * (model->mesh.half_model() ? 0.5 : 1.0)
                            : -leg.to_level.value;
   const SliderLoad load{leg.to_level.is_force ? LoadKind::force : LoadKind::indentation, value};
   std::vector<ContactState> result(arc_lengths.size());
   parallel::run_tasks(arc_lengths.size(), options.threads, [&](std::size_t i) {
     base::check_interrupt();
-    const CondensedPosition condensed(
-        model,
-        {leg.from[0] + arc_lengths[i] * direction[0], leg.from[1] + arc_lengths[i] * direction[1]},
-        {options.cache});
-    const ContactProblem problem{
-        contact_compliance(model, condensed), model.cells.area, model.gap,
+    const std::array<double, 2> place{leg.from[0] + arc_lengths[i] * direction[0],
+                                      leg.from[1] + arc_lengths[i] * direction[1]};
+    ContactProblem problem{
+        {},
+        model->cells.area,
+        model->gap,
         laws::friction(input.contact.law, input.contact.friction, input.contact.parameters)};
+    ContactCompliance(*model).at(place, problem.compliance);
     const SurfaceState steady = steady_sliding(problem, load, direction, 0);
-    describe(model, steady, problem, largest_normal_force(steady.force), steady.indentation,
+    describe(*model, steady, problem, largest_normal_force(steady.force), steady.indentation,
              result[i]);
-    result[i].strain = condensed.strain(condensed.respond({steady.force}).front());
+    SteppedStrains strains(model, 1);
+    result[i].strain = strains.at(strains.add(place, steady.force));
   });
   return result;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/base/files/disk_cache.hpp"
 #include "ionskin/base/progress.hpp"
 #include "ionskin/base/timers.hpp"
 #include "ionskin/case/case.hpp"
@@ -18,21 +17,14 @@ namespace ionskin::mechanics {
 struct ContactOptions {
   int threads = 1;
   base::ProgressCallback progress = base::no_progress; ///< called from one thread at a time
-  base::DiskCache* cache = nullptr;                    ///< of condensed positions; none when null
   PathSteps steps;
-  /// Positions along each axis on which the skin is condensed; 0 for as many as keep the preset's
-  /// tolerance.
-  std::size_t nodes = 0;
   /// As `find_footprint` found it for these loads and this friction; empty to find it.
   std::optional<mesh::Footprint> footprint;
-  /// Whether other solutions will ask for the same positions: their responses are made wherever the
-  /// mesh allows, though those of a path take more memory than to factorise again.
-  bool reused = false;
   /// Meshes the whole skin where half of it would do, to compare.
   bool full_model = false;
 };
 
-/// What may differ between solutions that share their factorisations.
+/// What may differ between solutions that share the skin.
 struct ContactVariant {
   double friction = 0;
   PathSteps steps;
@@ -42,8 +34,8 @@ struct ContactVariant {
 ContactSolution solve_contact(const Case& input, const ContactOptions& options,
                               base::Timers& timers);
 
-/// The same for several friction coefficients, of which those with one footprint share all
-/// factorisations; a contact that reaches its border is solved on a wider one by itself. Each
+/// The same for several friction coefficients, of which those with one footprint share the
+/// skin; a contact that reaches its border is solved on a wider one by itself. Each
 /// solution is the same bits as alone. One solution each, in order; `input.contact.friction` is not
 /// used.
 std::vector<ContactSolution> solve_contact(const Case& input, const std::vector<double>& frictions,
@@ -54,8 +46,8 @@ std::vector<ContactSolution> solve_variants(const Case& input,
                                             const std::vector<ContactVariant>& variants,
                                             const ContactOptions& options, base::Timers& timers);
 
-/// Steady sliding at any arc lengths of the first slide [m], each found by itself from a
-/// factorisation of its own: nothing of it comes from the path, so that checks compare with it.
+/// Steady sliding at any arc lengths of the first slide [m], each found by itself:
+/// nothing of it comes from the path, so that checks compare with it.
 std::vector<ContactState> solve_steady_sliding(const Case& input,
                                                const std::vector<double>& arc_lengths,
                                                const ContactOptions& options, base::Timers& timers);

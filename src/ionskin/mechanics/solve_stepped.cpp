@@ -7,15 +7,12 @@
 #include "ionskin/mechanics/engine/drive_room.hpp"
 #include "ionskin/mechanics/engine/kept_path.hpp"
 #include "ionskin/mechanics/engine/stepped_strains.hpp"
+#include "ionskin/mechanics/path/contact_box.hpp"
 #include "ionskin/mechanics/path/expected_steps.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/path/path_resolution.hpp"
-#include "ionskin/mechanics/position/interpolation_error.hpp"
-#include "ionskin/mechanics/position/interpolation_nodes.hpp"
 #include "ionskin/mesh/footprint.hpp"
 #include "ionskin/parallel/task_pool.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +28,6 @@ constexpr double share_of_uncertain_pass = 0.9;
 constexpr std::size_t units_per_path = 10; // of the progress
 constexpr double force_share = 0.4;        // of the resolution's square
 constexpr double area_tolerance = 0.02;
-constexpr int most_passes = 3; // over wider rectangles of a slider on a drive
 
 ThinningTolerance thinning_tolerance(const Case& input, const mesh::Footprint& footprint) {
   const double resolution = path_resolution(input.numerics);
@@ -88,10 +84,9 @@ ContactSolution empty_solution(const SkinModel& model) {
 }
 
 ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs,
-                           const std::shared_ptr<SharedRecovery>& recovery,
+                           const std::shared_ptr<const SkinModel>& skin, int threads,
                            const ContactVariant& variant, parallel::SharedProgress& progress) {
-  const PositionNodes& nodes = recovery->nodes();
-  const SkinModel& model = nodes.model();
+  const SkinModel& model = *skin;
   const mesh::HeaviestLoad heaviest = mesh::heaviest_load(input);
   StepperOptions options{.steps = variant.steps,
                          .longest_travel = 0,
@@ -105,11 +100,12 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
   options.drive = drive_options(input, model, options.longest_travel, variant.steps);
 
   ContactSolution solution = empty_solution(model);
-  const auto strains = std::make_shared<SteppedStrains>(recovery);
-  KeptPath kept(nodes, strains, tolerance, solution);
+  const auto strains = std::make_shared<SteppedStrains>(skin, threads);
+  KeptPath kept(model, strains, tolerance, solution);
+  ContactCompliance compliance(model);
   SlidingContact contact(
-      nodes.compliance(), model.cells.area, model.gap,
-      laws::friction(input.contact.law, variant.friction, input.contact.parameters));
+      [&](const auto& place, auto& result) { compliance.at(place, result); }, model.cells.area,
+      model.gap, laws::friction(input.contact.law, variant.friction, input.contact.parameters));
   MotionStepper stepper(contact, options, [&](const StepPoint& point, const SlidingContact& at) {
     kept.add(point, at);
   });
@@ -122,113 +118,78 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
     }
   }
   kept.finish();
-  recovery->join(strains);
   solution.stepped_events = stepper.events();
   solution.stepped_onsets = stepper.onsets();
   solution.contact_solves = stepper.steps();
   solution.adhesion_loss = stepper.adhesion_loss() / options.meshed_share;
   solution.created_energy = contact.created_energy() / options.meshed_share;
-  solution.worst_interpolation_error = nodes.error();
   return solution;
 }
 
-void warn_of_nodes(const Case& input, const PositionNodes& nodes, const MotionBox& box,
-                   const ContactOptions& options, ContactSolution& solution) {
-  const double tolerance = node_tolerance(input, box);
-  if (options.nodes == 0 && nodes.error() > tolerance) {
-    solution.warnings.push_back(fmt::format(
-        "between the {} positions that are solved, {} along each axis at most, the strain of the "
-        "path is interpolated to {:.1e} only, not to {:.1e}",
-        nodes.count(), most_interpolation_nodes, nodes.error(), tolerance));
+/// Where the centre of the slider may be while it touches: a drive may swing as far as there is
+/// room.
+MotionBox places_of(const Case& input, const MotionBox& box, const mesh::Footprint& footprint) {
+  if (!input.motion.drive.given()) {
+    return box;
   }
+  MotionBox places = room_on_skin(input, footprint);
+  for (std::size_t d = 0; d < 2; ++d) {
+    places.low[d] = std::min(places.low[d], box.low[d]);
+    places.high[d] = std::max(places.high[d], box.high[d]);
+  }
+  return places;
+}
+
+/// Never touched.
+std::vector<SteppedSolution> untouched(const std::vector<MotionLeg>& legs, ContactSolution empty,
+                                       std::size_t count) {
+  for (const MotionLeg& leg : legs) {
+    empty.stepped.push_back({leg.begin, leg.from, leg.from_level.value, nullptr});
+  }
+  empty.stepped.push_back({legs.back().end(), legs.back().to, legs.back().to_level.value, nullptr});
+  return std::vector<SteppedSolution>(count, {empty, std::nullopt});
 }
 
 } // namespace
-
-std::size_t expected_positions(const Case& input) {
-  const auto box = contact_box(input);
-  return box ? expected_places(input, *box) : 0;
-}
-
-std::array<std::size_t, 2> expected_lines(const Case& input) {
-  const auto box = contact_box(input);
-  return box ? expected_counts(input, *box) : std::array<std::size_t, 2>{1, 1};
-}
 
 std::vector<SteppedSolution> solve_stepped(const Case& input, const mesh::Footprint& footprint,
                                            const std::vector<ContactVariant>& variants,
                                            const ContactOptions& options, base::Timers& timers,
                                            parallel::SharedProgress& progress) {
-  const auto model = std::make_shared<const SkinModel>(
-      input, footprint,
-      options.full_model ? mesh::MeshedPart::whole : mesh::MeshedPart::half_if_symmetric);
+  const auto part =
+      options.full_model ? mesh::MeshedPart::whole : mesh::MeshedPart::half_if_symmetric;
   const std::vector<MotionLeg> legs = motion_legs(input.motion, input.slider);
   const auto box = contact_box(input);
-  std::vector<SteppedSolution> solutions(variants.size(), {empty_solution(*model), std::nullopt});
   if (!box) {
-    for (SteppedSolution& solution : solutions) {
-      std::vector<SteppedInstant>& stepped = solution.contact.stepped;
-      for (const MotionLeg& leg : legs) {
-        stepped.push_back({leg.begin, leg.from, leg.from_level.value, nullptr});
-      }
-      stepped.push_back({legs.back().end(), legs.back().to, legs.back().to_level.value, nullptr});
-    }
-    return solutions;
+    const mesh::SkinMesh mesh(input, footprint, part);
+    const ContactCells cells = contact_cells(mesh);
+    return untouched(legs,
+                     {.mesh = mesh, .cell_lines_x = cells.lines_x, .cell_lines_y = cells.lines_y},
+                     variants.size());
   }
-  progress.begin_pass(expected_positions(input) + units_per_path * variants.size(),
+  progress.begin_pass(1 + units_per_path * variants.size(),
                       input.slider.sharp() ? 1.0 : share_of_uncertain_pass);
-  std::shared_ptr<PositionNodes> nodes;
+  std::shared_ptr<const SkinModel> model;
   {
-    const base::Timers::Scope scope(timers, "mechanics: factorisation");
-    const bool reused = options.reused || input.numerics.shared.given();
-    nodes = std::make_shared<PositionNodes>(
-        input, model, *box,
-        NodeOptions{options.threads, options.cache, options.nodes,
-                    loads_across_at_ends(input, *box), reused ? least_positions : 0},
-        progress);
-    if (!nodes->holds_factors()) { // which the strains of the path take again
-      model->forget_factors();
-    }
+    const base::Timers::Scope scope(timers, "mechanics: skin");
+    model = std::make_shared<const SkinModel>(input, footprint, places_of(input, *box, footprint),
+                                              part);
+    progress.finish_unit();
   }
-  const auto recovery = std::make_shared<SharedRecovery>(nodes);
-  progress.add_units(units_per_path * variants.size() +
-                     (nodes->holds_factors() ? nodes->places() : 0));
+  std::vector<SteppedSolution> solutions(variants.size(), {empty_solution(*model), std::nullopt});
   parallel::run_tasks(variants.size(), options.threads, [&](std::size_t i) {
     const base::Timers::Scope scope(timers, "mechanics: contact");
-    ContactSolution checked = empty_solution(*model);
-    require_resolved_adhesion(input, *nodes, *box, checked.warnings);
     ContactSolution& contact = solutions[i].contact;
-    contact = solve_path(input, legs, recovery, variants[i], progress);
-    std::ranges::move(checked.warnings, std::back_inserter(contact.warnings));
+    std::vector<std::string> warnings;
+    require_resolved_adhesion(input, *model, *box, warnings);
+    contact = solve_path(input, legs, model, options.threads, variants[i], progress);
+    std::ranges::move(warnings, std::back_inserter(contact.warnings));
     // Each by itself, so that no solution depends on its neighbours.
-    std::shared_ptr<SharedRecovery> own = recovery;
-    MotionBox own_box = *box;
-    const MotionBox room = room_on_skin(input, footprint);
-    for (int pass = 0; pass < most_passes && input.motion.drive.given(); ++pass) {
-      const auto wider = widened_box(input, own_box, room, contact);
-      if (!wider) {
-        break;
-      }
-      require_unshared(input, *wider);
-      own_box = *wider;
-      own = std::make_shared<SharedRecovery>(std::make_shared<const PositionNodes>(
-          input, model, own_box, NodeOptions{1, options.cache, options.nodes}, progress));
-      progress.add_units(units_per_path);
-      contact = solve_path(input, legs, own, variants[i], progress);
-    }
-    warn_of_nodes(input, own->nodes(), own_box, options, contact);
     solutions[i].wider = widened_footprint(input, footprint, contact);
     if (solutions[i].wider) {
       contact = empty_solution(*model); // its strains are not recovered
     }
   });
-  nodes->forget_compliance();
-  {
-    const base::Timers::Scope scope(timers, "mechanics: strain");
-    recovery->begin([&] { progress.finish_unit(); });
-    model->forget_factors();
-  }
-  progress.expect_known_units();
   return solutions;
 }
 

@@ -61,9 +61,8 @@ CostEstimate estimate_cost(const Case& input, int threads,
   const MechanicsCost mechanics = estimate_mechanics_cost(input, threads, found);
   const auto ions = electrochemistry::estimate_problem_size(input);
   CostEstimate cost;
-  cost.mechanics_unknowns = mechanics.unknowns;
   cost.contact_cells = mechanics.contact_cells;
-  cost.positions = mechanics.positions;
+  cost.contact_steps = mechanics.steps;
   cost.ion_unknowns = ions.unknowns;
   cost.ion_steps = ions.steps;
   cost.mechanics_seconds = mechanics.seconds;

@@ -13,9 +13,8 @@ namespace ionskin::planning {
 /// Size of both studies of a case, and what they will cost; of Study 2 alone where the load is
 /// prescribed.
 struct CostEstimate {
-  std::size_t mechanics_unknowns = 0; ///< of one position of the slider
-  std::size_t contact_cells = 0;      ///< below the slider, each with three components
-  std::size_t positions = 0;          ///< that are factorised; mirrored positions share one
+  std::size_t contact_cells = 0; ///< below the slider, each with three components
+  std::size_t contact_steps = 0; ///< estimated
   std::size_t ion_unknowns = 0;
   std::size_t ion_steps = 0;    ///< estimated
   double memory = 0;            ///< largest resident [bytes]
@@ -26,13 +25,13 @@ struct CostEstimate {
 };
 
 /// @param threads that will run
-/// @param found the slider's footprint where a coarse solution found it; without, the mesh of a
-/// round slider is a guess, and so are its unknowns
-/// Throws UserError when the mesh cannot be built.
+/// @param found the slider's footprint where a coarse solution found it; without, the cells under
+/// a round slider are a guess
+/// Throws UserError when no cells fit beside the slider.
 CostEstimate estimate_cost(const Case& input, int threads,
                            const std::optional<mesh::Footprint>& found = std::nullopt);
 
-/// Of Study 2 alone, under a given strain; Study 1 has no positions then.
+/// Of Study 2 alone, under a given strain; Study 1 has no cells then.
 CostEstimate estimate_cost(const Case& input, const history::CoreHistory& given, int threads);
 
 } // namespace ionskin::planning

@@ -11,9 +11,7 @@ namespace ionskin::planning {
 
 /// Size of Study 1, and what it will cost.
 struct MechanicsCost {
-  std::size_t unknowns = 0;      ///< of one position of the slider
-  std::size_t contact_cells = 0; ///< below the slider
-  std::size_t positions = 0;     ///< that are factorised
+  std::size_t contact_cells = 0; ///< below the slider, each with three components
   std::size_t steps = 0;         ///< of the contact along the path
   double seconds = 0;            ///< wall time, the handover of the strain included
   double memory = 0;             ///< largest, beside what the program takes at rest [bytes]
@@ -22,7 +20,7 @@ struct MechanicsCost {
 
 /// Of the run and, where it estimates its errors, of the companions that it solves before.
 /// @param found see `estimate_cost`
-/// Throws UserError when the mesh cannot be built.
+/// Throws UserError when no cells fit beside the slider.
 MechanicsCost estimate_mechanics_cost(const Case& input, int threads,
                                       const std::optional<mesh::Footprint>& found);
 

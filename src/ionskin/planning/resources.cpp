@@ -25,8 +25,7 @@ constexpr const char* coarser =
     "make thin layers thicker: small elements follow from them and from small contacts";
 
 void require_countable(const CostEstimate& cost) {
-  const double unknowns = std::max(static_cast<double>(cost.mechanics_unknowns),
-                                   static_cast<double>(cost.ion_unknowns));
+  const auto unknowns = static_cast<double>(cost.ion_unknowns);
   if (!(unknowns <= most_unknowns)) {
     throw UserError(fmt::format("the case has {:.2g} unknowns, more than the {:.2g} that can be "
                                 "counted\n  = {}",

@@ -44,8 +44,8 @@ SkinData skin_with(const Law& law) {
 class Engine {
 public:
   explicit Engine(const SkinData& data)
-      : map_({{std::vector{3e-3}, std::vector{1e-3}}, {}}, {compliance(data)}),
-        contact_(map_, data.area, data.gap, friction_of(data, data.friction)) {}
+      : contact_([matrix = compliance(data)](const auto&, auto& result) { result = matrix; },
+                 data.area, data.gap, friction_of(data, data.friction)) {}
 
   std::array<double, 3> step(double time_step, const std::array<double, 2>& place, double depth) {
     const auto& force =
@@ -58,14 +58,12 @@ public:
   }
 
 private:
-  static linear_algebra::DenseMatrix compliance(const SkinData& data) {
-    const int size = static_cast<int>(3 * data.area.size());
-    linear_algebra::DenseMatrix matrix(size, size);
-    std::copy_n(data.compliance.values.begin(), matrix.values.size(), matrix.values.begin());
-    return matrix;
+  static Eigen::MatrixXd compliance(const SkinData& data) {
+    const auto size = static_cast<Eigen::Index>(3 * data.area.size());
+    return Eigen::Map<const Eigen::MatrixXf>(data.compliance.values.data(), size, size)
+        .cast<double>();
   }
 
-  mechanics::ComplianceMap map_;
   mechanics::SlidingContact contact_;
 };
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
 #include "ionskin/mechanics/solve_stepped.hpp"
 #include "largest_difference.hpp"
@@ -8,9 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <string>
 
 namespace ionskin::mechanics {
 namespace {
@@ -55,44 +51,6 @@ TEST(SteppedMotion, is_the_same_in_any_number_of_rows) {
   }
 }
 
-TEST(SteppedMotion, touches_with_the_same_shared_positions_solve_the_skin_once) {
-  Case one = small_case();
-  one.slider.shape = "sphere";
-  one.slider.parameters["radius"] = 8e-3;
-  one.motion.preload = 0;
-  one.motion.preload_force = 0.2;
-  one.motion.stroke = 1e-3;
-  Case other = one;
-  other.slider.start = {1.7e-3, 1.05e-3};
-  other.motion.preload_force = 0.1;
-  other.contact.friction = 0.5;
-  const mesh::Footprint largest = find_footprint(one, 0.5, 2);
-  for (Case* input : {&one, &other}) {
-    input->numerics.shared = {{1.4e-3, 0.95e-3}, {2.9e-3, 1.05e-3}, largest.half_size};
-  }
-  std::string name = (std::filesystem::temp_directory_path() / "ionskin-shared-XXXXXX").string();
-  ASSERT_NE(mkdtemp(name.data()), nullptr);
-  base::DiskCache cache(name, 500'000'000);
-  base::Timers timers;
-  ContactOptions options;
-  options.threads = 2;
-  options.cache = &cache;
-  solve_contact(one, options, timers);
-  const std::size_t kept = cache.content().entries;
-  EXPECT_GT(kept, 4u);
-  const ContactSolution shared = solve_contact(other, options, timers);
-  EXPECT_EQ(cache.content().entries, kept);
-  std::filesystem::remove_all(name);
-
-  other.numerics.shared = {};
-  options.cache = nullptr;
-  const ContactSolution alone = solve_contact(other, options, timers);
-  const ContactState &landed = *nearest(shared, 0.5).state, &expected = *nearest(alone, 0.5).state;
-  EXPECT_NEAR(landed.normal_force, 0.1, 1e-9);
-  // Meshes differ: that of the own footprint is finer.
-  EXPECT_NEAR(landed.indentation, expected.indentation, 0.05 * expected.indentation);
-}
-
 TEST(SteppedMotion, lands_and_leaves_by_force_on_the_way) {
   Case input = small_case();
   input.motion.kind = MotionKind::waypoints;
@@ -102,7 +60,6 @@ TEST(SteppedMotion, lands_and_leaves_by_force_on_the_way) {
                             {3, {3.5e-3, 1e-3}, 1e-6, {}}};
   base::Timers timers;
   ContactOptions options;
-  options.nodes = 3;
   const ContactSolution solution = solve_contact(input, options, timers);
   EXPECT_NEAR(nearest(solution, 1).state->normal_force, 5, 1e-6);
   EXPECT_NEAR(nearest(solution, 2).state->normal_force, 8, 1e-6);
@@ -123,7 +80,6 @@ TEST(SteppedMotion, round_sliders_land_while_they_move) {
                               {2, {3.0e-3, 1e-3}, 1e-6, {}}};
     base::Timers timers;
     ContactOptions options;
-    options.nodes = 3;
     const ContactSolution solution = solve_contact(input, options, timers);
     EXPECT_LT(solution.worst_complementarity_residual, 1e-6) << shape;
     ASSERT_EQ(solution.stepped_events.size(), 2u) << shape; // lands and leaves
@@ -169,7 +125,6 @@ TEST(SteppedMotion, takes_strokes_under_laws_of_speed_and_rests) {
   input.contact.parameters = {{"reference_speed", 1e-3}};
   base::Timers timers;
   ContactOptions options;
-  options.nodes = 3;
   const ContactSolution solution = solve_contact(input, options, timers);
   const auto ratio = [&](double time) {
     const ContactState& state = *nearest(solution, time).state;

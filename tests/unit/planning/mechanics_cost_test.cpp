@@ -3,7 +3,6 @@
 
 #include "ionskin/case/reading/read_case.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
-#include "ionskin/mechanics/position/memory_estimate.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -19,38 +18,20 @@ MechanicsCost cost(const std::vector<std::string>& edits, int threads = 1) {
   return estimate_mechanics_cost(read_case(IONSKIN_CASES "/quick.toml", edits), threads, {});
 }
 
-TEST(MechanicsCost, OfAFlatSliderIsMostlyThatOfItsPositions) {
+TEST(MechanicsCost, CountsTheCellsBelowTheSlider) {
   const Case input = read_case(IONSKIN_CASES "/quick.toml", {"numerics.error_estimate=off"});
   const MechanicsCost told = estimate_mechanics_cost(input, 1, {});
   const mesh::SkinMesh mesh(input, mesh::expected_footprint(input));
-  EXPECT_EQ(told.unknowns, mesh.unknowns());
   EXPECT_EQ(told.contact_cells,
             (mesh.footprint_lines_x().size() - 1) * (mesh.footprint_lines_y().size() - 1));
-  EXPECT_EQ(told.positions, 3u); // the ends and the middle of the path
-  // As measured: the first factor, two that share a part of it, responses to unit forces at three.
-  const double n = static_cast<double>(told.unknowns);
-  const double seconds = 6e-8 * std::pow(n, 1.59) + 2 * 9.2e-8 * std::pow(n, 1.44) +
-                         3 * 1.25e-7 * n * static_cast<double>(told.contact_cells);
-  EXPECT_GT(told.seconds, seconds);
-  EXPECT_LT(told.seconds, 1.2 * seconds);
-  const double factor = mechanics::factorisation_memory(told.unknowns);
-  EXPECT_GT(told.memory, factor);
-  EXPECT_LT(told.memory, 2 * factor);
 }
 
 TEST(MechanicsCost, OfErrorsIsThatOfTheCompanions) {
   const MechanicsCost with = cost({}), without = cost({"numerics.error_estimate=off"});
-  EXPECT_NEAR(with.seconds / without.seconds, 1.5, 0.15);
+  EXPECT_GT(with.seconds, 1.2 * without.seconds);
+  EXPECT_LT(with.seconds, 2.5 * without.seconds);
   EXPECT_GE(with.memory, without.memory);
-  EXPECT_LT(with.memory, 1.1 * without.memory); // they are solved before, on coarser meshes
-  EXPECT_EQ(with.unknowns, without.unknowns);
-}
-
-TEST(MechanicsCost, OfFurtherPositionsIsSharedByThreads) {
-  const std::vector<std::string> ball{"slider.shape=sphere", "slider.radius=4 mm"};
-  ASSERT_GT(cost(ball).positions, 1u);
-  EXPECT_LT(cost(ball, 2).seconds, cost(ball).seconds);
-  EXPECT_GT(cost(ball, 2).seconds, cost(ball).seconds / 2); // the first, and the search, are not
+  EXPECT_EQ(with.contact_cells, without.contact_cells);
 }
 
 TEST(MechanicsCost, GrowsWithEveryStroke) {

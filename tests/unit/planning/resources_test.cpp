@@ -70,32 +70,13 @@ TEST(OutputSize, GrowsWithFieldsReadingsAndTaxels) {
   EXPECT_NEAR(estimate_cost(input, 2).output, 3e9, 1.5e9);
 }
 
-/// A path over the skin until x = `end` [m].
-CostEstimate along_a_path(double end) {
-  Case input = quick();
-  input.motion.kind = MotionKind::waypoints;
-  const double y = 1e-3, height = -1e-6;
-  input.motion.waypoints = {
-      {0, {4.5e-3, y}, 1e-4, {}}, {0.1, {4.5e-3, y}, height, {}}, {0.5, {end, y}, height, {}}};
-  return estimate_cost(input, 2);
-}
-
-TEST(Resources, CountTheUnitResponsesOfEveryPosition) {
-  const CostEstimate near = along_a_path(5.5e-3), far = along_a_path(10e-3);
-  ASSERT_GT(far.positions, near.positions);
-  const double of_a_position =
-      (far.memory - near.memory) / static_cast<double>(far.positions - near.positions);
-  // The states alone take some ten bytes per unknown.
-  EXPECT_GT(of_a_position, 50.0 * static_cast<double>(far.mechanics_unknowns));
-}
-
 TEST(Resources, OfThinFilmsAreRefusedBeforeTheyAreBuilt) {
   const Case films = quick({"skin.layers[0].thickness=200 nm", "skin.layers[1].thickness=200 nm",
                             "skin.layers[2].thickness=200 nm", "motion.preload=1 nm"});
   EXPECT_THROW(require_resources(films, 2), UserError);
 }
 
-TEST(Resources, OfAContactThatWasFoundFollowFromItsMesh) {
+TEST(Resources, OfAContactThatWasFoundFollowFromItsCells) {
   const Case ball = quick({"slider.shape=sphere", "slider.radius=4 mm"});
   mesh::Footprint small = mesh::largest_footprint(ball);
   for (std::size_t d = 0; d < 2; ++d) {
@@ -103,8 +84,9 @@ TEST(Resources, OfAContactThatWasFoundFollowFromItsMesh) {
     small.rim[d] *= 0.4;
   }
   const CostEstimate found = estimate_cost(ball, 2, small);
-  EXPECT_EQ(found.mechanics_unknowns, mesh::SkinMesh(ball, small).unknowns());
-  EXPECT_NE(found.mechanics_unknowns, estimate_cost(ball, 2).mechanics_unknowns);
+  const mesh::SkinMesh mesh(ball, small);
+  EXPECT_EQ(found.contact_cells,
+            (mesh.footprint_lines_x().size() - 1) * (mesh.footprint_lines_y().size() - 1));
 }
 
 TEST(Resources, StepsWithoutEndAreRefused) {

@@ -115,8 +115,9 @@ FreeEnds::Rows FreeEnds::rows(const ContactGrid& grid, double centre_y) const {
   return result;
 }
 
-void FreeEnds::Rows::add(const ContactGrid& grid, double centre_x,
-                         Eigen::MatrixXd& compliance) const {
+// The factor of the first modes along the ends is the first part of the factor of all.
+void FreeEnds::Rows::add(const ContactGrid& grid, double centre_x, const Eigen::ArrayXd& share,
+                         double last, Eigen::MatrixXd& compliance) const {
   const ModeTransform of_columns = ends_->along_x_.transform(grid.x, centre_x);
   const Eigen::Index columns = grid.columns(), rows = grid.rows();
   const double images = grid.half ? 2 : 1;
@@ -125,23 +126,36 @@ void FreeEnds::Rows::add(const ContactGrid& grid, double centre_x,
       continue;
     }
     const Class& own = ends_->classes_[c];
-    const Eigen::Index first = own.along_x == Parity::even ? 0 : 1, size = own.stiffness.rows();
-    const auto modes = static_cast<Eigen::Index>(stress_[c].size());
+    const Eigen::Index first = own.along_x == Parity::even ? 0 : 1;
+    const Eigen::Index modes = (share.size() - first + 1) / 2;
+    const auto nodes = own.stiffness.rows() /
+                       static_cast<Eigen::Index>(std::max<std::size_t>(1, own.modes_y.size()));
+    const Eigen::Index size = nodes * std::ranges::count_if(own.modes_y, [&](Eigen::Index n) {
+                                return ends_->along_y_.wave_numbers(n) <= last;
+                              });
+    if (size == 0 || modes <= 0) {
+      continue;
+    }
     Eigen::MatrixXd stress(size, 3 * columns * rows);
     for (Eigen::Index component = 0; component < 3; ++component) {
       const auto& wave = component == 1 ? of_columns.sine : of_columns.cosine;
-      const Eigen::MatrixXd of_modes =
-          wave(Eigen::all, Eigen::seqN(first, modes, 2)); // [column, m]
+      const Eigen::MatrixXd of_modes = wave(Eigen::all, Eigen::seqN(first, modes, 2)) // [column, m]
+                                           .rowwise() *
+                                       share(Eigen::seqN(first, modes, 2)).transpose();
       for (Eigen::Index j = 0; j < rows; ++j) {
         Eigen::MatrixXd by_mode(size, modes);
         for (Eigen::Index m = 0; m < modes; ++m) {
-          by_mode.col(m) = stress_[c][static_cast<std::size_t>(m)].col(3 * j + component);
+          by_mode.col(m) =
+              stress_[c][static_cast<std::size_t>(m)].col(3 * j + component).head(size);
         }
         stress(Eigen::all, Eigen::seqN(3 * columns * j + component, columns, 3)) =
             by_mode * of_modes.transpose();
       }
     }
-    const Eigen::MatrixXd half = own.stiffness.matrixL().solve(stress);
+    const Eigen::MatrixXd half = own.stiffness.matrixLLT()
+                                     .topLeftCorner(size, size)
+                                     .triangularView<Eigen::Lower>()
+                                     .solve(stress);
     compliance.noalias() += images * half.transpose() * half;
   }
 }

@@ -70,19 +70,28 @@ std::vector<Eigen::MatrixXd> BoxModes::rows(const ContactGrid& grid, double cent
   return result;
 }
 
-void add_modes(const std::vector<Eigen::MatrixXd>& rows, const ModeLine& along_x,
-               const ContactGrid& grid, double centre_x, Eigen::MatrixXd& compliance) {
+void add_modes(const std::vector<Eigen::MatrixXd>& rows, const ModeLine& along_x, ModePart part,
+               const Eigen::ArrayXd& share, const ContactGrid& grid, double centre_x,
+               Eigen::MatrixXd& compliance) {
   const ModeTransform transform = along_x.transform(grid.x, centre_x);
-  const Eigen::Index nx = grid.columns(), ny = grid.rows();
-  const auto modes = static_cast<Eigen::Index>(rows.size());
+  const Eigen::Index nx = grid.columns(), ny = grid.rows(), modes = share.size();
   Eigen::MatrixXd pairs(nx * nx, modes), of_rows(modes, ny * ny);
   for (Eigen::Index a = 0; a < 3; ++a) {
-    const auto& at = a == 1 ? transform.sine : transform.cosine;
-    for (Eigen::Index b = 0; b < 3; ++b) {
-      const auto& from = b == 1 ? transform.sine : transform.cosine;
+    for (Eigen::Index b = a; b < 3; ++b) {
+      // A product of two waves is half one of their difference and half one of their sum.
+      const double sign = ((a == 1) == (b == 1)) == (part == ModePart::alike) ? 1 : -1;
+      const auto own = [&](Eigen::Index c) -> const Eigen::ArrayXXd& {
+        return c == 1 ? transform.sine : transform.cosine;
+      };
+      const auto other = [&](Eigen::Index c) -> const Eigen::ArrayXXd& {
+        return c == 1 ? transform.cosine : transform.sine;
+      };
       for (Eigen::Index m = 0; m < modes; ++m) {
+        const double weight = 0.5 * along_x.weights(m) * share(m);
         pairs.col(m) =
-            (along_x.weights(m) * at.col(m).matrix() * from.col(m).matrix().transpose()).reshaped();
+            (weight * own(a).col(m).matrix() * own(b).col(m).matrix().transpose() +
+             sign * weight * other(a).col(m).matrix() * other(b).col(m).matrix().transpose())
+                .reshaped();
         of_rows.row(m) =
             rows[static_cast<std::size_t>(m)](Eigen::seqN(a, ny, 3), Eigen::seqN(b, ny, 3))
                 .reshaped()
@@ -92,8 +101,12 @@ void add_modes(const std::vector<Eigen::MatrixXd>& rows, const ModeLine& along_x
       for (Eigen::Index jf = 0; jf < ny; ++jf) {
         for (Eigen::Index ja = 0; ja < ny; ++ja) {
           const auto block = product.col(ja + ny * jf).reshaped(nx, nx);
-          compliance(Eigen::seqN(3 * nx * ja + a, nx, 3), Eigen::seqN(3 * nx * jf + b, nx, 3)) +=
-              block;
+          const auto at = Eigen::seqN(3 * nx * ja + a, nx, 3),
+                     from = Eigen::seqN(3 * nx * jf + b, nx, 3);
+          compliance(at, from) += block;
+          if (a != b) {
+            compliance(from, at) += block.transpose();
+          }
         }
       }
     }

@@ -51,9 +51,16 @@ private:
   ModeLine x_, y_;
 };
 
-/// Adds to the compliance of cells, [3 cell + component], what modes along x do: for each, the
-/// compliance of the rows, as `BoxModes::rows` gives them.
-void add_modes(const std::vector<Eigen::MatrixXd>& rows, const ModeLine& along_x,
-               const ContactGrid& grid, double centre_x, Eigen::MatrixXd& compliance);
+/// Which part of the modes along x: what does not depend on the place along the skin, as in an
+/// endless one, or what the ends mirror.
+enum class ModePart { alike, mirrored };
+
+/// Adds to the compliance of cells, [3 cell + component], a part of what modes along x do: for
+/// each, the compliance of the rows, as `BoxModes::rows` gives them.
+/// @param share of each of the first modes that counts
+/// @param centre_x of the slider; any for the part that does not depend on it [m]
+void add_modes(const std::vector<Eigen::MatrixXd>& rows, const ModeLine& along_x, ModePart part,
+               const Eigen::ArrayXd& share, const ContactGrid& grid, double centre_x,
+               Eigen::MatrixXd& compliance);
 
 } // namespace ionskin::finite_layers

@@ -104,9 +104,9 @@ Interval ContactGrid::row(Eigen::Index j) const {
   return {y[at], y[at + 1]};
 }
 
-CellCompliance short_wave_compliance(const ShortWaveCompliance& skin, const Interval& x_at,
-                                     const Interval& y_at, const Interval& x_from,
-                                     const Interval& y_from) {
+CellCompliance plane_compliance(const PlaneCompliance& skin, const Interval& x_at,
+                                const Interval& y_at, const Interval& x_from,
+                                const Interval& y_from) {
   CellCompliance sum = CellCompliance::Zero();
   const double size = std::max({x_at.size(), y_at.size(), x_from.size(), y_from.size()});
   const double distance =
@@ -121,6 +121,9 @@ CellCompliance short_wave_compliance(const ShortWaveCompliance& skin, const Inte
     add(half_space.normal * mean.inverse, half_space.isotropic * mean.inverse,
         half_space.deviatoric * mean.cosine, half_space.deviatoric * mean.sine,
         half_space.mixed * mean.u, half_space.mixed * mean.v, sum);
+  }
+  if (!far && std::isinf(skin.finest())) {
+    return sum; // the half-space is all
   }
   const std::vector<Distance> along_x =
       far ? few_distances(x_at, x_from) : distances(x_at, x_from, skin.finest());
@@ -142,19 +145,55 @@ CellCompliance short_wave_compliance(const ShortWaveCompliance& skin, const Inte
   return sum;
 }
 
-Eigen::MatrixXd short_wave_compliance(const ShortWaveCompliance& skin, const ContactGrid& grid) {
+std::vector<RowImage> own_images(const ContactGrid& grid) {
+  return grid.half ? std::vector<RowImage>{{false, 0}, {true, 0}}
+                   : std::vector<RowImage>{{false, 0}};
+}
+
+std::vector<RowImage> images_between(const ContactGrid& grid, double low, double high,
+                                     double reach) {
+  const std::vector<RowImage> own = own_images(grid);
+  const double period = 2 * (high - low), from = grid.y.front(),
+               to = grid.half ? -from : grid.y.back();
+  const auto near = [&](double shift, bool mirrored) {
+    const double first = shift + (mirrored ? -to : from), last = shift + (mirrored ? -from : to);
+    return first < to + reach && last > from - reach;
+  };
+  std::vector<RowImage> images;
+  const auto most = static_cast<int>(std::ceil((reach + period) / period));
+  for (int i = -most; i <= most; ++i) {
+    for (const RowImage& one : own) {
+      // Of the cells as they are, and of them mirrored at the lower mirror.
+      const RowImage moved{one.mirrored, i * period}, turned{!one.mirrored, 2 * low + i * period};
+      for (const RowImage& image : {moved, turned}) {
+        const bool itself = image.shift == 0 && image.mirrored == one.mirrored && i == 0;
+        if (!itself && near(image.shift, image.mirrored)) {
+          images.push_back(image);
+        }
+      }
+    }
+  }
+  return images;
+}
+
+Eigen::MatrixXd plane_compliance(const PlaneCompliance& skin, const ContactGrid& grid,
+                                 const std::vector<RowImage>& images) {
   const Eigen::Index columns = grid.columns(), count = grid.count();
   Eigen::MatrixXd result(3 * count, 3 * count);
   for (Eigen::Index from = 0; from < count; ++from) {
     for (Eigen::Index at = from; at < count; ++at) {
       const Interval x_at = grid.column(at % columns), y_at = grid.row(at / columns);
       const Interval x_from = grid.column(from % columns), y_from = grid.row(from / columns);
-      CellCompliance pair = short_wave_compliance(skin, x_at, y_at, x_from, y_from);
-      if (grid.half) {
-        CellCompliance image =
-            short_wave_compliance(skin, x_at, y_at, x_from, {-y_from.to, -y_from.from});
-        image.col(2) *= -1;
-        pair += image;
+      CellCompliance pair = CellCompliance::Zero();
+      for (const RowImage& image : images) {
+        const Interval row = image.mirrored
+                                 ? Interval{image.shift - y_from.to, image.shift - y_from.from}
+                                 : Interval{image.shift + y_from.from, image.shift + y_from.to};
+        CellCompliance of_image = plane_compliance(skin, x_at, y_at, x_from, row);
+        if (image.mirrored) {
+          of_image.col(2) *= -1;
+        }
+        pair += of_image;
       }
       result.block<3, 3>(3 * at, 3 * from) = pair;
       result.block<3, 3>(3 * from, 3 * at) = pair.transpose();

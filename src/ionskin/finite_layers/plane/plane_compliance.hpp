@@ -30,11 +30,25 @@ using CellCompliance = Eigen::Matrix3d;
 /// Of short waves in an unbounded skin: where the slider is makes no difference.
 /// @param x_at,y_at cell that is displaced
 /// @param x_from,y_from cell that carries the force
-CellCompliance short_wave_compliance(const ShortWaveCompliance& skin, const Interval& x_at,
-                                     const Interval& y_at, const Interval& x_from,
-                                     const Interval& y_from);
+CellCompliance plane_compliance(const PlaneCompliance& skin, const Interval& x_at,
+                                const Interval& y_at, const Interval& x_from,
+                                const Interval& y_from);
 
-/// Of all cells on all, [3 cell + component], cells with x fastest.
-Eigen::MatrixXd short_wave_compliance(const ShortWaveCompliance& skin, const ContactGrid& grid);
+/// An image of all rows of a grid: mirrored, so that y becomes -y, and moved.
+struct RowImage {
+  bool mirrored = false;
+  double shift = 0; ///< along y [m]
+};
+
+/// Of the images of all cells on all cells, [3 cell + component], cells with x fastest. Sums over
+/// images of which each is its own inverse, or comes with it.
+Eigen::MatrixXd plane_compliance(const PlaneCompliance& skin, const ContactGrid& grid,
+                                 const std::vector<RowImage>& images);
+
+/// A grid itself, and in a half grid its mirror image.
+std::vector<RowImage> own_images(const ContactGrid& grid);
+/// The images beside these within a reach that two mirrors make, at y = low and y = high.
+std::vector<RowImage> images_between(const ContactGrid& grid, double low, double high,
+                                     double reach);
 
 } // namespace ionskin::finite_layers

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -71,21 +72,28 @@ RadialCompliance transform(const SurfaceCompliance& surface, const WaveSplit& sp
   return sum;
 }
 
+RadialCompliance over_distance(const WaveCompliance& half_space) {
+  const double factor = 1 / (2 * std::numbers::pi);
+  return {factor * half_space.normal, factor * half_space.mixed,
+          factor * 0.5 * (half_space.along + half_space.across),
+          factor * 0.5 * (half_space.across - half_space.along)};
+}
+
 } // namespace
 
-struct ShortWaveCompliance::Splines {
+struct PlaneCompliance::Splines {
   using Spline = boost::math::interpolators::cardinal_cubic_b_spline<double>;
   double offset = 0; ///< [m]
   std::array<Spline, 4> of;
 };
 
-ShortWaveCompliance::ShortWaveCompliance(const SurfaceCompliance& surface, const WaveSplit& split)
-    : reach_(split.reach()), finest_(std::min(surface.top_thickness(), 1 / split.last_long())) {
-  const WaveCompliance& half_space = surface.half_space();
-  const double factor = 1 / (2 * std::numbers::pi);
-  half_space_ = {factor * half_space.normal, factor * half_space.mixed,
-                 factor * 0.5 * (half_space.along + half_space.across),
-                 factor * 0.5 * (half_space.across - half_space.along)};
+PlaneCompliance::PlaneCompliance(const ElasticLayer& material)
+    : half_space_(over_distance(half_space_compliance(material))),
+      reach_(std::numeric_limits<double>::infinity()), finest_(reach_) {}
+
+PlaneCompliance::PlaneCompliance(const SurfaceCompliance& surface, const WaveSplit& split)
+    : half_space_(over_distance(surface.half_space())), reach_(split.reach()),
+      finest_(std::min(surface.top_thickness(), 1 / split.last_long())) {
   const double offset = offset_share * finest_, range = std::log(reach_ / offset + 1);
   const auto intervals = static_cast<std::size_t>(std::ceil(intervals_of_distance * range));
   const double step = range / static_cast<double>(intervals);
@@ -105,9 +113,12 @@ ShortWaveCompliance::ShortWaveCompliance(const SurfaceCompliance& surface, const
       std::make_unique<Splines>(Splines{offset, {spline(0), spline(1), spline(2), spline(3)}});
 }
 
-ShortWaveCompliance::~ShortWaveCompliance() = default;
+PlaneCompliance::~PlaneCompliance() = default;
 
-RadialCompliance ShortWaveCompliance::difference(double distance) const {
+RadialCompliance PlaneCompliance::difference(double distance) const {
+  if (!splines_) {
+    return {};
+  }
   if (distance >= reach_) {
     const double inverse = -1 / distance;
     return {inverse * half_space_.normal, inverse * half_space_.mixed,

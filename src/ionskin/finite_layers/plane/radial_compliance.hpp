@@ -18,16 +18,18 @@ struct RadialCompliance {
   double deviatoric = 0; ///< by cos 2 theta: of it along x, of a force along x
 };
 
-/// The share of short waves in the surface compliance over the distance from a point force, less
-/// the half-space of the top layer: the difference is smooth over the thickness of the top layer,
-/// and the half-space has closed forms, docs/model.md (53).
-class ShortWaveCompliance {
+/// Surface compliance of an unbounded body over the distance from a point force. It is that of the
+/// half-space of the top layer, which has closed forms, and a difference that is smooth over the
+/// thickness of the top layer, docs/model.md (53).
+class PlaneCompliance {
 public:
-  /// @param surface outlives this
-  ShortWaveCompliance(const SurfaceCompliance& surface, const WaveSplit& split);
-  ~ShortWaveCompliance();
+  /// Of layers, the share of their short waves.
+  PlaneCompliance(const SurfaceCompliance& surface, const WaveSplit& split);
+  /// Of a half-space of a material, all waves.
+  explicit PlaneCompliance(const ElasticLayer& material);
+  ~PlaneCompliance();
 
-  /// Of short waves, less the half-space.
+  /// Less the half-space.
   /// @param distance 0 or above [m]
   RadialCompliance difference(double distance) const;
   /// Of the half-space [m/N]; its parts are over 1/r.
@@ -42,7 +44,7 @@ private:
 
   RadialCompliance half_space_; ///< times the distance
   double reach_, finest_;
-  std::unique_ptr<const Splines> splines_;
+  std::unique_ptr<const Splines> splines_; ///< null: there is no difference
 };
 
 } // namespace ionskin::finite_layers

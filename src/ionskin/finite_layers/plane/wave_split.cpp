@@ -16,7 +16,16 @@ WaveSplit::WaveSplit(double reach, double tolerance)
     : reach_(reach), kappa_(std::sqrt(boost::math::gamma_q_inv(order, tolerance)) / reach),
       last_long_(2 * kappa_ * kappa_ * reach) {}
 
+WaveSplit WaveSplit::all_short(double reach) {
+  WaveSplit split;
+  split.reach_ = reach;
+  return split;
+}
+
 double WaveSplit::long_share(double wave_number) const {
+  if (kappa_ == 0) {
+    return 0;
+  }
   const double x = wave_number / (2 * kappa_), square = x * x;
   double sum = 1; // of square^i / i!, i < order
   for (int i = order - 1; i > 0; --i) {

@@ -14,6 +14,8 @@ public:
   /// @param reach of the short waves [m]
   /// @param tolerance of either share where it is left out, relative
   WaveSplit(double reach, double tolerance);
+  /// None are long: of a body whose response ends within the reach by itself [m].
+  static WaveSplit all_short(double reach);
 
   double short_share(double wave_number) const { return 1 - long_share(wave_number); }
   double long_share(double wave_number) const;
@@ -21,7 +23,9 @@ public:
   double last_long() const { return last_long_; } ///< wave number [1/m]
 
 private:
-  double reach_, kappa_, last_long_;
+  WaveSplit() = default;
+
+  double reach_ = 0, kappa_ = 0, last_long_ = 0;
 };
 
 } // namespace ionskin::finite_layers

@@ -3,12 +3,15 @@
 
 namespace ionskin::finite_layers {
 
+ElasticLayer elastic_layer(const Material& material, double thickness) {
+  const double modulus = material.youngs_modulus, nu = material.poissons_ratio;
+  return {modulus * nu / ((1 + nu) * (1 - 2 * nu)), modulus / (2 * (1 + nu)), thickness};
+}
+
 std::vector<ElasticLayer> elastic_layers(const Skin& skin) {
   std::vector<ElasticLayer> layers;
   for (const Layer& layer : skin.layers) {
-    const double modulus = layer.material.youngs_modulus, nu = layer.material.poissons_ratio;
-    layers.push_back(
-        {modulus * nu / ((1 + nu) * (1 - 2 * nu)), modulus / (2 * (1 + nu)), layer.thickness});
+    layers.push_back(elastic_layer(layer.material, layer.thickness));
   }
   return layers;
 }

@@ -18,6 +18,9 @@ struct ElasticLayer {
   double oedometric_modulus() const { return lame_lambda + 2 * shear_modulus; }
 };
 
+/// lambda = E nu / ((1 + nu)(1 - 2 nu)), mu = E / (2 (1 + nu)).
+/// @param thickness [m]
+ElasticLayer elastic_layer(const Material& material, double thickness);
 /// The layers of a skin, bottom to top.
 std::vector<ElasticLayer> elastic_layers(const Skin& skin);
 

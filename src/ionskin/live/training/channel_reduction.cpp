@@ -4,6 +4,8 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/laws/shear/shear_measure.hpp"
+#include "ionskin/mechanics/skin/recover_strain.hpp"
+#include "ionskin/parallel/task_pool.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -27,7 +29,6 @@ constexpr std::size_t most_snapshots = 800, most_modes = 60;
 constexpr double negligible_mode = 1e-4; // of the snapshots, over their norm
 constexpr std::size_t points_per_mode = 2;
 constexpr double negligible_place_mode = 1e-5;
-constexpr std::size_t unit_loads_at_once = 48;
 
 /// Rows whose norm is the channel, or the one row that it is.
 using Rows = std::vector<std::array<double, 6>>; ///< weights of xx, yy, zz, yz, xz, xy
@@ -260,45 +261,45 @@ ChannelMap reduce_fields(const std::vector<Snapshot>& snapshots, const std::stri
 }
 
 /// Strains at the points under unit forces on every cell, at every node.
-void add_unit_strains(const mechanics::PositionNodes& nodes, const std::vector<Wanted>& wanted,
-                      std::vector<ChannelMap>& maps) {
-  const mechanics::NodeLines& lines = nodes.compliance().lines();
-  const std::size_t size = 3 * nodes.model().cells.count();
+void add_unit_strains(const mechanics::SkinModel& model, const PlaceNodes& places, int threads,
+                      const std::vector<Wanted>& wanted, std::vector<ChannelMap>& maps) {
+  const std::size_t size = 3 * model.cells.count();
   std::vector<std::vector<std::vector<float>>> at_nodes(wanted.size());
-  for (const double y : lines.at[1]) {
-    for (const double x : lines.at[0]) {
-      for (auto& own : at_nodes) {
-        own.emplace_back();
-      }
-      for (std::size_t begin = 0; begin < size; begin += unit_loads_at_once) {
+  for (const double y : places.y) {
+    for (const double x : places.x) {
+      std::vector<std::vector<std::vector<float>>> of_loads(
+          size, std::vector<std::vector<float>>(wanted.size()));
+      parallel::run_tasks(size, threads, [&](std::size_t i) {
         base::check_interrupt();
-        std::vector<mechanics::CellVector> loads;
-        for (std::size_t i = begin; i < std::min(size, begin + unit_loads_at_once); ++i) {
-          loads.emplace_back(size, 0.0)[i] = 1;
-        }
-        for (const auto& response :
-             nodes.respond(std::vector<std::array<double, 2>>(loads.size(), {x, y}), loads)) {
-          for (std::size_t c = 0; c < wanted.size(); ++c) {
-            for (const Eigen::Index point : wanted[c].points) {
-              const auto strain = strain_at(response.strain, static_cast<std::size_t>(point));
-              for (const auto& row : wanted[c].rows) {
-                at_nodes[c].back().push_back(static_cast<float>(value_of({row}, strain)));
-              }
+        mechanics::CellVector load(size, 0.0);
+        load[i] = 1;
+        const CoreStrain strain = mechanics::recover_strain(model, {x, y}, load).core;
+        for (std::size_t c = 0; c < wanted.size(); ++c) {
+          for (const Eigen::Index point : wanted[c].points) {
+            const auto at = strain_at(strain, static_cast<std::size_t>(point));
+            for (const auto& row : wanted[c].rows) {
+              of_loads[i][c].push_back(static_cast<float>(value_of({row}, at)));
             }
           }
+        }
+      });
+      for (std::size_t c = 0; c < wanted.size(); ++c) {
+        std::vector<float>& values = at_nodes[c].emplace_back();
+        for (const auto& of_load : of_loads) {
+          values.insert(values.end(), of_load[c].begin(), of_load[c].end());
         }
       }
     }
   }
   for (std::size_t c = 0; c < wanted.size(); ++c) {
     maps[c].rows_per_point = wanted[c].rows.size();
-    maps[c].strain = place_map(lines, at_nodes[c], negligible_place_mode);
+    maps[c].strain = place_map(places, at_nodes[c], negligible_place_mode);
   }
 }
 
 } // namespace
 
-PlaceMap place_map(const mechanics::NodeLines& lines, const std::vector<std::vector<float>>& nodes,
+PlaceMap place_map(const PlaceNodes& places, const std::vector<std::vector<float>>& nodes,
                    double negligible) {
   const auto count = static_cast<Eigen::Index>(nodes.size()),
              size = static_cast<Eigen::Index>(nodes.front().size());
@@ -316,7 +317,7 @@ PlaceMap place_map(const mechanics::NodeLines& lines, const std::vector<std::vec
     }
   }
   const Matrix amplitude = eigen.eigenvectors()(Eigen::indexing::all, large);
-  PlaceMap map{lines.at[0], lines.at[1], {}, {}};
+  PlaceMap map{places.x, places.y, {}, {}};
   append(map.values, mean.transpose());
   append(map.values, (values * amplitude).transpose());
   for (Eigen::Index i = 0; i < count; ++i) {
@@ -327,22 +328,22 @@ PlaceMap place_map(const mechanics::NodeLines& lines, const std::vector<std::vec
   return map;
 }
 
-PlaceMap reduce_compliance(const mechanics::PositionNodes& nodes) {
-  const mechanics::NodeLines& lines = nodes.compliance().lines();
+PlaceMap reduce_compliance(const mechanics::SkinModel& model, const PlaceNodes& places) {
+  mechanics::ContactCompliance compliance(model);
   std::vector<std::vector<float>> values;
-  for (const double y : lines.at[1]) {
-    for (const double x : lines.at[0]) {
-      linear_algebra::DenseMatrix matrix;
-      nodes.compliance().at({x, y}, matrix);
-      values.emplace_back(matrix.values.begin(), matrix.values.end());
+  for (const double y : places.y) {
+    for (const double x : places.x) {
+      Matrix matrix;
+      compliance.at({x, y}, matrix);
+      values.emplace_back(matrix.data(), matrix.data() + matrix.size());
     }
   }
-  return place_map(lines, values, negligible_place_mode);
+  return place_map(places, values, negligible_place_mode);
 }
 
 std::vector<ChannelMap> reduce_channels(const std::vector<FullRun>& runs,
-                                        const mechanics::PositionNodes& nodes,
-                                        const std::vector<std::string>& channels) {
+                                        const mechanics::SkinModel& model, const PlaceNodes& places,
+                                        int threads, const std::vector<std::string>& channels) {
   const std::vector<Snapshot> snapshots = snapshots_of(runs);
   std::vector<Wanted> wanted;
   for (const std::string& channel : channels) {
@@ -355,10 +356,8 @@ std::vector<ChannelMap> reduce_channels(const std::vector<FullRun>& runs,
     const CoreStrain& strain = mechanics::core_strain(*snapshots[k].state);
     const std::size_t points = strain.component[0].size();
     if (k == 0) {
-      const mechanics::NodeLines& lines = nodes.compliance().lines();
       weights =
-          point_weights(runs.front().contact.mesh,
-                        {lines.at[0][lines.at[0].size() / 2], lines.at[1][lines.at[1].size() / 2]},
+          point_weights(model.mesh, {places.x[places.x.size() / 2], places.y[places.y.size() / 2]},
                         strain.points);
     }
     for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -375,7 +374,7 @@ std::vector<ChannelMap> reduce_channels(const std::vector<FullRun>& runs,
     maps.push_back(
         reduce_fields(snapshots, channels[c], weights, std::move(values[c]), wanted[c].points));
   }
-  add_unit_strains(nodes, wanted, maps);
+  add_unit_strains(model, places, threads, wanted, maps);
   return maps;
 }
 

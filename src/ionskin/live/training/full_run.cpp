@@ -50,9 +50,7 @@ FullRun full_run(const Case& input, const Motion& motion,
   mechanics::ContactOptions contact_options;
   contact_options.threads = options.threads;
   contact_options.progress = options.progress;
-  contact_options.cache = options.cache;
   contact_options.footprint = footprint;
-  contact_options.reused = true;
   run.contact = mechanics::solve_contact(run.input, contact_options, timers);
   run.history = handover::build_strain_history(run.input, run.contact, options.progress);
   electrochemistry::check_fixed_charge(run.input, run.history);

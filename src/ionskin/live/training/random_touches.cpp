@@ -2,7 +2,7 @@
 #include "ionskin/live/training/random_touches.hpp"
 
 #include "ionskin/base/error.hpp"
-#include "ionskin/mechanics/engine/position_nodes.hpp"
+#include "ionskin/mechanics/path/contact_box.hpp"
 
 #include <algorithm>
 #include <cmath>

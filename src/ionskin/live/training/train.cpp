@@ -14,7 +14,7 @@
 #include "ionskin/live/training/full_run.hpp"
 #include "ionskin/live/training/random_touches.hpp"
 #include "ionskin/live/training/stated_errors.hpp"
-#include "ionskin/mechanics/engine/position_nodes.hpp"
+#include "ionskin/mechanics/skin/skin_model.hpp"
 #include "ionskin/results/build_info.hpp"
 
 #include <fmt/format.h>
@@ -62,14 +62,13 @@ base::ProgressCallback part_of(const base::ProgressCallback& progress, const std
   };
 }
 
-void set_contact(const std::vector<FullRun>& runs, const mechanics::PositionNodes& nodes,
-                 SkinData& data) {
-  const mechanics::SkinModel& model = nodes.model();
+void set_contact(const std::vector<FullRun>& runs, const mechanics::SkinModel& model,
+                 const PlaceNodes& places, SkinData& data) {
   data.cell_lines_x = model.cells.lines_x;
   data.cell_lines_y = model.cells.lines_y;
   data.area = model.cells.area;
   data.gap = model.gap;
-  data.compliance = reduce_compliance(nodes);
+  data.compliance = reduce_compliance(model, places);
   data.meshed_share = model.mesh.half_model() ? 0.5 : 1;
   std::vector<const mechanics::ContactState*> states;
   for (const FullRun& run : runs) {
@@ -223,22 +222,16 @@ SkinData train_skin(const Case& input, const TrainingOptions& options) {
   const std::vector<FullRun> runs = training_runs(input, range, data, own);
   const FullRun& run = runs.front();
   {
-    parallel::SharedProgress progress("positions", own.progress);
-    const auto model = std::make_shared<const mechanics::SkinModel>(
-        run.input, run.contact.mesh.footprint(), mesh::MeshedPart::half_if_symmetric);
-    const mechanics::PositionNodes nodes(run.input, model, range.box,
-                                         {.threads = options.threads,
-                                          .cache = options.cache,
-                                          .count = 0,
-                                          .across_at_ends = false,
-                                          .positions = mechanics::least_positions},
-                                         progress);
+    own.progress("places", 0.0);
+    const mechanics::SkinModel model(run.input, run.contact.mesh.footprint(), range.box);
+    const PlaceNodes places = place_nodes(run.input.skin, range.box);
     std::vector<std::string> channels{history::channel_name::shear};
     if (moves_water(input)) {
       channels.emplace_back(electrochemistry::driving_channel(run.input, run.history).name);
     }
-    set_contact(runs, nodes, data);
-    data.channels = reduce_channels(runs, nodes, channels);
+    set_contact(runs, model, places, data);
+    data.channels = reduce_channels(runs, model, places, options.threads, channels);
+    own.progress("places", 1.0);
   }
   set_charges(runs, data);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/base/files/disk_cache.hpp"
 #include "ionskin/base/progress.hpp"
 #include "ionskin/case/case.hpp"
 #include "ionskin/live/skin_data.hpp"
@@ -27,7 +26,6 @@ struct TrainingOptions {
   /// Lowest and highest coefficient of friction, in place of the case's alone.
   std::optional<std::array<double, 2>> friction;
   int threads = 1;
-  base::DiskCache* cache = nullptr; ///< of condensed positions; none when null
   base::ProgressCallback progress = base::no_progress;
   std::string command; ///< for the record
 };

@@ -25,7 +25,7 @@ double softening(const ContactProblem& problem) {
 
 } // namespace
 
-void require_resolved_adhesion(const Case& input, const PositionNodes& nodes, const MotionBox& box,
+void require_resolved_adhesion(const Case& input, const SkinModel& model, const MotionBox& box,
                                std::vector<std::string>& warnings) {
   constexpr double resolved = 0.25, most = 0.8;
   const laws::Friction law =
@@ -33,9 +33,9 @@ void require_resolved_adhesion(const Case& input, const PositionNodes& nodes, co
   if (!law.adhesion.pulls()) {
     return;
   }
-  ContactProblem problem{{}, nodes.model().cells.area, nodes.model().gap, law};
-  nodes.compliance().at({0.5 * (box.low[0] + box.high[0]), 0.5 * (box.low[1] + box.high[1])},
-                        problem.compliance);
+  ContactProblem problem{{}, model.cells.area, model.gap, law};
+  ContactCompliance(model).at({0.5 * (box.low[0] + box.high[0]), 0.5 * (box.low[1] + box.high[1])},
+                              problem.compliance);
   const double found = softening(problem);
   const std::string remedy =
       fmt::format("raise numerics.mesh_refinement by a factor of {:.2g}, or lower "

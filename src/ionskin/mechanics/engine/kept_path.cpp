@@ -2,7 +2,7 @@
 #include "ionskin/mechanics/engine/kept_path.hpp"
 
 #include "ionskin/base/largest.hpp"
-#include "ionskin/mechanics/position/contact_state.hpp"
+#include "ionskin/mechanics/engine/contact_state.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +10,11 @@
 
 namespace ionskin::mechanics {
 
-KeptPath::KeptPath(const PositionNodes& nodes, std::shared_ptr<SteppedStrains> strains,
+KeptPath::KeptPath(const SkinModel& model, std::shared_ptr<SteppedStrains> strains,
                    const ThinningTolerance& tolerance, ContactSolution& solution)
-    : nodes_(nodes), strains_(std::move(strains)), solution_(solution),
+    : model_(model), strains_(std::move(strains)), solution_(solution),
       thinning_(tolerance, [this](PathThinning::Instant&& instant) { keep(std::move(instant)); }),
-      total_slip_(nodes.model().cells.count(), 0.0) {}
+      total_slip_(model.cells.count(), 0.0) {}
 
 void KeptPath::add(const StepPoint& point, const SlidingContact& contact) {
   PathThinning::Instant instant{point.time, point.centre, point.height, point.required,   0,
@@ -25,7 +25,7 @@ void KeptPath::add(const StepPoint& point, const SlidingContact& contact) {
     largest_indentation_ = std::max(largest_indentation_, std::abs(state.indentation));
     instant.force = state.force;
     instant.state = std::make_shared<ContactState>();
-    describe(nodes_.model(), state, contact.problem(), largest_force_, largest_indentation_,
+    describe(model_, state, contact.problem(), largest_force_, largest_indentation_,
              *instant.state);
     if (point.time > last_time_) { // an instant that comes twice slips once
       for (std::size_t cell = 0; cell < total_slip_.size(); ++cell) {
@@ -47,7 +47,7 @@ void KeptPath::add(const StepPoint& point, const SlidingContact& contact) {
 
 /// How far a slider without load is below the first place of the skin that it would touch [m].
 double KeptPath::unresisted_depth(const StepPoint& point) const {
-  const std::vector<double>& gap = nodes_.model().gap;
+  const std::vector<double>& gap = model_.gap;
   return -point.height - *std::min_element(gap.begin(), gap.end());
 }
 

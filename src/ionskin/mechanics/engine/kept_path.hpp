@@ -3,7 +3,6 @@
 
 #include "ionskin/mechanics/engine/motion_stepper.hpp"
 #include "ionskin/mechanics/engine/path_thinning.hpp"
-#include "ionskin/mechanics/engine/position_nodes.hpp"
 #include "ionskin/mechanics/engine/stepped_strains.hpp"
 
 #include <memory>
@@ -14,8 +13,8 @@ namespace ionskin::mechanics {
 /// What a solution keeps of one path: the instants that thinning leaves, with their states.
 class KeptPath {
 public:
-  /// @param nodes,solution outlive the path
-  KeptPath(const PositionNodes& nodes, std::shared_ptr<SteppedStrains> strains,
+  /// @param model,solution outlive the path
+  KeptPath(const SkinModel& model, std::shared_ptr<SteppedStrains> strains,
            const ThinningTolerance& tolerance, ContactSolution& solution);
 
   void add(const StepPoint& point, const SlidingContact& contact);
@@ -25,7 +24,7 @@ private:
   double unresisted_depth(const StepPoint& point) const;
   void keep(PathThinning::Instant&& instant);
 
-  const PositionNodes& nodes_;
+  const SkinModel& model_;
   std::shared_ptr<SteppedStrains> strains_;
   ContactSolution& solution_;
   PathThinning thinning_;

@@ -44,13 +44,13 @@ ContactProblem yielding_problem(const ContactProblem& problem,
                                 const std::array<double, 2>& compliance) {
   ContactProblem yielding = problem;
   yielding.common = compliance;
-  const int size = yielding.compliance.rows;
+  const auto size = static_cast<int>(yielding.compliance.rows());
   for (int column = 0; column < size; ++column) {
     const int component = column % 3;
     if (component == 0) {
       continue;
     }
-    double* values = yielding.compliance.column(column);
+    double* values = yielding.compliance.col(column).data();
     for (int row = component; row < size; row += 3) {
       values[row] += compliance[static_cast<std::size_t>(component) - 1];
     }
@@ -60,9 +60,9 @@ ContactProblem yielding_problem(const ContactProblem& problem,
 
 } // namespace
 
-SlidingContact::SlidingContact(const ComplianceMap& map, std::vector<double> area,
+SlidingContact::SlidingContact(ComplianceAt compliance, std::vector<double> area,
                                std::vector<double> gap, const laws::Friction& friction)
-    : map_(map), problem_{{}, std::move(area), std::move(gap), friction} {
+    : compliance_(std::move(compliance)), problem_{{}, std::move(area), std::move(gap), friction} {
   state_.force.assign(3 * problem_.area.size(), 0.0);
   state_.surface = state_.force;
   state_.slip.assign(problem_.area.size(), 0.0);
@@ -130,7 +130,7 @@ void SlidingContact::detach(const SliderStep& step) {
 
 void SlidingContact::condense_at(const std::array<double, 2>& place) {
   if (condensed_at_ != place) {
-    map_.at(place, problem_.compliance);
+    compliance_(place, problem_.compliance);
     condensed_at_ = place;
   }
 }

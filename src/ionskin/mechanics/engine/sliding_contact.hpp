@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/mechanics/engine/compliance_map.hpp"
 #include "ionskin/mechanics/engine/kept_newton.hpp"
 #include "ionskin/mechanics/surface/contact_solver.hpp"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -18,14 +18,17 @@ struct SliderGuide {
   std::array<double, 2> compliance{}; ///< yield by the sum of the cells' forces [m/N]
 };
 
+/// Compliance between skin and slider over the slider's place, [3 cells, 3 cells] [m/N].
+using ComplianceAt =
+    std::function<void(const std::array<double, 2>& place, Eigen::MatrixXd& result)>;
+
 /// A slider on the skin, moved step by step to any place, height or force. Each step is the exact
 /// incremental problem of contact and friction on the compliance at its end; it starts from the
 /// forces of the step before and keeps their factorisation.
 class SlidingContact {
 public:
-  /// @param map outlives this
   /// @param area,gap of the cells, as in ContactProblem
-  SlidingContact(const ComplianceMap& map, std::vector<double> area, std::vector<double> gap,
+  SlidingContact(ComplianceAt compliance, std::vector<double> area, std::vector<double> gap,
                  const laws::Friction& friction);
 
   /// Moves the slider. A load that does not reach the skin leaves it unloaded.
@@ -91,7 +94,7 @@ private:
   std::vector<double> followed(const std::vector<double>& speed, double time_step) const;
   void divide_slip();
 
-  const ComplianceMap& map_;
+  ComplianceAt compliance_;
   ContactProblem problem_;
   KeptNewton newton_;
   SurfaceState state_;

@@ -97,9 +97,6 @@ struct ContactSolution {
   std::vector<std::array<double, 2>> stepped_onsets;
   std::vector<std::string> warnings;
   double worst_complementarity_residual = 0;
-  /// Estimate of the error between the positions that are solved, of the strain in the core over
-  /// its largest norm (see interpolation_error.hpp).
-  double worst_interpolation_error = 0;
   /// Energy that the contact loses in jumps of adhesion, full skin [J].
   double adhesion_loss = 0;
   /// Energy that friction creates, in steps and cells of negative dissipation, full skin [J].

@@ -6,8 +6,8 @@
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/mechanics/path/first_touch.hpp"
 #include "ionskin/mechanics/path/steady_sliding.hpp"
-#include "ionskin/mechanics/position/canonical_position.hpp"
-#include "ionskin/mechanics/position/condensed_position.hpp"
+#include "ionskin/mechanics/skin/skin_model.hpp"
+#include "ionskin/mechanics/surface/contact_solver.hpp"
 #include "ionskin/mesh/mesh_resolution.hpp"
 #include "ionskin/parallel/shared_progress.hpp"
 #include "ionskin/parallel/task_pool.hpp"
@@ -85,10 +85,11 @@ std::vector<std::array<double, 2>> slide_directions(const Case& input) {
 Reach reach_at(const Case& input, const SkinModel& model, const std::array<double, 2>& centre,
                double friction) {
   base::check_interrupt();
-  const CondensedPosition condensed(model, centre, {.forces = {false, false, false}});
-  const ContactProblem problem{
-      contact_compliance(model, condensed), model.cells.area, model.gap,
-      laws::friction(input.contact.law, friction, input.contact.parameters)};
+  ContactProblem problem{{},
+                         model.cells.area,
+                         model.gap,
+                         laws::friction(input.contact.law, friction, input.contact.parameters)};
+  ContactCompliance(model).at(centre, problem.compliance);
   const CellVector none(3 * model.cells.count(), 0.0);
   Reach reach;
   for (const SliderLoad& load : heaviest_loads(input, model.mesh.half_model())) {
@@ -109,10 +110,9 @@ Reach reach_at(const Case& input, const SkinModel& model, const std::array<doubl
 /// Over two corners of the track.
 Reach reach_of(const Case& input, const mesh::Footprint& footprint, double friction, int threads,
                parallel::SharedProgress& progress) {
-  const SkinModel model(input, footprint);
   const MotionBox box = meshed_box(input);
-  std::vector<std::array<double, 2>> centres{canonical_position(input.skin, box.low).centre,
-                                             canonical_position(input.skin, box.high).centre};
+  const SkinModel model(input, footprint, box);
+  std::vector<std::array<double, 2>> centres{box.low, box.high};
   if (centres[0] == centres[1]) {
     centres.pop_back();
   }

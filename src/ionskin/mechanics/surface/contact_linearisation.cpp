@@ -148,7 +148,7 @@ void LinearSystem::solve(Iterate& iterate) const {
 }
 
 void LinearSystem::add_displacement(int row, int component, double scale) {
-  const double* column = problem_.compliance.column(component); // symmetric
+  const double* column = problem_.compliance.col(component).data(); // symmetric
   for (int j = 0; j < count(); ++j) {
     for (int c = 0; c < 3; ++c) {
       matrix_(row, 3 * j + c) += scale * column[3 * touching_[j] + c];

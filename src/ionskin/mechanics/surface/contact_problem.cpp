@@ -54,10 +54,8 @@ double ContactProblem::lagged_speed_of(int cell) const {
 
 CellVector ContactProblem::surface_displacement(const CellVector& force) const {
   CellVector result(force.size());
-  const Eigen::Map<const Eigen::MatrixXd> matrix(compliance.values.data(), compliance.rows,
-                                                 compliance.columns);
-  Eigen::Map<Eigen::VectorXd>(result.data(), compliance.rows).noalias() =
-      matrix * Eigen::Map<const Eigen::VectorXd>(force.data(), compliance.rows);
+  Eigen::Map<Eigen::VectorXd>(result.data(), compliance.rows()).noalias() =
+      compliance * Eigen::Map<const Eigen::VectorXd>(force.data(), compliance.rows());
   return result;
 }
 

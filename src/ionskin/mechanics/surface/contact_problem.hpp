@@ -2,7 +2,8 @@
 #pragma once
 
 #include "ionskin/laws/friction/return_mapping.hpp"
-#include "ionskin/linear_algebra/sparse_matrix.hpp"
+
+#include <Eigen/Core>
 
 #include <array>
 #include <vector>
@@ -20,8 +21,8 @@ struct SliderStep;
 /// force, docs/model.md (4), and every cell obeys the friction law. Where that adheres, cells that
 /// touch may be pulled, and so are those near the slider, docs/model.md (41).
 struct ContactProblem {
-  linear_algebra::DenseMatrix compliance; ///< C, symmetric [m/N]
-  std::vector<double> area;               ///< of the cells [m2]
+  Eigen::MatrixXd compliance; ///< C, symmetric [m/N]
+  std::vector<double> area;   ///< of the cells [m2]
   /// Mean height of the slider's underside over each cell above its lowest point [m]; 0 for a flat
   /// slider.
   std::vector<double> gap;

@@ -48,7 +48,7 @@ GaussSeidelResult projected_gauss_seidel(const ContactProblem& problem, const Sl
         if (change == 0) {
           continue;
         }
-        const double* column = problem.compliance.column(at);
+        const double* column = problem.compliance.col(at).data();
         for (std::size_t r = 0; r < size; ++r) {
           surface[r] += change * column[r];
         }

@@ -53,8 +53,7 @@ bool has_companions(const MechanicsRecord& mechanics) {
 
 double path_floor(const MechanicsRecord& mechanics) {
   return mechanics.has_contact()
-             ? mechanics.worst_interpolation_error + mechanics.worst_equilibrium_residual +
-                   mechanics.worst_complementarity_residual
+             ? mechanics.worst_equilibrium_residual + mechanics.worst_complementarity_residual
              : 0.0;
 }
 

@@ -60,8 +60,7 @@ struct FitOptions {
   int threads = 1;
   bool overwrite = false;
   bool resume = false; ///< take up the evaluations of an interrupted fit in the folder
-  bool use_cache = true;
-  bool report = true; ///< draw the figure
+  bool report = true;  ///< draw the figure
   std::string command;
   base::ProgressCallback progress = base::no_progress;
 };

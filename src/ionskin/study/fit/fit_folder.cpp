@@ -145,7 +145,7 @@ std::string fit_json_text(const FitResult& result, const FitModel& model, const 
 FitResult run_fit(const FitRequest& request, const FitOptions& options) {
   const double start = base::wall_time();
   FitModel model(request.case_text, request.case_path, request.set_edits, request.free,
-                 {options.threads, options.use_cache, options.progress});
+                 {options.threads, options.progress});
   FitData data = read_fit_data(request.data_path, request.column);
   prepare(data, model);
   const std::string hash = fit_hash(model, data);

@@ -15,7 +15,6 @@
 #include "ionskin/study/errors/error_estimate.hpp"
 #include "ionskin/study/run/run_folder.hpp"
 #include "ionskin/study/run/solve_mechanics.hpp"
-#include "ionskin/study/run/user_cache.hpp"
 
 #include <fmt/format.h>
 
@@ -90,9 +89,6 @@ FitModel::FitModel(std::string text, std::string path, std::vector<std::string> 
     }
     parameters_.push_back(make_parameter(document, key));
   }
-  RunOptions cache_options;
-  cache_options.use_cache = options_.use_cache;
-  cache_ = open_user_cache(cache_options);
 }
 
 Case FitModel::case_at(const std::vector<double>& values) const {
@@ -125,7 +121,6 @@ FitModel::Mechanics FitModel::mechanics_of(const Case& input) {
     base::Timers timers;
     mechanics::ContactOptions contact_options;
     contact_options.threads = options_.threads;
-    contact_options.cache = cache_.get();
     contact_options.progress = options_.progress;
     record = make_mechanics_record(input, mechanics::solve_contact(input, contact_options, timers));
     ++mechanics_solves_;
@@ -162,7 +157,6 @@ std::vector<double> FitModel::errors(const FitData& data, const std::vector<doub
   if (mechanics.has_contact()) {
     mechanics::ContactOptions contact_options;
     contact_options.threads = options_.threads;
-    contact_options.cache = cache_.get();
     add_companions(input, contact_options, mechanics);
   }
   return estimate_data_errors(input, mechanics, *solve(point, options_.threads), data,

@@ -27,7 +27,6 @@ struct FitParameter {
 
 struct FitModelOptions {
   int threads = 1;
-  bool use_cache = true; ///< of condensed slider positions
   base::ProgressCallback progress = base::no_progress;
 };
 
@@ -85,7 +84,6 @@ private:
   FitModelOptions options_;
   Case start_case_;
   std::vector<FitParameter> parameters_;
-  std::unique_ptr<base::DiskCache> cache_;
   std::mutex mechanics_mutex_;
   std::map<std::string, Mechanics> mechanics_;          ///< by `mechanics_hash`
   std::map<std::vector<double>, Ions> solutions_;       ///< by the parameters

@@ -108,7 +108,6 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, base::Disk
     mechanics::ContactOptions contact_options;
     contact_options.threads = options.threads;
     contact_options.progress = options.progress;
-    contact_options.cache = cache;
     return std::move(
         solve_mechanics(input, {input.contact.friction}, contact_options, timers).front());
   });

@@ -2,7 +2,6 @@
 #include "ionskin/study/store/mechanics_cache.hpp"
 
 #include "ionskin/base/files/atomic_file.hpp"
-#include "ionskin/linear_algebra/dense_kernels.hpp"
 #include "ionskin/study/store/mechanics_file.hpp"
 
 #include <cstdint>
@@ -32,12 +31,7 @@ std::optional<std::string> content_of(const std::filesystem::path& path) {
 }
 
 base::Digest key_of(const std::string& hash, const base::Digest& build) {
-  return base::DigestBuilder()
-      .add("mechanics")
-      .add(build.hex())
-      .add(linear_algebra::kernel_name())
-      .add(hash)
-      .finish();
+  return base::DigestBuilder().add("mechanics").add(build.hex()).add(hash).finish();
 }
 
 } // namespace

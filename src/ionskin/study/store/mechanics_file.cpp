@@ -86,7 +86,6 @@ void write_path(results::Hdf5File& file, const std::string& root, const Mechanic
   file.set_attribute(root, "join_time", record.join_time);
   file.set_attribute(root, "worst_equilibrium_residual", record.worst_equilibrium_residual);
   file.set_attribute(root, "worst_complementarity_residual", record.worst_complementarity_residual);
-  file.set_attribute(root, "worst_interpolation_error", record.worst_interpolation_error);
   file.set_attribute(root, "contact_solves", record.contact_solves);
 }
 
@@ -133,7 +132,6 @@ MechanicsRecord read_path(const results::ForeignHdf5File& file, const std::strin
   record.join_time = number("join_time");
   record.worst_equilibrium_residual = number("worst_equilibrium_residual");
   record.worst_complementarity_residual = number("worst_complementarity_residual");
-  record.worst_interpolation_error = number("worst_interpolation_error");
   record.contact_solves = static_cast<int>(std::clamp(number("contact_solves"), 0.0, most_solves));
   return record;
 }

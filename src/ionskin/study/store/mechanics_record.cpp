@@ -120,7 +120,6 @@ MechanicsRecord make_mechanics_record(const Case& input, const mechanics::Contac
     record.electrode_stress = source->largest_electrode_stress();
   }
   record.worst_complementarity_residual = contact.worst_complementarity_residual;
-  record.worst_interpolation_error = contact.worst_interpolation_error;
   record.contact_solves = contact.contact_solves;
   record.warnings = contact.warnings;
   record.metrics = contact_metrics(input, contact, timeline);

@@ -35,7 +35,6 @@ struct MechanicsRecord {
   results::ContactMaps maps; ///< half models hold y <= 0 only
   double worst_equilibrium_residual = 0;
   double worst_complementarity_residual = 0;
-  double worst_interpolation_error = 0;
   int contact_solves = 0;
   std::vector<readout::Metric> metrics; ///< of the contact, for summary.json
   /// By the name of a metric: error that cells of the contact leave in it, however little two

@@ -6,7 +6,6 @@
 #include "ionskin/base/files/sealed_file.hpp"
 #include "ionskin/mechanics/path/expected_steps.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
-#include "ionskin/mechanics/position/memory_estimate.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 #include "ionskin/parallel/task_pool.hpp"
 #include "ionskin/results/hdf5/foreign_hdf5_file.hpp"
@@ -25,9 +24,8 @@
 namespace ionskin::study {
 namespace {
 
-// For the contact solutions held at once: so many bytes, or so much of what a factorisation takes
-// anyway. What does not fit is solved in a further batch, which factorises all positions again.
-constexpr double least_solution_memory = 1.2e9, share_of_factorisation = 0.5;
+/// Of the contact solutions held at once [bytes]; what does not fit is solved in a further batch.
+constexpr double most_memory = 4e8;
 /// Of a cell in a state of the path: its tractions, forces, displacement, slip and reserve.
 constexpr double values_per_cell = 16;
 /// States whose strain a solution holds while its history is made, and solutions at a time.
@@ -95,16 +93,11 @@ double strain_memory(const mesh::SkinMesh& mesh) {
   return held_states * 6 * sizeof(double) * gauss_points;
 }
 
-double most_memory(const mesh::SkinMesh& mesh) {
-  return std::max(least_solution_memory,
-                  share_of_factorisation * mechanics::factorisation_memory(mesh.unknowns()));
-}
-
 /// Friction coefficients whose solutions fit into memory together.
 std::size_t batch_size(const Case& input, const mesh::Footprint& footprint) {
   const mesh::SkinMesh mesh(input, footprint);
   return std::max<std::size_t>(
-      1, static_cast<std::size_t>(most_memory(mesh) / solution_memory(input, mesh)));
+      1, static_cast<std::size_t>(most_memory / solution_memory(input, mesh)));
 }
 
 /// How the entries of a group are solved.
@@ -221,7 +214,6 @@ private:
     const double share = static_cast<double>(end - begin) / static_cast<double>(units_);
     mechanics::ContactOptions contact_options;
     contact_options.threads = options_.threads;
-    contact_options.cache = cache_;
     contact_options.footprint = footprint;
     contact_options.progress = [&](std::string_view activity, double fraction) {
       options_.progress("mechanics of all points",
@@ -334,8 +326,7 @@ std::vector<std::size_t> points_to_solve(const std::vector<SweepPoint>& points,
 double solutions_memory(const Case& input, std::size_t solutions) {
   const mesh::SkinMesh mesh(input);
   const auto histories = static_cast<double>(std::min(solutions, histories_at_once));
-  return std::min(most_memory(mesh),
-                  static_cast<double>(solutions) * solution_memory(input, mesh)) +
+  return std::min(most_memory, static_cast<double>(solutions) * solution_memory(input, mesh)) +
          histories * strain_memory(mesh);
 }
 

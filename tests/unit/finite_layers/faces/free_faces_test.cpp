@@ -27,20 +27,23 @@ struct Faces {
 Eigen::MatrixXd compliance(const ContactGrid& grid, double x, double y, const Faces& faces,
                            double length = skin_x, double width = skin_y) {
   static const SurfaceCompliance surface(paper_skin());
-  static const ShortWaveCompliance short_waves(surface, long_waves);
+  static const PlaneCompliance short_waves(surface, long_waves);
   const BoxModes modes(surface, length, width, long_waves);
   const ThicknessColumn through = column(faces.degree);
   auto rows = modes.rows(grid, y);
   const FreeSides sides(through, length, width, long_waves, {faces.along_side, 60});
-  Eigen::MatrixXd result = short_wave_compliance(short_waves, grid);
+  Eigen::MatrixXd result = plane_compliance(short_waves, grid, own_images(grid));
   if (faces.sides_free) {
     sides.add(grid, y, rows);
   }
-  add_modes(rows, modes.along_x(), grid, x, result);
+  const Eigen::ArrayXd all = Eigen::ArrayXd::Ones(modes.along_x().wave_numbers.size());
+  for (const ModePart part : {ModePart::alike, ModePart::mirrored}) {
+    add_modes(rows, modes.along_x(), part, all, grid, x, result);
+  }
   if (faces.ends_free) {
     const FreeEnds ends(through, length, width, long_waves, {faces.along_end, 120},
                         faces.sides_free ? &sides : nullptr);
-    ends.rows(grid, y).add(grid, x, result);
+    ends.rows(grid, y).add(grid, x, all, 1e9, result);
   }
   return result;
 }

@@ -18,9 +18,14 @@ ContactGrid graded_grid() {
 
 Eigen::MatrixXd compliance(const SurfaceCompliance& surface, const WaveSplit& split,
                            const ContactGrid& grid, double x, double y) {
-  Eigen::MatrixXd result = short_wave_compliance(ShortWaveCompliance(surface, split), grid);
+  Eigen::MatrixXd result =
+      plane_compliance(PlaneCompliance(surface, split), grid, own_images(grid));
   const BoxModes modes(surface, length, width, split);
-  add_modes(modes.rows(grid, y), modes.along_x(), grid, x, result);
+  const auto rows = modes.rows(grid, y);
+  const Eigen::ArrayXd all = Eigen::ArrayXd::Ones(modes.along_x().wave_numbers.size());
+  for (const ModePart part : {ModePart::alike, ModePart::mirrored}) {
+    add_modes(rows, modes.along_x(), part, all, grid, x, result);
+  }
   return result;
 }
 
@@ -73,9 +78,9 @@ TEST(SplitCompliance, is_cerrutis_and_boussinesqs_on_a_thick_layer) {
   // Far above the base and far from the faces, under small cells.
   const ElasticLayer thick = elastic_layer(1e6, 0.3, 50e-3);
   const SurfaceCompliance surface({thick});
-  const ShortWaveCompliance skin(surface, WaveSplit(40e-3, 1e-4));
+  const PlaneCompliance skin(surface, WaveSplit(40e-3, 1e-4));
   const Interval x_at{0, 2e-6}, y{0, 2e-6}, x_from{10e-6, 12e-6};
-  const CellCompliance found = short_wave_compliance(skin, x_at, y, x_from, y);
+  const CellCompliance found = plane_compliance(skin, x_at, y, x_from, y);
   const double r = 10e-6, factor = 1 / (2 * M_PI * thick.shear_modulus * r);
   EXPECT_NEAR(found(0, 0), factor * 0.7, 0.01 * factor);
   EXPECT_NEAR(found(1, 1), factor, 0.01 * factor);

@@ -22,22 +22,17 @@ constexpr double work = strength * range / 2; // of adhesion [J/m2]
 
 /// One cell on a spring.
 struct OneCell {
-  ComplianceMap map;
   SlidingContact contact;
 
   explicit OneCell(double compliance)
-      : map({{std::vector{centre[0]}, std::vector{centre[1]}}, {}}, {matrix(compliance)}),
-        contact(map, {area}, {0.0},
-                laws::friction("adhesive", 0.3,
-                               {{"work_of_adhesion", work}, {"cohesive_strength", strength}})) {}
+      : contact(
+            [compliance](const auto&, Eigen::MatrixXd& result) {
+              result = compliance * Eigen::MatrixXd::Identity(3, 3);
+            },
+            {area}, {0.0},
+            laws::friction("adhesive", 0.3,
+                           {{"work_of_adhesion", work}, {"cohesive_strength", strength}})) {}
 
-  static linear_algebra::DenseMatrix matrix(double compliance) {
-    linear_algebra::DenseMatrix result(3, 3);
-    for (int i = 0; i < 3; ++i) {
-      result(i, i) = compliance;
-    }
-    return result;
-  }
   /// Force at a height of the slider [N].
   double at_height(double height) {
     return contact.step(1, centre, {LoadKind::indentation, -height}).force[0];

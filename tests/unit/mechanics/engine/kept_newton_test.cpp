@@ -22,7 +22,7 @@ ContactProblem sphere_on_many_cells(double friction) {
   ContactProblem problem;
   problem.friction = laws::friction("coulomb", friction, {});
   problem.area.assign(cells, width * width);
-  problem.compliance = linear_algebra::DenseMatrix(3 * cells, 3 * cells);
+  problem.compliance = Eigen::MatrixXd::Zero(3 * cells, 3 * cells);
   const auto place = [&](int cell) -> std::array<double, 2> {
     return {width * (cell % cells_across - cells_across / 2),
             width * (cell / cells_across - cells_across / 2)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "condensed_line.hpp"
 #include "ionskin/mechanics/engine/kept_path.hpp"
+#include "small_line.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ namespace {
 
 TEST(KeptPath, counts_a_slider_below_the_skin_without_load_as_a_violation) {
   ContactSolution solution{.mesh = line().model->mesh};
-  KeptPath path(*line().nodes, nullptr, {1e-2, 1, 1, 0.1}, solution);
+  KeptPath path(*line().model, nullptr, {1e-2, 1, 1, 0.1}, solution);
   const SlidingContact slider = line().slider();
   path.add({0, {2e-3, 1e-3}, 1e-3, false, true, {}}, slider);
   EXPECT_EQ(solution.worst_complementarity_residual, 0);

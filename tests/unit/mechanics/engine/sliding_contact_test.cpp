@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "condensed_line.hpp"
 #include "ionskin/base/error.hpp"
 #include "ionskin/mechanics/engine/sliding_contact.hpp"
 #include "ionskin/mechanics/surface/contact_diagnostics.hpp"
 #include "largest_difference.hpp"
+#include "small_line.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/slider/slider_compliance.hpp"
 
-#include "ionskin/mechanics/position/condensed_position.hpp"
-#include "ionskin/mechanics/position/skin_model.hpp"
+#include "ionskin/mechanics/skin/skin_model.hpp"
 #include "small_case.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +12,11 @@
 namespace ionskin::mechanics {
 namespace {
 
-using linear_algebra::DenseMatrix;
+using Eigen::MatrixXd;
+
+MotionBox start_of(const Case& input) {
+  return {input.slider.start, input.slider.start};
+}
 
 Case soft_case(double pad_thickness = 0) {
   Case input = small_case();
@@ -23,14 +26,14 @@ Case soft_case(double pad_thickness = 0) {
   return input;
 }
 
-DenseMatrix compliance(const Case& input, mesh::MeshedPart part = mesh::MeshedPart::whole) {
-  return SkinModel(input, mesh::largest_footprint(input), part).slider_compliance;
+MatrixXd compliance(const Case& input, mesh::MeshedPart part = mesh::MeshedPart::whole) {
+  return SkinModel(input, mesh::largest_footprint(input), start_of(input), part).slider_compliance;
 }
 
 /// Mean displacement of all cells, weighted with their area, under even traction in one direction,
 /// over the traction [m/Pa].
 double even_response(const Case& input, int component, mesh::MeshedPart part) {
-  const SkinModel model(input, mesh::largest_footprint(input), part);
+  const SkinModel model(input, mesh::largest_footprint(input), start_of(input), part);
   double sum = 0, area = 0;
   for (int at = 0; at < static_cast<int>(model.cells.count()); ++at) {
     area += model.cells.area[at];
@@ -43,16 +46,16 @@ double even_response(const Case& input, int component, mesh::MeshedPart part) {
 }
 
 TEST(SliderCompliance, IsEmptyOfARigidSlider) {
-  EXPECT_TRUE(compliance(small_case()).values.empty());
+  EXPECT_TRUE(compliance(small_case()).size() == 0);
 }
 
 TEST(SliderCompliance, IsSymmetricAndInInverseProportionToTheModulus) {
   Case input = soft_case();
-  const DenseMatrix soft = compliance(input);
+  const MatrixXd soft = compliance(input);
   input.slider.youngs_modulus *= 10;
-  const DenseMatrix stiffer = compliance(input);
-  ASSERT_FALSE(soft.values.empty());
-  for (int i = 0; i < soft.rows; ++i) {
+  const MatrixXd stiffer = compliance(input);
+  ASSERT_GT(soft.size(), 0);
+  for (int i = 0; i < soft.rows(); ++i) {
     EXPECT_GT(soft(i, i), 0);
     for (int j = 0; j <= i; ++j) {
       EXPECT_EQ(soft(i, j), soft(j, i));
@@ -119,15 +122,14 @@ TEST(SliderCompliance, OfThinAndThickPadsMeet) {
   }
 }
 
-TEST(SliderCompliance, AddsToTheSkinsAtAPosition) {
+TEST(SliderCompliance, AddsToTheSkinsAtAPlace) {
   const Case input = soft_case();
-  const SkinModel model(input, mesh::largest_footprint(input));
-  const CondensedPosition position(model, input.slider.start);
-  const DenseMatrix both = contact_compliance(model, position);
-  for (std::size_t at = 0; at < both.values.size(); ++at) {
-    ASSERT_EQ(both.values[at],
-              position.compliance().values[at] + model.slider_compliance.values[at]);
-  }
+  const SkinModel model(input, mesh::largest_footprint(input), start_of(input));
+  MatrixXd both;
+  ContactCompliance(model).at(input.slider.start, both);
+  const MatrixXd skin =
+      model.layers.across(input.slider.start[1]).compliance(input.slider.start[0]);
+  EXPECT_EQ(both, skin + model.slider_compliance);
 }
 
 TEST(SliderCompliance, OfTheSkinsOwnMaterialLeavesNormalAndTangentialApart) {
@@ -143,13 +145,14 @@ TEST(SliderCompliance, OfTheSkinsOwnMaterialLeavesNormalAndTangentialApart) {
   }
   input.slider.youngs_modulus = 1e8;
   input.slider.poissons_ratio = 0.2;
-  const SkinModel model(input, mesh::largest_footprint(input), mesh::MeshedPart::whole);
-  const CondensedPosition position(model, input.slider.start);
-  const DenseMatrix both = contact_compliance(model, position);
+  const SkinModel model(input, mesh::largest_footprint(input), start_of(input),
+                        mesh::MeshedPart::whole);
+  MatrixXd both;
+  ContactCompliance(model).at(input.slider.start, both);
   double skin = 0, rest = 0;
-  for (int i = 0; i < both.rows; i += 3) {
-    for (int j = 0; j < both.rows; j += 3) {
-      skin += std::pow(position.compliance()(i, j + 1), 2);
+  for (int i = 0; i < both.rows(); i += 3) {
+    for (int j = 0; j < both.rows(); j += 3) {
+      skin += std::pow(both(i, j + 1) - model.slider_compliance(i, j + 1), 2);
       rest += std::pow(both(i, j + 1), 2);
     }
   }

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/finite_layers/faces/free_ends.hpp"
+#include "ionskin/finite_layers/faces/free_sides.hpp"
+#include "ionskin/finite_layers/plane/box_modes.hpp"
+#include "ionskin/finite_layers/plane/plane_compliance.hpp"
+#include "ionskin/finite_layers/plane/radial_compliance.hpp"
+#include "ionskin/finite_layers/skin/skin_resolution.hpp"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
+namespace ionskin::finite_layers {
+
+/// A skin under the cells of a slider: a box of even layers on a rigid base, its ends free of
+/// stress, its sides free or held by rollers. What depends on the skin and the cells alone is made
+/// once; the compliance of the cells follows for any place of the slider. Thread-safe.
+class LayeredSkin {
+public:
+  LayeredSkin(const Skin& skin, ContactGrid grid, const SkinResolution& resolution);
+
+  const ContactGrid& grid() const { return grid_; }
+
+  /// The skin with the slider at one place across it.
+  class Across {
+  public:
+    /// Mean displacements of the cells over the forces on them, [3 cell + component]: normal
+    /// (downwards), x, y, symmetric [m/N].
+    /// @param centre_x of the slider [m]
+    Eigen::MatrixXd compliance(double centre_x) const;
+
+  private:
+    friend class LayeredSkin;
+    const LayeredSkin* skin_ = nullptr;
+    std::vector<Eigen::MatrixXd> rows_; ///< of each mode along the skin
+    FreeEnds::Rows ends_;
+    Eigen::MatrixXd alike_; ///< the part that does not depend on the place along the skin [m/N]
+  };
+  /// @param centre_y of the slider [m]; the skin outlives the result
+  Across across(double centre_y) const;
+
+private:
+  /// What the ends feel of a slider at a place.
+  struct NearEnds {
+    Eigen::ArrayXd share; ///< of the first modes along x
+    double last = 0;      ///< largest wave number along the ends [1/m]
+  };
+  NearEnds near_ends(double centre_x) const;
+
+  ContactGrid grid_;
+  double length_, width_;
+  SkinResolution resolution_;
+  std::unique_ptr<const SurfaceCompliance> surface_;
+  std::unique_ptr<const PlaneCompliance> short_waves_;
+  std::unique_ptr<const BoxModes> modes_;
+  std::unique_ptr<const FreeSides> sides_; ///< null where rollers hold them
+  std::unique_ptr<const FreeEnds> ends_;
+  Eigen::MatrixXd short_compliance_; ///< of the cells [m/N]
+};
+
+} // namespace ionskin::finite_layers

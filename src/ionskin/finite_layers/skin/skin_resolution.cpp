@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/finite_layers/skin/skin_resolution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ionskin::finite_layers {
+namespace {
+
+constexpr double least_reach = 0.75; // over the thickness
+
+} // namespace
+
+FaceResolution SkinResolution::face(double length) const {
+  const double last = face_waves / reach;
+  return {static_cast<Eigen::Index>(std::ceil(last * length / std::numbers::pi)) + 1, one_by_one};
+}
+
+SkinResolution skin_resolution(const std::vector<ElasticLayer>& layers,
+                               const Clearance& clearance) {
+  constexpr double thick = 0.2; // over the thickness of all: such a layer bends by itself
+  double thickness = 0;
+  for (const ElasticLayer& layer : layers) {
+    thickness += layer.thickness;
+  }
+  SkinResolution result;
+  result.split_tolerance = 1e-3;
+  result.reach = std::max(least_reach * thickness, 2 * std::min(clearance.ends, clearance.sides));
+  result.face_waves = 7;
+  result.one_by_one = 120;
+  result.degree = 3;
+  for (const ElasticLayer& layer : layers) {
+    result.elements.push_back(layer.thickness > thick * thickness ? ElementSizes{1, 2, 2, 1}
+                                                                  : ElementSizes{1});
+  }
+  return result;
+}
+
+} // namespace ionskin::finite_layers

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/path/contact_box.hpp"
+
+#include "ionskin/laws/friction/friction_law.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace ionskin::mechanics {
+namespace {
+
+/// A slider on a drive that halts swings on by its speed over the natural angular frequency.
+void add_swing(const Case& input, MotionBox& box) {
+  constexpr double most = 0.5; // of the room beside it
+  const double seconds = input.motion.drive.natural_period() / (2 * std::numbers::pi);
+  const std::array<double, 2> skin{input.skin.length, input.skin.width};
+  const auto half_size = input.slider.flat_half_size();
+  std::array<double, 2> fastest{};
+  for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
+    for (std::size_t d = 0; d < 2 && leg.touches() && leg.duration > 0; ++d) {
+      fastest[d] = std::max(fastest[d], std::abs(leg.to[d] - leg.from[d]) / leg.duration);
+    }
+  }
+  for (std::size_t d = 0; d < 2; ++d) {
+    const double swing = fastest[d] * seconds;
+    const double below = std::max(0.0, box.low[d] - half_size[d]),
+                 above = std::max(0.0, skin[d] - half_size[d] - box.high[d]);
+    box.low[d] -= std::min(swing, most * below);
+    box.high[d] += std::min(swing, most * above);
+  }
+}
+
+} // namespace
+
+std::optional<MotionBox> contact_box(const Case& input) {
+  std::optional<MotionBox> box;
+  const auto include = [&](const std::array<double, 2>& place) {
+    if (!box) {
+      box = MotionBox{place, place};
+    }
+    for (std::size_t d = 0; d < 2; ++d) {
+      box->low[d] = std::min(box->low[d], place[d]);
+      box->high[d] = std::max(box->high[d], place[d]);
+    }
+  };
+  const bool adheres = laws::friction_law(input.contact.law).adheres;
+  for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
+    if (leg.touches()) {
+      // Where a height turns into a force the whole leg may touch.
+      const ContactPart part = contact_part(leg);
+      include(adheres ? leg.from : part.from);
+      include(adheres ? leg.to : part.to);
+    }
+  }
+  if (box && input.motion.drive.given()) {
+    add_swing(input, *box);
+  }
+  return box;
+}
+
+} // namespace ionskin::mechanics

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/mechanics/output/contact_solution.hpp"
+#include "ionskin/mechanics/skin/skin_model.hpp"
+#include "ionskin/mechanics/surface/contact_problem.hpp"
+
+#include <array>
+#include <vector>
+
+namespace ionskin::mechanics {
+
+/// What the skin does under the forces of a state.
+struct RecoveredStrain {
+  CoreStrain core;
+  /// Largest von Mises stress of each electrode layer as a membrane, averaged through its thickness
+  /// and over each column between the lines of the mesh, bottom to top [Pa].
+  std::vector<double> electrode_stress;
+  /// Largest difference of the forces through a level of the core from those on the cells, over the
+  /// largest sum of those.
+  double equilibrium_residual = 0;
+};
+
+/// @param centre of the slider [m]
+/// @param forces of the cells [N]
+RecoveredStrain recover_strain(const SkinModel& model, const std::array<double, 2>& centre,
+                               const CellVector& forces);
+
+} // namespace ionskin::mechanics

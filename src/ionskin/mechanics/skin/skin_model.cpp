@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/skin/skin_model.hpp"
+
+#include "ionskin/mechanics/slider/slider_compliance.hpp"
+#include "ionskin/mechanics/slider/slider_shape.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace ionskin::mechanics {
+namespace {
+
+finite_layers::ContactGrid contact_grid(const ContactCells& cells, bool half) {
+  return {cells.lines_x, cells.lines_y, half};
+}
+
+finite_layers::Clearance clearance(const Skin& skin, const mesh::Footprint& footprint,
+                                   const MotionBox& places) {
+  const std::array<double, 2> size{skin.length, skin.width};
+  std::array<double, 2> result{};
+  for (std::size_t d = 0; d < 2; ++d) {
+    const double room = std::min(places.low[d], size[d] - places.high[d]) - footprint.half_size[d];
+    result[d] = std::max(0.0, room);
+  }
+  return {result[0], result[1]};
+}
+
+} // namespace
+
+SkinModel::SkinModel(const Case& input, const mesh::Footprint& footprint, const MotionBox& places,
+                     mesh::MeshedPart part)
+    : SkinModel(input, places, mesh::SkinMesh(input, footprint, part)) {}
+
+SkinModel::SkinModel(const Case& input, const MotionBox& places, mesh::SkinMesh mesh_of_case)
+    : mesh(std::move(mesh_of_case)), cells(contact_cells(mesh)),
+      gap(mean_gap(input.slider, cells.lines_x, cells.lines_y, {false, false})),
+      slider_compliance(
+          mechanics::slider_compliance(input.slider, contact_grid(cells, mesh.half_model()))),
+      layers(input.skin, contact_grid(cells, mesh.half_model()),
+             finite_layers::skin_resolution(finite_layers::elastic_layers(input.skin),
+                                            clearance(input.skin, mesh.footprint(), places))) {}
+
+void ContactCompliance::at(const std::array<double, 2>& place, Eigen::MatrixXd& result) {
+  if (!across_ || centre_y_ != place[1]) {
+    across_ = model_->layers.across(place[1]);
+    centre_y_ = place[1];
+  }
+  result = across_->compliance(place[0]);
+  if (model_->slider_compliance.size() > 0) {
+    result += model_->slider_compliance;
+  }
+}
+
+} // namespace ionskin::mechanics

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/case/slider_motion.hpp"
+#include "ionskin/finite_layers/skin/layered_skin.hpp"
+#include "ionskin/mechanics/surface/contact_cells.hpp"
+#include "ionskin/mesh/skin_mesh.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace ionskin::mechanics {
+
+/// Everything of a case that does not depend on the slider's place: the elastic skin, the slider
+/// with its underside, and the lines that follow it. Shared by all threads.
+struct SkinModel {
+  mesh::SkinMesh mesh;
+  ContactCells cells;
+  std::vector<double> gap; ///< of the slider's underside over the cells [m]
+  /// Of a soft slider against forces on the cells, [3 cells, 3 cells]; empty of a rigid one [m/N].
+  Eigen::MatrixXd slider_compliance;
+  finite_layers::LayeredSkin layers;
+
+  /// @param footprint in which the slider may touch
+  /// @param places where its centre may be [m]
+  SkinModel(const Case& input, const mesh::Footprint& footprint, const MotionBox& places,
+            mesh::MeshedPart part = mesh::MeshedPart::half_if_symmetric);
+
+private:
+  SkinModel(const Case& input, const MotionBox& places, mesh::SkinMesh mesh_of_case);
+};
+
+/// Compliance between skin and slider with the slider at one place after another, docs/model.md
+/// (36). What places with the same y share is kept from one to the next.
+class ContactCompliance {
+public:
+  /// @param model outlives this
+  explicit ContactCompliance(const SkinModel& model) : model_(&model) {}
+
+  /// @param place of the slider's centre [m]
+  /// @param result resized, [3 cells, 3 cells], symmetric [m/N]
+  void at(const std::array<double, 2>& place, Eigen::MatrixXd& result);
+
+private:
+  const SkinModel* model_;
+  double centre_y_ = 0; ///< [m]
+  std::optional<finite_layers::LayeredSkin::Across> across_;
+};
+
+} // namespace ionskin::mechanics
