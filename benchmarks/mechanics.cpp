@@ -9,7 +9,7 @@
 #include "ionskin/mechanics/engine/sliding_contact.hpp"
 #include "ionskin/mechanics/path/contact_box.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
-#include "ionskin/mechanics/skin/recover_strain.hpp"
+#include "ionskin/mechanics/skin/strain_recovery.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
 #include "ionskin/parallel/task_pool.hpp"
 #include "ionskin/study/store/mechanics_record.hpp"
@@ -54,9 +54,9 @@ void line(const std::string& name, const std::string& value) {
 /// What is made once for a skin and its cells, and a compliance, on one core.
 void measure_skin(const Case& input) {
   const MotionBox box = *mechanics::contact_box(input);
-  std::unique_ptr<const mechanics::SkinModel> model;
+  std::shared_ptr<const mechanics::SkinModel> model;
   const double made = seconds_of([&] {
-    model = std::make_unique<const mechanics::SkinModel>(
+    model = std::make_shared<const mechanics::SkinModel>(
         input, mechanics::find_footprint(input, input.contact.friction, 1), box);
   });
   line("contact cells", fmt::format("{}", model->cells.count()));
@@ -70,10 +70,10 @@ void measure_skin(const Case& input) {
        fmt::format("{:.1f} ms", 1e3 * seconds_of([&] { compliance.at(box.high, matrix); })));
   line("compliance in the middle",
        fmt::format("{:.1f} ms", 1e3 * seconds_of([&] { compliance.at(middle, matrix); })));
+  const mechanics::StrainRecovery recovery(model);
   const mechanics::CellVector force(3 * model->cells.count(), 1.0);
   line("strain of a state",
-       fmt::format("{:.1f} ms",
-                   1e3 * seconds_of([&] { mechanics::recover_strain(*model, middle, force); })));
+       fmt::format("{:.1f} ms", 1e3 * seconds_of([&] { recovery.at(middle, force); })));
 }
 
 /// Steps of a slide at the indentation of the case, each to a place of its own, on one core.

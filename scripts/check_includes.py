@@ -17,7 +17,7 @@ ROOMS = {
     "circuits": ["."],
     "shapes": ["."],
     "case": ["text", ".", "schema", "document", "checks", "reading"],
-    "finite_layers": ["thickness", "plane", "faces"],
+    "finite_layers": ["thickness", "plane", "faces", "fields"],
     "mesh": ["."],
     "linear_algebra": ["."],
     "history": ["."],

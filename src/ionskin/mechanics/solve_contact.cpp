@@ -138,6 +138,7 @@ std::vector<ContactState> solve_steady_sliding(const Case& input,
                            ? leg.to_level.value * (model->mesh.half_model() ? 0.5 : 1.0)
                            : -leg.to_level.value;
   const SliderLoad load{leg.to_level.is_force ? LoadKind::force : LoadKind::indentation, value};
+  const auto recovery = std::make_shared<const StrainRecovery>(model);
   std::vector<ContactState> result(arc_lengths.size());
   parallel::run_tasks(arc_lengths.size(), options.threads, [&](std::size_t i) {
     base::check_interrupt();
@@ -152,7 +153,7 @@ std::vector<ContactState> solve_steady_sliding(const Case& input,
     const SurfaceState steady = steady_sliding(problem, load, direction, 0);
     describe(*model, steady, problem, largest_normal_force(steady.force), steady.indentation,
              result[i]);
-    SteppedStrains strains(model, 1);
+    SteppedStrains strains(recovery, 1);
     result[i].strain = strains.at(strains.add(place, steady.force));
   });
   return result;

@@ -84,9 +84,8 @@ ContactSolution empty_solution(const SkinModel& model) {
 }
 
 ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs,
-                           const std::shared_ptr<const SkinModel>& skin, int threads,
+                           const SkinModel& model, const std::shared_ptr<SteppedStrains>& strains,
                            const ContactVariant& variant, parallel::SharedProgress& progress) {
-  const SkinModel& model = *skin;
   const mesh::HeaviestLoad heaviest = mesh::heaviest_load(input);
   StepperOptions options{.steps = variant.steps,
                          .longest_travel = 0,
@@ -100,7 +99,6 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
   options.drive = drive_options(input, model, options.longest_travel, variant.steps);
 
   ContactSolution solution = empty_solution(model);
-  const auto strains = std::make_shared<SteppedStrains>(skin, threads);
   KeptPath kept(model, strains, tolerance, solution);
   ContactCompliance compliance(model);
   SlidingContact contact(
@@ -176,13 +174,16 @@ std::vector<SteppedSolution> solve_stepped(const Case& input, const mesh::Footpr
                                               part);
     progress.finish_unit();
   }
+  const auto recovery = std::make_shared<const StrainRecovery>(model);
   std::vector<SteppedSolution> solutions(variants.size(), {empty_solution(*model), std::nullopt});
   parallel::run_tasks(variants.size(), options.threads, [&](std::size_t i) {
     const base::Timers::Scope scope(timers, "mechanics: contact");
     ContactSolution& contact = solutions[i].contact;
     std::vector<std::string> warnings;
     require_resolved_adhesion(input, *model, *box, warnings);
-    contact = solve_path(input, legs, model, options.threads, variants[i], progress);
+    contact =
+        solve_path(input, legs, *model, std::make_shared<SteppedStrains>(recovery, options.threads),
+                   variants[i], progress);
     std::ranges::move(warnings, std::back_inserter(contact.warnings));
     // Each by itself, so that no solution depends on its neighbours.
     solutions[i].wider = widened_footprint(input, footprint, contact);

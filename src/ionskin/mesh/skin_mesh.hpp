@@ -55,6 +55,8 @@ public:
   const Footprint& footprint() const { return footprint_; }
   /// First and one-past-last element index of the core along z.
   std::array<std::size_t, 2> core_z() const { return core_z_; }
+  /// Lines along z [m].
+  const std::vector<double>& lines_z() const { return z_; }
   /// Index of the layer that holds each element row along z.
   const std::vector<std::size_t>& layer_of_row() const { return layer_of_row_; }
   /// Elements along x, y and z.

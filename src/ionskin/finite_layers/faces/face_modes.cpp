@@ -76,4 +76,13 @@ FaceTerms face_terms(const ThicknessColumn& column, const PlaneMode& mode, Face 
   return terms;
 }
 
+ModeMotion mode_motion(const ThicknessColumn& column, const PlaneMode& mode, Face face) {
+  const double k = Direction(mode).k;
+  const Eigen::Index n = column.nodes();
+  const FaceLoads loads = face_loads(column, mode, face);
+  const Eigen::MatrixXd plane = column.plane_strain(k).llt().solve(loads.plane_strain);
+  return {-plane.topRows(n), -plane.bottomRows(n),
+          -column.antiplane(k).llt().solve(loads.antiplane)};
+}
+
 } // namespace ionskin::finite_layers

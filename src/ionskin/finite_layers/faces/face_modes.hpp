@@ -30,4 +30,11 @@ FaceTerms face_terms(const ThicknessColumn& column, const PlaneMode& mode, Face 
 /// The stiffness alone, for the many modes that carry no load.
 Eigen::MatrixXd face_stiffness(const ThicknessColumn& column, const PlaneMode& mode, Face face);
 
+/// Displacement of the nodes by a mode over the motion of a face, a strain of 1 by (55): along the
+/// wave, upwards and across it, [node, node of the face].
+struct ModeMotion {
+  Eigen::MatrixXd along, upwards, across;
+};
+ModeMotion mode_motion(const ThicknessColumn& column, const PlaneMode& mode, Face face);
+
 } // namespace ionskin::finite_layers

@@ -115,6 +115,54 @@ FreeEnds::Rows FreeEnds::rows(const ContactGrid& grid, double centre_y) const {
   return result;
 }
 
+std::vector<FreeEnds::ModesOfClass> FreeEnds::modes(bool mirrored) const {
+  std::vector<ModesOfClass> result;
+  for (const Class& own : classes_) {
+    if (!mirrored || own.along_y == Parity::even) {
+      result.push_back({own.along_x, own.modes_y});
+    }
+  }
+  return result;
+}
+
+std::vector<FreeEnds::Motion> FreeEnds::motion(const std::array<Eigen::MatrixXd, 3>& forces,
+                                               bool mirrored,
+                                               std::array<Eigen::MatrixXd, 2>& on_sides) const {
+  std::vector<Motion> result;
+  for (const Class& own : classes_) {
+    if (mirrored && own.along_y == Parity::odd) {
+      continue;
+    }
+    const Eigen::Index first = own.along_x == Parity::even ? 0 : 1;
+    const auto blocks = static_cast<Eigen::Index>(own.modes_y.size());
+    const Eigen::Index nodes = own.stiffness.rows() / blocks;
+    Eigen::MatrixXd& sides = on_sides[own.along_y == Parity::even ? 0 : 1];
+    Eigen::VectorXd stress = Eigen::VectorXd::Zero(own.stiffness.rows());
+    for (std::size_t at = 0; at < own.stress.size(); ++at) {
+      const Eigen::Index m = first + 2 * static_cast<Eigen::Index>(at);
+      const double weight = multiplicity(m) / along_x_.extent;
+      for (Eigen::Index block = 0; block < blocks; ++block) {
+        const auto b = static_cast<std::size_t>(block);
+        const Eigen::Vector3d of_mode(forces[0](m, own.modes_y[b]), forces[1](m, own.modes_y[b]),
+                                      forces[2](m, own.modes_y[b]));
+        stress.segment(block * nodes, nodes) += weight * own.stress[at][b] * of_mode;
+      }
+      if (own.on_sides[at].size() > 0) {
+        stress -= weight * own.on_sides[at].transpose() *
+                  sides_->stiffness(m, own.along_y).solve(sides.col(m));
+      }
+    }
+    const Eigen::VectorXd moved = -own.stiffness.solve(stress);
+    for (std::size_t at = 0; at < own.stress.size(); ++at) {
+      if (own.on_sides[at].size() > 0) {
+        sides.col(first + 2 * static_cast<Eigen::Index>(at)) += own.on_sides[at] * moved;
+      }
+    }
+    result.push_back({own.along_x, own.along_y, own.modes_y, moved.reshaped(nodes, blocks)});
+  }
+  return result;
+}
+
 // The factor of the first modes along the ends is the first part of the factor of all.
 void FreeEnds::Rows::add(const ContactGrid& grid, double centre_x, const Eigen::ArrayXd& share,
                          double last, Eigen::MatrixXd& compliance) const {

@@ -41,6 +41,27 @@ public:
   /// @param centre_y of the slider [m]
   Rows rows(const ContactGrid& grid, double centre_y) const;
 
+  /// Outwards motion of the ends where they are free of stress, for modes m and n of one parity
+  /// each: the two ends move alike under even m.
+  struct Motion {
+    Parity along_x, along_y;
+    std::vector<Eigen::Index> modes_y;
+    Eigen::MatrixXd nodes; ///< [node, mode n], coefficients of cosines along the end [m]
+  };
+  /// @param forces sums over cells of force and means of the modes: normal, x, y, [m, n] [N]
+  /// @param mirrored whether even n alone occur
+  /// @param on_sides stress on the sides by these forces, [even or odd n][node, m]; that by the
+  /// motion
+  ///        of the ends is added to it; unused where rollers hold the sides
+  std::vector<Motion> motion(const std::array<Eigen::MatrixXd, 3>& forces, bool mirrored,
+                             std::array<Eigen::MatrixXd, 2>& on_sides) const;
+  /// Modes along the ends, and parity of those across the skin, in the order of `motion`.
+  struct ModesOfClass {
+    Parity parity;
+    std::vector<Eigen::Index> along_y;
+  };
+  std::vector<ModesOfClass> modes(bool mirrored) const;
+
 private:
   /// Modes m of one parity and n of one parity, which meet no others.
   struct Class {

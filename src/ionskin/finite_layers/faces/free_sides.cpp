@@ -61,6 +61,18 @@ Eigen::MatrixXd FreeSides::stress(Eigen::Index mode, Parity parity,
   return result;
 }
 
+Eigen::VectorXd FreeSides::stress(Eigen::Index mode, Parity parity,
+                                  const Eigen::MatrixX3d& forces) const {
+  const OfParity& sides = of(mode, parity);
+  const auto own = Eigen::seqN(parity == Parity::even ? 0 : 1, sides.stress[0].cols(), 2);
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(sides.stiffness.rows());
+  for (Eigen::Index c = 0; c < 3; ++c) {
+    const Eigen::VectorXd of_parity = forces(own, c);
+    result += sides.stress[static_cast<std::size_t>(c)] * of_parity;
+  }
+  return result;
+}
+
 void FreeSides::add(const ContactGrid& grid, double centre_y,
                     std::vector<Eigen::MatrixXd>& rows) const {
   const ModeTransform of_rows = along_y_.transform(grid.y, centre_y);

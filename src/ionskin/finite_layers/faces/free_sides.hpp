@@ -44,6 +44,9 @@ public:
   /// [node, 3 row + component].
   /// @param of_rows transform of the rows by `along_y`
   Eigen::MatrixXd stress(Eigen::Index mode, Parity parity, const ModeTransform& of_rows) const;
+  /// The same over forces given by their modes across the skin: [node] [N/m].
+  /// @param forces sums over cells of force and mean of the mode, [mode, component] [N]
+  Eigen::VectorXd stress(Eigen::Index mode, Parity parity, const Eigen::MatrixX3d& forces) const;
   const ModeLine& along_y() const { return along_y_; }
 
 private:

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/finite_layers/faces/thickness_column.hpp"
 
-#include "ionskin/finite_layers/thickness/lobatto_element.hpp"
-
 #include <cstddef>
 #include <numeric>
 
@@ -24,6 +22,8 @@ ThicknessColumn::ThicknessColumn(const std::vector<ElasticLayer>& layers,
     const ElasticLayer& layer = layers[i];
     const double total = std::accumulate(elements[i].begin(), elements[i].end(), 0.0);
     const double oedometric = layer.oedometric_modulus(), mu = layer.shear_modulus;
+    const double bottom_of_layer = bottom;
+    thickness_.push_back(layer.thickness);
     for (const double share : elements[i]) {
       const double size = layer.thickness * share / total;
       const LobattoElement element(degree, size);
@@ -38,6 +38,7 @@ ThicknessColumn::ThicknessColumn(const std::vector<ElasticLayer>& layers,
       oedometric_stiffness(at, at) += oedometric * stiffness;
       shear_stiffness(at, at) += mu * stiffness;
       coupling(at, at) += layer.lame_lambda * convection - mu * convection.transpose();
+      parts_.push_back({element, i, bottom - bottom_of_layer, size, first});
       first += degree;
       bottom += size;
     }
@@ -53,6 +54,31 @@ ThicknessColumn::ThicknessColumn(const std::vector<ElasticLayer>& layers,
   oedometric_stiffness_ = above_base(oedometric_stiffness);
   shear_stiffness_ = above_base(shear_stiffness);
   coupling_ = above_base(coupling);
+}
+
+ThicknessColumn::AtLevel ThicknessColumn::at(const DepthLevel& level) const {
+  const Eigen::Index count = nodes() + 1;
+  Eigen::RowVectorXd value = Eigen::RowVectorXd::Zero(count), slope = value;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const Part& part = parts_[i];
+    if (part.layer != level.layer) {
+      continue;
+    }
+    const auto own = Eigen::seqN(part.first, part.element.nodes.size());
+    if (!level.height) {
+      const double share = part.size / thickness_[part.layer];
+      value(own) += share * part.element.means();
+      slope(own) += share * part.element.mean_slopes();
+      continue;
+    }
+    const bool last = i + 1 == parts_.size() || parts_[i + 1].layer != part.layer;
+    if (*level.height < part.bottom + part.size || last) {
+      value(own) = part.element.values_at(*level.height - part.bottom);
+      slope(own) = part.element.slopes_at(*level.height - part.bottom);
+      break;
+    }
+  }
+  return {value.tail(nodes()), slope.tail(nodes())};
 }
 
 Eigen::MatrixXd ThicknessColumn::plane_strain(double wave_number) const {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/finite_layers/thickness/elastic_layer.hpp"
+#include "ionskin/finite_layers/thickness/depth_strain.hpp"
+#include "ionskin/finite_layers/thickness/lobatto_element.hpp"
 
 #include <Eigen/Core>
 
@@ -23,6 +24,11 @@ public:
 
   Eigen::Index nodes() const { return heights_.size(); }
   const Eigen::VectorXd& heights() const { return heights_; } ///< of the nodes [m]
+  /// Value at a level over the values at the nodes, and slope upwards [1/m].
+  struct AtLevel {
+    Eigen::RowVectorXd value, slope;
+  };
+  AtLevel at(const DepthLevel& level) const;
 
   /// In the unknowns along the wave, at all nodes, and upwards, at all nodes.
   /// @param wave_number [1/m]
@@ -38,6 +44,14 @@ public:
   const Eigen::MatrixXd& lame_slope() const { return lame_slope_; }
 
 private:
+  struct Part {
+    LobattoElement element;
+    std::size_t layer = 0;
+    double bottom = 0, size = 0; ///< above the bottom of its layer [m]
+    Eigen::Index first = 0;      ///< node, the base counted as well
+  };
+  std::vector<Part> parts_; ///< upwards
+  std::vector<double> thickness_;
   Eigen::VectorXd heights_;
   Eigen::MatrixXd oedometric_mass_, lame_mass_, shear_mass_, lame_slope_;
   Eigen::MatrixXd oedometric_stiffness_, shear_stiffness_, coupling_;

@@ -5,21 +5,35 @@
 #include <utility>
 
 namespace ionskin::finite_layers {
+namespace {
+
+std::size_t core_index(const Skin& skin) {
+  const auto core = std::ranges::find(skin.layers, LayerRole::core, &Layer::role);
+  return static_cast<std::size_t>(core - skin.layers.begin());
+}
+
+} // namespace
 
 LayeredSkin::LayeredSkin(const Skin& skin, ContactGrid grid, const SkinResolution& resolution)
-    : grid_(std::move(grid)), length_(skin.length), width_(skin.width), resolution_(resolution),
-      surface_(std::make_unique<const SurfaceCompliance>(elastic_layers(skin))) {
+    : grid_(std::move(grid)), length_(skin.length), width_(skin.width), core_(core_index(skin)),
+      resolution_(resolution),
+      surface_(std::make_unique<const SurfaceCompliance>(elastic_layers(skin))),
+      column_(surface_->layers(), resolution_.elements, resolution_.degree) {
   const WaveSplit split = resolution_.split();
   modes_ = std::make_unique<const BoxModes>(*surface_, skin.length, skin.width, split);
-  const ThicknessColumn column(surface_->layers(), resolution_.elements, resolution_.degree);
   if (skin.sides == SideCondition::free) {
-    sides_ = std::make_unique<const FreeSides>(column, skin.length, skin.width, split,
+    sides_ = std::make_unique<const FreeSides>(column_, skin.length, skin.width, split,
                                                resolution_.face(skin.length));
   }
-  ends_ = std::make_unique<const FreeEnds>(column, skin.length, skin.width, split,
+  ends_ = std::make_unique<const FreeEnds>(column_, skin.length, skin.width, split,
                                            resolution_.face(skin.width), sides_.get());
   short_waves_ = std::make_unique<const PlaneCompliance>(*surface_, split);
   short_compliance_ = plane_compliance(*short_waves_, grid_, own_images(grid_));
+}
+
+SkinFields LayeredSkin::fields(const std::vector<double>& heights, double column) const {
+  return {FieldSkin{layers(), core_, length_, width_, &column_, sides_.get(), ends_.get()}, grid_,
+          heights, column, resolution_.split()};
 }
 
 LayeredSkin::Across LayeredSkin::across(double centre_y) const {

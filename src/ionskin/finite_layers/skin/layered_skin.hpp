@@ -4,6 +4,8 @@
 #include "ionskin/case/case.hpp"
 #include "ionskin/finite_layers/faces/free_ends.hpp"
 #include "ionskin/finite_layers/faces/free_sides.hpp"
+#include "ionskin/finite_layers/faces/thickness_column.hpp"
+#include "ionskin/finite_layers/fields/skin_fields.hpp"
 #include "ionskin/finite_layers/plane/box_modes.hpp"
 #include "ionskin/finite_layers/plane/plane_compliance.hpp"
 #include "ionskin/finite_layers/plane/radial_compliance.hpp"
@@ -43,6 +45,10 @@ public:
   /// @param centre_y of the slider [m]; the skin outlives the result
   Across across(double centre_y) const;
 
+  /// @param heights,column as of SkinFields; the skin outlives the result
+  SkinFields fields(const std::vector<double>& heights, double column) const;
+  const std::vector<ElasticLayer>& layers() const { return surface_->layers(); }
+
 private:
   /// What the ends feel of a slider at a place.
   struct NearEnds {
@@ -53,10 +59,12 @@ private:
 
   ContactGrid grid_;
   double length_, width_;
+  std::size_t core_; ///< index of the layer
   SkinResolution resolution_;
   std::unique_ptr<const SurfaceCompliance> surface_;
   std::unique_ptr<const PlaneCompliance> short_waves_;
   std::unique_ptr<const BoxModes> modes_;
+  ThicknessColumn column_;
   std::unique_ptr<const FreeSides> sides_; ///< null where rollers hold them
   std::unique_ptr<const FreeEnds> ends_;
   Eigen::MatrixXd short_compliance_; ///< of the cells [m/N]

@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -51,7 +52,7 @@ Eigen::VectorXd lobatto_nodes(int degree) {
 
 } // namespace
 
-LobattoElement::LobattoElement(int degree, double size) {
+LobattoElement::LobattoElement(int degree, double size) : size_(size) {
   const int count = degree + 1;
   const Eigen::VectorXd on_unit = lobatto_nodes(degree), gauss = legendre_zeros(count);
   Eigen::MatrixXd at_nodes(count, count), at_points(count, count), slope_at_points(count, count);
@@ -65,11 +66,22 @@ LobattoElement::LobattoElement(int degree, double size) {
       slope_at_points(i, j) = boost::math::legendre_p_prime(j, gauss(i));
     }
   }
-  const Eigen::MatrixXd to_legendre = at_nodes.inverse();
+  to_legendre_ = at_nodes.inverse();
   nodes = (on_unit.array() + 1) * size / 2;
   points = (gauss.array() + 1) * size / 2;
-  values = at_points * to_legendre;
-  slopes = slope_at_points * to_legendre * 2 / size;
+  values = at_points * to_legendre_;
+  slopes = slope_at_points * to_legendre_ * 2 / size;
+}
+
+LobattoElement LobattoElement::scaled_to(double size) const {
+  LobattoElement result = *this;
+  const double factor = size / size_;
+  result.size_ = size;
+  result.nodes *= factor;
+  result.points *= factor;
+  result.weights *= factor;
+  result.slopes /= factor;
+  return result;
 }
 
 Eigen::MatrixXd LobattoElement::mass() const {
@@ -82,6 +94,30 @@ Eigen::MatrixXd LobattoElement::stiffness() const {
 
 Eigen::MatrixXd LobattoElement::convection() const {
   return values.transpose() * weights.asDiagonal() * slopes;
+}
+
+Eigen::RowVectorXd LobattoElement::values_at(double place) const {
+  Eigen::RowVectorXd of_legendre(to_legendre_.rows());
+  for (int i = 0; i < of_legendre.size(); ++i) {
+    of_legendre(i) = boost::math::legendre_p(i, std::clamp(2 * place / size_ - 1, -1.0, 1.0));
+  }
+  return of_legendre * to_legendre_;
+}
+
+Eigen::RowVectorXd LobattoElement::slopes_at(double place) const {
+  Eigen::RowVectorXd of_legendre(to_legendre_.rows());
+  for (int i = 0; i < of_legendre.size(); ++i) {
+    of_legendre(i) = boost::math::legendre_p_prime(i, std::clamp(2 * place / size_ - 1, -1.0, 1.0));
+  }
+  return of_legendre * to_legendre_ * 2 / size_;
+}
+
+Eigen::RowVectorXd LobattoElement::means() const {
+  return weights.transpose() * values / size_;
+}
+
+Eigen::RowVectorXd LobattoElement::mean_slopes() const {
+  return weights.transpose() * slopes / size_;
 }
 
 Eigen::MatrixXd plane_strain_matrix(const LobattoElement& element, const ElasticLayer& layer,

@@ -13,6 +13,8 @@ struct LobattoElement {
   /// @param size [m]
   LobattoElement(int degree, double size);
 
+  LobattoElement scaled_to(double size) const;
+
   Eigen::VectorXd nodes;  ///< from 0 to the size [m]
   Eigen::VectorXd points; ///< of quadrature [m]
   Eigen::VectorXd weights;
@@ -22,6 +24,16 @@ struct LobattoElement {
   Eigen::MatrixXd mass() const;       ///< integrals of N_i N_j [m]
   Eigen::MatrixXd stiffness() const;  ///< of N_i' N_j' [1/m]
   Eigen::MatrixXd convection() const; ///< of N_i N_j' [1]
+
+  /// Shape functions and their slopes [1/m] at a place from 0 to the size [m], and their means.
+  Eigen::RowVectorXd values_at(double place) const;
+  Eigen::RowVectorXd slopes_at(double place) const;
+  Eigen::RowVectorXd means() const;
+  Eigen::RowVectorXd mean_slopes() const;
+
+private:
+  double size_;
+  Eigen::MatrixXd to_legendre_; ///< coefficients of Legendre polynomials over values at the nodes
 };
 
 /// Energy matrix of the element in the unknowns (U_r at the nodes, w at the nodes) for waves of one

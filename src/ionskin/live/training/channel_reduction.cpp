@@ -4,7 +4,7 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/laws/shear/shear_measure.hpp"
-#include "ionskin/mechanics/skin/recover_strain.hpp"
+#include "ionskin/mechanics/skin/strain_recovery.hpp"
 #include "ionskin/parallel/task_pool.hpp"
 
 #include <Eigen/Cholesky>
@@ -261,8 +261,9 @@ ChannelMap reduce_fields(const std::vector<Snapshot>& snapshots, const std::stri
 }
 
 /// Strains at the points under unit forces on every cell, at every node.
-void add_unit_strains(const mechanics::SkinModel& model, const PlaceNodes& places, int threads,
-                      const std::vector<Wanted>& wanted, std::vector<ChannelMap>& maps) {
+void add_unit_strains(const mechanics::SkinModel& model, const mechanics::StrainRecovery& recovery,
+                      const PlaceNodes& places, int threads, const std::vector<Wanted>& wanted,
+                      std::vector<ChannelMap>& maps) {
   const std::size_t size = 3 * model.cells.count();
   std::vector<std::vector<std::vector<float>>> at_nodes(wanted.size());
   for (const double y : places.y) {
@@ -273,7 +274,7 @@ void add_unit_strains(const mechanics::SkinModel& model, const PlaceNodes& place
         base::check_interrupt();
         mechanics::CellVector load(size, 0.0);
         load[i] = 1;
-        const CoreStrain strain = mechanics::recover_strain(model, {x, y}, load).core;
+        const CoreStrain strain = recovery.at({x, y}, load).core;
         for (std::size_t c = 0; c < wanted.size(); ++c) {
           for (const Eigen::Index point : wanted[c].points) {
             const auto at = strain_at(strain, static_cast<std::size_t>(point));
@@ -342,8 +343,10 @@ PlaceMap reduce_compliance(const mechanics::SkinModel& model, const PlaceNodes& 
 }
 
 std::vector<ChannelMap> reduce_channels(const std::vector<FullRun>& runs,
-                                        const mechanics::SkinModel& model, const PlaceNodes& places,
-                                        int threads, const std::vector<std::string>& channels) {
+                                        const std::shared_ptr<const mechanics::SkinModel>& model,
+                                        const PlaceNodes& places, int threads,
+                                        const std::vector<std::string>& channels) {
+  const mechanics::StrainRecovery recovery(model);
   const std::vector<Snapshot> snapshots = snapshots_of(runs);
   std::vector<Wanted> wanted;
   for (const std::string& channel : channels) {
@@ -357,7 +360,7 @@ std::vector<ChannelMap> reduce_channels(const std::vector<FullRun>& runs,
     const std::size_t points = strain.component[0].size();
     if (k == 0) {
       weights =
-          point_weights(model.mesh, {places.x[places.x.size() / 2], places.y[places.y.size() / 2]},
+          point_weights(model->mesh, {places.x[places.x.size() / 2], places.y[places.y.size() / 2]},
                         strain.points);
     }
     for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -374,7 +377,7 @@ std::vector<ChannelMap> reduce_channels(const std::vector<FullRun>& runs,
     maps.push_back(
         reduce_fields(snapshots, channels[c], weights, std::move(values[c]), wanted[c].points));
   }
-  add_unit_strains(model, places, threads, wanted, maps);
+  add_unit_strains(*model, recovery, places, threads, wanted, maps);
   return maps;
 }
 

@@ -6,6 +6,7 @@
 #include "ionskin/live/training/place_nodes.hpp"
 #include "ionskin/mechanics/skin/skin_model.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,8 @@ PlaceMap reduce_compliance(const mechanics::SkinModel& model, const PlaceNodes& 
 /// pivoting, Drmac and Gugercin 2016, doi 10.1137/15M1019271).
 /// @param channels of the history, by name
 std::vector<ChannelMap> reduce_channels(const std::vector<FullRun>& runs,
-                                        const mechanics::SkinModel& model, const PlaceNodes& places,
-                                        int threads, const std::vector<std::string>& channels);
+                                        const std::shared_ptr<const mechanics::SkinModel>& model,
+                                        const PlaceNodes& places, int threads,
+                                        const std::vector<std::string>& channels);
 
 } // namespace ionskin::live

@@ -223,13 +223,14 @@ SkinData train_skin(const Case& input, const TrainingOptions& options) {
   const FullRun& run = runs.front();
   {
     own.progress("places", 0.0);
-    const mechanics::SkinModel model(run.input, run.contact.mesh.footprint(), range.box);
+    const auto model = std::make_shared<const mechanics::SkinModel>(
+        run.input, run.contact.mesh.footprint(), range.box);
     const PlaceNodes places = place_nodes(run.input.skin, range.box);
     std::vector<std::string> channels{history::channel_name::shear};
     if (moves_water(input)) {
       channels.emplace_back(electrochemistry::driving_channel(run.input, run.history).name);
     }
-    set_contact(runs, model, places, data);
+    set_contact(runs, *model, places, data);
     data.channels = reduce_channels(runs, model, places, options.threads, channels);
     own.progress("places", 1.0);
   }

@@ -2,7 +2,6 @@
 #include "ionskin/mechanics/engine/stepped_strains.hpp"
 
 #include "ionskin/base/largest.hpp"
-#include "ionskin/mechanics/skin/recover_strain.hpp"
 #include "ionskin/parallel/task_pool.hpp"
 
 #include <algorithm>
@@ -22,7 +21,7 @@ void SteppedStrains::recover(std::size_t first) {
       std::min(states_per_thread * static_cast<std::size_t>(threads_), centres_.size() - first);
   std::vector<RecoveredStrain> recovered(count);
   parallel::run_tasks(count, threads_, [&](std::size_t i) {
-    recovered[i] = recover_strain(*model_, centres_[first + i], forces_[first + i]);
+    recovered[i] = recovery_->at(centres_[first + i], forces_[first + i]);
   });
   held_.clear();
   for (RecoveredStrain& one : recovered) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ionskin/mechanics/output/contact_solution.hpp"
-#include "ionskin/mechanics/skin/skin_model.hpp"
+#include "ionskin/mechanics/skin/strain_recovery.hpp"
 #include "ionskin/mechanics/surface/contact_problem.hpp"
 
 #include <array>
@@ -17,8 +17,8 @@ namespace ionskin::mechanics {
 /// other are recovered at once.
 class SteppedStrains : public StrainSource {
 public:
-  SteppedStrains(std::shared_ptr<const SkinModel> model, int threads)
-      : model_(std::move(model)), threads_(threads) {}
+  SteppedStrains(std::shared_ptr<const StrainRecovery> recovery, int threads)
+      : recovery_(std::move(recovery)), threads_(threads) {}
 
   /// @returns the place of the state
   std::size_t add(const std::array<double, 2>& centre, CellVector force);
@@ -31,7 +31,7 @@ public:
 private:
   void recover(std::size_t first);
 
-  std::shared_ptr<const SkinModel> model_;
+  std::shared_ptr<const StrainRecovery> recovery_;
   int threads_;
   std::vector<std::array<double, 2>> centres_;
   std::vector<CellVector> forces_;

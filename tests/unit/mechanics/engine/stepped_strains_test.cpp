@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/engine/stepped_strains.hpp"
 
-#include "ionskin/mechanics/skin/recover_strain.hpp"
 #include "small_line.hpp"
 
 #include <gtest/gtest.h>
@@ -25,12 +24,13 @@ std::array<double, 2> place_at(std::size_t state) {
 }
 
 TEST(SteppedStrains, AreThoseOfEachStateByItselfInAnyOrder) {
-  SteppedStrains path(line().model, 2);
+  const auto recovery = std::make_shared<const StrainRecovery>(line().model);
+  SteppedStrains path(recovery, 2);
   for (std::size_t k = 0; k < states; ++k) {
     EXPECT_EQ(path.add(place_at(k), force_at(k)), k);
   }
   for (const std::size_t k : {std::size_t{0}, states - 1, std::size_t{7}}) {
-    const RecoveredStrain alone = recover_strain(*line().model, place_at(k), force_at(k));
+    const RecoveredStrain alone = recovery->at(place_at(k), force_at(k));
     EXPECT_EQ(path.at(k).component, alone.core.component) << k;
     ASSERT_EQ(path.largest_electrode_stress().size(), 2u);
     EXPECT_GE(path.largest_electrode_stress()[0], alone.electrode_stress[0]);

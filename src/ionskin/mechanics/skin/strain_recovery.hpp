@@ -6,6 +6,7 @@
 #include "ionskin/mechanics/surface/contact_problem.hpp"
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace ionskin::mechanics {
@@ -21,9 +22,19 @@ struct RecoveredStrain {
   double equilibrium_residual = 0;
 };
 
-/// @param centre of the slider [m]
-/// @param forces of the cells [N]
-RecoveredStrain recover_strain(const SkinModel& model, const std::array<double, 2>& centre,
-                               const CellVector& forces);
+/// Recovers the strain of states from the forces of their cells. Thread-safe; each state is the
+/// same bits in any company.
+class StrainRecovery {
+public:
+  explicit StrainRecovery(std::shared_ptr<const SkinModel> model);
+
+  /// @param centre of the slider [m]
+  /// @param forces of the cells [N]
+  RecoveredStrain at(const std::array<double, 2>& centre, const CellVector& forces) const;
+
+private:
+  std::shared_ptr<const SkinModel> model_;
+  finite_layers::SkinFields fields_;
+};
 
 } // namespace ionskin::mechanics

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/finite_layers/fields/depth_table.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace ionskin::finite_layers {
+namespace {
+
+/// Of the logarithm: at k d = 10 the cubics are good to 1e-4 of what is left, exp(-10).
+constexpr double nodes_per_unit = 40;
+
+} // namespace
+
+DepthTable::DepthTable(const std::vector<ElasticLayer>& layers,
+                       const std::vector<DepthLevel>& levels, double longest,
+                       std::vector<double> cutoffs)
+    : cutoffs_(std::move(cutoffs)), first_(std::log(longest)) {
+  const double last = std::log(*std::ranges::max_element(cutoffs_));
+  nodes_ = static_cast<Eigen::Index>(std::ceil((last - first_) * nodes_per_unit)) + 4;
+  step_ = 1 / nodes_per_unit;
+  values_.resize(8, nodes_ * static_cast<Eigen::Index>(levels.size()));
+  for (Eigen::Index node = 0; node < nodes_; ++node) {
+    const double k = std::exp(first_ + static_cast<double>(node) * step_);
+    const std::vector<DepthStrain> strains = depth_strain(layers, k, levels);
+    for (std::size_t level = 0; level < strains.size(); ++level) {
+      const DepthStrain& at = strains[level];
+      values_.col(node + nodes_ * static_cast<Eigen::Index>(level)) << at.stretch_by_along,
+          at.stretch_by_normal, at.rise_by_along, at.rise_by_normal, at.shear_by_along,
+          at.shear_by_normal, at.twist, at.across;
+    }
+  }
+}
+
+} // namespace ionskin::finite_layers

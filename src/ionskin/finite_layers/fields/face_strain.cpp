@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/finite_layers/fields/face_strain.hpp"
+
+#include "ionskin/finite_layers/fields/mode_means.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace ionskin::finite_layers {
+namespace {
+
+/// The first modes of a parity are taken one by one, the rest in steps of this share.
+constexpr Eigen::Index one_by_one = 10;
+constexpr double step_share = 0.13;
+
+/// Shape functions at all levels, [level, node].
+struct Levels {
+  Eigen::MatrixXd value, slope;
+
+  Levels(const ThicknessColumn& column, const std::vector<DepthLevel>& levels)
+      : value(static_cast<Eigen::Index>(levels.size()), column.nodes()),
+        slope(value.rows(), value.cols()) {
+    for (Eigen::Index i = 0; i < value.rows(); ++i) {
+      const auto at = column.at(levels[static_cast<std::size_t>(i)]);
+      value.row(i) = at.value;
+      slope.row(i) = at.slope;
+    }
+  }
+};
+
+/// Strain of one mode over the motion of a face, a strain of 1, [level, node].
+Strains strain_of(const ModeMotion& motion, const Levels& levels, const PlaneMode& mode,
+                  Face face) {
+  const double k = std::hypot(mode.x, mode.y);
+  const double c = k > 0 ? mode.x / k : 1, s = k > 0 ? mode.y / k : 0;
+  const Eigen::MatrixXd x = c * motion.along - s * motion.across,
+                        y = s * motion.along + c * motion.across;
+  const Eigen::MatrixXd value_x = levels.value * x, value_y = levels.value * y,
+                        value_z = levels.value * motion.upwards;
+  Strains strain{mode.x * value_x,
+                 mode.y * value_y,
+                 levels.slope * motion.upwards,
+                 0.5 * (levels.slope * y - mode.y * value_z),
+                 0.5 * (levels.slope * x - mode.x * value_z),
+                 -0.5 * (mode.y * value_x + mode.x * value_y)};
+  strain[face == Face::side ? 1 : 0] += levels.value;
+  return strain;
+}
+
+/// Means over a place, from 0 to 1 across the skin, of the sums over all n = 2, 4, ... or 1, 3, ...
+/// of cos(n pi y)/n^2 and sin(n pi y)/n.
+struct WholeSums {
+  double cosine = 0, sine = 0;
+
+  WholeSums(Parity parity, const Interval& place) {
+    const double pi = std::numbers::pi;
+    const auto sum = [&](double y) {
+      return parity == Parity::even ? pi * pi * (1.0 / 24 - y * (1 - y) / 4)
+                                    : pi * pi / 4 * (0.5 - y);
+    };
+    cosine = (sum(place.from) + 4 * sum(place.middle()) + sum(place.to)) / 6;
+    sine = parity == Parity::even ? pi / 4 * (1 - 2 * place.middle()) : pi / 4;
+  }
+};
+
+/// Lets the last of all modes of a parity stand for those behind it: cosines fall like 1/n^2. So
+/// would sines, or faster, as the faces carry no shear; but elements free them of shear on average
+/// alone, and what is left falls like 1/n.
+void complete(ModeTransform& means, Parity parity, const std::vector<Interval>& places,
+              double across) {
+  const Eigen::Index last = means.cosine.cols() - 1;
+  for (Eigen::Index i = 0; i < means.cosine.rows(); ++i) {
+    const Interval& place = places[static_cast<std::size_t>(i)];
+    WholeSums rest(parity, {place.from / across, place.to / across});
+    for (Eigen::Index n = parity == Parity::even ? 2 : 1; n < last; n += 2) {
+      const auto number = static_cast<double>(n);
+      rest.cosine -= means.cosine(i, n) / (number * number);
+      rest.sine -= means.sine(i, n) / number;
+    }
+    const auto number = static_cast<double>(last);
+    means.cosine(i, last) = rest.cosine * number * number;
+    means.sine(i, last) = rest.sine * number;
+  }
+}
+
+/// Shares of the chosen modes in one that lies between them, whose strain times n^2 is a cubic in
+/// ln n there.
+struct Between {
+  std::size_t first = 0; ///< of four
+  std::array<double, 4> share{};
+
+  Between(const std::vector<Eigen::Index>& chosen, std::size_t below, double n)
+      : first(std::min(below - 1, chosen.size() - 4)) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto own = static_cast<double>(chosen[first + i]);
+      share[i] = own * own / (n * n);
+      for (std::size_t j = 0; j < 4; ++j) {
+        const auto other = static_cast<double>(chosen[first + j]);
+        share[i] *= j == i ? 1.0 : std::log(n / other) / std::log(own / other);
+      }
+    }
+  }
+};
+
+/// Means of cos or sin of all modes over places, gathered by the chosen ones, [place, number].
+Eigen::MatrixXd gathered(const Eigen::ArrayXXd& means, const std::vector<Eigen::Index>& chosen) {
+  Eigen::MatrixXd result = means(Eigen::all, chosen);
+  for (std::size_t i = 0; i + 1 < chosen.size(); ++i) {
+    for (Eigen::Index n = chosen[i] + 2; n < chosen[i + 1]; n += 2) {
+      const Between between(chosen, i, static_cast<double>(n));
+      for (std::size_t j = 0; j < 4; ++j) {
+        result.col(static_cast<Eigen::Index>(between.first + j)) +=
+            between.share[j] * means.col(n).matrix();
+      }
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+FaceModes::FaceModes(const ThicknessColumn& column, Face of_face, double extent_along,
+                     double extent_across, std::vector<Eigen::Index> modes_along, Parity parity,
+                     double last)
+    : face(of_face), along(extent_along), across(extent_across), modes(std::move(modes_along)) {
+  const Eigen::Index first = parity == Parity::even ? 0 : 1;
+  const auto most = static_cast<Eigen::Index>(last * across / (2 * std::numbers::pi));
+  for (Eigen::Index i = 0; i <= std::max(most, one_by_one + 4);
+       i += std::max(
+           Eigen::Index{1},
+           i < one_by_one ? 1 : static_cast<Eigen::Index>(step_share * static_cast<double>(i)))) {
+    numbers.push_back(first + 2 * i);
+  }
+  for (std::size_t at = 0; at < modes.size(); ++at) {
+    motion.emplace_back();
+    for (std::size_t number = 0; number < numbers.size(); ++number) {
+      motion.back().push_back(mode_motion(column, mode(at, number), face));
+    }
+  }
+}
+
+PlaneMode FaceModes::mode(std::size_t at, std::size_t number) const {
+  const double own = static_cast<double>(modes[at]) * std::numbers::pi / along,
+               other = static_cast<double>(numbers[number]) * std::numbers::pi / across;
+  return face == Face::side ? PlaneMode{own, other} : PlaneMode{other, own};
+}
+
+FaceStrain::FaceStrain(const ThicknessColumn& column, const FaceModes& modes,
+                       const std::vector<DepthLevel>& levels)
+    : face_(modes.face), across_(modes.across), numbers_(modes.numbers),
+      levels_(static_cast<Eigen::Index>(levels.size())) {
+  const Levels at(column, levels);
+  const auto count = static_cast<Eigen::Index>(numbers_.size());
+  for (std::size_t mode = 0; mode < modes.modes.size(); ++mode) {
+    Strains& of_mode = of_mode_.emplace_back();
+    of_mode.fill(Eigen::MatrixXd(count * levels_, column.nodes()));
+    for (std::size_t number = 0; number < numbers_.size(); ++number) {
+      const Strains strain =
+          strain_of(modes.motion[mode][number], at, modes.mode(mode, number), face_);
+      for (std::size_t c = 0; c < 6; ++c) {
+        of_mode[c](Eigen::seqN(static_cast<Eigen::Index>(number), levels_, count), Eigen::all) =
+            (numbers_[number] == 0 ? 2 : 4) / across_ * strain[c];
+      }
+    }
+  }
+}
+
+Eigen::MatrixXd FaceStrain::at(const Eigen::MatrixXd& motion,
+                               const std::vector<Interval>& places) const {
+  const auto count = static_cast<Eigen::Index>(numbers_.size()),
+             place_count = static_cast<Eigen::Index>(places.size());
+  ModeTransform means = mode_means(places, std::numbers::pi / across_, numbers_.back() + 1);
+  complete(means, numbers_.front() == 0 ? Parity::even : Parity::odd, places, across_);
+  const Eigen::MatrixXd cosine = gathered(means.cosine, numbers_),
+                        sine = gathered(means.sine, numbers_);
+  Eigen::MatrixXd result(levels_ * 6 * place_count, motion.cols());
+  for (std::size_t c = 0; c < 6; ++c) {
+    const bool by_sine = face_ == Face::side ? sine_along_y[c] : sine_along_x[c];
+    for (Eigen::Index mode = 0; mode < motion.cols(); ++mode) {
+      const Eigen::VectorXd strain =
+          of_mode_[static_cast<std::size_t>(mode)][c] * motion.col(mode); // [number, level]
+      const Eigen::MatrixXd at_places = (by_sine ? sine : cosine) * strain.reshaped(count, levels_);
+      for (Eigen::Index level = 0; level < levels_; ++level) {
+        result.col(mode).segment((6 * level + static_cast<Eigen::Index>(c)) * place_count,
+                                 place_count) = at_places.col(level);
+      }
+    }
+  }
+  return result;
+}
+
+} // namespace ionskin::finite_layers

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/finite_layers/faces/free_ends.hpp"
+#include "ionskin/finite_layers/fields/plane_waves.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
+
+namespace ionskin::finite_layers {
+
+/// How the modes of a skin answer motions of two opposite faces: of modes along the faces and, for
+/// each, a choice of modes across them between which strains are smooth.
+struct FaceModes {
+  Face face = Face::side;            ///< side: along is x and across is y; end: the other way round
+  double along = 0, across = 0;      ///< extent of the skin [m]
+  std::vector<Eigen::Index> modes;   ///< along
+  std::vector<Eigen::Index> numbers; ///< across, of one parity, ascending
+  std::vector<std::vector<ModeMotion>> motion; ///< [mode][number]
+
+  /// @param parity of the modes across: the faces move alike under even ones
+  /// @param last wave number across up to which modes are summed [1/m]
+  FaceModes(const ThicknessColumn& column, Face of_face, double extent_along, double extent_across,
+            std::vector<Eigen::Index> modes_along, Parity parity, double last);
+
+  PlaneMode mode(std::size_t at, std::size_t number) const;
+};
+
+/// Strain within the skin over the motion of two opposite faces, docs/model.md (60), at levels,
+/// for modes along the faces. Strains need no help to converge, as
+/// displacements would: with the face's motion in them they are the Fourier coefficients of what is
+/// smooth but for the faces, and fall like 1/n^2 or faster.
+class FaceStrain {
+public:
+  FaceStrain(const ThicknessColumn& column, const FaceModes& modes,
+             const std::vector<DepthLevel>& levels);
+
+  /// At all levels and places, [level, component, place] by rows, and modes along the face.
+  /// @param motion [node, mode]
+  /// @param places across the skin
+  Eigen::MatrixXd at(const Eigen::MatrixXd& motion, const std::vector<Interval>& places) const;
+
+private:
+  Face face_;
+  double across_; ///< extent of the skin [m]
+  std::vector<Eigen::Index> numbers_;
+  Eigen::Index levels_;
+  std::vector<Strains> of_mode_; ///< [level, number] by rows, and node
+};
+
+} // namespace ionskin::finite_layers

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/finite_layers/faces/free_ends.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace ionskin::finite_layers {
+
+/// A skin whose fields are asked for. What it points to outlives them.
+struct FieldSkin {
+  std::vector<ElasticLayer> layers;        ///< bottom to top
+  std::size_t core = 0;                    ///< index of the core; all others are electrodes
+  double length = 0, width = 0;            ///< [m]
+  const ThicknessColumn* column = nullptr; ///< the one that sides and ends were made with
+  const FreeSides* sides = nullptr;        ///< null where rollers hold them
+  const FreeEnds* ends = nullptr;          ///< likewise
+};
+
+} // namespace ionskin::finite_layers

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/finite_layers/fields/depth_table.hpp"
+#include "ionskin/finite_layers/plane/box_modes.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace ionskin::finite_layers {
+
+/// Tensor components xx, yy, zz, yz, xz, xy.
+using Strains = std::array<Eigen::MatrixXd, 6>;
+/// Whether a component goes like the sine of the modes along x, or along y.
+inline constexpr std::array<bool, 6> sine_along_x{false, false, false, false, true, true},
+    sine_along_y{false, false, false, true, false, true};
+
+/// Forces of cells, [column, row]: normal (downwards), x, y [N].
+using CellForces = std::array<Eigen::MatrixXd, 3>;
+
+/// Modes of a box whose faces are held by rollers: what forces on its top strain within,
+/// docs/model.md (58), (59).
+class PlaneWaves {
+public:
+  /// @param mirrored whether loads are mirrored in the middle of the width, where even modes do
+  /// @param share of each wave number that is summed
+  /// @param last wave number beyond which none is [1/m]
+  PlaneWaves(double length, double width, bool mirrored, const std::function<double(double)>& share,
+             double last);
+
+  double step_x() const { return step_x_; } ///< of wave numbers [1/m]
+  double step_y() const { return step_y_; }
+  Eigen::Index modes_x() const { return cosine_.rows(); }
+  Eigen::Index modes_y() const { return cosine_.cols(); }
+
+  /// Tractions of the modes: along the wave, upwards and across it, [m, n] [Pa].
+  struct Tractions {
+    Eigen::ArrayXXd along, upwards, across;
+  };
+  /// @param forces sums over cells of force and means of the modes, [m, n]: normal, x, y [N]
+  Tractions tractions(const std::array<Eigen::MatrixXd, 3>& forces) const;
+
+  /// Strain at a level for each mode along x, at places along y, [m, place]; later modes are not
+  /// felt there.
+  Strains rows(const DepthTable& table, std::size_t level, const Tractions& tractions,
+               const ModeTransform& along_y) const;
+
+private:
+  /// Modes along x of a wave number of at most `last`, for a mode along y.
+  Eigen::Index modes_below(double last, Eigen::Index n) const;
+
+  double step_x_, step_y_;
+  Eigen::ArrayXXd cosine_, sine_; ///< direction of the wave, [m, n]
+  Eigen::ArrayXXd logarithm_;     ///< of its number
+  Eigen::ArrayXXd weight_;        ///< of a mode, with its share [1/m2]
+};
+
+/// Sums over cells of force and means of the modes, [m, n].
+std::array<Eigen::MatrixXd, 3> mode_forces(const CellForces& forces, const ModeTransform& columns,
+                                           const ModeTransform& rows);
+
+} // namespace ionskin::finite_layers

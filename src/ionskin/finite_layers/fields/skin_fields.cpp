@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/finite_layers/fields/skin_fields.hpp"
+
+#include "ionskin/finite_layers/fields/field_target.hpp"
+#include "ionskin/finite_layers/fields/mode_means.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+namespace ionskin::finite_layers {
+namespace {
+
+/// Waves of more than some 16 to a column average out in it.
+constexpr double column_waves = 100;
+/// Waves that a moving face excites, over the thickness: summed up to here.
+constexpr double face_waves = 128;
+
+std::vector<Interval> points(const std::vector<double>& at) {
+  std::vector<Interval> result;
+  for (const double place : at) {
+    result.push_back({place, place});
+  }
+  return result;
+}
+
+std::vector<Interval> intervals(const std::vector<double>& lines) {
+  std::vector<Interval> result;
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+    result.push_back({lines[i], lines[i + 1]});
+  }
+  return result;
+}
+
+double size_of(const std::vector<double>& lines) {
+  return lines.back() - lines.front();
+}
+
+/// Of layers from one upwards.
+double thickness(const std::vector<ElasticLayer>& layers, std::size_t from) {
+  return std::accumulate(
+      layers.begin() + static_cast<std::ptrdiff_t>(from), layers.end(), 0.0,
+      [](double sum, const ElasticLayer& layer) { return sum + layer.thickness; });
+}
+
+FieldLevels core_levels(const FieldSkin& skin, const std::vector<double>& heights,
+                        double tolerance) {
+  FieldLevels result;
+  for (const double z : heights) {
+    result.levels.push_back({skin.core, z});
+    result.cutoffs.push_back(-std::log(tolerance) / (thickness(skin.layers, skin.core) - z));
+  }
+  return result;
+}
+
+FieldLevels electrode_levels(const FieldSkin& skin, double column, double tolerance) {
+  FieldLevels result;
+  for (std::size_t i = 0; i < skin.layers.size(); ++i) {
+    if (i != skin.core) {
+      const double depth = std::max(skin.layers[i].thickness, thickness(skin.layers, i + 1));
+      result.levels.push_back({i, {}});
+      result.cutoffs.push_back(std::min(-std::log(tolerance) / depth, column_waves / column));
+    }
+  }
+  return result;
+}
+
+/// Of the sides, even and odd across the skin.
+std::vector<FaceModes> side_modes(const FieldSkin& skin, bool mirrored, double last) {
+  std::vector<FaceModes> result;
+  for (const Parity parity : parities(mirrored)) {
+    if (skin.sides != nullptr) {
+      std::vector<Eigen::Index> along(static_cast<std::size_t>(skin.sides->modes()));
+      std::iota(along.begin(), along.end(), Eigen::Index{0});
+      result.emplace_back(*skin.column, Face::side, skin.length, skin.width, along, parity, last);
+    }
+  }
+  return result;
+}
+
+std::vector<FaceModes> end_modes(const FieldSkin& skin, bool mirrored, double last) {
+  std::vector<FaceModes> result;
+  if (skin.ends != nullptr) {
+    for (const FreeEnds::ModesOfClass& own : skin.ends->modes(mirrored)) {
+      result.emplace_back(*skin.column, Face::end, skin.width, skin.length, own.along_y, own.parity,
+                          last);
+    }
+  }
+  return result;
+}
+
+double largest(const std::vector<double>& values) {
+  return *std::ranges::max_element(values);
+}
+
+/// Size of a footprint across the skin, the mirrored half counted.
+double footprint_width(const ContactGrid& cells) {
+  return cells.half ? -2 * cells.y.front() : size_of(cells.y);
+}
+
+CellForces by_cells(const ContactGrid& cells, const std::vector<double>& forces) {
+  CellForces result;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::InnerStride<3>> own(
+        forces.data() + c, cells.columns(), cells.rows());
+    result[c] = (cells.half ? 2 : 1) * own; // even modes alone: the mirror image does the same
+  }
+  return result;
+}
+
+/// Cells or rows of cells from the corner of a box.
+std::vector<Interval> from_corner(const std::vector<double>& lines, double centre) {
+  std::vector<Interval> result = intervals(lines);
+  for (Interval& cell : result) {
+    cell.from += centre;
+    cell.to += centre;
+  }
+  return result;
+}
+
+/// Without the last place along x and y where `whole` says that it is the whole plane.
+StrainField strain_field(const Strains& strains, const FieldPlaces& places, bool whole) {
+  const auto levels = strains[0].cols() / static_cast<Eigen::Index>(places.y.size()),
+             all_y = static_cast<Eigen::Index>(places.y.size());
+  const Eigen::Index nx = strains[0].rows() - (whole ? 1 : 0), ny = all_y - (whole ? 1 : 0);
+  StrainField field{{static_cast<std::size_t>(nx), static_cast<std::size_t>(ny),
+                     static_cast<std::size_t>(levels)},
+                    {}};
+  for (std::size_t c = 0; c < 6; ++c) {
+    field.component[c].resize(static_cast<std::size_t>(nx * ny * levels));
+    Eigen::Map<Eigen::MatrixXd> out(field.component[c].data(), nx, ny * levels);
+    for (Eigen::Index level = 0; level < levels; ++level) {
+      out.middleCols(ny * level, ny) = strains[c].block(0, all_y * level, nx, ny);
+    }
+  }
+  return field;
+}
+
+} // namespace
+
+struct SkinFields::Parts {
+  FieldSkin skin;
+  ContactGrid cells;
+  WaveSplit split;
+  FieldTarget core, electrodes;
+  double box_length, box_width; ///< that short waves do not leave
+  PlaneWaves long_waves, short_waves;
+
+  Parts(const FieldSkin& layered, const ContactGrid& contact, const std::vector<double>& heights,
+        double column, const WaveSplit& waves, const std::vector<FaceModes>& side,
+        const std::vector<FaceModes>& end, double tolerance)
+      : skin(layered), cells(contact), split(waves),
+        core(skin, core_levels(skin, heights, tolerance), side, end),
+        electrodes(skin, electrode_levels(skin, column, tolerance), side, end),
+        box_length(std::min(size_of(cells.x) + 2 * split.reach(), skin.length)),
+        box_width(std::min(footprint_width(cells) + 2 * split.reach(), skin.width)),
+        long_waves(
+            skin.length, skin.width, cells.half, [&](double k) { return split.long_share(k); },
+            split.last_long()),
+        short_waves(
+            box_length, box_width, cells.half, [&](double k) { return split.short_share(k); },
+            std::max(largest(core.levels().cutoffs), largest(electrodes.levels().cutoffs))) {}
+
+  /// Where short waves go under a slider: they see faces that are nearer than the reach.
+  PlaneBox short_box(const std::array<double, 2>& centre) const {
+    const double x = centre[0] + 0.5 * (cells.x.front() + cells.x.back()),
+                 y = cells.half ? centre[1] : centre[1] + 0.5 * (cells.y.front() + cells.y.back());
+    return {std::clamp(x - box_length / 2, 0.0, skin.length - box_length),
+            std::clamp(y - box_width / 2, 0.0, skin.width - box_width), box_length, box_width};
+  }
+
+  std::array<Eigen::MatrixXd, 3> forces_in(const PlaneWaves& waves, const PlaneBox& box,
+                                           const CellForces& forces,
+                                           const std::array<double, 2>& centre) const {
+    return mode_forces(
+        forces,
+        mode_means(from_corner(cells.x, centre[0] - box.x), waves.step_x(), waves.modes_x()),
+        mode_means(from_corner(cells.y, centre[1] - box.y), waves.step_y(), waves.modes_y()));
+  }
+
+  /// Of the long waves as the faces count them: with the odd modes, though they are 0, of a
+  /// mirrored load.
+  std::array<Eigen::MatrixXd, 3> on_faces(const std::array<Eigen::MatrixXd, 3>& forces) const {
+    if (!cells.half) {
+      return forces;
+    }
+    std::array<Eigen::MatrixXd, 3> result;
+    for (std::size_t c = 0; c < 3; ++c) {
+      result[c] = Eigen::MatrixXd::Zero(forces[c].rows(), 2 * forces[c].cols());
+      result[c](Eigen::all, Eigen::seqN(0, forces[c].cols(), 2)) = forces[c];
+    }
+    return result;
+  }
+};
+
+SkinFields::SkinFields(const FieldSkin& skin, const ContactGrid& cells,
+                       const std::vector<double>& heights, double column, const WaveSplit& split,
+                       double tolerance) {
+  const double last = face_waves / thickness(skin.layers, 0);
+  parts_ = std::make_unique<Parts>(skin, cells, heights, column, split,
+                                   side_modes(skin, cells.half, last),
+                                   end_modes(skin, cells.half, last), tolerance);
+}
+
+SkinFields::~SkinFields() = default;
+
+CoreAndElectrodes SkinFields::at(const FieldGrid& grid, const std::array<double, 2>& centre,
+                                 const std::vector<double>& forces) const {
+  const Parts& parts = *parts_;
+  const FieldSkin& skin = parts.skin;
+  const CellForces by_cell = by_cells(parts.cells, forces);
+  const PlaneBox whole{0, 0, skin.length, skin.width}, near = parts.short_box(centre);
+  const auto of_long = parts.forces_in(parts.long_waves, whole, by_cell, centre);
+  const FaceMotion motion = face_motion(skin, parts.on_faces(of_long), parts.cells.half);
+  const auto long_tractions = parts.long_waves.tractions(of_long),
+             short_tractions = parts.short_waves.tractions(
+                 parts.forces_in(parts.short_waves, near, by_cell, centre));
+  const auto strains = [&](const FieldTarget& target, const FieldPlaces& places) {
+    Strains sum = target.none(places);
+    target.add_waves(parts.long_waves, long_tractions, whole, &motion, places, sum);
+    target.add_waves(parts.short_waves, short_tractions, near, nullptr, places, sum);
+    target.add_ends(motion, places, sum);
+    return sum;
+  };
+  // One place more along x and y: the whole plane.
+  FieldPlaces in_core{points(grid.x), points(grid.y)};
+  in_core.x.push_back({0, skin.length});
+  in_core.y.push_back({0, skin.width});
+  const FieldPlaces columns{intervals(grid.column_x), intervals(grid.column_y)};
+  const Strains core = strains(parts.core, in_core),
+                electrodes = strains(parts.electrodes, columns);
+  CoreAndElectrodes result{
+      strain_field(core, in_core, true), strain_field(electrodes, columns, false), {}};
+  const ElasticLayer& layer = skin.layers[skin.core];
+  const auto all_y = static_cast<Eigen::Index>(in_core.y.size());
+  const double area = skin.length * skin.width, twice_shear = 2 * layer.shear_modulus;
+  for (Eigen::Index level = 0; level < core[0].cols() / all_y; ++level) {
+    const auto mean = [&](std::size_t c) {
+      return core[c](core[c].rows() - 1, all_y * (level + 1) - 1);
+    };
+    result.force_through_level.push_back(
+        {-area * (layer.lame_lambda * (mean(0) + mean(1) + mean(2)) + twice_shear * mean(2)),
+         area * twice_shear * mean(4), area * twice_shear * mean(3)});
+  }
+  return result;
+}
+
+} // namespace ionskin::finite_layers

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/skin/strain_recovery.hpp"
+
+#include "ionskin/base/largest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ionskin::mechanics {
+namespace {
+
+/// Of Gauss' rule with two points in each element between lines, ascending.
+std::vector<double> gauss_points(const std::vector<double>& lines) {
+  std::vector<double> points;
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+    const double middle = 0.5 * (lines[i] + lines[i + 1]),
+                 offset = 0.5 * (lines[i + 1] - lines[i]) / std::sqrt(3.0);
+    points.insert(points.end(), {middle - offset, middle + offset});
+  }
+  return points;
+}
+
+/// Above the bottom of the core.
+std::vector<double> heights(const mesh::SkinMesh& mesh) {
+  const std::vector<double> z = mesh.lines_z();
+  const auto [bottom, top] = mesh.core_z();
+  std::vector<double> core;
+  for (std::size_t row = bottom; row <= top; ++row) {
+    core.push_back(z[row] - z[bottom]);
+  }
+  return gauss_points(core);
+}
+
+double mean_column(const mesh::SkinMesh& mesh) {
+  const std::vector<double>&x = mesh.footprint_lines_x(), &y = mesh.footprint_lines_y();
+  return std::min((x.back() - x.front()) / static_cast<double>(x.size() - 1),
+                  (y.back() - y.front()) / static_cast<double>(y.size() - 1));
+}
+
+/// Of a strain with the components of CoreStrain [Pa].
+double von_mises_stress(const finite_layers::ElasticLayer& layer,
+                        const std::array<double, 6>& strain) {
+  const double mean = (strain[0] + strain[1] + strain[2]) / 3;
+  double squares = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    squares += (strain[c] - mean) * (strain[c] - mean) + 2 * strain[3 + c] * strain[3 + c];
+  }
+  return 2 * layer.shear_modulus * std::sqrt(1.5 * squares);
+}
+
+std::vector<double> largest_stresses(const SkinModel& model,
+                                     const finite_layers::StrainField& electrodes) {
+  std::vector<double> result;
+  const std::size_t columns = electrodes.points[0] * electrodes.points[1];
+  const auto core = model.mesh.core_z();
+  const std::vector<finite_layers::ElasticLayer>& layers = model.layers.layers();
+  for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+    if (layer == model.mesh.layer_of_row()[core[0]]) {
+      continue;
+    }
+    double largest = 0;
+    for (std::size_t column = 0; column < columns; ++column) {
+      std::array<double, 6> strain{};
+      for (std::size_t c = 0; c < strain.size(); ++c) {
+        strain[c] = electrodes.component[c][column + columns * result.size()];
+      }
+      largest = base::larger(largest, von_mises_stress(layers[layer], strain));
+    }
+    result.push_back(largest);
+  }
+  return result;
+}
+
+/// @param half whether each cell stands for its mirror image too
+double equilibrium_residual(const CellVector& forces, bool half,
+                            const std::vector<std::array<double, 3>>& through_levels) {
+  std::array<double, 3> sum{};
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    sum[i % 3] += half ? (i % 3 == 2 ? 0 : 2 * forces[i]) : forces[i];
+  }
+  double largest = 0, difference = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    largest = std::max(largest, std::abs(sum[c]));
+    for (const auto& level : through_levels) {
+      difference = base::larger(difference, std::abs(level[c] - sum[c]));
+    }
+  }
+  return difference > 0 ? difference / largest : 0;
+}
+
+} // namespace
+
+StrainRecovery::StrainRecovery(std::shared_ptr<const SkinModel> model)
+    : model_(std::move(model)),
+      fields_(model_->layers.fields(heights(model_->mesh), mean_column(model_->mesh))) {}
+
+RecoveredStrain StrainRecovery::at(const std::array<double, 2>& centre,
+                                   const CellVector& forces) const {
+  const mesh::MeshLines lines = model_->mesh.lines(centre);
+  finite_layers::CoreAndElectrodes found =
+      fields_.at({gauss_points(lines.x), gauss_points(lines.y), lines.x, lines.y}, centre, forces);
+  return {{found.core.points, std::move(found.core.component)},
+          largest_stresses(*model_, found.electrodes),
+          equilibrium_residual(forces, model_->mesh.half_model(), found.force_through_level)};
+}
+
+} // namespace ionskin::mechanics
