@@ -46,6 +46,7 @@ public:
   ///        the width, and y ends there
   /// @param split the one that sides and ends were made with: strains near a free face lack what
   ///        short waves do that reach it
+  /// @throws InternalError where a level is not in the core, or on the top face
   /// @param tolerance share of a wave, of what it is on the top face, that is left out
   SkinFields(const LayeredSkin& skin, const ContactGrid& cells, const FieldGrid& grid,
              const WaveSplit& split, double tolerance = 1e-4);
