@@ -13,7 +13,7 @@ namespace ionskin::finite_layers {
 namespace {
 
 /// The first modes of a parity are taken one by one, the rest in steps of this share.
-constexpr Eigen::Index one_by_one = 10;
+constexpr Eigen::Index first_modes = 10;
 constexpr double step_share = 0.13;
 
 /// Shape functions at all levels, [level, node].
@@ -128,10 +128,10 @@ FaceModes::FaceModes(const ThicknessColumn& column, Face of_face, double extent_
     : face(of_face), along(extent_along), across(extent_across), modes(std::move(modes_along)) {
   const Eigen::Index first = parity == Parity::even ? 0 : 1;
   const auto most = static_cast<Eigen::Index>(last * across / (2 * std::numbers::pi));
-  for (Eigen::Index i = 0; i <= std::max(most, one_by_one + 4);
+  for (Eigen::Index i = 0; i <= std::max(most, first_modes + 4);
        i += std::max(
            Eigen::Index{1},
-           i < one_by_one ? 1 : static_cast<Eigen::Index>(step_share * static_cast<double>(i)))) {
+           i < first_modes ? 1 : static_cast<Eigen::Index>(step_share * static_cast<double>(i)))) {
     numbers.push_back(first + 2 * i);
   }
   for (std::size_t at = 0; at < modes.size(); ++at) {

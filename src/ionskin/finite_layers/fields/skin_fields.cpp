@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/finite_layers/fields/skin_fields.hpp"
 
+#include "ionskin/base/error.hpp"
 #include "ionskin/finite_layers/fields/field_target.hpp"
 #include "ionskin/finite_layers/fields/mode_means.hpp"
 
@@ -49,6 +50,10 @@ FieldLevels core_levels(const FieldSkin& skin, const std::vector<double>& height
                         double tolerance) {
   FieldLevels result;
   for (const double z : heights) {
+    if (z < 0 || z > skin.layers[skin.core].thickness || z >= thickness(skin.layers, skin.core)) {
+      throw InternalError("strain was asked for outside the core, or on the top face, where "
+                          "waves of any length are felt");
+    }
     result.levels.push_back({skin.core, z});
     result.cutoffs.push_back(-std::log(tolerance) / (thickness(skin.layers, skin.core) - z));
   }
@@ -209,6 +214,9 @@ SkinFields::~SkinFields() = default;
 CoreAndElectrodes SkinFields::at(const FieldGrid& grid, const std::array<double, 2>& centre,
                                  const std::vector<double>& forces) const {
   const Parts& parts = *parts_;
+  if (forces.size() != static_cast<std::size_t>(3 * parts.cells.count())) {
+    throw InternalError("each cell has three forces");
+  }
   const FieldSkin& skin = parts.skin;
   const CellForces by_cell = by_cells(parts.cells, forces);
   const PlaneBox whole{0, 0, skin.length, skin.width}, near = parts.short_box(centre);

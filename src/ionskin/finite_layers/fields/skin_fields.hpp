@@ -45,6 +45,7 @@ public:
   ///        the width, and y ends there
   /// @param split the one that sides and ends were made with: strains near a free face lack what
   ///        short waves do that reach it
+  /// @throws InternalError where a level is not in the core, or on the top face
   /// @param tolerance share of a wave, of what it is on the top face, that is left out
   /// @param heights of the points above the bottom of the core, ascending [m]
   /// @param column size of the columns of the electrodes, about [m]

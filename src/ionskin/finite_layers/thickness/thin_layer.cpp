@@ -6,10 +6,10 @@
 namespace ionskin::finite_layers {
 namespace {
 
-constexpr int degree = 8;
+constexpr int degree_of_thin_layer = 8;
 
 LobattoElement element_of(double thickness) {
-  static const LobattoElement of_unit_size(degree, 1);
+  static const LobattoElement of_unit_size(degree_of_thin_layer, 1);
   return of_unit_size.scaled_to(thickness);
 }
 
@@ -18,6 +18,7 @@ LobattoElement element_of(double thickness) {
 ThinLayer::ThinLayer(const ElasticLayer& layer, double wave_number)
     : element_(element_of(layer.thickness)) {
   const Eigen::MatrixXd all = plane_strain_matrix(element_, layer, wave_number);
+  constexpr int degree = degree_of_thin_layer;
   const Eigen::Index n = degree + 1;
   Eigen::Array4i faces;
   faces << 0, static_cast<int>(n), degree, static_cast<int>(n) + degree;

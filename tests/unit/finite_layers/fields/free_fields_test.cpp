@@ -21,7 +21,7 @@ ContactGrid cells() {
   return {{-0.2e-3, -0.05e-3, 0.1e-3}, {-0.1e-3, 0, 0.15e-3}, false};
 }
 
-FieldGrid grid() {
+TestGrid grid() {
   return {{0.2e-3, 0.55e-3, 0.7e-3, 1.0e-3},
           {0.2e-3, 0.41e-3, 0.55e-3, 0.7e-3, 1.0e-3},
           {20e-6, 90e-6, 165e-6},
@@ -72,7 +72,7 @@ FieldCase well_resolved() {
 TEST(FreeFields, bear_no_stress_on_faces_and_hand_all_forces_on_through_every_level) {
   const ContactGrid half{{-0.2e-3, -0.05e-3, 0.1e-3}, {-0.15e-3, 0}, true};
   const std::vector<double> force{1, 0.4, 0.2, 0.7, -0.1, 0.5};
-  const FieldGrid faces{{0, 0.6e-3}, {0, 0.5e-3}, {60e-6, 80e-6, 110e-6}, {0, 1.2e-3}, {0, 0.6e-3}};
+  const TestGrid faces{{0, 0.6e-3}, {0, 0.5e-3}, {60e-6, 80e-6, 110e-6}, {0, 1.2e-3}, {0, 0.6e-3}};
   const CoreAndElectrodes found =
       FieldsOf(well_resolved(), half, faces).at({0.5e-3, 0.6e-3}, force);
   const auto expect_free = [&](std::size_t point, const std::array<std::size_t, 3>& components) {
@@ -96,8 +96,8 @@ TEST(FreeFields, bear_no_stress_on_faces_and_hand_all_forces_on_through_every_le
 
 TEST(FreeFields, are_alike_under_an_exchange_of_x_and_y) {
   const ContactGrid one = cells(), other{one.y, one.x, false};
-  const FieldGrid at_one = grid(),
-                  at_other{at_one.y, at_one.x, at_one.z, at_one.column_y, at_one.column_x};
+  const TestGrid at_one = grid(),
+                 at_other{at_one.y, at_one.x, at_one.z, at_one.column_y, at_one.column_x};
   const std::vector<double> force = forces();
   std::vector<double> exchanged(12);
   for (std::size_t cell = 0; cell < 4; ++cell) {
@@ -138,7 +138,7 @@ TEST(FreeFields, of_the_half_are_those_of_the_whole_under_mirrored_forces) {
   const FieldCase skin = all_free();
   const ContactGrid half{{-0.2e-3, 0.3e-3}, {-0.3e-3, 0}, true},
       whole{half.x, {-0.3e-3, 0, 0.3e-3}, false};
-  FieldGrid lower = grid();
+  TestGrid lower = grid();
   lower.y = {0.05e-3, 0.35e-3, 0.6e-3};
   lower.column_y = {0, 0.3e-3, 0.6e-3};
   const CoreAndElectrodes a = FieldsOf(skin, half, lower).at({0.6e-3, 0.6e-3}, {1, 0.3, 0.2}),

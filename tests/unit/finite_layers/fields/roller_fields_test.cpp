@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fields_of.hpp"
+#include "ionskin/base/error.hpp"
 #include "ionskin/finite_layers/plane/box_modes.hpp"
 
 #include <gtest/gtest.h>
@@ -204,6 +205,16 @@ TEST(RollerFields, are_the_same_bits_whatever_was_asked_for_before) {
   const CoreAndElectrodes again = fields.at({0.9e-3, 0.5e-3}, force);
   EXPECT_EQ(first.core.component, again.core.component);
   EXPECT_EQ(first.electrodes.component, again.electrodes.component);
+}
+
+TEST(RollerFields, ask_for_levels_in_the_core_and_three_forces_a_cell) {
+  for (const double z : {-1e-6, 181e-6}) {
+    TestGrid outside = grid();
+    outside.z = {z};
+    EXPECT_THROW(FieldsOf(FieldCase{}, cells(), outside), InternalError);
+  }
+  EXPECT_THROW(FieldsOf(FieldCase{}, cells(), grid()).at({0.9e-3, 0.5e-3}, {1, 2, 3}),
+               InternalError);
 }
 
 } // namespace
