@@ -8,12 +8,11 @@ import pathlib
 import unittest
 from unittest import mock
 
-from program import QUICK, ProgramTest
+from program import QUICK, SMALL, ProgramTest
 
 # Kernel of OpenBLAS and what the processor must be able to do for it.
 KERNELS = {"Nehalem": "sse4_2", "Haswell": "avx2", "Zen": "avx2", "SkylakeX": "avx512vl"}
-SWEEP = ("sweep", QUICK, "--no-report", "--set", "numerics.mesh_refinement=0.5", "--set",
-         "numerics.time_refinement=0.3", "--over", "contact.friction=0.1,0.4")
+SWEEP = ("sweep", QUICK, "--no-report", *SMALL, "--over", "contact.friction=0.1,0.4")
 # Relative bounds; steps follow the rounding. What differs between the electrodes is left of terms that cancel: its bound is over
 # what both have in common.
 BOUND, REMAINDER_BOUND = 1e-7, 1e-8
