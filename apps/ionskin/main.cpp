@@ -14,11 +14,13 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/system/installation.hpp"
+#include "ionskin/linear_algebra/dense_kernels.hpp"
 
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <string>
 #include <unistd.h>
 
 namespace {
@@ -28,6 +30,9 @@ namespace {
 int become(const char* name, char** argv) {
   // One thread per factorisation; several run at once.
   setenv("OPENBLAS_NUM_THREADS", "1", 1);
+  if (const std::string kernels = ionskin::linear_algebra::overlooked_kernels(); !kernels.empty()) {
+    setenv("OPENBLAS_CORETYPE", kernels.c_str(), 0);
+  }
   const auto program = ionskin::base::installation().solver.parent_path() / name;
   const auto self = std::filesystem::canonical("/proc/self/exe");
   setenv("IONSKIN_FRONT", self.c_str(), 1); // for parts that start further commands

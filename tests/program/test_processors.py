@@ -25,6 +25,18 @@ def usable():
 
 
 class Processors(ProgramTest):
+    def kernels(self, **environment):
+        """Kernels that OpenBLAS loads in the solver, as it says itself."""
+        said = self.run_program("run", "no-such-case.toml", "-o", "out", expect=2,
+                                env={**os.environ, "OPENBLAS_VERBOSE": "2", **environment})
+        return [line.removeprefix("Core: ") for line in (said.stdout + said.stderr).splitlines() if line.startswith("Core: ")][-1]
+
+    def test_processors_newer_than_the_library_get_kernels_that_suit_them(self):
+        with mock.patch.dict(os.environ):
+            os.environ.pop("OPENBLAS_CORETYPE", None)
+            self.assertNotEqual(self.kernels() == "Prescott", "Haswell" in usable())
+            self.assertEqual(self.kernels(OPENBLAS_CORETYPE="Prescott"), "Prescott", "the user's choice is kept")
+
     def table(self, out):
         """Bytes of the sweep's table."""
         return (self.folder / out / "sweep.csv").read_bytes()

@@ -31,8 +31,7 @@ std::vector<double> cell_areas(const mechanics::ContactSolution& contact) {
 SurfaceInstant surface_instant(const StateCombination& combination,
                                const std::vector<double>& areas) {
   SurfaceInstant result;
-  result.slider = {std::max(0.0, -combination.height), combination.centre[0],
-                   combination.centre[1]};
+  result.slider = {-combination.height, combination.centre[0], combination.centre[1]};
   result.force.resize(areas.size());
   result.surface.resize(areas.size());
   for (const auto& [state, weight] : combination.terms) {

@@ -38,6 +38,21 @@ std::string kernel_name() {
   return name;
 }
 
+std::string overlooked_kernels() {
+#if defined(__x86_64__)
+  const bool oldest = kernel_name().find(" Prescott ") != std::string::npos;
+  if (oldest && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512bw") &&
+      __builtin_cpu_supports("avx512vl")) {
+    return "SkylakeX";
+  }
+  if (oldest && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+    return "Haswell";
+  }
+#endif
+  return {};
+}
+
 void product(bool transpose_a, int m, int n, int k, double alpha, const double* a, int lead_a,
              const double* b, int lead_b, double beta, double* c, int lead_c) {
   lead_a = lead(lead_a), lead_b = lead(lead_b), lead_c = lead(lead_c);

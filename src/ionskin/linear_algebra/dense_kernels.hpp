@@ -24,6 +24,12 @@ public:
 /// otherwise.
 std::string kernel_name();
 
+/// Kernels that suit the processor, by OpenBLAS's name for the environment variable
+/// OPENBLAS_CORETYPE of a program that is started; empty where it chose well. An OpenBLAS older
+/// than the processor takes its oldest kernels, with which a factorisation takes three times as
+/// long.
+std::string overlooked_kernels();
+
 /// C := alpha A B + beta C, or alpha A^T B + beta C; C has shape [m, n], the sum runs over k.
 void product(bool transpose_a, int m, int n, int k, double alpha, const double* a, int lead_a,
              const double* b, int lead_b, double beta, double* c, int lead_c);

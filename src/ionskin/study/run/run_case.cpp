@@ -3,6 +3,7 @@
 
 #include "ionskin/base/digest.hpp"
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/files/atomic_file.hpp"
 #include "ionskin/base/largest.hpp"
 #include "ionskin/base/timers.hpp"
 #include "ionskin/case/checks/check_sizes.hpp"
@@ -175,6 +176,46 @@ IonSolution study_2(const Case& input, const RunOptions& options, RunFolder& fol
   });
 }
 
+/// Strains are taken as small by the contact problem; those of a file are as they are.
+std::vector<readout::Metric> audited_metrics(const MechanicsRecord& mechanics,
+                                             const Signals& signals) {
+  std::vector<readout::Metric> metrics = signals.metrics;
+  if (mechanics.has_contact()) {
+    double largest = 0;
+    for (const double shear : signals.resolved.column("p99_shear").values) {
+      largest = base::larger(largest, std::abs(shear));
+    }
+    metrics.push_back({"largest_p99_shear", largest, "1"});
+  }
+  return metrics;
+}
+
+/// What was solved before the ion transport gave up: its signals as far as they go, and the figures
+/// of Study 1, which is finished.
+void keep_unfinished(const Case& input, const RunOptions& options, const MechanicsRecord& mechanics,
+                     const SolverError& error, double start, RunFolder& folder) {
+  RunOutputs outputs;
+  outputs.signals = read_out_mechanics(input, mechanics, options.threads);
+  outputs.errors = no_estimate(outputs.signals, "the run is unfinished");
+  outputs.audits = audit(audited_metrics(mechanics, outputs.signals));
+  outputs.warnings = mechanics_warnings(input, mechanics);
+  outputs.warnings.push_back(
+      fmt::format("The run is unfinished: its signals end where the ion transport gave up, and its "
+                  "figures are those of the contact alone. {}.",
+                  error.what()));
+  if (const auto checkpoint =
+          read_checkpoint(folder.file(results::file_names::checkpoint),
+                          transport_hash(folder.manifest().input_hash, mechanics.history))) {
+    Signals rows = read_out_rows(input, mechanics, checkpoint->solution, options.threads);
+    outputs.signals.resolved = std::move(rows.resolved);
+    outputs.signals.sampled = std::move(rows.sampled);
+  }
+  try {
+    write_unfinished(input, outputs, start, folder);
+  } catch (const base::UnwritableFile&) { // why the solver gave up matters more
+  }
+}
+
 /// A run keeps its results where their error cannot be estimated.
 void add_errors(const Case& input, const MechanicsRecord& mechanics, const RunOptions& options,
                 base::Timers& timers, RunOutputs& outputs) {
@@ -199,20 +240,6 @@ void add_errors(const Case& input, const MechanicsRecord& mechanics, const RunOp
     outputs.errors = estimate_mechanics_errors(input, mechanics, outputs.signals, options.threads);
   }
   options.progress("error estimate", 1.0);
-}
-
-/// Strains are taken as small by the contact problem; those of a file are as they are.
-std::vector<readout::Metric> audited_metrics(const MechanicsRecord& mechanics,
-                                             const Signals& signals) {
-  std::vector<readout::Metric> metrics = signals.metrics;
-  if (mechanics.has_contact()) {
-    double largest = 0;
-    for (const double shear : signals.resolved.column("p99_shear").values) {
-      largest = base::larger(largest, std::abs(shear));
-    }
-    metrics.push_back({"largest_p99_shear", largest, "1"});
-  }
-  return metrics;
 }
 
 /// Nothing is missing of what these studies give, but for the report perhaps.
@@ -273,7 +300,12 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
     outputs.signals = read_out_mechanics(input, mechanics, options.threads);
     outputs.warnings = mechanics_warnings(input, mechanics);
   } else {
-    outputs.ions = study_2(input, options, folder, mechanics.history, timers);
+    try {
+      outputs.ions = study_2(input, options, folder, mechanics.history, timers);
+    } catch (const SolverError& error) {
+      keep_unfinished(input, options, mechanics, error, start, folder);
+      throw;
+    }
     outputs.signals = read_out(input, mechanics, *outputs.ions, options.threads);
     outputs.warnings = collect_warnings(input, mechanics, *outputs.ions, outputs.signals.resolved);
     outputs.warnings.insert(outputs.warnings.end(), outputs.signals.warnings.begin(),
