@@ -8,11 +8,12 @@ import sys
 from . import figures
 from .analysis import claims, paper
 from .errors import exit_on
-from .page import chart_data, pages, report_text, sweep_page
+from .page import answer, chart_data, pages, quantities, report_text, sweep_page
 from .results import Results
 from .sweep_results import Study
 
-FIRST = ("model",)  # figures that stand before the charts to explore
+ANSWER = ("reading", "circuit", "water_voltage")  # the first of these figures that a run has stands at the top
+FIRST = ("model", "plan")  # figures that stand before the charts to explore
 
 
 def chart_section(results, entry, chart):
@@ -25,9 +26,8 @@ def chart_section(results, entry, chart):
 
 def numbers(results):
     """Every metric; the column of errors stands only where some are estimated."""
-    head, rows = ("quantity", "value", "unit", "estimated error"), report_text.metric_rows(results)
-    used = 4 if any(row[3] for row in rows) else 3
-    return {"tables": [pages.Table(head[:used], [row[:used] for row in rows], (1, 3))], "notes": [report_text.NUMBERS_NOTE]}
+    rows = report_text.metric_rows(results)
+    return {"rows": rows, "stated": any(row[3] for row in rows), "notes": [report_text.NUMBERS_NOTE]} if rows else None
 
 
 def timing(results):
@@ -53,7 +53,8 @@ def claims_section(study, wanted=False):
 def page(results, with_claims=False):
     """The whole page."""
     charts = list(figures.charts(results))
-    drawn = [chart_section(results, *each) for each in charts]
+    top = next((each for name in ANSWER for each in charts if each[0].name == name), None)
+    drawn = [chart_section(results, *each) for each in charts if each != top]
     title = results.case.get("title", results.folder.resolve().name)
     study = Study(results.folder, results)
     sections = [
@@ -63,13 +64,16 @@ def page(results, with_claims=False):
         pages.Section("explore", "Explore", "explore", sweep_page.explore(study)),
         *[picture for picture in drawn if picture.identifier not in FIRST],
         claims_section(study, with_claims),
-        pages.Section("numbers", "Numbers", "tables", numbers(results)),
+        pages.Section("numbers", "Numbers", "numbers", numbers(results)),
+        pages.Section("words", "Words", "glossary", quantities.glossary(results.metrics)),
         pages.Section("timing", "Timing", "tables", timing(results)),
         pages.Section("limits", "Limits of the model", "list", report_text.limits(results)),
         pages.Section("origin", "Origin", "table", pages.Table(("", ""), report_text.origin_rows(results))),
     ]
     shown = chart_data.chart_data({entry.name: chart for entry, chart in charts if not isinstance(chart, str)})
-    return pages.page(title, report_text.subtitle(results), sections, cards=report_text.headline(results),
+    shown_first = chart_section(results, *top) if top else None
+    opening = (answer.sentences(results), shown_first.data if shown_first and shown_first.part == "chart" else None)
+    return pages.page(title, report_text.subtitle(results), sections, cards=report_text.headline(results), answer=opening,
                       script=pages.chart_script({**sweep_page.script(study), "FIGURES": ("chart_cells.js", shown)}))
 
 

@@ -30,14 +30,19 @@ class Axis(NamedTuple):
 
 
 class Curve(NamedTuple):
-    """y over x. step: y is the mean over the step that ends at its x. look: "", "dashed" or "dotted". marks: one per value.
-    band: lower and upper end of y within its stated error, or None."""
+    """y over x.
+
+    step   "over": y is the mean over the step that ends at its x; "held": y is read at its x, and shown until the next
+    look   "", "dashed", "dotted", or "none" for marks alone
+    marks  one per value; where they would touch, the page leaves them out
+    band   lower and upper end of y within its stated error, or None
+    """
 
     x: numpy.ndarray
     y: numpy.ndarray
     label: str = ""
     colour: str = BLUE
-    step: bool = False
+    step: str = ""
     width: float = 1.2
     look: str = ""
     marks: bool = False

@@ -10,13 +10,16 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator
 from ..charts.chart import limits
 from ..charts.spans import peak_of, scaled_label
 from . import style
-from .panels import STEP, signed_log_axis
+from .panels import signed_log_axis
 
 LEFT, RIGHT, BAR, BETWEEN = 0.80, 0.14, 0.55, 0.16  # widths [inch]: of labels, of what is free, of a bar of colours
 TITLE, TICKS, NAME, NOTE = 0.24, 0.20, 0.18, 0.20  # heights [inch]
 TALLEST = 3.0  # of a cell with equal scales [inch]
 NARROW = 2.9  # width of a cell that holds its legend [inch]
-LOOKS = {"": "-", "dashed": (0, (5, 2)), "dotted": (0, (1.5, 1.5))}
+LOOKS = {"": "-", "dashed": (0, (5, 2)), "dotted": (0, (1.5, 1.5)), "none": ""}
+STEPS = {"": "default", "over": "steps-pre", "held": "steps-post"}
+FILLS = {"": None, "over": "pre", "held": "post"}
+MOST_MARKS = 400  # of a curve; more would touch
 ANCHORS = {"start": "left", "middle": "center", "end": "right"}
 
 
@@ -109,10 +112,10 @@ def draw_curve(panel, curve, along, divisor):
     """A curve with its band of errors."""
     x = along(curve.x)
     if curve.band is not None:
-        panel.fill_between(x, *(end / divisor for end in curve.band), step="pre" if curve.step else None, color=curve.colour, alpha=0.25,
+        panel.fill_between(x, *(end / divisor for end in curve.band), step=FILLS[curve.step], color=curve.colour, alpha=0.25,
                            lw=0, zorder=1.5)
     panel.plot(x, curve.y / divisor, color=curve.colour, lw=curve.width, ls=LOOKS[curve.look], label=curve.label or None,
-               **({"marker": "o", "markersize": 1.8} if curve.marks else {}), **(STEP if curve.step else {}))
+               **({"marker": "o", "markersize": 1.8} if curve.marks and len(x) < MOST_MARKS else {}), drawstyle=STEPS[curve.step])
 
 
 def set_axes(panel, cell, along, divisor):

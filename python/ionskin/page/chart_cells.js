@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The figures of a run: each is rows of cells, a cell one pair of axes. chart_data.py says what FIGURES holds.
 (() => {
-  const HEIGHT = 150, TALLEST = 420, NARROW = 560, NARROWEST = 160, LINE = 15, LEFT = 68, UNNAMED = 50, BAR = 74, EDGE = 12;
+  const HEIGHT = 150, TALLEST = 420, NARROW = 560, NARROWEST = 160, LINE = 15, MARK = 6, LEFT = 68, UNNAMED = 50, BAR = 74, EDGE = 12;
   const DASHES = { dashed: "6 3", dotted: "1.5 3", "": "none" };
   const SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
   let clips = 0;
@@ -93,26 +93,27 @@
         const value = FIGURES.arrays[series][i];
         if (value === null) { pen = false; continue; }
         const px = frame.px(x[i]).toFixed(1), py = frame.py(value).toFixed(1);
-        text += !pen ? `M${px} ${py}` : curve.step ? `V${py}H${px}` : `L${px} ${py}`;
+        text += !pen ? `M${px} ${py}` : curve.step === "over" ? `V${py}H${px}` : curve.step ? `H${px}V${py}` : `L${px} ${py}`;
         pen = true;
       }
       return text;
     };
     const rows = Array.from({ length: last - first + 1 }, (_, i) => first + i);
     if (curve.band) {
-      const back = curve.step ? { ...curve, step: false } : curve; // a band of steps is drawn by its corners
-      const corner = (series) => rows.flatMap((i, k) => {
+      const corner = (series) => rows.flatMap((i, k) => { // a band of steps is drawn by its corners
         const value = FIGURES.arrays[series][i], px = frame.px(x[i]).toFixed(1);
         if (value === null) return [];
-        const py = frame.py(value).toFixed(1);
-        return back === curve || k === 0 ? [`${px} ${py}`] : [`${frame.px(x[rows[k - 1]]).toFixed(1)} ${py}`, `${px} ${py}`];
+        const py = frame.py(value).toFixed(1), other = curve.step === "over" ? k - 1 : k + 1;
+        if (!curve.step || other < 0 || other >= rows.length) return [`${px} ${py}`];
+        const beside = `${frame.px(x[rows[other]]).toFixed(1)} ${py}`;
+        return curve.step === "over" ? [beside, `${px} ${py}`] : [`${px} ${py}`, beside];
       });
       const outline = [...corner(curve.band[0]), ...corner(curve.band[1]).reverse()];
       if (outline.length) make(svg, "path", { d: `M${outline.join("L")}Z`, "clip-path": clip, style: `fill: ${curve.colour}; opacity: .25` });
     }
     make(svg, "path", { class: "curve", d: path(curve.y, rows), "clip-path": clip,
                         style: `stroke: ${curve.colour}; stroke-width: ${1.2 * curve.width}; stroke-dasharray: ${DASHES[curve.look]}` });
-    if (curve.marks && rows.length < 400) for (const i of rows) {
+    if (curve.marks && rows.length * MARK < frame.right - frame.left) for (const i of rows) {
       const value = FIGURES.arrays[curve.y][i];
       if (value !== null) make(svg, "circle", { cx: frame.px(x[i]), cy: frame.py(value), r: 2, "clip-path": clip, style: `fill: ${curve.colour}` });
     }

@@ -77,6 +77,7 @@
   function drawPanel(panel, holder) {
     const member = DATA.members[state.member], names = panel.curves.filter((name) => member.series[name]);
     holder.textContent = "";
+    holder.style.display = names.length ? "" : "none";
     if (!names.length) return;
     const span = state.span || [0, member.time[member.time.length - 1]];
     const unit = DATA.curves.find((curve) => curve.name === names[0]).unit;
@@ -97,7 +98,7 @@
       member.series[name].forEach((value, k) => {
         if (value === null) return;
         const x = frame.px(member.time[k]).toFixed(2), y = frame.py(value).toFixed(2);
-        if (step && last !== null) path += `V${y}`;
+        if (step && last !== null) path += `H${x}`; // a reading is known at the end of its interval, and shown until the next
         path += `${pen}${x} ${y}`;
         pen = "L"; last = y;
       });

@@ -260,7 +260,7 @@ class Page(SweepTest):
             for width in (1300, 390):
                 page.call("Emulation.setDeviceMetricsOverride", width=width, height=2400, deviceScaleFactor=1, mobile=width < 500)
                 page.settle()
-                for name, count in (("motion", 2), ("currents", 3), ("circuit", 3), ("relaxation", 2)):
+                for name, count in (("motion", 2), ("currents", 3), ("answer", 3), ("relaxation", 2)):
                     self.assertEqual(page.evaluate(f"document.querySelectorAll('#{name} .cells svg').length"), count, name)
                 self.assertGreater(page.evaluate("document.querySelectorAll('#forces path.curve').length"), 1)
                 self.assertEqual(page.overlapping_labels(".cells svg"), [])
