@@ -6,7 +6,7 @@ from typing import Callable, NamedTuple
 
 from .analysis import derived
 from .charts import contact, ions, onset, readout, skin, water
-from .charts.chart import Axis, Cell, Chart, Curve, Mark, Note, current_axis, over_time, phase_spans, with_events
+from .charts.chart import Axis, Cell, Chart, Curve, Mark, Note, current_axis, over_time, phase_spans, telling_coincidence, with_events
 from .charts.colours import BLUE, GREEN, ORANGE, PALE, PURPLE, QUIET
 from .charts.spans import rows_within, sampled_label, slide_start
 from .page import report_text
@@ -215,7 +215,7 @@ def charts(results):
     for entry in FIGURES:
         chart = entry.draw(results)
         if chart is not None:
-            yield entry, chart
+            yield entry, chart if isinstance(chart, str) else telling_coincidence(chart)
 
 
 def draw_all(results):

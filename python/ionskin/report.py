@@ -7,6 +7,7 @@ import sys
 
 from . import figures
 from .analysis import claims, paper
+from .charts import numbered
 from .errors import exit_on
 from .page import answer, chart_data, pages, quantities, report_text, sweep_page
 from .results import Results
@@ -46,7 +47,12 @@ def case_summary(results):
 def claims_section(study, wanted=False):
     """Verdicts on the article's claims, for its own case or where they are asked for."""
     own = paper.is_own_case(study.typical.results.case)
-    data = {"about": paper.ABOUT, "verdicts": claims.judge(study)} if own or wanted else None
+    if not own and not wanted:
+        return pages.Section("claims", "The article's claims", "verdicts", None)
+    judged = claims.judge(study)
+    verdicts = [verdict for verdict in judged if wanted or verdict.verdict != claims.OPEN]
+    left = len(judged) - len(verdicts)
+    data = {"about": paper.ABOUT, "verdicts": verdicts, "more": claims.more(study, left) if left else ""}
     return pages.Section("claims", "The article's claims", "verdicts", data)
 
 
@@ -88,15 +94,12 @@ def make_report(folder, with_claims=False, *, files=False, progress=None, left_o
     folder = pathlib.Path(folder)
     told = progress or (lambda part: None)
     if (folder / "sweep.csv").exists():
-        from .drawing import gallery, making  # the page of a run needs no matplotlib
-
         study = Study(folder)
-        made = making.make(making.numbered(study, files=files), folder / "figures", True, told)
-        if left_out is not None:
-            left_out += [(each.name, each.reason) for each in made if each.reason]
-        return sweep_page.make(study, claims_section(study, with_claims), list(zip(gallery.ENTRIES, made)))
-    results = Results(folder)
-    path = pages.write_page(folder / "report.html", page(results, with_claims))
+        path = sweep_page.make(study, claims_section(study, with_claims))
+        results = None
+    else:
+        results = Results(folder)
+        path = pages.write_page(folder / "report.html", page(results, with_claims))
     if files:
         missing = make_gallery(folder, progress=told, results=results)
         if left_out is not None:
@@ -111,16 +114,16 @@ def make_gallery(folder, only=(), *, progress=None, results=None):
 
     results  of the folder's run, where they have been read already
     """
-    from .drawing import gallery, making  # a page needs no matplotlib
+    from .drawing import making  # a page needs no matplotlib
 
-    unknown = [name for name in only if name not in gallery.known_names()]
+    unknown = [name for name in only if name not in numbered.known_names()]
     if unknown:
-        raise ValueError(f"there is no figure {unknown[0]}: choose among {', '.join(gallery.known_names())}")
+        raise ValueError(f"there is no figure {unknown[0]}: choose among {', '.join(numbered.known_names())}")
     study = Study(folder, results)
-    jobs = making.numbered(study, only)
+    jobs = making.numbered_jobs(study, only)
     if not only and study.sweep is None:
         jobs += making.of_page(study.typical.results)
-    made = making.make(jobs, pathlib.Path(folder) / "figures", progress=progress)
+    made = making.make(jobs, pathlib.Path(folder) / "figures", progress)
     return [(each.name, each.reason) for each in made if each.reason]
 
 

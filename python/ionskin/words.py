@@ -37,7 +37,8 @@ def quantity(value, unit, digits=4):
     if unit not in PREFIXED:
         return f"{value:.{digits}g} {unit}"
     divisor, prefix = si_scale(abs(value))
-    return f"{value / divisor:.{digits}g} {prefix}{unit}"
+    text = f"{value / divisor:.{digits}g}"
+    return f"{value / divisor:.0f} {prefix}{unit}" if "e" in text and abs(value / divisor) < 1000 else f"{text} {prefix}{unit}"
 
 
 def without_e(text):

@@ -7,6 +7,7 @@ from ..words import SUPERSCRIPTS, quantity, si_scale
 from .colours import BAND, BAND_STRONG
 
 CONTACT_PHASES = {"touchdown": BAND, "slide": BAND_STRONG, "lift": BAND}
+PLAIN = 0.1  # pure numbers up to here need no power of ten
 DECADES = 5  # between the largest current and the linear part of a symmetric logarithmic axis
 BEFORE, AFTER = 3, 9  # readout intervals that a window shows around its event
 INTERVAL = 10e-3  # [s]; where nothing is sampled
@@ -72,6 +73,8 @@ def scaled_label(name, unit, peak):
     divisor, prefix = si_scale(peak)
     if unit != "1":
         return divisor, f"{name} [{prefix}{unit}]"
+    if PLAIN <= peak < 1e5:
+        return 1.0, name
     power = f"{round(numpy.log10(divisor)):d}".translate(SUPERSCRIPTS)
     return divisor, f"{name} [10{power}]" if divisor != 1 else name
 

@@ -19,9 +19,8 @@ from PIL import Image
 
 from ionskin import Results
 from ionskin.analysis import paper
-from ionskin.charts import readout, spans
+from ionskin.charts import readout, sketches, spans
 from ionskin.charts.chart import Curve, Map
-from ionskin.drawing import figures_model
 from ionskin.figures import charts, draw_all
 from ionskin.page import chart_data, report_text
 from ionskin.report import make_gallery, make_report
@@ -317,14 +316,14 @@ class Words(unittest.TestCase):
         told = types.SimpleNamespace(case={}, circuit=None, circuit_words={
             "words": "resistor of 1e+06 ohm and capacitor of 1e-10 F in parallel", "top_potential": "φ = U = R I"})
         self.assertEqual(readout.circuit_words(told), "Resistor of 1 MΩ and capacitor of 100 pF in parallel")
-        self.assertEqual(figures_model.wall_potentials(told)["top"], "φ = U = R I")
+        self.assertEqual(sketches.wall_potentials(told)["top"], "φ = U = R I")
         older = types.SimpleNamespace(case={"readout": {"circuit": "open"}}, circuit_words={},
                                       circuit=types.SimpleNamespace(has=lambda *_: True))
         self.assertEqual(readout.circuit_words(older), "Open circuit")
-        self.assertEqual(figures_model.wall_potentials(older)["top"], "φ = U")
+        self.assertEqual(sketches.wall_potentials(older)["top"], "φ = U")
         shorted = types.SimpleNamespace(case={}, circuit_words={}, circuit=None)
         self.assertEqual(readout.circuit_words(shorted), "Short circuit")
-        self.assertEqual(figures_model.wall_potentials(shorted)["top"], "φ = 0")
+        self.assertEqual(sketches.wall_potentials(shorted)["top"], "φ = 0")
 
     def test_captions_and_limits_follow_slider_and_law(self):
         sharp = types.SimpleNamespace(case={"slider": {"size": []}, "coupling": {"law": "fixed-charge"}})
