@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The figures of a run: each is rows of cells, a cell one pair of axes. chart_data.py says what FIGURES holds.
 (() => {
-  const HEIGHT = 150, TALLEST = 420, NARROW = 560, NARROWEST = 160, LINE = 15, MARK = 6, PLAIN = 0.1, LEFT = 68, UNNAMED = 50, BAR = 74, EDGE = 12;
+  const HEIGHT = 150, TALLEST = 420, NARROW = 560, NARROWEST = 160, LINE = 15, MARK = 6, PLAIN = 0.1, LEFT = 68, UNNAMED = 58, BAR = 74, EDGE = 12;
   const DASHES = { dashed: "6 3", dotted: "1.5 3", "": "none", none: "none" };
   const SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
   let clips = 0;
@@ -208,7 +208,7 @@
     const reach = Math.max(...frame.x.map((end) => Math.abs(end - cell.x.origin))), height = Math.max(...frame.y.map(Math.abs));
     const both = cell.equal ? Math.max(reach, height) : 0; // one unit where both have one scale
     const [xDivisor, xWords] = scaled(cell.x.name || !named ? cell.x : { ...cell.x, name: named }, both || reach);
-    for (const value of ticks(...frame.x.map((end) => (end - cell.x.origin) / xDivisor), Math.max(3, Math.round((frame.right - frame.left) / 80)), STEPS)) {
+    for (const value of ticks(...frame.x.map((end) => (end - cell.x.origin) / xDivisor), Math.max(Math.min(3, (frame.right - frame.left) / 45), Math.round((frame.right - frame.left) / 80)), STEPS)) {
       const x = frame.px(value * xDivisor + cell.x.origin);
       if (!cell.map) make(svg, "line", { class: "gridline", x1: x, x2: x, y1: frame.top, y2: frame.bottom });
       const tick = make(svg, "text", { x, y: frame.bottom + 14, "text-anchor": "middle" }, Number(value.toPrecision(6)).toString());
@@ -223,8 +223,10 @@
       make(svg, "text", { x: frame.left - 6, y: y + 4, "text-anchor": "end" }, log ? withUnit(value, cell.y.unit, 3) : Number(value.toPrecision(6)).toString());
     }
     make(svg, "path", { class: "axis", d: `M${frame.left} ${frame.top}V${frame.bottom}H${frame.right}` });
-    const middle = Math.min(Math.max(frame.left, (frame.left + frame.right) / 2), wide);
-    if (xWords && (cell.x.name || named)) make(svg, "text", { class: "along", x: middle, y: frame.bottom + 30, "text-anchor": "middle" }, xWords);
+    if (xWords && (cell.x.name || named)) {
+      const text = make(svg, "text", { class: "along", y: frame.bottom + 30, "text-anchor": "middle" }, xWords), half = text.getComputedTextLength() / 2;
+      text.setAttribute("x", Math.max(half + 1, Math.min(wide - half - 1, (frame.left + frame.right) / 2)));
+    }
     if (cell.y.name && !empty) within(svg, { transform: `translate(11 ${(frame.top + frame.bottom) / 2}) rotate(-90)`, "text-anchor": "middle" }, yWords, frame.bottom - frame.top);
   }
 

@@ -20,7 +20,7 @@ NAMES = {
     "equilibrium_residual": "Residual of equilibrium", "complementarity_residual": "Residual of contact",
     "interpolation_error": "Error of the interpolated compliance", "peak_open_circuit_voltage": "Peak open-circuit voltage",
     "open_circuit_voltage_per_newton": "Open-circuit voltage per force", "peak_sampled_taxel_current": "Peak sampled current of a taxel",
-    "adhesion_loss": "Work lost to adhesion", "pull_off_force": "Pull-off force", "charge_difference_end": "Difference charge at the end",
+    "taxel_balance_error": "Error of the sum of the taxels", "adhesion_loss": "Work lost to adhesion", "pull_off_force": "Pull-off force", "charge_difference_end": "Difference charge at the end",
     "largest_p99_shear": "Largest shear, 99th percentile", "peak_dilution_voltage": "Peak voltage by dilution",
     "peak_streaming_voltage": "Peak voltage by streaming", "peak_drive": "Peak drive of the water on the cations",
     "peak_pore_pressure": "Peak water pressure", "peak_pressure_difference": "Peak water pressure, top minus bottom",
