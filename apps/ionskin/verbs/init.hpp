@@ -6,7 +6,7 @@
 namespace ionskin::apps {
 
 struct InitOptions {
-  std::string path;           ///< file to write
+  std::string path;            ///< file to write
   std::string from = "finger"; ///< name of a starter case
 };
 
