@@ -11,7 +11,7 @@ import unittest.mock
 import h5py
 import numpy
 
-from program import PAPER, QUICK, ProgramTest, signals, summary
+from program import PAPER, QUICK, ROOT, ProgramTest, signals, summary
 
 # A mesh that serves where no figure is compared.
 SMALL = (QUICK, "--set", "numerics.mesh_refinement=0.5")

@@ -21,6 +21,7 @@ NAMES = {
     "interpolation_error": "Error of the interpolated compliance", "peak_open_circuit_voltage": "Peak open-circuit voltage",
     "open_circuit_voltage_per_newton": "Open-circuit voltage per force", "peak_sampled_taxel_current": "Peak sampled current of a taxel",
     "taxel_balance_error": "Error of the sum of the taxels", "adhesion_loss": "Work lost to adhesion", "pull_off_force": "Pull-off force", "charge_difference_end": "Difference charge at the end",
+    "charge_difference_slide_end": "Difference charge at the end of the slide",
     "largest_p99_shear": "Largest shear, 99th percentile", "peak_dilution_voltage": "Peak voltage by dilution",
     "peak_streaming_voltage": "Peak voltage by streaming", "peak_drive": "Peak drive of the water on the cations",
     "peak_pore_pressure": "Peak water pressure", "peak_pressure_difference": "Peak water pressure, top minus bottom",
@@ -61,6 +62,11 @@ GLOSSARY = [
 
 def words(name):
     """The name of a metric in words; one that is not known here keeps its own."""
+    return known_words(name) or name.replace("_", " ").capitalize()
+
+
+def known_words(name):
+    """The same, "" for one that is not known here."""
     if (found := CURRENT.fullmatch(name)) is not None:
         return f"{KINDS[found[1]]} {SIDES[found[2]]}"
     if name in NAMES:
@@ -73,7 +79,7 @@ def words(name):
             return pattern.format(name.removeprefix(f"precursor_{part}_"))
     if name.startswith("initial_charge_"):
         return f"Charge at the start, {name.removeprefix('initial_charge_')}"
-    return name.replace("_", " ").capitalize()
+    return ""
 
 
 def is_share(name):
