@@ -59,8 +59,8 @@ int main(int argc, char** argv) {
     if (const auto* cache_options = std::get_if<CacheOptions>(&*command)) {
       return cache(*cache_options);
     }
-    if (std::holds_alternative<CiteOptions>(*command)) {
-      return cite();
+    if (const auto* cite_options = std::get_if<CiteOptions>(&*command)) {
+      return cite(*cite_options);
     }
     if (std::holds_alternative<ManualOptions>(*command)) {
       return manual_page();

@@ -93,6 +93,8 @@ def _table(header, *rows):
             columns[name] = numpy.array(values, dtype=str)
         else:
             columns[name] = numpy.array([value or "nan" for value in values], dtype=float)
+    if "time" not in columns:
+        raise ValueError("it has no column time")
     return Table(columns, units)
 
 

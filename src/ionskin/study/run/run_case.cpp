@@ -230,9 +230,8 @@ void add_errors(const Case& input, const MechanicsRecord& mechanics, const RunOp
             ? estimate_errors(input, mechanics, *outputs.ions, outputs.signals, options.threads,
                               timers, options.progress)
             : estimate_mechanics_errors(input, mechanics, outputs.signals, options.threads);
-    for (std::string& warning : error_warnings(input, outputs.errors)) {
-      outputs.warnings.push_back(std::move(warning));
-    }
+    std::vector<std::string> found = error_warnings(input, outputs.errors);
+    outputs.warnings.insert(outputs.warnings.begin(), found.begin(), found.end());
   } catch (const SolverError& error) {
     outputs.warnings.push_back(
         std::string("The error of the currents is not estimated: on a mesh of twice the size ") +
@@ -315,9 +314,8 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
   add_errors(input, mechanics, options, timers, outputs);
   outputs.stage_seconds = timers.seconds();
   outputs.audits = audit(audited_metrics(mechanics, outputs.signals));
-  for (std::string& warning : audit_warnings(outputs.audits)) {
-    outputs.warnings.push_back(std::move(warning));
-  }
+  const std::vector<std::string> audited = audit_warnings(outputs.audits);
+  outputs.warnings.insert(outputs.warnings.begin(), audited.begin(), audited.end());
   RunOutcome outcome = write_outputs(input, options, mechanics, outputs, start, folder);
   folder.output().remove(results::file_names::checkpoint);
   require_sound(outputs.audits, folder.path().string());
