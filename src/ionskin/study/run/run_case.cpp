@@ -10,6 +10,7 @@
 #include "ionskin/electrochemistry/equations/wall_potential.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
 #include "ionskin/planning/cost_estimate.hpp"
+#include "ionskin/planning/foreseen.hpp"
 #include "ionskin/planning/output_size.hpp"
 #include "ionskin/planning/resources.hpp"
 #include "ionskin/poroelasticity/prescribed_load.hpp"
@@ -255,6 +256,9 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
     planning::require_resources(input, options.threads);
   }
   require_room(input, given_strain, options);
+  if (options.studies != Studies::mechanics) {
+    planning::foreseen(input); // refuses what is bound to fail
+  }
   const auto cache = open_user_cache(options);
   RunFolder folder(input, options);
   if (has_finished(folder, options)) {
