@@ -17,6 +17,8 @@ CASE_GROUPS = {"skin": "Skin", "slider": "Slider", "motion": "Motion", "contact"
                "electrochemistry": "Ions", "coupling": "Coupling", "water": "Water", "strain": "Strain",
                "readout": "Readout", "numerics": "Numerics"}
 
+SOURCES = {"cache": "read from the cache", "earlier run": "read from an earlier run", "another point": "shared with another point"}
+
 NUMBERS_NOTE = ("“touchdown” is the end of touchdown and “slide” the middle of the slide, both in the first cycle. "
                 "Peaks are of the magnitude; rms is weighted by time over the whole run. Peaks of resolved currents are "
                 "means over one time step at a contact event; the sampled ones converge with the time step.")
@@ -138,8 +140,13 @@ def timing_rows(results):
             # The report is made while the output stage runs: the final figures stand in summary.json.
             continue
         stage = stages.get(name, {})
+        if name not in stages:  # whoever reads the strain needs no mechanics
+            if name == "mechanics" and stages.get("strain", {}).get("source") in SOURCES:
+                rows.append((name, SOURCES[stages["strain"]["source"]], "", ""))
+            continue
         memory = stage.get("peak_memory_bytes", 0)
-        rows.append((name, stage.get("state", ""), f"{seconds:.2f} s", f"{memory / 1e9:.2f} GB" if memory else ""))
+        state = SOURCES.get(stage.get("source"), stage.get("state", ""))
+        rows.append((name, state, f"{seconds:.2f} s", f"{memory / 1e9:.2f} GB" if memory else ""))
     if rows:
         rows.append(("sum", "", f"{sum(timing[row[0]] for row in rows):.2f} s", ""))
     return rows

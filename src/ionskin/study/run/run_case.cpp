@@ -89,6 +89,7 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, base::Disk
   const std::string hash = mechanics_hash(input);
   if (auto record = left_mechanics(input, hash, results_path, folder)) {
     folder.keep_finished("strain");
+    options.progress("mechanics, from an earlier run", 1.0);
     return *record;
   }
   if (options.studies == Studies::electrochemistry) {
@@ -101,7 +102,8 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, base::Disk
   if (keeps) {
     const double begin = base::wall_time();
     if (auto record = recall_mechanics(*cache, hash, input.skin, results_path)) {
-      folder.add_finished("strain", base::wall_time() - begin);
+      folder.add_finished("strain", base::wall_time() - begin, "cache");
+      options.progress("mechanics, from the cache", 1.0);
       return *record;
     }
   }
