@@ -9,6 +9,8 @@ export interface Series {
   band?: Float64Array;
   /// Drawn as points: a measurement.
   points?: boolean;
+  /// A curve with its points marked: those of a sweep.
+  marked?: boolean;
 }
 
 /// What can be drawn together: a name to choose, the table and its columns.
