@@ -80,12 +80,12 @@ def name_and_unit(title):
 def read_table(path):
     """Reads signals.csv or sampled.csv. Raises FileNotFoundError when it is missing, CaseError when it is damaged."""
     with whole(path):
-        return _table(*files.read_text(path).splitlines())
+        return _table(*files.read_rows(path))
 
 
 def _table(header, *rows):
-    titles = [name_and_unit(title) for title in header.split(",")]
-    cells = zip(*(row.split(",") for row in rows)) if rows else ([] for _ in titles)
+    titles = [name_and_unit(title) for title in header]
+    cells = zip(*rows) if rows else ([] for _ in titles)
     columns, units = {}, {}
     for (name, unit), values in zip(titles, cells):
         units[name] = unit

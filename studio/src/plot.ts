@@ -71,7 +71,7 @@ export class Plot {
     this.series.forEach((one, i) => {
       const colour = colours[i % colours.length];
       const line: uPlot.Series = { label: `${one.label}${this.scaled.unit ? ` [${this.scaled.unit}]` : ""}`, stroke: colour, width: 1.5,
-        dash: i >= colours.length ? [6, 4] : undefined, spanGaps: true, points: { show: one.points ? true : false, size: 4 },
+        dash: i >= colours.length ? [6, 4] : undefined, spanGaps: true, points: { show: Boolean(one.points || one.marked), size: one.marked ? 8 : 4 },
         value: (_, v) => (v === null ? "–" : number(v)) };
       const paths = one.step && uPlot.paths.stepped!({ align: one.step === "held" ? 1 : -1 });
       if (paths) line.paths = paths;

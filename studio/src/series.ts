@@ -11,6 +11,8 @@ export interface Series {
   points?: boolean;
   /// "held": read at its instant and shown until the next, as a sampled current; "over": the mean over the step that ends there.
   step?: "held" | "over";
+  /// A curve with its points marked: those of a sweep.
+  marked?: boolean;
 }
 
 /// What can be drawn together: a name to choose, the table and its columns.

@@ -84,9 +84,14 @@ class Cache(ProgramTest):
 
     def test_study_2_alone_changed_takes_up_the_mechanics(self):
         self.run_case(QUICK, *SMALL, "-o", "first")
-        self.run_case(QUICK, *SMALL, "-o", "second", "--set", "coupling.coefficient=2e-4")
+        told = self.run_case(QUICK, *SMALL, "-o", "second", "--set", "coupling.coefficient=2e-4", "--progress", "lines").stderr
+        self.assertIn("mechanics, from the cache", told)
         manifest = json.loads((self.folder / "second" / "manifest.json").read_text())
         self.assertNotIn("mechanics", manifest["stages"])
+        self.assertEqual(manifest["stages"]["strain"]["source"], "cache")
+        told = self.run_case(QUICK, "-o", "second", "--set", "coupling.coefficient=2e-4", "--only", "electrochemistry",
+                             "--progress", "lines").stderr
+        self.assertIn("mechanics, from an earlier run", told)
         first, second = signals(self.folder / "first"), signals(self.folder / "second")
         for name in (*FORCES, *SHEARS):
             self.assertEqual(numpy.interp(first["time"], second["time"], second[name]).max(), first[name].max(), name)

@@ -388,6 +388,11 @@ class Words(unittest.TestCase):
         results = types.SimpleNamespace(summary={"timing": timing}, manifest={
             "stages": {"mechanics": {"wall_time_s": 88.0}}, "counters": {"seconds_factorisation": 132.0, "factorisations": 4}})
         self.assertEqual([row[2] for row in report_text.timing_rows(results)], ["88.00 s", "88.00 s"])
+        read = {"strain": {"state": "finished", "wall_time_s": 0.1, "source": "cache"}}
+        results = types.SimpleNamespace(summary={"timing": {"mechanics": 0.0, "strain": 0.1}}, manifest={
+            "stages": read, "counters": results.manifest["counters"]})
+        self.assertEqual(report_text.timing_rows(results), [("mechanics", "read from the cache", "", ""),
+                                                            ("strain", "read from the cache", "0.10 s", ""), ("sum", "", "0.10 s", "")])
         self.assertEqual(report_text.counter_rows(results),
                          [("factorisation, summed over threads", "132 s"), ("factorisations", "4")])
 

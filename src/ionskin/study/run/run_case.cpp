@@ -11,6 +11,7 @@
 #include "ionskin/electrochemistry/equations/wall_potential.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
 #include "ionskin/planning/cost_estimate.hpp"
+#include "ionskin/planning/foreseen.hpp"
 #include "ionskin/planning/output_size.hpp"
 #include "ionskin/planning/resources.hpp"
 #include "ionskin/poroelasticity/prescribed_load.hpp"
@@ -89,6 +90,7 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, base::Disk
   const std::string hash = mechanics_hash(input);
   if (auto record = left_mechanics(input, hash, results_path, folder)) {
     folder.keep_finished("strain");
+    options.progress("mechanics, from an earlier run", 1.0);
     return *record;
   }
   if (options.studies == Studies::electrochemistry) {
@@ -101,7 +103,8 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, base::Disk
   if (keeps) {
     const double begin = base::wall_time();
     if (auto record = recall_mechanics(*cache, hash, input.skin, results_path)) {
-      folder.add_finished("strain", base::wall_time() - begin);
+      folder.add_finished("strain", base::wall_time() - begin, "cache");
+      options.progress("mechanics, from the cache", 1.0);
       return *record;
     }
   }
@@ -281,6 +284,9 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
     planning::require_resources(input, options.threads);
   }
   require_room(input, given_strain, options);
+  if (options.studies != Studies::mechanics) {
+    planning::foreseen(input); // refuses what is bound to fail
+  }
   const auto cache = open_user_cache(options);
   RunFolder folder(input, options);
   if (has_finished(folder, options)) {
