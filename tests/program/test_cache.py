@@ -89,8 +89,8 @@ class Cache(ProgramTest):
         manifest = json.loads((self.folder / "second" / "manifest.json").read_text())
         self.assertNotIn("mechanics", manifest["stages"])
         self.assertEqual(manifest["stages"]["strain"]["source"], "cache")
-        told = self.run_case(QUICK, "-o", "second", "--set", "coupling.coefficient=2e-4", "--only", "electrochemistry",
-                             "--progress", "lines").stderr
+        told = self.run_case(QUICK, *SMALL, "-o", "second", "--set", "coupling.coefficient=2e-4", "--only",
+                             "electrochemistry", "--progress", "lines").stderr
         self.assertIn("mechanics, from an earlier run", told)
         first, second = signals(self.folder / "first"), signals(self.folder / "second")
         for name in (*FORCES, *SHEARS):
