@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/handover/surface_instant.hpp"
 
-#include <algorithm>
-
 namespace ionskin::handover {
 
 SurfaceInstant::Vector SurfaceInstant::moved(const SurfaceInstant& before) const {
