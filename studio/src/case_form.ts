@@ -90,7 +90,7 @@ export class CaseForm {
     const facts = [row.si_unit ? `SI unit ${row.si_unit}` : "", row.range, row.default ? `default ${plain(row.default)}` : row.need].filter(Boolean).join("; ");
     const problem = el("span", { class: "field-problem", role: "alert" });
     const name = key.replace(/^[a-z]+[.]?/, "") || key;
-    const box = labelled(words(name.replace(/\[(\d+)\]\./, (_, i) => `${Number(i) + 1}: `)), control);
+    const box = labelled(words(name.replace(/\[(\d+)\]\./, (_, i) => `${Number(i) + 1}: `).replace(/\./g, " ")), control);
     control.setAttribute("aria-describedby", `${control.id}-help`);
     box.title = `${key}: ${row.help}`;
     box.append(problem, el("details", { class: "help" }, el("summary", {}, "?"),

@@ -231,9 +231,9 @@ const main = async (page, link) => {
   await fill("Step", "0.1");
   await fill("To", "0.3");
   await click("Run the sweep");
-  await wait(() => /coupling.coefficient = 0.1/.test(document.querySelector(".sweep output")?.textContent));
+  await wait(() => /Coupling: coefficient = 0.1/.test(document.querySelector(".sweep output")?.textContent));
   await page.$eval(".sweep input[type=range]", (one) => { one.value = "2"; one.dispatchEvent(new Event("input")); });
-  await wait(() => /coupling.coefficient = 0.3/.test(document.querySelector(".sweep output").textContent) && /0003/.test(document.querySelector(".curves .plot").textContent));
+  await wait(() => /Coupling: coefficient = 0.3/.test(document.querySelector(".sweep output").textContent) && /0003/.test(document.querySelector(".curves .plot").textContent));
   await wait(() => document.querySelector(".legend").textContent);
   await picture("sweep");
 
