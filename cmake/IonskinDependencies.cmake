@@ -25,17 +25,11 @@ endfunction()
 
 ionskin_find_library(dep_toml11 toml.hpp "")
 ionskin_find_library(dep_udunits2 udunits2.h udunits2)
-ionskin_find_library(dep_cholmod cholmod.h cholmod HEADER_PATHS /usr/include/suitesparse)
 # The serial flavour, which h5py loads too.
 pkg_check_modules(hdf5 REQUIRED IMPORTED_TARGET hdf5-serial)
 add_library(dep_hdf5 INTERFACE IMPORTED)
 find_library(hdf5_high_level hdf5_hl PATHS ${hdf5_LIBRARY_DIRS} NO_DEFAULT_PATH REQUIRED)
 target_link_libraries(dep_hdf5 INTERFACE ${hdf5_high_level} PkgConfig::hdf5)
-# CHOLMOD's own threads are held back through it.
-find_package(OpenMP REQUIRED COMPONENTS CXX)
-pkg_check_modules(openblas REQUIRED IMPORTED_TARGET openblas)
-add_library(dep_openblas INTERFACE IMPORTED)
-target_link_libraries(dep_openblas INTERFACE PkgConfig::openblas)
 
 # ionskin_part(VARIABLE WHAT TIER FOUND...) sets VARIABLE to whether every FOUND is true, and else says which packages
 # bring the part.

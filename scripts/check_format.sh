@@ -4,5 +4,5 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 find src apps python tests verification benchmarks -name '*.cpp' -o -name '*.hpp' |
-  xargs clang-format-14 --dry-run -Werror
+  xargs -n 64 -P "$(nproc)" clang-format-14 --dry-run -Werror
 echo "format: all sources are formatted"

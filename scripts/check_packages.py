@@ -15,13 +15,12 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 KINDS = ("cmake", "include", "import", "run", "named", "needs")
 FIRST = "program"
 # What Debian's compiler and CMake bring by themselves.
-OF_CMAKE = {"Threads", "OpenMP"}
+OF_CMAKE = {"Threads"}
 OF_THE_C_LIBRARY = re.compile(r"^(sys|arpa|netinet|net|linux)/|^(assert|ctype|dlfcn|errno|fcntl|float|grp|inttypes|limits|link|"
                               r"locale|malloc|math|netdb|omp|poll|pthread|pwd|sched|signal|spawn|std\w+|string|strings|"
                               r"sysexits|termios|time|unistd|xlocale|x86intrin|immintrin|cpuid)\.h$")
-# Interfaces of the same BLAS and of Python, told by the package that carries the first name.
-ALIASES = {"cblas.h": "openblas", "f77blas.h": "openblas", "ionskin_live.h": None, "ionskin_live.hpp": None,
-           "camd.h": "cholmod.h"}
+# Interfaces of ours that are found by themselves.
+ALIASES = {"ionskin_live.h": None, "ionskin_live.hpp": None}
 # Programs of others that benchmarks compare with, installed by hand: their modules.
 OF_OTHERS = {"dolfinx", "ufl", "petsc4py", "mpi4py", "getfem", "gmsh"}
 # A tier that a folder may count on, beside the first.

@@ -19,6 +19,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <string>
 #include <unistd.h>
 
 namespace {
@@ -26,8 +27,6 @@ namespace {
 /// Replaces this process by a program beside it with the same arguments. `make demo` builds the
 /// solver alone.
 int become(const char* name, char** argv) {
-  // One thread per factorisation; several run at once.
-  setenv("OPENBLAS_NUM_THREADS", "1", 1);
   const auto program = ionskin::base::installation().solver.parent_path() / name;
   const auto self = std::filesystem::canonical("/proc/self/exe");
   setenv("IONSKIN_FRONT", self.c_str(), 1); // for parts that start further commands
@@ -54,8 +53,8 @@ int main(int argc, char** argv) {
     if (const auto* cache_options = std::get_if<CacheOptions>(&*command)) {
       return cache(*cache_options);
     }
-    if (std::holds_alternative<CiteOptions>(*command)) {
-      return cite();
+    if (const auto* cite_options = std::get_if<CiteOptions>(&*command)) {
+      return cite(*cite_options);
     }
     if (std::holds_alternative<ManualOptions>(*command)) {
       return manual_page();

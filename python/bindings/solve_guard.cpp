@@ -4,8 +4,6 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/system/interrupt.hpp"
 
-#include <cblas.h>
-
 #include <atomic>
 #include <chrono>
 #include <string>
@@ -16,18 +14,6 @@ namespace ionskin::python {
 namespace {
 
 namespace py = pybind11;
-
-/// Solvers set the number of threads of OpenBLAS to 1.
-class BlasThreads {
-public:
-  BlasThreads() = default;
-  ~BlasThreads() { openblas_set_num_threads(former_); }
-  BlasThreads(const BlasThreads&) = delete;
-  BlasThreads& operator=(const BlasThreads&) = delete;
-
-private:
-  int former_ = openblas_get_num_threads();
-};
 
 /// Messages quote names and lines of files, which need not be UTF-8.
 py::str message(const std::string& text) {
@@ -129,7 +115,6 @@ void solve_unlocked(bool take_signal, const PythonProgress& progress,
   const py::gil_scoped_release unlocked;
   const std::unique_lock turn = wait_for_turn();
   const Solving now;
-  const BlasThreads blas;
   const base::InterruptScope scope(take_signal);
   try {
     solve();

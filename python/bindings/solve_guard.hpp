@@ -28,9 +28,9 @@ private:
 };
 
 /// Runs a solve without the interpreter's lock, one at a time in this process: another one waits,
-/// which Ctrl-C ends. With `take_signal` SIGINT stops the solve. The number of threads of OpenBLAS,
-/// which numpy shares, is put back. Throws UserError where waiting would never end: inside a
-/// progress callable, and in a process that was forked while its parent solved.
+/// which Ctrl-C ends. With `take_signal` SIGINT stops the solve. Throws UserError where waiting
+/// would never end: inside a progress callable, and in a process that was forked while its parent
+/// solved.
 void solve_unlocked(bool take_signal, const PythonProgress& progress,
                     const std::function<void()>& solve);
 

@@ -6,7 +6,7 @@ from typing import Callable, NamedTuple
 
 from .analysis import derived
 from .charts import contact, ions, onset, readout, skin, water
-from .charts.chart import Axis, Cell, Chart, Curve, Mark, Note, current_axis, over_time, phase_spans
+from .charts.chart import Axis, Cell, Chart, Curve, Mark, Note, current_axis, over_time, phase_spans, telling_coincidence, with_events
 from .charts.colours import BLUE, GREEN, ORANGE, PALE, PURPLE, QUIET
 from .charts.spans import rows_within, sampled_label, slide_start
 from .page import report_text
@@ -18,11 +18,13 @@ def motion(results):
     if not signals.has("slider_x", "slider_z"):
         return None
     time = signals["time"]
-    chart = over_time(results, [
-        ("Centre of the slider along the skin", Axis("position x", "m"), [Curve(time, signals["slider_x"])], 0.7),
-        ("Underside of the slider above the undeformed skin", Axis("height z", "m"), [Curve(time, signals["slider_z"])], 0.7)])
-    (position,), (height,) = chart.rows
-    return chart._replace(rows=[[position._replace(spans=phase_spans(results, named=True))],
+    panels = [("Centre of the slider along the skin", Axis("position x", "m"), [Curve(time, signals["slider_x"])], 0.7)]
+    if skin.moves_across(results):
+        panels.append(("Centre of the slider across the skin", Axis("position y", "m"), [Curve(time, signals["slider_y"])], 0.7))
+    panels.append(("Underside of the slider above the undeformed skin", Axis("height z", "m"), [Curve(time, signals["slider_z"])], 0.7))
+    chart = over_time(results, panels)
+    (position,), *between, (height,) = chart.rows
+    return chart._replace(rows=[[position._replace(spans=phase_spans(results, named=True))], *between,
                                 [height._replace(marks=(Mark(0.0, "", "y"),))]])
 
 
@@ -60,17 +62,26 @@ def currents(results):
     time = signals["time"]
     noise = ": not above the noise of the solver" if derived.common_is_noise(results) else ""
     panels = [("Electrodes, resolved", current_axis(signals["current_top"], signals["current_bottom"]),
-               [Curve(time, signals["current_top"], "top", BLUE, True),
-                Curve(time, signals["current_bottom"], "bottom", ORANGE, True, 0.8)], 1.1)]
+               [Curve(time, signals["current_top"], "top", BLUE, "over"),
+                Curve(time, signals["current_bottom"], "bottom", ORANGE, "over", 0.8)], 1.1)]
     for name, title, colour in (("difference", "Difference (top − bottom)/2", GREEN),
                                 ("common", f"Common (top + bottom)/2{noise}", PURPLE)):
         column = f"current_{name}"
         # Wide and pale below the resolved current, which it equals wherever nothing is fast.
         panels.append((title, current_axis(signals[column]),
-                       [Curve(sampled["time"], sampled[column], sampled_label(results), PALE, True, 2.6,
+                       [Curve(sampled["time"], sampled[column], sampled_label(results), PALE, "held", 2.6,
                               band=results.band("sampled", column)),
-                        Curve(time, signals[column], "resolved", colour, True, 0.8)], 1.1))
+                        Curve(time, signals[column], "resolved", colour, "over", 0.8)], 1.1))
     return over_time(results, panels)
+
+
+def reading(results):
+    """What an ammeter between the shorted electrodes shows, enlarged at the first contact; None where a circuit joins them."""
+    sampled = results.sampled
+    if results.circuit is not None or not sampled.has("current_difference"):
+        return None
+    curve = Curve(sampled["time"], sampled["current_difference"], "", GREEN, "held", marks=True, band=results.band("sampled", "current_difference"))
+    return with_events(results, [("Difference current", Axis("current", "A"), [curve], 1.2)])
 
 
 def charge(results):
@@ -105,9 +116,9 @@ def join(results):
     for title, low, high, words in (("Onset of sliding, first cycle", 0.0, 4 * width, "steady sliding begins"),
                                     ("The join, enlarged", 0.5 * width, 2 * width, "")):
         shown = (time > low) & (time <= high)
-        curve = Curve(time[shown], signals["current_difference"][shown], "", GREEN, True, marks=True)
+        curve = Curve(time[shown], signals["current_difference"][shown], "", GREEN, "over", marks=True)
         cells.append(Cell(title, Axis("time since the start of the slide", "s", low, high), Axis("difference current", "A"), (curve,),
-                          marks=(Mark(width, words=words),)))
+                          marks=(Mark(width),), phases=(Note(width, 1.0, words, "middle", QUIET),) if words else ()))
     return Chart([[cell] for cell in cells])
 
 
@@ -159,7 +170,10 @@ class Entry(NamedTuple):
 
 
 FIGURES = [
+    Entry("reading", "What can be read", "What an instrument between the electrodes shows that integrates over each readout interval, at the "
+          "instant at which it can show it; beside it enlarged, one mark per reading. Shaded: its stated error.", reading),
     Entry("model", "Skin and slider", "Before touchdown.", skin.model),
+    Entry("plan", "Path from above", "The skin, the way of the slider's centre over it, and the slider where it begins.", skin.plan),
     Entry("motion", "Motion", "Prescribed motion of the slider. Bands, here and below: pale where slider and skin touch, darker "
           "while it slides.", motion),
     Entry("contact", "Contact", report_text.contact_caption, contact.contact_maps),
@@ -169,7 +183,7 @@ FIGURES = [
     Entry("shear", "Shear of the core", report_text.shear_caption, shear),
     Entry("currents", "Electrode currents", "Currents on a symmetric logarithmic axis, linear around zero. A resolved "
           "current is the mean over one time step: its spikes are as high as the events are short. The sampled current "
-          "is the charge gained over each readout interval divided by it, which an integrating instrument sees.",
+          "is the charge gained over each readout interval divided by it, which an integrating instrument shows from the interval's end on.",
           currents),
     Entry("circuit", "Readout circuit", "The top electrode's potential against the bottom one's, or what the amplifier reads; "
           "circuit.csv holds the numbers.", readout.circuit),
@@ -201,7 +215,7 @@ def charts(results):
     for entry in FIGURES:
         chart = entry.draw(results)
         if chart is not None:
-            yield entry, chart
+            yield entry, chart if isinstance(chart, str) else telling_coincidence(chart)
 
 
 def draw_all(results):

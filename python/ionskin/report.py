@@ -7,12 +7,14 @@ import sys
 
 from . import figures
 from .analysis import claims, paper
+from .charts import numbered
 from .errors import exit_on
-from .page import chart_data, pages, report_text, sweep_page
+from .page import answer, chart_data, pages, quantities, report_text, sweep_page
 from .results import Results
 from .sweep_results import Study
 
-FIRST = ("model",)  # figures that stand before the charts to explore
+ANSWER = ("reading", "circuit", "water_voltage")  # the first of these figures that a run has stands at the top
+FIRST = ("model", "plan")  # figures that stand before the charts to explore
 
 
 def chart_section(results, entry, chart):
@@ -25,9 +27,8 @@ def chart_section(results, entry, chart):
 
 def numbers(results):
     """Every metric; the column of errors stands only where some are estimated."""
-    head, rows = ("quantity", "value", "unit", "estimated error"), report_text.metric_rows(results)
-    used = 4 if any(row[3] for row in rows) else 3
-    return {"tables": [pages.Table(head[:used], [row[:used] for row in rows], (1, 3))], "notes": [report_text.NUMBERS_NOTE]}
+    rows = report_text.metric_rows(results)
+    return {"rows": rows, "stated": any(row[3] for row in rows), "notes": [report_text.NUMBERS_NOTE]} if rows else None
 
 
 def timing(results):
@@ -46,14 +47,20 @@ def case_summary(results):
 def claims_section(study, wanted=False):
     """Verdicts on the article's claims, for its own case or where they are asked for."""
     own = paper.is_own_case(study.typical.results.case)
-    data = {"about": paper.ABOUT, "verdicts": claims.judge(study)} if own or wanted else None
+    if not own and not wanted:
+        return pages.Section("claims", "The article's claims", "verdicts", None)
+    judged = claims.judge(study)
+    verdicts = [verdict for verdict in judged if wanted or verdict.verdict != claims.OPEN]
+    left = len(judged) - len(verdicts)
+    data = {"about": paper.ABOUT, "verdicts": verdicts, "more": claims.more(study, left) if left else ""}
     return pages.Section("claims", "The article's claims", "verdicts", data)
 
 
 def page(results, with_claims=False):
     """The whole page."""
     charts = list(figures.charts(results))
-    drawn = [chart_section(results, *each) for each in charts]
+    top = next((each for name in ANSWER for each in charts if each[0].name == name), None)
+    drawn = [chart_section(results, *each) for each in charts if each != top]
     title = results.case.get("title", results.folder.resolve().name)
     study = Study(results.folder, results)
     sections = [
@@ -63,13 +70,16 @@ def page(results, with_claims=False):
         pages.Section("explore", "Explore", "explore", sweep_page.explore(study)),
         *[picture for picture in drawn if picture.identifier not in FIRST],
         claims_section(study, with_claims),
-        pages.Section("numbers", "Numbers", "tables", numbers(results)),
+        pages.Section("numbers", "Numbers", "numbers", numbers(results)),
+        pages.Section("words", "Words", "glossary", quantities.glossary(results.metrics)),
         pages.Section("timing", "Timing", "tables", timing(results)),
         pages.Section("limits", "Limits of the model", "list", report_text.limits(results)),
         pages.Section("origin", "Origin", "table", pages.Table(("", ""), report_text.origin_rows(results))),
     ]
     shown = chart_data.chart_data({entry.name: chart for entry, chart in charts if not isinstance(chart, str)})
-    return pages.page(title, report_text.subtitle(results), sections, cards=report_text.headline(results),
+    shown_first = chart_section(results, *top) if top else None
+    opening = (answer.sentences(results), shown_first.data if shown_first and shown_first.part == "chart" else None)
+    return pages.page(title, report_text.subtitle(results), sections, cards=report_text.headline(results), answer=opening,
                       script=pages.chart_script({**sweep_page.script(study), "FIGURES": ("chart_cells.js", shown)}))
 
 
@@ -84,15 +94,12 @@ def make_report(folder, with_claims=False, *, files=False, progress=None, left_o
     folder = pathlib.Path(folder)
     told = progress or (lambda part: None)
     if (folder / "sweep.csv").exists():
-        from .drawing import gallery, making  # the page of a run needs no matplotlib
-
         study = Study(folder)
-        made = making.make(making.numbered(study, files=files), folder / "figures", True, told)
-        if left_out is not None:
-            left_out += [(each.name, each.reason) for each in made if each.reason]
-        return sweep_page.make(study, claims_section(study, with_claims), list(zip(gallery.ENTRIES, made)))
-    results = Results(folder)
-    path = pages.write_page(folder / "report.html", page(results, with_claims))
+        path = sweep_page.make(study, claims_section(study, with_claims))
+        results = None
+    else:
+        results = Results(folder)
+        path = pages.write_page(folder / "report.html", page(results, with_claims))
     if files:
         missing = make_gallery(folder, progress=told, results=results)
         if left_out is not None:
@@ -107,16 +114,16 @@ def make_gallery(folder, only=(), *, progress=None, results=None):
 
     results  of the folder's run, where they have been read already
     """
-    from .drawing import gallery, making  # a page needs no matplotlib
+    from .drawing import making  # a page needs no matplotlib
 
-    unknown = [name for name in only if name not in gallery.known_names()]
+    unknown = [name for name in only if name not in numbered.known_names()]
     if unknown:
-        raise ValueError(f"there is no figure {unknown[0]}: choose among {', '.join(gallery.known_names())}")
+        raise ValueError(f"there is no figure {unknown[0]}: choose among {', '.join(numbered.known_names())}")
     study = Study(folder, results)
-    jobs = making.numbered(study, only)
+    jobs = making.numbered_jobs(study, only)
     if not only and study.sweep is None:
         jobs += making.of_page(study.typical.results)
-    made = making.make(jobs, pathlib.Path(folder) / "figures", progress=progress)
+    made = making.make(jobs, pathlib.Path(folder) / "figures", progress)
     return [(each.name, each.reason) for each in made if each.reason]
 
 

@@ -80,12 +80,12 @@ def name_and_unit(title):
 def read_table(path):
     """Reads signals.csv or sampled.csv. Raises FileNotFoundError when it is missing, CaseError when it is damaged."""
     with whole(path):
-        return _table(*files.read_text(path).splitlines())
+        return _table(*files.read_rows(path))
 
 
 def _table(header, *rows):
-    titles = [name_and_unit(title) for title in header.split(",")]
-    cells = zip(*(row.split(",") for row in rows)) if rows else ([] for _ in titles)
+    titles = [name_and_unit(title) for title in header]
+    cells = zip(*rows) if rows else ([] for _ in titles)
     columns, units = {}, {}
     for (name, unit), values in zip(titles, cells):
         units[name] = unit
@@ -93,6 +93,8 @@ def _table(header, *rows):
             columns[name] = numpy.array(values, dtype=str)
         else:
             columns[name] = numpy.array([value or "nan" for value in values], dtype=float)
+    if "time" not in columns:
+        raise ValueError("it has no column time")
     return Table(columns, units)
 
 
@@ -137,7 +139,7 @@ class Results:
     circuit_words     dict: name, words and top_potential of the circuit; empty in folders of earlier versions
     case              dict of the case file, quantities as texts
     complete          False for a run that has not ended: it gives place, height and forces of the slider and the
-                      metrics of the contact alone
+                      metrics of the contact alone, and where its ion transport gave up all signals until then
 
     Raises FileNotFoundError, with what the run is at, when the folder holds no signals.csv, and CaseError when a file
     in it is damaged.
@@ -151,8 +153,10 @@ class Results:
         self._keep = keep
         self.folder = pathlib.Path(folder)
         self.manifest = read_json(self.folder / "manifest.json")
-        self.complete = all((self.folder / f"{name}.csv").exists() for name in ("signals", "sampled"))
-        if self.complete:
+        tables = all((self.folder / f"{name}.csv").exists() for name in ("signals", "sampled"))
+        self.complete = tables and not self._gave_up()
+        tables = tables and (self.complete or unfinished)
+        if tables:
             self.signals = read_table(self.folder / "signals.csv")
             self.sampled = read_table(self.folder / "sampled.csv")
         else:
@@ -165,7 +169,7 @@ class Results:
         self.errors = {name: read_table(path) for name in ("signals", "sampled", "taxels", "circuit", "water")
                        if (path := self.folder / f"{name}_error.csv").exists()}
         self.summary = read_json(self.folder / "summary.json")
-        if self.complete:
+        if tables:
             with whole(self.folder / "summary.json"):
                 self.metrics = {name: Metric(entry["value"], entry["unit"])
                                 for name, entry in _object(self.summary, "metrics").items()}
@@ -176,6 +180,12 @@ class Results:
         if case.exists():
             with whole(case):
                 self.case = tomllib.loads(files.read_text(case, files.LARGEST_JSON))
+
+    def _gave_up(self):
+        """Whether the ion transport did not come to its end: the tables of such a run end where it gave up."""
+        with whole(self.folder / "manifest.json"):
+            stage = _object(_object(self.manifest, "stages"), "electrochemistry")
+            return stage.get("state", "finished") != "finished"
 
     def _take_mechanics(self, wanted):
         found = mechanics(self.folder / "results.h5") if wanted else None

@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The folder of a sweep, and what a report draws: members in the order of one swept key."""
 
-import csv
 import functools
-import io
 import pathlib
 import re
 from typing import NamedTuple
@@ -59,7 +57,7 @@ class Sweep:
         if not path.exists():
             raise FileNotFoundError(f"{self.folder} holds no sweep.csv: name the folder of a sweep")
         with whole(path):
-            header, *rows = list(csv.reader(io.StringIO(files.read_text(path), newline=""), strict=True))
+            header, *rows = files.read_rows(path)
             titles = [name_and_unit(title) for title in header]
             status = header.index("status")
             self.keys = dict(titles[2:status])

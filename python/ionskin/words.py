@@ -1,8 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """Numbers and texts as a reader sees them."""
 
+import re
+
 LONGEST_LABEL = 48
-PREFIXED = ("A", "C", "N", "V", "s", "Pa", "m", "J", "W", "Ohm", "Ω", "F", "Hz")
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+PREFIXED = ("A", "C", "N", "V", "s", "Pa", "m", "J", "W", "Ohm", "Ω", "F", "Hz", "V/N")
+POWERS = {"m2": ((1e-6, "mm²"), (1e-12, "µm²")), "m3": ((1e-9, "mm³"), (1e-18, "µm³"))}  # largest first
+SIGNS = ((r"\bu(m|s|A|C|V|N|l)\b", r"µ\1"), (r"\bdegC\b", "°C"), (r"(?<=m)2\b", "²"), (r"(?<=m)3\b", "³"), (r"\b[oO]hms?\b", "Ω"))
+FOLDERS = re.compile(r"(?<![\w./:~<])/(?:[^/\s\"'<>]+/)+([^/\s\"'<>]*)")
+QUOTED_FOLDERS = re.compile(r"([\"'])/(?:[^/\"'<>]+/)+([^/\"'<>]*)\1")
 PREFIXES = {-15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
 
 
@@ -23,16 +30,28 @@ def quantity(value, unit, digits=4):
         return "–"
     value = float(f"{value:.{digits}g}")  # 0.9999999 N is 1 N, not 1e+03 mN
     if unit == "1":
-        return f"{value:.{digits}g}"
+        return without_e(f"{value:.{digits}g}")
+    for size, name in POWERS.get(unit, ()):
+        if abs(value) >= 0.01 * size or size == POWERS[unit][-1][0]:
+            return f"{value / size:.{digits}g} {name}"
     if unit not in PREFIXED:
         return f"{value:.{digits}g} {unit}"
     divisor, prefix = si_scale(abs(value))
-    return f"{value / divisor:.{digits}g} {prefix}{unit}"
+    text = f"{value / divisor:.{digits}g}"
+    return f"{value / divisor:.0f} {prefix}{unit}" if "e" in text and abs(value / divisor) < 1000 else f"{text} {prefix}{unit}"
+
+
+def without_e(text):
+    """A number as print writes it: "9.42e-05" is "9.42 × 10⁻⁵"."""
+    mantissa, _, power = text.partition("e")
+    return f"{mantissa} × 10{str(int(power)).translate(SUPERSCRIPTS)}" if power else text
 
 
 def percent(share):
     """A share in percent to two significant digits; beyond 1,000 % it only tells that nothing is known."""
     value = 100 * share
+    if 0 < value < 0.01:
+        return "below 0.01 %"
     if value > 1000:
         return "over 1000 %"
     return f"{float(f'{value:.2g}'):.0f} %" if value >= 10 else f"{value:.2g} %"
@@ -42,3 +61,15 @@ def short(text, longest=LONGEST_LABEL):
     """A text of a case or a file as a figure can show it: printable, and not longer than there is room for."""
     plain = "".join(letter if letter.isprintable() else " " for letter in str(text)).strip()
     return plain if len(plain) <= longest else f"{plain[:longest - 1]}…"
+
+
+def readable_units(text):
+    """A quantity of a case file as it is printed: "10 um" is "10 µm", "7e-11 m2/s" is "7e-11 m²/s"."""
+    for found, sign in SIGNS:
+        text = re.sub(found, sign, text)
+    return text
+
+
+def without_folders(text):
+    """A text without the folders of absolute paths, which tell of a user's machine: "/home/ada/x.toml" is "…/x.toml"."""
+    return FOLDERS.sub(r"…/\1", QUOTED_FOLDERS.sub(r"\1…/\2\1", text))

@@ -2,6 +2,7 @@
 // What can be done with a case: run it, sweep a key, fit keys to a measurement.
 import { CaseValue, get, post, upload } from "./api";
 import { attempt, button, el, labelled, say, select } from "./dom";
+import { key_words } from "./format";
 import { copy_buttons } from "./save";
 import { store } from "./store";
 
@@ -9,7 +10,8 @@ interface Started { folder: string; command: string; python: string; }
 
 export class CaseActions {
   readonly element: HTMLElement;
-  private name = el("input", { type: "text", value: store.name, maxLength: 60, pattern: "[A-Za-z0-9][A-Za-z0-9._\\-]*", onchange: () => { store.name = this.name.value; } });
+  private name = el("input", { type: "text", value: store.name, maxLength: 60, pattern: "[A-Za-z0-9][A-Za-z0-9._\\-]*", required: true, oninput: () => this.judge_name() });
+  private name_problem = el("span", { class: "field-problem", role: "alert" });
   private key = el("select", { onchange: () => this.propose() });
   private from = el("input", { type: "text" });
   private step = el("input", { type: "text" });
@@ -21,6 +23,7 @@ export class CaseActions {
   private free = el("select", { multiple: true, size: 5 });
   private buttons: HTMLButtonElement[] = [];
   private values: CaseValue[] = [];
+  private valid = false;
 
   constructor() {
     const run = button("Run", () => this.start(this.run()), "primary");
@@ -30,7 +33,7 @@ export class CaseActions {
     this.buttons = [run, sweep, fit];
     for (const input of [this.from, this.step, this.to]) input.addEventListener("input", () => this.tell_values());
     this.element = el("div", { class: "actions" },
-      el("div", { class: "row" }, labelled("Name of the results", this.name), run, this.copies(() => this.run())),
+      el("div", { class: "row" }, labelled("Name of the results", this.name), this.name_problem, run, this.copies(() => this.run())),
       el("details", {}, el("summary", {}, "Sweep a key"),
         el("div", { class: "row" }, labelled("Key", this.key), labelled("From", this.from), labelled("Step", this.step), labelled("To", this.to)),
         this.preview, el("div", { class: "row" }, sweep, this.copies(() => this.sweep()))),
@@ -41,18 +44,27 @@ export class CaseActions {
 
   /// @param values of a valid case, or nothing for one with mistakes
   allow(values: CaseValue[] | undefined): void {
-    for (const one of this.buttons) one.disabled = !values;
+    this.valid = Boolean(values);
+    this.judge_name();
     if (!values) return;
     this.values = values;
     const numeric = values.filter((one) => one.numbers.length === 1 && !one.key.startsWith("numerics."));
     const fill = (control: HTMLSelectElement, wanted: string) => {
       const kept = [...control.selectedOptions].map((option) => option.value);
-      control.replaceChildren(...numeric.map((one) => el("option", { value: one.key }, one.key)));
+      control.replaceChildren(...numeric.map((one) => el("option", { value: one.key, title: one.key }, key_words(one.key))));
       for (const option of control.options) option.selected = kept.length ? kept.includes(option.value) : option.value === wanted;
     };
     fill(this.key, "contact.friction");
     fill(this.free, "coupling.coefficient");
     if (!this.from.value) this.propose();
+  }
+
+  private judge_name(): void {
+    store.name = this.name.value;
+    const good = this.name.checkValidity();
+    this.name.setAttribute("aria-invalid", String(!good));
+    this.name_problem.textContent = good ? "" : this.name.value ? "letters, digits, dots, - and _; a letter or digit first" : "the results need a name";
+    for (const one of this.buttons) one.disabled = !this.valid || !good;
   }
 
   private copies(request: () => object): HTMLElement {

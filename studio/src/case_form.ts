@@ -13,12 +13,14 @@ export class CaseForm {
   readonly element = el("div", { class: "form" });
   private fields = new Map<string, { control: HTMLInputElement | HTMLSelectElement; problem: HTMLElement; box: HTMLElement }>();
   private shape = "";
+  private last: { values: CaseValue[]; applicable: string[] } = { values: [], applicable: [] };
 
   constructor(private keys: Key[], private edit: Edit) {}
 
   /// Fields are made once for the same set of keys, so that what one types in stays in place.
   /// @param applicable keys of the table that have a meaning in this case; others have no field
   show(values: CaseValue[], applicable: string[]): void {
+    this.last = { values, applicable };
     const given = new Map(values.map((one) => [one.key, one]));
     const shape = [...given.keys(), ...applicable].join();
     if (shape !== this.shape) {
@@ -32,6 +34,14 @@ export class CaseForm {
       box.classList.toggle("default", !value || value.origin === "default" || value.origin === "preset");
     }
     this.mark([]);
+  }
+
+  /// Fields for keys that a case with mistakes lacks, beside those that it had when it was valid.
+  offer(keys: string[]): void {
+    const { values, applicable } = this.last;
+    if (!values.length || keys.every((key) => this.fields.has(key))) return;
+    this.show(values, [...applicable, ...keys]);
+    this.last = { values, applicable };
   }
 
   mark(errors: CaseError[]): void {
@@ -60,6 +70,7 @@ export class CaseForm {
       sections.get(section)!.push(this.field(key, row));
     };
     for (const row of this.keys) {
+      if (row.key.startsWith("motion.waypoints[]")) continue; // in the editor of the path
       if (/\[\]|NAME/.test(row.key)) {
         for (const key of given.keys()) if (this.row(key) === row) add(key, row);
       } else if (applicable.has(row.key) || given.has(row.key)) add(row.key, row);
@@ -79,7 +90,7 @@ export class CaseForm {
     const facts = [row.si_unit ? `SI unit ${row.si_unit}` : "", row.range, row.default ? `default ${plain(row.default)}` : row.need].filter(Boolean).join("; ");
     const problem = el("span", { class: "field-problem", role: "alert" });
     const name = key.replace(/^[a-z]+[.]?/, "") || key;
-    const box = labelled(words(name.replace(/\[(\d+)\]\./, (_, i) => `${Number(i) + 1}: `)), control);
+    const box = labelled(words(name.replace(/\[(\d+)\]\./, (_, i) => `${Number(i) + 1}: `).replace(/\./g, " ")), control);
     control.setAttribute("aria-describedby", `${control.id}-help`);
     box.title = `${key}: ${row.help}`;
     box.append(problem, el("details", { class: "help" }, el("summary", {}, "?"),

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The case: form and text of the same words, checked by the program as one types.
-import { Verdict, check, post } from "./api";
+import { CaseValue, Verdict, check, post } from "./api";
 import { CaseActions } from "./case_actions";
 import { CaseForm } from "./case_form";
+import { case_picture } from "./case_picture";
 import { CaseTextEditor } from "./case_text";
 import { attempt, button, el } from "./dom";
+import { first_waypoints, missing_keys, with_path, without_idle_keys } from "./fitting_keys";
 import { duration, memory } from "./format";
+import { geometry_of } from "./geometry";
 import { store } from "./store";
+import { WaypointEditor, without_waypoints } from "./waypoint_editor";
 
 export function case_view(): HTMLElement {
   if (!store.case_text) {
@@ -19,13 +23,36 @@ export function case_view(): HTMLElement {
   const editor = new CaseTextEditor((text) => { store.case_text = text; later(); });
   // One edit after the other: each goes into the text that the one before made.
   let edits = Promise.resolve();
-  const form = new CaseForm(store.keys, (key, value) => {
+  const sketch = el("div", { class: "sketch" });
+  let valid: CaseValue[] = [];
+  const taken = new Map<string, string>();
+  const take = (text: string) => {
+    store.case_text = editor.text = text;
+    attempt(judge);
+  };
+  const set = (key: string, value: string) => {
     edits = edits.then(() => attempt(async () => {
       const edited = await post<{ text: string }>("/api/case/set", { text: store.case_text, key, value });
-      store.case_text = editor.text = edited.text;
-      attempt(judge);
+      take(await fitted(key, edited.text));
     }));
-  });
+  };
+  const form = new CaseForm(store.keys, set);
+  const path = new WaypointEditor(set, (change) => { edits = edits.then(() => attempt(async () => take(change(store.case_text)))); });
+  /// Another choice takes away the keys that do not go with it; what it lacks gets a field.
+  async function fitted(key: string, text: string): Promise<string> {
+    if (!store.keys.find((one) => one.key === key)?.choices.length) return text;
+    if (key === "motion.kind" && !/^kind\s*=\s*"waypoints"/m.test(text)) text = without_waypoints(text);
+    const verdict = await check(text);
+    if (verdict.valid) return text;
+    const kept = without_idle_keys(text, verdict.errors!, taken);
+    const is_path = key === "motion.kind" && /^kind\s*=\s*"waypoints"/m.test(kept) && !/^\[\[motion\.waypoints\]\]/m.test(kept);
+    if (is_path) return with_path(kept, first_waypoints(valid));
+    let filled = kept;
+    for (const lacked of missing_keys((await check(kept)).errors ?? []).filter((one) => taken.has(one))) {
+      filled = (await post<{ text: string }>("/api/case/set", { text: filled, key: lacked, value: taken.get(lacked) })).text;
+    }
+    return filled;
+  }
   let timer = 0, asked = 0;
   const later = () => {
     window.clearTimeout(timer);
@@ -40,7 +67,13 @@ export function case_view(): HTMLElement {
   function tell(verdict: Verdict): void {
     const errors = verdict.errors ?? [];
     editor.mark(errors);
-    if (verdict.valid) form.show(verdict.values!, verdict.applicable!);
+    if (verdict.valid) {
+      valid = verdict.values!;
+      const shape = geometry_of(valid);
+      form.show(valid, verdict.applicable!);
+      path.show(valid, shape);
+      sketch.replaceChildren(case_picture(shape));
+    } else form.offer(missing_keys(errors));
     form.mark(errors);
     actions.allow(verdict.valid ? verdict.values : undefined);
     verdict_line.className = verdict.valid ? "verdict good" : "verdict bad";
@@ -59,7 +92,7 @@ export function case_view(): HTMLElement {
   return el("div", { class: "page wide" },
     el("h1", {}, "Case"), verdict_line, problems, actions.element,
     el("div", { class: "two case" },
-      el("section", {}, el("h2", {}, "Form"), form.element),
+      el("section", {}, el("h2", {}, "Form"), sketch, path.element, form.element),
       el("section", {}, el("h2", {}, "Text"), editor.element,
         el("details", {}, el("summary", {}, "What it means (check --explain)"), explanation))));
 }

@@ -44,3 +44,10 @@ export function words(name: string): string {
   const text = name.replace(/_/g, " ").replace(/\b(young|poisson)s\b/g, (surname) => `${surname[0].toUpperCase()}${surname.slice(1, -1)}'s`);
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
+
+/// A key of a case as words: "contact.friction" is "Contact: friction", "skin.layers[1].thickness" "Skin: layer 2 thickness".
+export function key_words(key: string): string {
+  const [section, ...rest] = key.split(".");
+  const name = rest.join(" ").replace(/(\w+?)s?\[(\d+)\]/g, (_, list, i) => `${list} ${Number(i) + 1}`);
+  return rest.length ? `${words(section)}: ${words(name).replace(/^[A-Z](?=[a-z])/, (letter) => (/^(Young|Poisson)/.test(words(name)) ? letter : letter.toLowerCase()))}` : words(section);
+}

@@ -71,14 +71,16 @@ export class Plot {
     this.series.forEach((one, i) => {
       const colour = colours[i % colours.length];
       const line: uPlot.Series = { label: `${one.label}${this.scaled.unit ? ` [${this.scaled.unit}]` : ""}`, stroke: colour, width: 1.5,
-        dash: i >= colours.length ? [6, 4] : undefined, spanGaps: true, points: { show: one.points ? true : false, size: 4 },
+        dash: i >= colours.length ? [6, 4] : undefined, spanGaps: true, points: { show: Boolean(one.points || one.marked), size: one.marked ? 8 : 4 },
         value: (_, v) => (v === null ? "–" : number(v)) };
+      const paths = one.step && uPlot.paths.stepped!({ align: one.step === "held" ? 1 : -1 });
+      if (paths) line.paths = paths;
       if (one.points) line.width = 0;
       const columns: (number | null)[][] = [Array.from(one.values, value)];
       described.push(line);
       if (one.band && this.bands && !this.log) {
         const at = described.length;
-        const edge = { label: "", stroke: undefined, width: 0, points: { show: false }, spanGaps: true };
+        const edge = { label: "", stroke: undefined, width: 0, points: { show: false }, spanGaps: true, ...(paths ? { paths } : {}) };
         described.push({ ...edge }, { ...edge });
         columns.push(Array.from(one.values, (v, k) => value(v + one.band![k])), Array.from(one.values, (v, k) => value(v - one.band![k])));
         bands.push({ series: [at, at + 1], fill: colour + "44" });

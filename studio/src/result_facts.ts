@@ -18,10 +18,16 @@ export function result_facts(result: Result): HTMLElement {
       result.kind === "fit" ? null : result.report
         ? el("a", { href: `/api/download?${new URLSearchParams({ path: `${result.path}/report.html` })}`, download: `${result.path.replace(/\//g, "-")}.html` }, "Save the report")
         : button("Make the report", () => attempt(async () => { await post("/api/jobs", { kind: "report", path: result.path }); say("The report is in the queue"); }), "small")));
-  if (result.warnings.length) box.append(el("details", { open: result.warnings.length < 3 }, el("summary", {}, `Warnings: ${result.warnings.length}`), el("ul", {}, ...result.warnings.map((text) => el("li", {}, text)))));
   if (parameters) box.append(fit_table(parameters));
   if (rows.length) box.append(el("details", {}, el("summary", {}, `Figures: ${rows.length}`), el("div", { class: "scroll" }, el("table", {}, head, el("tbody", {}, ...rows)))));
   return box;
+}
+
+/// Above the pictures, where they are seen.
+export function warnings_of(results: Result[]): HTMLElement[] {
+  return results.filter((one) => one.warnings.length).map((one) => el("details", { class: "warnings" },
+    el("summary", {}, `${one.warnings.length === 1 ? "One warning" : `${one.warnings.length} warnings`} of ${one.path}: ${one.warnings[0].split(/[.:] /)[0]}`),
+    el("ul", {}, ...one.warnings.map((text) => el("li", {}, text)))));
 }
 
 function python_of(result: Result): string {

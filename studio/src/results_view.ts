@@ -4,7 +4,7 @@ import { Outline, Result, get } from "./api";
 import { CurvesPanel, check_box } from "./curves_panel";
 import { attempt, button, el } from "./dom";
 import { quantity } from "./format";
-import { differences, result_facts } from "./result_facts";
+import { differences, result_facts, warnings_of } from "./result_facts";
 import { ScenePanel } from "./scene_panel";
 import { column, table_of } from "./series";
 import { store } from "./store";
@@ -53,6 +53,7 @@ export function results_view(): HTMLElement {
     const [first, second] = results;
     above.replaceChildren();
     below.replaceChildren();
+    above.append(...warnings_of(results));
     if (first?.kind === "sweep") {
       above.append(sweep_panel(first, (point) => attempt(async () => show_results([point]))));
       below.append(result_facts(first));

@@ -60,7 +60,9 @@ export function svg_of(series: Series[], title: string, colours: string[], unit:
   parts.push(`<text x="${width / 2}" y="${height - 10}" text-anchor="middle">time [s]</text>`,
     `<text x="16" y="${height / 2}" transform="rotate(-90 16 ${height / 2})" text-anchor="middle">${escaped(unit || "1")}</text>`);
   series.forEach((one, i) => {
-    const path = Array.from(one.time, (time, k) => (Number.isFinite(one.values[k]) ? `${x(time).toFixed(2)},${y(one.values[k]).toFixed(2)}` : ""));
+    const at = (k: number, row: number) => (Number.isFinite(one.values[row] ?? NaN) ? `${x(one.time[k]).toFixed(2)},${y(one.values[row]).toFixed(2)}` : "");
+    const beside = one.step === "held" ? -1 : 1; // whose value a corner of a step has
+    const path = Array.from(one.time, (_, k) => (one.step === "held" ? [at(k, k + beside), at(k, k)] : one.step ? [at(k, k), at(k, k + beside)] : [at(k, k)])).flat();
     const colour = colours[i % colours.length];
     parts.push(`<polyline fill="none" stroke="${colour}" stroke-width="1.4" points="${path.filter(Boolean).join(" ")}"/>`,
       `<text x="${left + (i % 2) * 360}" y="${38 + 18 * Math.floor(i / 2)}" fill="${colour}">${escaped(one.label)}</text>`);

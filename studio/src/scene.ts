@@ -159,6 +159,7 @@ export class Scene {
       }
       z += thickness;
     }
+    this.skin.add(...rulers(shape.length, shape.width));
     shape.taxels.forEach((taxel, i) => this.skin.add(...taxel_parts(taxel.lower, taxel.upper, taxel.name, lines[i % lines.length], z + 0.006)));
     this.sections.scale.z = this.stretch;
     this.sections.position.z = this.core_bottom() * this.stretch;
@@ -263,6 +264,39 @@ function cells_of(contact: Pressed, what: string, scale: ColourScale, side: numb
   return new three.Mesh(shape, new three.MeshBasicMaterial({ vertexColors: true, side: three.DoubleSide }));
 }
 
+/// Rulers in mm beside the skin, along x and y from its corner; their ends name the axes.
+function rulers(length: number, width: number): three.Object3D[] {
+  const marks: three.Vector3[] = [], parts: three.Object3D[] = [];
+  const along = (end: number, name: string, at: (distance: number, away: number) => three.Vector3) => {
+    const rough = Math.max(end / 5, length / 12), decade = 10 ** Math.floor(Math.log10(rough));
+    const step = decade * ([1, 2, 5, 10].find((one) => one * decade >= rough) ?? 10);
+    marks.push(at(0, 0.3), at(end, 0.3));
+    for (let k = 0; k * step <= end * 1.0001; ++k) {
+      marks.push(at(k * step, 0.3), at(k * step, 0.5));
+      parts.push(label(String(Number((k * step).toPrecision(3))), at(k * step, 0.9)));
+    }
+    parts.push(label(`${name} [mm]`, name === "x" ? at(end * 1.02 + 0.9, 0.3) : at(end / 2, 2)));
+  };
+  along(length, "x", (distance, away) => new three.Vector3(distance, -away, 0));
+  along(width, "y", (distance, away) => new three.Vector3(-away, distance, 0));
+  parts.push(new three.LineSegments(new three.BufferGeometry().setFromPoints(marks), new three.LineBasicMaterial({ color: is_dark() ? 0x9aa5b1 : 0x55606c })));
+  return parts;
+}
+
+function label(text: string, place: three.Vector3): three.Sprite {
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [256, 64];
+  const pen = canvas.getContext("2d")!;
+  pen.font = "bold 44px sans-serif";
+  pen.textAlign = "center";
+  pen.fillStyle = is_dark() ? "#fff" : "#111";
+  pen.fillText(text, 128, 48);
+  const sprite = new three.Sprite(new three.SpriteMaterial({ map: new three.CanvasTexture(canvas), depthTest: false }));
+  sprite.scale.set(2.4, 0.6, 1);
+  sprite.position.copy(place);
+  return sprite;
+}
+
 /// A taxel's outline and its name beside it.
 function taxel_parts(lower: [number, number], upper: [number, number], name: string, ink: string, z: number): three.Object3D[] {
   const corners = [[lower[0], lower[1]], [upper[0], lower[1]], [upper[0], upper[1]], [lower[0], upper[1]], [lower[0], lower[1]]];
@@ -270,15 +304,6 @@ function taxel_parts(lower: [number, number], upper: [number, number], name: str
   const middle = [(lower[0] + upper[0]) / 2, (lower[1] + upper[1]) / 2];
   const points = corners.map(([x, y]) => new three.Vector3(x + Math.sign(middle[0] - x) * inset, y + Math.sign(middle[1] - y) * inset, z));
   const outline = new three.Line(new three.BufferGeometry().setFromPoints(points), new three.LineBasicMaterial({ color: ink }));
-  const canvas = document.createElement("canvas");
-  [canvas.width, canvas.height] = [256, 64];
-  const pen = canvas.getContext("2d")!;
-  pen.font = "bold 44px sans-serif";
-  pen.textAlign = "center";
-  pen.fillStyle = is_dark() ? "#fff" : "#111";
-  pen.fillText(name.length > 9 ? name.slice(0, 8) + "…" : name, 128, 48);
-  const label = new three.Sprite(new three.SpriteMaterial({ map: new three.CanvasTexture(canvas), depthTest: false }));
-  label.scale.set(2.4, 0.6, 1);
-  label.position.set(middle[0], upper[1] + 0.2, z + 0.15);
-  return [outline, label];
+  const place = new three.Vector3(middle[0], upper[1] + 0.2, z + 0.15);
+  return [outline, label(name.length > 9 ? name.slice(0, 8) + "…" : name, place)];
 }

@@ -9,6 +9,10 @@ export interface Series {
   band?: Float64Array;
   /// Drawn as points: a measurement.
   points?: boolean;
+  /// "held": read at its instant and shown until the next, as a sampled current; "over": the mean over the step that ends there.
+  step?: "held" | "over";
+  /// A curve with its points marked: those of a sweep.
+  marked?: boolean;
 }
 
 /// What can be drawn together: a name to choose, the table and its columns.
@@ -69,6 +73,11 @@ function relative_error(result: Result, name: string): number | undefined {
   return estimates[name] ?? estimates[`rms_${name}`] ?? estimates[`peak_${name}`] ?? estimates[`peak_sampled_${name}`];
 }
 
+/// A current is a mean over a step or an interval, of which nothing must be drawn before the step begins or the reading is known.
+function step_of(table: string, name: string): "held" | "over" | undefined {
+  return !name.startsWith("current") ? undefined : table.startsWith("sampled") ? "held" : "over";
+}
+
 export async function series_of(result: Result, quantity: Quantity, label: string): Promise<Series[]> {
   if (!result.tables.includes(quantity.table)) return [];
   const data = await table_of(result, quantity.table);
@@ -82,7 +91,7 @@ export async function series_of(result: Result, quantity: Quantity, label: strin
     const relative = relative_error(result, name);
     const band = own ?? (relative === undefined ? undefined : found.values.map((value) => Math.abs(value) * relative));
     return [{ label: quantity.columns.length > 1 || !label ? `${label} ${words(name)}`.trim() : label, unit: found.unit, time, values: found.values, band,
-      points: name.endsWith("_measured") }];
+      points: name.endsWith("_measured"), step: step_of(quantity.table, name) }];
   });
 }
 

@@ -63,5 +63,5 @@ function card(starter: Starter): HTMLElement {
 function given_strain() {
   const layer = (role: string, thickness: number) => ({ name: role, role, thickness });
   return { length: 15, width: 2, layers: [layer("electrode", 0.01), layer("core", 0.18), layer("electrode", 0.01)], shape: "flat",
-    size: [0, 0] as [number, number], radius: 0, start: [0, 0] as [number, number], stroke: 0, direction: [1, 0] as [number, number], gap: 0, taxels: [], slides: false };
+    size: [0, 0] as [number, number], radius: 0, start: [0, 0] as [number, number], stroke: 0, direction: [1, 0] as [number, number], gap: 0, taxels: [], slides: false, path: [], curvature: 0, pressed: false, back_and_forth: false, cycles: 1, wet: false };
 }

@@ -2,7 +2,7 @@
 // A sweep: drag through its points, and see a figure of merit over the swept key.
 import { Result, Table, get, table } from "./api";
 import { attempt, el, labelled, select } from "./dom";
-import { number, words } from "./format";
+import { key_words, number, words } from "./format";
 import { Plot } from "./plot";
 
 export function sweep_panel(sweep: Result, show_point: (result: Result) => void): HTMLElement {
@@ -22,7 +22,7 @@ export function sweep_panel(sweep: Result, show_point: (result: Result) => void)
     wanted = place;
     const row = finished[place];
     const folder = sweep.points![row];
-    text.textContent = keys().map((one) => `${one.name} = ${cell(one.name, row)} ${one.unit === "1" ? "" : one.unit}`).join(", ");
+    text.textContent = keys().map((one) => `${key_words(one.name)} = ${cell(one.name, row)} ${one.unit === "1" ? "" : one.unit}`).join(", ");
     if (!kept.has(row)) kept.set(row, get<Result>("/api/result", { path: `${sweep.path}/points/${folder}` }));
     const result = await kept.get(row)!;
     if (wanted === place) show_point(result);
@@ -46,8 +46,8 @@ export function sweep_panel(sweep: Result, show_point: (result: Result) => void)
     const draw = (name: string) => {
       const metric = metrics.find((one) => one.name === name)!;
       const order = [...finished].sort((a, b) => key.values[a] - key.values[b]);
-      plot.show([{ label: words(name), unit: metric.unit, time: Float64Array.from(order, (i) => key.values[i]), values: Float64Array.from(order, (i) => metric.values[i]) }],
-        { axis: `${key.name}${key.unit && key.unit !== "1" ? ` [${key.unit}]` : ""}` });
+      plot.show([{ label: words(name), unit: metric.unit, time: Float64Array.from(order, (i) => key.values[i]), values: Float64Array.from(order, (i) => metric.values[i]), marked: true }],
+        { axis: `${key_words(key.name)}${key.unit && key.unit !== "1" ? ` [${key.unit}]` : ""}` });
     };
     if (!key.texts && metrics.length) {
       const first = metrics.some((one) => one.name === "peak_sampled_current_difference") ? "peak_sampled_current_difference" : metrics[0].name;

@@ -11,9 +11,9 @@ import unittest
 import h5py
 import numpy
 
-from program import PROGRAM, QUICK, ProgramTest, signals, summary
+from program import PROGRAM, QUICK, SMALL, ProgramTest, signals, summary
 
-ARGUMENTS = ("--only", "mechanics", "--quiet", "--no-report", "--set", "numerics.mesh_refinement=0.5")
+ARGUMENTS = ("--only", "mechanics", "--quiet", "--no-report", *SMALL)
 FORCES = ("normal_force", "tangential_force")
 SHEARS = ("mean_shear", "rms_shear", "shear_first_moment")
 
@@ -83,10 +83,15 @@ class Cache(ProgramTest):
         self.assertEqual(self.notes("repaired"), [])
 
     def test_study_2_alone_changed_takes_up_the_mechanics(self):
-        self.run_case(QUICK, "-o", "first")
-        self.run_case(QUICK, "-o", "second", "--set", "coupling.coefficient=2e-4")
+        self.run_case(QUICK, *SMALL, "-o", "first")
+        told = self.run_case(QUICK, *SMALL, "-o", "second", "--set", "coupling.coefficient=2e-4", "--progress", "lines").stderr
+        self.assertIn("mechanics, from the cache", told)
         manifest = json.loads((self.folder / "second" / "manifest.json").read_text())
         self.assertNotIn("mechanics", manifest["stages"])
+        self.assertEqual(manifest["stages"]["strain"]["source"], "cache")
+        told = self.run_case(QUICK, *SMALL, "-o", "second", "--set", "coupling.coefficient=2e-4", "--only",
+                             "electrochemistry", "--progress", "lines").stderr
+        self.assertIn("mechanics, from an earlier run", told)
         first, second = signals(self.folder / "first"), signals(self.folder / "second")
         for name in (*FORCES, *SHEARS):
             self.assertEqual(numpy.interp(first["time"], second["time"], second[name]).max(), first[name].max(), name)
@@ -94,7 +99,7 @@ class Cache(ProgramTest):
             self.assertIn("contact/touchdown/pressure", file)
         [entry] = self.entries(mechanics=True)
         os.truncate(entry, entry.stat().st_size // 2)
-        self.run_case(QUICK, "-o", "third")
+        self.run_case(QUICK, *SMALL, "-o", "third")
         self.assertEqual(len(self.notes("third")), 1)
         numpy.testing.assert_array_equal(signals(self.folder / "third")["current_top"], first["current_top"])
 

@@ -15,10 +15,9 @@ import time
 import unittest
 from urllib.parse import urlsplit
 
-from program import PROGRAM, QUICK, ProgramTest
+from program import PROGRAM, QUICK, SMALL, ProgramTest
 from tiers import long_test
 
-SMALL = ("--set", "numerics.mesh_refinement=0.5", "--set", "numerics.time_refinement=0.3")
 GRID = (*SMALL, "--over", "contact.friction=0.1,0.2", "--over", "motion.preload=1 um,1.5 um", "--no-report")
 LOST = 5
 

@@ -26,13 +26,13 @@ MISTAKES = (
      "did you mean coupling.coefficient?"),
     (("fit", QUICK, "--data", "semicolons.csv", "--free", "friction", "-o", "out"), "unknown key", "contact.friction?"),
     (("fit", QUICK, "--data", "semicolons.csv", "--free", "coupling.coefficient", "-o", "out"),
-     "semicolons.csv:1: the columns are separated by semicolons", "sed 's/,/./g"),
+     "decimal commas and decimal points stand in one file, in lines 2 and 3", "write decimal points"),
 )
 
 
 class CommandLine(ProgramTest):
     def test_mistakes(self):
-        self.write("semicolons.csv", "time [s];current_difference [A]\n0;1,5e-6\n1;2e-6\n")
+        self.write("semicolons.csv", "time [s];current_difference [A]\n0;1,5e-6\n1;2.5e-6\n")
         for arguments, problem, remedy in MISTAKES:
             with self.subTest(arguments):
                 process = self.run_program(*arguments, expect=2)
@@ -45,10 +45,14 @@ class CommandLine(ProgramTest):
     def test_semicolons_in_a_path_of_waypoints(self):
         case = QUICK.read_text().split("[motion]")[0].replace('start = ["4.5 mm", "1 mm"]\n', "")
         case += '[motion]\nkind = "waypoints"\nfile = "path.csv"\n\n[contact]' + QUICK.read_text().split("[contact]")[1]
-        self.write("path.csv", "time [s]; x [mm]; y [mm]; height [um]\n0; 4; 1; 1000\n")
-        error = self.run_program("check", self.write("case.toml", case), expect=2).stderr
-        self.assertIn("separated by semicolons", error)
-        self.assertIn("path.csv:1", error)
+        self.write("case.toml", case)
+        header = "\ufefftime [s]; x [mm]; y [mm]; height [mm]\r\n0; 4,5; 1; 1\r\n"
+        self.write("path.csv", header + "1; 4,5; 1; -0,001\r\n2; 4,5; 1; 1\r\n")
+        self.run_program("check", "case.toml")
+        self.write("path.csv", header + "1; 4.5; 1; -0,001\r\n2; 4,5; 1; 1\r\n")
+        error = self.run_program("check", "case.toml", expect=2).stderr
+        self.assertIn("in lines 2 and 3", error)
+        self.assertIn("path.csv:3", error)
 
 
 if __name__ == "__main__":

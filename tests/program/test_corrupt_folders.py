@@ -7,9 +7,8 @@ import shutil
 import signal
 import unittest
 
-from program import QUICK, ProgramTest, signals, summary
+from program import QUICK, SMALL, ProgramTest, signals, summary
 
-SMALL = ("--set", "numerics.mesh_refinement=0.5")
 SEED = 20261122
 DAMAGED = 24  # folders
 

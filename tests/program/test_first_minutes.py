@@ -11,7 +11,7 @@ import unittest.mock
 import h5py
 import numpy
 
-from program import PAPER, QUICK, ProgramTest, signals, summary
+from program import PAPER, QUICK, ROOT, ProgramTest, signals, summary
 
 # A mesh that serves where no figure is compared.
 SMALL = (QUICK, "--set", "numerics.mesh_refinement=0.5")
@@ -145,6 +145,32 @@ class FirstMinutes(ProgramTest):
         cited = self.run_program("cite").stdout
         for words in ("@software", "@article", "https://doi.org/10.3390/s26102930"):
             self.assertIn(words, cited)
+        entries = cited.split("@")[3:]  # after program and article: the methods
+        self.assertGreater(len(entries), 12)
+        for entry in entries:
+            for field in ("author", "title", "year", "doi", "url"):
+                self.assertRegex(entry, rf"\n  {field} = {{.+}}")
+        dry, wet = (self.run_program("cite", ROOT / "cases" / f"{name}.toml").stdout for name in ("quick", "poroelastic"))
+        self.assertNotIn("biot1941", dry)
+        self.assertIn("biot1941", wet)
+        self.assertIn("no case.toml", self.run_program("cite", ".", expect=2).stderr)
+
+    def test_the_first_case_presses_as_a_finger_does(self):
+        self.run_program("init", "first.toml")
+        text = (self.folder / "first.toml").read_text()
+        self.assertRegex(text, r"preload = \"1 N\"")
+        for path in (ROOT / "cases").glob("*.toml"):
+            if "preload =" in path.read_text():
+                self.assertRegex(path.read_text(), r"65 N|preload = \"\d+ N\"", path)
+                self.assertIn("1 to 10 N", path.read_text(), path)
+
+    def test_an_edit_of_the_shape_does_not_silently_keep_the_plan_of_another(self):
+        ball = ("check", QUICK, "--set", "slider.shape=sphere", "--set", "slider.radius=8 mm")
+        told = self.run_program(*ball).stdout
+        self.assertIn('note: slider.shape is changed to "sphere", and keeps the plan of the shape in the file, 3 mm x 1.5 mm', told)
+        self.assertIn('slider.size=["16 mm", "16 mm"]', told)
+        self.assertNotIn("note:", self.run_program(*ball, "--set", 'slider.size=["16 mm", "16 mm"]').stdout)
+        self.assertNotIn("note:", self.run_program("check", QUICK).stdout)
 
     def test_processors_are_those_that_a_job_may_run_on(self):
         allowed = os.sched_getaffinity(0)

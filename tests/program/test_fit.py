@@ -7,9 +7,7 @@ import signal
 import subprocess
 import unittest
 
-from program import QUICK, ROOT, ProgramTest
-
-SMALL = ("--set", "numerics.mesh_refinement=0.5", "--set", "numerics.time_refinement=0.3")
+from program import QUICK, ROOT, SMALL, ProgramTest
 
 
 class Fit(ProgramTest):

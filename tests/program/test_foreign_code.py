@@ -4,7 +4,7 @@
 import os
 import unittest
 
-from program import QUICK, ProgramTest, summary
+from program import QUICK, SMALL, ProgramTest, summary
 
 MODULES = ("tomllib", "json", "numpy", "sitecustomize", "usercustomize", "argparse", "h5py", "matplotlib")
 
@@ -12,8 +12,8 @@ MODULES = ("tomllib", "json", "numpy", "sitecustomize", "usercustomize", "argpar
 class ForeignCode(ProgramTest):
     def setUp(self):
         super().setUp()
-        self.run_case(QUICK, "-o", "one", "--set", "numerics.mesh_refinement=0.5")
-        self.run_case(QUICK, "-o", "two", "--set", "numerics.mesh_refinement=0.5", "--set", "contact.friction=0.1")
+        self.run_case(QUICK, "-o", "one", *SMALL)
+        self.run_case(QUICK, "-o", "two", *SMALL, "--set", "contact.friction=0.1")
         spoiler = f"open({str(self.folder / 'executed')!r}, 'a').write(__name__ + '\\n')\n"
         for module in MODULES:
             self.write(f"{module}.py", spoiler)
@@ -42,7 +42,7 @@ class ForeignCode(ProgramTest):
         self.run_program("doctor")
         self.run_program("impedance", QUICK, "--from", "1Hz", "--to", "10Hz", "-o", "spectrum")
         self.assertTrue((self.folder / "spectrum" / "figures" / "bode.png").exists())
-        self.run_program("run", QUICK, "-o", "one", "--resume", "--set", "numerics.mesh_refinement=0.5")
+        self.run_program("run", QUICK, "-o", "one", "--resume", *SMALL)
         self.assertTrue((self.folder / "one" / "report.html").exists())
         self.assertFalse((self.folder / "executed").exists())
 
@@ -57,7 +57,7 @@ class ForeignCode(ProgramTest):
         self.write("given/ionskin/isolated.py", "import sys\nprint('Trace\\nerror: no such\\n  glyph', file=sys.stderr)\n"
                                                 "sys.exit(2)\n")
         os.environ["IONSKIN_PYTHON_PATH"] = str(self.folder / "given")
-        said = self.run_program("run", QUICK, "-o", "drawn", "--set", "numerics.mesh_refinement=0.5", expect=4)
+        said = self.run_program("run", QUICK, "-o", "drawn", *SMALL, expect=4)
         self.assertIn("made: no such glyph.", " ".join((said.stderr + said.stdout).split()))
         self.assertNotIn("report: ", said.stdout)
         [warning] = [text for text in summary(self.folder / "drawn")["warnings"] if "No report was made" in text]

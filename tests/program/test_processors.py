@@ -8,12 +8,11 @@ import pathlib
 import unittest
 from unittest import mock
 
-from program import QUICK, ProgramTest
+from program import QUICK, SMALL, ProgramTest
 
 # Kernel of OpenBLAS and what the processor must be able to do for it.
 KERNELS = {"Nehalem": "sse4_2", "Haswell": "avx2", "Zen": "avx2", "SkylakeX": "avx512vl"}
-SWEEP = ("sweep", QUICK, "--no-report", "--set", "numerics.mesh_refinement=0.5", "--set",
-         "numerics.time_refinement=0.3", "--over", "contact.friction=0.1,0.4")
+SWEEP = ("sweep", QUICK, "--no-report", *SMALL, "--over", "contact.friction=0.1,0.4")
 # Relative bounds; steps follow the rounding. What differs between the electrodes is left of terms that cancel: its bound is over
 # what both have in common.
 BOUND, REMAINDER_BOUND = 1e-7, 1e-8
@@ -26,6 +25,18 @@ def usable():
 
 
 class Processors(ProgramTest):
+    def kernels(self, **environment):
+        """Kernels that OpenBLAS loads in the solver, as it says itself."""
+        said = self.run_program("run", "no-such-case.toml", "-o", "out", expect=2,
+                                env={**os.environ, "OPENBLAS_VERBOSE": "2", **environment})
+        return [line.removeprefix("Core: ") for line in (said.stdout + said.stderr).splitlines() if line.startswith("Core: ")][-1]
+
+    def test_processors_newer_than_the_library_get_kernels_that_suit_them(self):
+        with mock.patch.dict(os.environ):
+            os.environ.pop("OPENBLAS_CORETYPE", None)
+            self.assertNotEqual(self.kernels() == "Prescott", "Haswell" in usable())
+            self.assertEqual(self.kernels(OPENBLAS_CORETYPE="Prescott"), "Prescott", "the user's choice is kept")
+
     def table(self, out):
         """Bytes of the sweep's table."""
         return (self.folder / out / "sweep.csv").read_bytes()

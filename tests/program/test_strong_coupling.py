@@ -59,10 +59,11 @@ class StrongCoupling(ProgramTest):
                 self.assertLess(metric(self.folder / law, "charge_identity_error"), 1e-9)
 
     def test_no_sane_solution(self):
-        check = self.run_program("check", QUICK, "--set", THIN)
+        check = self.run_program("check", QUICK, "--set", THIN, expect=2)
+        run = self.run_case(QUICK, "-o", "refused", "--set", THIN, expect=2)
         check_of_file = self.check_on(THIN)
         process = self.run_on("out", THIN, expect=3)
-        for text in (check.stdout, check_of_file.stdout, process.stderr):
+        for text in (check.stderr, run.stderr, check_of_file.stdout, process.stderr):
             self.assertRegex(text, r"no sane solution.*needs at least [0-9.e+]+ V")
             self.assertIn("column-neutral", text)
         # The file's shear is known, that of a slider is estimated.
@@ -70,6 +71,14 @@ class StrongCoupling(ProgramTest):
         self.assertIn(reason, check_of_file.stdout)
         self.assertIn("is valid", check_of_file.stdout)
         self.assertNotIn("warning", self.check_on("coupling.law=column-neutral", THIN).stdout)
+
+    def test_check_tells_what_its_estimate_foresees(self):
+        edit = ("--set", "coupling.coefficient=-20")
+        self.assertIn("warning: the fixed charge becomes negative", self.run_program("check", QUICK, *edit).stdout)
+        edit = ("--set", "coupling.coefficient=-50")
+        for process in (self.run_program("check", QUICK, *edit, expect=2),
+                        self.run_case(QUICK, "-o", "out", *edit, expect=2)):
+            self.assertRegex(process.stderr, "fixed charge becomes negative.*\n  = make coupling.coefficient smaller")
 
 
 if __name__ == "__main__":

@@ -13,10 +13,8 @@ import unittest
 import h5py
 import numpy
 
-from program import PROGRAM, QUICK, ProgramTest, metric, signals
+from program import PROGRAM, QUICK, SMALL, ProgramTest, metric, signals
 
-# A mesh and time steps that serve to test the bookkeeping, not the physics.
-SMALL = ("--set", "numerics.mesh_refinement=0.5", "--set", "numerics.time_refinement=0.3")
 SWEEP = ("sweep", QUICK, "-o", "out", "--no-report", *SMALL, "--over", "contact.friction=0.1,0.4")
 
 
@@ -74,13 +72,14 @@ class Sweep(ProgramTest):
 
     def test_a_poisoned_point_leaves_the_others(self):
         """A fixed charge below zero fails one of two points; mechanics is the same for both."""
-        sweep = ("sweep", QUICK, "--no-report", *SMALL, "--over", "coupling.coefficient=0.1,-40")
+        small = (*SMALL, "--set", "numerics.error_estimate=on")
+        sweep = ("sweep", QUICK, "--no-report", *small, "--over", "coupling.coefficient=0.1,-40")
         process = self.run_program(*sweep, "-o", "out")
         self.assertIn("1 of 2 points failed", process.stderr)
         good, bad = rows(self.folder / "out")
         self.assertEqual((good["status"], bad["status"]), ("finished", "failed"))
         self.assertIn("fixed charge", bad["reason"])
-        self.run_case(QUICK, "-o", "single", *SMALL)
+        self.run_case(QUICK, "-o", "single", *small)
         self.assertAlmostEqual(float(good["rms_current_difference [A]"]),
                                metric(self.folder / "single", "rms_current_difference"), delta=1e-15)
         self.run_program(*sweep[:-1], "coupling.coefficient=-40", "-o", "none", expect=3)
@@ -90,8 +89,8 @@ class Sweep(ProgramTest):
 
         def sweep(**environment):
             return subprocess.run(
-                [PROGRAM, "sweep", QUICK, "-o", "out", "--no-report", "--only", "mechanics", "--threads", "1", "--over",
-                 "numerics.mesh_refinement=0.5,2.5"], capture_output=True, text=True, cwd=self.folder, check=False,
+                [PROGRAM, "sweep", QUICK, "-o", "out", "--no-report", "--only", "mechanics", "--threads", "1", *SMALL,
+                 "--over", "numerics.mesh_refinement=0.3,2.5"], capture_output=True, text=True, cwd=self.folder, check=False,
                 timeout=300, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (bound, bound)),
                 env={**os.environ, **environment})
 

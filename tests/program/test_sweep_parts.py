@@ -6,10 +6,8 @@ import os
 import subprocess
 import unittest
 
-from program import PROGRAM, QUICK, ProgramTest
+from program import PROGRAM, QUICK, SMALL, ProgramTest
 
-# A mesh and time steps that serve to test the bookkeeping, not the physics.
-SMALL = ("--set", "numerics.mesh_refinement=0.5", "--set", "numerics.time_refinement=0.3")
 GRID = (*SMALL, "--over", "contact.friction=0.1,0.2", "--over", "motion.preload=1 um,1.5 um")
 DEEP = '{"program": {"name": "ionskin"}, "digest": "", "metrics": ' + "[" * 1_000_000 + "]" * 1_000_000 + "}"
 MECHANICS = (*SMALL, "--only", "mechanics", "--over", "motion.preload=1 um,1.5 um")

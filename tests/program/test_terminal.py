@@ -12,13 +12,12 @@ import subprocess
 import termios
 import unittest
 
-from program import PROGRAM, QUICK, ROOT, ProgramTest, summary
+from program import PROGRAM, QUICK, ROOT, SMALL, ProgramTest, summary
 
 FINGER = ROOT / "cases" / "finger.toml"
 # A sphere, whose contact is looked for first.
 SPHERE = ("run", FINGER, "-o", "out", "--no-report", "--set", "numerics.preset=coarse",
           "--set", "numerics.mesh_refinement=0.5", "--set", "motion.cycles=1")
-SMALL = (QUICK, "--set", "numerics.mesh_refinement=0.5")
 
 
 class Terminal(ProgramTest):
@@ -54,7 +53,7 @@ class Terminal(ProgramTest):
         return names
 
     def test_cost_of_a_sweep_fits_the_terminal(self):
-        text = self.on_terminal(80, "sweep", *SMALL, "-o", "out", "--explain", "--over", "contact.friction=0.1:0.5", "--over",
+        text = self.on_terminal(80, "sweep", QUICK, *SMALL, "-o", "out", "--explain", "--over", "contact.friction=0.1:0.5", "--over",
                                 "motion.preload=0.5:1.5 um", "--samples", 20)
         self.assertIn("less where the cache", " ".join(text.split()))
         self.assertLessEqual(max(map(len, text.splitlines())), 80, text)
@@ -86,7 +85,7 @@ class Terminal(ProgramTest):
         self.assert_progress([(match[1], int(match[2])) for match in found])
 
     def test_progress_on_request(self):
-        process = self.run_case(*SMALL, "-o", "json", "--progress", "json")
+        process = self.run_case(QUICK, *SMALL, "-o", "json", "--progress", "json")
         states = [json.loads(line) for line in process.stderr.splitlines()]
         self.assertEqual(set(states[0]), {"activity", "fraction", "elapsed_s", "time_left_s"})
         self.assertIsNone(states[0]["time_left_s"])
@@ -95,14 +94,14 @@ class Terminal(ProgramTest):
             fractions = [state["fraction"] for state in states if state["activity"] == activity]
             self.assertEqual(fractions, sorted(fractions))
             self.assertEqual(fractions[-1], 1, activity)
-        process = self.run_case(*SMALL, "-o", "none", "--progress", "none")
+        process = self.run_case(QUICK, *SMALL, "-o", "none", "--progress", "none")
         self.assertEqual(process.stderr, "")
         self.assertIn("results: none", process.stdout)
-        self.assertIn("[####", self.run_case(*SMALL, "-o", "bar", "--progress", "bar").stderr)
-        self.assertIn("100 % after", self.run_case(*SMALL, "-o", "lines", "--progress", "lines").stderr)
+        self.assertIn("[####", self.run_case(QUICK, *SMALL, "-o", "bar", "--progress", "bar").stderr)
+        self.assertIn("100 % after", self.run_case(QUICK, *SMALL, "-o", "lines", "--progress", "lines").stderr)
 
     def test_warnings_are_shown(self):
-        arguments = ("run", *SMALL, "-o", "out", "--no-report", "--progress", "none")
+        arguments = ("run", QUICK, *SMALL, "-o", "out", "--no-report", "--progress", "none")
         lines = [line for line in self.run_program(*arguments).stdout.splitlines() if line.startswith("warning: ")]
         self.assertEqual([line.removeprefix("warning: ") for line in lines], summary(self.folder / "out")["warnings"])
         text = self.on_terminal(60, *arguments, "--overwrite")

@@ -9,9 +9,7 @@ import signal
 import subprocess
 import unittest
 
-from program import PROGRAM, QUICK, ProgramTest, signals, summary
-
-SMALL = ("--set", "numerics.mesh_refinement=0.5")
+from program import PROGRAM, QUICK, SMALL, ProgramTest, signals, summary
 
 
 class UsersFiles(ProgramTest):

@@ -109,6 +109,13 @@ class Run(PackageTest):
             ionskin.run(case, self.folder / "out")
         self.assertIn("fixed charge", str(raised.exception))
         self.assertIn("coupling.coefficient", raised.exception.remedy)
+        with self.assertRaisesRegex(FileNotFoundError, "did not end .failed in its stage electrochemistry."):
+            ionskin.Results(self.folder / "out")
+        kept = ionskin.open_results(self.folder / "out")
+        self.assertFalse(kept.complete)
+        self.assertGreater(kept.signals["normal_force"].max(), 50)
+        self.assertTrue(numpy.isnan(kept.signals["current_top"]).all())
+        self.assertGreater(kept.metrics["normal_force_slide"].value, 50)
 
 
 class Sweep(PackageTest):

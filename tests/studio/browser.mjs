@@ -117,6 +117,37 @@ const main = async (page, link) => {
   assert.match(await page.$eval(".problems", (one) => one.textContent), /out of range/);
   await picture("mistake");
   await field("contact.friction", "0.3");
+  // Names are checked as they are typed.
+  await fill("Name of the results", "../up");
+  assert.match(await page.$eval(".actions .field-problem", (one) => one.textContent), /letters, digits/);
+  assert.ok(await page.$eval("#run-button", (one) => one.disabled));
+  await fill("Name of the results", "first");
+  // Another shape offers the keys that it needs, and takes away those of the one before.
+  await wait(() => document.querySelector(".verdict.good"));
+  await field("slider.shape", "sphere");
+  await wait(() => document.querySelector('[data-key="slider.radius"]'));
+  await field("slider.radius", "2 mm");
+  await wait(() => document.querySelector(".verdict.good") && document.querySelector(".sketch circle"));
+  await field("slider.shape", "flat");
+  await wait(() => !document.querySelector('[data-key="slider.radius"]') && document.querySelector(".verdict.good"));
+  assert.doesNotMatch(await page.$eval("textarea", (one) => one.value), /radius/);
+  // A path begins as the motion before; its points are dragged on a plan; the motion comes back.
+  await field("motion.kind", "waypoints");
+  await wait(() => document.querySelectorAll(".waypoints tbody tr").length === 4 && document.querySelector(".verdict.good"));
+  assert.equal(await page.$('[data-key="motion.stroke"]'), null);
+  await page.$eval(".plan", (one) => one.scrollIntoView({ block: "center" }));
+  const point = await (await page.$$(".p-point"))[3].boundingBox();
+  const [x, y] = [point.x + point.width / 2, point.y + point.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x - 60, y, { steps: 4 });
+  await page.mouse.up();
+  await wait(() => [2, 3].every((i) => /^\[[5-9](\.\d+)? mm, [\d.]+ mm\]$/.test(document.querySelector(`[data-key="motion.waypoints[${i}].position"]`)?.value)) && document.querySelector(".verdict.good"));
+  await picture("waypoints");
+  await click("Add a waypoint");
+  await wait(() => document.querySelectorAll(".waypoints tbody tr").length === 5 && document.querySelector(".verdict.good"));
+  await field("motion.kind", "touch-slide-lift");
+  await wait(() => document.querySelector('[data-key="motion.stroke"]')?.value === "6 mm" && document.querySelector(".verdict.good"));
   await field("title", '<img src=x onerror="alert(1)">');
   await wait(() => document.querySelector(".verdict.good"));
   assert.match(await page.$eval("textarea", (one) => one.value), /friction = 0\.3\n/);
@@ -200,9 +231,9 @@ const main = async (page, link) => {
   await fill("Step", "0.1");
   await fill("To", "0.3");
   await click("Run the sweep");
-  await wait(() => /coupling.coefficient = 0.1/.test(document.querySelector(".sweep output")?.textContent));
+  await wait(() => /Coupling: coefficient = 0.1/.test(document.querySelector(".sweep output")?.textContent));
   await page.$eval(".sweep input[type=range]", (one) => { one.value = "2"; one.dispatchEvent(new Event("input")); });
-  await wait(() => /coupling.coefficient = 0.3/.test(document.querySelector(".sweep output").textContent) && /0003/.test(document.querySelector(".curves .plot").textContent));
+  await wait(() => /Coupling: coefficient = 0.3/.test(document.querySelector(".sweep output").textContent) && /0003/.test(document.querySelector(".curves .plot").textContent));
   await wait(() => document.querySelector(".legend").textContent);
   await picture("sweep");
 

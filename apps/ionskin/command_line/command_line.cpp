@@ -36,8 +36,9 @@ void add_init(CLI::App& app, Command& command) {
   verb->add_option("path", options->path, "File to write")->required()->type_name("CASE.toml");
   verb->add_option(
           "--from", options->from,
-          "Case to start from: paper (full accuracy), quick (seconds), finger (a sphere "
-          "pressed by a force), taxels (four parts of the top electrode), reciprocating "
+          "Case to start from: finger (a fingertip strokes the skin with 1 N), quick (a block, "
+          "seconds), paper (the article's block, 65 N, full accuracy), taxels (four parts of the "
+          "top electrode), reciprocating "
           "(back and forth), poroelastic (moving water), bending (a wet strip, no slider), "
           "strain_file (a shear history of your own)")
       ->check(CLI::IsMember({"paper", "quick", "finger", "taxels", "reciprocating", "poroelastic",

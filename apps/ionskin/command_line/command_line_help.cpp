@@ -29,9 +29,13 @@ void add_help_verbs(CLI::App& app, Command& command) {
   app.add_subcommand("man", "Print the manual page: ionskin man | man -l -")->callback([&command] {
     command = ManualOptions{};
   });
-  app.add_subcommand("cite", "How to cite ionskin")->callback([&command] {
-    command = CiteOptions{};
-  });
+  auto cite_options = std::make_shared<CiteOptions>();
+  CLI::App* cite_verb = app.add_subcommand("cite", "BibTeX of ionskin and of the methods it uses");
+  cite_verb
+      ->add_option("path", cite_options->path,
+                   "Folder of a run, or a case file: only the methods that it uses")
+      ->type_name("DIR");
+  set_when_parsed(*cite_verb, cite_options, command);
 }
 
 } // namespace ionskin::apps

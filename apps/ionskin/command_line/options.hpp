@@ -11,6 +11,7 @@
 #include "command_line/completion.hpp"
 #include "verbs/cache.hpp"
 #include "verbs/check.hpp"
+#include "verbs/cite.hpp"
 #include "verbs/init.hpp"
 #include "verbs/keys.hpp"
 
@@ -133,7 +134,6 @@ struct StudioOptions {
 };
 
 struct DoctorOptions {};
-struct CiteOptions {};
 struct ManualOptions {};
 
 struct VerifyOptions {

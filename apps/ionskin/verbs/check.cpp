@@ -11,6 +11,7 @@
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/path/first_touch.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
+#include "ionskin/planning/foreseen.hpp"
 #include "ionskin/planning/output_size.hpp"
 #include "ionskin/planning/resources.hpp"
 
@@ -31,6 +32,13 @@ std::string warning_of_edge(const Case& input, const std::optional<mesh::Footpri
                                 "along {}, and a run would end there: {}",
                                 d == 0 ? "x" : "y", mechanics::remedy_of_edge),
                     2);
+  return text;
+}
+
+std::string foreseen_warnings(const Case& input, const std::optional<mesh::Footprint>& found) {
+  std::string text;
+  for (const std::string& warning : planning::foreseen(input, found))
+    text += "warning: " + warning + "\n";
   return text;
 }
 
@@ -59,9 +67,9 @@ void check_case(const CheckOptions& options, const CaseDocument& document,
   }
   const std::string shortage = planning::shortage(document.input, threads, footprint);
   print_valid(options, document,
-              (contact
-                   ? warning_of_edge(document.input, footprint) + warning_of_ions(document.input)
-                   : "") +
+              (contact ? warning_of_edge(document.input, footprint) +
+                             foreseen_warnings(document.input, footprint)
+                       : "") +
                   warnings_of_water(document.input) +
                   (shortage.empty() ? "" : fmt::format("warning: {}\n", shortage)),
               planning::estimate_cost(document.input, threads, footprint));

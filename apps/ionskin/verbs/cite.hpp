@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 namespace ionskin::apps {
 
-/// Prints how to cite the program, as text and for BibTeX.
-int cite();
+struct CiteOptions {
+  std::string path; ///< folder of a run, or a case file; empty for the methods of all cases
+};
+
+/// Prints BibTeX of the program, of the article on its first case, and of the methods that a run
+/// or a case uses. Throws UserError where the path holds no case.
+int cite(const CiteOptions& options);
 
 } // namespace ionskin::apps

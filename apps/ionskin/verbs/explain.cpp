@@ -11,9 +11,9 @@
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/circuits/circuit.hpp"
 #include "ionskin/electrochemistry/equations/steric_excess.hpp"
-#include "ionskin/electrochemistry/equations/wall_potential.hpp"
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "ionskin/mesh/footprint.hpp"
+#include "ionskin/planning/contact_estimate.hpp"
 #include "ionskin/planning/cost_estimate.hpp"
 #include "ionskin/poroelasticity/validity.hpp"
 #include "ionskin/poroelasticity/water_properties.hpp"
@@ -50,32 +50,6 @@ std::string values(const CaseDocument& document) {
     text += fmt::format("  {:<{}}  {:<{}}  {}\n", record.key, key_width,
                         base::shown(record.si, widest), value_width, to_string(record.origin));
   return text;
-}
-
-/// Pressure and shear under the slider if the layers could not move sideways: an upper estimate.
-struct ConfinedEstimate {
-  double pressure = 0; ///< [Pa]
-  double shear = 0;    ///< of the core in full slip [1]
-};
-
-// Layers in series under the largest indentation d: p = d / sum(t / M), M = E (1 - nu) / ((1 +
-// nu)(1 - 2 nu)) the oedometric modulus; shear of the core mu p / G, G = E / (2 (1 + nu)).
-ConfinedEstimate confined_estimate(const Case& input) {
-  double compliance = 0;
-  for (const Layer& layer : input.skin.layers) {
-    const double nu = layer.material.poissons_ratio;
-    const double modulus = layer.material.youngs_modulus * (1 - nu) / ((1 + nu) * (1 - 2 * nu));
-    compliance += layer.thickness / modulus;
-  }
-  const Material& core = input.skin.layers[input.skin.core_index()].material;
-  const double shear_modulus = core.youngs_modulus / (2 * (1 + core.poissons_ratio));
-  const double area = input.slider.size[0] * input.slider.size[1];
-  double pressure = 0;
-  for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
-    const double value = leg.to_level.value;
-    pressure = std::max(pressure, leg.to_level.is_force ? value / area : -value / compliance);
-  }
-  return {pressure, input.contact.friction * pressure / shear_modulus};
 }
 
 std::string scales_of_ions(const Case& input) {
@@ -177,15 +151,14 @@ std::string scales_of_round_contact(const Case& input) {
 std::string scales_of_contact(const Case& input) {
   if (!input.slider.sharp())
     return scales_of_round_contact(input);
-  const ConfinedEstimate estimate = confined_estimate(input);
+  const planning::ContactEstimate estimate = planning::estimate_contact(input);
   const auto scales =
       electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness());
   const double nonlinearity =
       electrochemistry::nonlinearity(scales, input.coupling.coefficient, estimate.shear);
-  const double area = input.slider.size[0] * input.slider.size[1];
   std::string text = "\nContact, estimated from above (layers that cannot move sideways)\n";
   text += row("mean pressure", fmt::format("{:.3g} MPa", estimate.pressure * 1e-6));
-  text += row("normal force", fmt::format("{:.3g} N", estimate.pressure * area));
+  text += row("normal force", fmt::format("{:.3g} N", estimate.pressure * estimate.area));
   text += row("shear under the sliding slider", fmt::format("{:.3g}", estimate.shear));
   text += row("nonlinearity k gamma h/(2 lambda)", fmt::format("{:.3g}", nonlinearity),
               "the ions respond linearly far below 1");
@@ -261,16 +234,6 @@ std::string costs(const planning::CostEstimate& cost) {
 }
 
 } // namespace
-
-std::string warning_of_ions(const Case& input) {
-  const double share =
-      input.slider.size[0] * input.slider.size[1] / (input.skin.length * input.skin.width);
-  const auto reason =
-      electrochemistry::no_sane_solution(input, confined_estimate(input).shear * share);
-  return reason ? fmt::format("warning: {}; the shear is estimated\n  = {}\n", *reason,
-                              electrochemistry::no_sane_solution_remedy())
-                : "";
-}
 
 std::string warnings_of_water(const Case& input) {
   std::string text;

@@ -13,10 +13,6 @@ namespace ionskin::apps {
 /// when the mesh cannot be built.
 std::string explain(const CaseDocument& document, const planning::CostEstimate& cost);
 
-/// A warning where the ions have no sane solution, by an estimate of the shear under the slider;
-/// else empty.
-std::string warning_of_ions(const Case& input);
-
 /// Warnings where a case leaves what the law of the water holds for; else empty.
 std::string warnings_of_water(const Case& input);
 

@@ -6,8 +6,8 @@
 namespace ionskin::apps {
 
 struct InitOptions {
-  std::string path;           ///< file to write
-  std::string from = "paper"; ///< "paper" or "quick"
+  std::string path;            ///< file to write
+  std::string from = "finger"; ///< name of a starter case
 };
 
 /// Writes a commented starter case and says what to do next. Never overwrites. Throws UserError.

@@ -183,6 +183,15 @@ def shear_signals(study):
     return Verdict(claim, CONDITION, f"it is the assumption of the law {law}: its coefficient k is fitted to no measurement")
 
 
+def more(study, count):
+    """A sentence on the claims that this study cannot judge, and how they can be."""
+    some = f"{count} more claim{'s' * (count > 1)}"
+    if study.single:
+        return (f"{some} are on how results change with friction, which several runs tell: "
+                "ionskin sweep CASE.toml --over contact.friction=0.05:0.05:0.5 -o DIR.")
+    return f"{some} cannot be judged by these runs: ionskin report DIR --claims says why."
+
+
 def judge(study):
     """All claims in the order of the article."""
     return [

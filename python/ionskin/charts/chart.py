@@ -19,6 +19,7 @@ class Axis(NamedTuple):
     low, high  ends; None for those of the data
     origin     what is shown as 0
     signed     largest magnitude of a symmetric logarithmic axis; 0 for a linear one
+    log        logarithmic, for positive values
     """
 
     name: str = ""
@@ -27,17 +28,23 @@ class Axis(NamedTuple):
     high: float | None = None
     origin: float = 0.0
     signed: float = 0.0
+    log: bool = False
 
 
 class Curve(NamedTuple):
-    """y over x. step: y is the mean over the step that ends at its x. look: "", "dashed" or "dotted". marks: one per value.
-    band: lower and upper end of y within its stated error, or None."""
+    """y over x.
+
+    step   "over": y is the mean over the step that ends at its x; "held": y is read at its x, and shown until the next
+    look   "", "dashed", "dotted", or "none" for marks alone
+    marks  one per value; where they would touch, the page leaves them out
+    band   lower and upper end of y within its stated error, or None
+    """
 
     x: numpy.ndarray
     y: numpy.ndarray
     label: str = ""
     colour: str = BLUE
-    step: bool = False
+    step: str = ""
     width: float = 1.2
     look: str = ""
     marks: bool = False
@@ -72,6 +79,7 @@ class Map(NamedTuple):
     smooth      values at nodes, and what lies between is interpolated
     classes     names by colour: the values are places in it, and a legend stands for the bar
     lines       arrays [point, (x, y)] in white
+    ticks       pairs of value and words beside the bar of colours, where they are not its own
     """
 
     x: numpy.ndarray
@@ -86,6 +94,7 @@ class Map(NamedTuple):
     smooth: bool = False
     classes: dict = {}
     lines: tuple = ()
+    ticks: tuple = ()
 
 
 class Shape(NamedTuple):
@@ -166,12 +175,15 @@ def over_time(results, panels):
                         height=height)] for place, (title, y, curves, height) in enumerate(panels)])
 
 
-def with_events(results, panels):
-    """The same with the begin and the end of the first contact enlarged beside it: events of milliseconds."""
-    time, spans, found = results.signals["time"], phase_spans(results), windows(results)
+def with_events(results, panels, span=None):
+    """The same with the begin and the end of the first contact enlarged beside it: events of milliseconds.
+
+    span  of the first column [s]; None for the whole run
+    """
+    time, spans, found = span or results.signals["time"], phase_spans(results), windows(results)
     rows = []
     for place, (title, y, curves, height) in enumerate(panels):
-        low, high = limits(curves, y.signed)
+        low, high = limits(curves, y.signed) if y.low is None else (y.low, y.high)
         y, last = y._replace(low=low, high=high), place == len(panels) - 1
         whole = Cell(title, Axis("time" if last else "", "s", time[0], time[-1]), y, tuple(curves), spans, height=height)
         rows.append([whole, *(Cell(words if place == 0 else "",
@@ -184,6 +196,53 @@ def with_events(results, panels):
 def current_axis(*columns):
     """A symmetric logarithmic axis of currents."""
     return Axis("current", "A", signed=peak_of(*columns) or 1.0)
+
+
+COINCIDE = 0.006  # of the height of a cell: about the width of a line
+
+
+def heights(axis, values):
+    """Values as an axis places them, between any two numbers."""
+    with numpy.errstate(divide="ignore", invalid="ignore"):
+        if axis.log:
+            return numpy.log10(values)
+        if axis.signed:
+            return numpy.sign(values) * numpy.log10(1 + numpy.abs(values) / (1e-5 * axis.signed))
+        return numpy.asarray(values, float)
+
+
+def coinciding(cell):
+    """Groups of labels of curves of a cell that lie over one another."""
+    named = [curve for curve in cell.curves if curve.label]
+    places = [heights(cell.y, curve.y) for curve in named]
+    finite = [part[numpy.isfinite(part)] for part in places]
+    if sum(map(len, finite)) == 0:
+        return []
+    every = numpy.concatenate(finite)
+    room = COINCIDE * (every.max() - every.min())
+    groups = []
+    for curve, place in zip(named, places):
+        for group in groups:
+            other, there = group[0]
+            if len(curve.x) == len(other.x) and len(place) > 1 and numpy.array_equal(curve.x, other.x):
+                gap = numpy.abs(place - there)
+                if numpy.isfinite(gap).any() and not (gap > room).any() and numpy.array_equal(numpy.isfinite(place), numpy.isfinite(there)):
+                    group.append((curve, place))
+                    break
+        else:
+            groups.append([(curve, place)])
+    return [[curve.label for curve, _ in group] for group in groups if len(group) > 1]
+
+
+def joined(words):
+    """"a, b and c"."""
+    return f"{', '.join(words[:-1])} and {words[-1]}"
+
+
+def telling_coincidence(chart):
+    """The chart with a note on curves that cannot be told apart in it."""
+    told = dict.fromkeys(f"{joined(group)}" for row in chart.rows for cell in row for group in coinciding(cell))
+    return chart._replace(note=" ".join([chart.note, f"These curves coincide: {'; '.join(told)}."]).strip()) if told else chart
 
 
 def quiet_note(words):

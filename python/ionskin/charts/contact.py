@@ -21,6 +21,23 @@ def capped(values, areas, share):
     return float(values.ravel()[order][numpy.searchsorted(below, min(share, 1 - 1e-12) * below[-1])]) or 1.0
 
 
+def within(touching):
+    """Touching cells whose neighbours touch too. Pressure at the rim of a contact is known to one cell only."""
+    inner = numpy.pad(touching, 1)
+    return touching & inner[:-2, 1:-1] & inner[2:, 1:-1] & inner[1:-1, :-2] & inner[1:-1, 2:]
+
+
+def top_of_scale(values, touching, areas, share):
+    """Upper end of the colours of a map: of a sharp slider what `share` of the touched area lies below, else the largest value
+    away from the rim."""
+    if not touching.any():
+        return 1.0
+    inner = within(touching)
+    if share < 1 or not inner.any():
+        return capped(values[touching], areas[touching], share)
+    return float(values[inner].max()) or 1.0
+
+
 def touchdown_state(file):
     """Name of the state at the end of the first touchdown, which takes one step or several; None without any."""
     return max((name for name in file["contact"] if name.startswith("touchdown")), default=None)
@@ -49,7 +66,25 @@ def contact_maps(results):
         friction = results.case.get("contact", {}).get("friction")
         sticking = [stick_map(file, *which, friction) for which in (landed, onset_state(file, friction))]
         rows = [*map(list, zip(*columns)), sticking, core_sections(file, results, 0.99 if share < 1 else 1.0)]
-    return Chart(rows, (1.0, 1.0))
+        note = "" if share < 1 else resolution(file, middle[0])
+    return Chart(rows, (1.0, 1.0), note=note)
+
+
+def resolution(file, state):
+    """What the map of a round contact does not resolve, in words."""
+    pressure = mirrored(file, file["contact"][state]["pressure"][...])[1]
+    touching = pressure > 0
+    inner = within(touching)
+    if not touching.any():
+        return ""
+    along, across = (int(touching.any(axis=axis).sum()) for axis in (0, 1))
+    words = f"The contact is {along} × {across} cells large, and its rim is known to one cell only"
+    if not inner.any():
+        return f"{words}: its pressure is not resolved. A finer numerics.preset, or numerics.mesh_refinement, has more cells."
+    excess = float(pressure[touching].max() / pressure[inner].max())
+    if excess > 1:
+        words += f": there the pressure, up to {excess:.2g} times the largest within, is not resolved, and the colours end at the largest within"
+    return f"{words}. A finer numerics.preset, or numerics.mesh_refinement, has more cells."
 
 
 def from_above(file, title, values, **look):
@@ -65,9 +100,11 @@ def traction_maps(file, state, words, share):
     pressure, shear = group["pressure"][...], numpy.hypot(group["shear_x"][...], group["shear_y"][...])
     touching, cells = pressure > 0, []
     for values, name in ((pressure, "Pressure"), (shear, "Shear traction")):
-        top = capped(values[touching], areas[touching], share) if touching.any() else 1.0
+        # The half model ends at the middle of the width, which is no rim.
+        whole, all_areas = (mirrored(file, part)[1] for part in (values, areas))
+        top = top_of_scale(whole, mirrored(file, touching)[1], all_areas, share)
         cells.append(from_above(file, f"{name}, {words}", numpy.where(touching, values, numpy.nan), high=top, unit="Pa",
-                                beyond=share < 1))
+                                beyond=bool(touching.any() and values[touching].max() > top)))
     return cells
 
 

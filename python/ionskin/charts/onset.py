@@ -75,6 +75,6 @@ def current_cell(results, found, current, time, marks):
     floor = slip.SEEN * tells.noise
     spans = (Span(value - floor, value + floor, PALE, "y"),) if numpy.isfinite(tells.noise) else ()
     seen = "" if tells.departure > tells.noise else "; no reading before full slip shows it"
-    curve = Curve(since[shown], signals[column][shown], "", COLOURS[current], True, 1.0)
+    curve = Curve(since[shown], signals[column][shown], "", COLOURS[current], "over", 1.0)
     return Cell(f"{current.capitalize()} current, correlation with the stuck share {r:.2f}{seen}", time, Axis("current", "A"), (curve,),
                 spans, marks, height=0.7)

@@ -27,6 +27,11 @@ def circuit_words(results):
     return words[:1].upper() + words[1:]
 
 
+def is_open(results):
+    """True for an open circuit, through which rounding alone flows."""
+    return results.circuit_words.get("name", results.case.get("readout", {}).get("circuit")) == "open"
+
+
 def circuit_panel(results):
     """Title, vertical axis, curves and height of the cell's voltage, or of the amplifier's reading, over time."""
     table = results.circuit
@@ -41,8 +46,8 @@ def circuit(results):
     if table is None:
         return None
     panels = [circuit_panel(results)]
-    if table.has("voltage", "current") and peak_of(table["current"]) > 0:
-        panels.append(("Current through it", Axis("current", "A"), [Curve(table["time"], table["current"], "", BLUE, True, 0.9)], 1.0))
+    if table.has("voltage", "current") and peak_of(table["current"]) > 0 and not is_open(results):
+        panels.append(("Current through it", Axis("current", "A"), [Curve(table["time"], table["current"], "", BLUE, "over", 0.9)], 1.0))
     return with_events(results, panels)
 
 

@@ -24,9 +24,14 @@ def geometry(results):
         return None
     try:
         skin, slider, motion = case["skin"], case["slider"], case["motion"]
-        return {"length": si(skin["length"]), "width": si(skin["width"]), "slider": Underside(slider, read_heights(results)),
-                "start": si(slider["start"]), "gap": si(motion["gap"]), "stroke": si(motion["stroke"]),
-                "direction": motion.get("direction", [1, 0]),
+        if motion.get("kind") == "waypoints":
+            signals = results.signals
+            way = {"start": [float(signals[f"slider_{axis}"][0]) for axis in "xy"], "gap": max(0.0, float(signals["slider_z"][0])),
+                   "stroke": 0.0, "direction": [1, 0], "path": numpy.column_stack([signals["slider_x"], signals["slider_y"]])}
+        else:
+            way = {"start": si(slider["start"]), "gap": si(motion["gap"]), "stroke": si(motion["stroke"]),
+                   "direction": motion.get("direction", [1, 0]), "path": None}
+        return {"length": si(skin["length"]), "width": si(skin["width"]), "slider": Underside(slider, read_heights(results)), **way,
                 "layers": [(layer["name"], layer["role"], layer["material"], si(layer["thickness"]))
                            for layer in skin["layers"]]}
     except (KeyError, ValueError):
@@ -45,8 +50,6 @@ def slider_words(slider):
     if slider.unknown:
         return f"slider ({slider.shape}): {plan}, heights not at hand"
     return f"slider ({slider.shape}): {plan}"
-
-
 
 
 def seen(points):
@@ -126,8 +129,11 @@ def model(results):
     above = numpy.array([*start, height + gap + body])
     if way.any():
         shapes += arrow(above, way)
+    if shape["path"] is not None:
+        path = numpy.column_stack([shape["path"] * 1e3, numpy.full(len(shape["path"]), height)])
+        shapes.append(Shape([seen(path[~numpy.isnan(path).any(axis=1)])], None, width=1.2, look="dashed", label="way of the slider's centre"))
     shapes.append(Shape([seen([(*lowest, height), (*lowest, height + gap)])], None, width=0.8))
-    words = [Note(*seen(above + way + (0, 0, 0.25)), f"stroke {shape['stroke'] * 1e3:.4g} mm"),
+    words = [*([Note(*seen(above + way + (0, 0, 0.25)), f"stroke {shape['stroke'] * 1e3:.4g} mm")] if way.any() else []),
              Note(*seen((lowest[0] + 0.2, lowest[1], height + gap / 2)), f"gap {gap:.4g} mm", boxed=True),
              Note(*seen((length / 2, 0, -0.35)), f"length {length:.4g} mm (x)", "middle"),
              Note(*seen((length + 0.35, width / 2, 0)), f"width {width:.4g} mm (y)")]
@@ -135,3 +141,37 @@ def model(results):
     low, high = corners.min(axis=0) - (0.3, 0.8), corners.max(axis=0) + (2.5, 0.5)
     return Chart([[Cell("", Axis("", "1", low[0], high[0]), Axis("", "1", low[1], high[1]), shapes=tuple(shapes), notes=tuple(words),
                         equal=True, bare=True)]], note="; ".join(notes) + ".")
+
+
+def moves_across(results):
+    """True where the slider's centre leaves a line along the skin."""
+    signals = results.signals
+    return bool(signals.has("slider_y") and numpy.nanmax(signals["slider_y"]) - numpy.nanmin(signals["slider_y"]) > 1e-9)
+
+
+def outline(slider, centre):
+    """The drawn part of a slider from above [m]."""
+    half = slider.half_size
+    if slider.shape == "sphere":
+        angle = numpy.linspace(0, 2 * numpy.pi, 61)
+        return centre + half * numpy.column_stack([numpy.cos(angle), numpy.sin(angle)])
+    return centre + half * numpy.array([(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)])
+
+
+def plan(results):
+    """Skin, slider and path from above, for paths that leave a line along the skin; None for others."""
+    shape = geometry(results)
+    if shape is None or not results.signals.has("slider_x") or not moves_across(results):
+        return None
+    way = numpy.column_stack([results.signals[f"slider_{axis}"] for axis in "xy"])
+    way = way[~numpy.isnan(way).any(axis=1)]
+    slider, skin_edge = outline(shape["slider"], way[0]), numpy.array([(0, 0), (1, 0), (1, 1), (0, 1)]) * (shape["length"], shape["width"])
+    shapes = (Shape([skin_edge], ROLE_COLOURS["electrode"], INK, label="skin"), Shape([slider], None, SLIDER_SHADES["side"], 1.4, label="slider"),
+              Shape([way], None, INK, 1.2, "dashed", "way of its centre"))
+    corners = numpy.concatenate([skin_edge, slider, way])
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    room = 0.03 * (high - low).max()
+    drawn = shape["slider"]
+    note = f"Of the {drawn.shape} its lowest {drawn.depth * 1e3:.2g} mm are drawn." if drawn.radius is not None else ""
+    return Chart([[Cell("", Axis("x", "m", low[0] - room, high[0] + room), Axis("y", "m", low[1] - room, high[1] + room), shapes=shapes,
+                        equal=True)]], note=note)

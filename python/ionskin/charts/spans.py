@@ -3,11 +3,11 @@
 
 import numpy
 
-from ..words import quantity, si_scale
+from ..words import SUPERSCRIPTS, quantity, si_scale
 from .colours import BAND, BAND_STRONG
 
 CONTACT_PHASES = {"touchdown": BAND, "slide": BAND_STRONG, "lift": BAND}
-SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+PLAIN = 0.1  # pure numbers up to here need no power of ten
 DECADES = 5  # between the largest current and the linear part of a symmetric logarithmic axis
 BEFORE, AFTER = 3, 9  # readout intervals that a window shows around its event
 INTERVAL = 10e-3  # [s]; where nothing is sampled
@@ -73,13 +73,19 @@ def scaled_label(name, unit, peak):
     divisor, prefix = si_scale(peak)
     if unit != "1":
         return divisor, f"{name} [{prefix}{unit}]"
+    if PLAIN <= peak < 1e5:
+        return 1.0, name
     power = f"{round(numpy.log10(divisor)):d}".translate(SUPERSCRIPTS)
     return divisor, f"{name} [10{power}]" if divisor != 1 else name
 
 
+def sampling_interval(results):
+    """Over which sampled currents are means [s]; 0 where nothing is sampled."""
+    time = results.sampled["time"] if "time" in results.sampled else ()
+    return float(time[1] - time[0]) if len(time) > 1 else 0.0
+
+
 def sampled_label(results):
     """Names the sampled current with its interval."""
-    time = results.sampled["time"]
-    if len(time) < 2:
-        return "sampled"
-    return f"sampled, mean over {quantity(round(time[1] - time[0], 9), 's')} each"
+    interval = sampling_interval(results)
+    return f"sampled, mean over the {quantity(round(interval, 9), 's')} before" if interval else "sampled"

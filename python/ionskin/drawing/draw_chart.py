@@ -1,22 +1,30 @@
 # SPDX-License-Identifier: Apache-2.0
 """Draws a Chart with matplotlib, for files."""
 
+import textwrap
+from typing import NamedTuple
+
 import numpy
 from matplotlib.colors import ListedColormap, Normalize
 from matplotlib.cm import ScalarMappable
 from matplotlib.patches import Patch, Polygon
-from matplotlib.ticker import FuncFormatter, MaxNLocator
+from matplotlib.ticker import EngFormatter, FuncFormatter, MaxNLocator, NullFormatter
 
 from ..charts.chart import limits
 from ..charts.spans import peak_of, scaled_label
 from . import style
-from .panels import STEP, signed_log_axis
+from .panels import signed_log_axis
 
 LEFT, RIGHT, BAR, BETWEEN = 0.80, 0.14, 0.55, 0.16  # widths [inch]: of labels, of what is free, of a bar of colours
-TITLE, TICKS, NAME, NOTE = 0.24, 0.20, 0.18, 0.20  # heights [inch]
+LINE, ENTRY, ROOM, PHASES, TICKS, NAME, NOTE = 0.15, 0.17, 0.09, 0.12, 0.20, 0.18, 0.20  # heights [inch]
+BOLD, LETTER, HANDLE = 0.066, 0.056, 0.40  # widths of a letter of a title and of a name, and of what stands before a name [inch]
 TALLEST = 3.0  # of a cell with equal scales [inch]
-NARROW = 2.9  # width of a cell that holds its legend [inch]
-LOOKS = {"": "-", "dashed": (0, (5, 2)), "dotted": (0, (1.5, 1.5))}
+LOOKS = {"": "-", "dashed": (0, (5, 2)), "dotted": (0, (1.5, 1.5)), "none": ""}
+STEPS = {"": "default", "over": "steps-pre", "held": "steps-post"}
+FILLS = {"": None, "over": "pre", "held": "post"}
+FULL = 0.75  # of the width of a figure, from which a cell has none beside it
+TICK = 0.42  # width of a tick's number [inch]
+MOST_MARKS = 400  # of a curve; more would touch
 ANCHORS = {"start": "left", "middle": "center", "end": "right"}
 
 
@@ -25,21 +33,44 @@ def draw(chart):
     rows = [(row, places(chart, row)) for row in chart.rows]
     heights = [max(height_of(cell, width) for cell, (_, width) in zip(row, across)) for row, across in rows]
     lows = [0.06 if row[0].bare else TICKS + NAME * any(cell.x.name for cell in row) for row, _ in rows]
-    highs = [TITLE + 0.1 * any(cell.phases for cell in row) if any(cell.title for cell in row) else 0.06 for row, _ in rows]
-    legends = [2 * NOTE if row[0].bare else 0.0 for row, _ in rows]
-    height = sum(heights) + sum(lows) + sum(highs) + sum(legends) + NOTE * bool(chart.note)
+    highs = [max(heading(cell, width).height for cell, (_, width) in zip(row, across)) for row, across in rows]
+    notes = textwrap.wrap(chart.note, int(style.WIDTH / 0.052))
+    height = sum(heights) + sum(lows) + sum(highs) + NOTE * bool(notes) + LINE * max(0, len(notes) - 1)
     figure = style.canvas(height=height)
     top = height
-    for (row, across), tall, low, high, more in zip(rows, heights, lows, highs, legends):
-        top -= high + more
+    for (row, across), tall, low, high in zip(rows, heights, lows, highs):
+        top -= high
         for cell, (left, width) in zip(row, across):
             own = height_of(cell, width)
             panel = figure.add_axes((left / style.WIDTH, (top - own) / height, width / style.WIDTH, own / height))
             draw_cell(figure, panel, cell)
+            name_curves(panel, cell, heading(cell, width))
         top -= tall + low
-    if chart.note:
-        figure.text(0.01, 0.05 / height, chart.note, fontsize=7, color=style.QUIET, va="bottom")
+    if notes:
+        figure.text(0.01, 0.05 / height, "\n".join(notes), fontsize=7, color=style.QUIET, va="bottom")
     return figure
+
+
+class Heading(NamedTuple):
+    """What stands above a cell. title: lines; columns: of the legend; rows: of it, 0 where it stands beside the title"""
+
+    title: list
+    columns: int
+    rows: int
+    height: float
+
+
+def heading(cell, width):
+    """Of a cell that is so wide [inch]."""
+    title = textwrap.wrap(cell.title, max(8, int(width / BOLD)))
+    names = [each.label for each in (*cell.spans, *cell.curves, *cell.marks, *cell.shapes) if each.label] if cell.legend else []
+    widths = [HANDLE + LETTER * len(name) for name in names]
+    columns, rows = 1, 0
+    if names:
+        beside = len(title) == 1 and sum(widths) + BOLD * len(title[0]) + 0.1 <= width
+        columns = len(names) if beside else max(1, min(len(names), int(width / max(widths))))
+        rows = 0 if beside else -(-len(names) // columns)
+    return Heading(title, columns, rows, ROOM + LINE * len(title) + ENTRY * rows + PHASES * bool(cell.phases))
 
 
 def places(chart, row):
@@ -65,7 +96,6 @@ def height_of(cell, width):
 
 def draw_cell(figure, panel, cell):
     """One pair of axes."""
-    style.title(panel, cell.title)
     xs = [end for end in (cell.x.low, cell.x.high) if end is not None] or [curve.x for curve in cell.curves]
     reach = peak_of(*(numpy.asarray(end) - cell.x.origin for end in xs))
     values = [part for curve in cell.curves for part in (curve.y, *(curve.band or ()))]
@@ -73,7 +103,7 @@ def draw_cell(figure, panel, cell):
     height = peak_of(*values, ends)
     both = max(reach, height) if cell.equal else 0.0  # one unit where both have one scale
     x_divisor, x_label = scaled_label(cell.x.name, cell.x.unit, both or reach)
-    y_divisor, y_label = (1.0, cell.y.name) if cell.y.signed else scaled_label(cell.y.name, cell.y.unit, both or height)
+    y_divisor, y_label = (1.0, cell.y.name) if cell.y.signed or cell.y.log else scaled_label(cell.y.name, cell.y.unit, both or height)
 
     def along(place):
         return (place - cell.x.origin) / x_divisor
@@ -94,25 +124,25 @@ def draw_cell(figure, panel, cell):
     for note in cell.phases:
         panel.text(along(note.x), 1.0, note.words, transform=panel.get_xaxis_transform(), ha="center", va="bottom", fontsize=7,
                    color=style.QUIET)
-    if cell.phases:
-        panel.set_title(cell.title, loc="left", pad=13, fontweight="bold")
     if cell.map is not None:
         draw_map(figure, panel, cell.map, along, y_divisor)
     draw_shapes(panel, cell, along, y_divisor)
     set_axes(panel, cell, along, y_divisor)
     panel.set_xlabel(x_label if cell.x.name else "")
     panel.set_ylabel(y_label if cell.y.name else "")
-    name_curves(panel, cell)
 
 
 def draw_curve(panel, curve, along, divisor):
     """A curve with its band of errors."""
     x = along(curve.x)
-    if curve.band is not None:
-        panel.fill_between(x, *(end / divisor for end in curve.band), step="pre" if curve.step else None, color=curve.colour, alpha=0.25,
+    if curve.band is not None and curve.look == "none":
+        low, high = (end / divisor for end in curve.band)
+        panel.vlines(x, low, high, color=curve.colour, lw=0.8)
+    elif curve.band is not None:
+        panel.fill_between(x, *(end / divisor for end in curve.band), step=FILLS[curve.step], color=curve.colour, alpha=0.25,
                            lw=0, zorder=1.5)
     panel.plot(x, curve.y / divisor, color=curve.colour, lw=curve.width, ls=LOOKS[curve.look], label=curve.label or None,
-               **({"marker": "o", "markersize": 1.8} if curve.marks else {}), **(STEP if curve.step else {}))
+               **({"marker": "o", "markersize": 3.5 if curve.look == "none" else 1.8} if curve.marks and len(x) < MOST_MARKS else {}), drawstyle=STEPS[curve.step])
 
 
 def set_axes(panel, cell, along, divisor):
@@ -121,6 +151,10 @@ def set_axes(panel, cell, along, divisor):
         panel.set_xlim(along(cell.x.low), along(cell.x.high))
     if cell.y.signed:
         signed_log_axis(panel, cell.y.unit, cell.y.signed)
+    elif cell.y.log:
+        panel.set_yscale("log")
+        panel.yaxis.set_major_formatter(EngFormatter(cell.y.unit))
+        panel.yaxis.set_minor_formatter(NullFormatter())
     else:
         low, high = (cell.y.low, cell.y.high) if cell.y.low is not None else limits(cell.curves)
         if low is not None:
@@ -131,8 +165,10 @@ def set_axes(panel, cell, along, divisor):
         panel.grid(False)
     if not cell.y.name and not cell.map:
         panel.tick_params(labelleft=False)
+    share = panel.get_position().width
+    if share < FULL:  # ticks at the ends would touch those of the cell beside
+        panel.xaxis.set_major_locator(MaxNLocator(max(2, min(8, int(share * style.WIDTH / TICK))), prune="both"))
     if cell.x.origin:
-        panel.xaxis.set_major_locator(MaxNLocator(4, prune="both"))
         panel.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.4g}"))
         panel.xaxis.label.set_fontsize(7)
 
@@ -154,7 +190,11 @@ def draw_map(figure, panel, drawn, along, divisor):
                      bbox_to_anchor=(1.01, 0.5), fontsize=6.5, handlelength=0.9)
         return
     bar = figure.colorbar(image, cax=panel.inset_axes((1.03, 0, 0.035, 1)), extend="max" if drawn.beyond else "neither")
-    bar.ax.yaxis.set_major_locator(MaxNLocator(4))
+    if drawn.ticks:
+        bar.set_ticks([place for place, _ in drawn.ticks], labels=[words for _, words in drawn.ticks])
+        bar.ax.minorticks_off()
+    else:
+        bar.ax.yaxis.set_major_locator(MaxNLocator(4))
     bar.ax.tick_params(labelsize=7)
     if label.strip():
         bar.set_label(label.strip(), fontsize=7)
@@ -177,24 +217,20 @@ def draw_shapes(panel, cell, along, divisor):
                    bbox=style.BEHIND_TEXT if note.boxed else None, **place)
 
 
-def name_curves(panel, cell):
-    """The legend above a cell."""
+def name_curves(panel, cell, above):
+    """Title and legend above a cell."""
+    base = PHASES * bool(cell.phases)  # [inch] above the axes
+    if above.title:
+        panel.set_title("\n".join(above.title), loc="left", pad=72 * (base + ENTRY * above.rows) + 4, color=style.INK, fontweight="bold")
     handles, names = panel.get_legend_handles_labels()
     for shape in reversed(cell.shapes):  # the upper parts of a drawing come last
         if shape.label:
             handles.append(Patch(facecolor=shape.fill, edgecolor=shape.edge, lw=0.4) if shape.fill else panel.plot(
                 [], [], color=shape.edge, lw=shape.width, ls=LOOKS[shape.look])[0])
             names.append(shape.label)
-    if not handles or not cell.legend:
+    if not handles or not cell.legend or panel.get_legend() is not None:
         return
-    legend = {"loc": "lower right", "bbox_to_anchor": (1.0, 0.98), "ncol": 4, "borderaxespad": 0.1, "handlelength": 1.6,
-              "columnspacing": 1.4}
-    if cell.bare:
-        legend.update(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=2)
-    elif panel.get_position().width * style.WIDTH < NARROW:
-        legend.update(loc="lower center", bbox_to_anchor=(0.5, 0.0), ncol=2, fontsize=6.5)
-    elif cell.phases:
-        legend["bbox_to_anchor"] = (1.0, 1.07)
-    if panel.get_legend() is not None:
-        return
-    panel.legend(handles, names, **legend)
+    tall = panel.get_position().height * panel.figure.get_figheight()
+    panel.legend(handles, names, loc="lower left" if above.rows else "lower right",
+                 bbox_to_anchor=(0.0 if above.rows else 1.0, 1 + (base + 0.03) / tall), ncol=above.columns, borderaxespad=0.0,
+                 handlelength=1.6, columnspacing=1.2, borderpad=0.0, labelspacing=0.35)

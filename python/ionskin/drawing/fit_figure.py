@@ -6,7 +6,7 @@ import sys
 import numpy
 
 from ..fit_results import Fit
-from . import gallery, style
+from . import making, style
 
 
 def figure(fit: Fit):
@@ -42,7 +42,7 @@ def _end_short(value: float | None) -> str:
 def draw(folder) -> None:
     """Writes figures/fit.png, .svg and .pdf."""
     fit = Fit.from_folder(folder)
-    gallery.save(figure(fit), fit.folder / "figures", "fit")
+    making.save(figure(fit), fit.folder / "figures", {"fit": making.ALL})
 
 
 if __name__ == "__main__":

@@ -77,7 +77,6 @@ def title(axes, text):
     axes.set_title(text, loc="left", pad=4, color=INK, fontweight="bold")
 
 
-
 def canvas(width=WIDTH, height=3.0, **margins):
     """An empty figure of a size in inches, in the common style."""
     apply()
@@ -86,10 +85,3 @@ def canvas(width=WIDTH, height=3.0, **margins):
     if margins:
         figure.subplots_adjust(**margins)
     return figure
-
-
-def sequence(count):
-    """Colours for an ordered family of curves, from dark to light, without the palest."""
-    import matplotlib
-
-    return [matplotlib.colormaps[SEQUENCE](0.9 * i / max(1, count - 1)) for i in range(count)]

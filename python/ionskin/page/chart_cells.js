@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The figures of a run: each is rows of cells, a cell one pair of axes. chart_data.py says what FIGURES holds.
 (() => {
-  const HEIGHT = 150, TALLEST = 420, NARROW = 560, NARROWEST = 160, LINE = 15, LEFT = 68, UNNAMED = 50, BAR = 74, EDGE = 12;
-  const DASHES = { dashed: "6 3", dotted: "1.5 3", "": "none" };
+  const HEIGHT = 150, TALLEST = 420, NARROW = 560, NARROWEST = 160, LINE = 15, MARK = 6, PLAIN = 0.1, LEFT = 68, UNNAMED = 58, BAR = 74, EDGE = 12;
+  const DASHES = { dashed: "6 3", dotted: "1.5 3", "": "none", none: "none" };
   const SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
   let clips = 0;
 
@@ -14,10 +14,26 @@
     return { at, ends: [-1.3 * 10 ** top, 1.3 * 10 ** top], ticks: [...powers.map((power) => -power), 0, ...powers] };
   }
 
+  // Of positive values; its ticks are a factor of ten apart, or less where it is short.
+  function logAxis(axis, values) {
+    let low = Infinity, high = 0;
+    for (const value of values) if (value > 0) { low = Math.min(low, value); high = Math.max(high, value); }
+    if (!high) [low, high] = [1, 10];
+    const room = Math.max(0.05 * Math.log10(high / low), 0.05), ends = [axis.low ?? low / 10 ** room, axis.high ?? high * 10 ** room];
+    const decades = Math.log10(ends[1] / ends[0]), found = [];
+    const apart = Math.ceil(decades / 6), factors = decades < 2 ? [1, 2, 5] : [1];
+    for (let power = Math.floor(Math.log10(ends[0])); power <= Math.log10(ends[1]); ++power) for (const factor of factors) {
+      const value = Number((factor * 10 ** power).toPrecision(3));
+      if (value >= ends[0] && value <= ends[1] && power % apart === 0) found.push(value);
+    }
+    return { at: (value) => value > 0 ? Math.log10(value) : NaN, ends, ticks: found.length ? found : [low, high] };
+  }
+
   // Divisor and words of a linear axis.
   function scaled({ name, unit }, peak) {
     const [divisor, prefix] = scale(peak);
     if (unit !== "1") return [divisor, `${name} [${prefix}${unit}]`.trim()];
+    if (peak >= PLAIN && peak < 1e5) return [1, name];
     const power = [...String(Math.round(Math.log10(divisor)))].map((sign) => sign === "-" ? "⁻" : SUPERSCRIPTS[sign]).join("");
     return [divisor, divisor === 1 ? name : `${name} [10${power}]`.trim()];
   }
@@ -28,6 +44,12 @@
     if (low > high) [low, high] = [0, 1];
     const room = 0.06 * (high - low) || 0.06 * Math.abs(high) || 1;
     return [axis.low ?? low - room, axis.high ?? high + room];
+  }
+
+  // Words along an axis, in smaller letters where they are longer than it.
+  function within(svg, attributes, words, room) {
+    const text = make(svg, "text", attributes, words), length = text.getComputedTextLength();
+    if (length > room + 16) text.style.fontSize = `${Math.max(8, 11 * (room + 16) / length)}px`;
   }
 
   // Series of a curve that lie between two places, with one beyond each.
@@ -70,7 +92,7 @@
       const part = make(group, "g"), line = each.edge !== undefined && !each.fill, wide = each.fill || each.along && each.colour;
       make(part, wide ? "rect" : "line", wide
         ? { x: 0, y: -9, width: 16, height: 10, style: `fill: ${each.fill || each.colour}; stroke: ${each.fill ? "var(--ink)" : "none"}; stroke-width: .5` }
-        : { x1: 0, x2: 18, y1: -4, y2: -4, style: `stroke: ${(line ? each.edge : each.colour) || "var(--quiet)"}; stroke-width: ${Math.min(4, 1.4 * (each.width || 0.8))}; stroke-dasharray: ${DASHES[each.look || ""]}` });
+        : { x1: 0, x2: 18, y1: -4, y2: -4, style: `stroke: ${(line ? each.edge : each.colour) || "var(--quiet)"}; stroke-width: ${each.look === "none" ? 5 : Math.min(4, 1.4 * (each.width || 0.8))}; stroke-dasharray: ${DASHES[each.look || ""]}` });
       const text = make(part, "text", { x: 23, y: 0 }, each.label);
       return [part, 23 + text.getComputedTextLength() + 14];
     });
@@ -91,30 +113,36 @@
       let text = "", pen = false;
       for (const i of rows) {
         const value = FIGURES.arrays[series][i];
-        if (value === null) { pen = false; continue; }
+        if (value === null || !Number.isFinite(frame.py(value))) { pen = false; continue; }
         const px = frame.px(x[i]).toFixed(1), py = frame.py(value).toFixed(1);
-        text += !pen ? `M${px} ${py}` : curve.step ? `V${py}H${px}` : `L${px} ${py}`;
+        text += !pen ? `M${px} ${py}` : curve.step === "over" ? `V${py}H${px}` : curve.step ? `H${px}V${py}` : `L${px} ${py}`;
         pen = true;
       }
       return text;
     };
     const rows = Array.from({ length: last - first + 1 }, (_, i) => first + i);
-    if (curve.band) {
-      const back = curve.step ? { ...curve, step: false } : curve; // a band of steps is drawn by its corners
-      const corner = (series) => rows.flatMap((i, k) => {
+    const bars = curve.look === "none";
+    if (curve.band && bars) for (const i of rows) {
+      const [from, to] = curve.band.map((series) => frame.py(FIGURES.arrays[series][i] ?? NaN)), px = frame.px(x[i]);
+      if (Number.isFinite(from + to)) make(svg, "path", { d: `M${px - 3} ${from}h6m-3 0V${to}m-3 0h6`, "clip-path": clip, style: `stroke: ${curve.colour}; fill: none` });
+    }
+    if (curve.band && !bars) {
+      const corner = (series) => rows.flatMap((i, k) => { // a band of steps is drawn by its corners
         const value = FIGURES.arrays[series][i], px = frame.px(x[i]).toFixed(1);
-        if (value === null) return [];
-        const py = frame.py(value).toFixed(1);
-        return back === curve || k === 0 ? [`${px} ${py}`] : [`${frame.px(x[rows[k - 1]]).toFixed(1)} ${py}`, `${px} ${py}`];
+        if (value === null || !Number.isFinite(frame.py(value))) return [];
+        const py = frame.py(value).toFixed(1), other = curve.step === "over" ? k - 1 : k + 1;
+        if (!curve.step || other < 0 || other >= rows.length) return [`${px} ${py}`];
+        const beside = `${frame.px(x[rows[other]]).toFixed(1)} ${py}`;
+        return curve.step === "over" ? [beside, `${px} ${py}`] : [`${px} ${py}`, beside];
       });
       const outline = [...corner(curve.band[0]), ...corner(curve.band[1]).reverse()];
       if (outline.length) make(svg, "path", { d: `M${outline.join("L")}Z`, "clip-path": clip, style: `fill: ${curve.colour}; opacity: .25` });
     }
-    make(svg, "path", { class: "curve", d: path(curve.y, rows), "clip-path": clip,
+    if (!bars) make(svg, "path", { class: "curve", d: path(curve.y, rows), "clip-path": clip,
                         style: `stroke: ${curve.colour}; stroke-width: ${1.2 * curve.width}; stroke-dasharray: ${DASHES[curve.look]}` });
-    if (curve.marks && rows.length < 400) for (const i of rows) {
+    if (curve.marks && (bars || rows.length * MARK < frame.right - frame.left)) for (const i of rows) {
       const value = FIGURES.arrays[curve.y][i];
-      if (value !== null) make(svg, "circle", { cx: frame.px(x[i]), cy: frame.py(value), r: 2, "clip-path": clip, style: `fill: ${curve.colour}` });
+      if (value !== null && Number.isFinite(frame.py(value))) make(svg, "circle", { cx: frame.px(x[i]), cy: frame.py(value), r: bars ? 2 * curve.width : 2, "clip-path": clip, style: `fill: ${curve.colour}` });
     }
   }
 
@@ -142,12 +170,15 @@
     make(svg, "rect", { x: left, y: frame.top, width: 9, height: tall, style: `fill: url(#${id})` });
     if (map.beyond) make(svg, "path", { d: `M${left} ${frame.top}h9l-4.5 -8Z`, style: `fill: ${map.bar[0]}` });
     const [divisor, words] = scaled(map, Math.max(Math.abs(map.low), Math.abs(map.high)));
-    const round = ticks(map.low / divisor, map.high / divisor, Math.max(2, Math.min(5, tall / 26)), STEPS);
-    for (const value of round.length > 2 ? round : map.low < 0 ? [map.low / divisor, 0, map.high / divisor] : [0, map.high / divisor]) {
+    for (const [place, name] of map.ticks) {
+      make(svg, "text", { x: left + 13, y: frame.bottom - (place - map.low) / (map.high - map.low) * tall + 4 }, name);
+    }
+    const round = map.ticks.length ? [] : ticks(map.low / divisor, map.high / divisor, Math.max(2, Math.min(5, tall / 26)), STEPS);
+    for (const value of round.length > 2 || map.ticks.length ? round : map.low < 0 ? [map.low / divisor, 0, map.high / divisor] : [0, map.high / divisor]) {
       const y = frame.bottom - (value * divisor - map.low) / (map.high - map.low) * tall;
       make(svg, "text", { x: left + 13, y: y + 4 }, Number(value.toPrecision(3)).toString());
     }
-    if (words) make(svg, "text", { transform: `translate(${wide - 3} ${(frame.top + frame.bottom) / 2}) rotate(-90)`, "text-anchor": "middle" }, words.trim());
+    if (words) within(svg, { transform: `translate(${wide - 3} ${(frame.top + frame.bottom) / 2}) rotate(-90)`, "text-anchor": "middle" }, words.trim(), tall);
   }
 
   function drawShapes(svg, cell, frame) {
@@ -177,12 +208,13 @@
     const reach = Math.max(...frame.x.map((end) => Math.abs(end - cell.x.origin))), height = Math.max(...frame.y.map(Math.abs));
     const both = cell.equal ? Math.max(reach, height) : 0; // one unit where both have one scale
     const [xDivisor, xWords] = scaled(cell.x.name || !named ? cell.x : { ...cell.x, name: named }, both || reach);
-    for (const value of ticks(...frame.x.map((end) => (end - cell.x.origin) / xDivisor), Math.max(3, Math.round((frame.right - frame.left) / 80)), STEPS)) {
+    for (const value of ticks(...frame.x.map((end) => (end - cell.x.origin) / xDivisor), Math.max(Math.min(3, (frame.right - frame.left) / 45), Math.round((frame.right - frame.left) / 80)), STEPS)) {
       const x = frame.px(value * xDivisor + cell.x.origin);
       if (!cell.map) make(svg, "line", { class: "gridline", x1: x, x2: x, y1: frame.top, y2: frame.bottom });
-      make(svg, "text", { x, y: frame.bottom + 14, "text-anchor": "middle" }, Number(value.toPrecision(6)).toString());
+      const tick = make(svg, "text", { x, y: frame.bottom + 14, "text-anchor": "middle" }, Number(value.toPrecision(6)).toString());
+      tick.setAttribute("x", Math.min(x, wide - 1 - tick.getComputedTextLength() / 2));
     }
-    const log = frame.signed, [yDivisor, yWords] = log ? [1, cell.y.name] : scaled(cell.y, both || height);
+    const log = frame.scale, [yDivisor, yWords] = log ? [1, cell.y.name] : scaled(cell.y, both || height);
     const values = log ? log.ticks : ticks(...frame.y.map((end) => end / yDivisor), Math.max(3, Math.round((frame.bottom - frame.top) / 30)), STEPS);
     const empty = !cell.curves.length && !cell.map && !cell.shapes.length;
     for (const value of empty ? [] : values) {
@@ -191,9 +223,11 @@
       make(svg, "text", { x: frame.left - 6, y: y + 4, "text-anchor": "end" }, log ? withUnit(value, cell.y.unit, 3) : Number(value.toPrecision(6)).toString());
     }
     make(svg, "path", { class: "axis", d: `M${frame.left} ${frame.top}V${frame.bottom}H${frame.right}` });
-    const middle = Math.min(Math.max(frame.left, (frame.left + frame.right) / 2), wide);
-    if (xWords && (cell.x.name || named)) make(svg, "text", { class: "along", x: middle, y: frame.bottom + 30, "text-anchor": "middle" }, xWords);
-    if (cell.y.name && !empty) make(svg, "text", { transform: `translate(11 ${(frame.top + frame.bottom) / 2}) rotate(-90)`, "text-anchor": "middle" }, yWords);
+    if (xWords && (cell.x.name || named)) {
+      const text = make(svg, "text", { class: "along", y: frame.bottom + 30, "text-anchor": "middle" }, xWords), half = text.getComputedTextLength() / 2;
+      text.setAttribute("x", Math.max(half + 1, Math.min(wide - half - 1, (frame.left + frame.right) / 2)));
+    }
+    if (cell.y.name && !empty) within(svg, { transform: `translate(11 ${(frame.top + frame.bottom) / 2}) rotate(-90)`, "text-anchor": "middle" }, yWords, frame.bottom - frame.top);
   }
 
   // named: what the horizontal axis is, where the cell that says so is far away on a narrow screen.
@@ -209,16 +243,16 @@
     });
     const top = Math.max(above(cell), ...needed);
     const zoomed = cell.zoom || null, x = zoomed || extent(cell.x, cell.curves.flatMap((curve) => FIGURES.arrays[curve.x]));
-    const signed = cell.y.signed ? signedLog(cell.y.signed) : null;
-    const y = signed ? signed.ends : extent(zoomed ? { low: null, high: null } : cell.y, valuesWithin(cell, x));
+    const special = cell.y.signed ? signedLog(cell.y.signed) : cell.y.log ? logAxis(cell.y, [...valuesWithin(cell, x)]) : null;
+    const y = special ? special.ends : extent(zoomed ? { low: null, high: null } : cell.y, valuesWithin(cell, x));
     const left = cell.bare ? 0 : cell.y.name ? LEFT : UNNAMED;
     let right = wide - (cell.map ? BAR : cell.bare ? 0 : EDGE), tall = HEIGHT * cell.height;
     if (cell.equal) {
       tall = (right - left) * (y[1] - y[0]) / (x[1] - x[0]);
       if (tall > TALLEST) { right = left + (right - left) * TALLEST / tall; tall = TALLEST; }
     }
-    const bottom = top + tall, at = signed ? signed.at : (value) => value;
-    const frame = { left, right, top, bottom, x, y, signed,
+    const bottom = top + tall, at = special ? special.at : (value) => value;
+    const frame = { left, right, top, bottom, x, y, scale: special,
                     px: (value) => left + (value - x[0]) / (x[1] - x[0]) * (right - left),
                     py: (value) => bottom - (at(value) - at(y[0])) / (at(y[1]) - at(y[0])) * tall };
     const height = bottom + (cell.bare ? 4 : cell.x.name || named ? 36 : 22);
@@ -259,7 +293,8 @@
 
   function told(cell, at, named) {
     const values = cell.curves.map((curve) => {
-      const x = FIGURES.arrays[curve.x], row = Math.max(0, x.findIndex((value) => value >= at));
+      const x = FIGURES.arrays[curve.x];
+      const row = Math.max(0, curve.step === "held" ? x.findLastIndex((value) => value <= at) : x.findIndex((value) => value >= at));
       return `${curve.label || cell.y.name || "value"} ${withUnit(FIGURES.arrays[curve.y][row], cell.y.unit)}`;
     });
     return `${cell.x.name || named || "at"} ${withUnit(at - cell.x.origin, cell.x.unit, 5)}: ${values.join(", ")}`;

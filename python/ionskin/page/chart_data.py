@@ -105,7 +105,7 @@ def picture(drawn):
 def map_data(drawn):
     """A map with the bar or the legend beside it."""
     data = {"low": drawn.low, "high": drawn.high, "name": drawn.name, "unit": drawn.unit, "beyond": drawn.beyond, "smooth": drawn.smooth,
-            "bar": PALETTES[drawn.palette][::-1], "classes": drawn.classes,
+            "bar": PALETTES[drawn.palette][::-1], "classes": drawn.classes, "ticks": drawn.ticks,
             "lines": [rounded(line.ravel()) for line in drawn.lines]}
     if drawn.values.size:
         ends = [float(end) for along in (drawn.x, drawn.y) for end in (along[0], along[-1])]
@@ -129,7 +129,7 @@ def cell_data(cell, arrays):
 
 def axis_data(axis):
     """An axis with plain numbers."""
-    return {name: float(value) if isinstance(value, (int, float, numpy.number)) else value for name, value in axis._asdict().items()}
+    return {name: float(value) if isinstance(value, (float, numpy.number)) else value for name, value in axis._asdict().items()}
 
 
 def chart_data(charts):

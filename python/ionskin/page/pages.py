@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 from markupsafe import Markup
 
 from .. import output_folder
+from ..words import without_folders
 
 FOLDER = pathlib.Path(__file__).parent
 
@@ -45,14 +46,22 @@ def environment():
     import jinja2  # half of the figures' users never make a page
 
     return jinja2.Environment(loader=jinja2.FileSystemLoader(FOLDER / "templates"), autoescape=True, trim_blocks=True,
-                              lstrip_blocks=True, undefined=jinja2.StrictUndefined)
+                              lstrip_blocks=True, undefined=jinja2.StrictUndefined, finalize=shown)
 
 
-def page(title, subtitle, sections, *, cards=(), script=None):
-    """The whole page as text; it stands alone, without any network. Sections without data are left out."""
+def shown(value):
+    """A value as a page shows it: a page may be given away, and folders tell of a user's machine."""
+    if not isinstance(value, str) or isinstance(value, Markup) or value.startswith("data:"):
+        return value
+    return without_folders(value)
+
+
+def page(title, subtitle, sections, *, cards=(), script=None, answer=None):
+    """The whole page as text; it stands alone, without any network. Sections without data are left out. answer: (sentences,
+    Picture or None) before all others"""
     style = (FOLDER / "report.css").read_text(encoding="utf-8")
     return environment().get_template("page.html").render(
-        title=title, subtitle=subtitle, cards=cards, sections=[section for section in sections if section.data],
+        title=title, subtitle=subtitle, cards=cards, answer=answer, sections=[section for section in sections if section.data],
         style=Markup(style), script=Markup(script) if script else "")
 
 

@@ -2,24 +2,21 @@
 """The words and numbers of the report, taken from the results."""
 
 from ..analysis.derived import common_is_noise
-from ..words import percent, quantity
+from ..words import percent, quantity, readable_units
+from . import quantities
 
-HEADLINE = [
-    ("normal force, mid-slide", "normal_force_slide"),
-    ("mean shear, mid-slide", "mean_shear_slide"),
-    ("peak sampled current, top", "peak_sampled_current_top"),
-    ("peak sampled difference current", "peak_sampled_current_difference"),
-    ("rms difference current", "rms_current_difference"),
-    ("rms common current", "rms_current_common"),
-]
+HEADLINE = ["normal_force_slide", "mean_shear_slide", "peak_sampled_current_top", "peak_sampled_current_difference",
+            "rms_current_difference", "rms_current_common"]
+DIGITS = 3
 
 CASE_GROUPS = {"skin": "Skin", "slider": "Slider", "motion": "Motion", "contact": "Contact",
                "electrochemistry": "Ions", "coupling": "Coupling", "water": "Water", "strain": "Strain",
                "readout": "Readout", "numerics": "Numerics"}
 
-NUMBERS_NOTE = ("“touchdown” is the end of touchdown and “slide” the middle of the slide, both in the first cycle. "
-                "Peaks are of the magnitude; rms is weighted by time over the whole run. Peaks of resolved currents are "
-                "means over one time step at a contact event; the sampled ones converge with the time step.")
+SOURCES = {"cache": "read from the cache", "earlier run": "read from an earlier run", "another point": "shared with another point"}
+
+NUMBERS_NOTE = ("Peaks are of the magnitude. Peaks of resolved currents are means over one time step at a contact event; the sampled "
+                "ones converge with the time step. The last column names a number in summary.json and sweep.csv, which hold all digits.")
 
 LIMITS = [
     "Linear elasticity with small strain, quasi-static. The slip direction neglects the convective part of the slip "
@@ -56,10 +53,26 @@ LAW_LIMITS = {
 
 
 def headline(results):
-    """Pairs of label and value for the top of the page."""
+    """Label, value and error for the top of the page."""
     noise = {"rms_current_common"} if "current_common" in results.sampled and common_is_noise(results) else set()
-    return [(label, quantity(*results.metrics[name], digits=3)) for label, name in HEADLINE
+    return [(quantities.words(name), value(results, name), error(results, name)) for name in HEADLINE
             if name in results.metrics and name not in noise]
+
+
+def value(results, name):
+    """A metric with its unit, to the digits that a reader wants."""
+    number, unit = results.metrics[name]
+    if number is not None and quantities.is_share(name):
+        return percent(number)
+    return quantity(number, unit, DIGITS)
+
+
+def error(results, name):
+    """The stated error of a metric, "± 2 %", or "" where none is stated."""
+    share = results.summary.get("error_estimate", {}).get(name)
+    if share is None or name in results.not_converging:
+        return ""
+    return f"± {percent(share)}".replace("± below", "below")
 
 
 def subtitle(results):
@@ -80,11 +93,13 @@ def subtitle(results):
 
 def readable(value, between=", "):
     """A value of the case file as a reader would write it."""
+    if isinstance(value, list) and value and isinstance(value[0], dict):
+        return f"{len(value)} in the case file"
     if isinstance(value, list):
         return between.join(map(readable, value))
     if isinstance(value, bool):
         return "yes" if value else "no"
-    return str(value)
+    return readable_units(str(value))
 
 
 def layers(case):
@@ -115,17 +130,10 @@ def case_groups(case):
 
 
 def metric_rows(results):
-    """Rows of the table of numbers: name, value, unit, stated relative error or why there is none."""
-    errors = results.summary.get("error_estimate", {})
-
-    def error(name):
-        if name in results.not_converging:
-            return f"does not converge: {results.not_converging[name]}"
-        return percent(errors[name]) if errors.get(name) is not None else ""
-
-    return [(name, "–" if metric.value is None else f"{metric.value:.6g}", metric.unit,
-             error(name))
-            for name, metric in results.metrics.items()]
+    """Rows of the table of numbers: words, identifier of their meaning, value, stated error or why there is none, name."""
+    return [(quantities.words(name), quantities.explained_by(name), value(results, name),
+             f"does not converge: {results.not_converging[name]}" if name in results.not_converging else error(results, name), name)
+            for name in results.metrics]
 
 
 def timing_rows(results):
@@ -138,8 +146,13 @@ def timing_rows(results):
             # The report is made while the output stage runs: the final figures stand in summary.json.
             continue
         stage = stages.get(name, {})
+        if name not in stages:  # whoever reads the strain needs no mechanics
+            if name == "mechanics" and stages.get("strain", {}).get("source") in SOURCES:
+                rows.append((name, SOURCES[stages["strain"]["source"]], "", ""))
+            continue
         memory = stage.get("peak_memory_bytes", 0)
-        rows.append((name, stage.get("state", ""), f"{seconds:.2f} s", f"{memory / 1e9:.2f} GB" if memory else ""))
+        state = SOURCES.get(stage.get("source"), stage.get("state", ""))
+        rows.append((name, state, f"{seconds:.2f} s", f"{memory / 1e9:.2f} GB" if memory else ""))
     if rows:
         rows.append(("sum", "", f"{sum(timing[row[0]] for row in rows):.2f} s", ""))
     return rows

@@ -77,6 +77,7 @@
   function drawPanel(panel, holder) {
     const member = DATA.members[state.member], names = panel.curves.filter((name) => member.series[name]);
     holder.textContent = "";
+    holder.style.display = names.length ? "" : "none";
     if (!names.length) return;
     const span = state.span || [0, member.time[member.time.length - 1]];
     const unit = DATA.curves.find((curve) => curve.name === names[0]).unit;
@@ -97,7 +98,7 @@
       member.series[name].forEach((value, k) => {
         if (value === null) return;
         const x = frame.px(member.time[k]).toFixed(2), y = frame.py(value).toFixed(2);
-        if (step && last !== null) path += `V${y}`;
+        if (step && last !== null) path += `H${x}`; // a reading is known at the end of its interval, and shown until the next
         path += `${pen}${x} ${y}`;
         pen = "L"; last = y;
       });
@@ -106,13 +107,28 @@
     });
     title(svg, panel.title, DATA.members.length > 1 ? `${panel.title}, ${member.short}` : panel.title);
     if (names.length > 1) {
-      legend(svg, frame, names.map((name) => DATA.curves.find((curve) => curve.name === name).label), panel.colours);
+      const labels = names.map((name) => DATA.curves.find((curve) => curve.name === name).label), groups = coinciding(member, names, frame);
+      legend(svg, frame, groups.map((group) => group.length > 1 ? `${group.map((i) => labels[i]).join(" = ")}` : labels[group[0]]),
+             groups.map((group) => panel.colours[group[group.length - 1]]));
     }
     interact(svg, { width: WIDTH, left: LEFT, right: WIDTH - RIGHT, top: TOP, bottom: frame.bottom }, {
       tell: (pixel) => tell(frame.time(pixel)),
       zoom: (low, high) => { state.span = [frame.time(low), frame.time(high)]; drawAll(); },
       whole: () => { state.span = null; drawAll(); },
     });
+  }
+
+  // Places of curves that lie over one another, which the legend names together.
+  function coinciding(member, names, frame) {
+    const groups = [];
+    names.forEach((name, i) => {
+      const same = groups.find(([first]) => member.series[names[first]].every((value, k) => {
+        const other = member.series[name][k];
+        return value === null || other === null ? value === other : Math.abs(frame.py(value) - frame.py(other)) < 1;
+      }));
+      if (same) same.push(i); else groups.push([i]);
+    });
+    return groups;
   }
 
   // The longer name where it fits.
@@ -147,7 +163,7 @@
     const frame = makeFrame([Math.min(...xs) - pad, Math.max(...xs) + pad], [low, top + 0.08 * (top - low || 1)], 260);
     const svg = make(chart, "svg", { viewBox: `0 0 ${WIDTH} 260`, role: "img", "aria-label": metric.name });
     axes(svg, frame, key.name, metric.unit, key.unit === "1" ? "" : key.unit);
-    const words = metric.name.replaceAll("_", " ");
+    const words = metric.name;
     title(svg, words, words);
     if (!DATA.scattered) {
       make(svg, "path", { class: "curve", style: "stroke: var(--blue)",
@@ -188,7 +204,7 @@
       drawAll();
     }));
     if (metrics) metrics.textContent = "";
-    if (metrics) DATA.metrics.forEach((metric, i) => button(metrics, metric.name.replaceAll("_", " "), i === state.metric, () => {
+    if (metrics) DATA.metrics.forEach((metric, i) => button(metrics, metric.name, i === state.metric, () => {
       state.metric = i;
       drawAll();
     }));

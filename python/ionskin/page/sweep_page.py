@@ -1,20 +1,28 @@
 # SPDX-License-Identifier: Apache-2.0
 """report.html of a sweep, and the charts to explore in that of a run: offline, with data and script inside."""
 
-import base64
+import re
 
+import numpy
+
+from ..charts import numbered, trends
 from ..charts.spans import contact_spans
 from ..sweep_results import value_text
-from ..words import quantity
-from . import pages, report_text
-from .chart_data import rounded
+from ..words import quantity, without_folders
+from . import pages, quantities, report_text
+from .chart_data import chart_data, rounded
 
+READABLE = ("peak_voltage", "peak_amplifier_current", "peak_sampled_current_difference", "peak_mean_shear")  # the first that the runs have
+NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
+TOLD_BY = 40  # letters from its beginning that tell a warning from another
+MOST_NAMED = 3  # points of a warning
 TREND_NOTE = "A click on a mark shows its run in the charts above."
 CURVES = [("slider_x", "position x", "m"), ("slider_z", "height z", "m"), ("mean_shear", "mean shear γ", "1"),
           ("current_top", "top", "A"), ("current_bottom", "bottom", "A"), ("current_difference", "difference", "A"),
           ("current_common", "common", "A")]
 AGAINST = ["peak_mean_shear", "time_mean_shear", "peak_sampled_current_top", "peak_sampled_current_difference",
            "peak_current_top", "rms_current_top", "rms_current_difference", "normal_force_slide"]
+COLUMNS = ["peak_sampled_current_difference", "peak_voltage", "peak_mean_shear", "normal_force_slide"]  # of the table of points
 
 
 def member_data(study, member):
@@ -27,7 +35,8 @@ def member_data(study, member):
             series[name] = rounded(results.sampled[name])
         elif results.signals.has(name):
             series[name] = rounded(results.signals.at(name, time))
-    return {"label": study.label(member), "short": f"point {member.number}" if study.scattered else study.label(member),
+    label = without_folders(study.label(member))
+    return {"label": label, "short": f"point {member.number}" if study.scattered else label,
             "time": rounded(time), "series": series,
             "phases": [[span.phase, round(span.start, 6), round(span.end, 6)] for span in contact_spans(results)]}
 
@@ -42,7 +51,7 @@ def axes(study):
 
 def data(study):
     """Everything the script draws."""
-    metrics = [{"name": name, "unit": study.typical.results.metrics[name].unit, "values": rounded(study.metric(name))}
+    metrics = [{"name": quantities.words(name), "unit": study.typical.results.metrics[name].unit, "values": rounded(study.metric(name))}
                for name in AGAINST if name in study.typical.results.metrics]
     return {"keys": axes(study), "scattered": study.scattered,
             "members": [member_data(study, member) for member in study.members],
@@ -50,25 +59,42 @@ def data(study):
             "curves": [{"name": name, "label": label, "unit": unit} for name, label, unit in CURVES]}
 
 
-def figures(made):
-    """The numbered figures as pictures inside the page, a line for each that is left out. made: pairs of entry and Made"""
-    pictures, notes = [], []
-    for entry, each in made:
-        if each.reason:
-            notes.append(f"{entry.heading}: left out, {each.reason}.")
+def figures(study):
+    """The numbered figures with their captions and charts, a sentence on those that are left out, and the charts by name."""
+    pictures, reasons, charts = [], {}, {}
+    for entry, chart in numbered.charts(study):
+        if isinstance(chart, str):
+            reasons.setdefault(chart, []).append(str(entry.number))
         else:
-            address = "data:image/png;base64," + base64.b64encode(each.picture).decode("ascii")
-            pictures.append(pages.Picture(entry.name, entry.heading, entry.caption, address))
-    return {"pictures": pictures, "notes": notes}
+            charts[entry.name] = chart
+            pictures.append(pages.Picture(entry.name, f"Figure {entry.number}. {entry.heading}", f"{entry.caption} {chart.note}".strip(), None))
+    notes = [f"Figure{'s' * (len(names) > 1)} {', '.join(names)}: left out, {reason}." for reason, names in reasons.items()]
+    return {"pictures": pictures, "notes": notes}, charts
+
+
+def warnings(study):
+    """Warnings of all points that are shown, each once, with the points that it is of."""
+    found = {}
+    for member in study.members:
+        for text in member.results.warnings:
+            found.setdefault(NUMBER.sub("#", text)[:TOLD_BY], []).append((member, text))
+    texts = []
+    for same in found.values():
+        if len(same) == len(study.members):
+            of = "Every point"
+        else:
+            of = ", ".join(study.label(member) for member, _ in same[:MOST_NAMED]) + (f" and {len(same) - MOST_NAMED} more" if len(same) > MOST_NAMED else "")
+        texts.append(f"{of}: {same[-1][1]}" + (f" (of {study.label(same[-1][0])})" if len({text for _, text in same}) > 1 else ""))
+    return texts
 
 
 def points(study):
     """The rows of sweep.csv that a reader wants to see."""
     sweep = study.sweep
-    shown = [name for name in AGAINST if name in sweep.units]
-    head = ("point", *sweep.keys, "status", *(name.replace("_", " ") for name in shown))
+    shown = [name for name in COLUMNS if name in sweep.units]
+    head = ("point", *sweep.keys, "status", *map(quantities.words, shown))
     rows = [(point.number, *(value_text(value, sweep.keys[key]) for key, value in point.values.items()), point.status,
-             *(quantity(point.metrics.get(name), sweep.units[name]) for name in shown)) for point in sweep.points]
+             *(quantity(point.metrics.get(name), sweep.units[name], 3) for name in shown)) for point in sweep.points]
     return pages.Table(head, rows, tuple(range(len(sweep.keys) + 2, len(head))))
 
 
@@ -82,7 +108,7 @@ def explore(study):
     """Charts to hover over and to zoom into; None where nothing was sampled."""
     if "time" not in study.typical.results.sampled:
         return None
-    return {"several": not study.single, "notes": [study.note] if study.note else []}
+    return {"several": not study.single, "notes": []}
 
 
 def script(study):
@@ -90,24 +116,57 @@ def script(study):
     return {"DATA": ("sweep_page.js", data(study))} if "time" in study.typical.results.sampled else {}
 
 
-def page(study, verdicts, made):
+def readable(study):
+    """The metric of what can be read between the electrodes; None where the runs have none."""
+    return next((name for name in READABLE if numpy.isfinite(study.metric(name)).any() and name in study.typical.results.metrics), None)
+
+
+def answer(study):
+    """The sentences that the page opens with: how what can be read follows the key, and at which value it is largest."""
+    name = readable(study)
+    if name is None:
+        return [study.note] if study.note else []
+    values, unit = numpy.array(study.metric(name), float), study.typical.results.metrics[name].unit
+    order = numpy.argsort(numpy.nan_to_num(values, nan=-numpy.inf))
+    most, least = (study.members[place] for place in (order[-1], order[len(values) - numpy.isfinite(values).sum()]))
+
+    def told(member):
+        error = report_text.error(member.results, name)
+        return report_text.value(member.results, name) + (f" ({error})" if error else "") + f" at {study.label(member)}"
+
+    words = quantities.words(name)
+    if quantity(numpy.nanmin(values), unit, 3) == quantity(numpy.nanmax(values), unit, 3):
+        first = f"{words}: {quantity(numpy.nanmax(values), unit, 3)} at every point."
+    else:
+        first = f"{words}: from {told(least)} to {told(most)}."
+    return [first, *([study.note] if study.note else [])]
+
+
+def page(study, verdicts):
     """The whole page."""
     results = study.typical.results
+    gallery, charts = figures(study)
+    picture = None
+    if readable(study) is not None and not study.single:
+        charts["reading"] = trends.reading(study, readable(study))
+        picture = pages.Picture("reading", "What can be read", "One mark per run. Shaded: the stated error.", None)
     title = results.case.get("title") or study.folder.resolve().name
     finished = sum(point.status == "finished" for point in study.sweep.points)
     against = "Against the swept keys" if study.scattered else f"Against the {study.name}"
     sections = [
+        pages.Section("warnings", "Warnings", "warnings", {"texts": warnings(study)}),
         pages.Section("failures", "Points that failed", "table", failures(study)),
         pages.Section("explore", "Explore", "explore", explore(study)),
         pages.Section("against", against, "trend", {"notes": [TREND_NOTE]}),
         verdicts,
-        pages.Section("figures", "Figures", "gallery", figures(made)),
+        pages.Section("figures", "Figures", "gallery", gallery),
         pages.Section("points", "Points", "table", points(study)),
         pages.Section("limits", "Limits of the model", "list", report_text.limits(results)),
         pages.Section("origin", "Origin", "table", pages.Table(("", ""), report_text.origin_rows(study.sweep))),
     ]
     subtitle = f"{finished} of {len(study.sweep.points)} points finished · {solving_time(study)}"
-    return pages.page(f"{title}: sweep", subtitle, sections, script=pages.chart_script(script(study)))
+    return pages.page(f"{title}: sweep", subtitle, sections, answer=(answer(study), picture),
+                      script=pages.chart_script({**script(study), "FIGURES": ("chart_cells.js", chart_data(charts))}))
 
 
 def solving_time(study):
@@ -122,6 +181,6 @@ def solving_time(study):
     return " · ".join(parts)
 
 
-def make(study, verdicts, made):
-    """Writes report.html of a sweep and returns its path; `verdicts` is a section, `made` pairs of entry and Made."""
-    return pages.write_page(study.folder / "report.html", page(study, verdicts, made))
+def make(study, verdicts):
+    """Writes report.html of a sweep and returns its path; `verdicts` is a section."""
+    return pages.write_page(study.folder / "report.html", page(study, verdicts))

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Files that may come from elsewhere: ordinary ones of bounded size, and JSON of bounded depth with finite numbers alone."""
 
+import csv
+import io
 import json
 import math
 import os
@@ -86,3 +88,11 @@ def _finite(text):
     if not math.isfinite(value):
         raise ValueError(f"{text[:20]} is too large a number")
     return value
+
+
+def read_rows(path):
+    """The rows of a CSV file, each a list of cells; at least the header. Raises as read_text does, csv.Error and ValueError."""
+    rows = list(csv.reader(io.StringIO(read_text(path), newline=""), strict=True))
+    if not rows:
+        raise ValueError("it has no header")
+    return rows

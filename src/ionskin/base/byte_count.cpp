@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <locale>
 #include <sstream>
 #include <utility>
 
@@ -15,6 +16,7 @@ namespace ionskin::base {
 
 std::uintmax_t byte_count(const std::string& name, const std::string& text) {
   std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
   double amount = -1;
   std::string unit, rest;
   stream >> amount >> unit;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <string>
 
 namespace ionskin::base {
@@ -13,8 +14,13 @@ std::string percent(double share) {
     return "over 1000 %";
   }
   // Rounded to two digits first: a plain format would give ten or more an exponent or more digits.
-  return value < 10 ? fmt::format("{:.2g} %", value)
-                    : fmt::format("{:.0f} %", std::stod(fmt::format("{:.1e}", value)));
+  if (value < 10) {
+    return fmt::format("{:.2g} %", value);
+  }
+  const std::string rounded = fmt::format("{:.1e}", value);
+  double two_digits = value;
+  std::from_chars(rounded.data(), rounded.data() + rounded.size(), two_digits);
+  return fmt::format("{:.0f} %", two_digits);
 }
 
 } // namespace ionskin::base

@@ -102,16 +102,6 @@ std::vector<std::string> split(std::string_view text, char separator, std::strin
   return parts;
 }
 
-std::string foreign_separator(std::string_view header) {
-  if (header.find(',') != std::string_view::npos) {
-    return "";
-  }
-  if (header.find(';') != std::string_view::npos) {
-    return "semicolons";
-  }
-  return header.find('\t') == std::string_view::npos ? "" : "tabs";
-}
-
 std::string shown(std::string_view text, std::size_t most) {
   // The ends alone are looked at, however long the text is.
   if (text.size() > 4 * most)

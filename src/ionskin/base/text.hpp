@@ -7,20 +7,12 @@
 
 namespace ionskin::base {
 
-/// What may stand around an entry of a CSV file; with the end of a Windows line.
-inline constexpr std::string_view csv_blanks = " \t\r\"";
-
 /// The text without the blanks at its ends.
 std::string trimmed(std::string_view text, std::string_view blanks = " \t");
 
 /// The parts before, between and after the separators, each trimmed; one even of an empty text.
 std::vector<std::string> split(std::string_view text, char separator,
                                std::string_view blanks = " \t");
-
-/// What separates the columns of a header where it is no comma: "semicolons", "tabs", or empty.
-std::string foreign_separator(std::string_view header);
-inline constexpr const char* foreign_separator_remedy =
-    "separate columns by commas and write decimal points: sed 's/,/./g; s/[;\\t]/,/g' FILE";
 
 /// A user's text for a message: one line, control bytes and bytes that are no UTF-8 escaped
 /// ("\\x1b"), the middle of a long one left out.

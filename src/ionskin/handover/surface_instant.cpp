@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/handover/surface_instant.hpp"
 
-#include <algorithm>
-
 namespace ionskin::handover {
 
 SurfaceInstant::Vector SurfaceInstant::moved(const SurfaceInstant& before) const {
@@ -31,8 +29,7 @@ std::vector<double> cell_areas(const mechanics::ContactSolution& contact) {
 SurfaceInstant surface_instant(const StateCombination& combination,
                                const std::vector<double>& areas) {
   SurfaceInstant result;
-  result.slider = {std::max(0.0, -combination.height), combination.centre[0],
-                   combination.centre[1]};
+  result.slider = {-combination.height, combination.centre[0], combination.centre[1]};
   result.force.resize(areas.size());
   result.surface.resize(areas.size());
   for (const auto& [state, weight] : combination.terms) {

@@ -48,6 +48,9 @@ Json stages_json(const std::map<std::string, StageRecord>& stages) {
     json[name] = {{"state", stage.state},
                   {"wall_time_s", stage.wall_time},
                   {"peak_memory_bytes", stage.peak_memory}};
+    if (!stage.source.empty()) {
+      json[name]["source"] = stage.source;
+    }
   }
   return json;
 }
@@ -71,7 +74,7 @@ std::map<std::string, StageRecord> read_stages(const Json& json) {
   std::map<std::string, StageRecord> stages;
   for (const auto& [name, stage] : json.items()) {
     stages[name] = {stage.at("state").get<std::string>(), stage.at("wall_time_s").get<double>(),
-                    stage.at("peak_memory_bytes").get<double>()};
+                    stage.at("peak_memory_bytes").get<double>(), stage.value("source", "")};
   }
   return stages;
 }

@@ -14,6 +14,8 @@
 #include <mutex>
 #include <string_view>
 
+#include <locale.h>
+
 namespace ionskin::units {
 
 namespace {
@@ -21,11 +23,28 @@ namespace {
 using Unit = std::unique_ptr<ut_unit, decltype(&ut_free)>;
 using Converter = std::unique_ptr<cv_converter, decltype(&cv_free)>;
 
-// udunits2 keeps its parser and its status in globals.
-std::mutex& library_mutex() {
-  static std::mutex mutex;
-  return mutex;
-}
+/// udunits2 keeps its parser and its status in globals, and reads numbers as the locale of the
+/// thread writes them: a host with decimal commas would have its database read wrongly.
+class LibraryUse {
+public:
+  LibraryUse() : lock_(mutex()), before_(uselocale(c_locale())) {}
+  ~LibraryUse() { uselocale(before_); }
+  LibraryUse(const LibraryUse&) = delete;
+  LibraryUse& operator=(const LibraryUse&) = delete;
+
+private:
+  static std::mutex& mutex() {
+    static std::mutex mutex;
+    return mutex;
+  }
+  static locale_t c_locale() {
+    static locale_t const locale = newlocale(LC_ALL_MASK, "C", nullptr);
+    return locale;
+  }
+
+  std::scoped_lock<std::mutex> lock_;
+  locale_t before_;
+};
 
 // udunits2 knows whole powers only, so the unit of noise densities is one of its own.
 constexpr const char* root_hertz = "roothertz";
@@ -45,14 +64,13 @@ std::string with_root_hertz(const std::string& unit) {
 }
 
 ut_system* unit_system() {
-  static const std::unique_ptr<ut_system, decltype(&ut_free_system)> system = [] {
+  static std::unique_ptr<ut_system, decltype(&ut_free_system)> system(nullptr, &ut_free_system);
+  if (!system) { // tried again where it failed: the host may have set the path meanwhile
     ut_set_error_message_handler(ut_ignore);
-    std::unique_ptr<ut_system, decltype(&ut_free_system)> read(ut_read_xml(nullptr),
-                                                               &ut_free_system);
-    if (read)
-      add_root_hertz(read.get());
-    return read;
-  }();
+    system.reset(ut_read_xml(nullptr));
+    if (system)
+      add_root_hertz(system.get());
+  }
   if (!system)
     throw UserError(
         "the unit database of udunits2 cannot be read\n"
@@ -168,14 +186,14 @@ constexpr std::size_t most_converters = 256;
 } // namespace
 
 bool unit_is_known(const std::string& unit) {
-  const std::scoped_lock lock(library_mutex());
+  const LibraryUse use;
   return parse(unit) != nullptr;
 }
 
 std::optional<double> convert_unit(double value, const std::string& unit,
                                    const std::string& si_unit) {
   static std::map<std::pair<std::string, std::string>, Converter> converters;
-  const std::scoped_lock lock(library_mutex());
+  const LibraryUse use;
   auto known = converters.find({unit, si_unit});
   if (known == converters.end()) {
     if (converters.size() == most_converters)
@@ -188,7 +206,7 @@ std::optional<double> convert_unit(double value, const std::string& unit,
 }
 
 std::string in_base_units(const std::string& unit) {
-  const std::scoped_lock lock(library_mutex());
+  const LibraryUse use;
   const Unit parsed = parse(unit);
   if (!parsed)
     return {};

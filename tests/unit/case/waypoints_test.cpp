@@ -115,9 +115,26 @@ TEST(Waypoints, MistakesInAFileAreSaidWithTheirLine) {
               HasSubstr("did you mean \"height\"?"));
   EXPECT_THAT(error_of_file(header + "0, 4, 1\n"), HasSubstr("path.csv:2"));
   EXPECT_THAT(error_of_file(header + "0, 4, 1, 5\n1, four, 1, 5\n"), HasSubstr("path.csv:3"));
-  EXPECT_THAT(error_of_file(header + "0, 4, 1, 5\n1, 4, 1, 5\n1, 4, 1, 5\n"),
-              HasSubstr("path.csv:4"));
+  EXPECT_THAT(error_of_file(header + "0, 4, 1, 5\n1, 4, 1, 5\n1, 4, 1, 6\n"),
+              AllOf(HasSubstr("path.csv:4"), HasSubstr("average them")));
+  EXPECT_THAT(error_of_file("\xEF\xBB\xBF"
+                            "Time (s)\tx (mm)\ty (mm)\theight (mm)\r0\t4,5\t1\t1\r"
+                            "1\t4,5\t1\tlow\r"),
+              AllOf(HasSubstr("path.csv:3"), HasSubstr("low")));
   EXPECT_THAT(error_of_file(""), HasSubstr("no header"));
+}
+
+TEST(Waypoints, AreReadAsProgramsLeaveThem) {
+  const std::string bom = "\xEF\xBB\xBF";
+  for (const std::string& text :
+       {std::string("time [s],x [mm],y [mm],height "
+                    "[mm]\n0,4.5,1,1\n1,4.5,1,-1e-3\n1,4.5,1,-1e-3\n2,4.5,1,1\n"),
+        bom + "Time [s];x [mm];y [mm];height [mm]\r\n0;4,5;1;1\r\n1;4,5;1;-1e-3\r\n2;4,5;1;1\r\n",
+        std::string(
+            ",time [s],x [mm],y [mm],height [mm]\r0,0,4.5,1,1\r1,1,4.5,1,-1e-3\r2,2,4.5,1,1\r"),
+        std::string(
+            "time [s],x [mm],y [mm],height [mm],\n0,4.5,1,1,\n1,4.5,1,-1e-3,\n2,4.5,1,1,\n")})
+    EXPECT_EQ(error_of_file(text), "") << text;
 }
 
 } // namespace

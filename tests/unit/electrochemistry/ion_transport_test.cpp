@@ -195,10 +195,11 @@ TEST(IonTransport, UniformShearChargesBothElectrodesAlikeAtOnce) {
   }
 }
 
-Case beside_capacitor(double resistance, double capacitance) {
+Case beside_capacitor(double load_resistance, double load_capacitance) {
   Case input = coarse_case();
   input.readout.circuit = "parallel-rc";
-  input.readout.parameters = {{"load_resistance", resistance}, {"load_capacitance", capacitance}};
+  input.readout.parameters = {{"load_resistance", load_resistance},
+                              {"load_capacitance", load_capacitance}};
   return input;
 }
 

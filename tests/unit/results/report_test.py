@@ -19,9 +19,8 @@ from PIL import Image
 
 from ionskin import Results
 from ionskin.analysis import paper
-from ionskin.charts import readout, spans
+from ionskin.charts import readout, sketches, spans
 from ionskin.charts.chart import Curve, Map
-from ionskin.drawing import figures_model
 from ionskin.figures import charts, draw_all
 from ionskin.page import chart_data, report_text
 from ionskin.report import make_gallery, make_report
@@ -68,7 +67,7 @@ class Report(unittest.TestCase):
         cls.page = make_report(cls.folder).read_text()
 
     def test_says_what_the_run_says(self):
-        for words in ("A &lt;small&gt; case", "pressure &lt; 5 &amp; &gt; 3", "65.25", "0.4 %", "10.00 s", "2.50 GB",
+        for words in ("A &lt;small&gt; case", "pressure &lt; 5 &amp; &gt; 3", "65.2 N", "± 0.4 %", "<code>normal_force_slide</code>", "Normal force, mid-slide", "10.00 s", "2.50 GB",
                       "321", "15 mm", "column-neutral", "ionskin 9.9"):
             self.assertIn(words, self.page)
 
@@ -82,7 +81,7 @@ class Report(unittest.TestCase):
             shutil.copy(folder / "sampled.csv", folder / "sampled_error.csv")
             results = Results(folder)
             self.assertEqual(report_text.metric_rows(results)[0][3], "does not converge: extreme under a sharp edge")
-            self.assertIn('<td class="words">does not converge: extreme', make_report(folder).read_text())
+            self.assertIn('<td class="error">does not converge: extreme', make_report(folder).read_text())
             self.assertIsNone(results.stated_error("normal_force_slide"))
             lower, upper = results.band("sampled", "current_top")
             self.assertEqual((lower[0], upper[0]), (0.0, 4e-6))
@@ -100,7 +99,7 @@ class Report(unittest.TestCase):
         self.assertNotIn("url(http", self.page)
 
     def test_every_figure_stands_in_the_page_and_is_a_file_where_asked_for(self):
-        names = {"motion", "shear", "currents", "forces", "charge", "relaxation"}
+        names = {"reading", "motion", "shear", "currents", "forces", "charge", "relaxation"}
         self.assertEqual(set(re.findall(r'id="chart-([^"]+)"', self.page)), names)
         self.assertEqual(set(self.data()["charts"]), names)
         with tempfile.TemporaryDirectory() as folder:
@@ -148,10 +147,39 @@ class OtherRuns(unittest.TestCase):
         return [entry.name for entry, _ in draw_all(Results(self.folder))]
 
     def test_runs_from_a_strain_file_have_no_motion(self):
-        self.assertEqual(self.figures(contact=False), ["shear", "currents", "charge"])
+        self.assertEqual(self.figures(contact=False), ["reading", "shear", "currents", "charge"])
 
     def test_mechanics_alone_has_no_currents(self):
         self.assertEqual(self.figures(ions=False), ["motion", "shear", "forces"])
+
+    def test_opens_with_what_can_be_read(self):
+        write_run(self.folder)
+        path = self.folder / "summary.json"
+        summary = json.loads(path.read_text())
+        summary["metrics"] |= {"peak_sampled_current_difference": {"value": 4.783e-4, "unit": "A"}, "peak_voltage": {"value": 0.01397, "unit": "V"}}
+        summary["error_estimate"] |= {"peak_sampled_current_difference": 0.0093, "peak_voltage": 0.037}
+        path.write_text(json.dumps(summary))
+
+        def opening():
+            text = make_report(self.folder).read_text()
+            self.assertLess(text.index('class="lead"'), text.index('id="warnings"'))
+            return re.search(r'<p class="lead">(.*)</p>', text)[1]
+
+        self.assertEqual(opening(), "An ammeter between the electrodes reads up to 478 µA (± 0.93 %) at 1 s, as sliding begins, the mean over 1 s.")
+        (self.folder / "circuit.csv").write_text("time [s],voltage [V]\n0,0\n4,1e-3\n")
+        self.assertIn("Between the electrodes a voltmeter reads up to 14 mV (± 3.7 %) at 4 s", opening())
+        (self.folder / "circuit.csv").write_text("time [s],current [A],charge [C]\n0,0,0\n4,1e-9,2e-9\n")
+        self.assertIn("The amplifier between the electrodes reads up to 1 nA", opening())
+
+    def test_a_page_does_not_tell_the_folders_of_its_machine(self):
+        write_run(self.folder)
+        path = self.folder / "manifest.json"
+        command = "ionskin run '/home/ada/my cases/x.toml' --set motion.file=/home/ada/path.csv -o /tmp/out m2/s cases/y.toml"
+        path.write_text(json.dumps(json.loads(path.read_text()) | {"command": command}))
+        page = make_report(self.folder).read_text()
+        self.assertNotIn("/home", page)
+        for words in ("…/x.toml", "…/path.csv", "…/out", "m2/s cases/y.toml"):
+            self.assertIn(words, page)
 
     def test_every_circuit_is_drawn(self):
         """An instrument such as the amplifier has no voltage, and its current a logarithmic axis."""
@@ -186,7 +214,7 @@ class Reading(unittest.TestCase):
 
     def test_percent(self):
         self.assertEqual([percent(share) for share in (2.1e-6, 0.0065, 0.28, 1.004, 8.84, 6158.0)],
-                         ["0.00021 %", "0.65 %", "28 %", "100 %", "880 %", "over 1000 %"])
+                         ["below 0.01 %", "0.65 %", "28 %", "100 %", "880 %", "over 1000 %"])
 
     def test_si_scale(self):
         self.assertEqual(si_scale(0.02), (1e-3, "m"))
@@ -231,7 +259,7 @@ circuit = "load"
 
     def test_page_and_figures_are_made_and_nothing_is_run(self):
         page = make_report(self.folder).read_text()
-        for heading in ("Skin and slider", "Readout circuit", "Taxels", "Taxel signals"):
+        for heading in ("Skin and slider", "Taxels", "Taxel signals"):
             self.assertIn(f"<h2>{heading}</h2>", page)
         self.assertNotIn("<script>alert", page)
         self.assertEqual(page.count("</title>"), 1)
@@ -288,14 +316,14 @@ class Words(unittest.TestCase):
         told = types.SimpleNamespace(case={}, circuit=None, circuit_words={
             "words": "resistor of 1e+06 ohm and capacitor of 1e-10 F in parallel", "top_potential": "φ = U = R I"})
         self.assertEqual(readout.circuit_words(told), "Resistor of 1 MΩ and capacitor of 100 pF in parallel")
-        self.assertEqual(figures_model.wall_potentials(told)["top"], "φ = U = R I")
+        self.assertEqual(sketches.wall_potentials(told)["top"], "φ = U = R I")
         older = types.SimpleNamespace(case={"readout": {"circuit": "open"}}, circuit_words={},
                                       circuit=types.SimpleNamespace(has=lambda *_: True))
         self.assertEqual(readout.circuit_words(older), "Open circuit")
-        self.assertEqual(figures_model.wall_potentials(older)["top"], "φ = U")
+        self.assertEqual(sketches.wall_potentials(older)["top"], "φ = U")
         shorted = types.SimpleNamespace(case={}, circuit_words={}, circuit=None)
         self.assertEqual(readout.circuit_words(shorted), "Short circuit")
-        self.assertEqual(figures_model.wall_potentials(shorted)["top"], "φ = 0")
+        self.assertEqual(sketches.wall_potentials(shorted)["top"], "φ = 0")
 
     def test_captions_and_limits_follow_slider_and_law(self):
         sharp = types.SimpleNamespace(case={"slider": {"size": []}, "coupling": {"law": "fixed-charge"}})
@@ -360,6 +388,11 @@ class Words(unittest.TestCase):
         results = types.SimpleNamespace(summary={"timing": timing}, manifest={
             "stages": {"mechanics": {"wall_time_s": 88.0}}, "counters": {"seconds_factorisation": 132.0, "factorisations": 4}})
         self.assertEqual([row[2] for row in report_text.timing_rows(results)], ["88.00 s", "88.00 s"])
+        read = {"strain": {"state": "finished", "wall_time_s": 0.1, "source": "cache"}}
+        results = types.SimpleNamespace(summary={"timing": {"mechanics": 0.0, "strain": 0.1}}, manifest={
+            "stages": read, "counters": results.manifest["counters"]})
+        self.assertEqual(report_text.timing_rows(results), [("mechanics", "read from the cache", "", ""),
+                                                            ("strain", "read from the cache", "0.10 s", ""), ("sum", "", "0.10 s", "")])
         self.assertEqual(report_text.counter_rows(results),
                          [("factorisation, summed over threads", "132 s"), ("factorisations", "4")])
 

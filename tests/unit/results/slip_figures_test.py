@@ -12,8 +12,8 @@ import numpy
 
 from ionskin import CaseError, Results, Study
 from ionskin.analysis import slip
-from ionskin.charts import onset
-from ionskin.drawing import draw_chart, figures_slip
+from ionskin.charts import onset, trends
+from ionskin.drawing import draw_chart
 from report_test import write_run
 from sweep_report_test import FRICTIONS, overlapping_texts, write_sweep
 
@@ -123,7 +123,7 @@ class Window(SlipTest):
     def words(self, **what):
         study = self.write(**what)
         told = {current: [slip.told(member.results, current) for member in study.members] for current in slip.CURRENTS}
-        words = figures_slip.window_words(study, told)
+        words = trends.window_words(study, told)
         shutil.rmtree(self.folder)
         self.folder.mkdir()
         return words
@@ -138,13 +138,24 @@ class Window(SlipTest):
     def test_names_each_part_of_a_window(self):
         study = self.write()
         yes, no = (slip.Told(1.0, 0.0, 0.1, lead, 0.0, 0.5) for lead in (1.0, 0.1))
-        self.assertEqual(figures_slip.window_words(study, {"difference": [yes, yes, no, no, yes]}), "told at 0.1–0.2, 0.5")
+        self.assertEqual(trends.window_words(study, {"difference": [yes, yes, no, no, yes]}), "told at 0.1–0.2, 0.5")
 
     def test_is_drawn_of_a_sweep_alone(self):
-        figure = figures_slip.friction_window(self.write())
-        self.assertEqual(crowded_words(figure), [])
-        self.assertIn("told at 0.3–0.5", figure.axes[1].get_title(loc="right"))
-        self.assertIn("sweep contact.friction", figures_slip.friction_window(Study(self.folder / "points" / "0001")))
+        chart = trends.friction_window(self.write())
+        self.assertEqual(crowded_words(draw_chart.draw(chart)), [])
+        self.assertEqual(chart.note, "Told at 0.3–0.5.")
+        self.assertIn("sweep contact.friction", trends.friction_window(Study(self.folder / "points" / "0001")))
+
+    def test_shows_a_departure_below_the_noise_or_says_that_there_is_none(self):
+        cell = trends.friction_window(self.write(noise=1e-3)).rows[0][1]
+        self.assertEqual([curve.label for curve in cell.curves], ["difference", "3 × noise floor"])
+        for number in range(1, len(FRICTIONS) + 1):
+            path = self.folder / "points" / f"{number:04}" / "summary.json"
+            summary = json.loads(path.read_text())
+            del summary["metrics"]["precursor_current_difference"]
+            path.write_text(json.dumps(summary))
+        cell = trends.friction_window(Study(self.folder)).rows[0][1]
+        self.assertEqual((cell.curves, [note.words for note in cell.notes]), ((), ["no reading falls before full slip"]))
 
 
 if __name__ == "__main__":

@@ -5,6 +5,8 @@ import json
 import pathlib
 import re
 import shutil
+import subprocess
+import sys
 import tempfile
 import unittest
 from types import SimpleNamespace
@@ -13,12 +15,13 @@ import matplotlib.text
 import matplotlib.transforms
 import numpy
 
+import page_faults
 from browser import browser_page, chromium
 from ionskin import Results, Study
 from ionskin import compare
 from ionskin.analysis import claims, regimes, sensitivity
-from ionskin.charts import contact
-from ionskin.drawing import gallery
+from ionskin.charts import contact, numbered
+from ionskin.drawing import draw_chart
 from ionskin.report import make_gallery, make_report
 from report_test import write_run
 
@@ -95,7 +98,7 @@ class Figures(SweepTest):
 
     def test_one_run_leaves_out_the_maps_with_a_reason(self):
         write_run(self.folder)
-        drawn = {entry.name: figure for entry, figure in gallery.draw(Study(self.folder))}
+        drawn = dict((entry.name, chart) for entry, chart in numbered.charts(Study(self.folder)))
         self.assertEqual(len(drawn), 23)
         for name in ("fig06_shear_map", "fig10_current_map", "fig16_correlation"):
             self.assertIn("several runs", drawn[name])
@@ -227,11 +230,57 @@ class Page(SweepTest):
     def test_stands_alone_and_says_what_failed(self):
         write_sweep(self.folder)
         page = make_report(self.folder).read_text()
-        self.assertEqual([link for link in re.findall(r'(?:src|href)="(?!#)([^"]*)"', page)
-                          if not link.startswith("data:image/png;base64,")], [])
+        self.assertEqual(re.findall(r'(?:src|href)="(?!#)([^"]*)"', page), [])
         self.assertNotIn("url(http", page)
         self.assertIn("it broke, badly", page)
         self.assertIn("5 of 6 points finished", page)
+
+    def test_warnings_of_all_points_are_collected(self):
+        write_sweep(self.folder)
+        path = self.folder / "points" / "0002" / "summary.json"
+        summary = json.loads(path.read_text())
+        path.write_text(json.dumps(summary | {"warnings": summary["warnings"] + ["It broke at 7 mm."]}))
+        page = make_report(self.folder).read_text()
+        self.assertIn("<li>Every point: pressure &lt; 5 &amp; &gt; 3</li>", page)
+        self.assertIn("<li>µ = 0.2: It broke at 7 mm.</li>", page)
+
+    def test_figures_carry_numbers_and_captions_and_are_drawn_by_the_page(self):
+        write_sweep(self.folder)
+        page = make_report(self.folder).read_text()
+        self.assertRegex(page, r'<h3 id="fig07_peaks">Figure 7\. Peaks</h3>\s*<figure[^>]*>\s*<div class="cells" id="chart-fig07_peaks">')
+        self.assertIn("Peak of the mean shear, with power laws", page)
+        self.assertIn("Figures 21, 22: left out", page)
+        code = (f"import sys; from ionskin.report import make_report; make_report({str(self.folder)!r}); sys.exit('matplotlib' in sys.modules)")
+        self.assertEqual(subprocess.run([sys.executable, "-c", code], check=False).returncode, 0)
+
+    def test_opens_with_what_can_be_read_and_where_it_is_largest(self):
+        write_sweep(self.folder)
+        lead = re.search(r'<p class="lead">(.*)</p>', make_report(self.folder).read_text())[1]
+        self.assertEqual(lead, "Peak sampled difference current: from 5 mA at µ = 0.1 to 25 mA at µ = 0.5.")
+
+    def test_curves_that_coincide_are_said_to(self):
+        write_sweep(self.folder)
+        chart = dict((entry.name, chart) for entry, chart in numbered.charts(Study(self.folder), ["fig08_means"]))["fig08_means"]
+        self.assertIn("These curves coincide: top, bottom, difference and common.", chart.note)
+
+    @unittest.skipUnless(chromium(), "no Chromium on this machine: apt-get install chromium to test the page in it")
+    def test_has_no_fault_on_a_desktop_and_a_telephone(self):
+        write_sweep(self.folder)
+        with browser_page(make_report(self.folder)) as page:
+            for width in page_faults.WIDTHS:
+                self.assertEqual(page_faults.faults(page, width), [])
+
+    @unittest.skipUnless(chromium(), "no Chromium on this machine: apt-get install chromium to test the page in it")
+    def test_faults_of_a_page_are_found(self):
+        path = self.folder / "faulty.html"
+        path.write_text("""<!doctype html><meta name=viewport content="width=device-width"><main><p>One</p><p style="margin-top:-2.2em">Two</p>
+          <div style="overflow:auto;width:90px;white-space:nowrap">A line that goes on and on and on</div>
+          <div class="chart"><svg viewBox="0 0 100 40" width="100" height="40" style="overflow:hidden"><text class="name" x="60" y="20">Cut at the edge</text></svg></div>
+          <figure aria-label="nothing"></figure></main><script>console.error("an error")</script>""")
+        with browser_page(path) as page:
+            found = " ".join(page_faults.faults(page, 390))
+        for words in ('overlap: "Two" and "One"', 'cut off: "Cut at the edge"', "sideways: div A line", "empty: nothing", "empty: Cut at", "console: "):
+            self.assertIn(words, found)
 
     @unittest.skipUnless(chromium(), "no Chromium on this machine: apt-get install chromium to test the page in it")
     def test_clicking_through_the_page(self):
@@ -260,7 +309,7 @@ class Page(SweepTest):
             for width in (1300, 390):
                 page.call("Emulation.setDeviceMetricsOverride", width=width, height=2400, deviceScaleFactor=1, mobile=width < 500)
                 page.settle()
-                for name, count in (("motion", 2), ("currents", 3), ("circuit", 3), ("relaxation", 2)):
+                for name, count in (("motion", 2), ("currents", 3), ("answer", 3), ("relaxation", 2)):
                     self.assertEqual(page.evaluate(f"document.querySelectorAll('#{name} .cells svg').length"), count, name)
                 self.assertGreater(page.evaluate("document.querySelectorAll('#forces path.curve').length"), 1)
                 self.assertEqual(page.overlapping_labels(".cells svg"), [])
@@ -312,7 +361,7 @@ class Page(SweepTest):
     def choose_another_metric(self, page):
         left, top, width, height = page.box("#metrics button:nth-child(3)")
         page.click(left + width / 2, top + height / 2)
-        self.assertEqual(page.evaluate("document.querySelector('#trend .name').textContent"), "peak sampled current top")
+        self.assertEqual(page.evaluate("document.querySelector('#trend .name').textContent"), "Peak sampled current, top")
         left, top, width, height = page.box("#trend circle:nth-of-type(1)")
         page.click(left + width / 2, top + height / 2)
         self.assertEqual(page.evaluate("document.querySelector('#explore [aria-pressed=true]').textContent"), "µ = 0.1")
@@ -374,11 +423,12 @@ class SampledSweep(SweepTest):
                                    "peak_sampled_current_top": {"value": 1e-3 * number, "unit": "A"}}
             path.write_text(json.dumps(summary | {"error_estimate": {"peak_mean_shear": 0.5}}))
         names = ["fig05_shear", "fig07_peaks", "fig15_normalised", "fig20_charge", "fig21_scatter", "fig22_sensitivity"]
-        for entry, figure in gallery.draw(Study(self.folder), names):
+        for entry, chart in numbered.charts(Study(self.folder), names):
             with self.subTest(entry.name):
-                self.assertEqual(overlapping_texts(figure), [])
+                self.assertEqual(overlapping_texts(draw_chart.draw(chart)), [])
             if entry.name == "fig07_peaks":  # the longest error bar ends within its panel
-                self.assertGreater(figure.axes[0].get_ylim()[1], 1.5 * figure.axes[0].lines[0].get_ydata().max())
+                cell = chart.rows[0][0]
+                self.assertGreater(cell.y.high, 1.5 * cell.curves[0].y.max())
 
     def test_rising_is_judged_by_ranks(self):
         verdict = next(entry for entry in claims.judge(Study(self.folder)) if "peak of the mean shear rises" in entry.claim)
@@ -404,8 +454,9 @@ class SampledSweep(SweepTest):
                 return [...svg.querySelectorAll('text[style]')].filter((text) => text.getBBox().y < axis.y + axis.height
                     && text.getBBox().y + text.getBBox().height > axis.y + 1).map((text) => text.textContent); })""")
             self.assertEqual(covered, [])  # names of curves stand beside the curves
-            self.assertIn("sideways", page.evaluate("getComputedStyle(document.querySelector('.wide'), '::before').content"))
             self.assertEqual(page.errors, [])
+            for width in page_faults.WIDTHS:
+                self.assertEqual(page_faults.faults(page, width), [])
 
 
 if __name__ == "__main__":

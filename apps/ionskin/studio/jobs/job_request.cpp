@@ -12,7 +12,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
+#include <charconv>
 
 namespace ionskin::apps::studio {
 
@@ -29,9 +29,10 @@ std::string python_text(const std::string& text) {
 }
 
 bool is_number(const std::string& text) {
-  char* end = nullptr;
-  std::strtod(text.c_str(), &end);
-  return !text.empty() && *end == '\0' && std::isspace(static_cast<unsigned char>(text[0])) == 0;
+  double ignored = 0;
+  const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
+  const auto [end, status] = std::from_chars(begin, text.data() + text.size(), ignored);
+  return status == std::errc() && end == text.data() + text.size();
 }
 
 /// A value that stands alone on a command line: no separator of the sweep's own grammar in it.

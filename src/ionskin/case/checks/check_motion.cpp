@@ -4,13 +4,13 @@
 #include "ionskin/base/files/read_text_file.hpp"
 #include "ionskin/case/schema/schema.hpp"
 #include "ionskin/case/slider_motion.hpp"
+#include "ionskin/case/text/csv_file.hpp"
 #include "ionskin/laws/friction/friction_law.hpp"
 #include "ionskin/units/quantity.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace ionskin {
@@ -109,7 +109,10 @@ private:
     if (here.time <= before.time)
       add(fmt::format("waypoint {} at {:.6g} s does not come after waypoint {} at {:.6g} s", i + 1,
                       here.time, i, before.time),
-          point_at_waypoint(document_, i), "the times of waypoints must ascend");
+          point_at_waypoint(document_, i),
+          here.time == before.time
+              ? "two places at one time: average them, or drop all rows of that time but one"
+              : "the times of waypoints must ascend: sort the rows by time");
   }
 
   void check_ends() {
@@ -165,15 +168,6 @@ void check_kind(const CaseDocument& document, Problems& problems) {
   }
 }
 
-// A few of the same file's lines are asked for, each in a message.
-std::string line_of(const std::string& path, std::size_t number) {
-  std::istringstream stream(base::read_text_file(path, "waypoint"));
-  std::string line;
-  for (std::size_t i = 0; i < number; ++i)
-    std::getline(stream, line);
-  return line;
-}
-
 } // namespace
 
 std::vector<Pointer> point_at_waypoint(const CaseDocument& document, std::size_t index,
@@ -182,7 +176,8 @@ std::vector<Pointer> point_at_waypoint(const CaseDocument& document, std::size_t
   const std::size_t line = motion.waypoints[index].line;
   if (line == 0)
     return document.point_at(fmt::format("motion.waypoints[{}].time", index), note);
-  const std::string text = line_of(motion.file, line);
+  // A few of the same file's lines are asked for, each in a message.
+  const std::string text = csv_line(base::read_text_file(motion.file, "waypoint"), line);
   return {{{motion.file, line, 1, text.size(), text}, note}};
 }
 

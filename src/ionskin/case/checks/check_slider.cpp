@@ -54,6 +54,15 @@ void check_softness(const CaseDocument& document, Problems& problems) {
   }
 }
 
+/// Plan of a slider of this shape that is not cut; its own where the shape has none.
+std::array<double, 2> whole_size(Slider slider) {
+  const std::array<double, 2> own = slider.size;
+  slider.size = {};
+  return shapes::shape_row(slider.shape).has_whole_plan
+             ? slider.underside()->whole_plan().value_or(own)
+             : own;
+}
+
 } // namespace
 
 void check_slider(const CaseDocument& document, Problems& problems) {
@@ -66,6 +75,22 @@ void check_slider(const CaseDocument& document, Problems& problems) {
       keys.push_back("slider." + key);
     problems.add(misfit.message, places(document, keys), misfit.remedy);
   }
+}
+
+std::vector<std::string> notes_on_slider(const CaseDocument& document) {
+  const ValueRecord* shape = document.find("slider.shape");
+  const ValueRecord* size = document.find("slider.size");
+  if (shape == nullptr || size == nullptr || shape->origin != ValueOrigin::set_edit ||
+      size->origin != ValueOrigin::file) {
+    return {};
+  }
+  const Slider& slider = document.input.slider;
+  return {fmt::format(
+      "slider.shape is changed to \"{}\", and keeps the plan of the shape in the file, {:.6g} mm x "
+      "{:.6g} mm{}. Set slider.size too, such as slider.size=[\"{:.6g} mm\", \"{:.6g} mm\"].",
+      slider.shape, slider.size[0] * 1e3, slider.size[1] * 1e3,
+      shapes::shape_row(slider.shape).has_whole_plan ? ", to which it is cut" : "",
+      whole_size(slider)[0] * 1e3, whole_size(slider)[1] * 1e3)};
 }
 
 } // namespace ionskin

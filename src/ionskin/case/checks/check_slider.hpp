@@ -9,4 +9,8 @@ namespace ionskin {
 /// shape itself finds, such as a plan larger than the round body or the height map.
 void check_slider(const CaseDocument& document, Problems& problems);
 
+/// What a user should know of a slider that passes: a shape that was changed by an edit and keeps
+/// the plan of the one in the file.
+std::vector<std::string> notes_on_slider(const CaseDocument& document);
+
 } // namespace ionskin

@@ -25,9 +25,9 @@ public:
   shapes::HeightMap read() {
     shapes::HeightMap map;
     std::string unit;
-    while (std::optional<CsvRow> row = file_.next()) {
-      std::vector<std::string>& fields = row->cells;
-      if (fields.back().empty()) // a comma at the end begins no further field
+    while (std::optional<std::vector<std::string>> row = file_.next()) {
+      std::vector<std::string>& fields = *row;
+      while (fields.back().empty()) // separators at the end begin no further field
         fields.pop_back();
       if (unit.empty()) {
         unit = fields.front();

@@ -5,6 +5,7 @@
 #include "ionskin/base/nearest_name.hpp"
 #include "ionskin/base/text.hpp"
 #include "ionskin/units/quantity.hpp"
+#include "ionskin/units/unit_system.hpp"
 
 #include <fmt/format.h>
 
@@ -130,8 +131,8 @@ private:
       refuse(value,
              fmt::format("{} has no unit: {} is a bare number, expected {}", key_, written(value),
                          units::dimension_info(row_.dimension).name),
-             fmt::format("write it as a text with its unit, such as \"{} {}\"", written(value),
-                         example()));
+             fmt::format("write it as a text with its unit, such as \"{}\"; {}", with_unit(value),
+                         usual_units(row_.dimension)));
     if (!value.is_string())
       refuse(value, fmt::format("{} = {} is not a quantity", key_, written(value)),
              fmt::format("write a text with a number and a unit, such as \"1.5 {}\"", example()));
@@ -144,6 +145,21 @@ private:
                  (row_.other_dimension ? "; " + usual_units(*row_.other_dimension) : ""));
     }
     return in_range(value, result, row_.dimension);
+  }
+
+  /// A bare number with the SI unit where that may be meant, or else the first usual unit that may.
+  std::string with_unit(const toml::value& value) const {
+    const units::DimensionInfo& info = units::dimension_info(row_.dimension);
+    std::vector<std::string> candidates{info.si_unit};
+    candidates.insert(candidates.end(), info.examples.begin(), info.examples.end());
+    const double number =
+        value.is_integer() ? static_cast<double>(value.as_integer()) : value.as_floating();
+    for (const std::string& unit : candidates) {
+      const auto si = units::convert_unit(number, unit, info.si_unit);
+      if (si && row_.range.contains(*si))
+        return written(value) + " " + unit;
+    }
+    return "1.5 " + info.si_unit;
   }
 
   static std::string usual_units(units::Dimension dimension) {

@@ -4,7 +4,7 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/nearest_name.hpp"
 #include "ionskin/base/text.hpp"
-#include "ionskin/case/text/csv_file.hpp"
+#include "ionskin/case/text/csv_table.hpp"
 #include "ionskin/units/quantity.hpp"
 
 #include <fmt/format.h>
@@ -32,21 +32,19 @@ constexpr const char* header_example = "time [s], x [mm], y [mm], height [mm]";
 /// Reads line by line; every mistake is told with its place.
 class WaypointReader {
 public:
-  explicit WaypointReader(const std::string& path) : path_(path), file_(path, "waypoint") {}
+  explicit WaypointReader(const std::string& path) : table_(path, "waypoint") {}
 
   std::vector<Waypoint> read() {
+    read_header();
     std::vector<Waypoint> waypoints;
-    while (const std::optional<CsvRow> row = file_.next()) {
-      if (columns_.empty())
-        read_header(*row);
-      else
-        waypoints.push_back(read_row(row->cells));
+    while (const auto cells = table_.next()) {
+      const Waypoint waypoint = read_row(*cells);
+      if (waypoints.empty() || !same(waypoint, waypoints.back()))
+        waypoints.push_back(waypoint);
       if (waypoints.size() > most_waypoints)
-        refuse(fmt::format("more than {} waypoints", most_waypoints),
-               "leave out those that lie on the way between their neighbours");
+        table_.refuse(fmt::format("more than {} waypoints", most_waypoints),
+                      "leave out those that lie on the way between their neighbours");
     }
-    if (columns_.empty())
-      refuse("the file has no header", fmt::format("begin with \"{}\"", header_example));
     return waypoints;
   }
 
@@ -55,28 +53,28 @@ private:
     std::string name, unit;
   };
 
-  [[noreturn]] void refuse(const std::string& message, const std::string& remedy) const {
-    throw UserError(
-        fmt::format("{}\n --> {}:{}\n  = {}", message, base::shown(path_), file_.line(), remedy));
+  /// A recorder that stops for a while may write its last row again.
+  static bool same(const Waypoint& a, const Waypoint& b) {
+    return a.time == b.time && a.position == b.position && a.height == b.height &&
+           a.force == b.force;
   }
 
-  void read_header(const CsvRow& row) {
-    if (const std::string separator = base::foreign_separator(row.text); !separator.empty())
-      refuse("the columns are separated by " + separator, base::foreign_separator_remedy);
-    for (const std::string& cell : row.cells) {
-      const CsvTitle title = csv_title(cell);
+  void read_header() {
+    if (table_.titles().empty())
+      table_.refuse("the file has no header", fmt::format("begin with \"{}\"", header_example));
+    for (const CsvTitle& title : table_.titles()) {
       if (!title.unit)
-        refuse(fmt::format("the column \"{}\" has no unit", base::shown(cell)),
-               fmt::format("write names with units, such as \"{}\"", header_example));
+        table_.refuse(fmt::format("the column \"{}\" has no unit", base::shown(title.name)),
+                      fmt::format("write names with units, such as \"{}\"", header_example));
       add_column({title.name, *title.unit});
     }
     for (const char* name : {"time", "x", "y"})
       if (!index_.contains(name))
-        refuse(fmt::format("the column \"{}\" is missing", name),
-               fmt::format("the columns are such as \"{}\"", header_example));
+        table_.refuse(fmt::format("the column \"{}\" is missing", name),
+                      fmt::format("the columns are such as \"{}\"", header_example));
     if (!index_.contains("height") && !index_.contains("force"))
-      refuse("neither a column \"height\" nor a column \"force\" is there",
-             fmt::format("the columns are such as \"{}\"", header_example));
+      table_.refuse("neither a column \"height\" nor a column \"force\" is there",
+                    fmt::format("the columns are such as \"{}\"", header_example));
   }
 
   void add_column(const Column& column) {
@@ -86,13 +84,13 @@ private:
       for (const auto& [name, dimension] : known_columns())
         names.push_back(name);
       const std::string nearest = base::nearest_name(column.name, names);
-      refuse(fmt::format("the column \"{}\" is unknown", base::shown(column.name)),
-             nearest.empty() ? "columns: time, x, y, height, force"
-                             : fmt::format("did you mean \"{}\"?", nearest));
+      table_.refuse(fmt::format("the column \"{}\" is unknown", base::shown(column.name)),
+                    nearest.empty() ? "columns: time, x, y, height, force"
+                                    : fmt::format("did you mean \"{}\"?", nearest));
     }
     value("1", column.unit, known->second, column.name); // refuses a bad unit at once
     if (!index_.emplace(column.name, columns_.size()).second)
-      refuse(fmt::format("the column \"{}\" stands twice", column.name), "keep one of them");
+      table_.refuse(fmt::format("the column \"{}\" stands twice", column.name), "keep one of them");
     columns_.push_back(column);
   }
 
@@ -101,9 +99,9 @@ private:
     try {
       return units::parse_quantity(number + " " + unit, dimension);
     } catch (const UserError& error) {
-      refuse(fmt::format("{}: {}", column, error.what()),
-             fmt::format("{} needs a number, and in the header {}", column,
-                         units::dimension_info(dimension).name));
+      table_.refuse(fmt::format("{}: {}", column, error.what()),
+                    fmt::format("{} needs a number, and in the header {}", column,
+                                units::dimension_info(dimension).name));
     }
   }
 
@@ -119,24 +117,20 @@ private:
   double required(const std::vector<std::string>& cells, const std::string& name) const {
     const auto number = entry(cells, name);
     if (!number)
-      refuse(fmt::format("{} is empty", name), "every line needs time, x and y");
+      table_.refuse(fmt::format("{} is empty", name), "every line needs time, x and y");
     return *number;
   }
 
   Waypoint read_row(const std::vector<std::string>& cells) const {
-    if (cells.size() != columns_.size())
-      refuse(fmt::format("{} entries under {} columns", cells.size(), columns_.size()),
-             "give every line one entry a column; an empty one is nothing between commas");
     const auto height = entry(cells, "height"), force = entry(cells, "force");
     return {required(cells, "time"),
             {required(cells, "x"), required(cells, "y")},
             height,
             force,
-            file_.line()};
+            table_.line()};
   }
 
-  const std::string& path_;
-  CsvFile file_;
+  CsvTable table_;
   std::vector<Column> columns_;
   std::map<std::string, std::size_t> index_;
 };

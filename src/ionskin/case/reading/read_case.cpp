@@ -5,6 +5,7 @@
 #include "ionskin/case/checks/check_case.hpp"
 #include "ionskin/case/checks/check_prescribed.hpp"
 #include "ionskin/case/checks/check_readout.hpp"
+#include "ionskin/case/checks/check_slider.hpp"
 #include "ionskin/case/checks/check_water.hpp"
 #include "ionskin/case/document/height_map_file.hpp"
 #include "ionskin/case/document/materials.hpp"
@@ -123,6 +124,9 @@ CaseDocument read_case_text(const std::string& original, const std::string& path
   document.input.values = values_text(document.records);
   check_case(document);
   document.input.notes = notes_on_readout(document);
+  for (std::string& note : notes_on_slider(document)) {
+    document.input.notes.push_back(std::move(note));
+  }
   return document;
 }
 

@@ -7,8 +7,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <locale>
 #include <optional>
 #include <sstream>
+#include <string>
 
 namespace ionskin {
 
@@ -61,6 +64,30 @@ std::size_t offset_of(const std::string& text, const toml::source_location& wher
   return std::min<std::size_t>(line_begin + where.column() - 1, text.size());
 }
 
+/// toml11 reads numbers by streams, which write them as std::locale of the host does: "0.3" is 3
+/// where dots group thousands.
+bool host_has_other_decimals() {
+  const auto& marks = std::use_facet<std::numpunct<char>>(std::locale());
+  return marks.decimal_point() != '.' || !marks.grouping().empty();
+}
+
+/// Reads the numbers again where they stand.
+void read_decimals(toml::value& value) {
+  if (value.is_table()) {
+    for (auto& [key, entry] : value.as_table())
+      read_decimals(entry);
+  } else if (value.is_array()) {
+    for (toml::value& entry : value.as_array())
+      read_decimals(entry);
+  } else if (value.is_floating()) {
+    const toml::source_location where = value.location();
+    std::string number = where.line_str().substr(where.column() - 1, where.region());
+    std::erase(number, '_');
+    const char* const begin = number.data() + (number.starts_with('+') ? 1 : 0);
+    std::from_chars(begin, number.data() + number.size(), value.as_floating());
+  }
+}
+
 constexpr const char* remedy_of_line =
     "lines read key = value; texts and quantities stand in quotes, numbers do not";
 
@@ -72,6 +99,8 @@ TomlText::TomlText(std::string text, const std::string& file)
   try {
     std::istringstream stream(parsed);
     root_ = toml::parse(stream, file);
+    if (host_has_other_decimals())
+      read_decimals(root_);
   } catch (const toml::exception& error) {
     refuse(error.what(), &error.location(), parsed);
   } catch (const std::exception& error) {

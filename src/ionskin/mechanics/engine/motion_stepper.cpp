@@ -101,9 +101,7 @@ void MotionStepper::emit(const MotionLeg& leg, double fraction, double height, b
                   touches,
                   required || asked_for(time),
                   {}};
-  if (touches) {
-    last_height_ = point.height;
-  }
+  last_height_ = point.height;
   if (driven_ && touches) {
     point.centre = contact_.place();
     point.drive_force = driven_->force(leg, fraction);
@@ -122,7 +120,7 @@ bool MotionStepper::may_touch(const MotionLeg& leg) const {
 void MotionStepper::follow(const MotionLeg& leg) {
   if (!may_touch(leg)) {
     direction_ = {};
-    emit(leg, 1, leg.to_level.value, false);
+    emit(leg, 1, leg.to_level.is_force ? last_height_ : leg.to_level.value, false);
     return;
   }
   touch(leg);
@@ -245,15 +243,19 @@ void MotionStepper::advance(const MotionLeg& leg, const Levels& levels, double f
 /// Shortens the steps where the contact jumps; what is passed is emitted here.
 void MotionStepper::advance_adhering(const MotionLeg& leg, const Levels& levels, double from,
                                      double to, int depth) {
+  // A slider that a force moves stands where the skin carries it, or where it let go.
   const auto height = [&](double fraction) {
-    return levels.by_force ? last_height_ : levels.at(fraction);
+    if (!levels.by_force) {
+      return levels.at(fraction);
+    }
+    return contact_.in_contact() ? -contact_.state().indentation : last_height_;
   };
   const bool shortest = depth == halvings_of_jump;
   if (shortest) {
     emit(leg, from, height(from), true); // before what may be a jump
   }
   const SlidingContact::Moment before = contact_.moment();
-  const double energy = contact_.energy();
+  const double energy = contact_.energy(), height_before = height(from);
   const bool touched = contact_.in_contact();
   bool solved = false;
   try {
@@ -273,9 +275,8 @@ void MotionStepper::advance_adhering(const MotionLeg& leg, const Levels& levels,
   ++steps_taken_;
   const bool jumps = contact_.may_have_jumped();
   if (jumps) {
-    const double lowered = levels.by_force ? 0.0 : height(from) - height(to);
-    adhesion_loss_ +=
-        work_on_skin(before.state, contact_.state(), lowered) - (contact_.energy() - energy);
+    adhesion_loss_ += work_on_skin(before.state, contact_.state(), height_before - height(to)) -
+                      (contact_.energy() - energy);
   }
   if (touched != contact_.in_contact()) {
     note_event(leg.begin + to * leg.duration);

@@ -86,7 +86,8 @@ private:
   std::vector<double> events_;
   std::vector<std::array<double, 2>> onsets_;
   int steps_taken_ = 0;
-  double adhesion_loss_ = 0, last_height_ = 0; ///< of a slider that touched [m]
+  double adhesion_loss_ = 0;
+  double last_height_ = 0; ///< of the slider, as it was last told [m]
 };
 
 } // namespace ionskin::mechanics

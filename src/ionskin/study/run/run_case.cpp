@@ -3,6 +3,7 @@
 
 #include "ionskin/base/digest.hpp"
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/files/atomic_file.hpp"
 #include "ionskin/base/largest.hpp"
 #include "ionskin/base/timers.hpp"
 #include "ionskin/case/checks/check_sizes.hpp"
@@ -10,6 +11,7 @@
 #include "ionskin/electrochemistry/equations/wall_potential.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
 #include "ionskin/planning/cost_estimate.hpp"
+#include "ionskin/planning/foreseen.hpp"
 #include "ionskin/planning/output_size.hpp"
 #include "ionskin/planning/resources.hpp"
 #include "ionskin/poroelasticity/prescribed_load.hpp"
@@ -88,6 +90,7 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, base::Disk
   const std::string hash = mechanics_hash(input);
   if (auto record = left_mechanics(input, hash, results_path, folder)) {
     folder.keep_finished("strain");
+    options.progress("mechanics, from an earlier run", 1.0);
     return *record;
   }
   if (options.studies == Studies::electrochemistry) {
@@ -100,7 +103,8 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, base::Disk
   if (keeps) {
     const double begin = base::wall_time();
     if (auto record = recall_mechanics(*cache, hash, input.skin, results_path)) {
-      folder.add_finished("strain", base::wall_time() - begin);
+      folder.add_finished("strain", base::wall_time() - begin, "cache");
+      options.progress("mechanics, from the cache", 1.0);
       return *record;
     }
   }
@@ -174,6 +178,46 @@ IonSolution study_2(const Case& input, const RunOptions& options, RunFolder& fol
   });
 }
 
+/// Strains are taken as small by the contact problem; those of a file are as they are.
+std::vector<readout::Metric> audited_metrics(const MechanicsRecord& mechanics,
+                                             const Signals& signals) {
+  std::vector<readout::Metric> metrics = signals.metrics;
+  if (mechanics.has_contact()) {
+    double largest = 0;
+    for (const double shear : signals.resolved.column("p99_shear").values) {
+      largest = base::larger(largest, std::abs(shear));
+    }
+    metrics.push_back({"largest_p99_shear", largest, "1"});
+  }
+  return metrics;
+}
+
+/// What was solved before the ion transport gave up: its signals as far as they go, and the figures
+/// of Study 1, which is finished.
+void keep_unfinished(const Case& input, const RunOptions& options, const MechanicsRecord& mechanics,
+                     const SolverError& error, double start, RunFolder& folder) {
+  RunOutputs outputs;
+  outputs.signals = read_out_mechanics(input, mechanics, options.threads);
+  outputs.errors = no_estimate(outputs.signals, "the run is unfinished");
+  outputs.audits = audit(audited_metrics(mechanics, outputs.signals));
+  outputs.warnings = mechanics_warnings(input, mechanics);
+  outputs.warnings.push_back(
+      fmt::format("The run is unfinished: its signals end where the ion transport gave up, and its "
+                  "figures are those of the contact alone. {}.",
+                  error.what()));
+  if (const auto checkpoint =
+          read_checkpoint(folder.file(results::file_names::checkpoint),
+                          transport_hash(folder.manifest().input_hash, mechanics.history))) {
+    Signals rows = read_out_rows(input, mechanics, checkpoint->solution, options.threads);
+    outputs.signals.resolved = std::move(rows.resolved);
+    outputs.signals.sampled = std::move(rows.sampled);
+  }
+  try {
+    write_unfinished(input, outputs, start, folder);
+  } catch (const base::UnwritableFile&) { // why the solver gave up matters more
+  }
+}
+
 /// A run keeps its results where their error cannot be estimated.
 void add_errors(const Case& input, const MechanicsRecord& mechanics, const RunOptions& options,
                 base::Timers& timers, RunOutputs& outputs) {
@@ -188,9 +232,8 @@ void add_errors(const Case& input, const MechanicsRecord& mechanics, const RunOp
             ? estimate_errors(input, mechanics, *outputs.ions, outputs.signals, options.threads,
                               timers, options.progress)
             : estimate_mechanics_errors(input, mechanics, outputs.signals, options.threads);
-    for (std::string& warning : error_warnings(input, outputs.errors)) {
-      outputs.warnings.push_back(std::move(warning));
-    }
+    std::vector<std::string> found = error_warnings(input, outputs.errors);
+    outputs.warnings.insert(outputs.warnings.begin(), found.begin(), found.end());
   } catch (const SolverError& error) {
     outputs.warnings.push_back(
         std::string("The error of the currents is not estimated: on a mesh of twice the size ") +
@@ -198,20 +241,6 @@ void add_errors(const Case& input, const MechanicsRecord& mechanics, const RunOp
     outputs.errors = estimate_mechanics_errors(input, mechanics, outputs.signals, options.threads);
   }
   options.progress("error estimate", 1.0);
-}
-
-/// Strains are taken as small by the contact problem; those of a file are as they are.
-std::vector<readout::Metric> audited_metrics(const MechanicsRecord& mechanics,
-                                             const Signals& signals) {
-  std::vector<readout::Metric> metrics = signals.metrics;
-  if (mechanics.has_contact()) {
-    double largest = 0;
-    for (const double shear : signals.resolved.column("p99_shear").values) {
-      largest = base::larger(largest, std::abs(shear));
-    }
-    metrics.push_back({"largest_p99_shear", largest, "1"});
-  }
-  return metrics;
 }
 
 /// Nothing is missing of what these studies give, but for the report perhaps.
@@ -254,6 +283,9 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
     planning::require_resources(input, options.threads);
   }
   require_room(input, given_strain, options);
+  if (options.studies != Studies::mechanics) {
+    planning::foreseen(input); // refuses what is bound to fail
+  }
   const auto cache = open_user_cache(options);
   RunFolder folder(input, options);
   if (has_finished(folder, options)) {
@@ -272,7 +304,12 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
     outputs.signals = read_out_mechanics(input, mechanics, options.threads);
     outputs.warnings = mechanics_warnings(input, mechanics);
   } else {
-    outputs.ions = study_2(input, options, folder, mechanics.history, timers);
+    try {
+      outputs.ions = study_2(input, options, folder, mechanics.history, timers);
+    } catch (const SolverError& error) {
+      keep_unfinished(input, options, mechanics, error, start, folder);
+      throw;
+    }
     outputs.signals = read_out(input, mechanics, *outputs.ions, options.threads);
     outputs.warnings = collect_warnings(input, mechanics, *outputs.ions, outputs.signals.resolved);
     outputs.warnings.insert(outputs.warnings.end(), outputs.signals.warnings.begin(),
@@ -282,9 +319,8 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
   add_errors(input, mechanics, options, timers, outputs);
   outputs.stage_seconds = timers.seconds();
   outputs.audits = audit(audited_metrics(mechanics, outputs.signals));
-  for (std::string& warning : audit_warnings(outputs.audits)) {
-    outputs.warnings.push_back(std::move(warning));
-  }
+  const std::vector<std::string> audited = audit_warnings(outputs.audits);
+  outputs.warnings.insert(outputs.warnings.begin(), audited.begin(), audited.end());
   RunOutcome outcome = write_outputs(input, options, mechanics, outputs, start, folder);
   folder.output().remove(results::file_names::checkpoint);
   require_sound(outputs.audits, folder.path().string());

@@ -150,12 +150,23 @@ void RunFolder::note(const std::string& text) {
 void RunFolder::begin(const std::string& stage) {
   manifest_.state = "running";
   manifest_.files.clear();
-  manifest_.stages[stage] = {"running", 0.0, 0.0};
+  manifest_.stages[stage] = {"running", 0.0, 0.0, ""};
   write_manifest();
 }
 
+void RunFolder::add_finished(const std::string& stage, double seconds, const std::string& source) {
+  manifest_.stages[stage].source = source;
+  end(stage, "finished", seconds);
+}
+
+void RunFolder::keep_finished(const std::string& stage) {
+  add_finished(stage, was_finished(stage) ? earlier_.stages.at(stage).wall_time : 0.0,
+               "earlier run");
+}
+
 void RunFolder::end(const std::string& stage, const std::string& state, double seconds) {
-  manifest_.stages[stage] = {state, seconds, base::peak_memory()};
+  results::StageRecord& record = manifest_.stages[stage];
+  record = {state, seconds, base::peak_memory(), record.source};
   if (state != "finished") {
     manifest_.state = state;
   }

@@ -55,14 +55,10 @@ public:
     }
   }
 
-  /// Notes a stage that was worked elsewhere.
-  void add_finished(const std::string& stage, double seconds) { end(stage, "finished", seconds); }
-  /// Notes a stage that an earlier run finished, if the manifest does not know.
-  void keep_finished(const std::string& stage) {
-    if (!was_finished(stage)) {
-      add_finished(stage, 0.0);
-    }
-  }
+  /// Notes a stage that was worked elsewhere, and what it is taken from, if it is read from there.
+  void add_finished(const std::string& stage, double seconds, const std::string& source = "");
+  /// Notes a stage that an earlier run finished, with its time if the manifest knows it.
+  void keep_finished(const std::string& stage);
   void set_counter(const std::string& name, double value) { manifest_.counters[name] = value; }
   /// Marks the whole run as finished, with the digests of its results, or as failed where its
   /// results do not pass their audits.

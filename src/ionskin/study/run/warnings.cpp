@@ -23,7 +23,7 @@ constexpr double linear_limit = 0.3;    // k gamma h / (2 lambda)
 constexpr double depletion_limit = 0.1; // min c / c0
 constexpr double error_limit = 0.05;    // estimated, of the current between the spikes
 constexpr double large_error = 0.2;     // stated, of any metric
-constexpr std::size_t most_named = 4;   // of them in the warning, the largest
+constexpr std::size_t most_named = 3;   // of them in the warning, the largest
 constexpr double pressure_limit = 1e6;  // [Pa]; a fingertip presses with some 10 kPa
 constexpr double cut_limit = 0.01;      // of a taxel, beside the border of a column
 
@@ -35,11 +35,10 @@ void warn_about_common_current(const Case& input, const readout::SignalTable& si
       readout::rms_of_step_means(time, signals.column("current_difference").values);
   if (laws::coupling_law(input.coupling.law).traits.makes_net_charge && common > difference) {
     warnings.push_back(fmt::format(
-        "The common part of the electrode currents dominates: its rms is {:.3g} times that of the "
-        "difference. The law \"{}\" creates net charge in the core; an ammeter between "
-        "the two "
-        "electrodes of an otherwise isolated cell measures current_difference only.",
-        common / difference, input.coupling.law));
+        "The common part of the electrode currents dominates, {:.3g} times the difference: an "
+        "ammeter between the electrodes reads current_difference only. Compare that one with a "
+        "measurement, or take a neutral law (coupling.law = \"column-neutral\").",
+        common / difference));
   }
 }
 
@@ -57,9 +56,8 @@ void warn_about_onset_peak(const MechanicsRecord& mechanics, const readout::Sign
                   [local](const auto& onset) { return local > onset[0] && local <= onset[1]; });
   if (*peak != 0 && in_onset) {
     warnings.push_back(fmt::format(
-        "The peak of current_difference, {:.3g} A at {:.6g} s, falls within the onset of sliding, "
-        "where it is "
-        "a small remainder of large terms (5 to 30 % uncertain). Use the sampled current.",
+        "The resolved peak of current_difference, {:.3g} A at {:.6g} s, falls within the onset of "
+        "sliding, where it is 5 to 30 % uncertain. Use the sampled one.",
         std::abs(*peak), at));
   }
 }
@@ -141,8 +139,8 @@ void warn_about_large_errors(const Case& input, const ErrorEstimate& errors,
         fmt::format("{}{} ({})", i > 0 ? ", " : "", large[i].second, base::percent(large[i].first));
   }
   warnings.push_back(fmt::format(
-      "The stated error exceeds {:.0f} % for {}{}: see error_estimate in summary.json. Choose a "
-      "finer numerics.preset, or raise numerics.mesh_refinement.",
+      "The stated error exceeds {:.0f} % for {}{}. Choose a finer numerics.preset, or raise "
+      "numerics.mesh_refinement, where you use them.",
       100 * large_error, named,
       large.size() > most_named ? fmt::format(" and {} more", large.size() - most_named) : ""));
 }
@@ -161,6 +159,33 @@ void warn_about_missing_errors(const ErrorEstimate& errors, std::vector<std::str
   }
 }
 
+/// Where k of the case makes the response nonlinear, or empties a column of cations.
+void warn_about_strong_coupling(const Case& input, const electrochemistry::IonSolution& ions,
+                                const readout::SignalTable& signals,
+                                std::vector<std::string>& warnings) {
+  const auto scales =
+      electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness());
+  const auto& p99 = signals.column("p99_shear").values;
+  const double shear = *std::max_element(p99.begin(), p99.end());
+  const double strength = electrochemistry::nonlinearity(scales, input.coupling.coefficient, shear);
+  if (strength > linear_limit) {
+    warnings.push_back(fmt::format(
+        "The response is nonlinear (k gamma h/(2 lambda) is {:.3g}, above {:.2g}): currents do not "
+        "scale with k. Run each k that you compare, or press with less.",
+        strength, linear_limit));
+  }
+  const double initial =
+      input.electrochemistry.fixed_charge_concentration / input.electrochemistry.valence;
+  const double least =
+      *std::min_element(ions.min_concentration.begin(), ions.min_concentration.end()) / initial;
+  if (least < depletion_limit) {
+    warnings.push_back(fmt::format("Cations are depleted down to {:.3g} of their initial "
+                                   "concentration at an electrode, where the transport model is "
+                                   "at its limit. Press with less, or lower coupling.coefficient.",
+                                   least));
+  }
+}
+
 } // namespace
 
 std::vector<std::string> mechanics_warnings(const Case& input, const MechanicsRecord& mechanics) {
@@ -171,8 +196,10 @@ std::vector<std::string> mechanics_warnings(const Case& input, const MechanicsRe
     const double pressure = force / (input.slider.size[0] * input.slider.size[1]);
     if (pressure > pressure_limit) {
       warnings.push_back(
-          fmt::format("The slider presses with up to {:.3g} N, a mean pressure of {:.3g} MPa. "
-                      "Pressure under its sharp edges depends on the mesh and is no result.",
+          fmt::format("The slider presses with up to {:.3g} N ({:.3g} MPa on average; a finger "
+                      "presses with 1 to 10 N). For less set motion.preload to a force, such as "
+                      "\"2 N\"; the pressure under its sharp edges is no result, round them with "
+                      "slider.edge_radius.",
                       force, pressure / 1e6));
     }
   }
@@ -182,39 +209,23 @@ std::vector<std::string> mechanics_warnings(const Case& input, const MechanicsRe
 std::vector<std::string> collect_warnings(const Case& input, const MechanicsRecord& mechanics,
                                           const electrochemistry::IonSolution& ions,
                                           const readout::SignalTable& signals) {
-  std::vector<std::string> warnings = mechanics_warnings(input, mechanics);
-  warnings.insert(warnings.end(), input.notes.begin(), input.notes.end());
-  if (input.coupling.coefficient != 0) {
-    warnings.push_back(fmt::format(
-        "The coupling coefficient k = {:.4g} is not calibrated by any measurement: currents are in "
-        "proportion to it while the response is linear.",
-        input.coupling.coefficient));
-  }
+  std::vector<std::string> warnings;
+  warn_about_strong_coupling(input, ions, signals, warnings);
+  warn_about_water(input, ions, warnings);
   warn_about_common_current(input, signals, warnings);
   if (mechanics.has_contact()) {
     warn_about_onset_peak(mechanics, signals, input.motion, warnings);
   }
-  warn_about_water(input, ions, warnings);
-  warn_about_cut_columns(input.readout.taxels, ions.grid, warnings);
-  const auto scales =
-      electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness());
-  const auto& p99 = signals.column("p99_shear").values;
-  const double shear = *std::max_element(p99.begin(), p99.end());
-  const double strength = electrochemistry::nonlinearity(scales, input.coupling.coefficient, shear);
-  if (strength > linear_limit) {
-    warnings.push_back(fmt::format("The response is nonlinear: k gamma h/(2 lambda) reaches {:.3g} "
-                                   "at the 99th percentile of shear.",
-                                   strength));
+  for (std::string& warning : mechanics_warnings(input, mechanics)) {
+    warnings.push_back(std::move(warning));
   }
-  const double initial =
-      input.electrochemistry.fixed_charge_concentration / input.electrochemistry.valence;
-  const double least =
-      *std::min_element(ions.min_concentration.begin(), ions.min_concentration.end()) / initial;
-  if (least < depletion_limit) {
-    warnings.push_back(fmt::format("Cations are depleted down to {:.3g} of their initial "
-                                   "concentration at an electrode; "
-                                   "the transport model is at its limit there.",
-                                   least));
+  warn_about_cut_columns(input.readout.taxels, ions.grid, warnings);
+  warnings.insert(warnings.end(), input.notes.begin(), input.notes.end());
+  if (input.coupling.coefficient != 0) {
+    warnings.push_back(fmt::format(
+        "The coupling coefficient k = {:.4g} is not calibrated by any measurement, and sets the "
+        "size of all currents. Fit it to one (ionskin fit), or compare shapes and ratios.",
+        input.coupling.coefficient));
   }
   return warnings;
 }

@@ -97,6 +97,27 @@ std::map<std::string, double> timing(const RunFolder& folder, double start) {
   return result;
 }
 
+results::Summary summary_of(const Case& input, const RunOutputs& outputs) {
+  results::Summary summary;
+  summary.metrics = outputs.signals.metrics;
+  summary.warnings = outputs.warnings;
+  for (const Audit& one : outputs.audits) {
+    summary.audits.push_back(
+        {one.rule->metric, one.value, one.rule->warn, one.rule->fail, to_string(one.verdict)});
+  }
+  summary.error_estimate = outputs.errors.relative;
+  summary.error_parts = outputs.errors.parts;
+  summary.not_converging = outputs.errors.not_converging;
+  summary.not_estimated = outputs.errors.not_estimated;
+  if (outputs.ions) {
+    const circuits::Circuit circuit =
+        circuits::circuit(input.readout.circuit, input.readout.parameters);
+    summary.circuit = results::CircuitEntry{std::string(circuit.name), circuit.words,
+                                            std::string(circuits::top_potential(circuit))};
+  }
+  return summary;
+}
+
 constexpr const char* writing = "results and report";
 
 std::optional<std::string> draw_report(const RunOptions& options, RunFolder& folder) {
@@ -131,27 +152,20 @@ RunOutcome complete_report(const RunOptions& options, double start, RunFolder& f
           .seconds = base::wall_time() - start};
 }
 
+void write_unfinished(const Case& input, const RunOutputs& outputs, double start,
+                      RunFolder& folder) {
+  results::Summary summary = summary_of(input, outputs);
+  summary.timing = timing(folder, start);
+  results::write_csv(folder.own(names::signals), outputs.signals.resolved);
+  results::write_csv(folder.own(names::sampled), outputs.signals.sampled);
+  results::write_summary(folder.own(names::summary), summary);
+}
+
 RunOutcome write_outputs(const Case& input, const RunOptions& options,
                          const MechanicsRecord& mechanics, const RunOutputs& outputs, double start,
                          RunFolder& folder) {
   set_counters(mechanics, outputs, folder);
-  results::Summary summary;
-  summary.metrics = outputs.signals.metrics;
-  summary.warnings = outputs.warnings;
-  for (const Audit& one : outputs.audits) {
-    summary.audits.push_back(
-        {one.rule->metric, one.value, one.rule->warn, one.rule->fail, to_string(one.verdict)});
-  }
-  summary.error_estimate = outputs.errors.relative;
-  summary.error_parts = outputs.errors.parts;
-  summary.not_converging = outputs.errors.not_converging;
-  summary.not_estimated = outputs.errors.not_estimated;
-  if (outputs.ions) {
-    const circuits::Circuit circuit =
-        circuits::circuit(input.readout.circuit, input.readout.parameters);
-    summary.circuit = results::CircuitEntry{std::string(circuit.name), circuit.words,
-                                            std::string(circuits::top_potential(circuit))};
-  }
+  results::Summary summary = summary_of(input, outputs);
   const auto write_summary = [&] {
     summary.timing = timing(folder, start);
     results::write_summary(folder.own(names::summary), summary);

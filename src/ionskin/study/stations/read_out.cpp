@@ -255,8 +255,8 @@ void add_circuit(const circuits::Circuit& circuit, const IonSolution& ions, Sign
 
 } // namespace
 
-Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonSolution& ions,
-                 int threads) {
+Signals read_out_rows(const Case& input, const MechanicsRecord& mechanics, const IonSolution& ions,
+                      int threads) {
   auto inputs = mechanical_inputs(input, mechanics, ions.time, threads);
   inputs.charge_top = ions.charge_top;
   inputs.charge_bottom = ions.charge_bottom;
@@ -264,6 +264,12 @@ Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonS
   signals.resolved = readout::build_signal_table(inputs);
   signals.sampled = readout::sample_currents(signals.resolved, input.readout.sample_interval,
                                              {ions.relaxation_charge, ions.relaxation_current});
+  return signals;
+}
+
+Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonSolution& ions,
+                 int threads) {
+  Signals signals = read_out_rows(input, mechanics, ions, threads);
   signals.metrics =
       readout::signal_metrics(signals.resolved, signals.sampled, named_instants(input, mechanics));
   add_tail_metric(input, mechanics, signals);

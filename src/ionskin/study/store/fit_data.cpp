@@ -4,7 +4,7 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/nearest_name.hpp"
 #include "ionskin/base/text.hpp"
-#include "ionskin/case/text/csv_file.hpp"
+#include "ionskin/case/text/csv_table.hpp"
 #include "ionskin/readout/charge_relaxation.hpp"
 #include "ionskin/readout/sampling.hpp"
 #include "ionskin/units/unit_system.hpp"
@@ -40,25 +40,19 @@ std::vector<std::string> known_names() {
 /// Reads one file, knowing where it stands in it.
 class Reader {
 public:
-  explicit Reader(const std::filesystem::path& path)
-      : path_(base::shown(path.string())), file_(path.string(), "data") {}
+  explicit Reader(const std::filesystem::path& path) : table_(path.string(), "data") {
+    for (const CsvTitle& title : table_.titles()) {
+      titles_.push_back({title.name, title.unit.value_or("")});
+    }
+  }
 
   FitData read(const std::string& column) {
-    if (const std::optional<CsvRow> header = file_.next()) {
-      if (const std::string separator = base::foreign_separator(header->text); !separator.empty()) {
-        refuse("the columns are separated by " + separator, base::foreign_separator_remedy);
-      }
-      for (const std::string& cell : header->cells) {
-        const CsvTitle title = csv_title(cell);
-        titles_.push_back({title.name, title.unit.value_or("")});
-      }
-    }
     const std::size_t time = find("time"), value = find(choose(column));
     FitData data{titles_[value].name, fit_columns().at(titles_[value].name), {}, {}};
     require_unit(titles_[time], "s");
     require_unit(titles_[value], data.unit);
-    while (const std::optional<CsvRow> row = file_.next()) {
-      take_row(row->cells, time, value, data);
+    while (const auto row = table_.next()) {
+      take_row(*row, time, value, data);
     }
     return data;
   }
@@ -68,16 +62,15 @@ private:
     std::string name, unit;
   };
 
-  [[noreturn]] void refuse(const std::string& problem, const std::string& remedy) const {
-    throw UserError(fmt::format("{}:{}: {}\n  = {}", path_, file_.line(), problem, remedy));
-  }
-
   std::size_t find(const std::string& name) const {
     const auto found =
         std::ranges::find_if(titles_, [&](const Title& one) { return one.name == name; });
     if (found == titles_.end()) {
-      refuse(fmt::format("there is no column {}", name),
-             "write a header with units, such as: time [s],current_difference [A]");
+      table_.refuse(fmt::format("there is no column {}", name),
+                    "write a header with units, such as: time [s],current_difference [A]");
+    }
+    if (std::ranges::count(titles_, name, &Title::name) > 1) {
+      table_.refuse(fmt::format("the column {} stands twice", name), "keep one of them");
     }
     return static_cast<std::size_t>(found - titles_.begin());
   }
@@ -100,58 +93,66 @@ private:
       }
     }
     if (found.empty()) {
-      refuse("no column is a signal to fit", known);
+      table_.refuse("no column is a signal to fit", known);
     }
     if (found.size() > 1) {
-      refuse(fmt::format("several columns are signals to fit: {}", fmt::join(found, ", ")),
-             "choose one with --column");
+      table_.refuse(fmt::format("several columns are signals to fit: {}", fmt::join(found, ", ")),
+                    "choose one with --column");
     }
     return found.front();
   }
 
   void require_unit(const Title& column, const std::string& si) const {
     if (!units::convert_unit(1.0, column.unit, si)) {
-      refuse(fmt::format("the unit [{}] of {} does not convert to {}", base::shown(column.unit),
-                         column.name, si),
-             fmt::format("write the header {} [{}]", column.name, si));
+      table_.refuse(fmt::format("the unit [{}] of {} does not convert to {}",
+                                base::shown(column.unit), column.name, si),
+                    fmt::format("write the header {} [{}]", column.name, si));
     }
   }
 
   double number(const std::string& text, const Title& column, const std::string& si) const {
     double value = 0;
-    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
+    const auto [end, status] = std::from_chars(begin, text.data() + text.size(), value);
     if (status != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
-      refuse(fmt::format("\"{}\" in column {} is no number", base::shown(text), column.name),
-             "leave the entry empty where nothing was measured");
+      table_.refuse(fmt::format("\"{}\" in column {} is no number", base::shown(text), column.name),
+                    "leave the entry empty where nothing was measured");
     }
     const double converted = *units::convert_unit(value, column.unit, si);
     if (!std::isfinite(converted)) {
-      refuse(fmt::format("\"{}\" in column {} is too large", base::shown(text), column.name),
-             "check the number and the unit in the header");
+      table_.refuse(fmt::format("\"{}\" in column {} is too large", base::shown(text), column.name),
+                    "check the number and the unit in the header");
     }
     return converted;
   }
 
   void take_row(const std::vector<std::string>& row, std::size_t time, std::size_t value,
                 FitData& data) {
-    if (row.size() != titles_.size()) {
-      refuse(fmt::format("{} entries below a header of {}", row.size(), titles_.size()),
-             "write one entry a column");
-    }
     if (row[value].empty()) {
       return;
     }
     const double instant = number(row[time], titles_[time], "s");
-    if (!data.time.empty() && instant <= data.time.back()) {
-      refuse(fmt::format("the time {} s does not ascend", instant), "sort the rows by time");
+    const double measured = number(row[value], titles_[value], data.unit);
+    if (!data.time.empty() && instant == data.time.back()) {
+      if (measured == data.values.back()) { // the same row again
+        return;
+      }
+      table_.refuse(fmt::format("the time {} {} stands twice, with {} and now with {}", row[time],
+                                titles_[time].unit, last_, row[value]),
+                    "average the values of one time, or drop all rows of it but one");
+    }
+    if (!data.time.empty() && instant < data.time.back()) {
+      table_.refuse(fmt::format("the time {} {} does not ascend", row[time], titles_[time].unit),
+                    "sort the rows by time");
     }
     data.time.push_back(instant);
-    data.values.push_back(number(row[value], titles_[value], data.unit));
+    data.values.push_back(measured);
+    last_ = row[value];
   }
 
-  std::string path_;
-  CsvFile file_;
+  CsvTable table_;
   std::vector<Title> titles_;
+  std::string last_; ///< value, as written
 };
 
 bool is_current(const FitData& data) {

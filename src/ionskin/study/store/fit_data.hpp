@@ -23,7 +23,8 @@ const std::map<std::string, std::string>& fit_columns();
 
 /// Reads a CSV file with units in its header, such as our own signals.csv and sampled.csv:
 /// `time [s],current_difference [uA]`. Other columns are passed over, and so are rows without a
-/// value.
+/// value, or that repeat the one before. What is read of spreadsheets and instruments tells
+/// `CsvTable`.
 /// @param column which one to take; may be empty when the file holds one that a fit can take
 /// Throws UserError with the line when the file cannot be read, a column or a unit is missing or
 /// unknown, an entry is no number, or the time does not ascend.

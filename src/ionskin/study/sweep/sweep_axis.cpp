@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 
 namespace ionskin::study {
 namespace {
@@ -50,12 +50,14 @@ Number parse_number(const std::string& argument, std::string text) {
   if (text.size() > 1 && text.front() == '"' && text.back() == '"') {
     text = text.substr(1, text.size() - 2);
   }
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (end == text.c_str() || !std::isfinite(value)) {
+  text = base::trimmed(text);
+  const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
+  double value = 0;
+  const auto [end, status] = std::from_chars(begin, text.data() + text.size(), value);
+  if (status != std::errc() || !std::isfinite(value)) {
     refuse(argument, fmt::format("\"{}\" is not a number", base::shown(text)));
   }
-  return {value, base::trimmed(end)};
+  return {value, base::trimmed(std::string_view(end, text.data() + text.size()))};
 }
 
 /// The numbers of a range and the one unit that they share.

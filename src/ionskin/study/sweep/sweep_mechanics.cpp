@@ -141,7 +141,7 @@ void leave_in_folders(const std::vector<SweepPoint>& points, const SharedMechani
   std::optional<std::filesystem::path> first;
   for (const std::size_t i : shared.points) {
     RunFolder folder(points[i].input, point_options(options, points[i]));
-    folder.add_finished("mechanics", first ? 0.0 : seconds);
+    folder.add_finished("mechanics", first ? 0.0 : seconds, first ? "another point" : "");
     folder.stage("strain", [&] {
       const auto path = folder.own(results::file_names::results);
       if (first) {

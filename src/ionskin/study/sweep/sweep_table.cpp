@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 namespace ionskin::study {
@@ -85,7 +85,8 @@ void write_swept(results::Hdf5File& file, const std::vector<SweepPoint>& points)
     }
     std::vector<double> numbers;
     for (const SweepPoint& point : points) {
-      numbers.push_back(std::strtod(point.values[k].si.c_str(), nullptr));
+      const std::string& text = point.values[k].si;
+      std::from_chars(text.data(), text.data() + text.size(), numbers.emplace_back());
     }
     file.write_with_unit(dataset, numbers, first.unit);
   }

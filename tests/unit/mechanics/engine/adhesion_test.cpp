@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
 namespace ionskin::mechanics {
 namespace {
@@ -115,6 +116,31 @@ TEST(AdhesiveContact, is_stepped_through_heights_or_pulls_alone) {
     EXPECT_LT(stepper.steps(), 200);
     EXPECT_NEAR(force, -0.2 * most, 1e-9 * most); // the pull at 0.9 of the range, too
   }
+}
+
+/// Forces take it off, leave it where it let go, and land it again from there.
+TEST(AdhesiveContact, that_forces_move_loses_in_jumps_what_the_slider_does_not_get_back) {
+  OneCell cell(0.5 * range / most);
+  StepperOptions options;
+  options.heaviest_force = 2 * most;
+  std::vector<std::array<double, 2>> points; // height and force
+  MotionStepper stepper(
+      cell.contact, options, [&](const StepPoint& point, const SlidingContact& at) {
+        points.push_back({point.height, at.in_contact() ? at.state().force[0] : 0.0});
+      });
+  const std::array<double, 6> forces{0, 2 * most, -2 * most, -0.5 * most, 0, most};
+  for (std::size_t i = 1; i < forces.size(); ++i) {
+    stepper.follow({Phase::slide, static_cast<double>(i), 1, centre, centre,
+                    SliderLevel{true, forces[i - 1]}, SliderLevel{true, forces[i]}});
+  }
+  double did = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    EXPECT_LT(points[i][0], range) << "point " << i;
+    EXPECT_GT(points[i][0], -2 * range) << "point " << i;
+    did += 0.5 * (points[i][1] + points[i - 1][1]) * (points[i - 1][0] - points[i][0]);
+  }
+  EXPECT_TRUE(cell.contact.in_contact());
+  EXPECT_NEAR(stepper.adhesion_loss(), did - cell.contact.energy(), 1e-9 * work * area);
 }
 
 Case adhesive_case() {

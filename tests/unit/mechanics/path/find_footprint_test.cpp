@@ -22,6 +22,13 @@ Case small_finger() {
   return input;
 }
 
+/// On cells that serve where no figure is asked for.
+Case coarse_finger() {
+  Case input = small_finger();
+  input.numerics.mesh_refinement = 0.3;
+  return input;
+}
+
 TEST(FindFootprint, of_a_sharp_slider_is_its_plan) {
   const mesh::Footprint footprint = find_footprint(small_case(), 0.3, 1);
   EXPECT_EQ(footprint.half_size, (std::array<double, 2>{0.5e-3, 0.4e-3}));
@@ -66,7 +73,7 @@ TEST(FindFootprint, of_a_barely_pressed_rounded_slider_ends_close_to_its_flat_pa
 }
 
 TEST(FindFootprint, does_not_depend_on_the_number_of_threads) {
-  Case input = small_finger();
+  Case input = coarse_finger();
   input.motion.stroke = 1e-3;
   const mesh::Footprint one = find_footprint(input, 0.3, 1), two = find_footprint(input, 0.3, 2);
   EXPECT_EQ(one.half_size, two.half_size);
@@ -79,7 +86,7 @@ TEST(FindFootprint, is_shared_by_all_coefficients_up_to_the_next_step) {
   EXPECT_EQ(footprint_friction(0.5), 0.5);
   EXPECT_EQ(footprint_friction(0.51), 1);
   EXPECT_EQ(footprint_friction(2), 2);
-  const Case input = small_finger();
+  const Case input = coarse_finger();
   EXPECT_EQ(find_footprint(input, 0.1, 1).half_size, find_footprint(input, 0.45, 1).half_size);
 }
 
@@ -96,13 +103,13 @@ TEST(FindFootprint, is_that_of_the_shared_positions_where_they_have_one) {
 }
 
 TEST(FindFootprint, refuses_a_contact_over_the_edge_of_the_skin) {
-  Case input = small_finger();
+  Case input = coarse_finger();
   input.slider.start[0] = 20e-6;
   EXPECT_THROW(find_footprint(input, 0.3, 1), UserError);
 }
 
 TEST(FindFootprint, is_not_widened_over_the_edge_of_the_skin) {
-  Case input = small_finger();
+  Case input = coarse_finger();
   input.slider.start[0] = 20e-6;
   // Without a search: the contact of the solution itself reaches the end of the skin.
   ContactOptions options;

@@ -74,6 +74,17 @@ TEST_F(WarningsTest, NamesTheTaxelWhoseEdgeCutsAColumn) {
                         "the taxel right lies inside a column of the transport grid, 25 %"));
 }
 
+TEST_F(WarningsTest, OrdersByWhatTheyChange) {
+  signals.columns[1].values[1] = 0.05;
+  input.notes = {"a note"};
+  const auto warnings = collect_warnings(input, mechanics, ions, signals);
+  ASSERT_EQ(warnings.size(), 4u);
+  EXPECT_NE(warnings[0].find("nonlinear"), std::string::npos);
+  EXPECT_NE(warnings[1].find("common part"), std::string::npos);
+  EXPECT_EQ(warnings[2], "a note");
+  EXPECT_NE(warnings[3].find("not calibrated"), std::string::npos);
+}
+
 TEST_F(WarningsTest, SaysThatCationsAreDepleted) {
   EXPECT_FALSE(any_holds(collect_warnings(input, mechanics, ions, signals), "depleted"));
   ions.min_concentration[1] = 60;

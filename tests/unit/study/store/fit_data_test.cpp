@@ -48,16 +48,36 @@ TEST_F(FitDataFile, MistakesAreNamedWithTheirLine) {
   EXPECT_NE(refusal("time [s],current_top\n1,2\n").find("unit [] of current_top"),
             std::string::npos);
   EXPECT_NE(refusal("time [s],current_top [V]\n1,2\n").find("convert to A"), std::string::npos);
-  EXPECT_NE(refusal("time [s],current_top [A]\n1,2\n2,x\n").find(":3: \"x\""), std::string::npos);
-  EXPECT_NE(refusal("time [s],current_top [A]\n1,2\n1,2\n").find("does not ascend"),
+  EXPECT_NE(refusal("time [s],current_top [A]\n1,2\n2,x\n").find("\"x\" in column"),
             std::string::npos);
-  EXPECT_NE(refusal("time [s],current_top [A]\n1\n").find("1 entries below a header of 2"),
+  EXPECT_NE(refusal("time [s],current_top [A]\n2,2\n1,2\n").find("sort the rows by time"),
+            std::string::npos);
+  EXPECT_NE(refusal("time [s],current_top [A]\n1\n").find("1 entries under 2 columns"),
             std::string::npos);
   const std::string two = "time [s],current_top [A],charge_top [C]\n1,2,3\n";
   EXPECT_NE(refusal(two).find("--column"), std::string::npos);
   EXPECT_NE(refusal(two, "charge_tip").find("charge_top"), std::string::npos);
   EXPECT_EQ(refusal(two, "charge_top"), "accepted");
   EXPECT_THROW(read_fit_data("no/such/file.csv"), UserError);
+}
+
+TEST_F(FitDataFile, AsProgramsLeaveThem) {
+  for (const char* text :
+       {"time [s],current_top [A]\n1,2\n1,2\n3,4\n",
+        "\xEF\xBB\xBFTime [s];current_top [A]\r1,0;2\r3,0;4\r",
+        ",time [s],current_top [A]\n0,1,2\n1,3,4\n", "time [s],current_top [A],\n+1,2,\n3,4,\n",
+        "\"time [s]\",\"current_top [A]\"\n\"1\",\"2\"\n\"3\",\"4\"\n",
+        "Time (s)\tcurrent_top (A)\n1\t2\n3\t4\n"}) {
+    const FitData data = read_fit_data(write(text));
+    EXPECT_EQ(data.time, (std::vector<double>{1, 3})) << text;
+    EXPECT_EQ(data.values, (std::vector<double>{2, 4})) << text;
+  }
+  const std::string twice = refusal("time [s],current_top [A]\n1,2\n1,3\n");
+  EXPECT_NE(twice.find("1 s stands twice, with 2 and now with 3"), std::string::npos) << twice;
+  EXPECT_NE(twice.find("data.csv:3"), std::string::npos) << twice;
+  EXPECT_NE(twice.find("average"), std::string::npos) << twice;
+  EXPECT_NE(refusal("time [s],current_top [A],current_top [A]\n1,2,3\n").find("stands twice"),
+            std::string::npos);
 }
 
 electrochemistry::IonSolution solution() {

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The sentences that a page opens with: what an instrument between the electrodes reads, with its error."""
+
+import numpy
+
+from ..charts.readout import is_open
+from ..charts.spans import contact_spans, sampling_interval
+from ..words import percent, quantity
+from . import report_text
+
+NEAR = 0.03  # of the length of a run: an instant so near an event belongs to it
+
+
+def largest(table, name):
+    """Instant [s] and magnitude of the largest entry of a column."""
+    values = numpy.nan_to_num(numpy.abs(table[name]))
+    row = int(values.argmax())
+    return float(table["time"][row]), float(values[row])
+
+
+def told(results, metric, fallback, unit):
+    """A metric with its stated error, "478 µA (± 0.9 %)"; a number without error where the run has no such metric."""
+    found = results.metrics.get(metric)
+    if found is None or found.value is None:
+        return quantity(fallback, unit, 3)
+    error = report_text.error(results, metric)
+    return report_text.value(results, metric) + (f" ({error})" if error else "")
+
+
+def event(results, instant):
+    """What happens about an instant, " at 0.5 s, as contact begins"."""
+    words = f" at {instant:.4g} s"
+    spans = contact_spans(results)
+    if not spans:
+        return words
+    ends = [*((span.start, f"{what}") for span, what in zip(spans, ["contact begins"] + [""] * len(spans))), (spans[-1].end, "contact ends")]
+    ends += [(span.start, "sliding begins") for span in spans if span.phase == "slide"]
+    ends += [(span.end, "contact ends") for span in spans if span.phase == "lift"]
+    ends += [(span.start, "contact begins") for span in spans if span.phase == "touchdown"]
+    reach = NEAR * (results.signals["time"][-1] - results.signals["time"][0])
+    near = [(abs(at - instant), what) for at, what in ends if what and abs(at - instant) < reach]
+    return words + (f", as {min(near)[1]}" if near else "")
+
+
+def of_circuit(results):
+    """What a run with a load, an open circuit or an amplifier reads; None for any other."""
+    table = results.circuit
+    if table is None:
+        return None
+    if table.has("voltage"):
+        instant, peak = largest(table, "voltage")
+        text = f"Between the electrodes a voltmeter reads up to {told(results, 'peak_voltage', peak, 'V')}{event(results, instant)}"
+        if table.has("current") and not is_open(results):
+            text += f", with up to {quantity(largest(table, 'current')[1], 'A', 3)} through what joins them"
+        return f"{text}."
+    if table.has("current"):
+        instant, peak = largest(table, "current")
+        return f"The amplifier between the electrodes reads up to {told(results, 'peak_amplifier_current', peak, 'A')}{event(results, instant)}."
+    return None
+
+
+def of_current(results):
+    """What an ammeter between the shorted electrodes reads; None without currents."""
+    sampled = results.sampled
+    if not sampled.has("current_difference"):
+        return None
+    instant, peak = largest(sampled, "current_difference")
+    if peak == 0:
+        return "An ammeter between the electrodes reads nothing: no current flows from one to the other."
+    over = sampling_interval(results)
+    mean = f", the mean over {quantity(round(over, 9), 's')}" if over else ""
+    return (f"An ammeter between the electrodes reads up to {told(results, 'peak_sampled_current_difference', peak, 'A')}"
+            f"{event(results, instant)}{mean}.")
+
+
+def of_mechanics(results):
+    """What a run without ions has to tell: force and shear."""
+    parts = [f"{words} {told(results, name, 0.0, '1')}" for name, words in (
+        ("normal_force_slide", "the slider presses with"), ("mean_shear_slide", "the core's mean shear is")) if name in results.metrics]
+    text = " and ".join(parts)
+    return f"In mid-slide {text}; the ions were not asked for." if text else None
+
+
+def sentences(results):
+    """The first says what can be read; those after it what it depends on, or what it leaves out."""
+    first = of_circuit(results) or of_current(results) or of_mechanics(results)
+    if first is None:
+        return ["This run has no currents to read."]
+    found = [first]
+    if "peak_open_circuit_voltage" in results.metrics and "V" not in first:
+        found.append(f"Left open, the cell would give up to {told(results, 'peak_open_circuit_voltage', 0.0, 'V')} at once.")
+    coefficient = results.case.get("coupling", {}).get("coefficient")
+    if coefficient and results.signals.has("current_difference") and report_text.law(results) != "poroelastic":
+        found.append(f"It is in proportion to the coupling coefficient k = {coefficient:g}, an assumption that no measurement supports yet.")
+    return found + taxels(results)
+
+
+def taxels(results):
+    """Which taxel moves most charge."""
+    if results.taxels is None:
+        return []
+    moved = {name.removeprefix("charge_top_"): largest(results.taxels, name)[1] for name in results.taxels if name.startswith("charge_top_")}
+    moved.pop("rest", None)  # of the electrode, between the taxels
+    if not moved or not max(moved.values()):
+        return []
+    name = max(moved, key=moved.get)
+    share = moved[name] / sum(moved.values())
+    return [f"Of {len(moved)} taxels {name[:20]} moves most charge: {quantity(moved[name], 'C', 3)}, {percent(share)} of their sum."]

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/planning/contact_estimate.hpp"
+
+#include "ionskin/case/elastic_constants.hpp"
+#include "ionskin/case/slider_motion.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace ionskin::planning {
+namespace {
+
+constexpr double hertz_peak = 1.5; // largest over mean pressure of a round contact
+constexpr double margin = 1.5;     // of what is said to be sure
+
+/// Layers in series, per area [m/Pa].
+struct Compliances {
+  double confined = 0; ///< t / M of each, M the oedometric modulus
+  double squeezed = 0; ///< and t^3 / (4 G a^2), of a bonded strip of half width a
+  double shear = 0;    ///< t / G
+};
+
+Compliances compliances(const Skin& skin, double half_width) {
+  Compliances sum;
+  for (const Layer& layer : skin.layers) {
+    const double shear = shear_modulus(layer.material), t = layer.thickness;
+    const double confined = t / oedometric_modulus(shear, layer.material.poissons_ratio);
+    sum.confined += confined;
+    sum.squeezed += confined + t * t * t / (4 * shear * half_width * half_width);
+    sum.shear += t / shear;
+  }
+  return sum;
+}
+
+double longest_slide(const Case& input) {
+  double longest = 0;
+  for (const MotionLeg& leg : joined_slides(motion_legs(input.motion, input.slider))) {
+    if (leg.slides())
+      longest = std::max(longest, leg.length());
+  }
+  return longest;
+}
+
+bool is_sure(const Case& input) {
+  return input.slider.sharp() && input.slider.rigid() && !input.motion.drive.given() &&
+         input.contact.law == "coulomb";
+}
+
+} // namespace
+
+ContactEstimate estimate_contact(const Case& input, const std::optional<mesh::Footprint>& found) {
+  const bool sharp = input.slider.sharp();
+  const mesh::Footprint contact = found ? *found : mesh::expected_footprint(input);
+  const double half_width = std::min(contact.half_size[0], contact.half_size[1]);
+  const double part = sharp ? 4.0 : std::numbers::pi; // of the product of both half sizes
+  ContactEstimate estimate;
+  estimate.area = part * contact.half_size[0] * contact.half_size[1];
+  const Compliances layers = compliances(input.skin, half_width);
+  const mesh::HeaviestLoad load = mesh::heaviest_load(input);
+  const double forced = load.force > 0 ? load.force / estimate.area : 0.0;
+  estimate.pressure =
+      std::max(forced * (sharp ? 1.0 : hertz_peak), load.indentation / layers.confined);
+  const double modulus = shear_modulus(input.skin.layers[input.skin.core_index()].material);
+  estimate.shear = input.contact.friction * estimate.pressure / modulus;
+  if (is_sure(input)) {
+    const double pressure = std::max(forced, load.indentation / layers.squeezed);
+    const double traction =
+        std::min(input.contact.friction * pressure, longest_slide(input) / layers.shear);
+    const double depth =
+        input.skin.thickness() - input.skin.core_bottom() - input.skin.core_thickness();
+    const double reach = half_width / (half_width + depth); // the traction spreads below it
+    estimate.least_shear = reach * traction / modulus / margin;
+  }
+  return estimate;
+}
+
+} // namespace ionskin::planning
