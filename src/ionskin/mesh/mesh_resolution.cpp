@@ -29,9 +29,9 @@ struct PresetResolution {
 PresetResolution preset_resolution(Preset preset) {
   switch (preset) {
   case Preset::coarse:
-    return {0.025, 2.0, 2.0, 2.0, 2.0, 9, 1, 1, 1.8, 8, 2.0};
+    return {0.12, 2.0, 2.0, 2.0, 2.0, 9, 1, 1, 1.8, 8, 2.0};
   case Preset::standard:
-    return {0.01, 2.0, 1.5, 1.5, 2.0, 15, 2, 2, 2.0, 12, 1.7};
+    return {0.05, 2.0, 1.5, 1.5, 2.0, 15, 2, 2, 2.0, 12, 1.7};
   case Preset::fine:
     break;
   }

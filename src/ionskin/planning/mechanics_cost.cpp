@@ -8,6 +8,7 @@
 #include "ionskin/mechanics/companions.hpp"
 #include "ionskin/mechanics/path/expected_steps.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
+#include "ionskin/mechanics/surface/contact_cells.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 
 #include <algorithm>
@@ -37,8 +38,7 @@ mesh::SkinMesh expected_mesh(const Case& input) {
 /// What one grid of cells costs.
 struct GridCost {
   GridCost(const Case& input, const mesh::SkinMesh& mesh)
-      : cells(static_cast<double>((mesh.footprint_lines_x().size() - 1) *
-                                  (mesh.footprint_lines_y().size() - 1))),
+      : cells(static_cast<double>(mechanics::contact_cells(mesh).count())),
         driven(input.motion.drive.given()) {
     const auto [nx, ny, nz] = mesh.elements();
     const auto [bottom, top] = mesh.core_z();

@@ -3,6 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/case/reading/read_case.hpp"
+#include "ionskin/mechanics/surface/contact_cells.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 #include "ionskin/planning/cost_estimate.hpp"
 #include "ionskin/planning/output_size.hpp"
@@ -85,8 +86,7 @@ TEST(Resources, OfAContactThatWasFoundFollowFromItsCells) {
   }
   const CostEstimate found = estimate_cost(ball, 2, small);
   const mesh::SkinMesh mesh(ball, small);
-  EXPECT_EQ(found.contact_cells,
-            (mesh.footprint_lines_x().size() - 1) * (mesh.footprint_lines_y().size() - 1));
+  EXPECT_EQ(found.contact_cells, mechanics::contact_cells(mesh).count());
 }
 
 TEST(Resources, StepsWithoutEndAreRefused) {

@@ -195,6 +195,9 @@ Eigen::MatrixXd plane_compliance(const PlaneCompliance& skin, const ContactGrid&
         }
         pair += of_image;
       }
+      if (at == from) {
+        pair = 0.5 * (pair + pair.transpose()).eval();
+      }
       result.block<3, 3>(3 * at, 3 * from) = pair;
       result.block<3, 3>(3 * from, 3 * at) = pair.transpose();
     }

@@ -1,10 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/surface/contact_cells.hpp"
 
+#include <array>
+
 namespace ionskin::mechanics {
+namespace {
+
+/// Parts of an element under a sharp edge, over the first: there the traction grows like the
+/// inverse root of the distance, and what even tractions leave out falls with the first cell.
+constexpr std::array<double, 3> parts_at_edge{1, 2, 4};
+
+/// @param at_begin,at_end whether the lines begin and end at sharp edges
+std::vector<double> cell_lines(const std::vector<double>& lines, bool at_begin, bool at_end) {
+  double whole = 0;
+  for (const double part : parts_at_edge) {
+    whole += part;
+  }
+  std::vector<double> from_begin, from_end;
+  double place = 0;
+  for (std::size_t i = 0; i + 1 < parts_at_edge.size(); ++i) {
+    place += parts_at_edge[i] / whole;
+    from_begin.push_back(lines[0] + place * (lines[1] - lines[0]));
+    const double last = lines[lines.size() - 1];
+    from_end.insert(from_end.begin(), last - place * (last - lines[lines.size() - 2]));
+  }
+  std::vector<double> result = lines;
+  if (at_end && lines.size() > 2) {
+    result.insert(result.end() - 1, from_end.begin(), from_end.end());
+  }
+  if (at_begin && lines.size() > 2) {
+    result.insert(result.begin() + 1, from_begin.begin(), from_begin.end());
+  }
+  return result;
+}
+
+} // namespace
 
 ContactCells contact_cells(const mesh::SkinMesh& mesh) {
-  ContactCells cells{mesh.footprint_lines_x(), mesh.footprint_lines_y(), {}};
+  const bool sharp_x = mesh.footprint().sharp(0), sharp_y = mesh.footprint().sharp(1);
+  ContactCells cells{cell_lines(mesh.footprint_lines_x(), sharp_x, sharp_x),
+                     cell_lines(mesh.footprint_lines_y(), sharp_y, sharp_y && !mesh.half_model()),
+                     {}};
   for (std::size_t j = 0; j < cells.rows(); ++j) {
     for (std::size_t i = 0; i < cells.columns(); ++i) {
       cells.area.push_back((cells.lines_x[i + 1] - cells.lines_x[i]) *

@@ -9,7 +9,8 @@
 
 namespace ionskin::mechanics {
 
-/// Cells of the slider's footprint, on each of which the traction is even. Numbered x fastest.
+/// Cells of the slider's footprint, the columns of the mesh or parts of them under sharp edges, on
+/// each of which the traction is even. Numbered x fastest.
 /// Every cell has three contact components: normal (pressing down), along x, along y; component c
 /// of cell i is 3 i + c.
 struct ContactCells {

@@ -6,6 +6,7 @@
 #include "ionskin/base/files/sealed_file.hpp"
 #include "ionskin/mechanics/path/expected_steps.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
+#include "ionskin/mechanics/surface/contact_cells.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 #include "ionskin/parallel/task_pool.hpp"
 #include "ionskin/results/hdf5/foreign_hdf5_file.hpp"
@@ -79,8 +80,7 @@ std::vector<FrictionGroup> group_points(const std::vector<SweepPoint>& points,
 }
 
 double solution_memory(const Case& input, const mesh::SkinMesh& mesh) {
-  const auto cells = static_cast<double>((mesh.footprint_lines_x().size() - 1) *
-                                         (mesh.footprint_lines_y().size() - 1));
+  const auto cells = static_cast<double>(mechanics::contact_cells(mesh).count());
   const std::size_t states = std::max<std::size_t>(1, mechanics::expected_steps(input).kept);
   return values_per_cell * sizeof(double) * cells * static_cast<double>(states);
 }
