@@ -16,18 +16,18 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-Case quick(const std::vector<std::string>& edits = {}) {
+Case quick_case(const std::vector<std::string>& edits = {}) {
   return read_case(IONSKIN_CASES "/quick.toml", edits);
 }
 
 std::vector<std::string> of(const std::vector<std::string>& edits) {
-  return foreseen(quick(edits));
+  return foreseen(quick_case(edits));
 }
 
 /// The message of the refusal, or empty.
 std::string refusal(const std::vector<std::string>& edits) {
   try {
-    foreseen(quick(edits));
+    foreseen(quick_case(edits));
   } catch (const UserError& error) {
     return error.what();
   }
@@ -37,7 +37,7 @@ std::string refusal(const std::vector<std::string>& edits) {
 // A run finds a mean pressure of 14.5 MPa while it slides, and a shear of 0.09 at its 99th
 // percentile over the core.
 TEST(ContactEstimate, BracketsWhatARunFinds) {
-  const ContactEstimate estimate = estimate_contact(quick());
+  const ContactEstimate estimate = estimate_contact(quick_case());
   EXPECT_GT(estimate.pressure, 14.5e6);
   EXPECT_LT(estimate.pressure, 30e6);
   EXPECT_GT(estimate.least_shear, 0.02);
@@ -46,13 +46,15 @@ TEST(ContactEstimate, BracketsWhatARunFinds) {
 }
 
 TEST(ContactEstimate, IsSureOfNothingButARigidFlatSlider) {
-  EXPECT_EQ(estimate_contact(quick({"slider.shape=sphere", "slider.radius=3 mm"})).least_shear, 0);
-  EXPECT_EQ(estimate_contact(quick({"slider.youngs_modulus=1 MPa", "slider.poissons_ratio=0.4"}))
-                .least_shear,
+  EXPECT_EQ(estimate_contact(quick_case({"slider.shape=sphere", "slider.radius=3 mm"})).least_shear,
             0);
-  const double whole = estimate_contact(quick()).least_shear;
-  EXPECT_LT(estimate_contact(quick({"motion.stroke=1 nm"})).least_shear, 0.01 * whole);
-  EXPECT_EQ(estimate_contact(quick({"motion.stroke=0 mm"})).least_shear, 0);
+  EXPECT_EQ(
+      estimate_contact(quick_case({"slider.youngs_modulus=1 MPa", "slider.poissons_ratio=0.4"}))
+          .least_shear,
+      0);
+  const double whole = estimate_contact(quick_case()).least_shear;
+  EXPECT_LT(estimate_contact(quick_case({"motion.stroke=1 nm"})).least_shear, 0.01 * whole);
+  EXPECT_EQ(estimate_contact(quick_case({"motion.stroke=0 mm"})).least_shear, 0);
 }
 
 TEST(Foreseen, IsNothingForSoundCases) {

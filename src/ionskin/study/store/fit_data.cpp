@@ -88,7 +88,7 @@ private:
     }
     std::vector<std::string> found;
     for (const Title& one : titles_) {
-      if (fit_columns().count(one.name) > 0) {
+      if (fit_columns().count(one.name) > 0 && std::ranges::find(found, one.name) == found.end()) {
         found.push_back(one.name);
       }
     }
