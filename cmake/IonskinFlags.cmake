@@ -27,10 +27,9 @@ if(IONSKIN_ASSERTIONS)
   target_compile_options(ionskin_flags INTERFACE -UNDEBUG)
 endif()
 
-# Sources in which no loop costs a user time: the compiler's does. Under the sanitizers they compile in half the time
-# without optimisation.
+# Sources in which no loop costs a user time: the compiler's does.
 add_library(ionskin_light_flags INTERFACE)
-target_compile_options(ionskin_light_flags INTERFACE $<IF:$<CONFIG:Release>,-O1,-O0>)
+target_compile_options(ionskin_light_flags INTERFACE -O1)
 
 # The physics folders use the vector level; everything that runs before the processor
 # has been checked (apps, base) is compiled for any machine.
