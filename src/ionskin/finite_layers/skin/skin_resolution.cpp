@@ -29,7 +29,7 @@ SkinResolution skin_resolution(const std::vector<ElasticLayer>& layers,
   result.reach = std::max(least_reach * thickness, 2 * std::min(clearance.ends, clearance.sides));
   result.face_waves = 7;
   result.one_by_one = 120;
-  result.degree = 3;
+  result.degree = 5;
   for (const ElasticLayer& layer : layers) {
     result.elements.push_back(layer.thickness > thick * thickness ? ElementSizes{1, 2, 2, 1}
                                                                   : ElementSizes{1});
