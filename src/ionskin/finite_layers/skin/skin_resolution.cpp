@@ -8,7 +8,8 @@
 namespace ionskin::finite_layers {
 namespace {
 
-constexpr double least_reach = 0.75; // over the thickness
+// Over the thickness. The box in which the strain of short waves is summed grows with their reach.
+constexpr double least_reach = 0.75, most_reach = 2.5;
 
 } // namespace
 
@@ -26,7 +27,8 @@ SkinResolution skin_resolution(const std::vector<ElasticLayer>& layers,
   }
   SkinResolution result;
   result.split_tolerance = 1e-3;
-  result.reach = std::max(least_reach * thickness, 2 * std::min(clearance.ends, clearance.sides));
+  result.reach = std::clamp(2 * std::min(clearance.ends, clearance.sides), least_reach * thickness,
+                            most_reach * thickness);
   result.face_waves = 7;
   result.one_by_one = 120;
   result.degree = 5;

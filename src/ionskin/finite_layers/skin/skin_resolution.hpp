@@ -29,8 +29,9 @@ struct SkinResolution {
   FaceResolution face(double length) const;
 };
 
-/// Short waves reach from the slider to its nearest image in a face, and at least over most of the
-/// thickness: what a face nearer than half of that does to the shorter waves is left out.
+/// Short waves reach from the slider to its nearest image in a face, at least over most of the
+/// thickness and at most over some of it: what a face nearer than half of that does to the shorter
+/// waves is left out.
 SkinResolution skin_resolution(const std::vector<ElasticLayer>& layers, const Clearance& clearance);
 
 } // namespace ionskin::finite_layers
