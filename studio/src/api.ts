@@ -12,7 +12,7 @@ export interface CaseValue {
 export interface CaseError {
   message: string; remedy: string; line: number | null; column: number | null; length: number | null; keys: string[];
 }
-export interface Cost { memory_bytes: number; seconds: number; threads: number; positions: number; }
+export interface Cost { memory_bytes: number; seconds: number; threads: number; }
 export interface Verdict {
   valid: boolean; errors?: CaseError[]; values?: CaseValue[]; applicable?: string[]; explanation?: string; warning?: string; cost?: Cost | null;
 }

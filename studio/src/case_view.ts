@@ -79,7 +79,7 @@ export function case_view(): HTMLElement {
     verdict_line.className = verdict.valid ? "verdict good" : "verdict bad";
     const cost = verdict.cost;
     verdict_line.textContent = verdict.valid
-      ? "✓ Valid" + (cost ? `: about ${duration(cost.seconds)} and ${memory(cost.memory_bytes)} with ${cost.threads} threads` + (cost.positions ? "; less when the mechanics is cached" : "") : "")
+      ? "✓ Valid" + (cost ? `: about ${duration(cost.seconds)} and ${memory(cost.memory_bytes)} with ${cost.threads} threads` : "")
       : `✕ ${errors.length === 1 ? "One mistake" : `${errors.length} mistakes`}`;
     problems.replaceChildren(...errors.map((error) => el("li", {},
       button(error.line ? `Line ${error.line}` : "Case", () => editor.go_to(error), "link"), ` ${error.message}: `, el("em", {}, error.remedy))),

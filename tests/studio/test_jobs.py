@@ -96,7 +96,7 @@ class Jobs(StudioTest):
                 cost = self.studio.json("POST", "/api/case/check", {"text": starter["text"]})["cost"]
                 self.assertGreater(cost["memory_bytes"], 1e8)
                 self.assertGreater(cost["ion_unknowns"], 0)
-                self.assertEqual(cost["positions"] == 0, starter["id"] in ("strain_file", "bending"))
+                self.assertEqual(cost["contact_cells"] == 0, starter["id"] in ("strain_file", "bending"))
 
     def test_the_page_names_every_package(self):
         packages = json.loads((ROOT / "studio" / "package.json").read_text())
