@@ -15,9 +15,9 @@ namespace ionskin::mechanics {
 /// normal force of a cell.
 inline constexpr double contact_tolerance = 1e-9;
 
-/// Small strain in the core at the 2x2x2 Gauss points of each element (the superconvergent points
-/// of Q2 elements, Barlow 1976, doi 10.1002/nme.1620100202). The points form a tensor grid of two
-/// points per element and direction, in the mesh's own order; half models hold y <= width / 2 only.
+/// Small strain in the core at the 2x2x2 Gauss points of each box between the mesh's lines, by
+/// which means over it are taken. The points form a tensor grid, in the mesh's own order; half
+/// models hold y <= width / 2 only.
 struct CoreStrain {
   std::array<std::size_t, 3> points{}; ///< along x, y, z
   /// Six components xx, yy, zz, yz, xz, xy (tensor components), each [z][y][x], x fastest [1].
