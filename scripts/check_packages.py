@@ -88,8 +88,6 @@ def headers():
             header = ALIASES.get(header, header)
             if header and ("." in header or "/" in header) and not OF_THE_C_LIBRARY.match(header):
                 yield file, header
-            elif header == "openblas":
-                yield file, header
 
 
 @listed
