@@ -4,15 +4,21 @@
 #include "ionskin/finite_layers/plane/radial_compliance.hpp"
 #include "ionskin/finite_layers/thickness/surface_compliance.hpp"
 
+#include <algorithm>
+
 namespace ionskin::mechanics {
 namespace {
 
 namespace fl = finite_layers;
 
 constexpr double reach_of_pad = 12; // over its thickness: beyond it rests
+/// Stiffness against a change of volume has no bound at Poisson's ratio 0.5. With this one it is a
+/// million times that against shear, and displacements are those of 0.5 to some 1e-6.
+constexpr double nearly_incompressible = 0.5 - 2.5e-7;
 
 Eigen::MatrixXd face_compliance(const Slider& slider, const fl::ContactGrid& grid) {
-  const Material material{"", slider.youngs_modulus, slider.poissons_ratio};
+  const Material material{"", slider.youngs_modulus,
+                          std::min(slider.poissons_ratio, nearly_incompressible)};
   const fl::ElasticLayer layer = fl::elastic_layer(material, slider.pad_thickness);
   if (slider.pad_thickness == 0) {
     return fl::plane_compliance(fl::PlaneCompliance(layer), grid, fl::own_images(grid));

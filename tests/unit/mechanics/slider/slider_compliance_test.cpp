@@ -69,6 +69,21 @@ TEST(SliderCompliance, IsSymmetricAndInInverseProportionToTheModulus) {
   }
 }
 
+TEST(SliderCompliance, OfIncompressibleMaterialIsTheLimit) {
+  const finite_layers::ContactGrid grid{{0, 0.1e-3, 0.3e-3}, {0, 0.2e-3}};
+  for (const double pad : {0.0, 0.1e-3}) {
+    const auto at = [&](double poissons_ratio) {
+      Slider slider = soft_case(pad).slider;
+      slider.poissons_ratio = poissons_ratio;
+      return slider_compliance(slider, grid);
+    };
+    const MatrixXd limit = at(0.5), near = at(0.499), further = at(0.498);
+    ASSERT_TRUE(limit.allFinite());
+    const double error = (limit - (2 * near - further)).cwiseAbs().maxCoeff();
+    EXPECT_LT(error, 0.02 * (limit - near).cwiseAbs().maxCoeff()) << pad;
+  }
+}
+
 TEST(SliderCompliance, OfAHalfModelIsThatOfTheWholeUnderMirroredForces) {
   for (const double pad : {0.0, 0.4e-3}) {
     const Case input = soft_case(pad);
