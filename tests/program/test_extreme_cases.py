@@ -33,6 +33,15 @@ CASES = {
         "layers": [(1.2759e8, 0.29124, "24.45 um"), (2.2705e5, 0.019007, "21.43 um"), (1.8406e10, 0.47574, "802.6 um")],
         "slider": 'shape = "sphere"\nradius = "44.87 mm"', "width": 6, "preload": "0.01554 N", "friction": 0,
         "ions": ("1.035e-12 m2/s", "0.000114 F/m"), "coupling": ("fixed-charge", 0.01, "off-diagonal")},
+    "incompressible fingertip": {
+        "layers": [(1.68e11, 0.38, "10 um"), (2.49e8, 0.49, "180 um"), (1.68e11, 0.38, "10 um")],
+        "slider": 'shape = "sphere"\nradius = "8 mm"\nyoungs_modulus = "0.3 MPa"', "width": 6, "preload": "0.1 N", "friction": 0.3,
+        "ions": ("7e-11 m2/s", "0.002 F/m"), "coupling": ("column-neutral", 0.1, "off-diagonal")},
+    "incompressible film on a bone": {
+        "layers": [(1.68e11, 0.38, "10 um"), (2.49e8, 0.49, "180 um"), (1.68e11, 0.38, "10 um")],
+        "slider": 'shape = "sphere"\nradius = "8 mm"\nyoungs_modulus = "0.3 MPa"\npad_thickness = "0.2 mm"', "width": 6,
+        "preload": "0.1 N", "friction": 0.3, "ions": ("7e-11 m2/s", "0.002 F/m"),
+        "coupling": ("column-neutral", 0.1, "off-diagonal")},
 }
 
 
