@@ -131,7 +131,7 @@ class Sweep(ProgramTest):
     def test_tells_its_cost_beforehand(self):
         """What is asked for by --explain does no work."""
         shared = self.run_program("sweep", QUICK, "-o", "out", *SMALL, "--over", "contact.friction=0.1:0.1:0.5", "--explain")
-        self.assertRegex(shared.stdout, r"^5 points, 5 contact solutions that share 1 set of factorisations; about .* s with ")
+        self.assertRegex(shared.stdout, r"^5 points, 5 contact solutions that share 1 skin; about .* s with ")
         seconds = []
         for points in (3, 40):
             apart = self.run_program("sweep", QUICK, "-o", "out", *SMALL, "--over", "slider.start[0]=4:5 mm", "--samples",

@@ -10,7 +10,7 @@ namespace ionskin::apps {
 namespace {
 
 // Measured on cases/quick.toml (0.08): what a further friction coefficient adds to a contact
-// solution, whose factorisations it shares.
+// solution, whose skin it shares.
 constexpr double further_friction = 0.1;
 
 std::string duration(double seconds) {
@@ -31,9 +31,8 @@ std::string solutions_in_words(const std::vector<study::MechanicsGroup>& groups)
     solutions += group.solutions.size();
   }
   const std::string words = counted(solutions, "contact solution");
-  return groups.size() < solutions
-             ? words + " that share " + counted(groups.size(), "set") + " of factorisations"
-             : words;
+  return groups.size() < solutions ? words + " that share " + counted(groups.size(), "skin")
+                                   : words;
 }
 
 } // namespace

@@ -12,7 +12,7 @@ namespace ionskin::study {
 namespace {
 
 // Measured on cases/quick.toml (0.08): what a further friction coefficient adds to a contact
-// solution, whose factorisations it shares.
+// solution, whose skin it shares.
 constexpr double further_solution = 0.1;
 /// Work that a batch may add to the mechanics it shares, as a multiple of that.
 constexpr double added_work = 4;

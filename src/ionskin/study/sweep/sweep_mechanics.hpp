@@ -14,7 +14,7 @@ namespace ionskin::study {
 /// Point numbers (from 0) whose Study 1 could not be solved, each with the reason.
 using SweepFailures = std::map<std::size_t, std::string>;
 
-/// Points that differ in the friction coefficient only and share all factorisations.
+/// Points that differ in the friction coefficient only and share the skin.
 struct MechanicsGroup {
   std::vector<std::vector<std::size_t>> solutions; ///< the points of each friction coefficient
   std::size_t first_point() const { return solutions.front().front(); }
@@ -27,7 +27,7 @@ std::vector<MechanicsGroup> mechanics_groups(const std::vector<SweepPoint>& poin
 double solutions_memory(const Case& input, std::size_t solutions);
 
 /// Solves Study 1 of the given points and leaves it in their folders, where `run_case` takes it up.
-/// Points that differ in the friction coefficient only share all factorisations; points whose Study
+/// Points that differ in the friction coefficient only share the skin; points whose Study
 /// 1 is the same share it. When the solver gives up on several together, or their contact does not
 /// stay on the skin, each of them is tried alone.
 /// @param unfinished indices of the points to solve; those whose folders hold it already are left
