@@ -48,7 +48,7 @@ public:
 
   CoreAndElectrodes at(const std::array<double, 2>& centre,
                        const std::vector<double>& forces) const {
-    return fields_->at(grid_, centre, forces);
+    return fields_->at({{grid_, centre, forces}}).front();
   }
 
 private:
