@@ -2,6 +2,7 @@
 #include "ionskin/finite_layers/fields/face_strain.hpp"
 
 #include "ionskin/finite_layers/fields/mode_means.hpp"
+#include "ionskin/parallel/task_pool.hpp"
 
 #include <algorithm>
 #include <array>
@@ -108,8 +109,9 @@ double share_of(const std::vector<Eigen::Index>& chosen, Eigen::Index first, Eig
 
 FaceModes::FaceModes(const ThicknessColumn& column, Face of_face, double extent_along,
                      double extent_across, std::vector<Eigen::Index> modes_along, Parity parity,
-                     double last)
-    : face(of_face), along(extent_along), across(extent_across), modes(std::move(modes_along)) {
+                     double last, int threads)
+    : face(of_face), along(extent_along), across(extent_across), modes(std::move(modes_along)),
+      motion(modes.size()) {
   const Eigen::Index first = parity == Parity::even ? 0 : 1;
   const auto most = static_cast<Eigen::Index>(last * across / (2 * std::numbers::pi));
   for (Eigen::Index i = 0; i <= std::max(most, first_modes + 4);
@@ -118,12 +120,11 @@ FaceModes::FaceModes(const ThicknessColumn& column, Face of_face, double extent_
            i < first_modes ? 1 : static_cast<Eigen::Index>(step_share * static_cast<double>(i)))) {
     numbers.push_back(first + 2 * i);
   }
-  for (std::size_t at = 0; at < modes.size(); ++at) {
-    motion.emplace_back();
+  parallel::run_tasks(modes.size(), threads, [&](std::size_t at) {
     for (std::size_t number = 0; number < numbers.size(); ++number) {
-      motion.back().push_back(mode_motion(column, mode(at, number), face));
+      motion[at].push_back(mode_motion(column, mode(at, number), face));
     }
-  }
+  });
 }
 
 PlaneMode FaceModes::mode(std::size_t at, std::size_t number) const {

@@ -22,8 +22,9 @@ struct FaceModes {
 
   /// @param parity of the modes across: the faces move alike under even ones
   /// @param last wave number across up to which modes are summed [1/m]
+  /// @param threads that make it
   FaceModes(const ThicknessColumn& column, Face of_face, double extent_along, double extent_across,
-            std::vector<Eigen::Index> modes_along, Parity parity, double last);
+            std::vector<Eigen::Index> modes_along, Parity parity, double last, int threads);
 
   PlaneMode mode(std::size_t at, std::size_t number) const;
 };

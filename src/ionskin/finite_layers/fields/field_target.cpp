@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/finite_layers/fields/field_target.hpp"
 
+#include "ionskin/finite_layers/fields/field_faces.hpp"
 #include "ionskin/finite_layers/fields/mode_means.hpp"
 
 #include <algorithm>
@@ -45,16 +46,15 @@ struct PlacesInBox {
 
 } // namespace
 
-FieldTarget::FieldTarget(const FieldSkin& skin, FieldLevels levels,
-                         const std::vector<FaceModes>& sides, const std::vector<FaceModes>& ends)
+FieldTarget::FieldTarget(const FieldSkin& skin, FieldLevels levels)
     : levels_(std::move(levels)),
       depth_(skin.layers, levels_.levels, even_load / std::max(skin.length, skin.width),
              levels_.cutoffs),
       length_(skin.length), width_(skin.width) {
-  for (const FaceModes& modes : sides) {
+  for (const FaceModes& modes : skin.faces->sides) {
     sides_.emplace_back(*skin.column, modes, levels_.levels);
   }
-  for (const FaceModes& modes : ends) {
+  for (const FaceModes& modes : skin.faces->ends) {
     ends_.emplace_back(*skin.column, modes, levels_.levels);
   }
 }

@@ -30,11 +30,7 @@ struct PlaneBox {
 /// Strain at some levels, with what is tabulated for them.
 class FieldTarget {
 public:
-  /// @param sides,ends their modes: of the sides even and, without a mirror, odd across the skin;
-  /// of
-  ///        the ends in the order of their motions
-  FieldTarget(const FieldSkin& skin, FieldLevels levels, const std::vector<FaceModes>& sides,
-              const std::vector<FaceModes>& ends);
+  FieldTarget(const FieldSkin& skin, FieldLevels levels);
 
   const FieldLevels& levels() const { return levels_; }
   /// Zero at all places, [x, y + y's count * level].

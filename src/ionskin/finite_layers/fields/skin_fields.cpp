@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -16,8 +15,6 @@ namespace {
 
 /// Waves of more than some 16 to a column average out in it.
 constexpr double column_waves = 100;
-/// Waves that a moving face excites, over the thickness: summed up to here.
-constexpr double face_waves = 128;
 
 std::vector<Interval> points(const std::vector<double>& at) {
   std::vector<Interval> result;
@@ -67,30 +64,6 @@ FieldLevels electrode_levels(const FieldSkin& skin, double column, double tolera
       const double depth = std::max(skin.layers[i].thickness, thickness(skin.layers, i + 1));
       result.levels.push_back({i, {}});
       result.cutoffs.push_back(std::min(-std::log(tolerance) / depth, column_waves / column));
-    }
-  }
-  return result;
-}
-
-/// Of the sides, even and odd across the skin.
-std::vector<FaceModes> side_modes(const FieldSkin& skin, bool mirrored, double last) {
-  std::vector<FaceModes> result;
-  for (const Parity parity : parities(mirrored)) {
-    if (skin.sides != nullptr) {
-      std::vector<Eigen::Index> along(static_cast<std::size_t>(skin.sides->modes()));
-      std::iota(along.begin(), along.end(), Eigen::Index{0});
-      result.emplace_back(*skin.column, Face::side, skin.length, skin.width, along, parity, last);
-    }
-  }
-  return result;
-}
-
-std::vector<FaceModes> end_modes(const FieldSkin& skin, bool mirrored, double last) {
-  std::vector<FaceModes> result;
-  if (skin.ends != nullptr) {
-    for (const FreeEnds::ModesOfClass& own : skin.ends->modes(mirrored)) {
-      result.emplace_back(*skin.column, Face::end, skin.width, skin.length, own.along_y, own.parity,
-                          last);
     }
   }
   return result;
@@ -172,11 +145,10 @@ struct SkinFields::Parts {
   PlaneWaves long_waves, short_waves;
 
   Parts(const FieldSkin& layered, const ContactGrid& contact, const std::vector<double>& heights,
-        double column, const WaveSplit& waves, const std::vector<FaceModes>& side,
-        const std::vector<FaceModes>& end, double tolerance)
+        double column, const WaveSplit& waves, double tolerance)
       : skin(layered), cells(contact), split(waves),
-        core(skin, core_levels(skin, heights, tolerance), side, end),
-        electrodes(skin, electrode_levels(skin, column, tolerance), side, end),
+        core(skin, core_levels(skin, heights, tolerance)),
+        electrodes(skin, electrode_levels(skin, column, tolerance)),
         box_length(std::min(size_of(cells.x) + 2 * split.reach(), skin.length)),
         box_width(std::min(footprint_width(cells) + 2 * split.reach(), skin.width)),
         long_waves(
@@ -222,10 +194,7 @@ struct SkinFields::Parts {
 SkinFields::SkinFields(const FieldSkin& skin, const ContactGrid& cells,
                        const std::vector<double>& heights, double column, const WaveSplit& split,
                        double tolerance) {
-  const double last = face_waves / thickness(skin.layers, 0);
-  parts_ = std::make_unique<Parts>(skin, cells, heights, column, split,
-                                   side_modes(skin, cells.half, last),
-                                   end_modes(skin, cells.half, last), tolerance);
+  parts_ = std::make_unique<Parts>(skin, cells, heights, column, split, tolerance);
 }
 
 SkinFields::~SkinFields() = default;
