@@ -5,7 +5,7 @@
     benchmarks/explained_costs.py build/ionskin [--cases 40] [--first 0] [--refinements 0.5 0.6 0.7] [--table FILE]
 
 Skin, slider, motion, control, friction, drive, coupling, circuit and errors are drawn at the preset coarse, each case from its
-own number. A run has one thread, an empty cache and its report; its time is processor time, so that other work on the machine
+own number. A run has one thread and its report; its time is processor time, so that other work on the machine
 tells little. Fails when a run takes more than twice the memory that was promised and did not say so first.
 """
 
@@ -119,10 +119,9 @@ def first_line(text):
 def taken(program, case, folder, limit):
     """Processor time [s], peak memory [bytes] and what a run said."""
     output = folder / "said.txt"
-    environment = {**os.environ, "IONSKIN_CACHE": str(folder / "cache")}
     with open(output, "w", encoding="utf-8") as said:
         process = subprocess.Popen(["timeout", str(limit), program, "run", case, "-o", folder / "out", "--threads", "1", "--progress",
-                                    "none"], stdout=said, stderr=said, env=environment)
+                                    "none"], stdout=said, stderr=said)
         _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
     return usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024, process.returncode, output.read_text(encoding="utf-8")

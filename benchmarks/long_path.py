@@ -66,7 +66,7 @@ def main():
         explained = subprocess.run([arguments.program, "check", case, "--explain"], capture_output=True, text=True, check=True)
         print("\n".join(line for line in explained.stdout.splitlines() if line.startswith(("  memory ", "  wall time "))))
         begin = time.monotonic()
-        subprocess.run([arguments.program, "run", case, "-o", out, "--no-report", "--quiet", "--no-cache", "--threads",
+        subprocess.run([arguments.program, "run", case, "-o", out, "--no-report", "--quiet", "--threads",
                         str(arguments.threads)], check=True)
         manifest = json.loads((out / "manifest.json").read_text(encoding="utf-8"))
         memory = max(stage["peak_memory_bytes"] for stage in manifest["stages"].values())

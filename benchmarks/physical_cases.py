@@ -11,9 +11,9 @@ import small_cases
 NOT_DRAWN = {
     "title": "says nothing",
     "strain.file": "needs a file of a run; tests/program/test_strain_file.py",
-    "numerics.shared_positions.from": "shares work between cases, changes none",
-    "numerics.shared_positions.to": "shares work between cases, changes none",
-    "numerics.shared_positions.footprint": "shares work between cases, changes none",
+    "numerics.shared_positions.from": "has no effect any more",
+    "numerics.shared_positions.to": "has no effect any more",
+    "numerics.shared_positions.footprint": "has no effect any more",
 }
 SHAPES = ("flat", "rounded", "sphere", "cylinder", "profile")
 LAWS = ("coulomb", "saturating", "regularised", "viscous", "stribeck", "anisotropic", "adhesive")

@@ -8,7 +8,7 @@
 For each law, drive, slider and kind of load (height, force) a path of random rows, 1 um to the whole stroke each, with presses,
 turns, rests, landings and lift-offs, is solved on a small skin, and its worst violation of the contact's and friction's
 conditions printed, relative, and the number of contact steps. Fails when a path has no solution or a violation is above 1e-6.
-Laws and drives share what is factorised for a path by the cache. A refinement above 1 brings many cells under a round
+A refinement above 1 brings many cells under a round
 slider, which a step then lifts by more than each gives alone.
 """
 

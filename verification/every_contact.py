@@ -71,7 +71,7 @@ def solve(program, preset, shape, motion):
         (folder / "case.toml").write_text(case_text(shape, motion))
         result = subprocess.run(
             [program, "sweep", folder / "case.toml", "--over", f"contact.friction={FRICTION}", "--only", "mechanics",
-             "--no-report", "--no-cache", "--quiet", "--set", f"numerics.preset={preset}", "-o", folder / "out"],
+             "--no-report", "--quiet", "--set", f"numerics.preset={preset}", "-o", folder / "out"],
             capture_output=True, text=True, check=False)
         summaries = [json.loads(path.read_text())["metrics"] for path in (folder / "out").glob("points/*/summary.json")]
         counters = [json.loads(path.read_text())["counters"] for path in (folder / "out").glob("points/*/manifest.json")]

@@ -4,15 +4,14 @@
 
     verification/same_bits.py build/ionskin [--case cases/quick.toml] [--set KEY=VALUE ...] [--seed N]
 
-The reference is a sweep on one thread without a cache. Against it: more threads, kills at random instants, a lost
-point, a cold and a warm cache, other points beside a point, and each point as a run by itself. Compared are all
+The reference is a sweep on one thread. Against it: more threads, kills at random instants, a lost
+point, other points beside a point, and each point as a run by itself. Compared are all
 datasets of results.h5, the two tables, and the figures and errors of summary.json. Exits 0 only if all are the same.
 """
 
 import argparse
 import csv
 import json
-import os
 import random
 import shutil
 import subprocess
@@ -29,7 +28,6 @@ SHAPES = {
     "flat": (),
     "sphere": ("--set", 'slider.shape="sphere"', "--set", "slider.radius=8 mm", "--set", "motion.preload=0.5 N"),
 }
-HDF5 = b"\x89HDF"
 
 
 def results(folder):
@@ -68,24 +66,21 @@ class Ways:
         return [self.program, "sweep", str(self.case), "-o", str(self.folder / name), "--no-report", "--quiet",
                 *self.settings, "--over", "contact.friction=" + ",".join(frictions), *arguments]
 
-    def sweep(self, name, *arguments, cache=None, frictions=FRICTIONS):
-        self.call(self.command(name, *arguments, frictions=frictions), cache)
+    def sweep(self, name, *arguments, frictions=FRICTIONS):
+        self.call(self.command(name, *arguments, frictions=frictions))
         return self.folder / name / "points"
 
-    def call(self, command, cache=None):
-        environment = {**os.environ, "IONSKIN_CACHE": str(self.folder / (cache or "none"))}
-        environment["IONSKIN_CACHE_LIMIT"] = "5 GB" if cache else "0 GB"
-        done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    def call(self, command):
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
         if done.returncode != 0:
             sys.exit(f"{' '.join(command)}\n{done.stderr}")
 
     def killed(self, name):
         """Kills the sweep at random instants of ever longer attempts, then resumes it."""
         kills, allowed = 0, 1.0
-        environment = {**os.environ, "IONSKIN_CACHE_LIMIT": "0 GB"}
         while True:
             resume = ["--resume"] if (self.folder / name).exists() else []
-            process = subprocess.Popen(self.command(name, *resume), env=environment, stderr=subprocess.DEVNULL)
+            process = subprocess.Popen(self.command(name, *resume), stderr=subprocess.DEVNULL)
             try:
                 process.wait(self.random.uniform(0, allowed))
                 return kills, self.folder / name / "points"
@@ -101,17 +96,11 @@ class Ways:
         self.sweep(name, "--resume")
         return points
 
-    def without_mechanics(self, cache):
-        """A cache that has the slider positions alone."""
-        for path in (self.folder / cache).iterdir():
-            if HDF5 in path.read_bytes()[:200]:
-                path.unlink()
-
-    def alone(self, name, cache=None):
+    def alone(self, name):
         """Each point as a run of its own case."""
         for point in sorted(self.reference.iterdir()):
             self.call([self.program, "run", str(point / "case.toml"), "-o", str(self.folder / name / point.name),
-                       "--no-report", "--quiet"], cache)
+                       "--no-report", "--quiet"])
         return self.folder / name
 
     def rows(self):
@@ -121,14 +110,7 @@ class Ways:
         yield f"killed {kills} times, resumed", points
         yield "a point lost, resumed", self.lost("lost")
         yield "two points together", self.sweep("two", frictions=FRICTIONS[:2])
-        yield "cold cache", self.sweep("cold", cache="cache")
-        yield "warm cache", self.sweep("warm", cache="cache")
-        self.without_mechanics("cache")
-        yield "cache of positions only", self.sweep("positions", cache="cache")
         yield "each point alone", self.alone("alone")
-        yield "each alone, cold cache at first", self.alone("alone-cold", cache="other")
-        self.without_mechanics("cache")
-        yield "each alone, cache of positions", self.alone("alone-warm", cache="cache")
 
 
 def main():

@@ -80,7 +80,7 @@ def prepare(program, part, setting, folder):
         (folder / "path.csv").write_text(path(), encoding="utf-8")
     else:
         strain_file(folder / "strain.h5")
-    command = ["env", f"IONSKIN_CACHE={folder / 'cache'}", program, "run", "case.toml", "-o", "out", "--threads", "1",
+    command = [program, "run", "case.toml", "-o", "out", "--threads", "1",
                "--no-report", "--quiet"]
     return command + (["--only", "mechanics"] if part == "contact" else [])
 

@@ -12,8 +12,6 @@
 #include "ionskin/base/nearest_name.hpp"
 #include "ionskin/base/system/own_build.hpp"
 #include "ionskin/case/reading/read_case.hpp"
-#include "ionskin/mechanics/path/find_footprint.hpp"
-#include "ionskin/mesh/skin_mesh.hpp"
 #include "ionskin/planning/cost_estimate.hpp"
 #include "ionskin/planning/output_size.hpp"
 #include "ionskin/planning/resources.hpp"
@@ -98,7 +96,6 @@ Options common(const py::dict& settings, python::PythonProgress& progress) {
   options.resume = settings["resume"].cast<bool>();
   options.studies = studies(settings["only"].cast<std::string>());
   options.report = settings["report"].cast<bool>();
-  options.use_cache = settings["cache"].cast<bool>();
   options.command = settings["command"].cast<std::string>();
   options.progress = progress.callback();
   return options;
@@ -107,21 +104,9 @@ Options common(const py::dict& settings, python::PythonProgress& progress) {
 void run(const py::handle& python_case, const py::dict& settings, const py::object& callback) {
   const Case input = read(case_source(python_case)).input;
   python::PythonProgress progress(callback);
-  auto options = common<study::RunOptions>(settings, progress);
-  options.keep_mechanics = settings["keep_mechanics"].cast<bool>();
+  const auto options = common<study::RunOptions>(settings, progress);
   python::solve_unlocked(settings["main_thread"].cast<bool>(), progress,
                          [&] { study::run_case(input, options); });
-}
-
-/// Half the length and width of the area that the case touches [m], and whether its border lies
-/// where the slider ends sharply. Throws UserError where no mesh fits around it.
-std::pair<std::array<double, 2>, bool> footprint(const py::handle& python_case, int threads) {
-  const Case input = read(case_source(python_case)).input;
-  const py::gil_scoped_release release;
-  const mesh::Footprint found =
-      mechanics::find_footprint(input, input.contact.friction, apps::thread_count(threads));
-  const mesh::SkinMesh fits(input, found);
-  return {fits.footprint().half_size, input.slider.sharp()};
 }
 
 /// Estimate of what a run by one thread takes [bytes].
@@ -192,7 +177,6 @@ PYBIND11_MODULE(_ionskin_solver, module) {
   module.def("values", &values);
   module.def("key_unit", &key_unit);
   module.def("nearest_key", &nearest_key);
-  module.def("footprint", &footprint);
   module.def("memory", &memory);
   module.def("output", &output);
   module.def("require_disk", [](double bytes, const std::string& folder) {

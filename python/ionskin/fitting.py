@@ -19,7 +19,7 @@ class FitModel:
 
     free     keys of single real numbers, not 0 in the case, from which the fit starts; their signs stay
     threads  at most so many; 0: all processors
-    cache    use the user's cache of factorised slider positions
+    cache    has no effect any more
 
     The mechanics is solved once where the keys leave it the same, and every solution is kept. Raises CaseError.
     """
@@ -61,6 +61,6 @@ def fit(case: Case, data: str | os.PathLike, free: Sequence[str], output: str | 
 
     Raises CaseError before any work, SolverError and KeyboardInterrupt.
     """
-    settings = solve_settings(os.fspath(output), threads, overwrite, resume, "", report, cache, "fit")
+    settings = solve_settings(os.fspath(output), threads, overwrite, resume, "", report, "fit")
     solver.load().fit_folder(case, os.fsencode(data), column, list(free), settings, progress)
     return Fit.from_folder(output)

@@ -18,7 +18,6 @@ from .sweep_results import Sweep
 
 Progress = Callable[[str, float], None]
 SAMPLINGS = ("sobol", "latin")
-CACHES = (True, False, "positions")
 STUDIES = ("", "mechanics", "electrochemistry")
 
 
@@ -34,17 +33,15 @@ def run(case: Case, output: str | os.PathLike | None = None, *, threads: int = 0
     resume     finish an interrupted run of the same case in its folder
     only       "mechanics", or "electrochemistry" on the finished mechanics in the folder
     report     draw the figures and write report.html
-    cache      use the user's cache of factorised slider positions and of mechanics; "positions": of the former alone
+    cache      has no effect any more: nothing is kept in the home folder
 
     Raises CaseError before any work, SolverError, and KeyboardInterrupt; what was finished then stays in the folder.
     Other Python threads go on meanwhile; a second run waits for the first, but `progress` cannot begin one. A process
     that was forked during a run cannot run either: both are a CaseError.
     """
     _require("only", only, STUDIES)
-    _require("cache", cache, CACHES)
     with_folder, keep = _folder(output)
-    settings = solve_settings(with_folder, threads, overwrite, resume, only, report, bool(cache), "run")
-    settings["keep_mechanics"] = cache is True
+    settings = solve_settings(with_folder, threads, overwrite, resume, only, report, "run")
     solver.load().run(case, settings, progress)
     return Results(with_folder, keep)
 
@@ -71,7 +68,7 @@ def sweep(case: Case, over: Mapping[str, str | Sequence[Any]], output: str | os.
     if not axes:
         raise CaseError("the sweep varies nothing\n  = give `over` at least one key with its values")
     with_folder, keep = _folder(output)
-    settings = solve_settings(with_folder, threads, overwrite, resume, only, report, cache, "sweep")
+    settings = solve_settings(with_folder, threads, overwrite, resume, only, report, "sweep")
     settings |= {"samples": samples, "sampling": sampling, "seed": seed}
     if on is not None:
         sweep_on_cluster(case, axes, with_folder, on, settings, progress)
@@ -108,13 +105,13 @@ def _folder(output: str | os.PathLike | None) -> tuple[str, _TemporaryFolder | N
     return keep.name, keep
 
 
-def solve_settings(folder: str, threads: int, overwrite: bool, resume: bool, only: str, report: bool, cache: bool,
+def solve_settings(folder: str, threads: int, overwrite: bool, resume: bool, only: str, report: bool,
               verb: str) -> dict[str, Any]:
     if overwrite and resume:
         raise CaseError("overwrite and resume exclude each other")
     # As bytes: names of folders need not be UTF-8.
     return {"output": os.fsencode(folder), "threads": threads, "overwrite": overwrite, "resume": resume, "only": only, "report": report,
-            "cache": cache, "command": f"ionskin.{verb} (Python)",
+            "command": f"ionskin.{verb} (Python)",
             "main_thread": threading.current_thread() is threading.main_thread()}
 
 

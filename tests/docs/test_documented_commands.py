@@ -28,7 +28,6 @@ class DocumentedTest(ProgramTest):
         for name in ("cases", "materials", "python"):
             (self.folder / name).symlink_to(ROOT / name)
         (self.folder / "build").symlink_to(PROGRAM.parent)
-        os.environ["IONSKIN_CACHE_LIMIT"] = "1 GB"
         os.environ["PATH"] = f"{PROGRAM.parent}:{os.environ['PATH']}"
 
     def shell(self, command):

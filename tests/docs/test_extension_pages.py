@@ -96,7 +96,6 @@ class Built(Steps):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        os.environ["XDG_CACHE_HOME"] = str(cls.folder / "cache")  # pages share their slider positions
         shutil.copytree(PROGRAM.parent, cls.tree / "build", symlinks=True,
                         ignore=shutil.ignore_patterns("unit_*", "docs", "benchmarks", "Testing"))
         move_build(cls.tree / "build", ROOT, cls.tree)

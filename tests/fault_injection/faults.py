@@ -35,9 +35,8 @@ class Driver:
         self.expected = None
 
     def run(self, out, *options, **faults):
-        """Runs the program with a cache of its own and the given variables IONSKIN_FAULT_..."""
-        environment = os.environ | {"IONSKIN_CACHE": str(self.folder / "work" / "cache"), "IONSKIN_CACHE_LIMIT": "1 GB",
-                                    "OPENBLAS_NUM_THREADS": "1"}
+        """Runs the program with the given variables IONSKIN_FAULT_..."""
+        environment = os.environ | {"OPENBLAS_NUM_THREADS": "1"}
         if faults:
             environment |= {"LD_PRELOAD": FAULTS, "IONSKIN_FAULT_FOLDER": str(self.folder / "work")}
             environment |= {f"IONSKIN_FAULT_{name.upper()}": str(value) for name, value in faults.items()}
@@ -45,7 +44,7 @@ class Driver:
                               capture_output=True, text=True, check=False, cwd=self.folder, timeout=300)
 
     def clear(self):
-        """An empty place for outputs and cache."""
+        """An empty place for outputs."""
         shutil.rmtree(self.folder / "work", ignore_errors=True)
         (self.folder / "work").mkdir()
 
@@ -73,8 +72,6 @@ class Driver:
             return process.returncode, f"ended with {process.returncode}: {last[0]}"
         if process.returncode != 0 and "error" not in process.stderr and "points failed; sweep.csv" not in process.stderr:
             return process.returncode, f"no message: {process.stderr}"
-        # What a warm cache rounds differently is no matter of faults.
-        shutil.rmtree(self.folder / "work" / "cache", ignore_errors=True)
         again = self.run("out", *(["--resume"] if (self.folder / "work" / "out").exists() else []))
         if again.returncode != 0:
             return process.returncode, f"not resumed ({again.returncode}): {again.stderr.strip()}"

@@ -32,9 +32,6 @@ class ProgramTest(unittest.TestCase):
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="ionskin-test-"))
         self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
-        # Tests compare runs digit by digit: no cache but in its own tests, and there one of their own.
-        os.environ["IONSKIN_CACHE"] = str(self.folder / "cache")
-        os.environ["IONSKIN_CACHE_LIMIT"] = "0 GB"
 
     def run_program(self, *arguments, expect=0, processor_seconds=None, **settings):
         """Runs `ionskin ARGUMENTS`; asserts the exit code; returns the finished process. One that works longer than so many

@@ -1,144 +1,106 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The cache of factorised slider positions and of mechanics saves time and never changes a result."""
+"""Nothing is kept in the home folder; what older versions left there is shown and cleared."""
 
 import json
 import os
-import resource
-import shutil
-import subprocess
+import pathlib
 import unittest
+from unittest import mock
 
-import h5py
-import numpy
+from program import QUICK, SMALL, ProgramTest, summary
 
-from program import PROGRAM, QUICK, SMALL, ProgramTest, signals, summary
-
-ARGUMENTS = ("--only", "mechanics", "--quiet", "--no-report", *SMALL)
-FORCES = ("normal_force", "tangential_force")
-SHEARS = ("mean_shear", "rms_shear", "shear_first_moment")
+KEY = "0123456789abcdef" * 2
+ARGUMENTS = ("--only", "mechanics", "--no-report", *SMALL)
 
 
 class Cache(ProgramTest):
-    def mechanics(self, out, *arguments):
-        """Study 1 with a return of its own, which no earlier run had, so that only slider positions come again."""
-        self.returns += 1
-        self.run_program("run", QUICK, "-o", out, *ARGUMENTS, "--set", f"motion.return={1000 + self.returns} ms", *arguments)
-
     def setUp(self):
         super().setUp()
-        os.environ["IONSKIN_CACHE_LIMIT"] = "1 GB"
-        self.returns = 0
-        self.mechanics("plain", "--no-cache")
-        self.assertEqual(self.entries(), [])
+        changed = mock.patch.dict(os.environ, {"IONSKIN_CACHE": str(self.folder / "cache")})
+        changed.start()
+        self.addCleanup(changed.stop)
 
-    def entries(self, mechanics=False):
-        """Entries of slider positions, or those of the whole mechanics, which are HDF5 files."""
-        entries = sorted((self.folder / "cache").glob("*.ionskin-cache"))
-        return [path for path in entries if (b"\x89HDF" in path.read_bytes()[:200]) == mechanics]
+    def write(self, name, text):
+        (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
+        return super().write(name, text)
 
-    def notes(self, out):
-        return [text for text in summary(self.folder / out)["warnings"] if "cache" in text]
+    def cache(self, *arguments):
+        return self.run_program("cache", *arguments).stdout
 
-    def assert_agrees(self, out, reference="plain"):
-        """With the reference, to the last digit."""
-        found, expected = signals(self.folder / out), signals(self.folder / reference)
-        for name in (*FORCES, *SHEARS):
-            numpy.testing.assert_array_equal(found[name], expected[name], name)
+    def left(self, count=3):
+        """Files as older versions left them, and some of the user's own beside them."""
+        for number in range(count):
+            self.write(f"cache/{number:032x}.ionskin-cache", "x" * 1_000_000)
+        self.write(f"cache/{KEY}-77-0.ionskin-pending", "x" * 500_000)
+        own = ["notes.txt", "notes.ionskin-cache", "draft.ionskin-pending", f"{KEY}.txt", f"{KEY}-old.ionskin-cache"]
+        for name in own:
+            self.write(f"cache/{name}", "mine")
+        os.symlink("notes.txt", self.folder / "cache" / f"{KEY}.ionskin-cache")
+        return sorted([*own, f"{KEY}.ionskin-cache"])
 
-    def test_points_of_a_sweep_take_their_mechanics_from_the_cache(self):
-        def sweep(out, *arguments):
-            self.run_program("sweep", QUICK, "-o", out, *ARGUMENTS, "--over", "contact.friction=0.1,0.3", *arguments)
-            points = sorted((self.folder / out / "points").iterdir())
-            solved = ["mechanics" in json.loads((point / "manifest.json").read_text())["stages"] for point in points]
-            return (self.folder / out / "sweep.csv").read_text(), solved
+    def test_runs_sweeps_and_fits_keep_nothing_at_home(self):
+        home = self.folder / "home"
+        home.mkdir()
+        os.environ |= {"HOME": str(home), "XDG_CACHE_HOME": str(home / "xdg")}
+        told = self.run_case(QUICK, *ARGUMENTS, "-o", "run").stderr
+        self.assertNotIn("cache", told)
+        self.run_program("sweep", QUICK, "-o", "sweep", *ARGUMENTS, "--quiet", "--over", "contact.friction=0.1,0.3")
+        del os.environ["IONSKIN_CACHE"]
+        self.run_case(QUICK, *ARGUMENTS, "-o", "plain")
+        self.assertEqual([path for path in home.rglob("*") if path.is_file()], [])
+        self.assertFalse((self.folder / "cache").exists())
 
-        table, solved = sweep("sweep")
-        self.assertEqual(solved, [True, True])
-        self.assertEqual(len(self.entries(mechanics=True)), 2)
-        self.assertEqual(sweep("again"), (table, [False, False]))
-        self.assertEqual(sweep("uncached", "--no-cache")[1], [True, True])
-        # A run finds what the sweep kept.
-        self.run_program("run", QUICK, "-o", "run", *ARGUMENTS, "--set", "contact.friction=0.1")
-        self.assertNotIn("mechanics", json.loads((self.folder / "run" / "manifest.json").read_text())["stages"])
-
-    def test_cached_run_repeats_the_plain_one_and_damage_is_repaired(self):
-        self.mechanics("first", "--set", "contact.friction=0.1")
-        kept = self.entries()
-        self.mechanics("cached")
-        self.assertEqual(self.entries(), kept)  # positions serve any friction
-        self.assert_agrees("cached")
-        # A truncated entry, one of another version, and one with a changed number.
-        first, second, third = self.entries()[:3]
-        os.truncate(first, first.stat().st_size // 2)
-        for path, place in ((second, 8), (third, third.stat().st_size - 100)):
-            content = bytearray(path.read_bytes())
-            content[place] ^= 1
-            path.write_bytes(content)
-        self.mechanics("damaged")
-        self.assert_agrees("damaged")
-        self.assertEqual(len(self.notes("damaged")), 1)
-        self.assertIn("ignored and is replaced", self.notes("damaged")[0])
-        self.mechanics("repaired")
-        self.assert_agrees("repaired")
-        self.assertEqual(self.notes("repaired"), [])
-
-    def test_study_2_alone_changed_takes_up_the_mechanics(self):
-        self.run_case(QUICK, *SMALL, "-o", "first")
-        told = self.run_case(QUICK, *SMALL, "-o", "second", "--set", "coupling.coefficient=2e-4", "--progress", "lines").stderr
-        self.assertIn("mechanics, from the cache", told)
-        manifest = json.loads((self.folder / "second" / "manifest.json").read_text())
-        self.assertNotIn("mechanics", manifest["stages"])
-        self.assertEqual(manifest["stages"]["strain"]["source"], "cache")
-        told = self.run_case(QUICK, *SMALL, "-o", "second", "--set", "coupling.coefficient=2e-4", "--only",
-                             "electrochemistry", "--progress", "lines").stderr
-        self.assertIn("mechanics, from an earlier run", told)
-        first, second = signals(self.folder / "first"), signals(self.folder / "second")
-        for name in (*FORCES, *SHEARS):
-            self.assertEqual(numpy.interp(first["time"], second["time"], second[name]).max(), first[name].max(), name)
-        with h5py.File(self.folder / "second" / "results.h5") as file:
-            self.assertIn("contact/touchdown/pressure", file)
-        [entry] = self.entries(mechanics=True)
-        os.truncate(entry, entry.stat().st_size // 2)
-        self.run_case(QUICK, *SMALL, "-o", "third")
-        self.assertEqual(len(self.notes("third")), 1)
-        numpy.testing.assert_array_equal(signals(self.folder / "third")["current_top"], first["current_top"])
-
-    def test_killed_run_and_two_runs_at_once(self):
-        self.end_at_file(2, "run", QUICK, "-o", "killed", *ARGUMENTS, below="cache")
-        self.assertEqual(len(self.entries()), 1)
-        both = [subprocess.Popen([PROGRAM, "run", QUICK, "-o", out, *ARGUMENTS], cwd=self.folder)
-                for out in ("one", "other")]
-        self.assertEqual([process.wait() for process in both], [0, 0])
-        for out in ("one", "other"):
-            self.assert_agrees(out)
-            self.assertEqual(self.notes(out), [])
-
-    def test_full_disk_costs_the_cache_only(self):
-        finer = ("--set", "numerics.mesh_refinement=0.8")  # whose entries are larger than its results
-        self.mechanics("first", *finer)
-        sizes = {path: path.stat().st_size for path in self.entries()}
-        limit = max(sizes.values()) - 1
-        self.assertGreater(limit, (self.folder / "first" / "results.h5").stat().st_size)
-        shutil.rmtree(self.folder / "cache")
-        outcome = subprocess.run(
-            [PROGRAM, "run", QUICK, "-o", "full", *ARGUMENTS, *finer], cwd=self.folder, check=False,
-            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
-        self.assertEqual(outcome.returncode, 0)
-        self.assert_agrees("full", "first")
-        self.assertEqual(len(self.notes("full")), 1)
-        self.assertIn("Nothing was kept in the cache", self.notes("full")[0])
-        # The largest entries found no room; nothing half-written stays behind.
-        now = {path: path.stat().st_size for path in (self.folder / "cache").iterdir()
-               if path not in self.entries(mechanics=True)}
-        self.assertEqual(now, {path: size for path, size in sizes.items() if size <= limit})
-
-
-class CacheSettings(ProgramTest):
-    def test_limit_that_cannot_be_read_is_a_mistake(self):
+    def test_no_cache_and_its_limit_are_accepted_and_come_to_nothing(self):
         os.environ["IONSKIN_CACHE_LIMIT"] = "plenty"
-        process = self.run_program("run", QUICK, "-o", "out", expect=2)
-        self.assertIn("IONSKIN_CACHE_LIMIT", process.stderr)
-        self.assertFalse((self.folder / "out").exists())
+        self.run_case(QUICK, *ARGUMENTS, "-o", "with")
+        self.run_case(QUICK, *ARGUMENTS, "--no-cache", "-o", "without")
+        with_it, without = (json.loads((self.folder / out / "summary.json").read_text())["metrics"] for out in ("with", "without"))
+        self.assertEqual(with_it, without)
+        for verb in ("run", "sweep", "fit", "uncertainty", "generate"):
+            words = " ".join(self.run_program(verb, "--help").stdout.split())
+            self.assertIn("--no-cache Has no effect any more", words, verb)
+
+    def test_what_older_versions_left_is_shown_and_cleared(self):
+        own = self.left()
+        shown = self.cache()
+        for words in ("older versions left 4 files, 3.5 MB", str(self.folder / "cache"), "ionskin cache clear"):
+            self.assertIn(words, shown)
+        self.assertIn(shown.strip(), self.run_program("doctor").stdout)
+        cleared = self.cache("clear")
+        self.assertIn("4 files, 3.5 MB removed", cleared)
+        self.assertIn("no files of older versions", cleared)
+        self.assertEqual(sorted(path.name for path in (self.folder / "cache").iterdir()), own)
+        self.assertEqual((self.folder / "cache" / "notes.txt").read_text(), "mine")
+
+    def test_an_empty_folder_goes_and_one_that_is_not_there_is_no_mistake(self):
+        self.write(f"cache/{KEY}.ionskin-cache", "x")
+        self.assertIn("1 file", self.cache("clear"))
+        self.assertFalse((self.folder / "cache").exists())
+        self.assertIn("no files of older versions", self.cache("clear"))
+
+    def test_places_of_the_environment(self):
+        for name in ("IONSKIN_CACHE", "XDG_CACHE_HOME", "HOME"):
+            os.environ.pop(name, None)
+        self.assertIn("names a place", self.cache())
+        for name, below in (("HOME", ".cache/ionskin"), ("XDG_CACHE_HOME", "ionskin"), ("IONSKIN_CACHE", ".")):
+            os.environ[name] = str(self.folder / name)
+            path = pathlib.Path(name, below, f"{KEY}.ionskin-cache")
+            self.write(path, "x")
+            self.assertIn("left 1 file, ", self.cache(), name)
+
+
+class SharedPositions(ProgramTest):
+    def test_keys_of_older_versions_are_noted_by_check_and_run(self):
+        keys = ("--set", 'numerics.shared_positions.from=["4 mm", "0.9 mm"]',
+                "--set", 'numerics.shared_positions.to=["1 mm", "0.8 mm"]')
+        note = "numerics.shared_positions.from, numerics.shared_positions.to have no effect any more: remove them."
+        self.assertIn("note: " + note, " ".join(self.run_program("check", QUICK, *keys).stdout.split()))
+        self.run_case(QUICK, *ARGUMENTS, *keys, "-o", "with")
+        self.run_case(QUICK, *ARGUMENTS, "-o", "without")
+        noted, plain = summary(self.folder / "with"), summary(self.folder / "without")
+        self.assertIn(note, noted["warnings"])
+        self.assertNotIn(note, plain["warnings"])
+        self.assertEqual(noted["metrics"], plain["metrics"])
 
 
 if __name__ == "__main__":

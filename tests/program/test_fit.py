@@ -2,7 +2,6 @@
 """`ionskin fit`: a key of the mechanics, interrupt and resume, and mistakes that end before any work."""
 
 import json
-import os
 import signal
 import subprocess
 import unittest
@@ -12,7 +11,6 @@ from program import QUICK, ROOT, SMALL, ProgramTest
 
 class Fit(ProgramTest):
     def test_recovers_a_mechanical_key(self):
-        os.environ["IONSKIN_CACHE_LIMIT"] = "1 GB"  # the preload leaves the factorised positions as they are
         self.run_case(QUICK, "-o", "truth", *SMALL)
         process = self.run_program(
             "fit", QUICK, "--data", "truth/sampled.csv", "--column", "current_difference", "-o", "fitted", *SMALL,

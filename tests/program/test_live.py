@@ -38,8 +38,7 @@ class LiveTest(ProgramTest):
         super().setUpClass()
         cls.trained = pathlib.Path(os.environ.get("TMPDIR", "/tmp")) / f"ionskin-live-{os.getpid()}.live"
         subprocess.run([PROGRAM, "live", ROOT / "cases" / "taxels.toml", *SMALL, "--validation", "6", "--seed", "5",
-                        "-o", cls.trained, "--overwrite", "--quiet"], check=True,
-                       env={**os.environ, "IONSKIN_CACHE_LIMIT": "0 GB"})
+                        "-o", cls.trained, "--overwrite", "--quiet"], check=True)
         cls.addClassCleanup(cls.trained.unlink)
 
     def live(self, *arguments):

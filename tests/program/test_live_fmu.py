@@ -3,7 +3,6 @@
 
 import ctypes
 import math
-import os
 import pathlib
 import shutil
 import subprocess
@@ -33,7 +32,7 @@ class FmuTest(ProgramTest):
         # A name and a folder that a URI must escape.
         cls.skin_file, cls.fmu_file = cls.made / "skin.live", cls.made / "a skin & 100 %.fmu"
         subprocess.run([PROGRAM, "live", ROOT / "cases" / "taxels.toml", *SMALL, "-o", cls.skin_file, "--fmu",
-                        cls.fmu_file, "--quiet"], check=True, env={**os.environ, "IONSKIN_CACHE_LIMIT": "0 GB"})
+                        cls.fmu_file, "--quiet"], check=True)
         cls.fmu = Fmu(cls.fmu_file, cls.made / "unpacked %41")
 
     def setUp(self):

@@ -122,24 +122,5 @@ class Disks(ProgramTest):
         self.assertEqual(manifest["state"], "interrupted")
 
 
-class Cache(ProgramTest):
-    def setUp(self):
-        super().setUp()
-        os.environ["IONSKIN_CACHE_LIMIT"] = "1 GB"
-
-    def test_is_announced_shown_and_cleared(self):
-        case = (QUICK, "--only", "mechanics", *SMALL)
-        self.assertIn("ionskin cache clear", self.run_case(*case, "-o", "first").stderr)
-        self.write("cache/notes.txt", "mine")
-        self.assertNotIn("ionskin cache clear", self.run_case(*case, "-o", "second").stderr)
-        shown = self.run_program("cache").stdout
-        for words in (str(self.folder / "cache"), "entries", "at most 1.0 GB"):
-            self.assertIn(words, shown)
-        self.assertNotIn(" 0 entries", shown)
-        self.assertIn(shown.strip(), self.run_program("doctor").stdout)
-        self.assertIn(" 0 entries", self.run_program("cache", "clear").stdout)
-        self.assertEqual([path.name for path in (self.folder / "cache").iterdir()], ["notes.txt"])
-
-
 if __name__ == "__main__":
     unittest.main()

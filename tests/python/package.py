@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Shared by the tests of the Python package: a small case and a scratch folder."""
 
-import os
 import pathlib
 import shutil
 import tempfile
@@ -21,9 +20,8 @@ def small_case():
 
 
 class PackageTest(unittest.TestCase):
-    """A test with a scratch folder of its own in `self.folder`, and no cache."""
+    """A test with a scratch folder of its own in `self.folder`."""
 
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="ionskin-python-"))
         self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
-        os.environ["IONSKIN_CACHE_LIMIT"] = "0 GB"

@@ -27,13 +27,7 @@ class Generation(PackageTest):
         longer = Touches(small_case(), 14, seed=7, vary=["contact.friction=uniform(0.2, 0.3)"])
         self.assertEqual(values, [trial.values for trial in longer.trials[:12]])
         self.assertNotEqual(values, [trial.values for trial in Touches(small_case(), 12, seed=8).trials])
-        self.assertTrue(touches.shares_positions)
         self.assertEqual(touches.case["output.fields"], [])
-        low, high = ([touches.case[f"numerics.shared_positions.{end}[{axis}]"] for axis in (0, 1)] for end in ("from", "to"))
-        for one in values:
-            start = [one["slider.start[0]"], one["slider.start[1]"]]
-            self.assertTrue(all(a <= b for a, b in zip(low, start)) and start[0] + one["motion.stroke"] <= high[0])
-        self.assertFalse(Touches(small_case(), 1, vary=["numerics.mesh_refinement=uniform(0.5, 0.6)"]).shares_positions)
         with self.assertRaises(ionskin.CaseError) as raised:
             Touches(small_case(), 1, vary=["slider.start[0]=uniform(14 mm, 14.5 mm)"])
         self.assertIn("no valid case", str(raised.exception))

@@ -31,7 +31,7 @@ async function start_server() {
   fs.rmSync(word, { force: true });
   fs.writeFileSync(browser, `#!/bin/sh\nprintf '%s' "$1" > '${word}.part' && mv '${word}.part' '${word}'\n`, { mode: 0o700 });
   const begun = performance.now();
-  const server = spawn(program, ["studio", workspace], { env: { ...process.env, BROWSER: browser, IONSKIN_CACHE: path.join(folder, "cache"), XDG_STATE_HOME: path.join(folder, "state") } });
+  const server = spawn(program, ["studio", workspace], { env: { ...process.env, BROWSER: browser, XDG_STATE_HOME: path.join(folder, "state") } });
   await new Promise((resolve, reject) => {
     server.stdout.once("data", resolve);
     server.once("exit", () => reject(new Error("the server ended")));

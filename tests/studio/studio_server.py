@@ -26,8 +26,8 @@ def resident_bytes(process):
 class Studio:
     """A running server; `call` sends one request with the cookie of its link, which is redeemed unless told otherwise."""
 
-    def __init__(self, workspace, cache, browser=None, redeem=True, **more):
-        environment = {**os.environ, "IONSKIN_CACHE": str(cache), "XDG_STATE_HOME": str(cache.with_name("state")),
+    def __init__(self, workspace, state, browser=None, redeem=True, **more):
+        environment = {**os.environ, "XDG_STATE_HOME": str(state),
                        "BROWSER": str(browser), **more}
         words = [PROGRAM, "studio", workspace] + ([] if browser else ["--no-browser"])
         self.process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)
@@ -99,12 +99,12 @@ class StudioTest(unittest.TestCase):
     def setUp(self):
         scratch = pathlib.Path(tempfile.mkdtemp(prefix="ionskin-studio-"))
         self.addCleanup(shutil.rmtree, scratch, ignore_errors=True)
-        self.scratch, self.folder, self.cache = scratch, scratch / "workspace", scratch / "cache"
+        self.scratch, self.folder, self.state = scratch, scratch / "workspace", scratch / "state"
         self.folder.mkdir()
-        self.environment = {"IONSKIN_CACHE": str(self.cache), "XDG_STATE_HOME": str(scratch / "state")}
+        self.environment = {"XDG_STATE_HOME": str(self.state)}
         self.studio = self.start()
 
     def start(self):
-        studio = Studio(self.folder, self.cache, **self.environment)
+        studio = Studio(self.folder, self.state)
         self.addCleanup(lambda: studio.end() if studio.process.returncode is None else None)
         return studio

@@ -21,7 +21,7 @@ class Link(StudioTest):
         browser.chmod(0o700)
         runtime = self.scratch / "runtime"
         runtime.mkdir()
-        studio = Studio(self.folder, self.cache, browser=browser, redeem=False, XDG_RUNTIME_DIR=str(runtime))
+        studio = Studio(self.folder, self.state, browser=browser, redeem=False, XDG_RUNTIME_DIR=str(runtime))
         self.addCleanup(lambda: studio.end() if studio.process.returncode is None else None)
         words = pathlib.Path(f"{browser}.words")
         while not words.exists():

@@ -70,7 +70,7 @@ void add_run(CLI::App& app, Command& command) {
                    "Run one study: electrochemistry takes up finished mechanics")
       ->check(CLI::IsMember({"mechanics", "electrochemistry"}));
   add_report_options(*verb, options->no_report, options->figures);
-  add_cache_option(*verb, options->use_cache);
+  add_cache_option(*verb);
   add_log_options(*verb, options->log);
   set_when_parsed(*verb, options, command);
 }
@@ -139,7 +139,7 @@ void add_live(CLI::App& app, Command& command) {
   verb->add_flag("--overwrite", options->overwrite, "Replace existing files");
   add_set_option(*verb, options->set_edits);
   add_threads_option(*verb, options->threads);
-  add_cache_option(*verb, options->use_cache);
+  add_cache_option(*verb);
   add_log_options(*verb, options->log);
   verb->callback([=, &command] {
     options->trains =

@@ -10,8 +10,8 @@ void add_help_verbs(CLI::App& app, Command& command) {
       ->callback([&command] { command = DoctorOptions{}; });
   auto cache_options = std::make_shared<CacheOptions>();
   CLI::App* cache_verb = app.add_subcommand(
-      "cache", "Show the cache of this user, which saves mechanics for later runs, or clear it");
-  cache_verb->add_option("action", cache_options->action, "clear: remove its entries")
+      "cache", "Show the files that older versions kept in the home folder, or remove them");
+  cache_verb->add_option("action", cache_options->action, "clear: remove them")
       ->check(CLI::IsMember({"show", "clear"}));
   set_when_parsed(*cache_verb, cache_options, command);
   auto key_options = std::make_shared<KeysOptions>();

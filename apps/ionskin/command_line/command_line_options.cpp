@@ -45,11 +45,10 @@ void add_threads_option(CLI::App& verb, int& threads) {
       ->check(whole_number_from_1);
 }
 
-void add_cache_option(CLI::App& verb, bool& use_cache) {
+void add_cache_option(CLI::App& verb) {
   verb.add_flag_callback(
-      "--no-cache", [&use_cache] { use_cache = false; },
-      "Neither look up nor keep factorised slider positions in the cache of this user\n"
-      "(IONSKIN_CACHE, by default ~/.cache/ionskin; see docs/cache.md)");
+      "--no-cache", [] {},
+      "Has no effect any more: nothing is kept in the home folder (see ionskin cache)");
 }
 
 void add_report_options(CLI::App& verb, bool& no_report, bool& figures) {

@@ -18,7 +18,7 @@ void add_set_option(CLI::App& verb, std::vector<std::string>& edits);
 std::string whole_number_from_0(const std::string& text);
 std::string whole_number_from_1(const std::string& text);
 void add_threads_option(CLI::App& verb, int& threads);
-void add_cache_option(CLI::App& verb, bool& use_cache);
+void add_cache_option(CLI::App& verb);
 void add_report_options(CLI::App& verb, bool& no_report, bool& figures);
 void add_log_options(CLI::App& verb, LogFormat& log);
 void add_output_option(CLI::App& verb, std::string& output);

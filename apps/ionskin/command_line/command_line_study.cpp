@@ -71,7 +71,7 @@ void add_sweep(CLI::App& app, Command& command) {
     }
   }
   add_report_options(*verb, options->no_report, options->figures);
-  add_cache_option(*verb, options->use_cache);
+  add_cache_option(*verb);
   add_log_options(*verb, options->log);
   verb->callback([=, &command] {
     if (parts[0]->count() == 0 && parts[1]->count() == 0) {
@@ -145,7 +145,7 @@ void add_fit(CLI::App& app, Command& command) {
   add_output_options(*verb, options->output, options->overwrite, options->resume);
   add_set_option(*verb, options->set_edits);
   add_threads_option(*verb, options->threads);
-  add_cache_option(*verb, options->use_cache);
+  add_cache_option(*verb);
   add_log_options(*verb, options->log);
   set_when_parsed(*verb, options, command);
 }

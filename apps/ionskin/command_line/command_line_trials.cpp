@@ -11,7 +11,7 @@ void add_trial_options(CLI::App& verb, TrialOptions& options) {
   add_output_options(verb, options.output, options.overwrite, options.resume);
   add_set_option(verb, options.set_edits);
   add_threads_option(verb, options.threads);
-  add_cache_option(verb, options.use_cache);
+  add_cache_option(verb);
   verb.add_option("--on", options.on,
                   "Do the runs on the workers of a cluster, see ionskin cluster")
       ->type_name("SCHEDULER.json");

@@ -68,10 +68,8 @@ int manual_page() {
     print_verb(verb);
   }
   fmt::print(".SH ENVIRONMENT\n"
-             ".TP\n.B IONSKIN_CACHE\nFolder of the cache; otherwise $XDG_CACHE_HOME/ionskin or "
-             "~/.cache/ionskin.\n"
-             ".TP\n.B IONSKIN_CACHE_LIMIT\nBound of the cache, such as \"500 MB\"; \"0 GB\" turns "
-             "it off.\n"
+             ".TP\n.B IONSKIN_CACHE\nFolder of the cache of older versions, for ionskin cache; "
+             "otherwise $XDG_CACHE_HOME/ionskin or ~/.cache/ionskin.\n"
              ".TP\n.B IONSKIN_DATA\nFolder that holds cases and materials.\n");
   fmt::print(".SH EXIT STATUS\n{}\n", escaped(reference.exit_codes));
   return 0;

@@ -30,8 +30,7 @@ struct RunOptions {
   bool resume = false;
   bool no_report = false;
   bool figures = false; ///< of the report, as files too
-  bool use_cache = true;
-  std::string only; ///< "mechanics", "electrochemistry" or empty for both
+  std::string only;     ///< "mechanics", "electrochemistry" or empty for both
   LogFormat log = LogFormat::automatic;
 };
 
@@ -47,8 +46,7 @@ struct SweepOptions {
   bool overwrite = false;
   bool resume = false;
   bool no_report = false;
-  bool figures = false; ///< of the report, as files too
-  bool use_cache = true;
+  bool figures = false;             ///< of the report, as files too
   std::string only;                 ///< "mechanics" or empty for both studies
   bool explain = false;             ///< say what it costs, and stop
   bool plan = false;                ///< write plan.json, and stop
@@ -76,7 +74,6 @@ struct FitOptions {
   int threads = 0;
   bool overwrite = false;
   bool resume = false;
-  bool use_cache = true;
   LogFormat log = LogFormat::automatic;
 };
 
@@ -88,7 +85,6 @@ struct TrialOptions {
   int threads = 0;
   bool overwrite = false;
   bool resume = false;
-  bool use_cache = true;
   bool quiet = false;
 };
 
@@ -163,7 +159,6 @@ struct LiveOptions {
   bool trains = false; ///< whether an option is given that only a training has a use for
   int threads = 0;
   bool overwrite = false;
-  bool use_cache = true;
   LogFormat log = LogFormat::automatic;
 };
 

@@ -17,9 +17,6 @@ Settings study_settings(const Options& options, const std::string& command,
   settings.folder = options.output;
   settings.threads = thread_count(options.threads);
   settings.overwrite = options.overwrite;
-  if constexpr (requires { settings.use_cache; }) {
-    settings.use_cache = options.use_cache;
-  }
   settings.command = command;
   settings.progress = display.callback();
   return settings;

@@ -37,9 +37,6 @@ int fit(const FitOptions& options, const std::string& command) {
                                   options.column,
                                   options.free};
   study::FitResult result;
-  if (options.log != LogFormat::quiet) {
-    announce_cache(options.use_cache);
-  }
   {
     ProgressDisplay display(options.log);
     auto settings = study_settings<study::FitOptions>(options, command, display);

@@ -89,12 +89,8 @@ int cluster(const ClusterOptions& options) {
 
 int do_batches_on_cluster(const SweepOptions& options, const std::vector<std::size_t>& batches,
                           const std::string& progress) {
-  std::vector<std::string> arguments{options.output,  "--on",       options.on, "--batches",
-                                     ranges(batches), "--progress", progress};
-  if (!options.use_cache) {
-    arguments.emplace_back("--no-cache");
-  }
-  return run_module("ionskin.cluster.sweep", arguments);
+  return run_module("ionskin.cluster.sweep", {options.output, "--on", options.on, "--batches",
+                                              ranges(batches), "--progress", progress});
 }
 
 int compare(const CompareOptions& options) {

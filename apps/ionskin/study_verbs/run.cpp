@@ -86,7 +86,6 @@ int run(const RunOptions& options, const std::string& command) {
   const Case input = read_case(options.case_path, options.set_edits);
   study::RunOutcome outcome;
   if (options.log != LogFormat::quiet) {
-    announce_cache(options.use_cache);
     announce_output(input, thread_count(options.threads));
   }
   {

@@ -198,9 +198,6 @@ int sweep(const SweepOptions& options, const std::string& command) {
   if (!options.batch && !options.collect && !(plan = planned(options))) {
     return static_cast<int>(ExitCode::success);
   }
-  if (options.log != LogFormat::quiet && !options.collect) {
-    announce_cache(options.use_cache);
-  }
   study::SweepOutcome outcome;
   {
     ProgressDisplay display(options.log);

@@ -57,9 +57,8 @@ std::string sweep_cost(const study::SweepPlan& plan, bool both_studies, int thre
     seconds += planning::estimate_cost(plan.points.front().input, threads).ion_seconds *
                static_cast<double>(plan.points.size());
   }
-  return fmt::format("{}, {}; about {} with {}, less where the cache holds the mechanics", points,
-                     solutions_in_words(groups), duration(seconds),
-                     counted(static_cast<std::size_t>(threads), "thread"));
+  return fmt::format("{}, {}; about {} with {}", points, solutions_in_words(groups),
+                     duration(seconds), counted(static_cast<std::size_t>(threads), "thread"));
 }
 
 } // namespace ionskin::apps

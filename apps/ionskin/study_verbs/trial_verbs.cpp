@@ -32,7 +32,7 @@ Words common(const TrialOptions& options) {
   }
   for (const auto& [given, flag] :
        {std::pair{options.overwrite, "--overwrite"}, std::pair{options.resume, "--resume"},
-        std::pair{!options.use_cache, "--no-cache"}, std::pair{options.quiet, "--quiet"}}) {
+        std::pair{options.quiet, "--quiet"}}) {
     if (given) {
       words.emplace_back(flag);
     }

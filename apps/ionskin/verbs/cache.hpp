@@ -9,13 +9,10 @@ struct CacheOptions {
   std::string action; ///< "clear", or empty to show
 };
 
-/// Shows the cache of this user, or removes its entries.
+/// Shows what older versions kept in the home folder of this user, or removes it.
 int cache(const CacheOptions& options);
 
-/// One line on the cache: where it is, what it holds and may hold.
+/// One line: where older versions kept files, how many are left, and what clears them.
 std::string cache_summary();
-
-/// Says on standard error that a cache is about to be made in the user's home, where none was yet.
-void announce_cache(bool use_cache);
 
 } // namespace ionskin::apps

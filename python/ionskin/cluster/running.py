@@ -43,7 +43,7 @@ def sweep_on_cluster(case, axes, folder, on, settings, progress):
     if settings["only"]:
         arguments += ["--only", settings["only"]]
     for given, option in ((settings["overwrite"], "--overwrite"), (settings["resume"], "--resume"),
-                          (not settings["report"], "--no-report"), (not settings["cache"], "--no-cache")):
+                          (not settings["report"], "--no-report")):
         arguments += [option] * bool(given)
     with tempfile.TemporaryDirectory(prefix="ionskin-") as place:
         path = pathlib.Path(place, "case.toml")

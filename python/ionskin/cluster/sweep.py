@@ -31,14 +31,14 @@ def numbers(text):
 class Driver:
     """Has batches done, longest first, and takes their results."""
 
-    def __init__(self, client, folder, plan, cache, progress):
-        self.client, self.folder, self.cache, self.progress = client, folder, cache, progress
+    def __init__(self, client, folder, plan, progress):
+        self.client, self.folder, self.progress = client, folder, progress
         self.plan, self.digest = plan, json.loads(plan)["digest"]
         self.token = f".ionskin-cluster-{uuid.uuid4().hex}"
 
     def job(self, batch):
         """The key is the batch's own: a client that comes back finds what is under way."""
-        call = do_batch, batch["number"], str(self.folder), self.token, self.plan, batch["threads"], self.cache
+        call = do_batch, batch["number"], str(self.folder), self.token, self.plan, batch["threads"]
         return Job(f"batch {batch['number']}", f"ionskin-{self.digest}-{batch['number']}", call, batch["threads"],
                    batch["memory_bytes"])
 
@@ -66,7 +66,7 @@ class Driver:
             (self.folder / self.token).unlink(missing_ok=True)
 
 
-def drive(folder, scheduler, chosen, cache, mode):
+def drive(folder, scheduler, chosen, mode):
     """Does the chosen batches on a cluster. Raises CaseError and SchedulerLost."""
     with files.open_ordinary(folder / "plan.json", LARGEST_PLAN) as file:
         plan = file.read()
@@ -74,7 +74,7 @@ def drive(folder, scheduler, chosen, cache, mode):
     progress = BatchProgress(mode, {batch["number"]: batch["seconds"] or 1 for batch in batches})
     with connected(scheduler) as client:
         try:
-            Driver(client, folder.resolve(), plan, cache, progress).run(batches)
+            Driver(client, folder.resolve(), plan, progress).run(batches)
         finally:
             progress.close()
 
@@ -85,13 +85,12 @@ def main():
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--on", required=True)
     parser.add_argument("--batches", type=numbers, required=True)
-    parser.add_argument("--no-cache", action="store_true")
     parser.add_argument("--progress", default="lines")
     arguments = parser.parse_args()
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         with exit_on(CaseError):
-            drive(arguments.folder, arguments.on, arguments.batches, not arguments.no_cache, arguments.progress)
+            drive(arguments.folder, arguments.on, arguments.batches, arguments.progress)
     except SchedulerLost:
         print(f"error: the scheduler of {arguments.on} is lost; what was finished is kept\n  = start the cluster again, and "
               "finish the sweep with --resume", file=sys.stderr, flush=True)

@@ -11,7 +11,7 @@ import zipfile
 LONGEST_MESSAGE = 2000
 
 
-def do_batch(batch, folder, token, plan, threads, cache):
+def do_batch(batch, folder, token, plan, threads):
     """Does a batch and returns {"code", "message", "archive"}; never raises for what the program says.
 
     folder, token  of the sweep, and a file in it: where this worker sees it, the results are written there
@@ -19,11 +19,11 @@ def do_batch(batch, folder, token, plan, threads, cache):
     archive        the points as a zip file, None where they are in the folder
     """
     if os.path.exists(os.path.join(folder, token)):
-        code, message = _program(batch, folder, threads, cache)
+        code, message = _program(batch, folder, threads)
         return {"code": code, "message": message, "archive": None}
     with tempfile.TemporaryDirectory(dir=_local_folder()) as place:
         pathlib.Path(place, "plan.json").write_bytes(plan)
-        code, message = _program(batch, place, threads, cache)
+        code, message = _program(batch, place, threads)
         return {"code": code, "message": message, "archive": pack(pathlib.Path(place, "points"))}
 
 
@@ -48,9 +48,9 @@ def _local_folder():
     return get_worker().local_directory
 
 
-def _program(batch, folder, threads, cache):
+def _program(batch, folder, threads):
     """The program dies with the worker: else it would go on beside the one that repeats the batch."""
     command = ["setpriv", "--pdeathsig", "KILL", os.environ["IONSKIN_FRONT"], "sweep", "--do-batch", str(batch), "-o", folder,
-               "--threads", str(threads), "--quiet", *([] if cache else ["--no-cache"])]
+               "--threads", str(threads), "--quiet"]
     process = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace", check=False)
     return process.returncode, process.stderr.strip()[-LONGEST_MESSAGE:]

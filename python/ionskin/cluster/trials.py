@@ -34,13 +34,12 @@ def do_trial(task: dict) -> dict:
 class ClusterEngine:
     """Runs trials on the workers of the scheduler whose file is `on`; outcomes come back through the scheduler.
 
-    cache  as of LocalEngine, on the workers
     """
 
-    def __init__(self, on, *, cache: bool | str = True) -> None:
+    def __init__(self, on) -> None:
         """Raises CaseError for a file that is none of a scheduler that may be connected to."""
         read_scheduler(on)
-        self.on, self.cache, self.workers = on, cache, 0
+        self.on, self.workers = on, 0
 
     def evaluate(self, case, trials, folder, told) -> None:
         """As LocalEngine.evaluate. Raises SchedulerLost too."""
@@ -48,7 +47,7 @@ class ClusterEngine:
         if not trials:
             return
         study, by_number = uuid.uuid4().hex, {trial.number: trial for trial in trials}
-        jobs = [Job(f"run {trial.number}", f"ionskin-{study}-{trial.number}", (do_trial, task_of(trial, self.cache)), 1,
+        jobs = [Job(f"run {trial.number}", f"ionskin-{study}-{trial.number}", (do_trial, task_of(trial)), 1,
                     solver.load().memory(trial.case)) for trial in trials]
 
         def took(job, result, problem):

@@ -27,7 +27,7 @@ def default_memory():
 
 
 def local_folder():
-    """A folder of this user on a disk of this machine, for the cache of slider positions and for batches."""
+    """A folder of this user on a disk of this machine, for batches."""
     path = pathlib.Path(tempfile.gettempdir(), f"ionskin-worker-{os.getuid()}")
     path.mkdir(mode=0o700, exist_ok=True)
     state = path.lstat()
@@ -38,10 +38,8 @@ def local_folder():
 
 async def _work(address, security, host, threads, memory, death_timeout):
     from distributed import Nanny  # pylint: disable=import-outside-toplevel
-    folder = local_folder()
-    os.environ.setdefault("IONSKIN_CACHE", str(folder / "cache"))
     nanny = Nanny(address, nthreads=threads, memory_limit=0, security=security, host=host, death_timeout=death_timeout,
-                  local_directory=str(folder), resources={"THREADS": threads, "MEMORY": memory},
+                  local_directory=str(local_folder()), resources={"THREADS": threads, "MEMORY": memory},
                   dashboard_address="127.0.0.1:0")
     async with nanny:
         await nanny.finished()

@@ -29,7 +29,7 @@ def parser(prog: str) -> argparse.ArgumentParser:
     result.add_argument("--set", action="append", default=[], dest="edits")
     result.add_argument("--threads", type=int, default=0)
     result.add_argument("--on", default="")
-    for flag in ("--overwrite", "--resume", "--no-cache", "--quiet"):
+    for flag in ("--overwrite", "--resume", "--quiet"):
         result.add_argument(flag, action="store_true")
     return result
 
@@ -43,18 +43,14 @@ def base_case(arguments) -> Case:
     return case.check()
 
 
-def engine(arguments, *, positions: bool = False) -> LocalEngine | ClusterEngine:
-    """On this machine, or on the cluster that --on names.
-
-    positions  the runs share positions of the slider, and no two of them their mechanics
-    """
-    cache = not arguments.no_cache and ("positions" if positions else True)
+def engine(arguments) -> LocalEngine | ClusterEngine:
+    """On this machine, or on the cluster that --on names."""
     if arguments.on:
         if arguments.threads > 1:
             raise CaseError(f"a run of a study takes one thread, not --threads {arguments.threads}\n  = leave out --threads: "
                             "the cluster's workers say how many runs they do at once")
-        return ClusterEngine(arguments.on, cache=cache)
-    return LocalEngine(arguments.threads, cache=cache)
+        return ClusterEngine(arguments.on)
+    return LocalEngine(arguments.threads)
 
 
 def require_disk(trials, count: int, folder, runner) -> None:

@@ -24,11 +24,10 @@ class LocalEngine:
     """Runs trials in processes of one thread each, so that their numbers do not depend on how many there are.
 
     workers  processes; 0: one for each processor
-    cache    as for ionskin.run; a process keeps positions in memory too, from one trial to the next
     """
 
-    def __init__(self, workers: int = 0, *, cache: bool | str = True) -> None:
-        self.workers, self.cache = workers or len(os.sched_getaffinity(0)), cache
+    def __init__(self, workers: int = 0) -> None:
+        self.workers = workers or len(os.sched_getaffinity(0))
 
     def evaluate(self, case, trials, folder, told) -> None:
         """Runs every trial and writes FOLDER/NUMBER.npz of each; a solver that gives up is an outcome too.
@@ -46,8 +45,7 @@ class LocalEngine:
         def work(trial):
             worker = free.get()
             try:
-                return None if stopped.is_set() else worker.run(task_of(trial, self.cache),
-                                                                       folder / f"{trial.number:06}.npz")
+                return None if stopped.is_set() else worker.run(task_of(trial), folder / f"{trial.number:06}.npz")
             finally:
                 free.put(worker)
 
@@ -63,10 +61,10 @@ class LocalEngine:
             pool.shutdown(wait=True, cancel_futures=True)
 
 
-def task_of(trial, cache) -> dict:
+def task_of(trial) -> dict:
     """What a TrialProcess needs to know of a trial."""
     return {"text": trial.case._original, "path": os.path.abspath(trial.case._path), "edits": trial.case._edits | NO_ERRORS,
-            "cache": cache, "build": solver.load().build()}
+            "build": solver.load().build()}
 
 
 class TrialProcess:

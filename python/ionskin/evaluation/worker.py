@@ -27,7 +27,7 @@ def run(task: dict) -> str:
     case = ionskin.Case(task["text"], task["path"])
     case._edits = task["edits"]
     try:
-        told = ionskin.run(case, pathlib.Path(task["scratch"]) / "run", threads=1, cache=task["cache"])
+        told = ionskin.run(case, pathlib.Path(task["scratch"]) / "run", threads=1)
     except ionskin.SolverError as error:
         told = error
     except ionskin.CaseError as error:

@@ -19,7 +19,7 @@ def main() -> int:
     arguments = options.parse_args()
     case = base_case(arguments)
     touches = Touches(case, arguments.touches, seed=arguments.seed, vary=arguments.vary)
-    runner = engine(arguments, positions=touches.shares_positions)
+    runner = engine(arguments)
     require_disk(touches.trials, len(touches.trials), arguments.output, runner)
     varying = {one.key: one.written for one in touches.parameters}
     kept = StudyFolder(arguments.output, {"study": "generate", "case": touches.case.text, "vary": varying,

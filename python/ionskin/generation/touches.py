@@ -1,14 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Random touches: what varies, and the values of each."""
 
-import itertools
-import math
-
 import numpy
 
-from .. import solver
 from ..case import Case
-from ..errors import CaseError, SolverError
+from ..errors import CaseError
 from ..evaluation import Trial
 from ..uncertainty.distributions import Parameter, parse, parse_all
 
@@ -20,11 +16,9 @@ USUAL = {  # share of the case's own value, lowest and highest; where the case h
     "motion.stroke": (0.5, 1.0),
     "slider.radius": (0.8, 1.2),
     "slider.start[0]": (0.95, 1.05),
-    "slider.start[1]": (0.96, 1.04),  # two lines of positions hold the strain across so much of cases/finger.toml
+    "slider.start[1]": (0.96, 1.04),
 }
 FRICTION = "contact.friction", "uniform(0.1, 0.6)"
-HEAVIEST = ("motion.preload", "slider.radius", FRICTION[0])  # the more of them, the larger the contact
-OWN_SKIN = ("skin.", "materials.", "numerics.")  # keys that give every touch positions of its own
 
 
 def usual(case: Case) -> dict[str, str]:
@@ -45,7 +39,6 @@ class Touches:
 
     vary   distribution by key, as for Uncertainty; what it does not name varies as `usual` says
     trials with the case of each: the numbers of touch i follow from the seed and i alone
-    shares_positions  whether the skin is solved once for all touches
     redrawn  how many draws made no valid case, and were drawn again
 
     Raises CaseError where a touch finds no valid case.
@@ -65,42 +58,7 @@ class Touches:
         if not self.parameters:
             raise CaseError('nothing varies in this case\n  = give --vary "KEY=DISTRIBUTION"')
         self.parameters.sort(key=lambda one: one.key)
-        self.shares_positions = self._share_positions()
         self.trials = [self._touch(number) for number in range(count)]
-
-    def _share_positions(self) -> bool:
-        """Gives all touches one rectangle of positions and one area of contact, from the ends of the distributions, so
-        that the skin is solved once for all of them. Whether it did."""
-        case = self.case
-        if (case["strain.source"] != "contact" or case["motion.kind"] == "waypoints"
-                or "numerics.shared_positions.to" in case
-                or any(one.key.startswith(OWN_SKIN) for one in self.parameters)):
-            return False
-        ends = {one.key: [float(value) for value in one.values(one.germs([TAIL, 1 - TAIL]))] for one in self.parameters}
-
-        def values(key):
-            return [float(case[key]), *ends.get(key, [])]
-
-        starts = [values(f"slider.start[{axis}]") for axis in (0, 1)]
-        ways = itertools.product(values("motion.stroke"), values("motion.direction[0]"), values("motion.direction[1]"))
-        travel = [(stroke * x / (math.hypot(x, y) or 1), stroke * y / (math.hypot(x, y) or 1)) for stroke, x, y in ways]
-        low = [min(starts[axis]) + min(0, *(way[axis] for way in travel)) for axis in (0, 1)]
-        high = [max(starts[axis]) + max(0, *(way[axis] for way in travel)) for axis in (0, 1)]
-        widest = case.copy()
-        for one in self.parameters:
-            if one.key in HEAVIEST:
-                widest._edits.pop(one.key, None)
-                widest._edits[one.key] = one.text(max(ends[one.key]))
-        shared = case.copy()
-        try:
-            half_size, sharp = solver.load().footprint(widest, 0)
-            for key, pair in (("from", low), ("to", high), *(() if sharp else [("footprint", half_size)])):
-                shared._edits[f"numerics.shared_positions.{key}"] = "[" + ", ".join(f'"{one!r} m"' for one in pair) + "]"
-            solver.load().footprint(shared, 0)
-        except (CaseError, SolverError):  # the rectangle leaves the skin, which no touch need do
-            return False
-        self.case = shared
-        return True
 
     def _touch(self, number: int) -> Trial:
         last = None

@@ -219,16 +219,6 @@ struct Readout {
 /// Sets of mesh sizes and tolerances.
 enum class Preset { coarse, standard, fine };
 
-/// A rectangle of places and an area of contact for which the skin is meshed, larger than the case
-/// itself needs: cases with the same ones share the positions that are solved there.
-struct SharedPositions {
-  std::array<double, 2> from{}, to{}; ///< corners of the slider's centre while it touches [m]
-  std::array<double, 2> footprint{};  ///< half sizes of the contact; 0 for the case's own [m]
-
-  bool given() const { return to[0] > 0; }
-  bool operator==(const SharedPositions&) const = default;
-};
-
 /// Mesh sizes, tolerances and steps.
 struct Numerics {
   Preset preset = Preset::standard;
@@ -239,7 +229,6 @@ struct Numerics {
   double thickness_refinement = 1;
   double time_tolerance = 0;  ///< relative error of the charge per time step; 0: the preset's
   bool error_estimate = true; ///< solve coarser companions, which tell the errors of results
-  SharedPositions shared;
 };
 
 /// What a run keeps beside signals and metrics.

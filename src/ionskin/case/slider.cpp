@@ -24,7 +24,7 @@ std::array<bool, 2> Slider::symmetric() const {
 bool covers_width(const Case& input) {
   if (input.skin.sides != SideCondition::symmetry)
     return false;
-  const MotionBox box = meshed_box(input);
+  const MotionBox box = motion_box(input.motion, input.slider);
   const double half_size = input.slider.flat_half_size()[1];
   return half_size > 0 && box.high[1] - half_size <= 0 &&
          box.low[1] + half_size >= input.skin.width;

@@ -178,12 +178,6 @@ MotionBox motion_box(const Motion& motion, const Slider& slider) {
   return box;
 }
 
-MotionBox meshed_box(const Case& input) {
-  const SharedPositions& shared = input.numerics.shared;
-  return shared.given() ? MotionBox{shared.from, shared.to}
-                        : motion_box(input.motion, input.slider);
-}
-
 const MotionLeg& first_slide(const std::vector<MotionLeg>& legs) {
   const auto first = [&](auto&& wanted) { return std::find_if(legs.begin(), legs.end(), wanted); };
   auto found = first([](const MotionLeg& leg) { return leg.slides() && !leg.lands(); });

@@ -61,8 +61,6 @@ struct MotionBox {
   std::array<double, 2> low{}, high{}; ///< [m]
 };
 MotionBox motion_box(const Motion& motion, const Slider& slider);
-/// The rectangle that the skin is meshed for: the shared one of a case that has one.
-MotionBox meshed_box(const Case& input);
 
 /// The leg that figures of the slide are taken from: the first that slides, or else the first that
 /// stays in contact, or else the first that touches.

@@ -171,7 +171,7 @@ std::vector<SteppedSolution> solve_stepped(const Case& input, const mesh::Footpr
   {
     const base::Timers::Scope scope(timers, "mechanics: skin");
     model = std::make_shared<const SkinModel>(input, footprint, places_of(input, *box, footprint),
-                                              part);
+                                              part, options.threads);
     progress.finish_unit();
   }
   const auto recovery = std::make_shared<const StrainRecovery>(model);

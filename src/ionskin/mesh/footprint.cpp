@@ -69,7 +69,7 @@ double round_border(const Case& input, double plane_modulus, std::size_t directi
 /// Distance from the slider's centre to the nearest edge of the skin over the track.
 double room(const Case& input, std::size_t direction) {
   const double size = direction == 0 ? input.skin.length : input.skin.width;
-  const MotionBox box = meshed_box(input);
+  const MotionBox box = motion_box(input.motion, input.slider);
   return std::min(box.low[direction], size - box.high[direction]);
 }
 

@@ -29,7 +29,7 @@ std::size_t longest_way(const MotionBox& box) {
 }
 
 bool moves_on_symmetry_plane(const Case& input) {
-  const MotionBox box = meshed_box(input);
+  const MotionBox box = motion_box(input.motion, input.slider);
   const double offset = std::abs(box.low[1] - input.skin.width / 2);
   return box.low[1] == box.high[1] && input.slider.symmetric()[1] &&
          (covers_width(input) || offset <= 1e-12 * input.skin.width);
@@ -109,7 +109,7 @@ SkinMesh::Axis SkinMesh::make_axis(const Case& input, std::size_t direction) con
   }
   const double half_size = footprint_.half_size[direction];
   axis.inner = footprint_lines(footprint_, resolution, direction, axis.half);
-  const MotionBox box = meshed_box(input);
+  const MotionBox box = motion_box(input.motion, input.slider);
   const double low = box.low[direction], high = box.high[direction];
   const double shortest = std::min(low, skin_size - high) - half_size;
   const double longest = std::max(high, skin_size - low) - half_size;
@@ -147,7 +147,7 @@ SkinMesh::SkinMesh(const Case& input, MeshedPart part)
 SkinMesh::SkinMesh(const Case& input, const Footprint& footprint, MeshedPart part)
     : skin_(input.skin), footprint_(footprint) {
   half_model_ = part == MeshedPart::half_if_symmetric && moves_on_symmetry_plane(input);
-  main_axis_ = longest_way(meshed_box(input));
+  main_axis_ = longest_way(motion_box(input.motion, input.slider));
   x_ = make_axis(input, 0);
   y_ = make_axis(input, 1);
   ThicknessLines thickness = thickness_lines(skin_, footprint_, mesh_resolution(input, footprint_));

@@ -31,8 +31,7 @@ constexpr double searched_grids = 4;
 
 /// The grid fits the contact that a coarse solution will find.
 mesh::SkinMesh expected_mesh(const Case& input) {
-  const auto given = mechanics::given_footprint(input);
-  return {input, given && !input.slider.sharp() ? *given : mesh::expected_footprint(input)};
+  return {input, mesh::expected_footprint(input)};
 }
 
 /// What one grid of cells costs.

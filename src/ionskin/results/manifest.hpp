@@ -13,8 +13,8 @@ struct StageRecord {
   std::string state;      ///< "running", "finished", "interrupted" or "failed"
   double wall_time = 0;   ///< [s]
   double peak_memory = 0; ///< largest resident memory of the process when the stage ended [bytes]
-  std::string source; ///< what it was taken from: "cache", "earlier run", "another point"; empty
-                      ///< where worked here
+  std::string source;     ///< what it was taken from: "earlier run", "another point"; empty
+                          ///< where worked here
 };
 
 /// What stands in manifest.json: where a result comes from and how far its run came. Nothing in it

@@ -255,26 +255,17 @@ TEST(BadCase, TaxelsOffTheSkinOrWithoutExtentOrName) {
   EXPECT_THAT(message, HasSubstr("\"rest\" cannot name a taxel"));
 }
 
-std::string with_shared_positions(const std::string& text) {
-  return valid_case() + "[numerics.shared_positions]\n" + text;
-}
-
-TEST(BadCase, SharedPositionsHoldTheSlidersWayOnTheSkin) {
-  EXPECT_THAT(error_of(with_shared_positions("from = [\"4 mm\", \"0.9 mm\"]\n")),
-              HasSubstr("numerics.shared_positions.to is missing"));
-  EXPECT_THAT(error_of(with_shared_positions("from = [\"4 mm\", \"0.9 mm\"]\n"
-                                             "to = [\"16 mm\", \"1.1 mm\"]\n")),
-              HasSubstr("from 4 mm to 16 mm along x, on a skin of 15 mm"));
-  const std::string leaves = error_of(with_shared_positions("from = [\"4 mm\", \"0.9 mm\"]\n"
-                                                            "to = [\"9 mm\", \"1.1 mm\"]\n"));
-  EXPECT_THAT(leaves, HasSubstr("the slider leaves numerics.shared_positions: along x it goes from "
-                                "4.5 mm to 10.5 mm, the rectangle from 4 mm to 9 mm"));
-  EXPECT_THAT(leaves, HasSubstr("case.toml:50:6\n"));
-  EXPECT_THAT(leaves, HasSubstr("it must hold from [\"4.5 mm\", \"1 mm\"] to"));
-  EXPECT_THAT(error_of(with_shared_positions("from = [\"4 mm\", \"1 mm\"]\n"
-                                             "to = [\"11 mm\", \"1 mm\"]\n"
-                                             "footprint = [\"1 mm\", \"1 mm\"]\n")),
-              HasSubstr("but the slider has sharp edges"));
+TEST(BadCase, KeysOfOlderVersionsAreNotedAndTheirValuesStillJudged) {
+  const auto with = [](const std::string& text) {
+    return valid_case() + "[numerics.shared_positions]\n" + text;
+  };
+  const std::vector<std::string> notes =
+      read_case_text(with("to = [\"4 mm\", \"0.9 mm\"]\n"), "case.toml").input.notes;
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes.front(), "numerics.shared_positions.to has no effect any more: remove it.");
+  EXPECT_TRUE(read_case_text(valid_case(), "case.toml").input.notes.empty());
+  EXPECT_THAT(error_of(with("to = [\"4 s\", \"0.9 mm\"]\n")),
+              HasSubstr("numerics.shared_positions.to"));
 }
 
 std::string with_drive(const std::string& keys) {

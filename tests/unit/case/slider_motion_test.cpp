@@ -43,15 +43,9 @@ TEST(SliderMotion, StrokesGoBackAndForthWithRestsBetweenThem) {
   EXPECT_DOUBLE_EQ(rubbing().cycle_duration(), 8.5);
 }
 
-TEST(SliderMotion, TheSharedRectangleIsMeshedInPlaceOfTheOwn) {
-  Case input;
-  input.motion = rubbing();
-  input.slider = slider();
-  EXPECT_EQ(meshed_box(input).low, (std::array<double, 2>{4e-3, 1e-3}));
-  EXPECT_EQ(meshed_box(input).high, (std::array<double, 2>{6e-3, 1e-3}));
-  input.numerics.shared = {{3e-3, 0.9e-3}, {7e-3, 1.1e-3}, {}};
-  EXPECT_EQ(meshed_box(input).low, input.numerics.shared.from);
-  EXPECT_EQ(meshed_box(input).high, input.numerics.shared.to);
+TEST(SliderMotion, TheBoxHoldsTheWay) {
+  EXPECT_EQ(motion_box(rubbing(), slider()).low, (std::array<double, 2>{4e-3, 1e-3}));
+  EXPECT_EQ(motion_box(rubbing(), slider()).high, (std::array<double, 2>{6e-3, 1e-3}));
 }
 
 TEST(SliderMotion, AForceStandsForTheIndentation) {

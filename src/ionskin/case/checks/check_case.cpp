@@ -7,7 +7,6 @@
 #include "ionskin/case/checks/check_motion.hpp"
 #include "ionskin/case/checks/check_prescribed.hpp"
 #include "ionskin/case/checks/check_readout.hpp"
-#include "ionskin/case/checks/check_shared_positions.hpp"
 #include "ionskin/case/checks/check_sizes.hpp"
 #include "ionskin/case/checks/check_slider.hpp"
 #include "ionskin/case/checks/check_track.hpp"
@@ -133,7 +132,6 @@ void check_case(const CaseDocument& document) {
     check_slider(document, problems);
     if (check_motion(document, problems)) {
       check_track(document, problems);
-      check_shared_positions(document, problems);
       check_friction_of_speed(document, problems);
       check_adhesion(document, problems);
       check_drive(document, problems);

@@ -88,6 +88,18 @@ std::string values_text(const std::vector<ValueRecord>& records) {
   return text;
 }
 
+std::vector<std::string> notes_on_former_keys(const CaseDocument& document) {
+  std::vector<std::string> keys;
+  for (const ValueRecord& record : document.records)
+    if (const SchemaRow* row = find_row(key_pattern(record.key));
+        record.place && row != nullptr && !row->has_effect)
+      keys.push_back(record.key);
+  if (keys.empty())
+    return {};
+  return {fmt::format("{} {} no effect any more: remove {}.", fmt::join(keys, ", "),
+                      keys.size() == 1 ? "has" : "have", keys.size() == 1 ? "it" : "them")};
+}
+
 } // namespace
 
 CaseDocument read_case_document(const std::string& path,
@@ -123,9 +135,10 @@ CaseDocument read_case_text(const std::string& original, const std::string& path
   document.input.text = text.text();
   document.input.values = values_text(document.records);
   check_case(document);
-  document.input.notes = notes_on_readout(document);
-  for (std::string& note : notes_on_slider(document)) {
-    document.input.notes.push_back(std::move(note));
+  for (auto* const notes : {notes_on_readout, notes_on_slider, notes_on_former_keys}) {
+    for (std::string& note : notes(document)) {
+      document.input.notes.push_back(std::move(note));
+    }
   }
   return document;
 }

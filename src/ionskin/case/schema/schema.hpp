@@ -97,6 +97,8 @@ struct SchemaRow {
   std::function<bool(const Case&)> applies{};
   std::string default_value{};   ///< TOML; used when an optional key is missing
   std::vector<Choice> choices{}; ///< of type `choice`
+  /// False for a key of older versions, which is read and comes to nothing.
+  bool has_effect = true;
   /// Comes from the key of the same name of the core's material where the case is silent.
   bool of_material = false;
   std::string help{};   ///< one sentence

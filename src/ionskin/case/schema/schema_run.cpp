@@ -9,22 +9,17 @@ using units::Dimension;
 
 namespace {
 
-bool has_contact(const Case& input) {
-  return input.strain.kind == StrainSourceKind::contact;
-}
-
-SchemaRow of_shared_positions(const std::string& name, const Range& range, const std::string& help,
-                              std::array<double, 2> SharedPositions::*member) {
+/// Of cases that older versions could let share what they solved; the skin of every case is now
+/// set up by itself.
+SchemaRow of_shared_positions(const std::string& name, const Range& range) {
   return {.key = "numerics.shared_positions." + name,
           .type = ValueType::quantity_pair,
           .dimension = Dimension::length,
           .range = range,
           .need = Need::where_known,
-          .applies = has_contact,
-          .help = help,
-          .set = [member](CaseDraft& draft, const KeyIndex&, const Value& value) {
-            draft.input.numerics.shared.*member = {value.numbers[0], value.numbers[1]};
-          }};
+          .has_effect = false,
+          .help = "Has no effect any more: cases share no positions of the slider.",
+          .set = [](CaseDraft&, const KeyIndex&, const Value&) {}};
 }
 
 } // namespace
@@ -67,19 +62,9 @@ void add_run_control(SchemaRows& rows) {
                           "results are the same bits, without a stated error.",
                   .set = into<Numerics, bool>(&Case::numerics, &Numerics::error_estimate,
                                               {{"on", true}, {"off", false}})});
-  rows.push_back(of_shared_positions(
-      "from", place_on_skin,
-      "Least x and y of a rectangle that holds the centre of the slider. The skin is solved for "
-      "all "
-      "of it, so that cases with the same rectangle and footprint share what is solved.",
-      &SharedPositions::from));
-  rows.push_back(of_shared_positions("to", {1e-9, 10.0, true, true},
-                                     "Greatest x and y of that rectangle.", &SharedPositions::to));
-  rows.push_back(of_shared_positions(
-      "footprint", {1e-9, 10.0, true, true},
-      "Half the length and width of the area that a slider without sharp edges may touch, in place "
-      "of the one that is found for the case.",
-      &SharedPositions::footprint));
+  rows.push_back(of_shared_positions("from", place_on_skin));
+  rows.push_back(of_shared_positions("to", {1e-9, 10.0, true, true}));
+  rows.push_back(of_shared_positions("footprint", {1e-9, 10.0, true, true}));
   rows.push_back({.key = "output.fields",
                   .type = ValueType::quantity_list,
                   .dimension = Dimension::time,

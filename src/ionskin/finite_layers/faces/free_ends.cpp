@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/finite_layers/faces/free_ends.hpp"
 
+#include "ionskin/parallel/task_pool.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -25,29 +27,35 @@ double multiplicity(Eigen::Index mode) {
 } // namespace
 
 FreeEnds::FreeEnds(const ThicknessColumn& column, double length, double width,
-                   const WaveSplit& split, const FaceResolution& resolution, const FreeSides* sides)
+                   const WaveSplit& split, const FaceResolution& resolution, const FreeSides* sides,
+                   bool mirrored, int threads)
     : along_x_(ModeLine::up_to(length, split.last_long())),
       along_y_(ModeLine::up_to(width, split.last_long())), sides_(sides) {
-  for (const Parity along_y : {Parity::even, Parity::odd}) {
+  for (const Parity along_y : parities(mirrored)) {
     for (const Parity along_x : {Parity::even, Parity::odd}) {
-      classes_.push_back(solved(column, length, width, split, resolution, along_x, along_y));
+      classes_.push_back(
+          solved(column, length, width, split, resolution, along_x, along_y, threads));
     }
   }
 }
 
 FreeEnds::Class FreeEnds::solved(const ThicknessColumn& column, double length, double width,
                                  const WaveSplit& split, const FaceResolution& resolution,
-                                 Parity along_x, Parity along_y) const {
+                                 Parity along_x, Parity along_y, int threads) const {
   const Eigen::Index nodes = column.nodes();
   Class result{along_x, along_y, modes_of(along_y, resolution.modes), {}, {}, {}};
   const auto modes_x = modes_of(along_x, along_x_.wave_numbers.size());
   const auto blocks = static_cast<Eigen::Index>(result.modes_y.size());
   const Eigen::Index size = nodes * blocks, coupled = sides_ == nullptr ? 0 : sides_->modes();
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(size, size);
-  result.stress.assign(modes_x.size(), {});
+  result.stress.assign(modes_x.size(), std::vector<Eigen::MatrixX3d>(result.modes_y.size()));
   result.on_sides.assign(modes_x.size(), Eigen::MatrixXd());
-  for (Eigen::Index block = 0; block < blocks; ++block) {
-    const Eigen::Index n = result.modes_y[static_cast<std::size_t>(block)];
+  for (std::size_t at = 0; at < modes_x.size() && modes_x[at] < coupled; ++at) {
+    result.on_sides[at].resize(nodes, size);
+  }
+  parallel::run_tasks(result.modes_y.size(), threads, [&](std::size_t of_block) {
+    const auto block = static_cast<Eigen::Index>(of_block);
+    const Eigen::Index n = result.modes_y[of_block];
     const double ky = static_cast<double>(n) * std::numbers::pi / width;
     const double factor = 4 * width / (multiplicity(n) * length);
     const auto own = Eigen::seqN(block * nodes, nodes);
@@ -59,10 +67,9 @@ FreeEnds::Class FreeEnds::solved(const ThicknessColumn& column, double length, d
         const Eigen::Index m = modes_x[at];
         const FaceTerms terms = face_terms(column, mode, Face::end);
         stiffness(own, own) += factor * term.weight * terms.stiffness;
-        result.stress[at].push_back(2 * split.long_share(std::hypot(mode.x, mode.y)) *
-                                    terms.stress);
+        result.stress[at][of_block] =
+            2 * split.long_share(std::hypot(mode.x, mode.y)) * terms.stress;
         if (m < coupled) {
-          result.on_sides[at].conservativeResize(nodes, size);
           result.on_sides[at](Eigen::all, own) = 4 * terms.on_sides;
         }
       } else {
@@ -70,7 +77,7 @@ FreeEnds::Class FreeEnds::solved(const ThicknessColumn& column, double length, d
       }
       ++at;
     }
-  }
+  });
   for (std::size_t at = 0; at < modes_x.size() && modes_x[at] < coupled; ++at) {
     const Eigen::MatrixXd half =
         sides_->stiffness(modes_x[at], along_y).matrixL().solve(result.on_sides[at]);

@@ -18,8 +18,10 @@ class FreeEnds {
 public:
   /// @param sides free sides; null where rollers hold them. Outlives this
   /// @param resolution its modes are those along an end, across the skin
+  /// @param mirrored whether modes of even n alone are loaded, and made
   FreeEnds(const ThicknessColumn& column, double length, double width, const WaveSplit& split,
-           const FaceResolution& resolution, const FreeSides* sides);
+           const FaceResolution& resolution, const FreeSides* sides, bool mirrored = false,
+           int threads = 1);
 
   /// Forces on rows of cells, as far as the ends feel them.
   class Rows {
@@ -74,7 +76,7 @@ private:
     std::vector<Eigen::MatrixXd> on_sides;
   };
   Class solved(const ThicknessColumn& column, double length, double width, const WaveSplit& split,
-               const FaceResolution& resolution, Parity along_x, Parity along_y) const;
+               const FaceResolution& resolution, Parity along_x, Parity along_y, int threads) const;
 
   ModeLine along_x_, along_y_;
   const FreeSides* sides_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/finite_layers/faces/free_sides.hpp"
 
+#include "ionskin/parallel/task_pool.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -9,13 +11,17 @@
 namespace ionskin::finite_layers {
 
 FreeSides::FreeSides(const ThicknessColumn& column, double length, double width,
-                     const WaveSplit& split, const FaceResolution& resolution)
-    : along_y_(ModeLine::up_to(width, split.last_long())) {
-  for (Eigen::Index m = 0; m < resolution.modes; ++m) {
+                     const WaveSplit& split, const FaceResolution& resolution, bool mirrored,
+                     int threads)
+    : along_y_(ModeLine::up_to(width, split.last_long())),
+      of_mode_(static_cast<std::size_t>(resolution.modes)) {
+  parallel::run_tasks(of_mode_.size(), threads, [&](std::size_t m) {
     const double kx = static_cast<double>(m) * std::numbers::pi / length;
-    of_mode_.push_back({solved(column, kx, Parity::even, width, split, resolution),
-                        solved(column, kx, Parity::odd, width, split, resolution)});
-  }
+    for (const Parity parity : parities(mirrored)) {
+      of_mode_[m][parity == Parity::even ? 0 : 1] =
+          solved(column, kx, parity, width, split, resolution);
+    }
+  });
 }
 
 FreeSides::OfParity FreeSides::solved(const ThicknessColumn& column, double kx, Parity parity,

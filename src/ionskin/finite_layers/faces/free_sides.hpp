@@ -28,8 +28,9 @@ class FreeSides {
 public:
   /// @param length,width of the skin [m]
   /// @param split whose long waves the sides feel
+  /// @param mirrored whether modes of even n alone are loaded, and made
   FreeSides(const ThicknessColumn& column, double length, double width, const WaveSplit& split,
-            const FaceResolution& resolution);
+            const FaceResolution& resolution, bool mirrored = false, int threads = 1);
 
   Eigen::Index modes() const { return static_cast<Eigen::Index>(of_mode_.size()); }
   /// Adds to the compliance of rows of cells, as `BoxModes::rows` gives them; later modes stay.

@@ -2,6 +2,7 @@
 #include "ionskin/finite_layers/fields/face_strain.hpp"
 
 #include "ionskin/finite_layers/fields/mode_means.hpp"
+#include "ionskin/parallel/task_pool.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,6 +16,9 @@ namespace {
 /// The first modes of a parity are taken one by one, the rest in steps of this share.
 constexpr Eigen::Index first_modes = 10;
 constexpr double step_share = 0.13;
+/// States that are turned into strains at once, fewer filled up by others that are 0: each state is
+/// the same bits in any company.
+constexpr Eigen::Index states_at_once = 4;
 
 /// Shape functions at all levels, [level, node].
 struct Levels {
@@ -86,46 +90,28 @@ void complete(ModeTransform& means, Parity parity, const std::vector<Interval>& 
   }
 }
 
-/// Shares of the chosen modes in one that lies between them, whose strain times n^2 is a cubic in
-/// ln n there.
-struct Between {
-  std::size_t first = 0; ///< of four
-  std::array<double, 4> share{};
-
-  Between(const std::vector<Eigen::Index>& chosen, std::size_t below, double n)
-      : first(std::min(below - 1, chosen.size() - 4)) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      const auto own = static_cast<double>(chosen[first + i]);
-      share[i] = own * own / (n * n);
-      for (std::size_t j = 0; j < 4; ++j) {
-        const auto other = static_cast<double>(chosen[first + j]);
-        share[i] *= j == i ? 1.0 : std::log(n / other) / std::log(own / other);
-      }
-    }
+/// Of one of four chosen modes in mode n, by a cubic in ln n through their values times n^2.
+double share_of(const std::vector<Eigen::Index>& chosen, Eigen::Index first, Eigen::Index which,
+                Eigen::Index n) {
+  const auto number = [&](Eigen::Index i) {
+    return static_cast<double>(chosen[static_cast<std::size_t>(first + i)]);
+  };
+  const auto mode = static_cast<double>(n);
+  const double own = number(which);
+  double share = own * own / (mode * mode);
+  for (Eigen::Index i = 0; i < 4; ++i) {
+    share *= i == which ? 1.0 : std::log(mode / number(i)) / std::log(own / number(i));
   }
-};
-
-/// Means of cos or sin of all modes over places, gathered by the chosen ones, [place, number].
-Eigen::MatrixXd gathered(const Eigen::ArrayXXd& means, const std::vector<Eigen::Index>& chosen) {
-  Eigen::MatrixXd result = means(Eigen::all, chosen);
-  for (std::size_t i = 0; i + 1 < chosen.size(); ++i) {
-    for (Eigen::Index n = chosen[i] + 2; n < chosen[i + 1]; n += 2) {
-      const Between between(chosen, i, static_cast<double>(n));
-      for (std::size_t j = 0; j < 4; ++j) {
-        result.col(static_cast<Eigen::Index>(between.first + j)) +=
-            between.share[j] * means.col(n).matrix();
-      }
-    }
-  }
-  return result;
+  return share;
 }
 
 } // namespace
 
 FaceModes::FaceModes(const ThicknessColumn& column, Face of_face, double extent_along,
                      double extent_across, std::vector<Eigen::Index> modes_along, Parity parity,
-                     double last)
-    : face(of_face), along(extent_along), across(extent_across), modes(std::move(modes_along)) {
+                     double last, int threads)
+    : face(of_face), along(extent_along), across(extent_across), modes(std::move(modes_along)),
+      motion(modes.size()) {
   const Eigen::Index first = parity == Parity::even ? 0 : 1;
   const auto most = static_cast<Eigen::Index>(last * across / (2 * std::numbers::pi));
   for (Eigen::Index i = 0; i <= std::max(most, first_modes + 4);
@@ -134,12 +120,11 @@ FaceModes::FaceModes(const ThicknessColumn& column, Face of_face, double extent_
            i < first_modes ? 1 : static_cast<Eigen::Index>(step_share * static_cast<double>(i)))) {
     numbers.push_back(first + 2 * i);
   }
-  for (std::size_t at = 0; at < modes.size(); ++at) {
-    motion.emplace_back();
+  parallel::run_tasks(modes.size(), threads, [&](std::size_t at) {
     for (std::size_t number = 0; number < numbers.size(); ++number) {
-      motion.back().push_back(mode_motion(column, mode(at, number), face));
+      motion[at].push_back(mode_motion(column, mode(at, number), face));
     }
-  }
+  });
 }
 
 PlaneMode FaceModes::mode(std::size_t at, std::size_t number) const {
@@ -152,6 +137,15 @@ FaceStrain::FaceStrain(const ThicknessColumn& column, const FaceModes& modes,
                        const std::vector<DepthLevel>& levels)
     : face_(modes.face), across_(modes.across), numbers_(modes.numbers),
       levels_(static_cast<Eigen::Index>(levels.size())) {
+  for (std::size_t i = 0; i + 1 < numbers_.size(); ++i) {
+    for (Eigen::Index n = numbers_[i] + 2; n < numbers_[i + 1]; n += 2) {
+      Between between{n, static_cast<Eigen::Index>(std::min(i - 1, numbers_.size() - 4)), {}};
+      for (Eigen::Index j = 0; j < 4; ++j) {
+        between.share[static_cast<std::size_t>(j)] = share_of(numbers_, between.first, j, n);
+      }
+      between_.push_back(between);
+    }
+  }
   const Levels at(column, levels);
   const auto count = static_cast<Eigen::Index>(numbers_.size());
   for (std::size_t mode = 0; mode < modes.modes.size(); ++mode) {
@@ -168,24 +162,51 @@ FaceStrain::FaceStrain(const ThicknessColumn& column, const FaceModes& modes,
   }
 }
 
-Eigen::MatrixXd FaceStrain::at(const Eigen::MatrixXd& motion,
-                               const std::vector<Interval>& places) const {
-  const auto count = static_cast<Eigen::Index>(numbers_.size()),
-             place_count = static_cast<Eigen::Index>(places.size());
-  ModeTransform means = mode_means(places, std::numbers::pi / across_, numbers_.back() + 1);
-  complete(means, numbers_.front() == 0 ? Parity::even : Parity::odd, places, across_);
-  const Eigen::MatrixXd cosine = gathered(means.cosine, numbers_),
-                        sine = gathered(means.sine, numbers_);
-  Eigen::MatrixXd result(levels_ * 6 * place_count, motion.cols());
-  for (std::size_t c = 0; c < 6; ++c) {
-    const bool by_sine = face_ == Face::side ? sine_along_y[c] : sine_along_x[c];
-    for (Eigen::Index mode = 0; mode < motion.cols(); ++mode) {
-      const Eigen::VectorXd strain =
-          of_mode_[static_cast<std::size_t>(mode)][c] * motion.col(mode); // [number, level]
-      const Eigen::MatrixXd at_places = (by_sine ? sine : cosine) * strain.reshaped(count, levels_);
-      for (Eigen::Index level = 0; level < levels_; ++level) {
-        result.col(mode).segment((6 * level + static_cast<Eigen::Index>(c)) * place_count,
-                                 place_count) = at_places.col(level);
+Eigen::MatrixXd FaceStrain::gathered(const Eigen::ArrayXXd& means) const {
+  Eigen::MatrixXd result = means(Eigen::all, numbers_);
+  for (const Between& between : between_) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      result.col(between.first + static_cast<Eigen::Index>(j)) +=
+          between.share[j] * means.col(between.mode).matrix();
+    }
+  }
+  return result;
+}
+
+std::vector<Eigen::MatrixXd>
+FaceStrain::at(const std::vector<const Eigen::MatrixXd*>& motions,
+               const std::vector<const std::vector<Interval>*>& places) const {
+  const auto count = static_cast<Eigen::Index>(numbers_.size());
+  std::vector<std::array<Eigen::MatrixXd, 2>> waves; // cosine and sine, [place, number]
+  std::vector<Eigen::MatrixXd> result;
+  for (std::size_t state = 0; state < motions.size(); ++state) {
+    ModeTransform means =
+        mode_means(*places[state], std::numbers::pi / across_, numbers_.back() + 1);
+    complete(means, numbers_.front() == 0 ? Parity::even : Parity::odd, *places[state], across_);
+    waves.push_back({gathered(means.cosine), gathered(means.sine)});
+    result.emplace_back(levels_ * 6 * means.cosine.rows(), motions[state]->cols());
+  }
+  const auto modes = static_cast<Eigen::Index>(of_mode_.size()), nodes = motions.front()->rows();
+  for (std::size_t first = 0; first < motions.size(); first += states_at_once) {
+    const std::size_t last = std::min<std::size_t>(first + states_at_once, motions.size());
+    Eigen::MatrixXd together = Eigen::MatrixXd::Zero(nodes, states_at_once), strain;
+    for (Eigen::Index mode = 0; mode < modes; ++mode) {
+      for (std::size_t state = first; state < last; ++state) {
+        together.col(static_cast<Eigen::Index>(state - first)) = motions[state]->col(mode);
+      }
+      for (std::size_t c = 0; c < 6; ++c) {
+        const bool by_sine = face_ == Face::side ? sine_along_y[c] : sine_along_x[c];
+        strain.noalias() = of_mode_[static_cast<std::size_t>(mode)][c] * together;
+        for (std::size_t state = first; state < last; ++state) {
+          const Eigen::MatrixXd at_places =
+              waves[state][by_sine ? 1 : 0] *
+              strain.col(static_cast<Eigen::Index>(state - first)).reshaped(count, levels_);
+          for (Eigen::Index level = 0; level < levels_; ++level) {
+            result[state].col(mode).segment(
+                (6 * level + static_cast<Eigen::Index>(c)) * at_places.rows(), at_places.rows()) =
+                at_places.col(level);
+          }
+        }
       }
     }
   }

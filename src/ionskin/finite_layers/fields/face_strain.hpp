@@ -22,8 +22,9 @@ struct FaceModes {
 
   /// @param parity of the modes across: the faces move alike under even ones
   /// @param last wave number across up to which modes are summed [1/m]
+  /// @param threads that make it
   FaceModes(const ThicknessColumn& column, Face of_face, double extent_along, double extent_across,
-            std::vector<Eigen::Index> modes_along, Parity parity, double last);
+            std::vector<Eigen::Index> modes_along, Parity parity, double last, int threads);
 
   PlaneMode mode(std::size_t at, std::size_t number) const;
 };
@@ -37,15 +38,27 @@ public:
   FaceStrain(const ThicknessColumn& column, const FaceModes& modes,
              const std::vector<DepthLevel>& levels);
 
-  /// At all levels and places, [level, component, place] by rows, and modes along the face.
-  /// @param motion [node, mode]
+  /// Of states, each at its own places: at all levels, [level, component, place] by rows, and modes
+  /// along the face.
+  /// @param motions [node, mode]
   /// @param places across the skin
-  Eigen::MatrixXd at(const Eigen::MatrixXd& motion, const std::vector<Interval>& places) const;
+  std::vector<Eigen::MatrixXd> at(const std::vector<const Eigen::MatrixXd*>& motions,
+                                  const std::vector<const std::vector<Interval>*>& places) const;
 
 private:
+  /// Shares of four chosen modes in one that lies between them, whose strain times n^2 is a cubic
+  /// in ln n there.
+  struct Between {
+    Eigen::Index mode = 0, first = 0;
+    std::array<double, 4> share{};
+  };
+  /// Means of cos or sin of all modes over places, gathered by the chosen ones, [place, number].
+  Eigen::MatrixXd gathered(const Eigen::ArrayXXd& means) const;
+
   Face face_;
   double across_; ///< extent of the skin [m]
   std::vector<Eigen::Index> numbers_;
+  std::vector<Between> between_;
   Eigen::Index levels_;
   std::vector<Strains> of_mode_; ///< [level, number] by rows, and node
 };

@@ -4,9 +4,12 @@
 #include "ionskin/finite_layers/faces/free_ends.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace ionskin::finite_layers {
+
+struct FieldFaces;
 
 /// A skin whose fields are asked for. What it points to outlives them.
 struct FieldSkin {
@@ -16,6 +19,7 @@ struct FieldSkin {
   const ThicknessColumn* column = nullptr; ///< the one that sides and ends were made with
   const FreeSides* sides = nullptr;        ///< null where rollers hold them
   const FreeEnds* ends = nullptr;          ///< likewise
+  std::shared_ptr<const FieldFaces> faces = nullptr; ///< made of the others
 };
 
 } // namespace ionskin::finite_layers

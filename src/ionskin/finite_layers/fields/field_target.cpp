@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/finite_layers/fields/field_target.hpp"
 
+#include "ionskin/finite_layers/fields/field_faces.hpp"
 #include "ionskin/finite_layers/fields/mode_means.hpp"
 
 #include <algorithm>
@@ -45,16 +46,15 @@ struct PlacesInBox {
 
 } // namespace
 
-FieldTarget::FieldTarget(const FieldSkin& skin, FieldLevels levels,
-                         const std::vector<FaceModes>& sides, const std::vector<FaceModes>& ends)
+FieldTarget::FieldTarget(const FieldSkin& skin, FieldLevels levels)
     : levels_(std::move(levels)),
       depth_(skin.layers, levels_.levels, even_load / std::max(skin.length, skin.width),
              levels_.cutoffs),
-      width_(skin.width) {
-  for (const FaceModes& modes : sides) {
+      length_(skin.length), width_(skin.width) {
+  for (const FaceModes& modes : skin.faces->sides) {
     sides_.emplace_back(*skin.column, modes, levels_.levels);
   }
-  for (const FaceModes& modes : ends) {
+  for (const FaceModes& modes : skin.faces->ends) {
     ends_.emplace_back(*skin.column, modes, levels_.levels);
   }
 }
@@ -67,56 +67,87 @@ Strains FieldTarget::none(const FieldPlaces& places) const {
   return result;
 }
 
-void FieldTarget::add_waves(const PlaneWaves& waves, const PlaneWaves::Tractions& tractions,
-                            const PlaneBox& box, const FaceMotion* motion,
-                            const FieldPlaces& places, Strains& sum) const {
-  const PlacesInBox x(places.x, box.x, box.length), y(places.y, box.y, box.width);
-  if (x.index.empty() || y.index.empty()) {
-    return;
-  }
-  const ModeTransform along_x = x.means(waves.step_x(), waves.modes_x()),
-                      along_y = y.means(waves.step_y(), waves.modes_y());
-  const auto places_y = static_cast<Eigen::Index>(places.y.size());
-  std::vector<Eigen::MatrixXd> of_sides;
-  if (motion != nullptr) {
-    for (std::size_t p = 0; p < sides_.size(); ++p) {
-      of_sides.push_back(sides_[p].at(motion->sides[p], places.y));
-    }
+void FieldTarget::add_waves(const PlaneWaves& waves, const std::vector<WaveLoads>& loads,
+                            const std::vector<PlaneBox>& boxes,
+                            const std::vector<FieldPlaces>& places,
+                            std::vector<Strains>& sums) const {
+  std::vector<PlacesInBox> x, y;
+  std::vector<WavePlaces> in_box;
+  for (std::size_t state = 0; state < loads.size(); ++state) {
+    x.emplace_back(places[state].x, boxes[state].x, boxes[state].length);
+    y.emplace_back(places[state].y, boxes[state].y, boxes[state].width);
+    in_box.push_back({x.back().means(waves.step_x(), waves.modes_x()),
+                      y.back().means(waves.step_y(), waves.modes_y())});
   }
   for (std::size_t level = 0; level < levels_.levels.size(); ++level) {
-    Strains rows = waves.rows(depth_, level, tractions, along_y);
-    for (std::size_t c = 0; c < 6; ++c) {
-      const auto first = static_cast<Eigen::Index>(6 * level + c) * places_y;
-      for (const Eigen::MatrixXd& own : of_sides) {
-        const Eigen::Index felt = std::min(rows[c].rows(), own.cols());
-        rows[c].topRows(felt) += own.block(first, 0, places_y, felt).transpose();
-      }
-      const Eigen::ArrayXXd& wave = sine_along_x[c] ? along_x.sine : along_x.cosine;
-      const Eigen::MatrixXd at = wave.leftCols(rows[c].rows()).matrix() * rows[c];
-      const auto column = static_cast<Eigen::Index>(level) * places_y;
-      for (std::size_t j = 0; j < y.index.size(); ++j) {
-        sum[c](x.index, column + y.index[j]) += at.col(static_cast<Eigen::Index>(j));
+    std::vector<Strains> own(loads.size());
+    for (std::size_t state = 0; state < loads.size(); ++state) {
+      own[state].fill(Eigen::MatrixXd::Zero(in_box[state].along_x.cosine.rows(),
+                                            in_box[state].along_y.cosine.rows()));
+    }
+    waves.add(depth_, level, loads, in_box, own);
+    for (std::size_t state = 0; state < loads.size(); ++state) {
+      const auto first = static_cast<Eigen::Index>(level * places[state].y.size());
+      for (std::size_t c = 0; c < 6; ++c) {
+        for (std::size_t j = 0; j < y[state].index.size(); ++j) {
+          sums[state][c](x[state].index, first + y[state].index[j]) +=
+              own[state][c].col(static_cast<Eigen::Index>(j));
+        }
       }
     }
   }
 }
 
-void FieldTarget::add_ends(const FaceMotion& motion, const FieldPlaces& places,
-                           Strains& sum) const {
-  const auto places_x = static_cast<Eigen::Index>(places.x.size()),
-             places_y = static_cast<Eigen::Index>(places.y.size());
-  for (std::size_t e = 0; e < ends_.size(); ++e) {
-    const FreeEnds::Motion& end = motion.ends[e];
-    const ModeTransform all =
-        mode_means(places.y, std::numbers::pi / width_, end.modes_y.back() + 1);
-    const Eigen::MatrixXd cosine = all.cosine(Eigen::all, end.modes_y),
-                          sine = all.sine(Eigen::all, end.modes_y);
-    const Eigen::MatrixXd strain = ends_[e].at(end.nodes, places.x);
-    for (std::size_t level = 0; level < levels_.levels.size(); ++level) {
-      for (std::size_t c = 0; c < 6; ++c) {
-        const auto first = static_cast<Eigen::Index>(6 * level + c) * places_x;
-        sum[c].middleCols(static_cast<Eigen::Index>(level) * places_y, places_y).noalias() +=
-            strain.middleRows(first, places_x) * (sine_along_y[c] ? sine : cosine).transpose();
+void FieldTarget::add_faces(const std::vector<FaceMotion>& motions,
+                            const std::vector<FieldPlaces>& places,
+                            std::vector<Strains>& sums) const {
+  const std::size_t states = motions.size();
+  std::vector<const std::vector<Interval>*> x, y;
+  for (const FieldPlaces& of_state : places) {
+    x.push_back(&of_state.x);
+    y.push_back(&of_state.y);
+  }
+  std::vector<const Eigen::MatrixXd*> nodes(states);
+  for (std::size_t side = 0; side < sides_.size(); ++side) {
+    for (std::size_t state = 0; state < states; ++state) {
+      nodes[state] = &motions[state].sides[side];
+    }
+    const std::vector<Eigen::MatrixXd> strains = sides_[side].at(nodes, y);
+    for (std::size_t state = 0; state < states; ++state) {
+      const ModeTransform along =
+          mode_means(*x[state], std::numbers::pi / length_, strains[state].cols());
+      const auto count = static_cast<Eigen::Index>(y[state]->size());
+      for (std::size_t level = 0; level < levels_.levels.size(); ++level) {
+        for (std::size_t c = 0; c < 6; ++c) {
+          sums[state][c].middleCols(static_cast<Eigen::Index>(level) * count, count).noalias() +=
+              (sine_along_x[c] ? along.sine : along.cosine).matrix() *
+              strains[state]
+                  .middleRows(static_cast<Eigen::Index>(6 * level + c) * count, count)
+                  .transpose();
+        }
+      }
+    }
+  }
+  for (std::size_t end = 0; end < ends_.size(); ++end) {
+    for (std::size_t state = 0; state < states; ++state) {
+      nodes[state] = &motions[state].ends[end].nodes;
+    }
+    const std::vector<Eigen::MatrixXd> strains = ends_[end].at(nodes, x);
+    for (std::size_t state = 0; state < states; ++state) {
+      const std::vector<Eigen::Index>& modes = motions[state].ends[end].modes_y;
+      const ModeTransform all = mode_means(*y[state], std::numbers::pi / width_, modes.back() + 1);
+      const Eigen::MatrixXd cosine = all.cosine(Eigen::all, modes),
+                            sine = all.sine(Eigen::all, modes);
+      const auto count_x = static_cast<Eigen::Index>(x[state]->size()),
+                 count_y = static_cast<Eigen::Index>(y[state]->size());
+      for (std::size_t level = 0; level < levels_.levels.size(); ++level) {
+        for (std::size_t c = 0; c < 6; ++c) {
+          sums[state][c]
+              .middleCols(static_cast<Eigen::Index>(level) * count_y, count_y)
+              .noalias() += strains[state].middleRows(
+                                static_cast<Eigen::Index>(6 * level + c) * count_x, count_x) *
+                            (sine_along_y[c] ? sine : cosine).transpose();
+        }
       }
     }
   }

@@ -30,26 +30,25 @@ struct PlaneBox {
 /// Strain at some levels, with what is tabulated for them.
 class FieldTarget {
 public:
-  /// @param sides,ends their modes: of the sides even and, without a mirror, odd across the skin;
-  /// of
-  ///        the ends in the order of their motions
-  FieldTarget(const FieldSkin& skin, FieldLevels levels, const std::vector<FaceModes>& sides,
-              const std::vector<FaceModes>& ends);
+  FieldTarget(const FieldSkin& skin, FieldLevels levels);
 
   const FieldLevels& levels() const { return levels_; }
   /// Zero at all places, [x, y + y's count * level].
   Strains none(const FieldPlaces& places) const;
-  /// Adds waves of a box, and what the motion of the sides adds to those of the whole skin.
-  /// @param motion null for a box that is not the skin
-  void add_waves(const PlaneWaves& waves, const PlaneWaves::Tractions& tractions,
-                 const PlaneBox& box, const FaceMotion* motion, const FieldPlaces& places,
-                 Strains& sum) const;
-  void add_ends(const FaceMotion& motion, const FieldPlaces& places, Strains& sum) const;
+  /// Adds waves of a box to the strains of states.
+  /// @param boxes of each state
+  /// @param sums as `none`
+  void add_waves(const PlaneWaves& waves, const std::vector<WaveLoads>& loads,
+                 const std::vector<PlaneBox>& boxes, const std::vector<FieldPlaces>& places,
+                 std::vector<Strains>& sums) const;
+  /// Adds what the motion of sides and ends strains.
+  void add_faces(const std::vector<FaceMotion>& motions, const std::vector<FieldPlaces>& places,
+                 std::vector<Strains>& sums) const;
 
 private:
   FieldLevels levels_;
   DepthTable depth_;
-  double width_; ///< of the skin
+  double length_, width_; ///< of the skin
   std::vector<FaceStrain> sides_, ends_;
 };
 

@@ -4,30 +4,62 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace ionskin::finite_layers {
 namespace {
 
-constexpr Eigen::Index modes_at_once = 32; // along y: their strains stay in the second cache
+// Modes along x and along y that are summed at once: their strains stay in the second cache.
+constexpr Eigen::Index block_x = 96, block_y = 32;
+using Column = Eigen::Array<double, block_x, 1>;
+
+/// Of modes of one number along y.
+struct Direction {
+  Column cosine, sine;
+};
+
+/// Tractions of the same modes on the top.
+struct Tractions {
+  Column along, upwards, across; ///< [Pa]
+};
+
+/// Column of a block of strains.
+void set_strains(const Eigen::Array<double, block_x, 8>& depth, const Direction& at,
+                 const Tractions& by, Strains& strains, Eigen::Index column) {
+  const Column stretch = depth.col(0) * by.along + depth.col(1) * by.upwards,
+               twist = depth.col(6) * by.across;
+  const Column shear = depth.col(4) * by.along + depth.col(5) * by.upwards,
+               shear_across = depth.col(7) * by.across;
+  const Column x = at.cosine * stretch - at.sine * twist, y = at.sine * stretch + at.cosine * twist;
+  strains[0].col(column) = at.cosine * x;
+  strains[1].col(column) = at.sine * y;
+  strains[2].col(column) = depth.col(2) * by.along + depth.col(3) * by.upwards;
+  strains[3].col(column) = 0.5 * (at.sine * shear + at.cosine * shear_across);
+  strains[4].col(column) = 0.5 * (at.cosine * shear - at.sine * shear_across);
+  strains[5].col(column) = -0.5 * (at.sine * x + at.cosine * y);
+}
 
 } // namespace
 
-std::array<Eigen::MatrixXd, 3> mode_forces(const CellForces& forces, const ModeTransform& columns,
-                                           const ModeTransform& rows) {
-  std::array<Eigen::MatrixXd, 3> result;
+WaveLoads::WaveLoads(const CellForces& forces, const ModeTransform& columns, ModeTransform of_rows)
+    : rows(std::move(of_rows)) {
   for (std::size_t c = 0; c < 3; ++c) {
-    const Eigen::ArrayXXd &x = c == 1 ? columns.sine : columns.cosine,
-                          &y = c == 2 ? rows.sine : rows.cosine;
-    const Eigen::MatrixXd of_rows = x.matrix().transpose() * forces[c];
-    result[c].noalias() = of_rows * y.matrix();
+    of_columns[c] = (c == 1 ? columns.sine : columns.cosine).matrix().transpose() * forces[c];
   }
-  return result;
+}
+
+Eigen::MatrixXd WaveLoads::by_mode(std::size_t component, Eigen::Index first_m,
+                                   Eigen::Index count_m, Eigen::Index first_n,
+                                   Eigen::Index count_n) const {
+  return of_columns[component].middleRows(first_m, count_m) *
+         (component == 2 ? rows.sine : rows.cosine).middleCols(first_n, count_n).matrix();
 }
 
 PlaneWaves::PlaneWaves(double length, double width, bool mirrored,
                        const std::function<double(double)>& share, double last)
     : step_x_(std::numbers::pi / length), step_y_((mirrored ? 2 : 1) * std::numbers::pi / width) {
-  const auto count_x = static_cast<Eigen::Index>(last / step_x_) + 1,
+  const auto felt_x = static_cast<Eigen::Index>(last / step_x_) + 1,
+             count_x = (felt_x + block_x - 1) / block_x * block_x,
              count_y = static_cast<Eigen::Index>(last / step_y_) + 1;
   for (Eigen::ArrayXXd* array : {&cosine_, &sine_, &logarithm_, &weight_}) {
     array->resize(count_x, count_y);
@@ -45,12 +77,6 @@ PlaneWaves::PlaneWaves(double length, double width, bool mirrored,
   }
 }
 
-PlaneWaves::Tractions PlaneWaves::tractions(const std::array<Eigen::MatrixXd, 3>& forces) const {
-  const auto x = forces[1].array(), y = forces[2].array();
-  return {weight_ * (cosine_ * x + sine_ * y), -weight_ * forces[0].array(),
-          weight_ * (cosine_ * y - sine_ * x)};
-}
-
 Eigen::Index PlaneWaves::modes_below(double last, Eigen::Index n) const {
   const double ky = static_cast<double>(n) * step_y_;
   return ky > last
@@ -59,48 +85,69 @@ Eigen::Index PlaneWaves::modes_below(double last, Eigen::Index n) const {
                         static_cast<Eigen::Index>(std::sqrt(last * last - ky * ky) / step_x_) + 1);
 }
 
-Strains PlaneWaves::rows(const DepthTable& table, std::size_t level, const Tractions& tractions,
-                         const ModeTransform& along_y) const {
+void PlaneWaves::add(const DepthTable& table, std::size_t level,
+                     const std::vector<WaveLoads>& loads, const std::vector<WavePlaces>& places,
+                     std::vector<Strains>& sums) const {
   const double last = table.cutoff(level);
-  const Eigen::Index most = modes_below(last, 0), places = along_y.cosine.rows();
-  Strains sum, part;
-  for (std::size_t c = 0; c < 6; ++c) {
-    sum[c] = Eigen::MatrixXd::Zero(most, places);
-    part[c].resize(most, modes_at_once);
+  const std::size_t states = loads.size();
+  Eigen::Array<double, block_x, 8> depth;
+  std::vector<std::array<Eigen::MatrixXd, 3>> forces(states);
+  std::vector<Strains> strains(states), rows(states);
+  for (Strains& of_state : strains) {
+    of_state.fill(Eigen::MatrixXd(block_x, block_y));
   }
-  for (Eigen::Index first = 0; first < modes_y(); first += modes_at_once) {
-    const Eigen::Index count = std::min(modes_at_once, modes_y() - first),
-                       felt = modes_below(last, first);
-    if (felt == 0) {
-      break;
+  for (Eigen::Index first_m = 0; modes_below(last, 0) > first_m; first_m += block_x) {
+    for (std::size_t state = 0; state < states; ++state) {
+      rows[state].fill(Eigen::MatrixXd::Zero(block_x, places[state].along_y.cosine.rows()));
     }
-    for (Eigen::Index i = 0; i < count; ++i) {
-      const Eigen::Index n = first + i, own = modes_below(last, n);
-      for (Eigen::Index m = 0; m < own; ++m) {
-        const DepthTable::Values v = table.at(level, logarithm_(m, n));
-        const double t = tractions.along(m, n), q = tractions.upwards(m, n),
-                     across = tractions.across(m, n), c = cosine_(m, n), s = sine_(m, n);
-        const double stretch = v(0) * t + v(1) * q, twist = v(6) * across;
-        const double shear = v(4) * t + v(5) * q, shear_across = v(7) * across;
-        const double x = c * stretch - s * twist, y = s * stretch + c * twist;
-        part[0](m, i) = c * x;
-        part[1](m, i) = s * y;
-        part[2](m, i) = v(2) * t + v(3) * q;
-        part[3](m, i) = 0.5 * (s * shear + c * shear_across);
-        part[4](m, i) = 0.5 * (c * shear - s * shear_across);
-        part[5](m, i) = -0.5 * (s * x + c * y);
+    for (Eigen::Index first_n = 0; first_n < modes_y() && modes_below(last, first_n) > first_m;
+         first_n += block_y) {
+      const Eigen::Index count = std::min(block_y, modes_y() - first_n);
+      for (std::size_t state = 0; state < states; ++state) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          forces[state][c] = loads[state].by_mode(c, first_m, block_x, first_n, count);
+        }
       }
-      for (Eigen::MatrixXd& of_component : part) {
-        of_component.col(i).segment(own, felt - own).setZero();
+      for (Eigen::Index i = 0; i < count; ++i) {
+        const Eigen::Index n = first_n + i;
+        const Eigen::Index felt =
+            std::clamp(modes_below(last, n) - first_m, Eigen::Index{0}, block_x);
+        for (Eigen::Index m = 0; m < felt; ++m) {
+          depth.row(m) = table.at(level, logarithm_(first_m + m, n)).transpose();
+        }
+        depth.bottomRows(block_x - felt).setZero();
+        const Direction at{cosine_.col(n).segment<block_x>(first_m),
+                           sine_.col(n).segment<block_x>(first_m)};
+        const Column weight = weight_.col(n).segment<block_x>(first_m);
+        for (std::size_t state = 0; state < states; ++state) {
+          const Column z = weight * forces[state][0].col(i).array(),
+                       x = weight * forces[state][1].col(i).array(),
+                       y = weight * forces[state][2].col(i).array();
+          set_strains(depth, at, {at.cosine * x + at.sine * y, -z, at.cosine * y - at.sine * x},
+                      strains[state], i);
+        }
+      }
+      for (std::size_t state = 0; state < states; ++state) {
+        for (std::size_t c = 0; c < 6; ++c) {
+          const ModeTransform& along_y = places[state].along_y;
+          rows[state][c].noalias() +=
+              strains[state][c].leftCols(count) * (sine_along_y[c] ? along_y.sine : along_y.cosine)
+                                                      .middleCols(first_n, count)
+                                                      .matrix()
+                                                      .transpose();
+        }
       }
     }
-    for (std::size_t c = 0; c < 6; ++c) {
-      const Eigen::ArrayXXd& wave = sine_along_y[c] ? along_y.sine : along_y.cosine;
-      sum[c].topRows(felt).noalias() +=
-          part[c].topLeftCorner(felt, count) * wave.middleCols(first, count).matrix().transpose();
+    for (std::size_t state = 0; state < states; ++state) {
+      for (std::size_t c = 0; c < 6; ++c) {
+        const ModeTransform& along_x = places[state].along_x;
+        sums[state][c].noalias() += (sine_along_x[c] ? along_x.sine : along_x.cosine)
+                                        .middleCols(first_m, block_x)
+                                        .matrix() *
+                                    rows[state][c];
+      }
     }
   }
-  return sum;
 }
 
 } // namespace ionskin::finite_layers

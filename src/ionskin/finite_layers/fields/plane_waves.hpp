@@ -21,6 +21,23 @@ inline constexpr std::array<bool, 6> sine_along_x{false, false, false, false, tr
 /// Forces of cells, [column, row]: normal (downwards), x, y [N].
 using CellForces = std::array<Eigen::MatrixXd, 3>;
 
+/// Forces of a state on the cells, gathered by the modes of a box.
+struct WaveLoads {
+  std::array<Eigen::MatrixXd, 3> of_columns; ///< by the modes along x, [m, row]: normal, x, y [N]
+  ModeTransform rows;                        ///< [row, n]
+
+  /// @param columns [column, m]
+  WaveLoads(const CellForces& forces, const ModeTransform& columns, ModeTransform of_rows);
+  /// Sums over cells of force and means of the modes, [m, n], of some of the modes [N].
+  Eigen::MatrixXd by_mode(std::size_t component, Eigen::Index first_m, Eigen::Index count_m,
+                          Eigen::Index first_n, Eigen::Index count_n) const;
+};
+
+/// Places where the strain of a state is asked for, [place, mode].
+struct WavePlaces {
+  ModeTransform along_x, along_y;
+};
+
 /// Modes of a box whose faces are held by rollers: what forces on its top strain within,
 /// docs/model.md (58), (59).
 class PlaneWaves {
@@ -33,20 +50,14 @@ public:
 
   double step_x() const { return step_x_; } ///< of wave numbers [1/m]
   double step_y() const { return step_y_; }
+  /// Some more than are felt: whole blocks of modes are summed at once.
   Eigen::Index modes_x() const { return cosine_.rows(); }
   Eigen::Index modes_y() const { return cosine_.cols(); }
 
-  /// Tractions of the modes: along the wave, upwards and across it, [m, n] [Pa].
-  struct Tractions {
-    Eigen::ArrayXXd along, upwards, across;
-  };
-  /// @param forces sums over cells of force and means of the modes, [m, n]: normal, x, y [N]
-  Tractions tractions(const std::array<Eigen::MatrixXd, 3>& forces) const;
-
-  /// Strain at a level for each mode along x, at places along y, [m, place]; later modes are not
-  /// felt there.
-  Strains rows(const DepthTable& table, std::size_t level, const Tractions& tractions,
-               const ModeTransform& along_y) const;
+  /// Adds the strain of states at a level, at their places.
+  /// @param sums of each state, of each component [place along x, place along y]
+  void add(const DepthTable& table, std::size_t level, const std::vector<WaveLoads>& loads,
+           const std::vector<WavePlaces>& places, std::vector<Strains>& sums) const;
 
 private:
   /// Modes along x of a wave number of at most `last`, for a mode along y.
@@ -57,9 +68,5 @@ private:
   Eigen::ArrayXXd logarithm_;     ///< of its number
   Eigen::ArrayXXd weight_;        ///< of a mode, with its share [1/m2]
 };
-
-/// Sums over cells of force and means of the modes, [m, n].
-std::array<Eigen::MatrixXd, 3> mode_forces(const CellForces& forces, const ModeTransform& columns,
-                                           const ModeTransform& rows);
 
 } // namespace ionskin::finite_layers

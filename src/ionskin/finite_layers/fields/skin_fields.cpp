@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -16,8 +15,6 @@ namespace {
 
 /// Waves of more than some 16 to a column average out in it.
 constexpr double column_waves = 100;
-/// Waves that a moving face excites, over the thickness: summed up to here.
-constexpr double face_waves = 128;
 
 std::vector<Interval> points(const std::vector<double>& at) {
   std::vector<Interval> result;
@@ -72,30 +69,6 @@ FieldLevels electrode_levels(const FieldSkin& skin, double column, double tolera
   return result;
 }
 
-/// Of the sides, even and odd across the skin.
-std::vector<FaceModes> side_modes(const FieldSkin& skin, bool mirrored, double last) {
-  std::vector<FaceModes> result;
-  for (const Parity parity : parities(mirrored)) {
-    if (skin.sides != nullptr) {
-      std::vector<Eigen::Index> along(static_cast<std::size_t>(skin.sides->modes()));
-      std::iota(along.begin(), along.end(), Eigen::Index{0});
-      result.emplace_back(*skin.column, Face::side, skin.length, skin.width, along, parity, last);
-    }
-  }
-  return result;
-}
-
-std::vector<FaceModes> end_modes(const FieldSkin& skin, bool mirrored, double last) {
-  std::vector<FaceModes> result;
-  if (skin.ends != nullptr) {
-    for (const FreeEnds::ModesOfClass& own : skin.ends->modes(mirrored)) {
-      result.emplace_back(*skin.column, Face::end, skin.width, skin.length, own.along_y, own.parity,
-                          last);
-    }
-  }
-  return result;
-}
-
 double largest(const std::vector<double>& values) {
   return *std::ranges::max_element(values);
 }
@@ -143,6 +116,24 @@ StrainField strain_field(const Strains& strains, const FieldPlaces& places, bool
   return field;
 }
 
+/// From the last place along x and y, which is the whole plane.
+std::vector<std::array<double, 3>> force_through_levels(const FieldSkin& skin, const Strains& core,
+                                                        const FieldPlaces& places) {
+  const ElasticLayer& layer = skin.layers[skin.core];
+  const auto all_y = static_cast<Eigen::Index>(places.y.size());
+  const double area = skin.length * skin.width, twice_shear = 2 * layer.shear_modulus;
+  std::vector<std::array<double, 3>> result;
+  for (Eigen::Index level = 0; level < core[0].cols() / all_y; ++level) {
+    const auto mean = [&](std::size_t c) {
+      return core[c](core[c].rows() - 1, all_y * (level + 1) - 1);
+    };
+    result.push_back(
+        {-area * (layer.lame_lambda * (mean(0) + mean(1) + mean(2)) + twice_shear * mean(2)),
+         area * twice_shear * mean(4), area * twice_shear * mean(3)});
+  }
+  return result;
+}
+
 } // namespace
 
 struct SkinFields::Parts {
@@ -154,11 +145,10 @@ struct SkinFields::Parts {
   PlaneWaves long_waves, short_waves;
 
   Parts(const FieldSkin& layered, const ContactGrid& contact, const std::vector<double>& heights,
-        double column, const WaveSplit& waves, const std::vector<FaceModes>& side,
-        const std::vector<FaceModes>& end, double tolerance)
+        double column, const WaveSplit& waves, double tolerance)
       : skin(layered), cells(contact), split(waves),
-        core(skin, core_levels(skin, heights, tolerance), side, end),
-        electrodes(skin, electrode_levels(skin, column, tolerance), side, end),
+        core(skin, core_levels(skin, heights, tolerance)),
+        electrodes(skin, electrode_levels(skin, column, tolerance)),
         box_length(std::min(size_of(cells.x) + 2 * split.reach(), skin.length)),
         box_width(std::min(footprint_width(cells) + 2 * split.reach(), skin.width)),
         long_waves(
@@ -176,25 +166,26 @@ struct SkinFields::Parts {
             std::clamp(y - box_width / 2, 0.0, skin.width - box_width), box_length, box_width};
   }
 
-  std::array<Eigen::MatrixXd, 3> forces_in(const PlaneWaves& waves, const PlaneBox& box,
-                                           const CellForces& forces,
-                                           const std::array<double, 2>& centre) const {
-    return mode_forces(
-        forces,
-        mode_means(from_corner(cells.x, centre[0] - box.x), waves.step_x(), waves.modes_x()),
-        mode_means(from_corner(cells.y, centre[1] - box.y), waves.step_y(), waves.modes_y()));
+  WaveLoads loads_in(const PlaneWaves& waves, const PlaneBox& box, const CellForces& forces,
+                     const std::array<double, 2>& centre) const {
+    return {forces,
+            mode_means(from_corner(cells.x, centre[0] - box.x), waves.step_x(), waves.modes_x()),
+            mode_means(from_corner(cells.y, centre[1] - box.y), waves.step_y(), waves.modes_y())};
   }
 
   /// Of the long waves as the faces count them: with the odd modes, though they are 0, of a
   /// mirrored load.
-  std::array<Eigen::MatrixXd, 3> on_faces(const std::array<Eigen::MatrixXd, 3>& forces) const {
-    if (!cells.half) {
-      return forces;
-    }
+  std::array<Eigen::MatrixXd, 3> on_faces(const WaveLoads& loads) const {
+    const Eigen::Index modes_x = long_waves.modes_x(), modes_y = long_waves.modes_y();
     std::array<Eigen::MatrixXd, 3> result;
     for (std::size_t c = 0; c < 3; ++c) {
-      result[c] = Eigen::MatrixXd::Zero(forces[c].rows(), 2 * forces[c].cols());
-      result[c](Eigen::all, Eigen::seqN(0, forces[c].cols(), 2)) = forces[c];
+      const Eigen::MatrixXd own = loads.by_mode(c, 0, modes_x, 0, modes_y);
+      if (!cells.half) {
+        result[c] = own;
+        continue;
+      }
+      result[c] = Eigen::MatrixXd::Zero(modes_x, 2 * modes_y);
+      result[c](Eigen::all, Eigen::seqN(0, modes_y, 2)) = own;
     }
     return result;
   }
@@ -203,54 +194,51 @@ struct SkinFields::Parts {
 SkinFields::SkinFields(const FieldSkin& skin, const ContactGrid& cells,
                        const std::vector<double>& heights, double column, const WaveSplit& split,
                        double tolerance) {
-  const double last = face_waves / thickness(skin.layers, 0);
-  parts_ = std::make_unique<Parts>(skin, cells, heights, column, split,
-                                   side_modes(skin, cells.half, last),
-                                   end_modes(skin, cells.half, last), tolerance);
+  parts_ = std::make_unique<Parts>(skin, cells, heights, column, split, tolerance);
 }
 
 SkinFields::~SkinFields() = default;
 
-CoreAndElectrodes SkinFields::at(const FieldGrid& grid, const std::array<double, 2>& centre,
-                                 const std::vector<double>& forces) const {
+std::vector<CoreAndElectrodes> SkinFields::at(const std::vector<FieldState>& states) const {
   const Parts& parts = *parts_;
-  if (forces.size() != static_cast<std::size_t>(3 * parts.cells.count())) {
-    throw InternalError("each cell has three forces");
-  }
   const FieldSkin& skin = parts.skin;
-  const CellForces by_cell = by_cells(parts.cells, forces);
-  const PlaneBox whole{0, 0, skin.length, skin.width}, near = parts.short_box(centre);
-  const auto of_long = parts.forces_in(parts.long_waves, whole, by_cell, centre);
-  const FaceMotion motion = face_motion(skin, parts.on_faces(of_long), parts.cells.half);
-  const auto long_tractions = parts.long_waves.tractions(of_long),
-             short_tractions = parts.short_waves.tractions(
-                 parts.forces_in(parts.short_waves, near, by_cell, centre));
-  const auto strains = [&](const FieldTarget& target, const FieldPlaces& places) {
-    Strains sum = target.none(places);
-    target.add_waves(parts.long_waves, long_tractions, whole, &motion, places, sum);
-    target.add_waves(parts.short_waves, short_tractions, near, nullptr, places, sum);
-    target.add_ends(motion, places, sum);
-    return sum;
+  const PlaneBox whole{0, 0, skin.length, skin.width};
+  std::vector<PlaneBox> near;
+  std::vector<WaveLoads> of_long, of_short;
+  std::vector<FaceMotion> motions;
+  std::vector<FieldPlaces> in_core, columns;
+  std::vector<Strains> core, electrodes;
+  for (const FieldState& state : states) {
+    if (state.forces.size() != static_cast<std::size_t>(3 * parts.cells.count())) {
+      throw InternalError("each cell has three forces");
+    }
+    const CellForces by_cell = by_cells(parts.cells, state.forces);
+    near.push_back(parts.short_box(state.centre));
+    of_long.push_back(parts.loads_in(parts.long_waves, whole, by_cell, state.centre));
+    of_short.push_back(parts.loads_in(parts.short_waves, near.back(), by_cell, state.centre));
+    motions.push_back(face_motion(skin, parts.on_faces(of_long.back()), parts.cells.half));
+    // One place more along x and y: the whole plane.
+    in_core.push_back({points(state.grid.x), points(state.grid.y)});
+    in_core.back().x.push_back({0, skin.length});
+    in_core.back().y.push_back({0, skin.width});
+    columns.push_back({intervals(state.grid.column_x), intervals(state.grid.column_y)});
+    core.push_back(parts.core.none(in_core.back()));
+    electrodes.push_back(parts.electrodes.none(columns.back()));
+  }
+  const auto add = [&](const FieldTarget& target, const std::vector<FieldPlaces>& places,
+                       std::vector<Strains>& sums) {
+    target.add_waves(parts.long_waves, of_long, std::vector<PlaneBox>(states.size(), whole), places,
+                     sums);
+    target.add_waves(parts.short_waves, of_short, near, places, sums);
+    target.add_faces(motions, places, sums);
   };
-  // One place more along x and y: the whole plane.
-  FieldPlaces in_core{points(grid.x), points(grid.y)};
-  in_core.x.push_back({0, skin.length});
-  in_core.y.push_back({0, skin.width});
-  const FieldPlaces columns{intervals(grid.column_x), intervals(grid.column_y)};
-  const Strains core = strains(parts.core, in_core),
-                electrodes = strains(parts.electrodes, columns);
-  CoreAndElectrodes result{
-      strain_field(core, in_core, true), strain_field(electrodes, columns, false), {}};
-  const ElasticLayer& layer = skin.layers[skin.core];
-  const auto all_y = static_cast<Eigen::Index>(in_core.y.size());
-  const double area = skin.length * skin.width, twice_shear = 2 * layer.shear_modulus;
-  for (Eigen::Index level = 0; level < core[0].cols() / all_y; ++level) {
-    const auto mean = [&](std::size_t c) {
-      return core[c](core[c].rows() - 1, all_y * (level + 1) - 1);
-    };
-    result.force_through_level.push_back(
-        {-area * (layer.lame_lambda * (mean(0) + mean(1) + mean(2)) + twice_shear * mean(2)),
-         area * twice_shear * mean(4), area * twice_shear * mean(3)});
+  add(parts.core, in_core, core);
+  add(parts.electrodes, columns, electrodes);
+  std::vector<CoreAndElectrodes> result;
+  for (std::size_t state = 0; state < states.size(); ++state) {
+    result.push_back({strain_field(core[state], in_core[state], true),
+                      strain_field(electrodes[state], columns[state], false),
+                      force_through_levels(skin, core[state], in_core[state])});
   }
   return result;
 }

@@ -36,6 +36,14 @@ struct CoreAndElectrodes {
   std::vector<std::array<double, 3>> force_through_level;
 };
 
+/// A state of which strains are asked for.
+struct FieldState {
+  FieldGrid grid;
+  std::array<double, 2> centre{}; ///< of the slider from the skin's corner [m]
+  /// On the cells, x fastest, each normal (downwards), x, y; even over a cell [N].
+  std::vector<double> forces;
+};
+
 /// Strain in the core and the electrodes of a skin under forces on contact cells, docs/model.md
 /// (58) to (60). All that does not depend on the place of the slider is made once; `at` changes
 /// nothing, so that states may be asked for on several threads at a time.
@@ -53,10 +61,8 @@ public:
              double column, const WaveSplit& split, double tolerance = 1e-4);
   ~SkinFields();
 
-  /// @param centre of the slider from the skin's corner [m]
-  /// @param forces on the cells, x fastest, each normal (downwards), x, y; even over a cell [N]
-  CoreAndElectrodes at(const FieldGrid& grid, const std::array<double, 2>& centre,
-                       const std::vector<double>& forces) const;
+  /// Of states; some at once cost less than one by one, and each is the same bits in any company.
+  std::vector<CoreAndElectrodes> at(const std::vector<FieldState>& states) const;
 
 private:
   struct Parts;

@@ -5,65 +5,45 @@
 #include <utility>
 
 namespace ionskin::finite_layers {
-namespace {
 
-std::size_t core_index(const Skin& skin) {
-  const auto core = std::ranges::find(skin.layers, LayerRole::core, &Layer::role);
-  return static_cast<std::size_t>(core - skin.layers.begin());
-}
-
-} // namespace
-
-LayeredSkin::LayeredSkin(const Skin& skin, ContactGrid grid, const SkinResolution& resolution)
-    : grid_(std::move(grid)), length_(skin.length), width_(skin.width), core_(core_index(skin)),
-      resolution_(resolution),
-      surface_(std::make_unique<const SurfaceCompliance>(elastic_layers(skin))),
-      column_(surface_->layers(), resolution_.elements, resolution_.degree) {
-  const WaveSplit split = resolution_.split();
-  modes_ = std::make_unique<const BoxModes>(*surface_, skin.length, skin.width, split);
-  if (skin.sides == SideCondition::free) {
-    sides_ = std::make_unique<const FreeSides>(column_, skin.length, skin.width, split,
-                                               resolution_.face(skin.length));
-  }
-  ends_ = std::make_unique<const FreeEnds>(column_, skin.length, skin.width, split,
-                                           resolution_.face(skin.width), sides_.get());
-  short_waves_ = std::make_unique<const PlaneCompliance>(*surface_, split);
-  short_compliance_ = plane_compliance(*short_waves_, grid_, own_images(grid_));
-}
+LayeredSkin::LayeredSkin(const Skin& skin, ContactGrid grid, const SkinResolution& resolution,
+                         int threads)
+    : grid_(std::move(grid)), box_(layer_box({skin, resolution, grid_.half}, threads)),
+      short_compliance_(plane_compliance(box_->short_waves, grid_, own_images(grid_))) {}
 
 SkinFields LayeredSkin::fields(const std::vector<double>& heights, double column) const {
-  return {FieldSkin{layers(), core_, length_, width_, &column_, sides_.get(), ends_.get()}, grid_,
-          heights, column, resolution_.split()};
+  return {box_->fields, grid_, heights, column, box_->key.resolution.split()};
 }
 
 LayeredSkin::Across LayeredSkin::across(double centre_y) const {
   Across result;
   result.skin_ = this;
-  result.rows_ = modes_->rows(grid_, centre_y);
+  result.rows_ = box_->modes.rows(grid_, centre_y);
   result.alike_ = short_compliance_;
-  if (sides_) {
-    sides_->add(grid_, centre_y, result.rows_);
-  } else if (const auto images =
-                 images_between(grid_, -centre_y, width_ - centre_y, resolution_.reach);
+  if (box_->sides) {
+    box_->sides->add(grid_, centre_y, result.rows_);
+  } else if (const auto images = images_between(grid_, -centre_y, box_->key.width - centre_y,
+                                                box_->key.resolution.reach);
              !images.empty()) {
-    result.alike_ += plane_compliance(*short_waves_, grid_, images);
+    result.alike_ += plane_compliance(box_->short_waves, grid_, images);
   }
-  result.ends_ = ends_->rows(grid_, centre_y);
-  const Eigen::ArrayXd all = Eigen::ArrayXd::Ones(modes_->along_x().wave_numbers.size());
-  add_modes(result.rows_, modes_->along_x(), ModePart::alike, all, grid_, 0, result.alike_);
+  result.ends_ = box_->ends->rows(grid_, centre_y);
+  const Eigen::ArrayXd all = Eigen::ArrayXd::Ones(box_->modes.along_x().wave_numbers.size());
+  add_modes(result.rows_, box_->modes.along_x(), ModePart::alike, all, grid_, 0, result.alike_);
   return result;
 }
 
 // An image lies twice as far away as the end that it is mirrored in: waves that end before it do
 // not count.
 LayeredSkin::NearEnds LayeredSkin::near_ends(double centre_x) const {
-  const Eigen::ArrayXd& waves = modes_->along_x().wave_numbers;
+  const Eigen::ArrayXd& waves = box_->modes.along_x().wave_numbers;
+  const SkinResolution& resolution = box_->key.resolution;
   const double clearance =
-      std::min(centre_x + grid_.x.front(), length_ - centre_x - grid_.x.back());
-  const double reach = std::max(resolution_.reach, 2 * clearance);
-  const WaveSplit split(reach, resolution_.split_tolerance);
-  NearEnds result{Eigen::ArrayXd::Ones(waves.size()), resolution_.face_waves / reach};
-  if (reach > resolution_.reach) { // else the modes have this share already
+      std::min(centre_x + grid_.x.front(), box_->key.length - centre_x - grid_.x.back());
+  const double reach = std::max(resolution.reach, 2 * clearance);
+  const WaveSplit split(reach, resolution.split_tolerance);
+  NearEnds result{Eigen::ArrayXd::Ones(waves.size()), resolution.face_waves / reach};
+  if (reach > resolution.reach) { // else the modes have this share already
     const Eigen::Index count = (waves <= split.last_long()).count();
     result.share = waves.head(count).unaryExpr([&](double k) { return split.long_share(k); });
   }
@@ -74,7 +54,7 @@ Eigen::MatrixXd LayeredSkin::Across::compliance(double centre_x) const {
   const ContactGrid& grid = skin_->grid_;
   const NearEnds near = skin_->near_ends(centre_x);
   Eigen::MatrixXd result = alike_;
-  add_modes(rows_, skin_->modes_->along_x(), ModePart::mirrored, near.share, grid, centre_x,
+  add_modes(rows_, skin_->box_->modes.along_x(), ModePart::mirrored, near.share, grid, centre_x,
             result);
   ends_.add(grid, centre_x, near.share, near.last, result);
   return result;

@@ -3,13 +3,9 @@
 
 #include "ionskin/case/case.hpp"
 #include "ionskin/finite_layers/faces/free_ends.hpp"
-#include "ionskin/finite_layers/faces/free_sides.hpp"
-#include "ionskin/finite_layers/faces/thickness_column.hpp"
 #include "ionskin/finite_layers/fields/skin_fields.hpp"
-#include "ionskin/finite_layers/plane/box_modes.hpp"
 #include "ionskin/finite_layers/plane/plane_compliance.hpp"
-#include "ionskin/finite_layers/plane/radial_compliance.hpp"
-#include "ionskin/finite_layers/skin/skin_resolution.hpp"
+#include "ionskin/finite_layers/skin/layer_box.hpp"
 
 #include <Eigen/Core>
 
@@ -23,7 +19,9 @@ namespace ionskin::finite_layers {
 /// once; the compliance of the cells follows for any place of the slider. Thread-safe.
 class LayeredSkin {
 public:
-  LayeredSkin(const Skin& skin, ContactGrid grid, const SkinResolution& resolution);
+  /// @param threads that make what no skin before had made
+  LayeredSkin(const Skin& skin, ContactGrid grid, const SkinResolution& resolution,
+              int threads = 1);
 
   const ContactGrid& grid() const { return grid_; }
 
@@ -47,7 +45,7 @@ public:
 
   /// @param heights,column as of SkinFields; the skin outlives the result
   SkinFields fields(const std::vector<double>& heights, double column) const;
-  const std::vector<ElasticLayer>& layers() const { return surface_->layers(); }
+  const std::vector<ElasticLayer>& layers() const { return box_->key.layers; }
 
 private:
   /// What the ends feel of a slider at a place.
@@ -58,15 +56,7 @@ private:
   NearEnds near_ends(double centre_x) const;
 
   ContactGrid grid_;
-  double length_, width_;
-  std::size_t core_; ///< index of the layer
-  SkinResolution resolution_;
-  std::unique_ptr<const SurfaceCompliance> surface_;
-  std::unique_ptr<const PlaneCompliance> short_waves_;
-  std::unique_ptr<const BoxModes> modes_;
-  ThicknessColumn column_;
-  std::unique_ptr<const FreeSides> sides_; ///< null where rollers hold them
-  std::unique_ptr<const FreeEnds> ends_;
+  std::shared_ptr<const LayerBox> box_;
   Eigen::MatrixXd short_compliance_; ///< of the cells [m/N]
 };
 

@@ -24,6 +24,7 @@ struct SkinResolution {
   int degree = 0;                     ///< of the elements through the thickness
   std::vector<ElementSizes> elements; ///< of each layer
 
+  bool operator==(const SkinResolution&) const = default;
   WaveSplit split() const { return {reach, split_tolerance}; }
   /// Of a free face, along which the skin is so long [m].
   FaceResolution face(double length) const;

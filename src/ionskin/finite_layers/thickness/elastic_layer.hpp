@@ -14,6 +14,7 @@ struct ElasticLayer {
   double thickness = 0;     ///< [m]
 
   double poissons_ratio() const { return lame_lambda / (2 * (lame_lambda + shear_modulus)); }
+  bool operator==(const ElasticLayer&) const = default;
   /// Stiffness against strain along one direction with both others held [Pa].
   double oedometric_modulus() const { return lame_lambda + 2 * shear_modulus; }
 };

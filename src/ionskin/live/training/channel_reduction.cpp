@@ -264,22 +264,29 @@ ChannelMap reduce_fields(const std::vector<Snapshot>& snapshots, const std::stri
 void add_unit_strains(const mechanics::SkinModel& model, const mechanics::StrainRecovery& recovery,
                       const PlaceNodes& places, int threads, const std::vector<Wanted>& wanted,
                       std::vector<ChannelMap>& maps) {
+  constexpr std::size_t loads_at_once = 8;
   const std::size_t size = 3 * model.cells.count();
   std::vector<std::vector<std::vector<float>>> at_nodes(wanted.size());
   for (const double y : places.y) {
     for (const double x : places.x) {
       std::vector<std::vector<std::vector<float>>> of_loads(
           size, std::vector<std::vector<float>>(wanted.size()));
-      parallel::run_tasks(size, threads, [&](std::size_t i) {
+      parallel::run_tasks((size + loads_at_once - 1) / loads_at_once, threads, [&](std::size_t i) {
         base::check_interrupt();
-        mechanics::CellVector load(size, 0.0);
-        load[i] = 1;
-        const CoreStrain strain = recovery.at({x, y}, load).core;
-        for (std::size_t c = 0; c < wanted.size(); ++c) {
-          for (const Eigen::Index point : wanted[c].points) {
-            const auto at = strain_at(strain, static_cast<std::size_t>(point));
-            for (const auto& row : wanted[c].rows) {
-              of_loads[i][c].push_back(static_cast<float>(value_of({row}, at)));
+        const std::size_t first = i * loads_at_once, count = std::min(loads_at_once, size - first);
+        std::vector<mechanics::CellVector> loads(count, mechanics::CellVector(size, 0.0));
+        for (std::size_t own = 0; own < count; ++own) {
+          loads[own][first + own] = 1;
+        }
+        const std::vector<std::array<double, 2>> centres(count, {x, y});
+        const auto strains = recovery.at(centres, loads);
+        for (std::size_t own = 0; own < count; ++own) {
+          for (std::size_t c = 0; c < wanted.size(); ++c) {
+            for (const Eigen::Index point : wanted[c].points) {
+              const auto at = strain_at(strains[own].core, static_cast<std::size_t>(point));
+              for (const auto& row : wanted[c].rows) {
+                of_loads[first + own][c].push_back(static_cast<float>(value_of({row}, at)));
+              }
             }
           }
         }

@@ -5,6 +5,7 @@
 #include "ionskin/parallel/task_pool.hpp"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 namespace ionskin::mechanics {
@@ -17,18 +18,25 @@ std::size_t SteppedStrains::add(const std::array<double, 2>& centre, CellVector 
 
 void SteppedStrains::recover(std::size_t first) {
   constexpr std::size_t states_per_thread = 4;
-  const std::size_t count =
-      std::min(states_per_thread * static_cast<std::size_t>(threads_), centres_.size() - first);
-  std::vector<RecoveredStrain> recovered(count);
-  parallel::run_tasks(count, threads_, [&](std::size_t i) {
-    recovered[i] = recovery_->at(centres_[first + i], forces_[first + i]);
+  const std::span centres = std::span(centres_).subspan(first);
+  const std::span forces = std::span(forces_).subspan(first);
+  const std::size_t most =
+      std::min(states_per_thread * static_cast<std::size_t>(threads_), centres.size());
+  std::vector<std::vector<RecoveredStrain>> recovered((most + states_per_thread - 1) /
+                                                      states_per_thread);
+  parallel::run_tasks(recovered.size(), threads_, [&](std::size_t i) {
+    const std::size_t from = i * states_per_thread;
+    const std::size_t count = std::min(states_per_thread, most - from);
+    recovered[i] = recovery_->at(centres.subspan(from, count), forces.subspan(from, count));
   });
   held_.clear();
-  for (RecoveredStrain& one : recovered) {
-    residual_ = base::larger(residual_, one.equilibrium_residual);
-    stress_.resize(std::max(stress_.size(), one.electrode_stress.size()));
-    std::ranges::transform(one.electrode_stress, stress_, stress_.begin(), base::larger);
-    held_.push_back(std::move(one.core));
+  for (std::vector<RecoveredStrain>& some : recovered) {
+    for (RecoveredStrain& one : some) {
+      residual_ = base::larger(residual_, one.equilibrium_residual);
+      stress_.resize(std::max(stress_.size(), one.electrode_stress.size()));
+      std::ranges::transform(one.electrode_stress, stress_, stress_.begin(), base::larger);
+      held_.push_back(std::move(one.core));
+    }
   }
   first_ = first;
 }

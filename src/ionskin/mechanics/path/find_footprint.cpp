@@ -110,8 +110,8 @@ Reach reach_at(const Case& input, const SkinModel& model, const std::array<doubl
 /// Over two corners of the track.
 Reach reach_of(const Case& input, const mesh::Footprint& footprint, double friction, int threads,
                parallel::SharedProgress& progress) {
-  const MotionBox box = meshed_box(input);
-  const SkinModel model(input, footprint, box);
+  const MotionBox box = motion_box(input.motion, input.slider);
+  const SkinModel model(input, footprint, box, mesh::MeshedPart::half_if_symmetric, threads);
   std::vector<std::array<double, 2>> centres{box.low, box.high};
   if (centres[0] == centres[1]) {
     centres.pop_back();
@@ -212,21 +212,6 @@ mesh::Footprint footprint_at(const Case& input, double friction, int threads,
 
 } // namespace
 
-std::optional<mesh::Footprint> given_footprint(const Case& input) {
-  const std::array<double, 2>& half_size = input.numerics.shared.footprint;
-  if (half_size[0] == 0) {
-    return std::nullopt;
-  }
-  const mesh::Footprint limit = mesh::footprint_limit(input);
-  mesh::Footprint footprint = limit;
-  for (std::size_t d = 0; d < 2; ++d) {
-    if (!footprint.sharp(d)) {
-      set_rim(footprint, d, half_size[d] - (limit.half_size[d] - limit.rim[d]), limit);
-    }
-  }
-  return footprint;
-}
-
 Case footprint_case(const Case& input) {
   Case coarse = input;
   coarse.numerics.preset = Preset::coarse;
@@ -252,9 +237,6 @@ std::optional<mesh::Footprint> find_common_footprint(const Case& input, double f
   require_touch(input, largest);
   if (input.slider.sharp()) {
     return largest;
-  }
-  if (const auto given = given_footprint(input)) {
-    return given;
   }
   try {
     return footprint_at(input, footprint_friction(friction), threads, progress);

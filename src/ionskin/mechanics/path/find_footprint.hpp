@@ -28,10 +28,6 @@ mesh::Footprint find_footprint(const Case& input, double friction, int threads,
 inline constexpr const char* remedy_of_edge =
     "move slider.start, shorten motion.stroke or lower motion.preload";
 
-/// That of `numerics.shared_positions.footprint`, of a slider that is not sharp; empty without.
-/// Where the contact turns out larger, `widened_footprint` widens it as any other.
-std::optional<mesh::Footprint> given_footprint(const Case& input);
-
 /// The case of that coarse solution.
 Case footprint_case(const Case& input);
 

@@ -95,14 +95,23 @@ StrainRecovery::StrainRecovery(std::shared_ptr<const SkinModel> model)
     : model_(std::move(model)),
       fields_(model_->layers.fields(heights(model_->mesh), mean_column(model_->mesh))) {}
 
-RecoveredStrain StrainRecovery::at(const std::array<double, 2>& centre,
-                                   const CellVector& forces) const {
-  const mesh::MeshLines lines = model_->mesh.lines(centre);
-  finite_layers::CoreAndElectrodes found =
-      fields_.at({gauss_points(lines.x), gauss_points(lines.y), lines.x, lines.y}, centre, forces);
-  return {{found.core.points, std::move(found.core.component)},
-          largest_stresses(*model_, found.electrodes),
-          equilibrium_residual(forces, model_->mesh.half_model(), found.force_through_level)};
+std::vector<RecoveredStrain> StrainRecovery::at(std::span<const std::array<double, 2>> centres,
+                                                std::span<const CellVector> forces) const {
+  std::vector<finite_layers::FieldState> states;
+  for (std::size_t i = 0; i < centres.size(); ++i) {
+    const mesh::MeshLines lines = model_->mesh.lines(centres[i]);
+    states.push_back(
+        {{gauss_points(lines.x), gauss_points(lines.y), lines.x, lines.y}, centres[i], forces[i]});
+  }
+  std::vector<finite_layers::CoreAndElectrodes> found = fields_.at(states);
+  std::vector<RecoveredStrain> result;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    result.push_back(
+        {{found[i].core.points, std::move(found[i].core.component)},
+         largest_stresses(*model_, found[i].electrodes),
+         equilibrium_residual(forces[i], model_->mesh.half_model(), found[i].force_through_level)});
+  }
+  return result;
 }
 
 } // namespace ionskin::mechanics

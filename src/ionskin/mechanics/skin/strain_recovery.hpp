@@ -7,6 +7,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace ionskin::mechanics {
@@ -28,9 +29,11 @@ class StrainRecovery {
 public:
   explicit StrainRecovery(std::shared_ptr<const SkinModel> model);
 
-  /// @param centre of the slider [m]
+  /// Of states; some at once cost less than one by one.
+  /// @param centres of the slider [m]
   /// @param forces of the cells [N]
-  RecoveredStrain at(const std::array<double, 2>& centre, const CellVector& forces) const;
+  std::vector<RecoveredStrain> at(std::span<const std::array<double, 2>> centres,
+                                  std::span<const CellVector> forces) const;
 
 private:
   std::shared_ptr<const SkinModel> model_;

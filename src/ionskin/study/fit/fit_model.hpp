@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/base/files/disk_cache.hpp"
 #include "ionskin/base/progress.hpp"
 #include "ionskin/case/case.hpp"
 #include "ionskin/study/fit/fit_log.hpp"

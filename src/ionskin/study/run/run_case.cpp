@@ -19,14 +19,12 @@
 #include "ionskin/study/errors/error_estimate.hpp"
 #include "ionskin/study/run/run_folder.hpp"
 #include "ionskin/study/run/solve_mechanics.hpp"
-#include "ionskin/study/run/user_cache.hpp"
 #include "ionskin/study/run/warnings.hpp"
 #include "ionskin/study/run/write_outputs.hpp"
 #include "ionskin/study/stations/audits.hpp"
 #include "ionskin/study/stations/given_strain.hpp"
 #include "ionskin/study/stations/read_out.hpp"
 #include "ionskin/study/store/checkpoint_file.hpp"
-#include "ionskin/study/store/mechanics_cache.hpp"
 #include "ionskin/study/store/mechanics_file.hpp"
 #include "ionskin/study/store/mechanics_record.hpp"
 
@@ -83,9 +81,9 @@ std::optional<MechanicsRecord> left_mechanics(const Case& input, const std::stri
 }
 
 /// Case -> SkinMesh -> ContactSolution -> CoreHistory, or what an earlier run left of it in its
-/// folder or in the cache.
-MechanicsRecord study_1(const Case& input, const RunOptions& options, base::DiskCache* cache,
-                        RunFolder& folder, base::Timers& timers) {
+/// folder.
+MechanicsRecord study_1(const Case& input, const RunOptions& options, RunFolder& folder,
+                        base::Timers& timers) {
   const auto results_path = folder.own(results::file_names::results);
   const std::string hash = mechanics_hash(input);
   if (auto record = left_mechanics(input, hash, results_path, folder)) {
@@ -99,15 +97,6 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, base::Disk
                     "--only electrochemistry takes up: run without --only, or with "
                     "--only mechanics, first");
   }
-  const bool keeps = cache != nullptr && options.keep_mechanics;
-  if (keeps) {
-    const double begin = base::wall_time();
-    if (auto record = recall_mechanics(*cache, hash, input.skin, results_path)) {
-      folder.add_finished("strain", base::wall_time() - begin, "cache");
-      options.progress("mechanics, from the cache", 1.0);
-      return *record;
-    }
-  }
   const auto solved = folder.stage("mechanics", [&] {
     mechanics::ContactOptions contact_options;
     contact_options.threads = options.threads;
@@ -120,17 +109,8 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, base::Disk
     constexpr double share_of_files = 0.25;
     MechanicsRecord record =
         record_mechanics(input, solved, base::share_of(options.progress, 0, 1 - share_of_files));
-    const std::size_t own_warnings = record.warnings.size();
-    if (cache != nullptr) {
-      for (std::string& note : cache->take_notes()) {
-        record.warnings.push_back(std::move(note));
-      }
-    }
     write_mechanics(results_path, hash, record,
                     base::share_of(options.progress, 1 - share_of_files, share_of_files));
-    if (keeps && record.warnings.size() == own_warnings) {
-      keep_mechanics(*cache, hash, results_path);
-    }
     options.progress("strain history", 1.0);
     return record;
   });
@@ -286,7 +266,6 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
   if (options.studies != Studies::mechanics) {
     planning::foreseen(input); // refuses what is bound to fail
   }
-  const auto cache = open_user_cache(options);
   RunFolder folder(input, options);
   if (has_finished(folder, options)) {
     return complete_report(options, start, folder);
@@ -296,9 +275,8 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
     require_unchanged(input, *given_strain);
   }
 
-  const MechanicsRecord mechanics = given_strain
-                                        ? record_of(std::move(*given_strain))
-                                        : study_1(input, options, cache.get(), folder, timers);
+  const MechanicsRecord mechanics =
+      given_strain ? record_of(std::move(*given_strain)) : study_1(input, options, folder, timers);
   RunOutputs outputs;
   if (options.studies == Studies::mechanics) {
     outputs.signals = read_out_mechanics(input, mechanics, options.threads);

@@ -28,8 +28,6 @@ struct RunOptions {
   bool report = true;          ///< write the page
   bool figures = false;        ///< and its figures as files
   bool paraview = true;        ///< write the kept fields for ParaView, beside those in results.h5
-  bool use_cache = true;       ///< look up and keep condensed slider positions in the user's cache
-  bool keep_mechanics = true;  ///< and whole results of Study 1, which some others may share
   bool judge_resources = true; ///< before any work; off where that was done and Study 1 is solved
   std::string command;         ///< for the manifest
   base::ProgressCallback progress = base::no_progress;

@@ -261,9 +261,6 @@ std::string mechanics_hash(const Case& input) {
   }
   text += fmt::format(" numerics {} {} {}", static_cast<int>(input.numerics.preset),
                       input.numerics.mesh_refinement, input.numerics.time_refinement);
-  if (const SharedPositions& shared = input.numerics.shared; shared != SharedPositions{}) {
-    text += fmt::format(" shared {} {} {}", shared.from, shared.to, shared.footprint);
-  }
   // Field instants within the slide are samples of the strain history.
   text += fmt::format(" fields {}", fmt::join(input.output.fields, " "));
   return results::content_hash(text);

@@ -30,7 +30,6 @@ RunOptions run_options(const SweepOptions& options) {
   result.overwrite = options.overwrite;
   result.resume = options.resume;
   result.studies = options.studies;
-  result.use_cache = options.use_cache;
   result.command = options.command;
   result.progress = options.progress;
   return result;

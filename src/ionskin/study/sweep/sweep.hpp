@@ -21,7 +21,6 @@ struct SweepOptions {
   Studies studies = Studies::both; ///< or `mechanics`
   bool report = true;              ///< write the page of the whole sweep
   bool figures = false;            ///< and its figures as files
-  bool use_cache = true;           ///< of condensed slider positions
   std::string command;             ///< for the manifests
   base::ProgressCallback progress = base::no_progress; ///< called from one thread at a time
 };
@@ -55,7 +54,7 @@ PlannedFolder plan_sweep_folder(const SweepPlan& plan, const SweepOptions& optio
 
 /// Does one batch of a planned sweep, beside other processes that do others: solves what is not
 /// finished of its points, and tries those again that failed. Touches no table.
-/// @param options `folder`, `threads` (0: as planned), `use_cache`, `command` and `progress`
+/// @param options `folder`, `threads` (0: as planned), `command` and `progress`
 /// Throws UserError before any work.
 SweepOutcome do_batch(std::size_t batch, const SweepOptions& options);
 

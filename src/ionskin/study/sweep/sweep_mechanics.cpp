@@ -13,8 +13,6 @@
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/study/run/run_folder.hpp"
 #include "ionskin/study/run/solve_mechanics.hpp"
-#include "ionskin/study/run/user_cache.hpp"
-#include "ionskin/study/store/mechanics_cache.hpp"
 #include "ionskin/study/store/mechanics_file.hpp"
 #include "ionskin/study/sweep/point_failure.hpp"
 
@@ -133,10 +131,9 @@ bool take_over(const SweepPoint& point, const RunOptions& options,
   });
 }
 
-/// Leaves a solution in the folders of all points that share it, and in the cache.
+/// Leaves a solution in the folders of all points that share it.
 void leave_in_folders(const std::vector<SweepPoint>& points, const SharedMechanics& shared,
-                      const SolvedMechanics& solved, double seconds, const RunOptions& options,
-                      base::DiskCache* cache) {
+                      const SolvedMechanics& solved, double seconds, const RunOptions& options) {
   const Case& input = points[shared.points.front()].input;
   std::optional<std::filesystem::path> first;
   for (const std::size_t i : shared.points) {
@@ -151,9 +148,6 @@ void leave_in_folders(const std::vector<SweepPoint>& points, const SharedMechani
         pending.commit();
       } else {
         write_mechanics(path, points[i].mechanics_hash, record_mechanics(input, solved));
-        if (cache != nullptr) {
-          keep_mechanics(*cache, points[i].mechanics_hash, path);
-        }
         first = path;
       }
       return true;
@@ -173,10 +167,9 @@ double finished_share(std::string_view activity, double fraction) {
 
 class SharedMechanicsSolver {
 public:
-  /// @param cache of the user; none when null
   SharedMechanicsSolver(const std::vector<SweepPoint>& points, const RunOptions& options,
-                        base::Timers& timers, std::size_t units, base::DiskCache* cache)
-      : points_(points), options_(options), timers_(timers), units_(units), cache_(cache) {}
+                        base::Timers& timers, std::size_t units)
+      : points_(points), options_(options), timers_(timers), units_(units) {}
 
   /// Solves entries [begin, end) of a group together.
   /// @param footprint of all of them, or empty to find it
@@ -223,26 +216,15 @@ private:
     for (std::size_t i = begin; i < end; ++i) {
       frictions.push_back(group[i].friction);
     }
-    auto solutions = solve_mechanics(points_[group[begin].points.front()].input, frictions,
-                                     contact_options, timers_);
-    if (cache_ != nullptr) {
-      const std::vector<std::string> notes = cache_->take_notes();
-      noted_ = noted_ || !notes.empty();
-      for (auto& solution : solutions) {
-        std::vector<std::string>& warnings = solution.contact.warnings;
-        warnings.insert(warnings.end(), notes.begin(), notes.end());
-      }
-    }
-    return solutions;
+    return solve_mechanics(points_[group[begin].points.front()].input, frictions, contact_options,
+                           timers_);
   }
 
   void leave(const FrictionGroup& group, std::size_t begin, std::vector<SolvedMechanics> solutions,
              double seconds) {
-    // A warning of the cache, which the results would keep, is no property of the case.
-    base::DiskCache* cache = noted_ ? nullptr : cache_;
     parallel::run_tasks(solutions.size(), options_.threads, [&](std::size_t i) {
       const auto solved = std::make_unique<SolvedMechanics>(std::move(solutions[i]));
-      leave_in_folders(points_, group[begin + i], *solved, seconds, options_, cache);
+      leave_in_folders(points_, group[begin + i], *solved, seconds, options_);
     });
   }
 
@@ -250,8 +232,6 @@ private:
   const RunOptions& options_;
   base::Timers& timers_;
   std::size_t units_, finished_ = 0;
-  base::DiskCache* cache_;
-  bool noted_ = false; ///< whether the cache had something to say
 };
 
 bool has_mechanics(const std::filesystem::path& path, const std::string& hash) {
@@ -301,8 +281,7 @@ private:
 std::vector<std::size_t> points_to_solve(const std::vector<SweepPoint>& points,
                                          const std::vector<std::size_t>& unfinished,
                                          const RunOptions& options,
-                                         const std::filesystem::path& others,
-                                         const base::DiskCache* cache) {
+                                         const std::filesystem::path& others) {
   Donors donors(points, {options.folder, others});
   std::vector<std::size_t> result;
   for (const std::size_t i : unfinished) {
@@ -312,9 +291,7 @@ std::vector<std::size_t> points_to_solve(const std::vector<SweepPoint>& points,
       continue;
     }
     const auto donor = donors.find(point.mechanics_hash);
-    const bool taken_over = donor && take_over(point, options, *donor);
-    const bool kept = cache != nullptr && keeps_mechanics(*cache, point.mechanics_hash);
-    if (!taken_over && !kept) { // run_case finds what is kept
+    if (!donor || !take_over(point, options, *donor)) {
       result.push_back(i);
     }
   }
@@ -351,9 +328,7 @@ SweepFailures solve_shared_mechanics(const std::vector<SweepPoint>& points,
                                      const std::vector<std::size_t>& unfinished,
                                      const RunOptions& options, const std::filesystem::path& others,
                                      base::Timers& timers) {
-  const std::unique_ptr<base::DiskCache> cache = open_user_cache(options);
-  const std::vector<std::size_t> to_solve =
-      points_to_solve(points, unfinished, options, others, cache.get());
+  const std::vector<std::size_t> to_solve = points_to_solve(points, unfinished, options, others);
   const std::vector<FrictionGroup> groups = group_points(points, to_solve);
   std::size_t units = 0;
   for (const FrictionGroup& group : groups) {
@@ -362,7 +337,7 @@ SweepFailures solve_shared_mechanics(const std::vector<SweepPoint>& points,
   if (units > 0) {
     options.progress("mechanics of all points", 0.0);
   }
-  SharedMechanicsSolver solver(points, options, timers, units, cache.get());
+  SharedMechanicsSolver solver(points, options, timers, units);
   for (const FrictionGroup& group : groups) {
     const Case& input = points[group.front().points.front()].input;
     const GroupPlan plan = plan_group(input, options.threads);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/finite_layers/fields/field_faces.hpp"
 #include "ionskin/finite_layers/fields/skin_fields.hpp"
 #include "paper_skin.hpp"
 
@@ -40,15 +41,21 @@ public:
       ends_.emplace(column_, given.length, given.width, given.split, given.ends,
                     sides_ ? &*sides_ : nullptr);
     }
-    fields_.emplace(FieldSkin{given.layers, given.core, given.length, given.width, &column_,
-                              sides_ ? &*sides_ : nullptr, ends_ ? &*ends_ : nullptr},
-                    cells, grid.z, grid_.column_x[1] - grid_.column_x[0], given.split,
+    FieldSkin skin{given.layers,
+                   given.core,
+                   given.length,
+                   given.width,
+                   &column_,
+                   sides_ ? &*sides_ : nullptr,
+                   ends_ ? &*ends_ : nullptr};
+    skin.faces = std::make_shared<const FieldFaces>(skin, cells.half, 1);
+    fields_.emplace(skin, cells, grid.z, grid_.column_x[1] - grid_.column_x[0], given.split,
                     given.tolerance);
   }
 
   CoreAndElectrodes at(const std::array<double, 2>& centre,
                        const std::vector<double>& forces) const {
-    return fields_->at(grid_, centre, forces);
+    return fields_->at({{grid_, centre, forces}}).front();
   }
 
 private:

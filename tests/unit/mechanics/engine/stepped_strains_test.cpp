@@ -30,7 +30,9 @@ TEST(SteppedStrains, AreThoseOfEachStateByItselfInAnyOrder) {
     EXPECT_EQ(path.add(place_at(k), force_at(k)), k);
   }
   for (const std::size_t k : {std::size_t{0}, states - 1, std::size_t{7}}) {
-    const RecoveredStrain alone = recovery->at(place_at(k), force_at(k));
+    const std::array<std::array<double, 2>, 1> place{place_at(k)};
+    const std::array<CellVector, 1> force{force_at(k)};
+    const RecoveredStrain alone = recovery->at(place, force).front();
     EXPECT_EQ(path.at(k).component, alone.core.component) << k;
     ASSERT_EQ(path.largest_electrode_stress().size(), 2u);
     EXPECT_GE(path.largest_electrode_stress()[0], alone.electrode_stress[0]);

@@ -90,18 +90,6 @@ TEST(FindFootprint, is_shared_by_all_coefficients_up_to_the_next_step) {
   EXPECT_EQ(find_footprint(input, 0.1, 1).half_size, find_footprint(input, 0.45, 1).half_size);
 }
 
-TEST(FindFootprint, is_that_of_the_shared_positions_where_they_have_one) {
-  Case input = small_finger();
-  EXPECT_FALSE(given_footprint(input).has_value());
-  input.numerics.shared = {{1.2e-3, 0.9e-3}, {3.8e-3, 1.1e-3}, {0.4e-3, 0.3e-3}};
-  const auto given = given_footprint(input);
-  ASSERT_TRUE(given.has_value());
-  EXPECT_EQ(given->half_size, (std::array<double, 2>{0.4e-3, 0.3e-3}));
-  const auto common = find_common_footprint(input, 0.3, 1);
-  ASSERT_TRUE(common.has_value());
-  EXPECT_EQ(common->half_size, given->half_size);
-}
-
 TEST(FindFootprint, refuses_a_contact_over_the_edge_of_the_skin) {
   Case input = coarse_finger();
   input.slider.start[0] = 20e-6;

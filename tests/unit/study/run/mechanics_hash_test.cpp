@@ -58,9 +58,6 @@ const std::set<std::string> decides_study_one{
     "numerics.mesh_refinement",
     "numerics.time_refinement",
     "numerics.error_estimate",
-    "numerics.shared_positions.from",
-    "numerics.shared_positions.to",
-    "numerics.shared_positions.footprint",
     "output.fields"}; // samples of the history
 const std::set<std::string> leaves_study_one{"title",
                                              "skin.layers[].name",
@@ -107,6 +104,9 @@ const std::set<std::string> leaves_study_one{"title",
                                              "readout.taxels.rows",
                                              "readout.taxels.columns",
                                              "readout.taxels.gap",
+                                             "numerics.shared_positions.from", // of older versions
+                                             "numerics.shared_positions.to",
+                                             "numerics.shared_positions.footprint",
                                              "numerics.time_tolerance"};
 
 /// Circuits and laws declare their keys themselves: whether one of the rows has that of a section.

@@ -34,15 +34,12 @@ TEST(Sweep, does_not_refuse_points_whose_contact_is_solved_when_memory_has_becom
                   .over = {"contact.friction=0.1,0.3"}});
   const results::ScratchFolder scratch;
   const LimitedMemory memory;
-  SweepOptions options{.folder = scratch / "out",
-                       .studies = Studies::mechanics,
-                       .report = false,
-                       .use_cache = false};
+  SweepOptions options{.folder = scratch / "out", .studies = Studies::mechanics, .report = false};
   options.progress = [](std::string_view, double) { setenv(limit, "10 MB", 1); };
   const SweepOutcome outcome = run_sweep(plan, options);
   EXPECT_EQ(outcome.points, 2U);
   EXPECT_EQ(outcome.failures, (std::map<std::string, std::string>{}));
-  SweepOptions another{.folder = scratch / "another", .report = false, .use_cache = false};
+  SweepOptions another{.folder = scratch / "another", .report = false};
   EXPECT_NE(results::message_of<UserError>([&] { run_sweep(plan, another); }).find(limit),
             std::string::npos)
       << "before any work";
@@ -52,7 +49,7 @@ TEST(Sweep, is_refused_before_any_work_where_its_files_find_no_room_together) {
   const SweepPlan plan =
       plan_sweep({.case_path = IONSKIN_CASES "/quick.toml", .over = {"contact.friction=0.1,0.3"}});
   const results::ScratchFolder scratch;
-  const SweepOptions options{.folder = scratch / "out", .report = false, .use_cache = false};
+  const SweepOptions options{.folder = scratch / "out", .report = false};
   const double one = planning::expected_output(plan.points.front().input, true);
   setenv("IONSKIN_DISK_LIMIT", fmt::format("{} MB", 1.5e-6 * one).c_str(), 1);
   for (const auto& [what, start] : std::map<std::string, std::function<void()>>{
