@@ -28,17 +28,19 @@ finite_layers::Clearance clearance(const Skin& skin, const mesh::Footprint& foot
 } // namespace
 
 SkinModel::SkinModel(const Case& input, const mesh::Footprint& footprint, const MotionBox& places,
-                     mesh::MeshedPart part)
-    : SkinModel(input, places, mesh::SkinMesh(input, footprint, part)) {}
+                     mesh::MeshedPart part, finite_layers::SkinPurpose purpose)
+    : SkinModel(input, places, purpose, mesh::SkinMesh(input, footprint, part)) {}
 
-SkinModel::SkinModel(const Case& input, const MotionBox& places, mesh::SkinMesh mesh_of_case)
+SkinModel::SkinModel(const Case& input, const MotionBox& places, finite_layers::SkinPurpose purpose,
+                     mesh::SkinMesh mesh_of_case)
     : mesh(std::move(mesh_of_case)), cells(contact_cells(mesh)),
       gap(mean_gap(input.slider, cells.lines_x, cells.lines_y, {false, false})),
       slider_compliance(
           mechanics::slider_compliance(input.slider, contact_grid(cells, mesh.half_model()))),
       layers(input.skin, contact_grid(cells, mesh.half_model()),
              finite_layers::skin_resolution(finite_layers::elastic_layers(input.skin),
-                                            clearance(input.skin, mesh.footprint(), places))) {}
+                                            clearance(input.skin, mesh.footprint(), places),
+                                            purpose)) {}
 
 void ContactCompliance::at(const std::array<double, 2>& place, Eigen::MatrixXd& result) {
   if (!across_ || centre_y_ != place[1]) {

@@ -28,14 +28,16 @@ struct SkinModel {
   /// @param footprint in which the slider may touch
   /// @param places where its centre may be [m]
   SkinModel(const Case& input, const mesh::Footprint& footprint, const MotionBox& places,
-            mesh::MeshedPart part = mesh::MeshedPart::half_if_symmetric);
+            mesh::MeshedPart part = mesh::MeshedPart::half_if_symmetric,
+            finite_layers::SkinPurpose purpose = finite_layers::SkinPurpose::results);
 
 private:
-  SkinModel(const Case& input, const MotionBox& places, mesh::SkinMesh mesh_of_case);
+  SkinModel(const Case& input, const MotionBox& places, finite_layers::SkinPurpose purpose,
+            mesh::SkinMesh mesh_of_case);
 };
 
-/// Compliance between skin and slider with the slider at one place after another, docs/model.md (8),
-/// (36). What places with the same y share is kept from one to the next.
+/// Compliance between skin and slider with the slider at one place after another, docs/model.md
+/// (8), (36). What places with the same y share is kept from one to the next.
 class ContactCompliance {
 public:
   /// @param model outlives this
