@@ -32,12 +32,16 @@ std::string warning_of_strain(const Case& input, const history::CoreHistory& his
   return "";
 }
 
-/// Empty where the coarse solution fails, which a run will tell.
+/// Of a slider that is not sharp, as a run finds it; empty where the coarse solution fails, which a
+/// run will tell. Throws UserError where the contact reaches the edge of the skin.
 std::optional<mesh::Footprint> found_footprint(const Case& input) {
-  const int threads = thread_count(0);
   ProgressDisplay display(isatty(STDERR_FILENO) != 0 ? LogFormat::bar : LogFormat::none);
-  return mechanics::find_common_footprint(input, input.contact.friction, threads,
-                                          display.callback());
+  try {
+    return mechanics::find_footprint(input, input.contact.friction, thread_count(0),
+                                     display.callback());
+  } catch (const SolverError&) {
+    return std::nullopt;
+  }
 }
 
 } // namespace

@@ -8,8 +8,9 @@
 
 #include "ionskin/base/text.hpp"
 #include "ionskin/case/reading/read_case.hpp"
-#include "ionskin/mechanics/path/find_footprint.hpp"
+#include "ionskin/laws/friction/friction_law.hpp"
 #include "ionskin/mechanics/path/first_touch.hpp"
+#include "ionskin/mesh/footprint.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 #include "ionskin/planning/foreseen.hpp"
 #include "ionskin/planning/output_size.hpp"
@@ -21,18 +22,14 @@ namespace ionskin::apps {
 
 namespace {
 
-/// The contact is not solved for: `mesh::expected_footprint` tells it, as for the memory of a run.
-std::string warning_of_edge(const Case& input, const std::optional<mesh::Footprint>& found) {
-  const mesh::Footprint footprint = found ? *found : mesh::expected_footprint(input);
-  std::string text;
-  for (const std::size_t d : {0, 1})
-    if (mesh::ends_at_skin(input, footprint, d))
-      text +=
-          paragraph(fmt::format("warning: the contact is expected to reach the edge of the skin "
-                                "along {}, and a run would end there: {}",
-                                d == 0 ? "x" : "y", mechanics::remedy_of_edge),
-                    2);
-  return text;
+/// Whether the contact must be solved for before it is known to stay on the skin: the bound
+/// `mesh::largest_footprint` is that of rigid sliders that nothing pulls.
+bool may_leave_skin(const Case& input) {
+  const mesh::Footprint bound = mesh::largest_footprint(input);
+  return !input.slider.rigid() ||
+         laws::friction(input.contact.law, input.contact.friction, input.contact.parameters)
+             .adhesion.pulls() ||
+         mesh::ends_at_skin(input, bound, 0) || mesh::ends_at_skin(input, bound, 1);
 }
 
 std::string foreseen_warnings(const Case& input, const std::optional<mesh::Footprint>& found) {
@@ -48,7 +45,8 @@ bool check(const CheckOptions& options) {
   const CaseDocument document = read_case_document(options.case_path, options.set_edits);
   const StrainSourceKind source = document.input.strain.kind;
   const bool round = source == StrainSourceKind::contact && !document.input.slider.sharp();
-  if (source == StrainSourceKind::file || (round && options.explain)) {
+  if (source == StrainSourceKind::file ||
+      (round && (options.explain || may_leave_skin(document.input)))) {
     return false;
   }
   check_case(options, document, std::nullopt);
@@ -67,9 +65,7 @@ void check_case(const CheckOptions& options, const CaseDocument& document,
   }
   const std::string shortage = planning::shortage(document.input, threads, footprint);
   print_valid(options, document,
-              (contact ? warning_of_edge(document.input, footprint) +
-                             foreseen_warnings(document.input, footprint)
-                       : "") +
+              (contact ? foreseen_warnings(document.input, footprint) : "") +
                   warnings_of_water(document.input) +
                   (shortage.empty() ? "" : fmt::format("warning: {}\n", shortage)),
               planning::estimate_cost(document.input, threads, footprint));

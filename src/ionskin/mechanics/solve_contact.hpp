@@ -16,6 +16,7 @@ namespace ionskin::mechanics {
 /// How Study 1 is run.
 struct ContactOptions {
   int threads = 1;
+  int strain_threads = 0; ///< when strains are recovered later; 0: the same
   base::ProgressCallback progress = base::no_progress; ///< called from one thread at a time
   PathSteps steps;
   /// As `find_footprint` found it for these loads and this friction; empty to find it.

@@ -175,6 +175,7 @@ std::vector<SteppedSolution> solve_stepped(const Case& input, const mesh::Footpr
     progress.finish_unit();
   }
   const auto recovery = std::make_shared<const StrainRecovery>(model);
+  const int strain_threads = options.strain_threads > 0 ? options.strain_threads : options.threads;
   std::vector<SteppedSolution> solutions(variants.size(), {empty_solution(*model), std::nullopt});
   parallel::run_tasks(variants.size(), options.threads, [&](std::size_t i) {
     const base::Timers::Scope scope(timers, "mechanics: contact");
@@ -182,7 +183,7 @@ std::vector<SteppedSolution> solve_stepped(const Case& input, const mesh::Footpr
     std::vector<std::string> warnings;
     require_resolved_adhesion(input, *model, *box, warnings);
     contact =
-        solve_path(input, legs, *model, std::make_shared<SteppedStrains>(recovery, options.threads),
+        solve_path(input, legs, *model, std::make_shared<SteppedStrains>(recovery, strain_threads),
                    variants[i], progress);
     std::ranges::move(warnings, std::back_inserter(contact.warnings));
     // Each by itself, so that no solution depends on its neighbours.

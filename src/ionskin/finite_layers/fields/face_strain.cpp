@@ -70,24 +70,29 @@ struct WholeSums {
   }
 };
 
-/// Lets the last of all modes of a parity stand for those behind it: cosines fall like 1/n^2. So
-/// would sines, or faster, as the faces carry no shear; but elements free them of shear on average
-/// alone, and what is left falls like 1/n.
-void complete(ModeTransform& means, Parity parity, const std::vector<Interval>& places,
-              double across) {
-  const Eigen::Index last = means.cosine.cols() - 1;
+/// Means of cosine and sine of all modes of a parity up to one, of which the last stands for those
+/// behind it: cosines fall like 1/n^2. So would sines, or faster, as the faces carry no shear; but
+/// elements free them of shear on average alone, and what is left falls like 1/n.
+ModeTransform complete_means(const std::vector<Interval>& places, double across, Parity parity,
+                             Eigen::Index modes) {
+  const double first = parity == Parity::even ? 0 : 0.5;
+  ModeTransform means = mode_means(places, 2 * std::numbers::pi / across, modes, first);
+  const auto number = [&](Eigen::Index i) { return 2 * (first + static_cast<double>(i)); };
+  Eigen::ArrayXd cosine(means.cosine.rows()), sine(means.cosine.rows());
   for (Eigen::Index i = 0; i < means.cosine.rows(); ++i) {
     const Interval& place = places[static_cast<std::size_t>(i)];
-    WholeSums rest(parity, {place.from / across, place.to / across});
-    for (Eigen::Index n = parity == Parity::even ? 2 : 1; n < last; n += 2) {
-      const auto number = static_cast<double>(n);
-      rest.cosine -= means.cosine(i, n) / (number * number);
-      rest.sine -= means.sine(i, n) / number;
-    }
-    const auto number = static_cast<double>(last);
-    means.cosine(i, last) = rest.cosine * number * number;
-    means.sine(i, last) = rest.sine * number;
+    const WholeSums whole(parity, {place.from / across, place.to / across});
+    cosine(i) = whole.cosine;
+    sine(i) = whole.sine;
   }
+  for (Eigen::Index i = parity == Parity::even ? 1 : 0; i + 1 < modes; ++i) {
+    cosine -= means.cosine.col(i) / (number(i) * number(i));
+    sine -= means.sine.col(i) / number(i);
+  }
+  const double last = number(modes - 1);
+  means.cosine.col(modes - 1) = cosine * last * last;
+  means.sine.col(modes - 1) = sine * last;
+  return means;
 }
 
 /// Of one of four chosen modes in mode n, by a cubic in ln n through their values times n^2.
@@ -139,7 +144,7 @@ FaceStrain::FaceStrain(const ThicknessColumn& column, const FaceModes& modes,
       levels_(static_cast<Eigen::Index>(levels.size())) {
   for (std::size_t i = 0; i + 1 < numbers_.size(); ++i) {
     for (Eigen::Index n = numbers_[i] + 2; n < numbers_[i + 1]; n += 2) {
-      Between between{n, static_cast<Eigen::Index>(std::min(i - 1, numbers_.size() - 4)), {}};
+      Between between{n / 2, static_cast<Eigen::Index>(std::min(i - 1, numbers_.size() - 4)), {}};
       for (Eigen::Index j = 0; j < 4; ++j) {
         between.share[static_cast<std::size_t>(j)] = share_of(numbers_, between.first, j, n);
       }
@@ -163,7 +168,10 @@ FaceStrain::FaceStrain(const ThicknessColumn& column, const FaceModes& modes,
 }
 
 Eigen::MatrixXd FaceStrain::gathered(const Eigen::ArrayXXd& means) const {
-  Eigen::MatrixXd result = means(Eigen::all, numbers_);
+  Eigen::MatrixXd result(means.rows(), static_cast<Eigen::Index>(numbers_.size()));
+  for (Eigen::Index i = 0; i < result.cols(); ++i) {
+    result.col(i) = means.col(numbers_[static_cast<std::size_t>(i)] / 2);
+  }
   for (const Between& between : between_) {
     for (std::size_t j = 0; j < 4; ++j) {
       result.col(between.first + static_cast<Eigen::Index>(j)) +=
@@ -173,40 +181,43 @@ Eigen::MatrixXd FaceStrain::gathered(const Eigen::ArrayXXd& means) const {
   return result;
 }
 
-std::vector<Eigen::MatrixXd>
-FaceStrain::at(const std::vector<const Eigen::MatrixXd*>& motions,
-               const std::vector<const std::vector<Interval>*>& places) const {
-  const auto count = static_cast<Eigen::Index>(numbers_.size());
-  std::vector<std::array<Eigen::MatrixXd, 2>> waves; // cosine and sine, [place, number]
-  std::vector<Eigen::MatrixXd> result;
-  for (std::size_t state = 0; state < motions.size(); ++state) {
-    ModeTransform means =
-        mode_means(*places[state], std::numbers::pi / across_, numbers_.back() + 1);
-    complete(means, numbers_.front() == 0 ? Parity::even : Parity::odd, *places[state], across_);
-    waves.push_back({gathered(means.cosine), gathered(means.sine)});
-    result.emplace_back(levels_ * 6 * means.cosine.rows(), motions[state]->cols());
-  }
-  const auto modes = static_cast<Eigen::Index>(of_mode_.size()), nodes = motions.front()->rows();
+std::vector<Strains> FaceStrain::at(const std::vector<const Eigen::MatrixXd*>& motions,
+                                    const std::vector<const std::vector<Interval>*>& places) const {
+  const auto count = static_cast<Eigen::Index>(numbers_.size()),
+             modes = static_cast<Eigen::Index>(of_mode_.size());
+  const Parity parity = numbers_.front() == 0 ? Parity::even : Parity::odd;
+  std::vector<Strains> result(motions.size());
   for (std::size_t first = 0; first < motions.size(); first += states_at_once) {
     const std::size_t last = std::min<std::size_t>(first + states_at_once, motions.size());
-    Eigen::MatrixXd together = Eigen::MatrixXd::Zero(nodes, states_at_once), strain;
+    std::vector<std::array<Eigen::MatrixXd, 2>> waves; // cosine and sine, [place, number]
+    for (std::size_t state = first; state < last; ++state) {
+      const ModeTransform means =
+          complete_means(*places[state], across_, parity, numbers_.back() / 2 + 1);
+      waves.push_back({gathered(means.cosine), gathered(means.sine)});
+    }
+    const Eigen::Index nodes = motions[first]->rows();
+    std::vector<Eigen::MatrixXd> together(
+        of_mode_.size(), Eigen::MatrixXd::Zero(nodes, states_at_once)); // [node, state]
     for (Eigen::Index mode = 0; mode < modes; ++mode) {
       for (std::size_t state = first; state < last; ++state) {
-        together.col(static_cast<Eigen::Index>(state - first)) = motions[state]->col(mode);
+        together[static_cast<std::size_t>(mode)].col(static_cast<Eigen::Index>(state - first)) =
+            motions[state]->col(mode);
       }
-      for (std::size_t c = 0; c < 6; ++c) {
-        const bool by_sine = face_ == Face::side ? sine_along_y[c] : sine_along_x[c];
-        strain.noalias() = of_mode_[static_cast<std::size_t>(mode)][c] * together;
-        for (std::size_t state = first; state < last; ++state) {
-          const Eigen::MatrixXd at_places =
-              waves[state][by_sine ? 1 : 0] *
-              strain.col(static_cast<Eigen::Index>(state - first)).reshaped(count, levels_);
-          for (Eigen::Index level = 0; level < levels_; ++level) {
-            result[state].col(mode).segment(
-                (6 * level + static_cast<Eigen::Index>(c)) * at_places.rows(), at_places.rows()) =
-                at_places.col(level);
-          }
+    }
+    std::vector<Eigen::MatrixXd> numbers(last - first, Eigen::MatrixXd(count, modes * levels_));
+    Eigen::MatrixXd strain;
+    for (std::size_t c = 0; c < 6; ++c) {
+      const bool by_sine = face_ == Face::side ? sine_along_y[c] : sine_along_x[c];
+      for (Eigen::Index mode = 0; mode < modes; ++mode) {
+        strain.noalias() =
+            of_mode_[static_cast<std::size_t>(mode)][c] * together[static_cast<std::size_t>(mode)];
+        for (std::size_t state = 0; state < numbers.size(); ++state) {
+          numbers[state](Eigen::all, Eigen::seqN(mode, levels_, modes)) =
+              strain.col(static_cast<Eigen::Index>(state)).reshaped(count, levels_);
         }
+      }
+      for (std::size_t state = 0; state < numbers.size(); ++state) {
+        result[first + state][c].noalias() = waves[state][by_sine ? 1 : 0] * numbers[state];
       }
     }
   }

@@ -38,18 +38,18 @@ public:
   FaceStrain(const ThicknessColumn& column, const FaceModes& modes,
              const std::vector<DepthLevel>& levels);
 
-  /// Of states, each at its own places: at all levels, [level, component, place] by rows, and modes
-  /// along the face.
+  /// Of states, each at its own places: at all levels, [place, mode along the face + count of these
+  /// * level].
   /// @param motions [node, mode]
   /// @param places across the skin
-  std::vector<Eigen::MatrixXd> at(const std::vector<const Eigen::MatrixXd*>& motions,
-                                  const std::vector<const std::vector<Interval>*>& places) const;
+  std::vector<Strains> at(const std::vector<const Eigen::MatrixXd*>& motions,
+                          const std::vector<const std::vector<Interval>*>& places) const;
 
 private:
   /// Shares of four chosen modes in one that lies between them, whose strain times n^2 is a cubic
   /// in ln n there.
   struct Between {
-    Eigen::Index mode = 0, first = 0;
+    Eigen::Index mode = 0, first = 0; ///< of all of the parity, of the chosen
     std::array<double, 4> share{};
   };
   /// Means of cos or sin of all modes over places, gathered by the chosen ones, [place, number].

@@ -102,6 +102,7 @@ void FieldTarget::add_faces(const std::vector<FaceMotion>& motions,
                             const std::vector<FieldPlaces>& places,
                             std::vector<Strains>& sums) const {
   const std::size_t states = motions.size();
+  const auto count_of_levels = static_cast<Eigen::Index>(levels_.levels.size());
   std::vector<const std::vector<Interval>*> x, y;
   for (const FieldPlaces& of_state : places) {
     x.push_back(&of_state.x);
@@ -112,18 +113,16 @@ void FieldTarget::add_faces(const std::vector<FaceMotion>& motions,
     for (std::size_t state = 0; state < states; ++state) {
       nodes[state] = &motions[state].sides[side];
     }
-    const std::vector<Eigen::MatrixXd> strains = sides_[side].at(nodes, y);
+    const std::vector<Strains> strains = sides_[side].at(nodes, y);
     for (std::size_t state = 0; state < states; ++state) {
-      const ModeTransform along =
-          mode_means(*x[state], std::numbers::pi / length_, strains[state].cols());
+      const Eigen::Index modes = nodes[state]->cols();
+      const ModeTransform along = mode_means(*x[state], std::numbers::pi / length_, modes);
       const auto count = static_cast<Eigen::Index>(y[state]->size());
-      for (std::size_t level = 0; level < levels_.levels.size(); ++level) {
+      for (Eigen::Index level = 0; level < count_of_levels; ++level) {
         for (std::size_t c = 0; c < 6; ++c) {
-          sums[state][c].middleCols(static_cast<Eigen::Index>(level) * count, count).noalias() +=
+          sums[state][c].middleCols(level * count, count).noalias() +=
               (sine_along_x[c] ? along.sine : along.cosine).matrix() *
-              strains[state]
-                  .middleRows(static_cast<Eigen::Index>(6 * level + c) * count, count)
-                  .transpose();
+              strains[state][c].middleCols(level * modes, modes).transpose();
         }
       }
     }
@@ -132,21 +131,18 @@ void FieldTarget::add_faces(const std::vector<FaceMotion>& motions,
     for (std::size_t state = 0; state < states; ++state) {
       nodes[state] = &motions[state].ends[end].nodes;
     }
-    const std::vector<Eigen::MatrixXd> strains = ends_[end].at(nodes, x);
+    const std::vector<Strains> strains = ends_[end].at(nodes, x);
     for (std::size_t state = 0; state < states; ++state) {
       const std::vector<Eigen::Index>& modes = motions[state].ends[end].modes_y;
       const ModeTransform all = mode_means(*y[state], std::numbers::pi / width_, modes.back() + 1);
       const Eigen::MatrixXd cosine = all.cosine(Eigen::all, modes),
                             sine = all.sine(Eigen::all, modes);
-      const auto count_x = static_cast<Eigen::Index>(x[state]->size()),
-                 count_y = static_cast<Eigen::Index>(y[state]->size());
-      for (std::size_t level = 0; level < levels_.levels.size(); ++level) {
+      const auto count = static_cast<Eigen::Index>(y[state]->size());
+      for (Eigen::Index level = 0; level < count_of_levels; ++level) {
         for (std::size_t c = 0; c < 6; ++c) {
-          sums[state][c]
-              .middleCols(static_cast<Eigen::Index>(level) * count_y, count_y)
-              .noalias() += strains[state].middleRows(
-                                static_cast<Eigen::Index>(6 * level + c) * count_x, count_x) *
-                            (sine_along_y[c] ? sine : cosine).transpose();
+          sums[state][c].middleCols(level * count, count).noalias() +=
+              strains[state][c].middleCols(level * cosine.cols(), cosine.cols()) *
+              (sine_along_y[c] ? sine : cosine).transpose();
         }
       }
     }

@@ -5,7 +5,8 @@
 
 namespace ionskin::finite_layers {
 
-ModeTransform mode_means(const std::vector<Interval>& places, double step, Eigen::Index modes) {
+ModeTransform mode_means(const std::vector<Interval>& places, double step, Eigen::Index modes,
+                         double first) {
   const auto count = static_cast<Eigen::Index>(places.size());
   Eigen::ArrayXd middle(count), half(count);
   for (Eigen::Index i = 0; i < count; ++i) {
@@ -16,8 +17,8 @@ ModeTransform mode_means(const std::vector<Interval>& places, double step, Eigen
   // Each mode is the one before turned by one step: no function is called for it.
   const Eigen::ArrayXd cosine = (step * middle).cos(), sine = (step * middle).sin();
   const Eigen::ArrayXd cosine_half = (step * half).cos(), sine_half = (step * half).sin();
-  Eigen::ArrayXd c = Eigen::ArrayXd::Ones(count), s = Eigen::ArrayXd::Zero(count), c_half = c,
-                 s_half = s;
+  Eigen::ArrayXd c = (first * step * middle).cos(), s = (first * step * middle).sin(),
+                 c_half = (first * step * half).cos(), s_half = (first * step * half).sin();
   ModeTransform result{Eigen::ArrayXXd(count, modes), Eigen::ArrayXXd(count, modes)};
   const auto turn = [](Eigen::ArrayXd& cos, Eigen::ArrayXd& sin, const Eigen::ArrayXd& by_cos,
                        const Eigen::ArrayXd& by_sin) {
@@ -26,7 +27,7 @@ ModeTransform mode_means(const std::vector<Interval>& places, double step, Eigen
     cos = next;
   };
   for (Eigen::Index mode = 0; mode < modes; ++mode) {
-    const Eigen::ArrayXd phase = (static_cast<double>(mode) * step) * half;
+    const Eigen::ArrayXd phase = ((first + static_cast<double>(mode)) * step) * half;
     const Eigen::ArrayXd mean = (phase > 0).select(s_half / phase, 1.0);
     result.cosine.col(mode) = mean * c;
     result.sine.col(mode) = mean * s;

@@ -18,8 +18,8 @@ FaceResolution SkinResolution::face(double length) const {
   return {static_cast<Eigen::Index>(std::ceil(last * length / std::numbers::pi)) + 1, one_by_one};
 }
 
-SkinResolution skin_resolution(const std::vector<ElasticLayer>& layers,
-                               const Clearance& clearance) {
+SkinResolution skin_resolution(const std::vector<ElasticLayer>& layers, const Clearance& clearance,
+                               SkinPurpose purpose) {
   constexpr double thick = 0.2; // over the thickness of all: such a layer bends by itself
   double thickness = 0;
   for (const ElasticLayer& layer : layers) {
@@ -29,9 +29,10 @@ SkinResolution skin_resolution(const std::vector<ElasticLayer>& layers,
   result.split_tolerance = 1e-3;
   result.reach = std::clamp(2 * std::min(clearance.ends, clearance.sides), least_reach * thickness,
                             most_reach * thickness);
-  result.face_waves = 7;
-  result.one_by_one = 120;
-  result.degree = 5;
+  const bool results = purpose == SkinPurpose::results;
+  result.face_waves = results ? 7 : 4;
+  result.one_by_one = results ? 120 : 60;
+  result.degree = results ? 5 : 3;
   for (const ElasticLayer& layer : layers) {
     result.elements.push_back(layer.thickness > thick * thickness ? ElementSizes{1, 2, 2, 1}
                                                                   : ElementSizes{1});

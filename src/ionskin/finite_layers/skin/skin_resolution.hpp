@@ -14,8 +14,11 @@ struct Clearance {
   double ends = 0, sides = 0;
 };
 
-/// How finely the skin is resolved. Each number doubled changes forces and strains by less than the
-/// tolerance.
+/// What a skin is resolved for: results, or only where on it a contact ends, to some percent.
+enum class SkinPurpose { results, outline };
+
+/// How finely the skin is resolved. For results each number doubled changes forces and strains by
+/// less than the tolerance.
 struct SkinResolution {
   double split_tolerance = 0;         ///< of either share of the waves where it is left out [1]
   double reach = 0;                   ///< of short waves [m]
@@ -33,6 +36,7 @@ struct SkinResolution {
 /// Short waves reach from the slider to its nearest image in a face, at least over most of the
 /// thickness and at most over some of it: what a face nearer than half of that does to the shorter
 /// waves is left out.
-SkinResolution skin_resolution(const std::vector<ElasticLayer>& layers, const Clearance& clearance);
+SkinResolution skin_resolution(const std::vector<ElasticLayer>& layers, const Clearance& clearance,
+                               SkinPurpose purpose = SkinPurpose::results);
 
 } // namespace ionskin::finite_layers

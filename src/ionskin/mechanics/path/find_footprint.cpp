@@ -111,7 +111,8 @@ Reach reach_at(const Case& input, const SkinModel& model, const std::array<doubl
 Reach reach_of(const Case& input, const mesh::Footprint& footprint, double friction, int threads,
                parallel::SharedProgress& progress) {
   const MotionBox box = motion_box(input.motion, input.slider);
-  const SkinModel model(input, footprint, box, mesh::MeshedPart::half_if_symmetric, threads);
+  const SkinModel model(input, footprint, box, mesh::MeshedPart::half_if_symmetric, threads,
+                        finite_layers::SkinPurpose::outline);
   std::vector<std::array<double, 2>> centres{box.low, box.high};
   if (centres[0] == centres[1]) {
     centres.pop_back();

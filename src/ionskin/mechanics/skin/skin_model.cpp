@@ -28,18 +28,19 @@ finite_layers::Clearance clearance(const Skin& skin, const mesh::Footprint& foot
 } // namespace
 
 SkinModel::SkinModel(const Case& input, const mesh::Footprint& footprint, const MotionBox& places,
-                     mesh::MeshedPart part, int threads)
-    : SkinModel(input, places, mesh::SkinMesh(input, footprint, part), threads) {}
+                     mesh::MeshedPart part, int threads, finite_layers::SkinPurpose purpose)
+    : SkinModel(input, places, mesh::SkinMesh(input, footprint, part), threads, purpose) {}
 
 SkinModel::SkinModel(const Case& input, const MotionBox& places, mesh::SkinMesh mesh_of_case,
-                     int threads)
+                     int threads, finite_layers::SkinPurpose purpose)
     : mesh(std::move(mesh_of_case)), cells(contact_cells(mesh)),
       gap(mean_gap(input.slider, cells.lines_x, cells.lines_y, {false, false})),
       slider_compliance(
           mechanics::slider_compliance(input.slider, contact_grid(cells, mesh.half_model()))),
       layers(input.skin, contact_grid(cells, mesh.half_model()),
              finite_layers::skin_resolution(finite_layers::elastic_layers(input.skin),
-                                            clearance(input.skin, mesh.footprint(), places)),
+                                            clearance(input.skin, mesh.footprint(), places),
+                                            purpose),
              threads) {}
 
 void ContactCompliance::at(const std::array<double, 2>& place, Eigen::MatrixXd& result) {

@@ -28,10 +28,12 @@ struct SkinModel {
   /// @param footprint in which the slider may touch
   /// @param places where its centre may be [m]
   SkinModel(const Case& input, const mesh::Footprint& footprint, const MotionBox& places,
-            mesh::MeshedPart part = mesh::MeshedPart::half_if_symmetric, int threads = 1);
+            mesh::MeshedPart part = mesh::MeshedPart::half_if_symmetric, int threads = 1,
+            finite_layers::SkinPurpose purpose = finite_layers::SkinPurpose::results);
 
 private:
-  SkinModel(const Case& input, const MotionBox& places, mesh::SkinMesh mesh_of_case, int threads);
+  SkinModel(const Case& input, const MotionBox& places, mesh::SkinMesh mesh_of_case, int threads,
+            finite_layers::SkinPurpose purpose);
 };
 
 /// Compliance between skin and slider with the slider at one place after another,

@@ -203,6 +203,7 @@ std::vector<std::string> mechanics_warnings(const Case& input, const MechanicsRe
                       force, pressure / 1e6));
     }
   }
+  warnings.insert(warnings.end(), input.notes.begin(), input.notes.end());
   return warnings;
 }
 
@@ -220,7 +221,6 @@ std::vector<std::string> collect_warnings(const Case& input, const MechanicsReco
     warnings.push_back(std::move(warning));
   }
   warn_about_cut_columns(input.readout.taxels, ions.grid, warnings);
-  warnings.insert(warnings.end(), input.notes.begin(), input.notes.end());
   if (input.coupling.coefficient != 0) {
     warnings.push_back(fmt::format(
         "The coupling coefficient k = {:.4g} is not calibrated by any measurement, and sets the "
