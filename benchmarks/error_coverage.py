@@ -6,9 +6,9 @@ how far the second is from it. The table of docs/errors-of-results.md.
     benchmarks/error_coverage.py build/ionskin [--presets coarse standard] [--cases WORD ...] [--keep FOLDER] [--least SHARE]
 
 Twelve cases: both coupling families, four sliders, three motions, force and height, short and open circuit. The preset
-fine is compared with itself refined by `--refine-fine` (1.3, which takes 17 GB). Finished runs in the folder to keep
-are taken as they are, so that the finer preset need not be run again. Standard against fine takes minutes and
-gigabytes a case, although the sliders are of a millimetre. The finer value is itself uncertain, so that a ratio near 1 says little.
+fine is compared with itself refined by `--refine-fine` (1.3). Finished runs in the folder to keep
+are taken as they are, so that the finer preset need not be run again. Standard against fine takes minutes
+a case, although the sliders are of a millimetre. The finer value is itself uncertain, so that a ratio near 1 says little.
 """
 
 import argparse
