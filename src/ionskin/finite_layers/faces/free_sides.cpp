@@ -11,16 +11,18 @@ namespace ionskin::finite_layers {
 FreeSides::FreeSides(const ThicknessColumn& column, double length, double width,
                      const WaveSplit& split, const FaceResolution& resolution)
     : along_y_(ModeLine::up_to(width, split.last_long())) {
+  const double step = std::numbers::pi / length;
+  const double full = static_cast<double>(resolution.modes) * step / fading_end;
   for (Eigen::Index m = 0; m < resolution.modes; ++m) {
-    const double kx = static_cast<double>(m) * std::numbers::pi / length;
-    of_mode_.push_back({solved(column, kx, Parity::even, width, split, resolution),
-                        solved(column, kx, Parity::odd, width, split, resolution)});
+    const double kx = static_cast<double>(m) * step;
+    of_mode_.push_back({solved(column, kx, Parity::even, width, split, resolution, full),
+                        solved(column, kx, Parity::odd, width, split, resolution, full)});
   }
 }
 
 FreeSides::OfParity FreeSides::solved(const ThicknessColumn& column, double kx, Parity parity,
                                       double width, const WaveSplit& split,
-                                      const FaceResolution& resolution) const {
+                                      const FaceResolution& resolution, double full) const {
   const Eigen::Index nodes = column.nodes(), modes = along_y_.wave_numbers.size();
   const Eigen::Index first = parity == Parity::even ? 0 : 1;
   const Eigen::Index loaded = (modes - first + 1) / 2;
@@ -43,7 +45,7 @@ FreeSides::OfParity FreeSides::solved(const ThicknessColumn& column, double kx, 
       stiffness += 4 / width * term.weight * face_stiffness(column, mode, Face::side);
     }
   }
-  result.stiffness.compute(stiffness);
+  result.stiffness.compute(stiffness / fading_share(kx, full));
   return result;
 }
 

@@ -14,7 +14,7 @@ constexpr double least_reach = 0.75, most_reach = 2.5;
 } // namespace
 
 FaceResolution SkinResolution::face(double length) const {
-  const double last = face_waves / reach;
+  const double last = fading_end * face_waves / reach;
   return {static_cast<Eigen::Index>(std::ceil(last * length / std::numbers::pi)) + 1, one_by_one};
 }
 
@@ -29,7 +29,7 @@ SkinResolution skin_resolution(const std::vector<ElasticLayer>& layers,
   result.split_tolerance = 1e-3;
   result.reach = std::clamp(2 * std::min(clearance.ends, clearance.sides), least_reach * thickness,
                             most_reach * thickness);
-  result.face_waves = 7;
+  result.face_waves = 5;
   result.one_by_one = 120;
   result.degree = 5;
   for (const ElasticLayer& layer : layers) {
