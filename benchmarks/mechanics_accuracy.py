@@ -5,7 +5,7 @@ docs/verification.md.
 
     benchmarks/mechanics_accuracy.py build/ionskin [REFINEMENT]
 
-The limit is the value of the fine preset at `numerics.mesh_refinement` REFINEMENT (default 1.3, which takes 17 GB): what
+The limit is the value of the fine preset at `numerics.mesh_refinement` REFINEMENT (default 1.3, which takes 0.5 GB): what
 is left there has no common order, as the edges' share comes from below and that of the mesh around them from above.
 """
 
