@@ -96,14 +96,22 @@ class ExtremeCases(ProgramTest):
         self.assertLess(used, 2 * float(value) * {"GB": 1e9, "MB": 1e6}[unit], name)
         return summary(self.folder / "out")
 
-    def test_check_warns_of_a_contact_at_the_edge_of_the_skin(self):
+    def test_check_refuses_a_contact_at_the_edge_of_the_skin_as_run_does(self):
         finger = ROOT / "cases" / "finger.toml"
-        narrow = ("--set", "skin.width=0.3 mm", "--set", 'slider.start=["4.5 mm", "0.15 mm"]', "--set", "numerics.preset=coarse")
-        words = "reach the edge of the skin along y"
-        self.assertIn(words, " ".join(self.run_program("check", finger, *narrow).stdout.split()))
-        self.assertNotIn("edge of the skin", self.run_program("check", finger).stdout)
-        refused = self.run_program("run", finger, *narrow, "-o", "out", expect=2)
-        self.assertIn("reaches the edge of the skin along y", refused.stderr)
+        words = "reaches the edge of the skin along y: move slider.start"
+
+        def narrow(width, *edits):
+            place = (f"skin.width={width} mm", f'slider.start=["4.5 mm", "{width / 2} mm"]', "numerics.preset=coarse")
+            return [word for edit in (*place, *edits) for word in ("--set", edit)]
+
+        self.run_program("check", finger)
+        self.run_program("check", finger, *narrow(1))
+        # The pull of the adhesion widens a contact, and so does a slider that gives.
+        for edits in (narrow(0.3),
+                      narrow(1, "contact.law=adhesive", "contact.work_of_adhesion=2 J/m2", "contact.cohesive_strength=0.3 MPa"),
+                      narrow(1, "slider.youngs_modulus=5 MPa", "slider.poissons_ratio=0.4")):
+            self.assertIn(words, self.run_program("check", finger, *edits, expect=2).stderr)
+            self.assertIn(words, self.run_program("run", finger, *edits, "-o", "out", "--overwrite", expect=2).stderr)
 
     def test_each_passes_or_names_what_it_is_not_worth(self):
         for name in CASES:

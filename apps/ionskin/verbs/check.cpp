@@ -23,11 +23,10 @@ namespace ionskin::apps {
 namespace {
 
 /// Whether the contact must be solved for before it is known to stay on the skin: the bound
-/// `mesh::largest_footprint` is that of rigid sliders that nothing pulls.
+/// `mesh::largest_footprint` is that of sliders that nothing pulls.
 bool may_leave_skin(const Case& input) {
   const mesh::Footprint bound = mesh::largest_footprint(input);
-  return !input.slider.rigid() ||
-         laws::friction(input.contact.law, input.contact.friction, input.contact.parameters)
+  return laws::friction(input.contact.law, input.contact.friction, input.contact.parameters)
              .adhesion.pulls() ||
          mesh::ends_at_skin(input, bound, 0) || mesh::ends_at_skin(input, bound, 1);
 }

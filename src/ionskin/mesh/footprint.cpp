@@ -57,9 +57,19 @@ double felt_plane_modulus(const Skin& skin, const Footprint& contact) {
                   softest * (1 + share_of_plate * (line ? spread : std::pow(spread, 3))));
 }
 
+/// Of skin and slider together: a soft slider gives as a half-space at most.
+double common_plane_modulus(const Slider& slider, double of_skin) {
+  if (slider.rigid()) {
+    return of_skin;
+  }
+  const double nu = slider.poissons_ratio;
+  return 1 / (1 / of_skin + (1 - nu * nu) / slider.youngs_modulus);
+}
+
 /// Upper bound of the contact's border beyond the part that touches at once, on an even skin.
-double round_border(const Case& input, double plane_modulus, std::size_t direction) {
+double round_border(const Case& input, double of_skin, std::size_t direction) {
   const HeaviestLoad load = heaviest_load(input);
+  const double plane_modulus = common_plane_modulus(input.slider, of_skin);
   return input.slider.underside()->border(input.slider.plan(),
                                           {load.indentation, load.force, plane_modulus,
                                            std::min(input.slider.size[1], input.skin.width)},

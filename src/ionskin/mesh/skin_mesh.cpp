@@ -18,11 +18,11 @@ namespace {
 
 /// Outer elements thinner than this fraction of the edge element are refused.
 constexpr double smallest_margin = 0.05;
-/// A free face feels a slider that comes closer than this, in thicknesses of the skin.
-constexpr double face_reach = 5;
 /// Width of the edge layer at a free face, in thicknesses of the skin: along the bonded base, the
-/// layers' ends and the corners between them the strain varies within about half of one.
-constexpr double face_layer = 0.5;
+/// layers' ends and the corners between them the strain varies within about half of one. Friction
+/// pulls at electrodes over many thicknesses, so that ends far from the slider have it, too. What
+/// the face is free of fades over a few thicknesses: up to there elements grow from the layer on.
+constexpr double face_layer = 0.5, face_zone = 3;
 
 std::size_t longest_way(const MotionBox& box) {
   return box.high[1] - box.low[1] > box.high[0] - box.low[0] ? 1 : 0;
@@ -48,6 +48,21 @@ std::vector<double> lines_inwards(const Footprint& footprint, const MeshResoluti
   std::vector<double> lines = graded_line(std::min(rim, half_size), size, 1, size);
   if (!footprint.round(direction)) {
     append(lines, graded_line(half_size - rim, size, resolution.footprint_growth, largest));
+  }
+  return lines;
+}
+
+/// From a free face inwards. @param most of the room [m]
+std::vector<double> face_lines(double thickness, double most, const MeshResolution& resolution) {
+  std::vector<double> lines = growing_line(std::min(face_layer * thickness, most),
+                                           resolution.outer_growth, resolution.face_elements);
+  const double zone = std::min(face_zone * thickness, most);
+  for (double size = lines.back() - lines[lines.size() - 2]; lines.back() < zone;) {
+    size *= resolution.outer_growth;
+    if (lines.back() + size > most) {
+      break;
+    }
+    lines.push_back(lines.back() + size);
   }
   return lines;
 }
@@ -128,9 +143,8 @@ SkinMesh::Axis SkinMesh::make_axis(const Case& input, std::size_t direction) con
   const bool main_direction = whole > 0 ? way > 0.5 * whole : direction == 0;
   const std::size_t minimum = main_direction ? resolution.outer_minimum : 2;
   const bool symmetry = direction == 1 && skin_.sides == SideCondition::symmetry;
-  if (!symmetry && shortest < face_reach * skin_.thickness()) {
-    axis.face = growing_line(std::min(face_layer * skin_.thickness(), shortest / 2),
-                             resolution.outer_growth, resolution.face_elements);
+  if (!symmetry) {
+    axis.face = face_lines(skin_.thickness(), shortest / 2, resolution);
   }
   const double graded = longest - axis.face.back();
   const std::size_t count =

@@ -34,6 +34,19 @@ TEST(MechanicsCost, OfErrorsIsThatOfTheCompanions) {
   EXPECT_EQ(with.contact_cells, without.contact_cells);
 }
 
+TEST(MechanicsCost, HoldsTheModesOfWideSkinsAndOfNearSides) {
+  const auto memory = [](const std::vector<std::string>& edits) {
+    std::vector<std::string> all{"numerics.preset=coarse", "numerics.error_estimate=off"};
+    all.insert(all.end(), edits.begin(), edits.end());
+    return estimate_mechanics_cost(read_case(IONSKIN_CASES "/finger.toml", all), 1, {}).memory;
+  };
+  const double plain = memory({});
+  EXPECT_GT(memory({"skin.width=18 mm", "slider.start=[\"4.5 mm\", \"9 mm\"]"}), 2 * plain);
+  EXPECT_GT(memory({"skin.length=45 mm"}), 2 * plain);
+  // A run takes 1.37 GB: getrusage, beside 0.4 mm from a side.
+  EXPECT_GT(memory({"slider.start=[\"4.5 mm\", \"0.4 mm\"]"}), 1.0e9);
+}
+
 TEST(MechanicsCost, GrowsWithEveryStroke) {
   const auto strokes = [](int count) {
     return cost({"motion.kind=reciprocating", "motion.strokes=" + std::to_string(count)}).steps;

@@ -170,7 +170,8 @@ std::vector<FreeEnds::Motion> FreeEnds::motion(const std::array<Eigen::MatrixXd,
   return result;
 }
 
-// The factor of the first modes along the ends is the first part of the factor of all.
+// The factor of the first modes along the ends is the first part of the factor of all, and each
+// adds its own rows to what the modes before it do.
 void FreeEnds::Rows::add(const ContactGrid& grid, double centre_x, const Eigen::ArrayXd& share,
                          double last, Eigen::MatrixXd& compliance) const {
   const ModeTransform of_columns = ends_->along_x_.transform(grid.x, centre_x);
@@ -186,7 +187,7 @@ void FreeEnds::Rows::add(const ContactGrid& grid, double centre_x, const Eigen::
     const auto nodes = own.stiffness.rows() /
                        static_cast<Eigen::Index>(std::max<std::size_t>(1, own.modes_y.size()));
     const Eigen::Index size = nodes * std::ranges::count_if(own.modes_y, [&](Eigen::Index n) {
-                                return ends_->along_y_.wave_numbers(n) <= last;
+                                return fading_share(ends_->along_y_.wave_numbers(n), last) > 0;
                               });
     if (size == 0 || modes <= 0) {
       continue;
@@ -207,10 +208,14 @@ void FreeEnds::Rows::add(const ContactGrid& grid, double centre_x, const Eigen::
             by_mode * of_modes.transpose();
       }
     }
-    const Eigen::MatrixXd half = own.stiffness.matrixLLT()
-                                     .topLeftCorner(size, size)
-                                     .triangularView<Eigen::Lower>()
-                                     .solve(stress);
+    Eigen::MatrixXd half = own.stiffness.matrixLLT()
+                               .topLeftCorner(size, size)
+                               .triangularView<Eigen::Lower>()
+                               .solve(stress);
+    for (Eigen::Index row = 0; row < size; row += nodes) {
+      const Eigen::Index n = own.modes_y[static_cast<std::size_t>(row / nodes)];
+      half.middleRows(row, nodes) *= std::sqrt(fading_share(ends_->along_y_.wave_numbers(n), last));
+    }
     compliance.noalias() += images * half.transpose() * half;
   }
 }

@@ -29,7 +29,7 @@ public:
     /// Adds to the compliance of cells, [3 cell + component].
     /// @param centre_x of the slider [m]
     /// @param share of each of the first modes along x that the ends feel
-    /// @param last largest wave number along the ends that counts [1/m]
+    /// @param last wave number along the ends up to which modes count in full [1/m]
     void add(const ContactGrid& grid, double centre_x, const Eigen::ArrayXd& share, double last,
              Eigen::MatrixXd& compliance) const;
 

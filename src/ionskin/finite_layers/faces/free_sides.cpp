@@ -15,18 +15,20 @@ FreeSides::FreeSides(const ThicknessColumn& column, double length, double width,
                      int threads)
     : along_y_(ModeLine::up_to(width, split.last_long())),
       of_mode_(static_cast<std::size_t>(resolution.modes)) {
+  const double step = std::numbers::pi / length;
+  const double full = static_cast<double>(resolution.modes) * step / fading_end;
   parallel::run_tasks(of_mode_.size(), threads, [&](std::size_t m) {
-    const double kx = static_cast<double>(m) * std::numbers::pi / length;
+    const double kx = static_cast<double>(m) * step;
     for (const Parity parity : parities(mirrored)) {
       of_mode_[m][parity == Parity::even ? 0 : 1] =
-          solved(column, kx, parity, width, split, resolution);
+          solved(column, kx, parity, width, split, resolution, full);
     }
   });
 }
 
 FreeSides::OfParity FreeSides::solved(const ThicknessColumn& column, double kx, Parity parity,
                                       double width, const WaveSplit& split,
-                                      const FaceResolution& resolution) const {
+                                      const FaceResolution& resolution, double full) const {
   const Eigen::Index nodes = column.nodes(), modes = along_y_.wave_numbers.size();
   const Eigen::Index first = parity == Parity::even ? 0 : 1;
   const Eigen::Index loaded = (modes - first + 1) / 2;
@@ -49,7 +51,7 @@ FreeSides::OfParity FreeSides::solved(const ThicknessColumn& column, double kx, 
       stiffness += 4 / width * term.weight * face_stiffness(column, mode, Face::side);
     }
   }
-  result.stiffness.compute(stiffness);
+  result.stiffness.compute(stiffness / fading_share(kx, full));
   return result;
 }
 

@@ -16,7 +16,7 @@ namespace ionskin::finite_layers {
 
 /// How finely free faces are resolved.
 struct FaceResolution {
-  Eigen::Index modes = 0; ///< along the face
+  Eigen::Index modes = 0; ///< along the face, fading from two thirds of them on
   int one_by_one = 60;    ///< modes across the skin that are summed by themselves
 };
 
@@ -58,7 +58,7 @@ private:
     std::array<Eigen::MatrixXd, 3> stress;
   };
   OfParity solved(const ThicknessColumn& column, double kx, Parity parity, double width,
-                  const WaveSplit& split, const FaceResolution& resolution) const;
+                  const WaveSplit& split, const FaceResolution& resolution, double full) const;
   const OfParity& of(Eigen::Index mode, Parity parity) const {
     return of_mode_[static_cast<std::size_t>(mode)][parity == Parity::even ? 0 : 1];
   }

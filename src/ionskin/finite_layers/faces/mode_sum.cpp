@@ -3,6 +3,7 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -17,6 +18,11 @@ constexpr std::array<double, 5> panels{0, 1.2, 3.0, 5.5, 8.5};
 
 std::vector<Parity> parities(bool mirrored) {
   return mirrored ? std::vector{Parity::even} : std::vector{Parity::even, Parity::odd};
+}
+
+double fading_share(double wave_number, double full) {
+  const double t = std::clamp((fading_end - wave_number / full) / (fading_end - 1), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
 }
 
 std::vector<ModeTerm> mode_sum(Parity parity, int one_by_one) {

@@ -11,6 +11,13 @@ enum class Parity { even, odd };
 /// Those that occur: a mirrored load has even ones alone.
 std::vector<Parity> parities(bool mirrored);
 
+/// Waves along a face fade up to this many times the wave number up to which they count in full.
+inline constexpr double fading_end = 1.5;
+/// Share of a wave that counts, falling smoothly. Waves that ended at once would leave ripples
+/// along the whole face, and jumps of forces where the place of the slider decides the end.
+/// @param full wave number up to which the share is 1 [1/m]
+double fading_share(double wave_number, double full);
+
 /// A term of a sum over all modes of one parity.
 struct ModeTerm {
   double number = 0; ///< of the mode; not whole where one term stands for many

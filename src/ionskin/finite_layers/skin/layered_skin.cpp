@@ -2,9 +2,20 @@
 #include "ionskin/finite_layers/skin/layered_skin.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace ionskin::finite_layers {
+
+namespace {
+
+/// The smaller of two lengths, or up to 8 % less where they are alike: without a bend between.
+double smaller(double one, double other) {
+  const double least = std::max(0.0, std::min(one, other));
+  return least / std::pow(1 + std::pow(least / std::max(one, other), 8), 1.0 / 8);
+}
+
+} // namespace
 
 LayeredSkin::LayeredSkin(const Skin& skin, ContactGrid grid, const SkinResolution& resolution,
                          int threads)
@@ -34,18 +45,20 @@ LayeredSkin::Across LayeredSkin::across(double centre_y) const {
 }
 
 // An image lies twice as far away as the end that it is mirrored in: waves that end before it do
-// not count.
+// not count. Single waves do not fall with the distance from the ends, only their sum does: each
+// share ends so late that forces do not jump where it does.
 LayeredSkin::NearEnds LayeredSkin::near_ends(double centre_x) const {
+  constexpr double least_share = 1e-6;
   const Eigen::ArrayXd& waves = box_->modes.along_x().wave_numbers;
   const SkinResolution& resolution = box_->key.resolution;
   const double clearance =
-      std::min(centre_x + grid_.x.front(), box_->key.length - centre_x - grid_.x.back());
+      smaller(centre_x + grid_.x.front(), box_->key.length - centre_x - grid_.x.back());
   const double reach = std::max(resolution.reach, 2 * clearance);
   const WaveSplit split(reach, resolution.split_tolerance);
   NearEnds result{Eigen::ArrayXd::Ones(waves.size()), resolution.face_waves / reach};
   if (reach > resolution.reach) { // else the modes have this share already
-    const Eigen::Index count = (waves <= split.last_long()).count();
-    result.share = waves.head(count).unaryExpr([&](double k) { return split.long_share(k); });
+    const Eigen::ArrayXd share = waves.unaryExpr([&](double k) { return split.long_share(k); });
+    result.share = share.head((share >= least_share).count());
   }
   return result;
 }

@@ -51,7 +51,7 @@ private:
   /// What the ends feel of a slider at a place.
   struct NearEnds {
     Eigen::ArrayXd share; ///< of the first modes along x
-    double last = 0;      ///< largest wave number along the ends [1/m]
+    double last = 0;      ///< wave number along the ends that counts in full [1/m]
   };
   NearEnds near_ends(double centre_x) const;
 

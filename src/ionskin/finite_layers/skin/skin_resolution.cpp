@@ -14,7 +14,7 @@ constexpr double least_reach = 0.75, most_reach = 2.5;
 } // namespace
 
 FaceResolution SkinResolution::face(double length) const {
-  const double last = face_waves / reach;
+  const double last = fading_end * face_waves / reach;
   return {static_cast<Eigen::Index>(std::ceil(last * length / std::numbers::pi)) + 1, one_by_one};
 }
 
@@ -30,7 +30,7 @@ SkinResolution skin_resolution(const std::vector<ElasticLayer>& layers, const Cl
   result.reach = std::clamp(2 * std::min(clearance.ends, clearance.sides), least_reach * thickness,
                             most_reach * thickness);
   const bool results = purpose == SkinPurpose::results;
-  result.face_waves = results ? 7 : 4;
+  result.face_waves = results ? 5 : 3;
   result.one_by_one = results ? 120 : 60;
   result.degree = results ? 5 : 3;
   for (const ElasticLayer& layer : layers) {

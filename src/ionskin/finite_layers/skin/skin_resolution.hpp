@@ -20,9 +20,10 @@ enum class SkinPurpose { results, outline };
 /// How finely the skin is resolved. For results each number doubled changes forces and strains by
 /// less than the tolerance.
 struct SkinResolution {
-  double split_tolerance = 0;         ///< of either share of the waves where it is left out [1]
-  double reach = 0;                   ///< of short waves [m]
-  double face_waves = 0;              ///< largest wave number along a free face over 1/reach [1]
+  double split_tolerance = 0; ///< of either share of the waves where it is left out [1]
+  double reach = 0;           ///< of short waves [m]
+  /// Wave number up to which waves along a free face count in full, over 1/reach [1].
+  double face_waves = 0;
   int one_by_one = 0;                 ///< modes across the skin that are summed by themselves
   int degree = 0;                     ///< of the elements through the thickness
   std::vector<ElementSizes> elements; ///< of each layer

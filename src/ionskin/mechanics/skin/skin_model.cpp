@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/skin/skin_model.hpp"
 
+#include "ionskin/mechanics/skin/skin_reach.hpp"
 #include "ionskin/mechanics/slider/slider_compliance.hpp"
 #include "ionskin/mechanics/slider/slider_shape.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace ionskin::mechanics {
@@ -14,15 +14,12 @@ finite_layers::ContactGrid contact_grid(const ContactCells& cells, bool half) {
   return {cells.lines_x, cells.lines_y, half};
 }
 
-finite_layers::Clearance clearance(const Skin& skin, const mesh::Footprint& footprint,
-                                   const MotionBox& places) {
-  const std::array<double, 2> size{skin.length, skin.width};
-  std::array<double, 2> result{};
-  for (std::size_t d = 0; d < 2; ++d) {
-    const double room = std::min(places.low[d], size[d] - places.high[d]) - footprint.half_size[d];
-    result[d] = std::max(0.0, room);
-  }
-  return {result[0], result[1]};
+finite_layers::SkinResolution resolution(const Skin& skin, const mesh::Footprint& footprint,
+                                         const MotionBox& places,
+                                         finite_layers::SkinPurpose purpose) {
+  const auto [ends, sides] = clearance(skin, footprint, places);
+  return finite_layers::skin_resolution(finite_layers::elastic_layers(skin), {ends, sides},
+                                        purpose);
 }
 
 } // namespace
@@ -38,10 +35,7 @@ SkinModel::SkinModel(const Case& input, const MotionBox& places, mesh::SkinMesh 
       slider_compliance(
           mechanics::slider_compliance(input.slider, contact_grid(cells, mesh.half_model()))),
       layers(input.skin, contact_grid(cells, mesh.half_model()),
-             finite_layers::skin_resolution(finite_layers::elastic_layers(input.skin),
-                                            clearance(input.skin, mesh.footprint(), places),
-                                            purpose),
-             threads) {}
+             resolution(input.skin, mesh.footprint(), places, purpose), threads) {}
 
 void ContactCompliance::at(const std::array<double, 2>& place, Eigen::MatrixXd& result) {
   if (!across_ || centre_y_ != place[1]) {

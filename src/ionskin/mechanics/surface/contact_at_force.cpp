@@ -17,7 +17,8 @@ namespace {
 /// Within this part of the force Newton takes over from the guesses.
 constexpr double near_force = 0.2;
 constexpr int most_guesses = 30;
-constexpr double guess_tolerance = 1e-4;
+/// Of a guess at first, and where Newton cycles from it.
+constexpr double rough_guess = 1e-2, fine_guess = 1e-4;
 constexpr int guess_sweeps = 3000;
 constexpr double force_tolerance = 1e-11;
 constexpr int most_searches = 100;
@@ -49,12 +50,12 @@ struct ForceGuess {
 };
 
 ForceGuess guess_at_force(const ContactProblem& problem, const SliderStep& step,
-                          const CellVector& start) {
+                          const CellVector& start, double tolerance) {
   const double load = step.load.value;
   ForceGuess guess{start, guessed_indentation(problem, load, start), 0};
   for (int i = 0; i < most_guesses; ++i) {
-    guess.sweeps += projected_gauss_seidel(problem, step, guess.indentation, guess.force,
-                                           guess_tolerance, guess_sweeps)
+    guess.sweeps += projected_gauss_seidel(problem, step, guess.indentation, guess.force, tolerance,
+                                           guess_sweeps)
                         .sweeps;
     const double ratio = load / std::max(total_normal_force(guess.force), load * 1e-3);
     if (std::abs(ratio - 1) < near_force) {
@@ -115,13 +116,18 @@ SurfaceState solve_contact_at_force(const ContactProblem& problem, const SliderS
     return surface_state(problem, step, CellVector(start.size(), 0.0),
                          *std::min_element(problem.gap.begin(), problem.gap.end()), 0);
   }
-  const ForceGuess guess = guess_at_force(problem, step, start);
-  CellVector force = guess.force;
-  double indentation = guess.indentation;
-  const auto newton = contact_newton(problem, step, force, indentation);
-  if (newton.converged && free_of_tension(problem, force)) {
-    return surface_state(problem, step, std::move(force), indentation,
-                         guess.sweeps + newton.iterations);
+  ForceGuess guess{start, 0, 0};
+  for (const double tolerance : {rough_guess, fine_guess}) {
+    const int sweeps = guess.sweeps;
+    guess = guess_at_force(problem, step, guess.force, tolerance);
+    guess.sweeps += sweeps;
+    CellVector force = guess.force;
+    double indentation = guess.indentation;
+    const auto newton = contact_newton(problem, step, force, indentation);
+    if (newton.converged && free_of_tension(problem, force)) {
+      return surface_state(problem, step, std::move(force), indentation,
+                           guess.sweeps + newton.iterations);
+    }
   }
   return search_indentation(problem, step, guess);
 }

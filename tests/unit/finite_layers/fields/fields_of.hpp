@@ -29,6 +29,15 @@ struct FieldCase {
   double tolerance = 1e-4;
 };
 
+/// Of forces on cells, [3 cell + component].
+inline double sum(const std::vector<double>& forces, std::size_t component) {
+  double result = 0;
+  for (std::size_t i = component; i < forces.size(); i += 3) {
+    result += forces[i];
+  }
+  return result;
+}
+
 class FieldsOf {
 public:
   FieldsOf(const FieldCase& given, const ContactGrid& cells, const TestGrid& grid)

@@ -38,14 +38,6 @@ std::vector<double> forces() {
   return result;
 }
 
-double sum(const std::vector<double>& forces, std::size_t component) {
-  double result = 0;
-  for (std::size_t i = component; i < forces.size(); i += 3) {
-    result += forces[i];
-  }
-  return result;
-}
-
 /// Stress in the core at a point, xx, yy, zz, yz, xz, xy [Pa].
 std::array<double, 6> stress(const ElasticLayer& layer, const StrainField& strain, std::size_t at) {
   double volume = 0;

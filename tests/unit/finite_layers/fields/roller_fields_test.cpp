@@ -8,11 +8,11 @@
 namespace ionskin::finite_layers {
 namespace {
 
-ContactGrid cells() {
+ContactGrid few_cells() {
   return {{-0.2e-3, -0.05e-3, 0.1e-3, 0.2e-3}, {-0.1e-3, 0, 0.15e-3}, false};
 }
 
-TestGrid grid() {
+TestGrid even_grid() {
   return {{0.3e-3, 0.71e-3, 0.9e-3, 1.02e-3, 1.3e-3, 2.4e-3},
           {0.2e-3, 0.41e-3, 0.55e-3, 0.7e-3, 1.1e-3},
           {10e-6, 90e-6, 150e-6, 175e-6},
@@ -29,14 +29,6 @@ std::vector<double> forces(const ContactGrid& cells) {
   return result;
 }
 
-double sum(const std::vector<double>& forces, std::size_t component) {
-  double result = 0;
-  for (std::size_t i = component; i < forces.size(); i += 3) {
-    result += forces[i];
-  }
-  return result;
-}
-
 TEST(RollerFields, under_an_even_load_are_those_of_a_column) {
   const FieldCase skin;
   const ContactGrid whole{{-1.5e-3, 0, 1.5e-3}, {-0.6e-3, 0, 0.6e-3}, false};
@@ -45,7 +37,7 @@ TEST(RollerFields, under_an_even_load_are_those_of_a_column) {
   for (std::size_t i = 0; i < 4; ++i) {
     even[3 * i] = pressure * skin.length * skin.width / 4;
   }
-  const CoreAndElectrodes found = FieldsOf(skin, whole, grid()).at({1.5e-3, 0.6e-3}, even);
+  const CoreAndElectrodes found = FieldsOf(skin, whole, even_grid()).at({1.5e-3, 0.6e-3}, even);
   const double core = -pressure / skin.layers[1].oedometric_modulus(),
                electrode = -pressure / skin.layers[0].oedometric_modulus();
   const auto expect_stretch = [](const StrainField& field, double expected) {
@@ -72,7 +64,7 @@ TEST(RollerFields, add_up_to_the_compliance_of_a_cell) {
   skin.elements = {{1}, {1}, {1}, {1}, {1}};
   skin.core = 2;
   skin.tolerance = 1e-7;
-  const ContactGrid one = cells();
+  const ContactGrid one = few_cells();
   const std::vector<double> force = forces(one);
   const std::array<double, 2> centre{0.9e-3, 0.5e-3};
   // The place is a cell: middle column of the second row.
@@ -112,8 +104,9 @@ TEST(RollerFields, do_not_depend_on_where_the_waves_are_divided) {
   other.split = WaveSplit(0.5e-3, 1e-4);
   // The slider is near a side and an end, which mirror short waves, too.
   const std::array<double, 2> centre{0.5e-3, 0.4e-3};
-  const CoreAndElectrodes a = FieldsOf(one, cells(), grid()).at(centre, forces(cells())),
-                          b = FieldsOf(other, cells(), grid()).at(centre, forces(cells()));
+  const CoreAndElectrodes
+      a = FieldsOf(one, few_cells(), even_grid()).at(centre, forces(few_cells())),
+      b = FieldsOf(other, few_cells(), even_grid()).at(centre, forces(few_cells()));
   EXPECT_LT(difference(a.core, b.core), 1e-4);
   EXPECT_LT(difference(a.electrodes, b.electrodes), 1e-4);
 }
@@ -122,8 +115,9 @@ TEST(RollerFields, converge_with_the_tolerance) {
   FieldCase usual, tight;
   tight.tolerance = 1e-8; // twice the cut-offs
   const std::array<double, 2> centre{0.9e-3, 0.5e-3};
-  const CoreAndElectrodes a = FieldsOf(usual, cells(), grid()).at(centre, forces(cells())),
-                          b = FieldsOf(tight, cells(), grid()).at(centre, forces(cells()));
+  const CoreAndElectrodes
+      a = FieldsOf(usual, few_cells(), even_grid()).at(centre, forces(few_cells())),
+      b = FieldsOf(tight, few_cells(), even_grid()).at(centre, forces(few_cells()));
   EXPECT_LT(difference(a.core, b.core), 3e-4);
   EXPECT_LT(difference(a.electrodes, b.electrodes), 1e-3);
 }
@@ -138,7 +132,7 @@ TEST(RollerFields, are_in_equilibrium) {
                         {0, 3e-3},
                         {0, 1.2e-3}};
   const StrainField strain =
-      FieldsOf(skin, cells(), around).at({0.9e-3, 0.5e-3}, forces(cells())).core;
+      FieldsOf(skin, few_cells(), around).at({0.9e-3, 0.5e-3}, forces(few_cells())).core;
   const double lambda = skin.layers[1].lame_lambda, mu = skin.layers[1].shear_modulus;
   const auto stress = [&](std::size_t c, const std::array<std::size_t, 3>& at) {
     const std::size_t i = at[0] + 3 * (at[1] + 3 * at[2]);
@@ -163,9 +157,10 @@ TEST(RollerFields, are_in_equilibrium) {
 }
 
 TEST(RollerFields, hand_the_normal_force_on_through_every_level) {
-  const ContactGrid one = cells();
+  const ContactGrid one = few_cells();
   const std::vector<double> force = forces(one);
-  const CoreAndElectrodes found = FieldsOf(FieldCase{}, one, grid()).at({0.9e-3, 0.5e-3}, force);
+  const CoreAndElectrodes found =
+      FieldsOf(FieldCase{}, one, even_grid()).at({0.9e-3, 0.5e-3}, force);
   ASSERT_EQ(found.force_through_level.size(), 4);
   for (const auto& through : found.force_through_level) {
     EXPECT_NEAR(through[0], sum(force, 0), 1e-4 * sum(force, 0));
@@ -186,7 +181,7 @@ TEST(RollerFields, of_the_half_are_those_of_the_whole_under_mirrored_forces) {
       of_whole[6 * j + i] = (j > 1 && i % 3 == 2 ? -1 : 1) * of_half[from];
     }
   }
-  TestGrid lower = grid();
+  TestGrid lower = even_grid();
   lower.y = {0.1e-3, 0.35e-3, 0.6e-3};
   lower.column_y = {0, 0.3e-3, 0.6e-3};
   const CoreAndElectrodes a = FieldsOf(skin, half, lower).at({1.2e-3, 0.6e-3}, of_half),
@@ -198,8 +193,8 @@ TEST(RollerFields, of_the_half_are_those_of_the_whole_under_mirrored_forces) {
 }
 
 TEST(RollerFields, are_the_same_bits_whatever_was_asked_for_before) {
-  const FieldsOf fields(FieldCase{}, cells(), grid());
-  const std::vector<double> force = forces(cells());
+  const FieldsOf fields(FieldCase{}, few_cells(), even_grid());
+  const std::vector<double> force = forces(few_cells());
   const CoreAndElectrodes first = fields.at({0.9e-3, 0.5e-3}, force);
   fields.at({2.1e-3, 0.7e-3}, force);
   const CoreAndElectrodes again = fields.at({0.9e-3, 0.5e-3}, force);
@@ -209,11 +204,11 @@ TEST(RollerFields, are_the_same_bits_whatever_was_asked_for_before) {
 
 TEST(RollerFields, ask_for_levels_in_the_core_and_three_forces_a_cell) {
   for (const double z : {-1e-6, 181e-6}) {
-    TestGrid outside = grid();
+    TestGrid outside = even_grid();
     outside.z = {z};
-    EXPECT_THROW(FieldsOf(FieldCase{}, cells(), outside), InternalError);
+    EXPECT_THROW(FieldsOf(FieldCase{}, few_cells(), outside), InternalError);
   }
-  EXPECT_THROW(FieldsOf(FieldCase{}, cells(), grid()).at({0.9e-3, 0.5e-3}, {1, 2, 3}),
+  EXPECT_THROW(FieldsOf(FieldCase{}, few_cells(), even_grid()).at({0.9e-3, 0.5e-3}, {1, 2, 3}),
                InternalError);
 }
 

@@ -15,11 +15,11 @@ namespace ionskin::mechanics {
 namespace {
 
 constexpr std::array<double, 2> centre{1e-3, 1e-3};
-constexpr double area = 1e-8;                 // of a cell [m2]
-constexpr double strength = 1e5;              // [Pa]
-constexpr double most = strength * area;      // pull of a cell [N]
-constexpr double range = 1e-6;                // of the pull [m]
-constexpr double work = strength * range / 2; // of adhesion [J/m2]
+constexpr double area = 1e-8;                          // of a cell [m2]
+constexpr double strength = 1e5;                       // [Pa]
+constexpr double most = strength * area;               // pull of a cell [N]
+constexpr double range = 1e-6;                         // of the pull [m]
+constexpr double adhesion_work = strength * range / 2; // of adhesion [J/m2]
 
 /// One cell on a spring.
 struct OneCell {
@@ -31,8 +31,9 @@ struct OneCell {
               result = compliance * Eigen::MatrixXd::Identity(3, 3);
             },
             {area}, {0.0},
-            laws::friction("adhesive", 0.3,
-                           {{"work_of_adhesion", work}, {"cohesive_strength", strength}})) {}
+            laws::friction(
+                "adhesive", 0.3,
+                {{"work_of_adhesion", adhesion_work}, {"cohesive_strength", strength}})) {}
 
   /// Force at a height of the slider [N].
   double at_height(double height) {
@@ -95,7 +96,8 @@ TEST(AdhesiveContact, counts_what_a_jump_loses) {
   const double lost =
       work_on_skin(before.state, cell.contact.state(), 0) - (cell.contact.energy() - energy);
   // The spring's energy goes, the bond is to be paid.
-  EXPECT_NEAR(lost, 0.5 * compliance * most * most - work * area, 1e-6 * work * area);
+  EXPECT_NEAR(lost, 0.5 * compliance * most * most - adhesion_work * area,
+              1e-6 * adhesion_work * area);
 }
 
 TEST(AdhesiveContact, is_stepped_through_heights_or_pulls_alone) {
@@ -140,7 +142,7 @@ TEST(AdhesiveContact, that_forces_move_loses_in_jumps_what_the_slider_does_not_g
     did += 0.5 * (points[i][1] + points[i - 1][1]) * (points[i - 1][0] - points[i][0]);
   }
   EXPECT_TRUE(cell.contact.in_contact());
-  EXPECT_NEAR(stepper.adhesion_loss(), did - cell.contact.energy(), 1e-9 * work * area);
+  EXPECT_NEAR(stepper.adhesion_loss(), did - cell.contact.energy(), 1e-9 * adhesion_work * area);
 }
 
 Case adhesive_case() {

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/finite_layers/skin/layered_skin.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace ionskin::finite_layers {
+namespace {
+
+Skin long_skin() {
+  const Material platinum{"platinum", 168e9, 0.38}, nafion{"nafion", 249e6, 0.49};
+  Skin skin;
+  skin.length = 15e-3;
+  skin.width = 2e-3;
+  skin.layers = {{"bottom electrode", LayerRole::electrode, platinum, 10e-6},
+                 {"core", LayerRole::core, nafion, 180e-6},
+                 {"top electrode", LayerRole::electrode, platinum, 10e-6}};
+  return skin;
+}
+
+ContactGrid two_cells() {
+  return {{-1.5e-3, 0, 1.5e-3}, {-0.75e-3, 0}, true};
+}
+
+LayeredSkin skin() {
+  return {long_skin(), two_cells(), skin_resolution(elastic_layers(long_skin()), {3e-3, 0.25e-3})};
+}
+
+/// Largest difference of some order of equally spaced values.
+double roughness(std::vector<double> values, int order) {
+  for (int pass = 0; pass < order; ++pass) {
+    for (std::size_t i = 0; i + 1 < values.size(); ++i) {
+      values[i] = values[i + 1] - values[i];
+    }
+    values.pop_back();
+  }
+  double largest = 0;
+  for (const double value : values) {
+    largest = std::max(largest, std::abs(value));
+  }
+  return largest;
+}
+
+TEST(SmoothSkin, compliance_does_not_jump_as_the_slider_moves) {
+  const LayeredSkin layers = skin();
+  const auto across = layers.across(1e-3);
+  std::vector<double> along;
+  for (int i = 0; i <= 120; ++i) {
+    along.push_back(across.compliance(5e-3 + i * 25e-6)(1, 1));
+  }
+  EXPECT_LT(roughness(along, 3), 1e-6 * along.front());
+}
+
+TEST(SmoothSkin, strain_along_a_side_has_no_ripple_far_from_the_slider) {
+  const LayeredSkin layers = skin();
+  const double side = 50e-6;
+  FieldGrid grid{{}, {side}, {0, 15e-3}, {0, 1e-3}};
+  for (int i = 0; i <= 20; ++i) {
+    grid.x.push_back(11e-3 + i * 0.1e-3);
+  }
+  const std::vector<double> forces{10, 3, 0, 10, 3, 0};
+  const StrainField core = layers.fields({3e-6}, 0.1e-3).at(grid, {7.5e-3, 1e-3}, forces).core;
+  constexpr std::size_t xz = 4;
+  EXPECT_LT(roughness(core.component[xz], 4), 1e-3 * std::abs(core.component[xz].front()));
+}
+
+} // namespace
+} // namespace ionskin::finite_layers
