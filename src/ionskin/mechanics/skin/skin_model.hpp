@@ -36,8 +36,8 @@ private:
             mesh::SkinMesh mesh_of_case);
 };
 
-/// Compliance between skin and slider with the slider at one place after another, docs/model.md
-/// (8), (36). What places with the same y share is kept from one to the next.
+/// Compliance between skin and slider with the slider at one place after another,
+/// docs/model.md (8), (36). What places with the same y share is kept from one to the next.
 class ContactCompliance {
 public:
   /// @param model outlives this
