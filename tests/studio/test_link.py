@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """How the one-time link reaches the browser: no other user of the computer sees it."""
 
-import os
 import pathlib
 import stat
 import time
