@@ -7,7 +7,9 @@
 #include "ionskin/mechanics/output/contact_solution.hpp"
 #include "ionskin/mechanics/path/path_steps.hpp"
 #include "ionskin/mesh/footprint.hpp"
+#include "ionskin/parallel/spare_threads.hpp"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -16,7 +18,11 @@ namespace ionskin::mechanics {
 /// How Study 1 is run.
 struct ContactOptions {
   int threads = 1;
-  int strain_threads = 0; ///< when strains are recovered later; 0: the same
+  /// Threads that make the skin, for which all solutions on it wait, and that recover strains after
+  /// all are solved; 0: the same.
+  int shared_threads = 0;
+  /// Null, or where threads come from that help to recover strains while others solve.
+  std::shared_ptr<parallel::SpareThreads> spare;
   base::ProgressCallback progress = base::no_progress; ///< called from one thread at a time
   PathSteps steps;
   /// As `find_footprint` found it for these loads and this friction; empty to find it.

@@ -167,24 +167,24 @@ std::vector<SteppedSolution> solve_stepped(const Case& input, const mesh::Footpr
   }
   progress.begin_pass(1 + units_per_path * variants.size(),
                       input.slider.sharp() ? 1.0 : share_of_uncertain_pass);
+  const int shared_threads = options.shared_threads > 0 ? options.shared_threads : options.threads;
   std::shared_ptr<const SkinModel> model;
   {
     const base::Timers::Scope scope(timers, "mechanics: skin");
     model = std::make_shared<const SkinModel>(input, footprint, places_of(input, *box, footprint),
-                                              part, options.threads);
+                                              part, shared_threads);
     progress.finish_unit();
   }
   const auto recovery = std::make_shared<const StrainRecovery>(model);
-  const int strain_threads = options.strain_threads > 0 ? options.strain_threads : options.threads;
   std::vector<SteppedSolution> solutions(variants.size(), {empty_solution(*model), std::nullopt});
   parallel::run_tasks(variants.size(), options.threads, [&](std::size_t i) {
     const base::Timers::Scope scope(timers, "mechanics: contact");
     ContactSolution& contact = solutions[i].contact;
     std::vector<std::string> warnings;
     require_resolved_adhesion(input, *model, *box, warnings);
-    contact =
-        solve_path(input, legs, *model, std::make_shared<SteppedStrains>(recovery, strain_threads),
-                   variants[i], progress);
+    contact = solve_path(input, legs, *model,
+                         std::make_shared<SteppedStrains>(recovery, shared_threads, options.spare),
+                         variants[i], progress);
     std::ranges::move(warnings, std::back_inserter(contact.warnings));
     // Each by itself, so that no solution depends on its neighbours.
     solutions[i].wider = widened_footprint(input, footprint, contact);

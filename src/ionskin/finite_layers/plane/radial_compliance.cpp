@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/finite_layers/plane/radial_compliance.hpp"
 
-#include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <numbers>
-#include <vector>
+#include <utility>
 
 namespace ionskin::finite_layers {
 namespace {
@@ -81,12 +79,6 @@ RadialCompliance over_distance(const WaveCompliance& half_space) {
 
 } // namespace
 
-struct PlaneCompliance::Splines {
-  using Spline = boost::math::interpolators::cardinal_cubic_b_spline<double>;
-  double offset = 0; ///< [m]
-  std::array<Spline, 4> of;
-};
-
 PlaneCompliance::PlaneCompliance(const ElasticLayer& material)
     : half_space_(over_distance(half_space_compliance(material))),
       reach_(std::numeric_limits<double>::infinity()), finest_(reach_) {}
@@ -94,29 +86,21 @@ PlaneCompliance::PlaneCompliance(const ElasticLayer& material)
 PlaneCompliance::PlaneCompliance(const SurfaceCompliance& surface, const WaveSplit& split)
     : half_space_(over_distance(surface.half_space())), reach_(split.reach()),
       finest_(std::min(surface.top_thickness(), 1 / split.last_long())) {
-  const double offset = offset_share * finest_, range = std::log(reach_ / offset + 1);
+  offset_ = offset_share * finest_;
+  const double range = std::log(reach_ / offset_ + 1);
   const auto intervals = static_cast<std::size_t>(std::ceil(intervals_of_distance * range));
   const double step = range / static_cast<double>(intervals);
-  std::array<std::vector<double>, 4> values;
+  Eigen::Array4Xd values(4, static_cast<Eigen::Index>(intervals) + 1);
   for (std::size_t i = 0; i <= intervals; ++i) {
-    const double distance = offset * std::expm1(step * static_cast<double>(i));
+    const double distance = offset_ * std::expm1(step * static_cast<double>(i));
     const RadialCompliance at = transform(surface, split, distance);
-    values[0].push_back(at.normal);
-    values[1].push_back(at.mixed);
-    values[2].push_back(at.isotropic);
-    values[3].push_back(at.deviatoric);
+    values.col(static_cast<Eigen::Index>(i)) << at.normal, at.mixed, at.isotropic, at.deviatoric;
   }
-  const auto spline = [&](std::size_t i) {
-    return Splines::Spline(values[i].begin(), values[i].end(), 0.0, step);
-  };
-  splines_ =
-      std::make_unique<Splines>(Splines{offset, {spline(0), spline(1), spline(2), spline(3)}});
+  table_ = CubicTable(0, step, std::move(values));
 }
 
-PlaneCompliance::~PlaneCompliance() = default;
-
 RadialCompliance PlaneCompliance::difference(double distance) const {
-  if (!splines_) {
+  if (table_.empty()) {
     return {};
   }
   if (distance >= reach_) {
@@ -124,9 +108,8 @@ RadialCompliance PlaneCompliance::difference(double distance) const {
     return {inverse * half_space_.normal, inverse * half_space_.mixed,
             inverse * half_space_.isotropic, inverse * half_space_.deviatoric};
   }
-  const double place = std::log1p(distance / splines_->offset);
-  return {splines_->of[0](place), splines_->of[1](place), splines_->of[2](place),
-          splines_->of[3](place)};
+  const CubicTable::Values at = table_.at(std::log1p(distance / offset_));
+  return {at(0), at(1), at(2), at(3)};
 }
 
 } // namespace ionskin::finite_layers

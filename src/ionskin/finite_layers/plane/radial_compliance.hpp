@@ -2,9 +2,8 @@
 #pragma once
 
 #include "ionskin/finite_layers/plane/wave_split.hpp"
+#include "ionskin/finite_layers/thickness/cubic_table.hpp"
 #include "ionskin/finite_layers/thickness/surface_compliance.hpp"
-
-#include <memory>
 
 namespace ionskin::finite_layers {
 
@@ -27,7 +26,6 @@ public:
   PlaneCompliance(const SurfaceCompliance& surface, const WaveSplit& split);
   /// Of a half-space of a material, all waves.
   explicit PlaneCompliance(const ElasticLayer& material);
-  ~PlaneCompliance();
 
   /// Less the half-space.
   /// @param distance 0 or above [m]
@@ -40,11 +38,10 @@ public:
   double finest() const { return finest_; }
 
 private:
-  struct Splines;
-
   RadialCompliance half_space_; ///< times the distance
   double reach_, finest_;
-  std::unique_ptr<const Splines> splines_; ///< null: there is no difference
+  double offset_ = 0; ///< of the distance in the logarithm [m]
+  CubicTable table_;  ///< normal, mixed, isotropic, deviatoric; empty: there is no difference
 };
 
 } // namespace ionskin::finite_layers

@@ -36,6 +36,8 @@ class LayerBox {
 public:
   /// @param threads that make it
   LayerBox(LayerBoxKey made_of, int threads);
+  LayerBox(const LayerBox&) = delete; // its parts point at each other
+  LayerBox& operator=(const LayerBox&) = delete;
 
   LayerBoxKey key;
   SurfaceCompliance surface;

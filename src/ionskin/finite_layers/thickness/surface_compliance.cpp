@@ -3,11 +3,8 @@
 
 #include "ionskin/finite_layers/thickness/layer_stiffness.hpp"
 
-#include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
-
 #include <Eigen/LU>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -63,11 +60,6 @@ WaveCompliance half_space_compliance(const ElasticLayer& layer) {
   return {(1 - nu) / mu, (1 - nu) / mu, 1 / mu, (1 - 2 * nu) / (2 * mu)};
 }
 
-struct SurfaceCompliance::Splines {
-  using Spline = boost::math::interpolators::cardinal_cubic_b_spline<double>;
-  std::array<Spline, 4> of; ///< normal, along, across, mixed, each times the wave number
-};
-
 SurfaceCompliance::SurfaceCompliance(std::vector<ElasticLayer> layers)
     : layers_(std::move(layers)), uniform_(uniform_compliance(layers_)),
       half_space_(half_space_compliance(layers_.back())), first_(uniform_below / thickness()),
@@ -75,23 +67,16 @@ SurfaceCompliance::SurfaceCompliance(std::vector<ElasticLayer> layers)
   const double range = std::log(last_ / first_);
   const auto intervals = static_cast<std::size_t>(std::ceil(intervals_of_wave_number * range));
   const double step = range / static_cast<double>(intervals);
-  std::array<std::vector<double>, 4> values;
+  Eigen::Array4Xd values(4, static_cast<Eigen::Index>(intervals) + 1);
   for (std::size_t i = 0; i <= intervals; ++i) {
     const double k = first_ * std::exp(step * static_cast<double>(i));
     const WaveCompliance at = wave_compliance(layers_, k);
-    values[0].push_back(k * at.normal);
-    values[1].push_back(k * at.along);
-    values[2].push_back(k * at.across);
-    values[3].push_back(k * at.mixed);
+    values.col(static_cast<Eigen::Index>(i)) << k * at.normal, k * at.along, k * at.across,
+        k * at.mixed;
   }
-  const auto spline = [&](std::size_t i) {
-    return Splines::Spline(values[i].begin(), values[i].end(), std::log(first_), step);
-  };
-  mixed_slope_ = values[3].front() / (first_ * first_);
-  splines_ = std::make_unique<Splines>(Splines{{spline(0), spline(1), spline(2), spline(3)}});
+  mixed_slope_ = values(3, 0) / (first_ * first_);
+  table_ = CubicTable(std::log(first_), step, std::move(values));
 }
-
-SurfaceCompliance::~SurfaceCompliance() = default;
 
 WaveCompliance SurfaceCompliance::at(double wave_number) const {
   if (wave_number <= first_) {
@@ -103,9 +88,8 @@ WaveCompliance SurfaceCompliance::at(double wave_number) const {
     return {half_space_.normal / wave_number, half_space_.along / wave_number,
             half_space_.across / wave_number, half_space_.mixed / wave_number};
   }
-  const double place = std::log(wave_number);
-  const auto value = [&](std::size_t i) { return splines_->of[i](place) / wave_number; };
-  return {value(0), value(1), value(2), value(3)};
+  const CubicTable::Values at = table_.at(std::log(wave_number)) / wave_number;
+  return {at(0), at(1), at(2), at(3)};
 }
 
 double SurfaceCompliance::thickness() const {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/finite_layers/thickness/cubic_table.hpp"
 #include "ionskin/finite_layers/thickness/elastic_layer.hpp"
 
-#include <memory>
 #include <vector>
 
 namespace ionskin::finite_layers {
@@ -27,12 +27,11 @@ WaveCompliance uniform_compliance(const std::vector<ElasticLayer>& layers);
 /// Of the half-space of one material, times the wave number [1/Pa], docs/model.md (51).
 WaveCompliance half_space_compliance(const ElasticLayer& layer);
 
-/// Compliance of the top face over the wave number, tabulated once: cubic splines in the logarithm
+/// Compliance of the top face over the wave number, tabulated once: cubics in the logarithm
 /// of the wave number, to 1e-7 of the values.
 class SurfaceCompliance {
 public:
   explicit SurfaceCompliance(std::vector<ElasticLayer> layers);
-  ~SurfaceCompliance();
 
   /// @param wave_number 0 or above [1/m]
   WaveCompliance at(double wave_number) const;
@@ -46,13 +45,11 @@ public:
   const std::vector<ElasticLayer>& layers() const { return layers_; }
 
 private:
-  struct Splines;
-
   std::vector<ElasticLayer> layers_;
   WaveCompliance uniform_, half_space_;
   double first_ = 0, last_ = 0; ///< wave numbers of the table [1/m]
   double mixed_slope_ = 0;      ///< of the mixed compliance over the wave number, of long waves
-  std::unique_ptr<const Splines> splines_;
+  CubicTable table_;            ///< normal, along, across, mixed, each times the wave number
 };
 
 } // namespace ionskin::finite_layers

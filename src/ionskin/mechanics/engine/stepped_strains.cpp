@@ -24,11 +24,16 @@ void SteppedStrains::recover(std::size_t first) {
       std::min(states_per_thread * static_cast<std::size_t>(threads_), centres.size());
   std::vector<std::vector<RecoveredStrain>> recovered((most + states_per_thread - 1) /
                                                       states_per_thread);
-  parallel::run_tasks(recovered.size(), threads_, [&](std::size_t i) {
+  const auto task = [&](std::size_t i) {
     const std::size_t from = i * states_per_thread;
     const std::size_t count = std::min(states_per_thread, most - from);
     recovered[i] = recovery_->at(centres.subspan(from, count), forces.subspan(from, count));
-  });
+  };
+  if (spare_) {
+    parallel::run_tasks_with_help(recovered.size(), *spare_, task);
+  } else {
+    parallel::run_tasks(recovered.size(), threads_, task);
+  }
   held_.clear();
   for (std::vector<RecoveredStrain>& some : recovered) {
     for (RecoveredStrain& one : some) {

@@ -4,6 +4,7 @@
 #include "ionskin/mechanics/output/contact_solution.hpp"
 #include "ionskin/mechanics/skin/strain_recovery.hpp"
 #include "ionskin/mechanics/surface/contact_problem.hpp"
+#include "ionskin/parallel/spare_threads.hpp"
 
 #include <array>
 #include <cstddef>
@@ -17,8 +18,10 @@ namespace ionskin::mechanics {
 /// other are recovered at once.
 class SteppedStrains : public StrainSource {
 public:
-  SteppedStrains(std::shared_ptr<const StrainRecovery> recovery, int threads)
-      : recovery_(std::move(recovery)), threads_(threads) {}
+  /// @param spare null, or where the threads come from that help the calling one
+  SteppedStrains(std::shared_ptr<const StrainRecovery> recovery, int threads,
+                 std::shared_ptr<parallel::SpareThreads> spare = nullptr)
+      : recovery_(std::move(recovery)), threads_(threads), spare_(std::move(spare)) {}
 
   /// @returns the place of the state
   std::size_t add(const std::array<double, 2>& centre, CellVector force);
@@ -33,6 +36,7 @@ private:
 
   std::shared_ptr<const StrainRecovery> recovery_;
   int threads_;
+  std::shared_ptr<parallel::SpareThreads> spare_;
   std::vector<std::array<double, 2>> centres_;
   std::vector<CellVector> forces_;
   std::size_t first_ = 0; ///< of the states that are held

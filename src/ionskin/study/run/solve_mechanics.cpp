@@ -31,18 +31,14 @@ mechanics::PathSteps halved(mechanics::PathSteps steps) {
   return steps;
 }
 
-/// One pass over a coarser mesh: companions of each friction coefficient.
-struct Pass {
-  std::vector<std::string> names;
-  std::vector<mechanics::ContactSolution> solutions; ///< of each friction, of each name
-};
-
-constexpr double solved_share = 0.9; // of the progress on coarser meshes
-
+/// One pass over a coarser mesh: companions of each friction coefficient, recorded at once. What
+/// their solutions hold of the skin, responses or factors, is gone when it ends: the next pass
+/// needs as much memory.
 /// @param first,share of the progress on coarser meshes
-Pass solved_pass(const Case& input, const std::vector<std::string>& names,
-                 const std::vector<double>& frictions, const mechanics::ContactOptions& options,
-                 double first, double share) {
+void add_pass(const Case& input, const std::vector<std::string>& names,
+              const std::vector<double>& frictions, const mechanics::ContactOptions& options,
+              double first, double share, std::vector<Companions>& result) {
+  constexpr double solved = 0.9; // of the pass
   std::vector<mechanics::ContactVariant> variants;
   for (const double friction : frictions) {
     for (const std::string& name : names) {
@@ -52,62 +48,51 @@ Pass solved_pass(const Case& input, const std::vector<std::string>& names,
   }
   mechanics::ContactOptions own = options;
   own.progress = [&](std::string_view activity, double fraction) {
-    activity == "mechanics" ? options.progress(companion_activity, first + share * fraction)
-                            : options.progress(activity, fraction);
+    activity == "mechanics"
+        ? options.progress(companion_activity, first + solved * share * fraction)
+        : options.progress(activity, fraction);
   };
   base::Timers parts; // of the companions, which count as one stage
-  return {names, mechanics::solve_variants(mechanics::companion_case(input, names.front()),
-                                           variants, own, parts)};
-}
-
-std::vector<Pass> solve_passes(const Case& input, const std::vector<double>& frictions,
-                               const mechanics::ContactOptions& options) {
-  namespace names = mechanics::companions;
-  const bool thickness = mechanics::needs_thickness_companion(input);
-  const double share = thickness ? solved_share / 2 : solved_share;
-  std::vector<Pass> passes;
-  passes.push_back(solved_pass(input, {names::mesh, names::path}, frictions, options, 0, share));
-  if (thickness) {
-    passes.push_back(solved_pass(input, {names::thickness}, frictions, options, share, share));
-  }
-  return passes;
-}
-
-/// What the companions hold of the skin is gone when this ends.
-/// @returns one entry per friction coefficient
-std::vector<Companions> recorded(const Case& input, std::vector<Pass> passes, int threads,
-                                 const base::ProgressCallback& callback) {
-  const auto recording = base::share_of(callback, solved_share, 1 - solved_share);
+  auto solutions = mechanics::solve_variants(mechanics::companion_case(input, names.front()),
+                                             variants, own, parts);
+  const auto recording =
+      base::share_of(options.progress, first + solved * share, (1 - solved) * share);
   parallel::SharedProgress progress(std::string(companion_activity), recording);
-  std::vector<Companions> result;
-  for (Pass& pass : passes) {
-    progress.add_units(pass.solutions.size());
+  progress.add_units(solutions.size());
+  std::vector<std::shared_ptr<const MechanicsRecord>> records(solutions.size());
+  parallel::run_tasks(solutions.size(), options.threads, [&](std::size_t i) {
+    const auto contact = std::make_unique<mechanics::ContactSolution>(std::move(solutions[i]));
+    MechanicsRecord record =
+        make_mechanics_record(mechanics::companion_case(input, names[i % names.size()]), *contact);
+    record.maps = {};
+    records[i] = std::make_shared<const MechanicsRecord>(std::move(record));
+    progress.finish_unit();
+  });
+  base::return_free_memory();
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    result[i / names.size()].emplace(names[i % names.size()], std::move(records[i]));
   }
-  for (Pass& pass : passes) {
-    const std::vector<std::string>& names = pass.names;
-    std::vector<std::shared_ptr<const MechanicsRecord>> records(pass.solutions.size());
-    parallel::run_tasks(records.size(), threads, [&](std::size_t i) {
-      const auto contact =
-          std::make_unique<mechanics::ContactSolution>(std::move(pass.solutions[i]));
-      MechanicsRecord record = make_mechanics_record(
-          mechanics::companion_case(input, names[i % names.size()]), *contact);
-      record.maps = {};
-      records[i] = std::make_shared<const MechanicsRecord>(std::move(record));
-      progress.finish_unit();
-    });
-    base::return_free_memory();
-    result.resize(records.size() / names.size());
-    for (std::size_t i = 0; i < records.size(); ++i) {
-      result[i / names.size()].emplace(names[i % names.size()], std::move(records[i]));
-    }
+}
+
+/// One entry per friction coefficient.
+std::vector<Companions> solve_companions(const Case& input, const std::vector<double>& frictions,
+                                         const mechanics::ContactOptions& options) {
+  namespace names = mechanics::companions;
+  std::vector<Companions> result(frictions.size());
+  const double share = mechanics::needs_thickness_companion(input) ? 0.5 : 1;
+  add_pass(input, {names::mesh, names::path}, frictions, options, 0, share, result);
+  if (share < 1) {
+    add_pass(input, {names::thickness}, frictions, options, share, 1 - share, result);
   }
   return result;
 }
 
 /// A run keeps its results where their error cannot be estimated; then `problem` says why.
-template <class Work> auto attempted(std::string& problem, const Work& work) -> decltype(work()) {
+std::vector<Companions> try_companions(const Case& input, const std::vector<double>& frictions,
+                                       const mechanics::ContactOptions& options,
+                                       std::string& problem) {
   try {
-    return work();
+    return solve_companions(input, frictions, options);
   } catch (const SolverError& error) {
     problem = error.what();
   } catch (const UserError& error) { // its mesh does not fit beside the slider
@@ -116,16 +101,17 @@ template <class Work> auto attempted(std::string& problem, const Work& work) -> 
   return {};
 }
 
-/// The companions and, beside them, the solutions themselves. Their progress is told once the
-/// companions are solved.
-std::vector<Pass> solve_beside(const Case& input, const std::vector<double>& frictions,
-                               const mechanics::ContactOptions& options, base::Timers& timers,
-                               std::string& problem,
-                               std::vector<mechanics::ContactSolution>& solutions) {
+/// The companions and, beside them, the solutions themselves, whose progress is told once the
+/// companions are there.
+std::vector<Companions> solve_beside(const Case& input, const std::vector<double>& frictions,
+                                     const mechanics::ContactOptions& options, base::Timers& timers,
+                                     std::string& problem,
+                                     std::vector<mechanics::ContactSolution>& solutions) {
   mechanics::ContactOptions coarse = options, own = options;
   coarse.threads = std::max(1, options.threads / 2);
   own.threads = std::max(1, options.threads - coarse.threads);
-  coarse.strain_threads = own.strain_threads = options.threads;
+  coarse.shared_threads = own.shared_threads = options.threads;
+  coarse.spare = std::make_shared<parallel::SpareThreads>();
   std::mutex telling;
   bool companions_solved = false;
   own.progress = [&](std::string_view activity, double fraction) {
@@ -134,20 +120,24 @@ std::vector<Pass> solve_beside(const Case& input, const std::vector<double>& fri
       options.progress(activity, fraction);
     }
   };
-  std::vector<Pass> passes;
+  std::vector<Companions> companions;
   options.progress(companion_activity, 0.0);
-  parallel::run_tasks(2, options.threads, [&](std::size_t task) {
-    if (task == 0) {
+  const auto task = [&](std::size_t which) {
+    if (which == 0) {
       const base::Timers::Scope scope(timers, "mechanics: companion");
-      passes = attempted(problem, [&] { return solve_passes(input, frictions, coarse); });
+      companions = try_companions(input, frictions, coarse, problem);
       const std::lock_guard lock(telling);
       companions_solved = true;
       options.progress("mechanics", 0.0);
-    } else {
-      solutions = mechanics::solve_contact(input, frictions, own, timers);
+      return;
     }
-  });
-  return passes;
+    solutions = mechanics::solve_contact(input, frictions, own, timers);
+    for (int i = 1; i < own.threads; ++i) { // the thread itself is given when it ends
+      coarse.spare->give();
+    }
+  };
+  parallel::run_tasks(2, std::min(2, options.threads), task, coarse.spare.get());
+  return companions;
 }
 
 } // namespace
@@ -168,16 +158,12 @@ std::vector<SolvedMechanics> solve_mechanics(const Case& input,
   std::string problem;
   std::vector<Companions> solved_companions;
   std::vector<mechanics::ContactSolution> solutions;
-  if (!input.numerics.error_estimate) {
+  if (input.numerics.error_estimate) {
+    solved_companions = solve_beside(input, frictions, both, timers, problem, solutions);
+  } else {
+    solved_companions.resize(frictions.size());
     options.progress("mechanics", 0.0);
     solutions = mechanics::solve_contact(input, frictions, both, timers);
-    solved_companions.resize(frictions.size());
-  } else {
-    std::vector<Pass> passes = solve_beside(input, frictions, both, timers, problem, solutions);
-    const base::Timers::Scope scope(timers, "mechanics: companion strains");
-    solved_companions = attempted(problem, [&] {
-      return recorded(input, std::move(passes), options.threads, options.progress);
-    });
   }
   std::vector<SolvedMechanics> solved;
   for (std::size_t i = 0; i < frictions.size(); ++i) {
@@ -200,12 +186,8 @@ void add_companions(const Case& input, const mechanics::ContactOptions& options,
     own.footprint = mechanics::find_footprint(input, input.contact.friction, options.threads);
   }
   std::string problem;
-  const auto solved = [&] {
-    return recorded(input, solve_passes(input, {input.contact.friction}, own), options.threads,
-                    options.progress);
-  };
-  for (Companions& companions : attempted(problem, solved)) {
-    record.companions = std::move(companions);
+  for (Companions& solved : try_companions(input, {input.contact.friction}, own, problem)) {
+    record.companions = std::move(solved);
   }
 }
 
