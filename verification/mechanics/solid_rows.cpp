@@ -89,7 +89,7 @@ std::vector<double> divided(const std::vector<double>& lines, int parts) {
 Answer by_elements(int parts) {
   const Skin skin = small_skin();
   std::vector<SolidElements::Lame> laws;
-  for (const std::size_t layer : {0, 1, 1, 1, 2}) {
+  for (const std::size_t layer : {0, 1, 1, 2}) {
     const auto own = finite_layers::elastic_layers(skin)[layer];
     laws.insert(laws.end(), static_cast<std::size_t>(parts), {own.lame_lambda, own.shear_modulus});
   }
@@ -98,10 +98,10 @@ Answer by_elements(int parts) {
     patches.push_back({columns[cell], row, {forces[cell][1], forces[cell][2], -forces[cell][0]}});
   }
   const SolidElements solid({{divided({0, 0.1e-3, 0.23e-3, 0.3e-3, 0.35e-3, 0.4e-3, 0.45e-3, 0.5e-3,
-                                       0.57e-3, 0.7e-3, 0.9e-3, 1e-3},
+                                       0.57e-3, 0.7e-3, 1e-3},
                                       parts),
                               divided({0, 0.1e-3, 0.15e-3, 0.2e-3, 0.3e-3}, parts),
-                              divided({0, 10e-6, 50e-6, 150e-6, 190e-6, 200e-6}, parts)}},
+                              divided({0, 10e-6, 100e-6, 190e-6, 200e-6}, parts)}},
                             laws, patches);
   Answer answer;
   for (const Interval& column : columns) {
@@ -141,7 +141,7 @@ std::vector<Row> solid_rows(const Options& options) {
     rows.push_back(
         at_most("M16", "free sides and ends, elements against layers: " + what, second, bound));
     rows.push_back(at_least("M16", "free sides and ends: order at which they meet in " + what,
-                            std::log2(first / second), 1));
+                            std::log2(first / second), 2));
   };
   add("displacement of the face", &Answer::surface, 0.01);
   add("strain of the core", &Answer::core, 0.01);
