@@ -34,8 +34,8 @@ private:
   SkinModel(const Case& input, const MotionBox& places, mesh::SkinMesh mesh_of_case, int threads);
 };
 
-/// Compliance between skin and slider with the slider at one place after another, docs/model.md
-/// (8), (36). What places with the same y share is kept from one to the next.
+/// Compliance between skin and slider with the slider at one place after another,
+/// docs/model.md (8), (36). What places with the same y share is kept from one to the next.
 class ContactCompliance {
 public:
   /// @param model outlives this
