@@ -59,8 +59,10 @@ Answer by_layers() {
   for (const auto& place : places) {
     const auto field =
         layers.fields({place[2] - skin.core_bottom()}, 0.1e-3)
-            .at({{place[0]}, {place[1]}, {columns[0][0], columns[0][1]}, {row[0], row[1]}}, {x, y},
-                given);
+            .at({{{{place[0]}, {place[1]}, {columns[0][0], columns[0][1]}, {row[0], row[1]}},
+                  {x, y},
+                  given}})
+            .front();
     for (const auto& component : field.core.component) {
       answer.core.push_back(component.front());
     }
