@@ -25,7 +25,7 @@ Case circuit_case(const char* circuit, double resistance = 1.0, double capacitan
   return input;
 }
 
-IonSolution run_step(const Case& input, const Options& options) {
+IonSolution run_circuit(const Case& input, const Options& options) {
   std::vector<double> times{0.0};
   times.insert(times.end(), compared_instants.begin(), compared_instants.end());
   return run_model(input, linear_step_history(-step_amplitude, step_amplitude, times), options);
@@ -42,7 +42,7 @@ double largest_charge(const IonSolution& solution) {
 void add_load_rows(const LinearCell& cell, const Options& options, std::vector<Row>& rows) {
   // A load equal to the cell's own resistance.
   const double load = cell.resistance();
-  const IonSolution solution = run_step(circuit_case("load", load / electrode_area), options);
+  const IonSolution solution = run_circuit(circuit_case("load", load / electrode_area), options);
   const double scale = largest_charge(solution) / electrode_area;
   for (const double time : compared_instants) {
     const double expected = inverse_laplace([&](Complex s) { return cell.charge(s, load); }, time);
@@ -55,7 +55,7 @@ void add_load_rows(const LinearCell& cell, const Options& options, std::vector<R
 void add_parallel_rows(const LinearCell& cell, const Options& options, std::vector<Row>& rows) {
   // The cell's own resistance beside a capacitor that it charges in a tenth of a second.
   const double resistance = cell.resistance(), capacitance = 0.1 / resistance;
-  const IonSolution solution = run_step(
+  const IonSolution solution = run_circuit(
       circuit_case("parallel-rc", resistance / electrode_area, capacitance * electrode_area),
       options);
   const auto load = [&](Complex s) { return resistance / (1.0 + s * resistance * capacitance); };
@@ -78,7 +78,7 @@ void add_parallel_rows(const LinearCell& cell, const Options& options, std::vect
 }
 
 void add_open_rows(const LinearCell& cell, const Options& options, std::vector<Row>& rows) {
-  const IonSolution solution = run_step(circuit_case("open"), options);
+  const IonSolution solution = run_circuit(circuit_case("open"), options);
   const auto expected = [&](double time) {
     return inverse_laplace([&](Complex s) { return cell.open_voltage(s); }, time);
   };
@@ -107,13 +107,14 @@ double largest_difference(const IonSolution& a, const IonSolution& b, const Quan
 }
 
 void add_limit_rows(const Options& options, std::vector<Row>& rows) {
-  const auto loaded = [&](double load) { return run_step(circuit_case("load", load), options); };
-  rows.push_back(at_most(
-      "E4", "charge behind 1 mOhm against the short circuit",
-      largest_difference(loaded(1e-3), run_step(circuit_case("short"), options), charge_difference),
-      1e-3));
+  const auto loaded = [&](double load) { return run_circuit(circuit_case("load", load), options); };
+  rows.push_back(
+      at_most("E4", "charge behind 1 mOhm against the short circuit",
+              largest_difference(loaded(1e-3), run_circuit(circuit_case("short"), options),
+                                 charge_difference),
+              1e-3));
   rows.push_back(at_most("E4", "voltage at 1 GOhm against the open circuit",
-                         largest_difference(loaded(1e9), run_step(circuit_case("open"), options),
+                         largest_difference(loaded(1e9), run_circuit(circuit_case("open"), options),
                                             [](const IonSolution& solution, std::size_t row) {
                                               return solution.voltage[row];
                                             }),

@@ -21,8 +21,8 @@ using electrochemistry::IonSnapshot;
 using electrochemistry::TransportGrid;
 
 constexpr double debye_length = 20e-6, relaxation_time = 0.01;
-constexpr double length = 300e-6, width = 200e-6, thickness = 180e-6;
-constexpr double duration = 2.0 * relaxation_time;
+constexpr double box_length = 300e-6, box_width = 200e-6, box_thickness = 180e-6;
+constexpr double run_duration = 2.0 * relaxation_time;
 
 /// An exact solution of the nonlinear equations under `pair-generation`, in Debye lengths and
 /// relaxation times: phi = f(t) g(x, y, z) and a concentration c(phi) with
@@ -42,10 +42,10 @@ public:
   Values at(double time, double x, double y, double z) const {
     const double t = time / relaxation_time;
     const double rate = 0.5 * std::exp(-0.5 * t), f = 1.0 - std::exp(-0.5 * t);
-    const double kx = std::numbers::pi / length, ky = std::numbers::pi / width;
-    const double wave = std::cos(kx * x) * std::cos(ky * y), s = z / thickness;
+    const double kx = std::numbers::pi / box_length, ky = std::numbers::pi / box_width;
+    const double wave = std::cos(kx * x) * std::cos(ky * y), s = z / box_thickness;
     const double profile = s * s * (8.0 + s * s * (16.0 * s - 24.0));
-    const double curvature = (16.0 + s * s * (320.0 * s - 288.0)) / (thickness * thickness);
+    const double curvature = (16.0 + s * s * (320.0 * s - 288.0)) / (box_thickness * box_thickness);
     const double g = amplitude * (mean + wave) * profile;
     const double laplacian = amplitude * debye_length * debye_length *
                              ((mean + wave) * curvature - (kx * kx + ky * ky) * wave * profile);
@@ -76,8 +76,8 @@ private:
 
 Case manufactured_case(double mesh_refinement, double filling) {
   Case input = model_case();
-  input.skin.length = length;
-  input.skin.width = width;
+  input.skin.length = box_length;
+  input.skin.width = box_width;
   auto& ions = input.electrochemistry;
   ions.permittivity = debye_length * debye_length * constants::faraday * constants::faraday *
                       ions.fixed_charge_concentration /
@@ -110,13 +110,14 @@ history::CoreHistory manufactured_history(const Case& input, const ExactSolution
                                           int samples) {
   history::CoreHistory history;
   history.measure = "manufactured";
-  history.length = length;
-  history.width = width;
-  history.grid = {{0.0, 0.5 * length, length}, {0.0, 0.5 * width, width}, {0.0, thickness}};
+  history.length = box_length;
+  history.width = box_width;
+  history.grid = {
+      {0.0, 0.5 * box_length, box_length}, {0.0, 0.5 * box_width, box_width}, {0.0, box_thickness}};
   const TransportGrid grid = electrochemistry::make_transport_grid(input, history);
   history.grid = {grid.x_edges, grid.y_edges, grid.z_nodes};
   for (int sample = 0; sample <= samples; ++sample) {
-    const double time = duration * sample / samples;
+    const double time = run_duration * sample / samples;
     auto field = std::make_shared<history::StrainField>();
     for_nodes(grid, [&](double x, double y, double z) {
       field->push_back(exact.at(time, x, y, z).fixed_charge - 1.0);
@@ -144,12 +145,12 @@ FinalState run(double filling, double mesh_refinement, const Steps& steps, const
   input.numerics.time_tolerance = steps.tolerance;
   electrochemistry::IonOptions ion_options;
   ion_options.threads = options.threads;
-  ion_options.snapshot_times = {duration};
+  ion_options.snapshot_times = {run_duration};
   base::Timers timers;
   const auto solution = electrochemistry::solve_ion_transport(
       input, manufactured_history(input, ExactSolution(filling), steps.samples), ion_options,
       timers);
-  const auto scales = electrochemistry::derive_scales(input.electrochemistry, thickness);
+  const auto scales = electrochemistry::derive_scales(input.electrochemistry, box_thickness);
   FinalState state{solution.grid, solution.snapshots.front().potential,
                    solution.snapshots.front().concentration};
   for (double& value : state.potential) {
@@ -171,7 +172,7 @@ double rms(const TransportGrid& grid, std::span<const double> a, std::span<const
     const double above = k + 1 < z.size() ? z[k + 1] : z[k], below = k > 0 ? z[k - 1] : z[k];
     sum += 0.5 * (above - below) * (a[i] - b[i]) * (a[i] - b[i]);
   }
-  return std::sqrt(sum / (thickness * static_cast<double>(columns)));
+  return std::sqrt(sum / (box_thickness * static_cast<double>(columns)));
 }
 
 struct Error {
@@ -181,7 +182,7 @@ struct Error {
 Error error_of(const FinalState& state, const ExactSolution& exact) {
   std::vector<double> potential, concentration;
   for_nodes(state.grid, [&](double x, double y, double z) {
-    const auto values = exact.at(duration, x, y, z);
+    const auto values = exact.at(run_duration, x, y, z);
     potential.push_back(values.potential);
     concentration.push_back(values.concentration);
   });
