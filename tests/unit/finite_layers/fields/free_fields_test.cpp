@@ -17,7 +17,7 @@ FieldCase all_free() {
   return skin;
 }
 
-ContactGrid cells() {
+ContactGrid mirrored_cells() {
   return {{-0.2e-3, -0.05e-3, 0.1e-3}, {-0.1e-3, 0, 0.15e-3}, false};
 }
 
@@ -87,7 +87,7 @@ TEST(FreeFields, bear_no_stress_on_faces_and_hand_all_forces_on_through_every_le
 }
 
 TEST(FreeFields, are_alike_under_an_exchange_of_x_and_y) {
-  const ContactGrid one = cells(), other{one.y, one.x, false};
+  const ContactGrid one = mirrored_cells(), other{one.y, one.x, false};
   const TestGrid at_one = grid(),
                  at_other{at_one.y, at_one.x, at_one.z, at_one.column_y, at_one.column_x};
   const std::vector<double> force = forces();
@@ -121,7 +121,7 @@ TEST(FreeFields, converge_in_modes) {
   FieldCase more = all_free();
   more.sides = more.ends = {24, 90};
   const auto at = [](const FieldCase& skin) {
-    return FieldsOf(skin, cells(), grid()).at({0.55e-3, 0.5e-3}, forces());
+    return FieldsOf(skin, mirrored_cells(), grid()).at({0.55e-3, 0.5e-3}, forces());
   };
   EXPECT_LT(difference(at(all_free()).core, at(more).core), 3e-3);
 }

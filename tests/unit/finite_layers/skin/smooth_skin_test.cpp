@@ -62,7 +62,8 @@ TEST(SmoothSkin, strain_along_a_side_has_no_ripple_far_from_the_slider) {
     grid.x.push_back(11e-3 + i * 0.1e-3);
   }
   const std::vector<double> forces{10, 3, 0, 10, 3, 0};
-  const StrainField core = layers.fields({3e-6}, 0.1e-3).at(grid, {7.5e-3, 1e-3}, forces).core;
+  const StrainField core =
+      layers.fields({3e-6}, 0.1e-3).at({{grid, {7.5e-3, 1e-3}, forces}}).front().core;
   constexpr std::size_t xz = 4;
   EXPECT_LT(roughness(core.component[xz], 4), 1e-3 * std::abs(core.component[xz].front()));
 }
