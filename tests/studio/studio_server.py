@@ -105,6 +105,6 @@ class StudioTest(unittest.TestCase):
         self.studio = self.start()
 
     def start(self):
-        studio = Studio(self.folder, self.state)
+        studio = Studio(self.folder, self.state, **self.environment)
         self.addCleanup(lambda: studio.end() if studio.process.returncode is None else None)
         return studio
