@@ -32,7 +32,7 @@ class ClusterTasks(PackageTest):
         self.run_program("sweep", CASES / "quick.toml", *SWEEP, "-o", out, "--plan")
         with mock.patch.object(cluster_task, "_local_folder", lambda: self.folder), \
                 mock.patch.dict(os.environ, {"IONSKIN_FRONT": cluster_running.program()}):
-            result = cluster_task.do_batch(0, str(out), "absent", (out / "plan.json").read_bytes(), 1, False)
+            result = cluster_task.do_batch(0, str(out), "absent", (out / "plan.json").read_bytes(), 1)
         self.assertEqual((result["code"], result["message"]), (0, ""))
         cluster_task.unpack(result["archive"], out / "staging" / "received-0000")
         self.run_program("sweep", "--collect", "-o", out, "--no-report")

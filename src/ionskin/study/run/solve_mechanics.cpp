@@ -114,8 +114,12 @@ std::vector<Companions> solve_beside(const Case& input, const std::vector<double
   coarse.spare = std::make_shared<parallel::SpareThreads>();
   std::mutex telling;
   bool companions_solved = false;
+  std::string own_activity = "mechanics";
+  double own_fraction = 0;
   own.progress = [&](std::string_view activity, double fraction) {
     const std::lock_guard lock(telling);
+    own_activity = activity;
+    own_fraction = fraction;
     if (companions_solved) {
       options.progress(activity, fraction);
     }
@@ -128,7 +132,7 @@ std::vector<Companions> solve_beside(const Case& input, const std::vector<double
       companions = try_companions(input, frictions, coarse, problem);
       const std::lock_guard lock(telling);
       companions_solved = true;
-      options.progress("mechanics", 0.0);
+      options.progress(own_activity, own_fraction);
       return;
     }
     solutions = mechanics::solve_contact(input, frictions, own, timers);
