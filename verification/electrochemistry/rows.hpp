@@ -11,7 +11,7 @@ namespace ionskin::verification {
 std::vector<Row> identity_rows(const Options& options);
 /// E3: linear step through the thickness against its closed form, and the observed orders.
 std::vector<Row> linear_step_rows(const Options& options);
-/// E4: impedance of the blocking cell over five decades against its closed form.
+/// E4: impedance of the blocking cell over ten decades against its closed form.
 std::vector<Row> impedance_rows();
 /// E4 in time: the linear cell behind a load and open.
 std::vector<Row> circuit_rows(const Options& options);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace ionskin::electrochemistry {
@@ -33,6 +34,22 @@ TEST(SmallSignalCell, AnswersToTheValence) {
   const DerivedScales scales = derive_scales(input.electrochemistry, 180e-6);
   EXPECT_NEAR(SmallSignalCell(input).area_impedance(1.0).real(), 180e-6 / scales.conductivity,
               0.03 * 180e-6 / scales.conductivity);
+}
+
+/// Far below the charging of the layers the reactance is 1e7 times the resistance.
+TEST(SmallSignalCell, TellsAResistanceFarBelowTheReactance) {
+  for (const Preset preset : {Preset::coarse, Preset::standard, Preset::fine}) {
+    Case input = verification::model_case();
+    input.electrochemistry.permittivity = 1.8e-10;
+    input.numerics.preset = preset;
+    const DerivedScales scales = derive_scales(input.electrochemistry, 180e-6);
+    const std::complex<double> found = SmallSignalCell(input).area_impedance(1e-4);
+    // docs/model.md (33) for p and exp(-a) towards 0: 2 lambda tau / eps (a - 3/2).
+    const double expected = 2 * scales.debye_length * scales.relaxation_time /
+                            input.electrochemistry.permittivity * (scales.half_thickness - 1.5);
+    EXPECT_NEAR(found.real() / expected, 1, 1e-6);
+    EXPECT_LT(found.imag(), -1e5 * found.real());
+  }
 }
 
 } // namespace

@@ -59,6 +59,12 @@ readout::SignalTable impedance_spectrum(const Case& input, const std::vector<dou
                    {"phase_angle", "degree", {}}};
   for (const double frequency : frequencies) {
     const std::complex<double> specific = cell.area_impedance(frequency);
+    if (!(specific.real() > 0)) { // a cell at rest gives no energy
+      throw SolverError(fmt::format("at {:.6g} Hz the resistance came out as {:.6g} ohm m2, which "
+                                    "no cell at rest has",
+                                    frequency, specific.real()),
+                        "leave this frequency out, and report the case");
+    }
     const std::complex<double> impedance = specific / area;
     const double phase = std::arg(impedance) * 180.0 / std::numbers::pi;
     const auto values = {impedance.real(), impedance.imag(),    specific.real(),
