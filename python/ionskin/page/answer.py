@@ -81,12 +81,30 @@ def of_mechanics(results):
     return f"In mid-slide {text}; the ions were not asked for." if text else None
 
 
+def of_noise(results):
+    """Noise in one sample, what makes it, and how far the peak stands above it; nothing for a run of an older version."""
+    def metric(name):
+        found = results.metrics.get(name)
+        return None if found is None else found.value
+
+    ratio = metric("signal_to_noise")
+    if not ratio:
+        return []
+    unit = results.metrics["sample_noise"].unit
+    told_parts = ", ".join(f"{quantity(value, unit, 2)} by {words}" for words, value in (
+        ("the skin's thermal noise", metric("sample_noise_thermal")), ("the amplifier", metric("sample_noise_amplifier")),
+        ("the converter's steps", metric("sample_noise_quantisation"))) if value)
+    verdict = (f"{ratio:.2g} times smaller than that peak" if ratio >= 3 else
+               "no smaller than a third of that peak: one reading does not tell it" if ratio >= 1 else "larger than that peak: it cannot be read")
+    return [f"The noise of one reading is {quantity(metric('sample_noise'), unit, 2)} rms ({told_parts}), {verdict}."]
+
+
 def sentences(results):
     """The first says what can be read; those after it what it depends on, or what it leaves out."""
     first = of_circuit(results) or of_current(results) or of_mechanics(results)
     if first is None:
         return ["This run has no currents to read."]
-    found = [first]
+    found = [first, *of_noise(results)]
     if "peak_open_circuit_voltage" in results.metrics and "V" not in first:
         found.append(f"Left open, the cell would give up to {told(results, 'peak_open_circuit_voltage', 0.0, 'V')} at once.")
     coefficient = results.case.get("coupling", {}).get("coefficient")

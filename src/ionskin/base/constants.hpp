@@ -5,6 +5,7 @@ namespace ionskin::constants {
 
 // CODATA 2018; exact in the SI since 2019.
 inline constexpr double faraday = 96485.33212331;               // C/mol
+inline constexpr double boltzmann = 1.380649e-23;               // J/K
 inline constexpr double gas_constant = 8.31446261815;           // J/(mol K)
 inline constexpr double vacuum_permittivity = 8.8541878128e-12; // F/m
 

@@ -209,11 +209,12 @@ struct TaxelGrid {
 
 /// What the electrodes are connected to, and how signals are sampled.
 struct Readout {
-  double sample_interval = 0;    ///< [s]
-  std::string circuit = "short"; ///< a name from the table in circuits/circuit.cpp
-  laws::LawValues parameters;    ///< of circuits, that of the chosen one among them
-  TaxelGrid taxel_grid;          ///< as written
-  std::vector<Taxel> taxels;     ///< disjoint, those of a grid too; empty for one whole electrode
+  double sample_interval = 0;        ///< [s]
+  std::string circuit = "short";     ///< a name from the table in circuits/circuit.cpp
+  std::string instrument = "ad8605"; ///< a name from the table in circuits/instruments.cpp
+  laws::LawValues parameters;        ///< of circuits, that of the chosen one among them
+  TaxelGrid taxel_grid;              ///< as written
+  std::vector<Taxel> taxels; ///< disjoint, those of a grid too; empty for one whole electrode
 };
 
 /// Sets of mesh sizes and tolerances.

@@ -3,6 +3,7 @@
 #include "ionskin/case/schema/schema_rows.hpp"
 #include "ionskin/case/schema/schema_setters.hpp"
 #include "ionskin/circuits/circuit.hpp"
+#include "ionskin/circuits/instruments.hpp"
 
 #include <fmt/format.h>
 
@@ -24,6 +25,18 @@ void add_circuit(SchemaRows& rows) {
                   .set = into(&Case::readout, &Readout::circuit)});
   add_law_parameters(rows, LawSection{"readout", "circuit", &Case::readout, &Readout::circuit},
                      table, Need::always, true);
+}
+
+void add_instrument(SchemaRows& rows) {
+  const auto table = circuits::instruments();
+  rows.push_back({.key = "readout.instrument",
+                  .type = ValueType::choice,
+                  .default_value = fmt::format("\"{}\"", table.front().name),
+                  .choices = choices_of(table),
+                  .help = fmt::format("What reads the electrodes, for its noise: {}.",
+                                      alternatives(table, &circuits::Instrument::meaning)),
+                  .source = std::string(table.front().source),
+                  .set = into(&Case::readout, &Readout::instrument)});
 }
 
 void add_taxels(SchemaRows& rows) {
@@ -91,6 +104,7 @@ void add_readout(SchemaRows& rows) {
                   .source = "100 readings a second, as of an ordinary multimeter interface",
                   .set = into(&Case::readout, &Readout::sample_interval)});
   add_circuit(rows);
+  add_instrument(rows);
   add_taxels(rows);
   add_taxel_grid(rows);
 }

@@ -73,7 +73,7 @@ const std::array<Neighbours, 8> neighbours{{
 
 bool is_audit(const std::string& metric) {
   return metric.ends_with("_residual") || metric.ends_with("_error") ||
-         metric.ends_with("_noise_floor");
+         metric.ends_with("_noise_floor") || metric.starts_with("sample_noise");
 }
 
 bool hangs_on_edges(const std::string& quantity) {

@@ -15,6 +15,7 @@
 #include "ionskin/readout/tail_current.hpp"
 #include "ionskin/readout/taxels.hpp"
 #include "ionskin/readout/water_signals.hpp"
+#include "ionskin/study/stations/sample_noise.hpp"
 #include "ionskin/study/stations/slip_metrics.hpp"
 
 #include <algorithm>
@@ -253,6 +254,27 @@ void add_circuit(const circuits::Circuit& circuit, const IonSolution& ions, Sign
   }
 }
 
+double value_of(const std::vector<readout::Metric>& metrics, const std::string& name) {
+  const auto found = std::ranges::find(metrics, name, &readout::Metric::name);
+  return found == metrics.end() ? 0.0 : found->value;
+}
+
+/// Of a sample, and what it leaves to be seen before full slip.
+void add_noise(const Case& input, const MechanicsRecord& mechanics, const IonSolution& ions,
+               Signals& signals) {
+  const circuits::Circuit circuit =
+      circuits::circuit(input.readout.circuit, input.readout.parameters);
+  const bool of_voltage = circuit.admittance.has_value();
+  const double peak = of_voltage ? readout::peak_magnitude(ions.voltage)
+                                 : value_of(signals.metrics, "peak_sampled_current_difference");
+  const SampleNoise noise = sample_noise(input, peak, ions.time.back() - ions.time.front());
+  for (const auto& found :
+       {precursor_metrics(input, mechanics, signals.resolved, of_voltage ? 0.0 : noise.total()),
+        noise_metrics(noise, peak, of_voltage ? "V" : "A")}) {
+    signals.metrics.insert(signals.metrics.end(), found.begin(), found.end());
+  }
+}
+
 } // namespace
 
 Signals read_out_rows(const Case& input, const MechanicsRecord& mechanics, const IonSolution& ions,
@@ -277,8 +299,7 @@ Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonS
   if (const auto identity = charge_identity(input, mechanics, ions, threads)) {
     signals.metrics.push_back(*identity);
   }
-  const auto precursors = precursor_metrics(input, mechanics, signals.resolved);
-  signals.metrics.insert(signals.metrics.end(), precursors.begin(), precursors.end());
+  add_noise(input, mechanics, ions, signals);
   add_ion_metrics(input, ions, signals.resolved, signals.metrics);
   const bool moves_water = ionskin::moves_water(input);
   const circuits::Circuit circuit =

@@ -2,7 +2,6 @@
 #include "ionskin/study/stations/slip_metrics.hpp"
 
 #include "ionskin/case/slider_motion.hpp"
-#include "ionskin/circuits/circuit.hpp"
 #include "ionskin/readout/circuit.hpp"
 #include "ionskin/readout/phases.hpp"
 #include "ionskin/readout/sampling.hpp"
@@ -39,17 +38,8 @@ double way_between(const Case& input, double from, double to) {
 /// What a current is told from.
 struct NoiseFloor {
   double charge = 0;  ///< that rounding leaves [C]
-  double reading = 0; ///< rms, of the instrument or by that charge [A]
+  double reading = 0; ///< rms [A]
 };
-
-NoiseFloor noise_floor(const Case& input, const MechanicsRecord& mechanics) {
-  const circuits::Circuit circuit =
-      circuits::circuit(input.readout.circuit, input.readout.parameters);
-  const double interval = input.readout.sample_interval;
-  const double instrument = circuit.reading_noise ? circuit.reading_noise(interval) : 0.0;
-  const double charge = charge_rounding(input, mechanics.history);
-  return {charge, std::max(instrument, charge / interval)};
-}
 
 /// Share of the contact that half a row of cells along the border of what sticks takes when the
 /// touchdown ends.
@@ -147,12 +137,14 @@ std::vector<Metric> slip_least_errors(const Case& input, const MechanicsRecord& 
 }
 
 std::vector<Metric> precursor_metrics(const Case& input, const MechanicsRecord& mechanics,
-                                      const readout::SignalTable& signals) {
+                                      const readout::SignalTable& signals, double sample_noise) {
   const std::optional<SlipOnset> onset = slip_onset(input, mechanics);
   if (!onset || !onset->full_slip) {
     return {};
   }
-  const NoiseFloor noise = noise_floor(input, mechanics);
+  const double rounding = charge_rounding(input, mechanics.history);
+  const NoiseFloor noise{rounding,
+                         std::max(sample_noise, rounding / input.readout.sample_interval)};
   std::vector<Metric> metrics{{"precursor_noise_floor", noise.reading, "A"}};
   const auto add = [&](const std::string& current, const std::vector<double>& charge) {
     add_precursor(current,

@@ -26,9 +26,11 @@ std::vector<readout::Metric> slip_metrics(const Case& input, const MechanicsReco
 std::vector<readout::Metric> slip_least_errors(const Case& input, const MechanicsRecord& mechanics);
 
 /// What the difference and the common current tell before full slip (readout/slip_precursor.hpp),
-/// and the noise that they are told from: that of the instrument, or else rounding.
+/// and the noise that they are told from.
 /// @param signals the resolved table with charges
+/// @param sample_noise rms of a reading, of skin and instrument [A]
 std::vector<readout::Metric> precursor_metrics(const Case& input, const MechanicsRecord& mechanics,
-                                               const readout::SignalTable& signals);
+                                               const readout::SignalTable& signals,
+                                               double sample_noise);
 
 } // namespace ionskin::study

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+
+namespace ionskin::circuits {
+
+/// Rms of the mean over an interval of what stands behind a first-order low pass.
+struct Averaging {
+  double interval = 0;  ///< [s]
+  double bandwidth = 0; ///< of the low pass, -3 dB [Hz]
+  /// Of what is looked at, whose mean is taken away: slower noise does not show [s]. Not below the
+  /// interval.
+  double record = 0;
+};
+
+/// docs/model.md (61): sqrt(int S(f) sinc^2(pi f T) / (1 + (f/B)^2) df) from 1/record on.
+/// @param density one-sided power density S(f) [U^2/Hz]
+/// @returns [U]
+double noise_of_mean(const std::function<double(double frequency)>& density,
+                     const Averaging& averaging);
+
+} // namespace ionskin::circuits
