@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/stations/sample_noise.hpp"
+
+#include "ionskin/base/constants.hpp"
+#include "ionskin/circuits/noise_of_mean.hpp"
+#include "ionskin/electrochemistry/grid/derived_scales.hpp"
+#include "synthetic_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace ionskin::study {
+namespace {
+
+constexpr double interval = 1e-5, record = 1e-4; // [s]
+
+/// One whose double layers hardly charge within the record and whose bulk relaxes far faster than
+/// the interval: a resistor.
+Case resistive_case(const std::string& instrument) {
+  Case input = handover::small_case();
+  input.electrochemistry = {293.15, 7e-11, 1e-8, 1200, 1};
+  input.readout.sample_interval = interval;
+  input.readout.instrument = instrument;
+  return input;
+}
+
+double resistance(const Case& input) {
+  const double thickness = input.skin.core_thickness();
+  const auto scales = electrochemistry::derive_scales(input.electrochemistry, thickness);
+  return thickness / (scales.conductivity * input.skin.length * input.skin.width);
+}
+
+double mean_of_white(double density) {
+  return circuits::noise_of_mean([&](double) { return density * density; },
+                                 {interval, 10 / interval, record});
+}
+
+TEST(SampleNoise, OfAResistorIsNyquists) {
+  const Case input = resistive_case("ideal");
+  const double power = 4 * constants::boltzmann * input.electrochemistry.temperature;
+  const SampleNoise noise = sample_noise(input, 1e-6, record);
+  EXPECT_NEAR(noise.thermal / mean_of_white(std::sqrt(power / resistance(input))), 1, 0.02);
+  EXPECT_EQ(noise.amplifier, 0);
+  EXPECT_EQ(noise.quantisation, 0);
+  EXPECT_EQ(noise.total(), noise.thermal);
+}
+
+TEST(SampleNoise, OfAnAmplifierIsItsVoltageOverTheResistance) {
+  const Case input = resistive_case("ad8605");
+  const SampleNoise noise = sample_noise(input, 1e-6, record);
+  EXPECT_NEAR(noise.amplifier / mean_of_white(8e-9 / resistance(input)), 1, 0.02);
+  EXPECT_GT(noise.quantisation, 0);
+  EXPECT_NEAR(noise.total(), std::hypot(noise.thermal, noise.amplifier, noise.quantisation),
+              1e-12 * noise.total());
+}
+
+TEST(SampleNoise, OfAnOpenCellIsAVoltage) {
+  Case input = resistive_case("ad8605");
+  input.readout.circuit = "open";
+  const double power = 4 * constants::boltzmann * input.electrochemistry.temperature;
+  const SampleNoise noise = sample_noise(input, 0, record);
+  EXPECT_NEAR(noise.thermal / mean_of_white(std::sqrt(power * resistance(input))), 1, 0.02);
+  EXPECT_NEAR(noise.amplifier / mean_of_white(8e-9), 1, 0.02);
+  const auto metrics = noise_metrics(noise, 2 * noise.total(), "V");
+  EXPECT_EQ(metrics.back().name, "signal_to_noise");
+  EXPECT_NEAR(metrics.back().value, 2, 1e-12);
+}
+
+} // namespace
+} // namespace ionskin::study
