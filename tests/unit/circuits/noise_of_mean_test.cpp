@@ -14,9 +14,9 @@ namespace {
 
 TEST(NoiseOfMean, OfWhiteNoiseIsInClosedForm) {
   for (const double turns : {0.01, 0.3, 1.0, 10.0, 1000.0}) {
-    const double interval = 0.01, bandwidth = turns / interval;
-    const double found = noise_of_mean([](double) { return 9.0; }, {interval, bandwidth, 1e9});
-    EXPECT_NEAR(found / noise_of_mean(3.0, bandwidth, interval), 1, 2e-3) << turns;
+    const double mean_over = 0.01, cut_off = turns / mean_over;
+    const double found = noise_of_mean([](double) { return 9.0; }, {mean_over, cut_off, 1e9});
+    EXPECT_NEAR(found / noise_of_mean(3.0, cut_off, mean_over), 1, 2e-3) << turns;
   }
 }
 

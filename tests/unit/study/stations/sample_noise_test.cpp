@@ -13,14 +13,14 @@
 namespace ionskin::study {
 namespace {
 
-constexpr double interval = 1e-5, record = 1e-4; // [s]
+constexpr double sample_time = 1e-5, record_time = 1e-4; // [s]
 
 /// One whose double layers hardly charge within the record and whose bulk relaxes far faster than
 /// the interval: a resistor.
 Case resistive_case(const std::string& instrument) {
   Case input = handover::small_case();
   input.electrochemistry = {293.15, 7e-11, 1e-8, 1200, 1};
-  input.readout.sample_interval = interval;
+  input.readout.sample_interval = sample_time;
   input.readout.instrument = instrument;
   return input;
 }
@@ -33,13 +33,13 @@ double resistance(const Case& input) {
 
 double mean_of_white(double density) {
   return circuits::noise_of_mean([&](double) { return density * density; },
-                                 {interval, 10 / interval, record});
+                                 {sample_time, 10 / sample_time, record_time});
 }
 
 TEST(SampleNoise, OfAResistorIsNyquists) {
   const Case input = resistive_case("ideal");
   const double power = 4 * constants::boltzmann * input.electrochemistry.temperature;
-  const SampleNoise noise = sample_noise(input, 1e-6, record);
+  const SampleNoise noise = sample_noise(input, 1e-6, record_time);
   EXPECT_NEAR(noise.thermal / mean_of_white(std::sqrt(power / resistance(input))), 1, 0.02);
   EXPECT_EQ(noise.amplifier, 0);
   EXPECT_EQ(noise.quantisation, 0);
@@ -48,7 +48,7 @@ TEST(SampleNoise, OfAResistorIsNyquists) {
 
 TEST(SampleNoise, OfAnAmplifierIsItsVoltageOverTheResistance) {
   const Case input = resistive_case("ad8605");
-  const SampleNoise noise = sample_noise(input, 1e-6, record);
+  const SampleNoise noise = sample_noise(input, 1e-6, record_time);
   EXPECT_NEAR(noise.amplifier / mean_of_white(8e-9 / resistance(input)), 1, 0.02);
   EXPECT_GT(noise.quantisation, 0);
   EXPECT_NEAR(noise.total(), std::hypot(noise.thermal, noise.amplifier, noise.quantisation),
@@ -59,7 +59,7 @@ TEST(SampleNoise, OfAnOpenCellIsAVoltage) {
   Case input = resistive_case("ad8605");
   input.readout.circuit = "open";
   const double power = 4 * constants::boltzmann * input.electrochemistry.temperature;
-  const SampleNoise noise = sample_noise(input, 0, record);
+  const SampleNoise noise = sample_noise(input, 0, record_time);
   EXPECT_NEAR(noise.thermal / mean_of_white(std::sqrt(power * resistance(input))), 1, 0.02);
   EXPECT_NEAR(noise.amplifier / mean_of_white(8e-9), 1, 0.02);
   const auto metrics = noise_metrics(noise, 2 * noise.total(), "V");
