@@ -14,7 +14,7 @@ constexpr Eigen::Index block_x = 96, block_y = 32;
 using Column = Eigen::Array<double, block_x, 1>;
 
 /// Of modes of one number along y.
-struct Direction {
+struct WaveDirection {
   Column cosine, sine;
 };
 
@@ -24,7 +24,7 @@ struct Tractions {
 };
 
 /// Column of a block of strains.
-void set_strains(const Eigen::Array<double, block_x, 8>& depth, const Direction& at,
+void set_strains(const Eigen::Array<double, block_x, 8>& depth, const WaveDirection& at,
                  const Tractions& by, Strains& strains, Eigen::Index column) {
   const Column stretch = depth.col(0) * by.along + depth.col(1) * by.upwards,
                twist = depth.col(6) * by.across;
@@ -116,8 +116,8 @@ void PlaneWaves::add(const DepthTable& table, std::size_t level,
           depth.row(m) = table.at(level, logarithm_(first_m + m, n)).transpose();
         }
         depth.bottomRows(block_x - felt).setZero();
-        const Direction at{cosine_.col(n).segment<block_x>(first_m),
-                           sine_.col(n).segment<block_x>(first_m)};
+        const WaveDirection at{cosine_.col(n).segment<block_x>(first_m),
+                               sine_.col(n).segment<block_x>(first_m)};
         const Column weight = weight_.col(n).segment<block_x>(first_m);
         for (std::size_t state = 0; state < states; ++state) {
           const Column z = weight * forces[state][0].col(i).array(),
