@@ -64,6 +64,8 @@ std::string compare(const Workspace& workspace, const Request& request) {
 
 /// Results: the list, what a folder holds, tables and fields, differences.
 void Server::serve_result_calls() {
+  // Pages name an empty icon; a browser may ask before it has read them.
+  get("/favicon.ico", [](const Request&, Response& response) { response.status = 204; });
   get("/api/runs", [this](const Request&, Response& response) {
     send_json(response, list_results(workspace_));
   });
