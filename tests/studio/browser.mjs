@@ -163,7 +163,7 @@ const main = async (page, link) => {
   await wait(() => document.querySelector(".legend").textContent);
   await picture("results");
 
-  // Other coupling, mechanics cached; both curves.
+  // Other coupling; both curves.
   await click("Case");
   await wait(() => document.querySelector(".verdict.good"));
   await field("coupling.coefficient", "0.2");
@@ -172,7 +172,7 @@ const main = async (page, link) => {
   begun = performance.now();
   await click("Run");
   await shown(["first", "second"]);
-  times["cached rerun to curve (coupling)"] = performance.now() - begun;
+  times["rerun to curve (coupling)"] = performance.now() - begun;
   await click("Case");
   await wait(() => document.querySelector(".verdict.good"));
   await field("contact.friction", "0.15");
@@ -181,7 +181,7 @@ const main = async (page, link) => {
   begun = performance.now();
   await click("Run");
   await shown(["first", "second", "third"]);
-  times["cached rerun to curve (friction)"] = performance.now() - begun;
+  times["rerun to curve (friction)"] = performance.now() - begun;
   await click("What differs between third and second");
   await wait(() => /contact.friction/.test(document.querySelector(".differences pre").textContent));
   await click("Case");
@@ -192,7 +192,7 @@ const main = async (page, link) => {
   begun = performance.now();
   await click("Run");
   await shown(["first", "second", "third", "fourth"]);
-  times["cached rerun to curve (ions)"] = performance.now() - begun;
+  times["rerun to curve (ions)"] = performance.now() - begun;
 
   // The scene follows the time bar, every cut and face.
   await page.$eval('.time-bar input', (one) => { one.value = "1.5"; one.dispatchEvent(new Event("input")); });

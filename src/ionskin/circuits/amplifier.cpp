@@ -56,8 +56,4 @@ InstrumentReading Amplifier::read(const std::vector<double>& time,
   return reading;
 }
 
-double Amplifier::reading_noise(double interval) const {
-  return noise_of_mean(noise_density, bandwidth, interval);
-}
-
 } // namespace ionskin::circuits

@@ -64,8 +64,7 @@ struct Amplifier {
   /// @param time [s]
   /// @param charge (Q_top - Q_bottom)/2 under short circuit [C]
   InstrumentReading read(const std::vector<double>& time, const std::vector<double>& charge) const;
-  /// Of the mean over an interval [s], rms [A].
-  double reading_noise(double interval) const;
+  InputNoise input_noise() const { return {noise_density, bandwidth}; }
 };
 
 } // namespace ionskin::circuits

@@ -30,8 +30,8 @@ template <class Kind> Circuit circuit_with(const laws::LawValues& values) {
       return kind.read(time, charge);
     };
   }
-  if constexpr (requires { &Kind::reading_noise; }) {
-    result.reading_noise = [kind](double interval) { return kind.reading_noise(interval); };
+  if constexpr (requires { &Kind::input_noise; }) {
+    result.input_noise = kind.input_noise();
   }
   return result;
 }

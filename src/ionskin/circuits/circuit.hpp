@@ -26,6 +26,12 @@ struct Admittance {
   bool passes_charge() const;
 };
 
+/// White noise at the input of an instrument that has keys of its own.
+struct InputNoise {
+  double current = 0;   ///< density, one-sided [A/sqrt(Hz)]
+  double bandwidth = 0; ///< of its first-order low pass, -3 dB [Hz]
+};
+
 /// A circuit with the values of its parameters.
 struct Circuit {
   std::string_view name{};
@@ -36,9 +42,8 @@ struct Circuit {
   std::function<InstrumentReading(const std::vector<double>& time,
                                   const std::vector<double>& charge)>
       read{};
-  /// Noise of the mean over an interval [s] of what the instrument shows, rms [A]; empty without
-  /// one.
-  std::function<double(double interval)> reading_noise{};
+  /// Of its own instrument; nothing where `readout.instrument` reads.
+  std::optional<InputNoise> input_noise{};
 };
 
 /// One row of the table of circuits.

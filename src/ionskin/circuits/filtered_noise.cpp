@@ -48,11 +48,4 @@ double FilteredNoise::advance(double duration) {
   return integral;
 }
 
-double noise_of_mean(double density, double bandwidth, double interval) {
-  const double steps = 2 * std::numbers::pi * bandwidth * interval;
-  // 1 - (1 - exp(-x))/x loses its digits where x is small.
-  const double part = steps < 1e-4 ? steps / 2 : 1 + std::expm1(-steps) / steps;
-  return density * std::sqrt(part / (2 * interval));
-}
-
 } // namespace ionskin::circuits

@@ -30,8 +30,4 @@ private:
   double value_ = 0;
 };
 
-/// Standard deviation of the mean of such noise over an interval T of any place,
-/// S sqrt((1 - (tau/T) (1 - exp(-T/tau)))/(2 T)) with tau = 1/(2 pi B) [unit].
-double noise_of_mean(double density, double bandwidth, double interval);
-
 } // namespace ionskin::circuits

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/circuits/amplifier.hpp"
 
+#include "ionskin/circuits/noise_of_mean.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,14 +38,11 @@ TEST(Amplifier, FollowsAStepOfCurrentExactlyOnAnySteps) {
   EXPECT_TRUE(reading.warnings.empty());
 }
 
-TEST(Amplifier, TellsTheNoiseOfAMean) {
+TEST(Amplifier, ShowsTheNoiseThatItsInputHas) {
   const double density = 1e-9;
   const Amplifier amplifier{bandwidth, density, 0, 1};
-  // White beside a long interval, constant beside a short one.
-  const double white = density / std::sqrt(200.0);
-  EXPECT_NEAR(amplifier.reading_noise(100), white, 1e-3 * white);
-  const double rms = density * std::sqrt(0.5 * std::numbers::pi * bandwidth);
-  EXPECT_NEAR(amplifier.reading_noise(1e-9), rms, 1e-6 * rms);
+  EXPECT_EQ(amplifier.input_noise().current, density);
+  EXPECT_EQ(amplifier.input_noise().bandwidth, bandwidth);
   // Means of what it shows without a current, over 20000 intervals.
   const double interval = 2e-3;
   std::vector<double> time;
@@ -55,7 +54,8 @@ TEST(Amplifier, TellsTheNoiseOfAMean) {
   for (std::size_t i = 1; i < time.size(); ++i) {
     sum += std::pow((reading.charge[i] - reading.charge[i - 1]) / interval, 2);
   }
-  const double expected = amplifier.reading_noise(interval);
+  const double expected =
+      noise_of_mean([&](double) { return density * density; }, {interval, bandwidth, 1e9});
   EXPECT_NEAR(std::sqrt(sum / 20000), expected, 0.03 * expected);
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/circuits/noise_of_mean.hpp"
 
-#include "ionskin/circuits/filtered_noise.hpp"
 #include "ionskin/circuits/instruments.hpp"
 
 #include <gtest/gtest.h>
@@ -12,11 +11,15 @@
 namespace ionskin::circuits {
 namespace {
 
+/// S sqrt((1 - (tau/T) (1 - exp(-T/tau))) / (2 T)) with tau = 1/(2 pi B): the variance of the mean
+/// of an Ornstein-Uhlenbeck process.
 TEST(NoiseOfMean, OfWhiteNoiseIsInClosedForm) {
+  const double mean_over = 0.01;
   for (const double turns : {0.01, 0.3, 1.0, 10.0, 1000.0}) {
-    const double mean_over = 0.01, cut_off = turns / mean_over;
+    const double cut_off = turns / mean_over, steps = 2 * std::numbers::pi * turns;
+    const double expected = 3.0 * std::sqrt((1 + std::expm1(-steps) / steps) / (2 * mean_over));
     const double found = noise_of_mean([](double) { return 9.0; }, {mean_over, cut_off, 1e9});
-    EXPECT_NEAR(found / noise_of_mean(3.0, cut_off, mean_over), 1, 2e-3) << turns;
+    EXPECT_NEAR(found / expected, 1, 2e-3) << turns;
   }
 }
 

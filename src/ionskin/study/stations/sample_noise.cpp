@@ -20,12 +20,8 @@ using Complex = std::complex<double>;
 /// Of an instrument that averages over its interval, beside that average.
 constexpr double bandwidth_over_rate = 10;
 
-/// Of what is beside the cell between the electrodes.
-Complex admittance(const circuits::Circuit& circuit, double frequency) {
-  return circuit.admittance
-             ? Complex(1 / circuit.admittance->resistance,
-                       2 * std::numbers::pi * frequency * circuit.admittance->capacitance)
-             : Complex(0);
+Complex admittance(const circuits::Admittance& beside, double frequency) {
+  return {1 / beside.resistance, 2 * std::numbers::pi * frequency * beside.capacitance};
 }
 
 } // namespace
@@ -39,35 +35,30 @@ SampleNoise sample_noise(const Case& input, double peak, double record) {
       circuits::circuit(input.readout.circuit, input.readout.parameters);
   const circuits::Instrument& instrument = circuits::instrument(input.readout.instrument);
   const double interval = input.readout.sample_interval;
-  const circuits::Averaging averaging{interval, bandwidth_over_rate / interval,
-                                      std::max(record, interval)};
+  const double bandwidth =
+      circuit.input_noise ? circuit.input_noise->bandwidth : bandwidth_over_rate / interval;
+  const double voltage_noise = circuit.input_noise ? 0.0 : instrument.voltage_noise;
+  const double current_noise =
+      circuit.input_noise ? circuit.input_noise->current : instrument.current_noise;
   const electrochemistry::SmallSignalCell cell(input);
   const double area = input.skin.length * input.skin.width;
-  const double thermal_power = 4 * constants::boltzmann * input.electrochemistry.temperature;
-  const auto voltage = [&](double frequency) {
-    return 1.0 / (area / cell.area_impedance(frequency) + admittance(circuit, frequency));
+  // What turns the amplifier's other noise into what is read, and by its real part the thermal one:
+  // the admittance of the cell, or the impedance with all that is beside it.
+  const auto transfer = [&](double frequency) {
+    const Complex own = area / cell.area_impedance(frequency);
+    return circuit.admittance ? 1.0 / (own + admittance(*circuit.admittance, frequency)) : own;
   };
-  const auto current = [&](double frequency) { return area / cell.area_impedance(frequency); };
-  const auto mean = [&](const auto& density) { return noise_of_mean(density, averaging); };
-  SampleNoise noise;
-  if (circuit.admittance) {
-    noise.thermal =
-        mean([&](double frequency) { return thermal_power * voltage(frequency).real(); });
-    noise.amplifier = mean([&](double frequency) {
-      return std::pow(instrument.voltage_noise, 2) +
-             std::norm(instrument.current_noise * voltage(frequency));
-    });
-  } else {
-    noise.thermal =
-        mean([&](double frequency) { return thermal_power * current(frequency).real(); });
-    noise.amplifier =
-        circuit.reading_noise ? circuit.reading_noise(interval) : mean([&](double frequency) {
-          return std::pow(instrument.current_noise, 2) +
-                 std::norm(instrument.voltage_noise * current(frequency));
-        });
-  }
-  noise.quantisation = circuits::quantisation_noise(instrument, peak);
-  return noise;
+  const double direct = circuit.admittance ? voltage_noise : current_noise,
+               turned = circuit.admittance ? current_noise : voltage_noise;
+  const double thermal_power = 4 * constants::boltzmann * input.electrochemistry.temperature;
+  const auto mean = [&](const auto& density) {
+    return circuits::noise_of_mean(density, {interval, bandwidth, std::max(record, interval)});
+  };
+  return {mean([&](double frequency) { return thermal_power * transfer(frequency).real(); }),
+          mean([&](double frequency) {
+            return direct * direct + std::norm(turned * transfer(frequency));
+          }),
+          circuits::quantisation_noise(instrument, peak)};
 }
 
 std::vector<readout::Metric> noise_metrics(const SampleNoise& noise, double peak,

@@ -23,7 +23,7 @@ struct SampleNoise {
 /// @param record length of the run [s]
 SampleNoise sample_noise(const Case& input, double peak, double record);
 
-/// The parts of it, and the peak over the whole. Empty where no current can flow for a reading.
+/// The parts of it, the whole, and the peak over the whole.
 /// @param unit of the peak: A or V
 std::vector<readout::Metric> noise_metrics(const SampleNoise& noise, double peak,
                                            const std::string& unit);
