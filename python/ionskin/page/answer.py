@@ -109,7 +109,7 @@ def sentences(results):
         found.append(f"Left open, the cell would give up to {told(results, 'peak_open_circuit_voltage', 0.0, 'V')} at once.")
     coefficient = results.case.get("coupling", {}).get("coefficient")
     if coefficient and results.signals.has("current_difference") and report_text.law(results) != "poroelastic":
-        found.append(f"It is in proportion to the coupling coefficient k = {coefficient:g}, an assumption that no measurement supports yet.")
+        found.append(f"The reading is in proportion to the coupling coefficient k = {coefficient:g}, an assumption that no measurement supports yet.")
     return found + taxels(results)
 
 
