@@ -4,7 +4,7 @@
 
 BUILD := build
 JOBS := $(shell nproc)
-DEMO_OUT := out/demo
+DEMO_OUT := out-demo
 PREFIX := /usr/local
 
 help:
