@@ -16,9 +16,6 @@ namespace {
 /// The first modes of a parity are taken one by one, the rest in steps of this share.
 constexpr Eigen::Index first_modes = 10;
 constexpr double step_share = 0.13;
-/// States that are turned into strains at once, fewer filled up by others that are 0: each state is
-/// the same bits in any company.
-constexpr Eigen::Index states_at_once = 4;
 
 /// Shape functions at all levels, [level, node].
 struct Levels {

@@ -69,7 +69,7 @@ Strains FieldTarget::none(const FieldPlaces& places) const {
 
 void FieldTarget::add_waves(const PlaneWaves& waves, const std::vector<WaveLoads>& loads,
                             const std::vector<PlaneBox>& boxes,
-                            const std::vector<FieldPlaces>& places,
+                            const std::vector<FieldPlaces>& places, const RowStrains* known,
                             std::vector<Strains>& sums) const {
   std::vector<PlacesInBox> x, y;
   std::vector<WavePlaces> in_box;
@@ -85,7 +85,7 @@ void FieldTarget::add_waves(const PlaneWaves& waves, const std::vector<WaveLoads
       own[state].fill(Eigen::MatrixXd::Zero(in_box[state].along_x.cosine.rows(),
                                             in_box[state].along_y.cosine.rows()));
     }
-    waves.add(depth_, level, loads, in_box, own);
+    waves.add(depth_, level, loads, in_box, known, own);
     for (std::size_t state = 0; state < loads.size(); ++state) {
       const auto first = static_cast<Eigen::Index>(level * places[state].y.size());
       for (std::size_t c = 0; c < 6; ++c) {
@@ -96,6 +96,13 @@ void FieldTarget::add_waves(const PlaneWaves& waves, const std::vector<WaveLoads
       }
     }
   }
+}
+
+RowStrains FieldTarget::row_strains(const PlaneWaves& waves, const PlaneBox& box,
+                                    const ModeTransform& rows, const std::vector<Interval>& y,
+                                    int threads) const {
+  return {waves, depth_, rows,
+          PlacesInBox(y, box.y, box.width).means(waves.step_y(), waves.modes_y()), threads};
 }
 
 void FieldTarget::add_faces(const std::vector<FaceMotion>& motions,

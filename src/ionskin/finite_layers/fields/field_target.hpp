@@ -5,6 +5,7 @@
 #include "ionskin/finite_layers/fields/face_motion.hpp"
 #include "ionskin/finite_layers/fields/face_strain.hpp"
 #include "ionskin/finite_layers/fields/plane_waves.hpp"
+#include "ionskin/finite_layers/fields/row_strains.hpp"
 
 #include <vector>
 
@@ -37,10 +38,15 @@ public:
   Strains none(const FieldPlaces& places) const;
   /// Adds waves of a box to the strains of states.
   /// @param boxes of each state
+  /// @param known null, or `row_strains` of the places along y that all states have
   /// @param sums as `none`
   void add_waves(const PlaneWaves& waves, const std::vector<WaveLoads>& loads,
                  const std::vector<PlaneBox>& boxes, const std::vector<FieldPlaces>& places,
-                 std::vector<Strains>& sums) const;
+                 const RowStrains* known, std::vector<Strains>& sums) const;
+  /// @param rows of cells, [row, n]
+  /// @param y places
+  RowStrains row_strains(const PlaneWaves& waves, const PlaneBox& box, const ModeTransform& rows,
+                         const std::vector<Interval>& y, int threads) const;
   /// Adds what the motion of sides and ends strains.
   void add_faces(const std::vector<FaceMotion>& motions, const std::vector<FieldPlaces>& places,
                  std::vector<Strains>& sums) const;

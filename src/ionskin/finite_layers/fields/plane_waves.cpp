@@ -1,46 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/finite_layers/fields/plane_waves.hpp"
 
+#include "ionskin/finite_layers/fields/row_strains.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 namespace ionskin::finite_layers {
-namespace {
-
-// Modes along x and along y that are summed at once: their strains stay in the second cache.
-constexpr Eigen::Index block_x = 96, block_y = 32;
-using Column = Eigen::Array<double, block_x, 1>;
-
-/// Of modes of one number along y.
-struct WaveDirection {
-  Column cosine, sine;
-};
-
-/// Tractions of the same modes on the top.
-struct Tractions {
-  Column along, upwards, across; ///< [Pa]
-};
-
-/// Column of a block of strains.
-void set_strains(const Eigen::Array<double, block_x, 8>& depth, const WaveDirection& at,
-                 const Tractions& by, Strains& strains, Eigen::Index column) {
-  const Column stretch = depth.col(0) * by.along + depth.col(1) * by.upwards,
-               twist = depth.col(6) * by.across;
-  const Column shear = depth.col(4) * by.along + depth.col(5) * by.upwards,
-               shear_across = depth.col(7) * by.across;
-  const Column x = at.cosine * stretch - at.sine * twist, y = at.sine * stretch + at.cosine * twist;
-  strains[0].col(column) = at.cosine * x;
-  strains[1].col(column) = at.sine * y;
-  strains[2].col(column) = depth.col(2) * by.along + depth.col(3) * by.upwards;
-  strains[3].col(column) = 0.5 * (at.sine * shear + at.cosine * shear_across);
-  strains[4].col(column) = 0.5 * (at.cosine * shear - at.sine * shear_across);
-  strains[5].col(column) = -0.5 * (at.sine * x + at.cosine * y);
-}
-
-} // namespace
-
 WaveLoads::WaveLoads(const CellForces& forces, const ModeTransform& columns, ModeTransform of_rows)
     : rows(std::move(of_rows)) {
   for (std::size_t c = 0; c < 3; ++c) {
@@ -85,60 +53,71 @@ Eigen::Index PlaneWaves::modes_below(double last, Eigen::Index n) const {
                         static_cast<Eigen::Index>(std::sqrt(last * last - ky * ky) / step_x_) + 1);
 }
 
-void PlaneWaves::add(const DepthTable& table, std::size_t level,
-                     const std::vector<WaveLoads>& loads, const std::vector<WavePlaces>& places,
-                     std::vector<Strains>& sums) const {
+void PlaneWaves::look_up(const DepthTable& table, std::size_t level, Eigen::Index first_m,
+                         Eigen::Index n, WaveBlock& block) const {
+  block.cosine = cosine_.col(n).segment<block_x>(first_m);
+  block.sine = sine_.col(n).segment<block_x>(first_m);
+  block.weight = weight_.col(n).segment<block_x>(first_m);
+  const Eigen::Index felt =
+      std::clamp(modes_below(table.cutoff(level), n) - first_m, Eigen::Index{0}, block_x);
+  for (Eigen::Index m = 0; m < felt; ++m) {
+    block.depth.row(m) = table.at(level, logarithm_(first_m + m, n)).transpose();
+  }
+  block.depth.bottomRows(block_x - felt).setZero();
+}
+
+void PlaneWaves::sum_rows(const DepthTable& table, std::size_t level, Eigen::Index first_m,
+                          const std::vector<WaveLoads>& loads,
+                          const std::vector<WavePlaces>& places, std::vector<Strains>& rows) const {
   const double last = table.cutoff(level);
   const std::size_t states = loads.size();
-  Eigen::Array<double, block_x, 8> depth;
+  WaveBlock block;
   std::vector<std::array<Eigen::MatrixXd, 3>> forces(states);
-  std::vector<Strains> strains(states), rows(states);
-  for (Strains& of_state : strains) {
-    of_state.fill(Eigen::MatrixXd(block_x, block_y));
+  std::vector<Strains> strains(states);
+  for (std::size_t state = 0; state < states; ++state) {
+    strains[state].fill(Eigen::MatrixXd(block_x, block_y));
+    rows[state].fill(Eigen::MatrixXd::Zero(block_x, places[state].along_y.cosine.rows()));
   }
-  for (Eigen::Index first_m = 0; modes_below(last, 0) > first_m; first_m += block_x) {
+  for (Eigen::Index first_n = 0; first_n < modes_y() && modes_below(last, first_n) > first_m;
+       first_n += block_y) {
+    const Eigen::Index count = std::min(block_y, modes_y() - first_n);
     for (std::size_t state = 0; state < states; ++state) {
-      rows[state].fill(Eigen::MatrixXd::Zero(block_x, places[state].along_y.cosine.rows()));
+      for (std::size_t c = 0; c < 3; ++c) {
+        forces[state][c] = loads[state].by_mode(c, first_m, block_x, first_n, count);
+      }
     }
-    for (Eigen::Index first_n = 0; first_n < modes_y() && modes_below(last, first_n) > first_m;
-         first_n += block_y) {
-      const Eigen::Index count = std::min(block_y, modes_y() - first_n);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      look_up(table, level, first_m, first_n + i, block);
       for (std::size_t state = 0; state < states; ++state) {
-        for (std::size_t c = 0; c < 3; ++c) {
-          forces[state][c] = loads[state].by_mode(c, first_m, block_x, first_n, count);
-        }
-      }
-      for (Eigen::Index i = 0; i < count; ++i) {
-        const Eigen::Index n = first_n + i;
-        const Eigen::Index felt =
-            std::clamp(modes_below(last, n) - first_m, Eigen::Index{0}, block_x);
-        for (Eigen::Index m = 0; m < felt; ++m) {
-          depth.row(m) = table.at(level, logarithm_(first_m + m, n)).transpose();
-        }
-        depth.bottomRows(block_x - felt).setZero();
-        const WaveDirection at{cosine_.col(n).segment<block_x>(first_m),
-                               sine_.col(n).segment<block_x>(first_m)};
-        const Column weight = weight_.col(n).segment<block_x>(first_m);
-        for (std::size_t state = 0; state < states; ++state) {
-          const Column z = weight * forces[state][0].col(i).array(),
-                       x = weight * forces[state][1].col(i).array(),
-                       y = weight * forces[state][2].col(i).array();
-          set_strains(depth, at, {at.cosine * x + at.sine * y, -z, at.cosine * y - at.sine * x},
-                      strains[state], i);
-        }
-      }
-      for (std::size_t state = 0; state < states; ++state) {
-        for (std::size_t c = 0; c < 6; ++c) {
-          const ModeTransform& along_y = places[state].along_y;
-          rows[state][c].noalias() +=
-              strains[state][c].leftCols(count) * (sine_along_y[c] ? along_y.sine : along_y.cosine)
-                                                      .middleCols(first_n, count)
-                                                      .matrix()
-                                                      .transpose();
-        }
+        block.set_strains(forces[state][0].col(i), forces[state][1].col(i), forces[state][2].col(i),
+                          strains[state], i);
       }
     }
     for (std::size_t state = 0; state < states; ++state) {
+      for (std::size_t c = 0; c < 6; ++c) {
+        const ModeTransform& along_y = places[state].along_y;
+        rows[state][c].noalias() +=
+            strains[state][c].leftCols(count) * (sine_along_y[c] ? along_y.sine : along_y.cosine)
+                                                    .middleCols(first_n, count)
+                                                    .matrix()
+                                                    .transpose();
+      }
+    }
+  }
+}
+
+void PlaneWaves::add(const DepthTable& table, std::size_t level,
+                     const std::vector<WaveLoads>& loads, const std::vector<WavePlaces>& places,
+                     const RowStrains* known, std::vector<Strains>& sums) const {
+  std::vector<Strains> rows(loads.size());
+  for (Eigen::Index first_m = 0; modes_below(table.cutoff(level), 0) > first_m;
+       first_m += block_x) {
+    if (known != nullptr) {
+      known->at(level, first_m, loads, rows);
+    } else {
+      sum_rows(table, level, first_m, loads, places, rows);
+    }
+    for (std::size_t state = 0; state < loads.size(); ++state) {
       for (std::size_t c = 0; c < 6; ++c) {
         const ModeTransform& along_x = places[state].along_x;
         sums[state][c].noalias() += (sine_along_x[c] ? along_x.sine : along_x.cosine)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/finite_layers/fields/depth_table.hpp"
+#include "ionskin/finite_layers/fields/wave_block.hpp"
 #include "ionskin/finite_layers/plane/box_modes.hpp"
 
 #include <Eigen/Core>
@@ -12,11 +12,13 @@
 
 namespace ionskin::finite_layers {
 
-/// Tensor components xx, yy, zz, yz, xz, xy.
-using Strains = std::array<Eigen::MatrixXd, 6>;
 /// Whether a component goes like the sine of the modes along x, or along y.
 inline constexpr std::array<bool, 6> sine_along_x{false, false, false, false, true, true},
     sine_along_y{false, false, false, true, false, true};
+
+/// States that are turned into strains at once, fewer filled up by others that are 0: each state is
+/// the same bits in any company.
+inline constexpr Eigen::Index states_at_once = 4;
 
 /// Forces of cells, [column, row]: normal (downwards), x, y [N].
 using CellForces = std::array<Eigen::MatrixXd, 3>;
@@ -38,6 +40,8 @@ struct WavePlaces {
   ModeTransform along_x, along_y;
 };
 
+class RowStrains;
+
 /// Modes of a box whose faces are held by rollers: what forces on its top strain within,
 /// docs/model.md (58), (59).
 class PlaneWaves {
@@ -54,14 +58,24 @@ public:
   Eigen::Index modes_x() const { return cosine_.rows(); }
   Eigen::Index modes_y() const { return cosine_.cols(); }
 
-  /// Adds the strain of states at a level, at their places.
-  /// @param sums of each state, of each component [place along x, place along y]
-  void add(const DepthTable& table, std::size_t level, const std::vector<WaveLoads>& loads,
-           const std::vector<WavePlaces>& places, std::vector<Strains>& sums) const;
-
-private:
   /// Modes along x of a wave number of at most `last`, for a mode along y.
   Eigen::Index modes_below(double last, Eigen::Index n) const;
+  /// @param first_m,n modes along x, of which a block is looked up, and along y
+  void look_up(const DepthTable& table, std::size_t level, Eigen::Index first_m, Eigen::Index n,
+               WaveBlock& block) const;
+
+  /// Adds the strain of states at a level, at their places.
+  /// @param known null, or the sums along y if they are the same for all of them
+  /// @param sums of each state, of each component [place along x, place along y]
+  void add(const DepthTable& table, std::size_t level, const std::vector<WaveLoads>& loads,
+           const std::vector<WavePlaces>& places, const RowStrains* known,
+           std::vector<Strains>& sums) const;
+
+private:
+  /// Strains at places along y of a block of modes along x, [mode, place], of each state.
+  void sum_rows(const DepthTable& table, std::size_t level, Eigen::Index first_m,
+                const std::vector<WaveLoads>& loads, const std::vector<WavePlaces>& places,
+                std::vector<Strains>& rows) const;
 
   double step_x_, step_y_;
   Eigen::ArrayXXd cosine_, sine_; ///< direction of the wave, [m, n]

@@ -32,6 +32,12 @@ std::vector<Interval> intervals(const std::vector<double>& lines) {
   return result;
 }
 
+/// With one place more: the whole plane.
+std::vector<Interval> with_whole(std::vector<Interval> places, double extent) {
+  places.push_back({0, extent});
+  return places;
+}
+
 double size_of(const std::vector<double>& lines) {
   return lines.back() - lines.front();
 }
@@ -143,9 +149,11 @@ struct SkinFields::Parts {
   FieldTarget core, electrodes;
   double box_length, box_width; ///< that short waves do not leave
   PlaneWaves long_waves, short_waves;
+  std::optional<RowStrains> core_rows, electrode_rows; ///< of the short waves
 
   Parts(const FieldSkin& layered, const ContactGrid& contact, const std::vector<double>& heights,
-        double column, const WaveSplit& waves, double tolerance)
+        double column, const WaveSplit& waves, const std::optional<PlacesAcross>& across,
+        int threads, double tolerance)
       : skin(layered), cells(contact), split(waves),
         core(skin, core_levels(skin, heights, tolerance)),
         electrodes(skin, electrode_levels(skin, column, tolerance)),
@@ -156,7 +164,20 @@ struct SkinFields::Parts {
             split.last_long()),
         short_waves(
             box_length, box_width, cells.half, [&](double k) { return split.short_share(k); },
-            std::max(largest(core.levels().cutoffs), largest(electrodes.levels().cutoffs))) {}
+            std::max(largest(core.levels().cutoffs), largest(electrodes.levels().cutoffs))) {
+    if (across) {
+      const PlaneBox box = short_box({0, across->centre_y});
+      const ModeTransform rows = of_rows(short_waves, box, across->centre_y);
+      core_rows = core.row_strains(short_waves, box, rows, with_whole(points(across->y), skin.width),
+                                   threads);
+      electrode_rows =
+          electrodes.row_strains(short_waves, box, rows, intervals(across->column_y), threads);
+    }
+  }
+
+  ModeTransform of_rows(const PlaneWaves& waves, const PlaneBox& box, double centre_y) const {
+    return mode_means(from_corner(cells.y, centre_y - box.y), waves.step_y(), waves.modes_y());
+  }
 
   /// Where short waves go under a slider: they see faces that are nearer than the reach.
   PlaneBox short_box(const std::array<double, 2>& centre) const {
@@ -170,7 +191,7 @@ struct SkinFields::Parts {
                      const std::array<double, 2>& centre) const {
     return {forces,
             mode_means(from_corner(cells.x, centre[0] - box.x), waves.step_x(), waves.modes_x()),
-            mode_means(from_corner(cells.y, centre[1] - box.y), waves.step_y(), waves.modes_y())};
+            of_rows(waves, box, centre[1])};
   }
 
   /// Of the long waves as the faces count them: with the odd modes, though they are 0, of a
@@ -193,8 +214,9 @@ struct SkinFields::Parts {
 
 SkinFields::SkinFields(const FieldSkin& skin, const ContactGrid& cells,
                        const std::vector<double>& heights, double column, const WaveSplit& split,
-                       double tolerance) {
-  parts_ = std::make_unique<Parts>(skin, cells, heights, column, split, tolerance);
+                       const std::optional<PlacesAcross>& across, int threads, double tolerance) {
+  parts_ =
+      std::make_unique<Parts>(skin, cells, heights, column, split, across, threads, tolerance);
 }
 
 SkinFields::~SkinFields() = default;
@@ -217,23 +239,21 @@ std::vector<CoreAndElectrodes> SkinFields::at(const std::vector<FieldState>& sta
     of_long.push_back(parts.loads_in(parts.long_waves, whole, by_cell, state.centre));
     of_short.push_back(parts.loads_in(parts.short_waves, near.back(), by_cell, state.centre));
     motions.push_back(face_motion(skin, parts.on_faces(of_long.back()), parts.cells.half));
-    // One place more along x and y: the whole plane.
-    in_core.push_back({points(state.grid.x), points(state.grid.y)});
-    in_core.back().x.push_back({0, skin.length});
-    in_core.back().y.push_back({0, skin.width});
+    in_core.push_back({with_whole(points(state.grid.x), skin.length),
+                       with_whole(points(state.grid.y), skin.width)});
     columns.push_back({intervals(state.grid.column_x), intervals(state.grid.column_y)});
     core.push_back(parts.core.none(in_core.back()));
     electrodes.push_back(parts.electrodes.none(columns.back()));
   }
   const auto add = [&](const FieldTarget& target, const std::vector<FieldPlaces>& places,
-                       std::vector<Strains>& sums) {
+                       const std::optional<RowStrains>& rows, std::vector<Strains>& sums) {
     target.add_waves(parts.long_waves, of_long, std::vector<PlaneBox>(states.size(), whole), places,
-                     sums);
-    target.add_waves(parts.short_waves, of_short, near, places, sums);
+                     nullptr, sums);
+    target.add_waves(parts.short_waves, of_short, near, places, rows ? &*rows : nullptr, sums);
     target.add_faces(motions, places, sums);
   };
-  add(parts.core, in_core, core);
-  add(parts.electrodes, columns, electrodes);
+  add(parts.core, in_core, parts.core_rows, core);
+  add(parts.electrodes, columns, parts.electrode_rows, electrodes);
   std::vector<CoreAndElectrodes> result;
   for (std::size_t state = 0; state < states.size(); ++state) {
     result.push_back({strain_field(core[state], in_core[state], true),

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace ionskin::finite_layers {
@@ -44,6 +45,12 @@ struct FieldState {
   std::vector<double> forces;
 };
 
+/// What all states have alike where the slider keeps its place across the skin [m].
+struct PlacesAcross {
+  double centre_y = 0; ///< of the slider
+  std::vector<double> y, column_y; ///< as of FieldGrid
+};
+
 /// Strain in the core and the electrodes of a skin under forces on contact cells, docs/model.md
 /// (58) to (60). All that does not depend on the place of the slider is made once; `at` changes
 /// nothing, so that states may be asked for on several threads at a time.
@@ -57,8 +64,11 @@ public:
   /// @param tolerance share of a wave, of what it is on the top face, that is left out
   /// @param heights of the points above the bottom of the core, ascending [m]
   /// @param column size of the columns of the electrodes, about [m]
+  /// @param across where all states have it alike: they cost less then
   SkinFields(const FieldSkin& skin, const ContactGrid& cells, const std::vector<double>& heights,
-             double column, const WaveSplit& split, double tolerance = 1e-4);
+             double column, const WaveSplit& split,
+             const std::optional<PlacesAcross>& across = std::nullopt, int threads = 1,
+             double tolerance = 1e-4);
   ~SkinFields();
 
   /// Of states; some at once cost less than one by one, and each is the same bits in any company.

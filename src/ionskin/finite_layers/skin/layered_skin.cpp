@@ -22,8 +22,9 @@ LayeredSkin::LayeredSkin(const Skin& skin, ContactGrid grid, const SkinResolutio
     : grid_(std::move(grid)), box_(layer_box({skin, resolution, grid_.half}, threads)),
       short_compliance_(plane_compliance(box_->short_waves, grid_, own_images(grid_))) {}
 
-SkinFields LayeredSkin::fields(const std::vector<double>& heights, double column) const {
-  return {box_->fields, grid_, heights, column, box_->key.resolution.split()};
+SkinFields LayeredSkin::fields(const std::vector<double>& heights, double column,
+                               const std::optional<PlacesAcross>& across, int threads) const {
+  return {box_->fields, grid_, heights, column, box_->key.resolution.split(), across, threads};
 }
 
 LayeredSkin::Across LayeredSkin::across(double centre_y) const {

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace ionskin::finite_layers {
@@ -43,8 +44,10 @@ public:
   /// @param centre_y of the slider [m]; the skin outlives the result
   Across across(double centre_y) const;
 
-  /// @param heights,column as of SkinFields; the skin outlives the result
-  SkinFields fields(const std::vector<double>& heights, double column) const;
+  /// @param heights,column,across as of SkinFields; the skin outlives the result
+  SkinFields fields(const std::vector<double>& heights, double column,
+                    const std::optional<PlacesAcross>& across = std::nullopt,
+                    int threads = 1) const;
   const std::vector<ElasticLayer>& layers() const { return box_->key.layers; }
 
 private:

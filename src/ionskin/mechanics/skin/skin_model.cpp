@@ -24,18 +24,20 @@ finite_layers::SkinResolution resolution(const Skin& skin, const mesh::Footprint
 
 } // namespace
 
-SkinModel::SkinModel(const Case& input, const mesh::Footprint& footprint, const MotionBox& places,
-                     mesh::MeshedPart part, int threads, finite_layers::SkinPurpose purpose)
-    : SkinModel(input, places, mesh::SkinMesh(input, footprint, part), threads, purpose) {}
+SkinModel::SkinModel(const Case& input, const mesh::Footprint& footprint,
+                     const MotionBox& places_of_centre, mesh::MeshedPart part, int threads,
+                     finite_layers::SkinPurpose purpose)
+    : SkinModel(input, places_of_centre, mesh::SkinMesh(input, footprint, part), threads, purpose) {}
 
-SkinModel::SkinModel(const Case& input, const MotionBox& places, mesh::SkinMesh mesh_of_case,
-                     int threads, finite_layers::SkinPurpose purpose)
+SkinModel::SkinModel(const Case& input, const MotionBox& places_of_centre,
+                     mesh::SkinMesh mesh_of_case, int threads, finite_layers::SkinPurpose purpose)
     : mesh(std::move(mesh_of_case)), cells(contact_cells(mesh)),
       gap(mean_gap(input.slider, cells.lines_x, cells.lines_y, {false, false})),
       slider_compliance(
           mechanics::slider_compliance(input.slider, contact_grid(cells, mesh.half_model()))),
       layers(input.skin, contact_grid(cells, mesh.half_model()),
-             resolution(input.skin, mesh.footprint(), places, purpose), threads) {}
+             resolution(input.skin, mesh.footprint(), places_of_centre, purpose), threads),
+      places(places_of_centre) {}
 
 void ContactCompliance::at(const std::array<double, 2>& place, Eigen::MatrixXd& result) {
   if (!across_ || centre_y_ != place[1]) {

@@ -24,16 +24,16 @@ struct SkinModel {
   /// Of a soft slider against forces on the cells, [3 cells, 3 cells]; empty of a rigid one [m/N].
   Eigen::MatrixXd slider_compliance;
   finite_layers::LayeredSkin layers;
+  MotionBox places; ///< where the slider's centre may be [m]
 
   /// @param footprint in which the slider may touch
-  /// @param places where its centre may be [m]
-  SkinModel(const Case& input, const mesh::Footprint& footprint, const MotionBox& places,
+  SkinModel(const Case& input, const mesh::Footprint& footprint, const MotionBox& places_of_centre,
             mesh::MeshedPart part = mesh::MeshedPart::half_if_symmetric, int threads = 1,
             finite_layers::SkinPurpose purpose = finite_layers::SkinPurpose::results);
 
 private:
-  SkinModel(const Case& input, const MotionBox& places, mesh::SkinMesh mesh_of_case, int threads,
-            finite_layers::SkinPurpose purpose);
+  SkinModel(const Case& input, const MotionBox& places_of_centre, mesh::SkinMesh mesh_of_case,
+            int threads, finite_layers::SkinPurpose purpose);
 };
 
 /// Compliance between skin and slider with the slider at one place after another,

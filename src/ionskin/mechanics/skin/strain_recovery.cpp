@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace ionskin::mechanics {
@@ -36,6 +37,18 @@ double mean_column(const mesh::SkinMesh& mesh) {
   const std::vector<double>&x = mesh.footprint_lines_x(), &y = mesh.footprint_lines_y();
   return std::min((x.back() - x.front()) / static_cast<double>(x.size() - 1),
                   (y.back() - y.front()) / static_cast<double>(y.size() - 1));
+}
+
+/// Where all states have them alike.
+std::optional<finite_layers::PlacesAcross> places_across(const SkinModel& model) {
+  const auto& [low, high] = model.places;
+  if (!model.mesh.half_model() && low[1] != high[1]) {
+    return std::nullopt;
+  }
+  const std::vector<double> lines = model.mesh.lines(low).y;
+  const double middle = lines.back(); // of the skin, where it is half of it
+  return finite_layers::PlacesAcross{model.mesh.half_model() ? middle : low[1], gauss_points(lines),
+                                     lines};
 }
 
 /// Of a strain with the components of CoreStrain [Pa].
@@ -91,9 +104,10 @@ double equilibrium_residual(const CellVector& forces, bool half,
 
 } // namespace
 
-StrainRecovery::StrainRecovery(std::shared_ptr<const SkinModel> model)
+StrainRecovery::StrainRecovery(std::shared_ptr<const SkinModel> model, int threads)
     : model_(std::move(model)),
-      fields_(model_->layers.fields(heights(model_->mesh), mean_column(model_->mesh))) {}
+      fields_(model_->layers.fields(heights(model_->mesh), mean_column(model_->mesh),
+                                    places_across(*model_), threads)) {}
 
 std::vector<RecoveredStrain> StrainRecovery::at(std::span<const std::array<double, 2>> centres,
                                                 std::span<const CellVector> forces) const {

@@ -27,7 +27,7 @@ struct RecoveredStrain {
 /// same bits in any company.
 class StrainRecovery {
 public:
-  explicit StrainRecovery(std::shared_ptr<const SkinModel> model);
+  explicit StrainRecovery(std::shared_ptr<const SkinModel> model, int threads = 1);
 
   /// Of states; some at once cost less than one by one.
   /// @param centres of the slider [m]
