@@ -138,7 +138,8 @@ std::vector<ContactState> solve_steady_sliding(const Case& input,
                            ? leg.to_level.value * (model->mesh.half_model() ? 0.5 : 1.0)
                            : -leg.to_level.value;
   const SliderLoad load{leg.to_level.is_force ? LoadKind::force : LoadKind::indentation, value};
-  const auto recovery = std::make_shared<const StrainRecovery>(model);
+  const auto recovery =
+      std::make_shared<const StrainRecovery>(model, strain_components(input), options.threads);
   std::vector<ContactState> result(arc_lengths.size());
   parallel::run_tasks(arc_lengths.size(), options.threads, [&](std::size_t i) {
     base::check_interrupt();

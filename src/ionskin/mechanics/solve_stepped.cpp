@@ -175,7 +175,8 @@ std::vector<SteppedSolution> solve_stepped(const Case& input, const mesh::Footpr
                                               part, shared_threads);
     progress.finish_unit();
   }
-  const auto recovery = std::make_shared<const StrainRecovery>(model, shared_threads);
+  const auto recovery =
+      std::make_shared<const StrainRecovery>(model, strain_components(input), shared_threads);
   std::vector<SteppedSolution> solutions(variants.size(), {empty_solution(*model), std::nullopt});
   parallel::run_tasks(variants.size(), options.threads, [&](std::size_t i) {
     const base::Timers::Scope scope(timers, "mechanics: contact");

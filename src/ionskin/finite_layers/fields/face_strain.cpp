@@ -136,8 +136,9 @@ PlaneMode FaceModes::mode(std::size_t at, std::size_t number) const {
 }
 
 FaceStrain::FaceStrain(const ThicknessColumn& column, const FaceModes& modes,
-                       const std::vector<DepthLevel>& levels)
-    : face_(modes.face), across_(modes.across), numbers_(modes.numbers),
+                       const std::vector<DepthLevel>& levels, const ComponentChoice& components,
+                       std::size_t most)
+    : face_(modes.face), components_(components), across_(modes.across), numbers_(modes.numbers),
       levels_(static_cast<Eigen::Index>(levels.size())) {
   for (std::size_t i = 0; i + 1 < numbers_.size(); ++i) {
     for (Eigen::Index n = numbers_[i] + 2; n < numbers_[i + 1]; n += 2) {
@@ -150,13 +151,18 @@ FaceStrain::FaceStrain(const ThicknessColumn& column, const FaceModes& modes,
   }
   const Levels at(column, levels);
   const auto count = static_cast<Eigen::Index>(numbers_.size());
-  for (std::size_t mode = 0; mode < modes.modes.size(); ++mode) {
+  for (std::size_t mode = 0; mode < std::min(most, modes.modes.size()); ++mode) {
     Strains& of_mode = of_mode_.emplace_back();
-    of_mode.fill(Eigen::MatrixXd(count * levels_, column.nodes()));
+    for (std::size_t c = 0; c < 6; ++c) {
+      of_mode[c].resize(components[c] ? count * levels_ : 0, column.nodes());
+    }
     for (std::size_t number = 0; number < numbers_.size(); ++number) {
       const Strains strain =
           strain_of(modes.motion[mode][number], at, modes.mode(mode, number), face_);
       for (std::size_t c = 0; c < 6; ++c) {
+        if (!components[c]) {
+          continue;
+        }
         of_mode[c](Eigen::seqN(static_cast<Eigen::Index>(number), levels_, count), Eigen::all) =
             (numbers_[number] == 0 ? 2 : 4) / across_ * strain[c];
       }
@@ -180,8 +186,7 @@ Eigen::MatrixXd FaceStrain::gathered(const Eigen::ArrayXXd& means) const {
 
 std::vector<Strains> FaceStrain::at(const std::vector<const Eigen::MatrixXd*>& motions,
                                     const std::vector<const std::vector<Interval>*>& places) const {
-  const auto count = static_cast<Eigen::Index>(numbers_.size()),
-             modes = static_cast<Eigen::Index>(of_mode_.size());
+  const auto count = static_cast<Eigen::Index>(numbers_.size());
   const Parity parity = numbers_.front() == 0 ? Parity::even : Parity::odd;
   std::vector<Strains> result(motions.size());
   for (std::size_t first = 0; first < motions.size(); first += states_at_once) {
@@ -193,23 +198,26 @@ std::vector<Strains> FaceStrain::at(const std::vector<const Eigen::MatrixXd*>& m
       waves.push_back({gathered(means.cosine), gathered(means.sine)});
     }
     const Eigen::Index nodes = motions[first]->rows();
-    std::vector<Eigen::MatrixXd> together(
-        of_mode_.size(), Eigen::MatrixXd::Zero(nodes, states_at_once)); // [node, state]
-    for (Eigen::Index mode = 0; mode < modes; ++mode) {
+    std::vector<StatesTogether> together(of_mode_.size(),
+                                         StatesTogether::Zero(nodes, states_at_once));
+    for (Eigen::Index mode = 0; mode < modes(); ++mode) {
       for (std::size_t state = first; state < last; ++state) {
         together[static_cast<std::size_t>(mode)].col(static_cast<Eigen::Index>(state - first)) =
             motions[state]->col(mode);
       }
     }
-    std::vector<Eigen::MatrixXd> numbers(last - first, Eigen::MatrixXd(count, modes * levels_));
-    Eigen::MatrixXd strain;
+    std::vector<Eigen::MatrixXd> numbers(last - first, Eigen::MatrixXd(count, modes() * levels_));
+    StatesTogether strain(count * levels_, states_at_once);
     for (std::size_t c = 0; c < 6; ++c) {
+      if (!components_[c]) {
+        continue;
+      }
       const bool by_sine = face_ == Face::side ? sine_along_y[c] : sine_along_x[c];
-      for (Eigen::Index mode = 0; mode < modes; ++mode) {
-        strain.noalias() =
-            of_mode_[static_cast<std::size_t>(mode)][c] * together[static_cast<std::size_t>(mode)];
+      for (Eigen::Index mode = 0; mode < modes(); ++mode) {
+        strain = of_mode_[static_cast<std::size_t>(mode)][c].lazyProduct(
+            together[static_cast<std::size_t>(mode)]);
         for (std::size_t state = 0; state < numbers.size(); ++state) {
-          numbers[state](Eigen::all, Eigen::seqN(mode, levels_, modes)) =
+          numbers[state].middleCols(mode * levels_, levels_) =
               strain.col(static_cast<Eigen::Index>(state)).reshaped(count, levels_);
         }
       }

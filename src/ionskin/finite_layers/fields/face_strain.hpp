@@ -35,11 +35,14 @@ struct FaceModes {
 /// smooth but for the faces, and fall like 1/n^2 or faster.
 class FaceStrain {
 public:
+  /// @param most modes along the face, of those that there are
   FaceStrain(const ThicknessColumn& column, const FaceModes& modes,
-             const std::vector<DepthLevel>& levels);
+             const std::vector<DepthLevel>& levels, const ComponentChoice& components,
+             std::size_t most);
 
-  /// Of states, each at its own places: at all levels, [place, mode along the face + count of these
-  /// * level].
+  Eigen::Index modes() const { return static_cast<Eigen::Index>(of_mode_.size()); }
+  /// Of states, each at its own places: at all levels, [place, level + count of levels * mode along
+  /// the face], empty of components that were not chosen.
   /// @param motions [node, mode]
   /// @param places across the skin
   std::vector<Strains> at(const std::vector<const Eigen::MatrixXd*>& motions,
@@ -56,6 +59,7 @@ private:
   Eigen::MatrixXd gathered(const Eigen::ArrayXXd& means) const;
 
   Face face_;
+  ComponentChoice components_;
   double across_; ///< extent of the skin [m]
   std::vector<Eigen::Index> numbers_;
   std::vector<Between> between_;

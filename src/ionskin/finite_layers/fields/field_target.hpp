@@ -2,19 +2,13 @@
 #pragma once
 
 #include "ionskin/finite_layers/fields/depth_table.hpp"
-#include "ionskin/finite_layers/fields/face_motion.hpp"
-#include "ionskin/finite_layers/fields/face_strain.hpp"
+#include "ionskin/finite_layers/fields/face_fields.hpp"
 #include "ionskin/finite_layers/fields/plane_waves.hpp"
 #include "ionskin/finite_layers/fields/row_strains.hpp"
 
 #include <vector>
 
 namespace ionskin::finite_layers {
-
-/// Points or intervals along a skin; each of x meets each of y.
-struct FieldPlaces {
-  std::vector<Interval> x, y;
-};
 
 /// Levels in a skin.
 struct FieldLevels {
@@ -31,31 +25,33 @@ struct PlaneBox {
 /// Strain at some levels, with what is tabulated for them.
 class FieldTarget {
 public:
-  FieldTarget(const FieldSkin& skin, FieldLevels levels);
+  FieldTarget(const FieldSkin& skin, FieldLevels levels, const ComponentChoice& components);
 
   const FieldLevels& levels() const { return levels_; }
-  /// Zero at all places, [x, y + y's count * level].
-  Strains none(const FieldPlaces& places) const;
+  /// Zero at all places, of each kind of components
+  /// [x, y + y's count * (component + components' count * level)].
+  ByKind none(const FieldPlaces& places) const;
+  /// A component at a level, [x, y]; empty where it was not chosen.
+  Eigen::MatrixXd component(const ByKind& sums, const FieldPlaces& places, std::size_t component,
+                            std::size_t level) const;
   /// Adds waves of a box to the strains of states.
   /// @param boxes of each state
   /// @param known null, or `row_strains` of the places along y that all states have
   /// @param sums as `none`
   void add_waves(const PlaneWaves& waves, const std::vector<WaveLoads>& loads,
                  const std::vector<PlaneBox>& boxes, const std::vector<FieldPlaces>& places,
-                 const RowStrains* known, std::vector<Strains>& sums) const;
+                 const RowStrains* known, std::vector<ByKind>& sums) const;
   /// @param rows of cells, [row, n]
   /// @param y places
   RowStrains row_strains(const PlaneWaves& waves, const PlaneBox& box, const ModeTransform& rows,
                          const std::vector<Interval>& y, int threads) const;
-  /// Adds what the motion of sides and ends strains.
-  void add_faces(const std::vector<FaceMotion>& motions, const std::vector<FieldPlaces>& places,
-                 std::vector<Strains>& sums) const;
+  const FaceFields& faces() const { return faces_; }
 
 private:
   FieldLevels levels_;
+  FieldComponents components_;
   DepthTable depth_;
-  double length_, width_; ///< of the skin
-  std::vector<FaceStrain> sides_, ends_;
+  FaceFields faces_;
 };
 
 } // namespace ionskin::finite_layers

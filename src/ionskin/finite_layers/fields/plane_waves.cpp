@@ -67,8 +67,8 @@ void PlaneWaves::look_up(const DepthTable& table, std::size_t level, Eigen::Inde
 }
 
 void PlaneWaves::sum_rows(const DepthTable& table, std::size_t level, Eigen::Index first_m,
-                          const std::vector<WaveLoads>& loads,
-                          const std::vector<WavePlaces>& places, std::vector<Strains>& rows) const {
+                          const FieldComponents& components, const std::vector<WaveLoads>& loads,
+                          const std::vector<WavePlaces>& places, std::vector<ByKind>& rows) const {
   const double last = table.cutoff(level);
   const std::size_t states = loads.size();
   WaveBlock block;
@@ -76,7 +76,10 @@ void PlaneWaves::sum_rows(const DepthTable& table, std::size_t level, Eigen::Ind
   std::vector<Strains> strains(states);
   for (std::size_t state = 0; state < states; ++state) {
     strains[state].fill(Eigen::MatrixXd(block_x, block_y));
-    rows[state].fill(Eigen::MatrixXd::Zero(block_x, places[state].along_y.cosine.rows()));
+    for (std::size_t kind = 0; kind < 2; ++kind) {
+      rows[state][kind].setZero(block_x,
+                                places[state].along_y.cosine.rows() * components.count(kind));
+    }
   }
   for (Eigen::Index first_n = 0; first_n < modes_y() && modes_below(last, first_n) > first_m;
        first_n += block_y) {
@@ -94,36 +97,40 @@ void PlaneWaves::sum_rows(const DepthTable& table, std::size_t level, Eigen::Ind
       }
     }
     for (std::size_t state = 0; state < states; ++state) {
-      for (std::size_t c = 0; c < 6; ++c) {
-        const ModeTransform& along_y = places[state].along_y;
-        rows[state][c].noalias() +=
-            strains[state][c].leftCols(count) * (sine_along_y[c] ? along_y.sine : along_y.cosine)
-                                                    .middleCols(first_n, count)
-                                                    .matrix()
-                                                    .transpose();
+      const ModeTransform& along_y = places[state].along_y;
+      const Eigen::Index of_y = along_y.cosine.rows();
+      for (std::size_t kind = 0; kind < 2; ++kind) {
+        Eigen::Index first = 0;
+        for (const std::size_t c : components.of_kind(kind)) {
+          rows[state][kind].middleCols(first, of_y).noalias() +=
+              strains[state][c].leftCols(count) * (sine_along_y[c] ? along_y.sine : along_y.cosine)
+                                                      .middleCols(first_n, count)
+                                                      .matrix()
+                                                      .transpose();
+          first += of_y;
+        }
       }
     }
   }
 }
 
-void PlaneWaves::add(const DepthTable& table, std::size_t level,
+void PlaneWaves::add(const DepthTable& table, std::size_t level, const FieldComponents& components,
                      const std::vector<WaveLoads>& loads, const std::vector<WavePlaces>& places,
-                     const RowStrains* known, std::vector<Strains>& sums) const {
-  std::vector<Strains> rows(loads.size());
+                     const RowStrains* known, std::vector<ByKind>& sums) const {
+  std::vector<ByKind> rows(loads.size());
   for (Eigen::Index first_m = 0; modes_below(table.cutoff(level), 0) > first_m;
        first_m += block_x) {
     if (known != nullptr) {
       known->at(level, first_m, loads, rows);
     } else {
-      sum_rows(table, level, first_m, loads, places, rows);
+      sum_rows(table, level, first_m, components, loads, places, rows);
     }
     for (std::size_t state = 0; state < loads.size(); ++state) {
-      for (std::size_t c = 0; c < 6; ++c) {
-        const ModeTransform& along_x = places[state].along_x;
-        sums[state][c].noalias() += (sine_along_x[c] ? along_x.sine : along_x.cosine)
-                                        .middleCols(first_m, block_x)
-                                        .matrix() *
-                                    rows[state][c];
+      const ModeTransform& along_x = places[state].along_x;
+      for (std::size_t kind = 0; kind < 2; ++kind) {
+        sums[state][kind].noalias() +=
+            (kind == 1 ? along_x.sine : along_x.cosine).middleCols(first_m, block_x).matrix() *
+            rows[state][kind];
       }
     }
   }

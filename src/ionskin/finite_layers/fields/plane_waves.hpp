@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/finite_layers/fields/depth_table.hpp"
+#include "ionskin/finite_layers/fields/field_components.hpp"
 #include "ionskin/finite_layers/fields/wave_block.hpp"
 #include "ionskin/finite_layers/plane/box_modes.hpp"
 
@@ -12,13 +14,10 @@
 
 namespace ionskin::finite_layers {
 
-/// Whether a component goes like the sine of the modes along x, or along y.
-inline constexpr std::array<bool, 6> sine_along_x{false, false, false, false, true, true},
-    sine_along_y{false, false, false, true, false, true};
-
 /// States that are turned into strains at once, fewer filled up by others that are 0: each state is
 /// the same bits in any company.
 inline constexpr Eigen::Index states_at_once = 4;
+using StatesTogether = Eigen::Matrix<double, Eigen::Dynamic, states_at_once>;
 
 /// Forces of cells, [column, row]: normal (downwards), x, y [N].
 using CellForces = std::array<Eigen::MatrixXd, 3>;
@@ -66,16 +65,17 @@ public:
 
   /// Adds the strain of states at a level, at their places.
   /// @param known null, or the sums along y if they are the same for all of them
-  /// @param sums of each state, of each component [place along x, place along y]
-  void add(const DepthTable& table, std::size_t level, const std::vector<WaveLoads>& loads,
-           const std::vector<WavePlaces>& places, const RowStrains* known,
-           std::vector<Strains>& sums) const;
+  /// @param sums of each state, [place along x, place along y + count of these * component]
+  void add(const DepthTable& table, std::size_t level, const FieldComponents& components,
+           const std::vector<WaveLoads>& loads, const std::vector<WavePlaces>& places,
+           const RowStrains* known, std::vector<ByKind>& sums) const;
 
 private:
-  /// Strains at places along y of a block of modes along x, [mode, place], of each state.
+  /// Strains at places along y of a block of modes along x, of each state,
+  /// [mode, place + count of places * component].
   void sum_rows(const DepthTable& table, std::size_t level, Eigen::Index first_m,
-                const std::vector<WaveLoads>& loads, const std::vector<WavePlaces>& places,
-                std::vector<Strains>& rows) const;
+                const FieldComponents& components, const std::vector<WaveLoads>& loads,
+                const std::vector<WavePlaces>& places, std::vector<ByKind>& rows) const;
 
   double step_x_, step_y_;
   Eigen::ArrayXXd cosine_, sine_; ///< direction of the wave, [m, n]

@@ -36,9 +36,11 @@ std::array<Strains, 3> strains_of_forces(const PlaneWaves& waves, const DepthTab
 
 } // namespace
 
-RowStrains::RowStrains(const PlaneWaves& waves, const DepthTable& table, const ModeTransform& rows,
+RowStrains::RowStrains(const PlaneWaves& waves, const DepthTable& table,
+                       const FieldComponents& components, const ModeTransform& rows,
                        const ModeTransform& along_y, int threads)
-    : rows_(rows.cosine.rows()), places_(along_y.cosine.rows()) {
+    : rows_(rows.cosine.rows()), values_{along_y.cosine.rows() * components.count(0),
+                                         along_y.cosine.rows() * components.count(1)} {
   struct Block {
     std::size_t level;
     Eigen::Index first_m;
@@ -46,7 +48,7 @@ RowStrains::RowStrains(const PlaneWaves& waves, const DepthTable& table, const M
   std::vector<Block> blocks;
   for (std::size_t level = 0; level < table.levels(); ++level) {
     const Eigen::Index modes = waves.modes_below(table.cutoff(level), 0);
-    of_level_.emplace_back(6 * places_, 3 * rows_ * modes);
+    of_level_.emplace_back(values_[0] + values_[1], 3 * rows_ * modes);
     for (Eigen::Index first_m = 0; first_m < modes; first_m += block_x) {
       blocks.push_back({level, first_m});
     }
@@ -62,30 +64,34 @@ RowStrains::RowStrains(const PlaneWaves& waves, const DepthTable& table, const M
     Eigen::MatrixXd loads(felt, 3 * rows_);
     const Eigen::Index count = std::min(block_x, waves.modes_below(last, 0) - first_m);
     for (Eigen::Index m = 0; m < count; ++m) {
-      for (std::size_t c = 0; c < 6; ++c) {
-        for (std::size_t force = 0; force < 3; ++force) {
-          loads.middleCols(static_cast<Eigen::Index>(force) * rows_, rows_).array() =
-              (force == 2 ? rows.sine : rows.cosine).leftCols(felt).transpose().colwise() *
-              strains[force][c].col(m).array();
+      Eigen::Index first = 0;
+      for (const std::size_t kind : {0, 1}) {
+        for (const std::size_t c : components.of_kind(kind)) {
+          for (std::size_t force = 0; force < 3; ++force) {
+            loads.middleCols(static_cast<Eigen::Index>(force) * rows_, rows_).array() =
+                (force == 2 ? rows.sine : rows.cosine).leftCols(felt).transpose().colwise() *
+                strains[force][c].col(m).array();
+          }
+          const Eigen::ArrayXXd& waves_y = sine_along_y[c] ? along_y.sine : along_y.cosine;
+          of_level_[level]
+              .block(first, (first_m + m) * 3 * rows_, waves_y.rows(), 3 * rows_)
+              .noalias() = waves_y.leftCols(felt).matrix() * loads;
+          first += waves_y.rows();
         }
-        of_level_[level]
-            .block(static_cast<Eigen::Index>(c) * places_, (first_m + m) * 3 * rows_, places_,
-                   3 * rows_)
-            .noalias() =
-            (sine_along_y[c] ? along_y.sine : along_y.cosine).leftCols(felt).matrix() * loads;
       }
     }
   });
 }
 
 void RowStrains::at(std::size_t level, Eigen::Index first_m, const std::vector<WaveLoads>& loads,
-                    std::vector<Strains>& rows) const {
-  using Together = Eigen::Matrix<double, Eigen::Dynamic, states_at_once>;
+                    std::vector<ByKind>& rows) const {
   const Eigen::MatrixXd& known = of_level_[level];
   const Eigen::Index count = std::min(block_x, known.cols() / (3 * rows_) - first_m);
-  Together forces(3 * rows_, states_at_once), strains(6 * places_, states_at_once);
-  for (Strains& of_state : rows) {
-    of_state.fill(Eigen::MatrixXd::Zero(block_x, places_));
+  StatesTogether forces(3 * rows_, states_at_once), strains(known.rows(), states_at_once);
+  for (ByKind& of_state : rows) {
+    for (const std::size_t kind : {0, 1}) {
+      of_state[kind].setZero(block_x, values_[kind]);
+    }
   }
   for (std::size_t first = 0; first < loads.size(); first += states_at_once) {
     const std::size_t last = std::min<std::size_t>(first + states_at_once, loads.size());
@@ -98,14 +104,11 @@ void RowStrains::at(std::size_t level, Eigen::Index first_m, const std::vector<W
               loads[state].of_columns[c].row(first_m + m).transpose();
         }
       }
-      strains.noalias() = known.middleCols((first_m + m) * 3 * rows_, 3 * rows_) * forces;
+      strains = known.middleCols((first_m + m) * 3 * rows_, 3 * rows_).lazyProduct(forces);
       for (std::size_t state = first; state < last; ++state) {
-        const auto own = static_cast<Eigen::Index>(state - first);
-        for (std::size_t c = 0; c < 6; ++c) {
-          rows[state][c].row(m) = strains.col(own)
-                                      .segment(static_cast<Eigen::Index>(c) * places_, places_)
-                                      .transpose();
-        }
+        const auto own = strains.col(static_cast<Eigen::Index>(state - first));
+        rows[state][0].row(m) = own.head(values_[0]).transpose();
+        rows[state][1].row(m) = own.tail(values_[1]).transpose();
       }
     }
   }

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -17,15 +18,17 @@ class RowStrains {
 public:
   /// @param rows means of the modes along y over the rows of cells, [row, n]
   /// @param along_y means over the places, [place, n]
-  RowStrains(const PlaneWaves& waves, const DepthTable& table, const ModeTransform& rows,
-             const ModeTransform& along_y, int threads);
+  RowStrains(const PlaneWaves& waves, const DepthTable& table, const FieldComponents& components,
+             const ModeTransform& rows, const ModeTransform& along_y, int threads);
 
-  /// Strains of states at the places along y of a block of modes along x, [mode, place].
+  /// Strains of states at the places along y of a block of modes along x,
+  /// [mode, place + count of places * component].
   void at(std::size_t level, Eigen::Index first_m, const std::vector<WaveLoads>& loads,
-          std::vector<Strains>& rows) const;
+          std::vector<ByKind>& rows) const;
 
 private:
-  Eigen::Index rows_, places_;
+  Eigen::Index rows_;
+  std::array<Eigen::Index, 2> values_; ///< places times components of each kind
   /// Of each level, [place and component, row and force component and mode along x].
   std::vector<Eigen::MatrixXd> of_level_;
 };

@@ -75,6 +75,12 @@ FieldLevels electrode_levels(const FieldSkin& skin, double column, double tolera
   return result;
 }
 
+/// Shear stresses are summed over the plane, too.
+ComponentChoice with_shear_forces(ComponentChoice components) {
+  components[3] = components[4] = true; // yz, xz
+  return components;
+}
+
 double largest(const std::vector<double>& values) {
   return *std::ranges::max_element(values);
 }
@@ -105,58 +111,47 @@ std::vector<Interval> from_corner(const std::vector<double>& lines, double centr
 }
 
 /// Without the last place along x and y where `whole` says that it is the whole plane.
-StrainField strain_field(const Strains& strains, const FieldPlaces& places, bool whole) {
-  const auto levels = strains[0].cols() / static_cast<Eigen::Index>(places.y.size()),
-             all_y = static_cast<Eigen::Index>(places.y.size());
-  const Eigen::Index nx = strains[0].rows() - (whole ? 1 : 0), ny = all_y - (whole ? 1 : 0);
-  StrainField field{{static_cast<std::size_t>(nx), static_cast<std::size_t>(ny),
-                     static_cast<std::size_t>(levels)},
-                    {}};
+StrainField strain_field(const FieldTarget& target, const ByKind& sums, const FieldPlaces& places,
+                         bool whole) {
+  const std::size_t nx = places.x.size() - (whole ? 1 : 0), ny = places.y.size() - (whole ? 1 : 0),
+                    levels = target.levels().levels.size();
+  StrainField field{{nx, ny, levels}, {}};
   for (std::size_t c = 0; c < 6; ++c) {
-    field.component[c].resize(static_cast<std::size_t>(nx * ny * levels));
-    Eigen::Map<Eigen::MatrixXd> out(field.component[c].data(), nx, ny * levels);
-    for (Eigen::Index level = 0; level < levels; ++level) {
-      out.middleCols(ny * level, ny) = strains[c].block(0, all_y * level, nx, ny);
+    for (std::size_t level = 0; level < levels; ++level) {
+      const Eigen::MatrixXd own = target.component(sums, places, c, level);
+      if (own.size() > 0) {
+        field.component[c].resize(nx * ny * levels);
+        Eigen::Map<Eigen::MatrixXd>(field.component[c].data() + nx * ny * level,
+                                    static_cast<Eigen::Index>(nx), static_cast<Eigen::Index>(ny)) =
+            own.topLeftCorner(static_cast<Eigen::Index>(nx), static_cast<Eigen::Index>(ny));
+      }
     }
   }
   return field;
 }
 
-/// From the last place along x and y, which is the whole plane.
-std::vector<std::array<double, 3>> force_through_levels(const FieldSkin& skin, const Strains& core,
-                                                        const FieldPlaces& places) {
-  const ElasticLayer& layer = skin.layers[skin.core];
-  const auto all_y = static_cast<Eigen::Index>(places.y.size());
-  const double area = skin.length * skin.width, twice_shear = 2 * layer.shear_modulus;
-  std::vector<std::array<double, 3>> result;
-  for (Eigen::Index level = 0; level < core[0].cols() / all_y; ++level) {
-    const auto mean = [&](std::size_t c) {
-      return core[c](core[c].rows() - 1, all_y * (level + 1) - 1);
-    };
-    result.push_back(
-        {-area * (layer.lame_lambda * (mean(0) + mean(1) + mean(2)) + twice_shear * mean(2)),
-         area * twice_shear * mean(4), area * twice_shear * mean(3)});
-  }
-  return result;
-}
-
 } // namespace
 
 struct SkinFields::Parts {
+  static constexpr ComponentChoice normal_components{true, true, true, false, false, false};
+
   FieldSkin skin;
   ContactGrid cells;
   WaveSplit split;
   FieldTarget core, electrodes;
+  /// Normal strains of the core, for their means over the whole plane.
+  FaceFields core_normal;
   double box_length, box_width; ///< that short waves do not leave
   PlaneWaves long_waves, short_waves;
   std::optional<RowStrains> core_rows, electrode_rows; ///< of the short waves
 
   Parts(const FieldSkin& layered, const ContactGrid& contact, const std::vector<double>& heights,
-        double column, const WaveSplit& waves, const std::optional<PlacesAcross>& across,
-        int threads, double tolerance)
+        double column, const WaveSplit& waves, const ComponentChoice& components,
+        const std::optional<PlacesAcross>& across, int threads, double tolerance)
       : skin(layered), cells(contact), split(waves),
-        core(skin, core_levels(skin, heights, tolerance)),
-        electrodes(skin, electrode_levels(skin, column, tolerance)),
+        core(skin, core_levels(skin, heights, tolerance), with_shear_forces(components)),
+        electrodes(skin, electrode_levels(skin, column, tolerance), all_components),
+        core_normal(skin, core.levels().levels, normal_components, 1),
         box_length(std::min(size_of(cells.x) + 2 * split.reach(), skin.length)),
         box_width(std::min(footprint_width(cells) + 2 * split.reach(), skin.width)),
         long_waves(
@@ -168,8 +163,8 @@ struct SkinFields::Parts {
     if (across) {
       const PlaneBox box = short_box({0, across->centre_y});
       const ModeTransform rows = of_rows(short_waves, box, across->centre_y);
-      core_rows = core.row_strains(short_waves, box, rows, with_whole(points(across->y), skin.width),
-                                   threads);
+      core_rows = core.row_strains(short_waves, box, rows,
+                                   with_whole(points(across->y), skin.width), threads);
       electrode_rows =
           electrodes.row_strains(short_waves, box, rows, intervals(across->column_y), threads);
     }
@@ -194,6 +189,34 @@ struct SkinFields::Parts {
             of_rows(waves, box, centre[1])};
   }
 
+  /// What a level of the core carries over the whole plane. Of the waves on rollers the even load
+  /// alone has a mean normal stress: that of the forces.
+  /// @param core with the whole plane as the last place along x and y
+  /// @param normal force on the cells [N]
+  std::vector<std::array<double, 3>> force_through_levels(const ByKind& core_strain,
+                                                          const FieldPlaces& places, double normal,
+                                                          const FaceMotion& motion) const {
+    constexpr std::size_t yz = 3, xz = 4;
+    const ElasticLayer& layer = skin.layers[skin.core];
+    const double area = skin.length * skin.width;
+    const auto levels = static_cast<Eigen::Index>(core.levels().levels.size());
+    std::vector<ByKind> mean{{Eigen::MatrixXd::Zero(1, 3 * levels), Eigen::MatrixXd(1, 0)}};
+    core_normal.add({motion}, {{{{0, skin.length}}, {{0, skin.width}}}}, mean);
+    std::vector<std::array<double, 3>> result;
+    for (Eigen::Index level = 0; level < levels; ++level) {
+      const auto at = mean[0][0].row(0).segment(3 * level, 3);
+      const auto shear = [&](std::size_t c) {
+        const Eigen::MatrixXd own =
+            core.component(core_strain, places, c, static_cast<std::size_t>(level));
+        return 2 * layer.shear_modulus * area * own(own.rows() - 1, own.cols() - 1);
+      };
+      result.push_back(
+          {normal - area * (layer.lame_lambda * at.sum() + 2 * layer.shear_modulus * at(2)),
+           shear(xz), shear(yz)});
+    }
+    return result;
+  }
+
   /// Of the long waves as the faces count them: with the odd modes, though they are 0, of a
   /// mirrored load.
   std::array<Eigen::MatrixXd, 3> on_faces(const WaveLoads& loads) const {
@@ -214,9 +237,10 @@ struct SkinFields::Parts {
 
 SkinFields::SkinFields(const FieldSkin& skin, const ContactGrid& cells,
                        const std::vector<double>& heights, double column, const WaveSplit& split,
-                       const std::optional<PlacesAcross>& across, int threads, double tolerance) {
-  parts_ =
-      std::make_unique<Parts>(skin, cells, heights, column, split, across, threads, tolerance);
+                       const ComponentChoice& components, const std::optional<PlacesAcross>& across,
+                       int threads, double tolerance) {
+  parts_ = std::make_unique<Parts>(skin, cells, heights, column, split, components, across, threads,
+                                   tolerance);
 }
 
 SkinFields::~SkinFields() = default;
@@ -229,12 +253,14 @@ std::vector<CoreAndElectrodes> SkinFields::at(const std::vector<FieldState>& sta
   std::vector<WaveLoads> of_long, of_short;
   std::vector<FaceMotion> motions;
   std::vector<FieldPlaces> in_core, columns;
-  std::vector<Strains> core, electrodes;
+  std::vector<ByKind> core, electrodes;
+  std::vector<double> normal_force;
   for (const FieldState& state : states) {
     if (state.forces.size() != static_cast<std::size_t>(3 * parts.cells.count())) {
       throw InternalError("each cell has three forces");
     }
     const CellForces by_cell = by_cells(parts.cells, state.forces);
+    normal_force.push_back(by_cell[0].sum());
     near.push_back(parts.short_box(state.centre));
     of_long.push_back(parts.loads_in(parts.long_waves, whole, by_cell, state.centre));
     of_short.push_back(parts.loads_in(parts.short_waves, near.back(), by_cell, state.centre));
@@ -246,19 +272,20 @@ std::vector<CoreAndElectrodes> SkinFields::at(const std::vector<FieldState>& sta
     electrodes.push_back(parts.electrodes.none(columns.back()));
   }
   const auto add = [&](const FieldTarget& target, const std::vector<FieldPlaces>& places,
-                       const std::optional<RowStrains>& rows, std::vector<Strains>& sums) {
+                       const std::optional<RowStrains>& rows, std::vector<ByKind>& sums) {
     target.add_waves(parts.long_waves, of_long, std::vector<PlaneBox>(states.size(), whole), places,
                      nullptr, sums);
     target.add_waves(parts.short_waves, of_short, near, places, rows ? &*rows : nullptr, sums);
-    target.add_faces(motions, places, sums);
+    target.faces().add(motions, places, sums);
   };
   add(parts.core, in_core, parts.core_rows, core);
   add(parts.electrodes, columns, parts.electrode_rows, electrodes);
   std::vector<CoreAndElectrodes> result;
   for (std::size_t state = 0; state < states.size(); ++state) {
-    result.push_back({strain_field(core[state], in_core[state], true),
-                      strain_field(electrodes[state], columns[state], false),
-                      force_through_levels(skin, core[state], in_core[state])});
+    result.push_back({strain_field(parts.core, core[state], in_core[state], true),
+                      strain_field(parts.electrodes, electrodes[state], columns[state], false),
+                      parts.force_through_levels(core[state], in_core[state], normal_force[state],
+                                                 motions[state])});
   }
   return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/finite_layers/fields/field_components.hpp"
 #include "ionskin/finite_layers/fields/field_skin.hpp"
 #include "ionskin/finite_layers/plane/plane_compliance.hpp"
 #include "ionskin/finite_layers/plane/wave_split.hpp"
@@ -21,7 +22,7 @@ struct FieldGrid {
 };
 
 /// Small strain on a tensor grid: six tensor components xx, yy, zz, yz, xz, xy, each [z][y][x] with
-/// x fastest; x and y along the skin, z upwards [1].
+/// x fastest; x and y along the skin, z upwards; empty of components that were not asked for [1].
 struct StrainField {
   std::array<std::size_t, 3> points{}; ///< along x, y, z
   std::array<std::vector<double>, 6> component;
@@ -47,7 +48,7 @@ struct FieldState {
 
 /// What all states have alike where the slider keeps its place across the skin [m].
 struct PlacesAcross {
-  double centre_y = 0; ///< of the slider
+  double centre_y = 0;             ///< of the slider
   std::vector<double> y, column_y; ///< as of FieldGrid
 };
 
@@ -64,9 +65,11 @@ public:
   /// @param tolerance share of a wave, of what it is on the top face, that is left out
   /// @param heights of the points above the bottom of the core, ascending [m]
   /// @param column size of the columns of the electrodes, about [m]
+  /// @param components of the core
   /// @param across where all states have it alike: they cost less then
   SkinFields(const FieldSkin& skin, const ContactGrid& cells, const std::vector<double>& heights,
              double column, const WaveSplit& split,
+             const ComponentChoice& components = all_components,
              const std::optional<PlacesAcross>& across = std::nullopt, int threads = 1,
              double tolerance = 1e-4);
   ~SkinFields();

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/finite_layers/fields/depth_table.hpp"
+#include "ionskin/finite_layers/fields/field_components.hpp"
 
 #include <Eigen/Core>
 
-#include <array>
-
 namespace ionskin::finite_layers {
-
-/// Tensor components xx, yy, zz, yz, xz, xy.
-using Strains = std::array<Eigen::MatrixXd, 6>;
 
 /// Modes along x, and along y, that are summed at once: their strains stay in the second cache.
 inline constexpr Eigen::Index block_x = 96, block_y = 32;
@@ -19,8 +14,8 @@ using BlockColumn = Eigen::Array<double, block_x, 1>;
 
 /// Modes of a block that have the same number along y.
 struct WaveBlock {
-  BlockColumn cosine, sine; ///< direction of the wave
-  BlockColumn weight;       ///< of a mode, with its share [1/m2]
+  BlockColumn cosine, sine;               ///< direction of the wave
+  BlockColumn weight;                     ///< of a mode, with its share [1/m2]
   Eigen::Array<double, block_x, 8> depth; ///< as `DepthTable` gives it, 0 beyond its cutoff [1/Pa]
 
   /// Sets a column of strains, [mode along x, column], over forces on the top.

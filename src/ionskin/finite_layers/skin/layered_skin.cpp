@@ -23,8 +23,10 @@ LayeredSkin::LayeredSkin(const Skin& skin, ContactGrid grid, const SkinResolutio
       short_compliance_(plane_compliance(box_->short_waves, grid_, own_images(grid_))) {}
 
 SkinFields LayeredSkin::fields(const std::vector<double>& heights, double column,
+                               const ComponentChoice& components,
                                const std::optional<PlacesAcross>& across, int threads) const {
-  return {box_->fields, grid_, heights, column, box_->key.resolution.split(), across, threads};
+  return {box_->fields, grid_,  heights, column, box_->key.resolution.split(),
+          components,   across, threads};
 }
 
 LayeredSkin::Across LayeredSkin::across(double centre_y) const {

@@ -44,8 +44,9 @@ public:
   /// @param centre_y of the slider [m]; the skin outlives the result
   Across across(double centre_y) const;
 
-  /// @param heights,column,across as of SkinFields; the skin outlives the result
+  /// @param heights,column,components,across as of SkinFields; the skin outlives the result
   SkinFields fields(const std::vector<double>& heights, double column,
+                    const ComponentChoice& components = all_components,
                     const std::optional<PlacesAcross>& across = std::nullopt,
                     int threads = 1) const;
   const std::vector<ElasticLayer>& layers() const { return box_->key.layers; }

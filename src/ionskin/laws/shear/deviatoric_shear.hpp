@@ -12,6 +12,7 @@ namespace ionskin::laws {
 /// equals the engineering shear in simple shear.
 struct DeviatoricShear {
   static constexpr const char* formula = "sqrt(2 e':e') of the deviator e' (whatever the axes)";
+  static constexpr std::array<bool, 6> reads{true, true, true, true, true, true};
   /// @param strain xx, yy, zz, yz, xz, xy [1]
   static double at(const std::array<double, 6>& strain);
 };

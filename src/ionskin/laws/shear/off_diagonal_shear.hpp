@@ -11,6 +11,7 @@ namespace ionskin::laws {
 /// choice of axes: a pure stretch at 45 degrees counts, the same stretch along an axis does not.
 struct OffDiagonalShear {
   static constexpr const char* formula = "2 sqrt(exy^2 + eyz^2 + exz^2)";
+  static constexpr std::array<bool, 6> reads{false, false, false, true, true, true};
   /// @param strain xx, yy, zz, yz, xz, xy [1]
   static double at(const std::array<double, 6>& strain);
 };

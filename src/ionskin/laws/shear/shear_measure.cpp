@@ -6,14 +6,16 @@
 #include "ionskin/laws/shear/off_diagonal_shear.hpp"
 #include "ionskin/laws/shear/signed_xz_shear.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <string>
 
 namespace ionskin::laws {
 namespace {
 
 template <class Measure> ShearMeasure shear_row(std::string_view name) {
-  return {name, Measure::formula, Measure::at};
+  return {name, Measure::formula, Measure::reads, Measure::at};
 }
 
 } // namespace
@@ -33,10 +35,18 @@ const ShearMeasure& shear_measure(std::string_view name) {
 
 std::vector<double> evaluate_shear(const ShearMeasure& measure,
                                    const std::array<std::vector<double>, 6>& component) {
-  std::vector<double> shear(component[0].size());
-  for (std::size_t i = 0; i < shear.size(); ++i) {
-    shear[i] = measure.at({component[0][i], component[1][i], component[2][i], component[3][i],
-                           component[4][i], component[5][i]});
+  std::size_t points = 0;
+  for (const std::vector<double>& own : component) {
+    points = std::max(points, own.size());
+  }
+  std::vector<double> shear(points);
+  for (std::size_t i = 0; i < points; ++i) {
+    std::array<double, 6> strain{};
+    for (std::size_t c = 0; c < strain.size(); ++c) {
+      // A measure that reads what nobody computed is found by its result.
+      strain[c] = component[c].empty() ? std::numeric_limits<double>::quiet_NaN() : component[c][i];
+    }
+    shear[i] = measure.at(strain);
   }
   return shear;
 }

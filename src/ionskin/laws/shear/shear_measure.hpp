@@ -11,8 +11,9 @@ namespace ionskin::laws {
 /// One row of the table of shear measures: the scalar gamma made of a small strain. Every measure
 /// is even under a reflection in y, on which the half model relies.
 struct ShearMeasure {
-  std::string_view name;    ///< that a case gives in `coupling.measure`
-  std::string_view formula; ///< in words and components of the strain e
+  std::string_view name;     ///< that a case gives in `coupling.measure`
+  std::string_view formula;  ///< in words and components of the strain e
+  std::array<bool, 6> reads; ///< which components it depends on: others are not computed for it
   /// @param strain xx, yy, zz, yz, xz, xy [1]
   double (*at)(const std::array<double, 6>& strain);
 };
@@ -24,7 +25,8 @@ std::span<const ShearMeasure> shear_measures();
 const ShearMeasure& shear_measure(std::string_view name);
 
 /// The measure at each point of a strain field.
-/// @param component six components, each [points] [1]
+/// @param component six components, each [points], empty of those that the measure does not read
+/// [1]
 std::vector<double> evaluate_shear(const ShearMeasure& measure,
                                    const std::array<std::vector<double>, 6>& component);
 

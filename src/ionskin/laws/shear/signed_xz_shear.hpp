@@ -12,6 +12,7 @@ namespace ionskin::laws {
 /// from back, keeps its sign under a reflection in y and changes it under one in x.
 struct SignedXzShear {
   static constexpr const char* formula = "2 exz with its sign";
+  static constexpr std::array<bool, 6> reads{false, false, false, false, true, false};
   /// @param strain xx, yy, zz, yz, xz, xy [1]
   static double at(const std::array<double, 6>& strain);
 };

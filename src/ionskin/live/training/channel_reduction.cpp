@@ -45,7 +45,7 @@ double value_of(const Rows& rows, const std::array<double, 6>& strain) {
 std::array<double, 6> strain_at(const CoreStrain& strain, std::size_t point) {
   std::array<double, 6> at{};
   for (std::size_t c = 0; c < at.size(); ++c) {
-    at[c] = strain.component[c][point];
+    at[c] = strain.component[c].empty() ? 0.0 : strain.component[c][point]; // no channel reads it
   }
   return at;
 }
@@ -353,7 +353,8 @@ std::vector<ChannelMap> reduce_channels(const std::vector<FullRun>& runs,
                                         const std::shared_ptr<const mechanics::SkinModel>& model,
                                         const PlaceNodes& places, int threads,
                                         const std::vector<std::string>& channels) {
-  const mechanics::StrainRecovery recovery(model);
+  const mechanics::StrainRecovery recovery(model, mechanics::strain_components(runs.front().input),
+                                           threads);
   const std::vector<Snapshot> snapshots = snapshots_of(runs);
   std::vector<Wanted> wanted;
   for (const std::string& channel : channels) {
@@ -364,7 +365,7 @@ std::vector<ChannelMap> reduce_channels(const std::vector<FullRun>& runs,
   for (std::size_t k = 0; k < snapshots.size(); ++k) {
     base::check_interrupt();
     const CoreStrain& strain = mechanics::core_strain(*snapshots[k].state);
-    const std::size_t points = strain.component[0].size();
+    const std::size_t points = strain.points[0] * strain.points[1] * strain.points[2];
     if (k == 0) {
       weights =
           point_weights(model->mesh, {places.x[places.x.size() / 2], places.y[places.y.size() / 2]},

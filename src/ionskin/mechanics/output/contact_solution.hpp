@@ -20,7 +20,8 @@ inline constexpr double contact_tolerance = 1e-9;
 /// models hold y <= width / 2 only.
 struct CoreStrain {
   std::array<std::size_t, 3> points{}; ///< along x, y, z
-  /// Six components xx, yy, zz, yz, xz, xy (tensor components), each [z][y][x], x fastest [1].
+  /// Six components xx, yy, zz, yz, xz, xy (tensor components), each [z][y][x], x fastest; empty of
+  /// those that the case does not read [1].
   std::array<std::vector<double>, 6> component;
 };
 

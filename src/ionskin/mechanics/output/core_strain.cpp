@@ -16,6 +16,9 @@ CoreStrain mirrored(CoreStrain strain, const std::array<bool, 2>& reflect) {
   const double x_sign = reflect[0] ? -1 : 1, y_sign = reflect[1] ? -1 : 1;
   for (int c = 0; c < 6; ++c) {
     const double sign = c == xy ? x_sign * y_sign : c == xz ? x_sign : c == yz ? y_sign : 1.0;
+    if (strain.component[c].empty()) {
+      continue;
+    }
     double* row = strain.component[c].data();
     for (std::size_t k = 0; k < nz; ++k) {
       for (std::size_t j = 0; reflect[1] && j < ny / 2; ++j) {

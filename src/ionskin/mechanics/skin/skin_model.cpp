@@ -27,7 +27,8 @@ finite_layers::SkinResolution resolution(const Skin& skin, const mesh::Footprint
 SkinModel::SkinModel(const Case& input, const mesh::Footprint& footprint,
                      const MotionBox& places_of_centre, mesh::MeshedPart part, int threads,
                      finite_layers::SkinPurpose purpose)
-    : SkinModel(input, places_of_centre, mesh::SkinMesh(input, footprint, part), threads, purpose) {}
+    : SkinModel(input, places_of_centre, mesh::SkinMesh(input, footprint, part), threads, purpose) {
+}
 
 SkinModel::SkinModel(const Case& input, const MotionBox& places_of_centre,
                      mesh::SkinMesh mesh_of_case, int threads, finite_layers::SkinPurpose purpose)

@@ -2,6 +2,8 @@
 #include "ionskin/mechanics/skin/strain_recovery.hpp"
 
 #include "ionskin/base/largest.hpp"
+#include "ionskin/case/coupling.hpp"
+#include "ionskin/laws/shear/shear_measure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -104,9 +106,18 @@ double equilibrium_residual(const CellVector& forces, bool half,
 
 } // namespace
 
-StrainRecovery::StrainRecovery(std::shared_ptr<const SkinModel> model, int threads)
+finite_layers::ComponentChoice strain_components(const Case& input) {
+  finite_layers::ComponentChoice result = laws::shear_measure(input.coupling.measure).reads;
+  if (moves_water(input)) { // by the dilation
+    result[0] = result[1] = result[2] = true;
+  }
+  return result;
+}
+
+StrainRecovery::StrainRecovery(std::shared_ptr<const SkinModel> model,
+                               const finite_layers::ComponentChoice& components, int threads)
     : model_(std::move(model)),
-      fields_(model_->layers.fields(heights(model_->mesh), mean_column(model_->mesh),
+      fields_(model_->layers.fields(heights(model_->mesh), mean_column(model_->mesh), components,
                                     places_across(*model_), threads)) {}
 
 std::vector<RecoveredStrain> StrainRecovery::at(std::span<const std::array<double, 2>> centres,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/case/case.hpp"
 #include "ionskin/mechanics/output/contact_solution.hpp"
 #include "ionskin/mechanics/skin/skin_model.hpp"
 #include "ionskin/mechanics/surface/contact_problem.hpp"
@@ -23,11 +24,17 @@ struct RecoveredStrain {
   double equilibrium_residual = 0;
 };
 
+/// Components of the core's strain that the coupling of a case reads.
+finite_layers::ComponentChoice strain_components(const Case& input);
+
 /// Recovers the strain of states from the forces of their cells. Thread-safe; each state is the
 /// same bits in any company.
 class StrainRecovery {
 public:
-  explicit StrainRecovery(std::shared_ptr<const SkinModel> model, int threads = 1);
+  /// @param components of the core
+  /// @param threads that make what all states share
+  StrainRecovery(std::shared_ptr<const SkinModel> model,
+                 const finite_layers::ComponentChoice& components, int threads = 1);
 
   /// Of states; some at once cost less than one by one.
   /// @param centres of the slider [m]

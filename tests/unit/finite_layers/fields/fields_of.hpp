@@ -60,7 +60,7 @@ public:
                    ends_ ? &*ends_ : nullptr};
     skin.faces = std::make_shared<const FieldFaces>(skin, cells.half, 1);
     fields_.emplace(skin, cells, grid.z, grid_.column_x[1] - grid_.column_x[0], given.split,
-                    across, 1, given.tolerance);
+                    all_components, across, 1, given.tolerance);
   }
 
   CoreAndElectrodes at(const std::array<double, 2>& centre,
