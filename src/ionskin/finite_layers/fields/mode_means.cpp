@@ -4,6 +4,27 @@
 #include <cstddef>
 
 namespace ionskin::finite_layers {
+namespace {
+
+/// Cosine and sine of multiples of an angle, one after the other: each is the one before turned by
+/// one step, so that no function is called for it.
+struct Turning {
+  Eigen::ArrayXd cosine, sine, step_cosine, step_sine;
+
+  Turning(const Eigen::ArrayXd& angle, double first)
+      : cosine((first * angle).cos()), sine((first * angle).sin()), step_cosine(angle.cos()),
+        step_sine(angle.sin()) {}
+
+  void turn() {
+    for (Eigen::Index i = 0; i < cosine.size(); ++i) {
+      const double next = cosine(i) * step_cosine(i) - sine(i) * step_sine(i);
+      sine(i) = sine(i) * step_cosine(i) + cosine(i) * step_sine(i);
+      cosine(i) = next;
+    }
+  }
+};
+
+} // namespace
 
 ModeTransform mode_means(const std::vector<Interval>& places, double step, Eigen::Index modes,
                          double first) {
@@ -11,28 +32,25 @@ ModeTransform mode_means(const std::vector<Interval>& places, double step, Eigen
   Eigen::ArrayXd middle(count), half(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Interval& place = places[static_cast<std::size_t>(i)];
-    middle(i) = place.middle();
-    half(i) = 0.5 * place.size();
+    middle(i) = step * place.middle();
+    half(i) = 0.5 * step * place.size();
   }
-  // Each mode is the one before turned by one step: no function is called for it.
-  const Eigen::ArrayXd cosine = (step * middle).cos(), sine = (step * middle).sin();
-  const Eigen::ArrayXd cosine_half = (step * half).cos(), sine_half = (step * half).sin();
-  Eigen::ArrayXd c = (first * step * middle).cos(), s = (first * step * middle).sin(),
-                 c_half = (first * step * half).cos(), s_half = (first * step * half).sin();
   ModeTransform result{Eigen::ArrayXXd(count, modes), Eigen::ArrayXXd(count, modes)};
-  const auto turn = [](Eigen::ArrayXd& cos, Eigen::ArrayXd& sin, const Eigen::ArrayXd& by_cos,
-                       const Eigen::ArrayXd& by_sin) {
-    const Eigen::ArrayXd next = cos * by_cos - sin * by_sin;
-    sin = sin * by_cos + cos * by_sin;
-    cos = next;
-  };
+  Turning at(middle, first);
   for (Eigen::Index mode = 0; mode < modes; ++mode) {
-    const Eigen::ArrayXd phase = ((first + static_cast<double>(mode)) * step) * half;
-    const Eigen::ArrayXd mean = (phase > 0).select(s_half / phase, 1.0);
-    result.cosine.col(mode) = mean * c;
-    result.sine.col(mode) = mean * s;
-    turn(c, s, cosine, sine);
-    turn(c_half, s_half, cosine_half, sine_half);
+    result.cosine.col(mode) = at.cosine;
+    result.sine.col(mode) = at.sine;
+    at.turn();
+  }
+  if ((half > 0).any()) { // means over intervals: those of their middles times sin(k half)/(k half)
+    Turning at_half(half, first);
+    for (Eigen::Index mode = 0; mode < modes; ++mode) {
+      const double number = first + static_cast<double>(mode);
+      const Eigen::ArrayXd mean = (number * half > 0).select(at_half.sine / (number * half), 1.0);
+      result.cosine.col(mode) *= mean;
+      result.sine.col(mode) *= mean;
+      at_half.turn();
+    }
   }
   return result;
 }

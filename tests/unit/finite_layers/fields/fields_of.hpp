@@ -41,7 +41,8 @@ inline double sum(const std::vector<double>& forces, std::size_t component) {
 class FieldsOf {
 public:
   FieldsOf(const FieldCase& given, const ContactGrid& cells, const TestGrid& grid,
-           const std::optional<PlacesAcross>& across = std::nullopt)
+           const std::optional<PlacesAcross>& across = std::nullopt,
+           const ComponentChoice& components = all_components)
       : grid_{grid.x, grid.y, grid.column_x, grid.column_y},
         column_(given.layers, given.elements, given.degree) {
     if (given.sides_free) {
@@ -60,7 +61,7 @@ public:
                    ends_ ? &*ends_ : nullptr};
     skin.faces = std::make_shared<const FieldFaces>(skin, cells.half, 1);
     fields_.emplace(skin, cells, grid.z, grid_.column_x[1] - grid_.column_x[0], given.split,
-                    all_components, across, 1, given.tolerance);
+                    components, across, 1, given.tolerance);
   }
 
   CoreAndElectrodes at(const std::array<double, 2>& centre,

@@ -212,5 +212,49 @@ TEST(RollerFields, ask_for_levels_in_the_core_and_three_forces_a_cell) {
                InternalError);
 }
 
+void expect_alike(const CoreAndElectrodes& one, const CoreAndElectrodes& other) {
+  EXPECT_LT(difference(one.core, other.core), 1e-12);
+  EXPECT_LT(difference(one.electrodes, other.electrodes), 1e-12);
+  for (std::size_t level = 0; level < other.force_through_level.size(); ++level) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_NEAR(one.force_through_level[level][c], other.force_through_level[level][c],
+                  1e-9 * std::abs(other.force_through_level[level][2]));
+    }
+  }
+}
+
+TEST(RollerFields, of_places_that_stay_across_are_those_of_any) {
+  const FieldCase skin;
+  const TestGrid grid = even_grid();
+  const ContactGrid cells = few_cells(), half{cells.x, {-0.15e-3, -0.05e-3, 0.0}, true};
+  for (const ContactGrid& of : {cells, half}) {
+    const double y = of.half ? skin.width / 2 : 0.55e-3;
+    const FieldsOf any(skin, of, grid),
+        staying(skin, of, grid, PlacesAcross{y, grid.y, grid.column_y});
+    for (const double x : {0.9e-3, 1.6e-3, 2.7e-3}) { // the last near an end
+      expect_alike(staying.at({x, y}, forces(of)), any.at({x, y}, forces(of)));
+    }
+  }
+}
+
+TEST(RollerFields, have_the_components_that_were_chosen) {
+  const FieldCase skin;
+  const ContactGrid cells = few_cells();
+  const std::array<double, 2> centre{0.9e-3, 0.55e-3};
+  const ComponentChoice chosen{false, false, false, true, true, true};
+  const TestGrid grid = even_grid();
+  const CoreAndElectrodes all = FieldsOf(skin, cells, grid).at(centre, forces(cells));
+  const CoreAndElectrodes some =
+      FieldsOf(skin, cells, grid, std::nullopt, chosen).at(centre, forces(cells));
+  CoreAndElectrodes expected = all;
+  for (std::size_t c = 0; c < 6; ++c) {
+    EXPECT_EQ(some.core.component[c].empty(), !chosen[c]);
+    if (!chosen[c]) {
+      expected.core.component[c].clear();
+    }
+  }
+  expect_alike(some, expected);
+}
+
 } // namespace
 } // namespace ionskin::finite_layers

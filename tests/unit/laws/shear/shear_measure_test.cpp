@@ -111,5 +111,27 @@ TEST(ShearMeasure, IsHomogeneousOfDegreeOne) {
   }
 }
 
+TEST(ShearMeasure, DependsOnTheComponentsThatItSaysItReads) {
+  for (const ShearMeasure& measure : shear_measures()) {
+    for (std::size_t c = 0; c < 6; ++c) {
+      Strain changed = any_strain;
+      changed[c] = measure.reads[c] ? 2 * any_strain[c] : std::nan("");
+      if (measure.reads[c]) {
+        EXPECT_NE(measure.at(changed), measure.at(any_strain)) << measure.name << ", " << c;
+      } else {
+        EXPECT_EQ(measure.at(changed), measure.at(any_strain)) << measure.name << ", " << c;
+      }
+    }
+  }
+}
+
+TEST(ShearMeasure, OfAComponentThatNobodyComputedIsNoNumber) {
+  std::array<std::vector<double>, 6> strain;
+  strain[5] = {0.01, 0.02};
+  const std::vector<double> shear = evaluate_shear(shear_measure("off-diagonal"), strain);
+  ASSERT_EQ(shear.size(), 2U);
+  EXPECT_TRUE(std::isnan(shear[0]) && std::isnan(shear[1]));
+}
+
 } // namespace
 } // namespace ionskin::laws

@@ -24,7 +24,8 @@ std::array<double, 2> place_at(std::size_t state) {
 }
 
 TEST(SteppedStrains, AreThoseOfEachStateByItselfInAnyOrder) {
-  const auto recovery = std::make_shared<const StrainRecovery>(line().model);
+  const auto recovery =
+      std::make_shared<const StrainRecovery>(line().model, finite_layers::all_components);
   SteppedStrains path(recovery, 2);
   for (std::size_t k = 0; k < states; ++k) {
     EXPECT_EQ(path.add(place_at(k), force_at(k)), k);
