@@ -177,11 +177,12 @@ public:
              const std::optional<mesh::Footprint>& footprint) {
     const double start = base::wall_time();
     std::vector<SolvedMechanics> solutions;
+    const auto spare = std::make_shared<parallel::SpareThreads>();
     const auto reason =
-        failure_of([&] { solutions = solve_together(group, begin, end, footprint); });
+        failure_of([&] { solutions = solve_together(group, begin, end, footprint, spare); });
     if (!reason) {
       const double seconds = (base::wall_time() - start) / static_cast<double>(end - begin);
-      leave(group, begin, std::move(solutions), seconds);
+      leave(group, begin, std::move(solutions), seconds, *spare);
     } else if (end - begin > 1) {
       const std::size_t middle = begin + (end - begin) / 2;
       solve(group, begin, middle, footprint);
@@ -200,14 +201,16 @@ public:
   SweepFailures failures;
 
 private:
-  std::vector<SolvedMechanics> solve_together(const FrictionGroup& group, std::size_t begin,
-                                              std::size_t end,
-                                              const std::optional<mesh::Footprint>& footprint) {
+  std::vector<SolvedMechanics>
+  solve_together(const FrictionGroup& group, std::size_t begin, std::size_t end,
+                 const std::optional<mesh::Footprint>& footprint,
+                 const std::shared_ptr<parallel::SpareThreads>& spare) {
     const double before = static_cast<double>(finished_) / static_cast<double>(units_);
     const double share = static_cast<double>(end - begin) / static_cast<double>(units_);
     mechanics::ContactOptions contact_options;
     contact_options.threads = options_.threads;
     contact_options.footprint = footprint;
+    contact_options.spare = spare;
     contact_options.progress = [&](std::string_view activity, double fraction) {
       options_.progress("mechanics of all points",
                         before + share * finished_share(activity, fraction));
@@ -221,11 +224,15 @@ private:
   }
 
   void leave(const FrictionGroup& group, std::size_t begin, std::vector<SolvedMechanics> solutions,
-             double seconds) {
-    parallel::run_tasks(solutions.size(), options_.threads, [&](std::size_t i) {
-      const auto solved = std::make_unique<SolvedMechanics>(std::move(solutions[i]));
-      leave_in_folders(points_, group[begin + i], *solved, seconds, options_);
-    });
+             double seconds, parallel::SpareThreads& spare) {
+    // One thread recovers the strains of a solution: those without another help it.
+    parallel::run_tasks(
+        solutions.size(), options_.threads,
+        [&](std::size_t i) {
+          const auto solved = std::make_unique<SolvedMechanics>(std::move(solutions[i]));
+          leave_in_folders(points_, group[begin + i], *solved, seconds, options_);
+        },
+        &spare);
   }
 
   const std::vector<SweepPoint>& points_;
