@@ -65,6 +65,7 @@ class Draw:
         self.ions()
         self.readout()
         self.numerics()
+        self.case["readout"]["instrument"] = self.rng.choice(("ad8605", "opa140", "ideal"))  # last: each number keeps its case
 
     def maybe(self, probability):
         """True so often."""

@@ -27,12 +27,12 @@ if(IONSKIN_ASSERTIONS)
   target_compile_options(ionskin_flags INTERFACE -UNDEBUG)
 endif()
 
-# Sources in which no loop costs a user time: the compiler's does.
+# Sources in which no loop costs a user time: the compiler's does. Under the sanitizers half of that goes into optimisation.
 add_library(ionskin_light_flags INTERFACE)
-target_compile_options(ionskin_light_flags INTERFACE -O1)
+target_compile_options(ionskin_light_flags INTERFACE $<IF:$<BOOL:${IONSKIN_SANITIZE}>,-O0,-O1>)
 
-# The physics folders use the vector level; everything that runs before the processor
-# has been checked (apps, base) is compiled for any machine.
+# The physics folders use the vector level, and so does whatever else uses Eigen: of a template that two folders compile the linker
+# keeps one. Everything that runs before the processor has been checked (apps, base) is compiled for any machine.
 add_library(ionskin_vector_flags INTERFACE)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT IONSKIN_VECTOR_LEVEL STREQUAL "x86-64")
   target_compile_options(ionskin_vector_flags INTERFACE -march=${IONSKIN_VECTOR_LEVEL})

@@ -53,17 +53,22 @@ function(ionskin_python_test name file)
   endforeach()
 endfunction()
 
-# ionskin_unit_test(FOLDER [USERS_FILES] [LONG] [SHARDS N] SOURCES ... DEPENDS ...): one test program per source folder,
-# built by the target unit_tests; its tests run in N parts. Tests of suites whose name ends in Long are a test of their
+# ionskin_unit_test(FOLDER [USERS_FILES] [LONG] [TEMPLATES] [SHARDS N] SOURCES ... DEPENDS ...): one test program per source
+# folder, built by the target unit_tests; its tests run in N parts. TEMPLATES says that the tests use Eigen, as the folder does: of
+# a template that both compile the linker keeps the test's, which must be no slower than what ships. Tests of suites whose name ends in Long are a test of their
 # own, unit_FOLDER_long. What reads or writes USERS_FILES also runs under the sanitizers in `make check`.
 function(ionskin_unit_test folder)
-  cmake_parse_arguments(ARG "USERS_FILES;LONG" "SHARDS" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "USERS_FILES;LONG;TEMPLATES" "SHARDS" "SOURCES;DEPENDS" ${ARGN})
   add_executable(unit_${folder} EXCLUDE_FROM_ALL ${ARG_SOURCES})
   target_link_libraries(unit_${folder} PRIVATE ionskin_flags ${ARG_DEPENDS} GTest::gtest_main)
   # Helpers of a folder's tests lie beside its CMakeLists.txt.
   target_include_directories(unit_${folder} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   # What is tested is optimised; the tests themselves compile in half the time without.
-  target_compile_options(unit_${folder} PRIVATE -O0)
+  if(ARG_TEMPLATES)
+    target_link_libraries(unit_${folder} PRIVATE ionskin_vector_flags)
+  else()
+    target_compile_options(unit_${folder} PRIVATE -O0)
+  endif()
   set_target_properties(unit_${folder} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   add_dependencies(unit_tests unit_${folder})
   set(labels unit)

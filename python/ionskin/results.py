@@ -188,10 +188,11 @@ class Results:
                 self.case = tomllib.loads(files.read_text(case, files.LARGEST_JSON))
 
     def _gave_up(self):
-        """Whether the ion transport did not come to its end: the tables of such a run end where it gave up."""
+        """Whether a study did not come to its end: the tables of such a run end where it gave up."""
         with whole(self.folder / "manifest.json"):
-            stage = _object(_object(self.manifest, "stages"), "electrochemistry")
-            return stage.get("state", "finished") != "finished"
+            stages = _object(self.manifest, "stages")
+            return any(_object(stages, name).get("state", "finished") != "finished"
+                       for name in ("mechanics", "strain", "electrochemistry"))
 
     def _take_mechanics(self, wanted):
         found = mechanics(self.folder / "results.h5") if wanted else None

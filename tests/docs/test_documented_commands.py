@@ -49,6 +49,7 @@ class DocumentedTest(ProgramTest):
 
 
 class Pages(DocumentedTest):
+    @long_test
     def test_tutorial(self):
         self.check_page("tutorial.md")
 

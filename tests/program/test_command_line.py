@@ -1,9 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """A mistyped command line is answered with what would be right."""
 
+import json
+import pathlib
+import sys
 import unittest
 
 from program import QUICK, ProgramTest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "benchmarks"))
+import physical_cases  # noqa: E402
 
 MISTAKES = (
     (("runn", "x"), '"runn" is no verb of ionskin', "did you mean run?"),
@@ -41,6 +47,11 @@ class CommandLine(ProgramTest):
                 error, told = process.stderr.rstrip().split("\n  = ")
                 self.assertIn(problem, error)
                 self.assertIn(remedy, told)
+
+    def test_random_cases_draw_every_key(self):
+        """benchmarks/random_cases.py is run by hand: a key that it does not know would be found out then."""
+        keys = json.loads(self.run_program("keys", "--json").stdout)
+        self.assertEqual(physical_cases.undrawn_keys(keys), [])
 
     def test_semicolons_in_a_path_of_waypoints(self):
         case = QUICK.read_text().split("[motion]")[0].replace('start = ["4.5 mm", "1 mm"]\n', "")

@@ -157,6 +157,36 @@ mobility = "5e-17 m2/(Pa s)"
         self.assertGreater(len(lines[1]), len(lines[0]))
         self.assertEqual(lines[1][:len(lines[0]) - 1], lines[0][:-1])
 
+    def test_contact_that_gives_up_keeps_the_signals_until_then(self):
+        """A slider that swings on its drive to the edge of the skin; and one of which not even the first step is solved."""
+        edits = {"contact.law": "stribeck", "contact.kinetic_friction": "0.01", "contact.stribeck_speed": "1 mm/s",
+                 "motion.drive.stiffness": "100 N/m", "motion.drive.mass": "5 g", "motion.preload": "0.5 N", "motion.stroke": "2 mm",
+                 "slider.start": '["12 mm", "1 mm"]', "slider.size": '["1 mm", "0.4 mm"]', "numerics.mesh_refinement": "0.3",
+                 "numerics.time_refinement": "0.3", "numerics.error_estimate": "off"}
+        swings = (QUICK, "-o", "out", *(word for key, value in edits.items() for word in ("--set", f"{key}={value}")))
+        adheres = (QUICK, "-o", "out", "--overwrite", "--set", "contact.law=adhesive", "--set", "contact.work_of_adhesion=0.01 J/m2",
+                   "--set", "contact.cohesive_strength=1 MPa")
+        for case, what, remedy in ((swings, "swings too far", "raise motion.drive.stiffness"), (adheres, "mesh is too coarse", "lower contact.cohesive")):
+            told = self.run_case(*case, expect=3).stderr
+            reason = json.loads((self.folder / "out" / "manifest.json").read_text())["reason"]
+            warning = summary(self.folder / "out")["warnings"][-1]
+            for text in (told, reason, warning):
+                self.assertIn(what, text)
+                self.assertIn(remedy, text)
+            self.assert_unfinished()
+            self.assertEqual(summary(self.folder / "out")["metrics"], {})
+            self.assertFalse((self.folder / "out" / "results.h5").exists())
+            if case == swings:
+                kept = signals(self.folder / "out")
+                self.assertGreater(len(kept["time"]), 10)
+                self.assertLess(kept["time"][-1], 2.5)
+                self.assertIn(f"end at {kept['time'][-1]:.6g} s", warning)
+                self.assertAlmostEqual(kept["normal_force"][-1], 0.5, places=9)
+                self.assertGreater(kept["slider_x"][-1], 13.9e-3)
+                self.assertGreater(kept["mean_shear"].max(), 0)
+                self.assertTrue(numpy.isnan(kept["current_top"]).all())
+        self.assertFalse((self.folder / "out" / "signals.csv").exists())
+
     def test_resume_refuses_another_case(self):
         self.end_at_progress("ion transport", "run", *SMALL, "--no-report", "-o", "out")
         process = self.run_case(*SMALL, "-o", "out", "--resume", "--set", "contact.friction=0.1",

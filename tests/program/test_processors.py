@@ -3,11 +3,14 @@
 agree within the bound of docs/sweeps.md."""
 
 import csv
+import json
 import os
 import pathlib
+import re
+import subprocess
 import unittest
 
-from program import QUICK, SMALL, ProgramTest
+from program import PROGRAM, QUICK, SMALL, ProgramTest
 
 SWEEP = ("sweep", QUICK, "--no-report", *SMALL, "--over", "contact.friction=0.1,0.4")
 OLDER = "glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2"
@@ -31,6 +34,20 @@ class Processors(ProgramTest):
             for name in reference:
                 with self.subTest(name):
                     self.compare(name, reference, row)
+
+    def test_what_uses_eigen_is_compiled_alike(self):
+        """Of a template that two sources compile the linker keeps one, which must serve both: otherwise the program multiplies
+        without vector instructions, and not as the library does."""
+        build = PROGRAM.parent
+        told = [entry["command"] for entry in json.loads((build / "compile_commands.json").read_text())]
+        commands = {re.search(r" -o (\S+)", command)[1]: command for command in told}
+        told = subprocess.run(["ninja", "-C", build, "-t", "deps"], capture_output=True, text=True, check=True).stdout
+        objects = {block.split(":")[0] for block in told.split("\n\n") if "/eigen3/" in block} & set(commands)
+        self.assertGreater(len(objects), 5)
+        instructions = {tuple(re.findall(r" -march=\S+", commands[name])[-1:]) for name in objects}
+        self.assertEqual(len(instructions), 1, {name: re.findall(r" -march=\S+", commands[name]) for name in objects})
+        for name in objects:
+            self.assertNotEqual(re.findall(r" -O\S", commands[name])[-1:], [" -O0"], name)
 
     def compare(self, name, reference, row):
         """Residuals consist of rounding alone, and stated errors are differences of near numbers."""

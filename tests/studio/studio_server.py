@@ -26,10 +26,10 @@ def resident_bytes(process):
 class Studio:
     """A running server; `call` sends one request with the cookie of its link, which is redeemed unless told otherwise."""
 
-    def __init__(self, workspace, state, browser=None, redeem=True, **more):
+    def __init__(self, workspace, state, browser=None, redeem=True, program=PROGRAM, **more):
         environment = {**os.environ, "XDG_STATE_HOME": str(state),
                        "BROWSER": str(browser), **more}
-        words = [PROGRAM, "studio", workspace] + ([] if browser else ["--no-browser"])
+        words = [program, "studio", workspace] + ([] if browser else ["--no-browser"])
         self.process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)
         line = self.process.stdout.readline()
         match = re.search(r"http://127\.0\.0\.1:(\d+)(/\S+)", line)
@@ -96,15 +96,21 @@ class Studio:
 class StudioTest(unittest.TestCase):
     """A test with a workspace in `self.folder` and a Studio in it."""
 
+    program = PROGRAM
+
     def setUp(self):
         scratch = pathlib.Path(tempfile.mkdtemp(prefix="ionskin-studio-"))
         self.addCleanup(shutil.rmtree, scratch, ignore_errors=True)
         self.scratch, self.folder, self.state = scratch, scratch / "workspace", scratch / "state"
         self.folder.mkdir()
-        self.environment = {"XDG_STATE_HOME": str(self.state)}
+        self.environment = {"XDG_STATE_HOME": str(self.state), **self.more_environment()}
         self.studio = self.start()
 
+    def more_environment(self):
+        """Of the Studio."""
+        return {}
+
     def start(self):
-        studio = Studio(self.folder, self.state, **self.environment)
+        studio = Studio(self.folder, self.state, program=self.program, **self.environment)
         self.addCleanup(lambda: studio.end() if studio.process.returncode is None else None)
         return studio

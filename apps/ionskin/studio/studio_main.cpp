@@ -5,6 +5,7 @@
 
 #include "command_line/command_line.hpp"
 #include "command_line/guard.hpp"
+#include "studio/jobs/confinement.hpp"
 #include "studio/jobs/job_keeper.hpp"
 #include "studio/server/server.hpp"
 
@@ -20,7 +21,7 @@ namespace ionskin::apps {
 namespace {
 
 /// Never with the link itself: command lines are seen by every user.
-void open_browser(studio::Server& server, const std::filesystem::path& folder) {
+void open_browser(studio::Server& server, const base::FileDescriptor& folder) {
   const char* const browser = std::getenv("BROWSER");
   const bool chosen = browser != nullptr && browser[0] == '/';
   try {
@@ -40,12 +41,16 @@ int serve(const StudioOptions& options) {
   pthread_sigmask(SIG_BLOCK, &ends, nullptr);
   std::signal(SIGPIPE, SIG_IGN);
   studio::Workspace workspace(options.folder);
+  if (!studio::Confinement::is_available()) {
+    fmt::print(stderr, "warning: this kernel has no Landlock: a link that others put into the "
+                       "workspace while a command runs may lead it outside\n");
+  }
   studio::JobQueue jobs(workspace);
   studio::Server server(workspace, jobs, options.port);
   fmt::print("ionskin studio: {}\n", server.link());
   std::fflush(stdout);
   if (!options.no_browser) {
-    open_browser(server, workspace.root());
+    open_browser(server, workspace.folder());
   }
   std::thread waiter([&] {
     int signal = 0;

@@ -33,4 +33,5 @@ def reason(folder, manifest):
     where = f" in its stage {stages[-1]}" if stages else ""
     if state == "running":
         return f"{folder} holds a run that has not ended{where}: read it when it has; if it was killed, --resume ends it"
-    return f"{folder} holds a run that did not end ({state}{where}): --resume ends it"
+    why = f"; {manifest['reason']}" if isinstance(manifest.get("reason"), str) else ""
+    return f"{folder} holds a run that did not end ({state}{where}{why}): --resume ends it"

@@ -9,6 +9,7 @@
 #include "ionskin/mesh/footprint.hpp"
 #include "ionskin/parallel/spare_threads.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,6 +30,8 @@ struct ContactOptions {
   std::optional<mesh::Footprint> footprint;
   /// Meshes the whole skin where half of it would do, to compare.
   bool full_model = false;
+  /// Null, or given the path as far as it went where the solver gives up, before the SolverError.
+  std::function<void(const ContactSolution&)> unfinished;
 };
 
 /// What may differ between solutions that share the skin.

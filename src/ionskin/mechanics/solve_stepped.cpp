@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/solve_stepped.hpp"
 
+#include "ionskin/base/error.hpp"
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/mechanics/engine/adhesion_resolution.hpp"
@@ -85,7 +86,8 @@ ContactSolution empty_solution(const SkinModel& model) {
 
 ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs,
                            const SkinModel& model, const std::shared_ptr<SteppedStrains>& strains,
-                           const ContactVariant& variant, parallel::SharedProgress& progress) {
+                           const ContactVariant& variant, const ContactOptions& contact_options,
+                           parallel::SharedProgress& progress) {
   const mesh::HeaviestLoad heaviest = mesh::heaviest_load(input);
   StepperOptions options{.steps = variant.steps,
                          .longest_travel = 0,
@@ -107,20 +109,31 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
   MotionStepper stepper(contact, options, [&](const StepPoint& point, const SlidingContact& at) {
     kept.add(point, at);
   });
+  const auto finish = [&] {
+    kept.finish();
+    solution.stepped_events = stepper.events();
+    solution.stepped_onsets = stepper.onsets();
+    solution.contact_solves = stepper.steps();
+    solution.adhesion_loss = stepper.adhesion_loss() / options.meshed_share;
+    solution.created_energy = contact.created_energy() / options.meshed_share;
+  };
   kept.add({0, legs.front().from, legs.front().from_level.value, false, true, {}}, contact);
-  for (std::size_t i = 0; i < legs.size(); ++i) {
-    base::check_interrupt();
-    stepper.follow(legs[i]);
-    if ((i + 1) * units_per_path / legs.size() > i * units_per_path / legs.size()) {
-      progress.finish_unit();
+  try {
+    for (std::size_t i = 0; i < legs.size(); ++i) {
+      base::check_interrupt();
+      stepper.follow(legs[i]);
+      if ((i + 1) * units_per_path / legs.size() > i * units_per_path / legs.size()) {
+        progress.finish_unit();
+      }
     }
+  } catch (const SolverError&) {
+    if (contact_options.unfinished) {
+      finish();
+      contact_options.unfinished(solution);
+    }
+    throw;
   }
-  kept.finish();
-  solution.stepped_events = stepper.events();
-  solution.stepped_onsets = stepper.onsets();
-  solution.contact_solves = stepper.steps();
-  solution.adhesion_loss = stepper.adhesion_loss() / options.meshed_share;
-  solution.created_energy = contact.created_energy() / options.meshed_share;
+  finish();
   return solution;
 }
 
@@ -185,7 +198,7 @@ std::vector<SteppedSolution> solve_stepped(const Case& input, const mesh::Footpr
     require_resolved_adhesion(input, *model, *box, warnings);
     contact = solve_path(input, legs, *model,
                          std::make_shared<SteppedStrains>(recovery, shared_threads, options.spare),
-                         variants[i], progress);
+                         variants[i], options, progress);
     std::ranges::move(warnings, std::back_inserter(contact.warnings));
     // Each by itself, so that no solution depends on its neighbours.
     solutions[i].wider = widened_footprint(input, footprint, contact);

@@ -85,9 +85,17 @@ std::vector<double> footprint_lines(const Footprint& footprint, const MeshResolu
 } // namespace
 
 std::vector<double> SkinMesh::Axis::outer_lines(double length) const {
+  const std::size_t count = outer - (face.size() - 1);
+  // On a drive the slider swings closer to the edge than the path that the lines were made for.
+  const double least = face.back() + static_cast<double>(count) * outer_first;
+  const double scale = length < least ? length / least : 1.0;
   std::vector<double> result =
-      geometric_line(length - face.back(), outer_first, outer - (face.size() - 1));
-  append(result, reversed(face));
+      geometric_line(length - scale * face.back(), scale * outer_first, count);
+  std::vector<double> outermost = reversed(face);
+  for (double& line : outermost) {
+    line *= scale;
+  }
+  append(result, outermost);
   return result;
 }
 

@@ -23,7 +23,7 @@ struct Manifest {
   std::string command;
   std::string input_hash;        ///< of everything that decides the result, see `content_hash`
   std::string state = "running"; ///< of the whole run, as for the stages
-  std::string reason;            ///< why a point of a sweep failed
+  std::string reason;            ///< why the run gave up
   std::string started;           ///< UTC, ISO 8601; filled by `new_manifest`
   int threads = 1;
   std::map<std::string, StageRecord> stages;

@@ -51,6 +51,18 @@ TEST(Footprint, is_expected_at_the_edge_of_the_skin_under_a_heavy_load_alone) {
   EXPECT_FALSE(ends_at_skin(example(), expected_footprint(example()), 1)); // sharp
 }
 
+/// On a drive the slider leaves its path.
+TEST(SkinMesh, lines_ascend_wherever_the_slider_swings) {
+  const SkinMesh mesh(example());
+  for (const double left : {2e-5, 1e-4, 1e-3}) {
+    for (const double x : {1.5e-3 + left, 13.5e-3 - left}) {
+      const MeshLines lines = mesh.lines({x, 1e-3});
+      expect_ascending(lines.x, 15e-3);
+      EXPECT_EQ(lines.x.size(), mesh.lines({4.5e-3, 1e-3}).x.size());
+    }
+  }
+}
+
 TEST(SkinMesh, topology_does_not_depend_on_the_position) {
   const SkinMesh mesh(example());
   for (int i = 0; i <= 20; ++i) {

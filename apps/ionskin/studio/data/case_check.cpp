@@ -145,7 +145,7 @@ Json check_case(const Workspace& workspace, const std::string& text) {
   base::write_text_file(scratch.path, text);
   Outcome outcome =
       run_to_end({program().string(), "check", scratch.path.filename().string(), "--json"},
-                 workspace.root(), limits::check_time, limits::check_memory);
+                 workspace.folder(), limits::check_time, limits::check_memory);
   if (outcome.timed_out) {
     return failure("the check takes too long: the case is too large to be estimated");
   }

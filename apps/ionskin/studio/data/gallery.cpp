@@ -56,7 +56,7 @@ void prepare(const Workspace& workspace, const std::string& id) {
   base::PendingFile file(target);
   const Outcome outcome = run_to_end(
       {IONSKIN_PYTHON, (data_folder() / "cases" / "make_strain.py").string(), file.path().string()},
-      workspace.root(), limits::check_time, 0);
+      workspace.folder(), limits::check_time, 0);
   if (outcome.exit_code != 0) {
     throw HttpError(500, "the strain file cannot be written; ionskin doctor says what is missing");
   }

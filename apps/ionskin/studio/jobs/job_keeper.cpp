@@ -2,19 +2,21 @@
 #include "studio/jobs/job_keeper.hpp"
 
 #include "ionskin/base/files/atomic_file.hpp"
+#include "studio/jobs/confinement.hpp"
 #include "studio/jobs/job.hpp"
 
 #include <cerrno>
 #include <csignal>
 #include <ctime>
-#include <spawn.h>
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 namespace ionskin::apps::studio {
 namespace {
 
-/// Starts the command in this process group, with the signals that the keeper ignores.
+/// Runs the command in this process group, with the signals that the keeper ignores, confined to
+/// the working folder, which is the workspace.
 int run(const std::vector<std::string>& words) {
   std::vector<std::string> all{program().string()};
   all.insert(all.end(), words.begin(), words.end());
@@ -23,25 +25,21 @@ int run(const std::vector<std::string>& words) {
     pointers.push_back(word.data());
   }
   pointers.push_back(nullptr);
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGINT);
-  sigaddset(&signals, SIGTERM);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setsigdefault(&attributes, &signals);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
-  pid_t child = 0;
-  const int problem =
-      posix_spawn(&child, all[0].c_str(), nullptr, &attributes, pointers.data(), environ);
-  posix_spawnattr_destroy(&attributes);
-  if (problem != 0) {
-    return 127;
+  const Confinement confinement(
+      base::FileDescriptor(::open(".", O_PATH | O_DIRECTORY | O_CLOEXEC)));
+  const pid_t child = fork();
+  if (child == 0) {
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+    if (confinement.enter()) {
+      execv(pointers[0], pointers.data());
+    }
+    _exit(127);
   }
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return child < 0 ? 127 : WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
 } // namespace

@@ -354,8 +354,8 @@ void JobQueue::start(Entry& entry) {
   const auto self = fs::canonical("/proc/self/exe");
   job.state = JobState::running;
   job.started = now();
-  const pid_t keeper = start_detached({self.string(), "--keep", folder.string()}, workspace_.root(),
-                                      folder / "output", folder / "messages");
+  const pid_t keeper = start_detached({self.string(), "--keep", folder.string()},
+                                      workspace_.folder(), folder / "output", folder / "messages");
   job.keeper = identify(keeper);
   save(entry);
 }

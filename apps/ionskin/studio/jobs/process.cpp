@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/jobs/process.hpp"
 
+#include "studio/jobs/confinement.hpp"
 #include "studio/server/limits.hpp"
 
 #include <array>
@@ -39,8 +40,8 @@ std::string start_ticks(pid_t pid) {
 }
 
 /// Only calls that are safe between fork and exec.
-[[noreturn]] void become(char* const* words, const char* folder, int input, int output, int errors,
-                         std::size_t memory) {
+[[noreturn]] void become(char* const* words, int folder, int input, int output, int errors,
+                         std::size_t memory, const Confinement* confinement) {
   setsid();
   struct sigaction standard {};
   standard.sa_handler = SIG_DFL;
@@ -54,16 +55,16 @@ std::string start_ticks(pid_t pid) {
     const rlimit bound{memory, memory};
     setrlimit(RLIMIT_AS, &bound);
   }
-  if (chdir(folder) == 0 && dup2(input, STDIN_FILENO) >= 0 && dup2(output, STDOUT_FILENO) >= 0 &&
-      dup2(errors, STDERR_FILENO) >= 0) {
+  if (fchdir(folder) == 0 && dup2(input, STDIN_FILENO) >= 0 && dup2(output, STDOUT_FILENO) >= 0 &&
+      dup2(errors, STDERR_FILENO) >= 0 && (confinement == nullptr || confinement->enter())) {
     close_range(STDERR_FILENO + 1, ~0u, 0);
     execv(words[0], words);
   }
   _exit(127);
 }
 
-pid_t start(const std::vector<std::string>& words, const std::filesystem::path& folder, int output,
-            int errors, std::size_t memory) {
+pid_t start(const std::vector<std::string>& words, int folder, int output, int errors,
+            std::size_t memory, const Confinement* confinement) {
   std::vector<std::string> copies = words;
   std::vector<char*> pointers;
   for (std::string& word : copies) {
@@ -73,7 +74,7 @@ pid_t start(const std::vector<std::string>& words, const std::filesystem::path& 
   const int input = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   const pid_t child = fork();
   if (child == 0) {
-    become(pointers.data(), folder.c_str(), input, output, errors, memory);
+    become(pointers.data(), folder, input, output, errors, memory, confinement);
   }
   const int reason = errno;
   ::close(input);
@@ -153,18 +154,19 @@ std::filesystem::path program() {
                           : std::filesystem::canonical("/proc/self/exe").parent_path() / "ionskin";
 }
 
-pid_t start_detached(const std::vector<std::string>& words, const std::filesystem::path& folder,
+pid_t start_detached(const std::vector<std::string>& words, const base::FileDescriptor& folder,
                      const std::filesystem::path& output, const std::filesystem::path& errors) {
   const int out = open_to_write(output);
   const int err = open_to_write(errors);
-  const pid_t child = start(words, folder, out, err, 0);
+  const pid_t child = start(words, folder, out, err, 0, nullptr);
   ::close(out);
   ::close(err);
   return child;
 }
 
-Outcome run_to_end(const std::vector<std::string>& words, const std::filesystem::path& folder,
+Outcome run_to_end(const std::vector<std::string>& words, const base::FileDescriptor& folder,
                    std::chrono::seconds time, std::size_t memory) {
+  const Confinement confinement(folder);
   int out[2], err[2];
   if (pipe2(out, O_CLOEXEC) != 0) {
     throw std::system_error(errno, std::generic_category(), "pipe");
@@ -174,7 +176,7 @@ Outcome run_to_end(const std::vector<std::string>& words, const std::filesystem:
     ::close(out[1]);
     throw std::system_error(errno, std::generic_category(), "pipe");
   }
-  const pid_t child = start(words, folder, out[1], err[1], memory);
+  const pid_t child = start(words, folder, out[1], err[1], memory, &confinement);
   ::close(out[1]);
   ::close(err[1]);
   Outcome outcome;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/base/system/file_descriptor.hpp"
+
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
@@ -27,9 +29,10 @@ std::filesystem::path program();
 
 /// Starts a program in a session of its own, so that it outlives this one. No shell is involved.
 /// @param words the program's path, then its arguments
+/// @param folder that it works in
 /// @param output file to which its standard output goes; the other is for its errors
 /// Throws std::system_error.
-pid_t start_detached(const std::vector<std::string>& words, const std::filesystem::path& folder,
+pid_t start_detached(const std::vector<std::string>& words, const base::FileDescriptor& folder,
                      const std::filesystem::path& output, const std::filesystem::path& errors);
 
 /// What a program printed until its end.
@@ -42,9 +45,10 @@ struct Outcome {
   void rename(const std::string& given, const std::string& known);
 };
 
-/// Runs a program to its end with bounded time, memory and output.
+/// Runs a program to its end with bounded time, memory and output, confined to the folder that it
+/// works in.
 /// @param memory address space [bytes]; 0 for no bound
-Outcome run_to_end(const std::vector<std::string>& words, const std::filesystem::path& folder,
+Outcome run_to_end(const std::vector<std::string>& words, const base::FileDescriptor& folder,
                    std::chrono::seconds time, std::size_t memory);
 
 } // namespace ionskin::apps::studio

@@ -5,11 +5,8 @@
 #include "studio/server/limits.hpp"
 #include "studio/server/server.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
-#include <unistd.h>
 
 namespace ionskin::apps::studio {
 
@@ -41,20 +38,12 @@ Opened plain_folder(const Workspace& workspace, const std::string& path) {
   return opened;
 }
 
-/// A name of what this process has open, for a program that it starts.
-std::string path_for_child(const Opened& opened) {
-  return fmt::format("/proc/{}/fd/{}", ::getpid(), static_cast<int>(opened.file));
-}
-
 std::string compare(const Workspace& workspace, const Request& request) {
   const Opened first = plain_folder(workspace, request.parameter("first"));
   const Opened second = plain_folder(workspace, request.parameter("second"));
-  Outcome outcome =
-      run_to_end({program().string(), "compare", path_for_child(first), path_for_child(second)},
-                 workspace.root(), limits::compare_time, 0);
+  const Outcome outcome = run_to_end({program().string(), "compare", first.name, second.name},
+                                     workspace.folder(), limits::compare_time, 0);
   if (outcome.exit_code != 0) {
-    outcome.rename(path_for_child(first), first.name);
-    outcome.rename(path_for_child(second), second.name);
     throw HttpError(422, outcome.errors.empty() ? "the comparison ended early" : outcome.errors);
   }
   return outcome.output;

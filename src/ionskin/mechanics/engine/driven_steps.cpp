@@ -78,7 +78,8 @@ double DrivenSteps::longest_step(const MotionLeg& leg) const {
 void DrivenSteps::require_room(double time) const {
   const auto& place = contact_.place();
   for (std::size_t c = 0; c < 2; ++c) {
-    if (place[c] < options_.room.low[c] || place[c] > options_.room.high[c]) {
+    if (options_.along[c] &&
+        (place[c] < options_.room.low[c] || place[c] > options_.room.high[c])) {
       throw SolverError(
           fmt::format("the slider swings too far on its drive: at {:.4g} s its centre is at "
                       "{:.4g} mm along {}, and it must stay from {:.4g} mm to {:.4g} mm",

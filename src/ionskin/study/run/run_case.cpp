@@ -4,7 +4,6 @@
 #include "ionskin/base/digest.hpp"
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/files/atomic_file.hpp"
-#include "ionskin/base/largest.hpp"
 #include "ionskin/base/timers.hpp"
 #include "ionskin/case/checks/check_sizes.hpp"
 #include "ionskin/electrochemistry/equations/space_charge.hpp"
@@ -19,6 +18,7 @@
 #include "ionskin/study/errors/error_estimate.hpp"
 #include "ionskin/study/run/run_folder.hpp"
 #include "ionskin/study/run/solve_mechanics.hpp"
+#include "ionskin/study/run/unfinished.hpp"
 #include "ionskin/study/run/warnings.hpp"
 #include "ionskin/study/run/write_outputs.hpp"
 #include "ionskin/study/stations/audits.hpp"
@@ -82,8 +82,8 @@ std::optional<MechanicsRecord> left_mechanics(const Case& input, const std::stri
 
 /// Case -> SkinMesh -> ContactSolution -> CoreHistory, or what an earlier run left of it in its
 /// folder.
-MechanicsRecord study_1(const Case& input, const RunOptions& options, RunFolder& folder,
-                        base::Timers& timers) {
+MechanicsRecord study_1(const Case& input, const RunOptions& options, double start,
+                        RunFolder& folder, base::Timers& timers) {
   const auto results_path = folder.own(results::file_names::results);
   const std::string hash = mechanics_hash(input);
   if (auto record = left_mechanics(input, hash, results_path, folder)) {
@@ -97,13 +97,23 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, RunFolder&
                     "--only electrochemistry takes up: run without --only, or with "
                     "--only mechanics, first");
   }
-  const auto solved = folder.stage("mechanics", [&] {
+  std::optional<mechanics::ContactSolution> path; // as far as it went
+  const auto solve = [&] {
     mechanics::ContactOptions contact_options;
     contact_options.threads = options.threads;
     contact_options.progress = options.progress;
+    contact_options.unfinished = [&](const mechanics::ContactSolution& some) { path = some; };
     return std::move(
         solve_mechanics(input, {input.contact.friction}, contact_options, timers).front());
-  });
+  };
+  const auto solved = [&] {
+    try {
+      return folder.stage("mechanics", solve);
+    } catch (const SolverError& error) {
+      keep_unfinished_contact(input, options, path, error, start, folder);
+      throw;
+    }
+  }();
   return folder.stage("strain", [&] {
     options.progress("strain history", 0.0);
     constexpr double share_of_files = 0.25;
@@ -156,46 +166,6 @@ IonSolution study_2(const Case& input, const RunOptions& options, RunFolder& fol
     electrochemistry::check_net_charge(input, history);
     return electrochemistry::solve_ion_transport(input, history, ion_options, timers);
   });
-}
-
-/// Strains are taken as small by the contact problem; those of a file are as they are.
-std::vector<readout::Metric> audited_metrics(const MechanicsRecord& mechanics,
-                                             const Signals& signals) {
-  std::vector<readout::Metric> metrics = signals.metrics;
-  if (mechanics.has_contact()) {
-    double largest = 0;
-    for (const double shear : signals.resolved.column("p99_shear").values) {
-      largest = base::larger(largest, std::abs(shear));
-    }
-    metrics.push_back({"largest_p99_shear", largest, "1"});
-  }
-  return metrics;
-}
-
-/// What was solved before the ion transport gave up: its signals as far as they go, and the figures
-/// of Study 1, which is finished.
-void keep_unfinished(const Case& input, const RunOptions& options, const MechanicsRecord& mechanics,
-                     const SolverError& error, double start, RunFolder& folder) {
-  RunOutputs outputs;
-  outputs.signals = read_out_mechanics(input, mechanics, options.threads);
-  outputs.errors = no_estimate(outputs.signals, "the run is unfinished");
-  outputs.audits = audit(audited_metrics(mechanics, outputs.signals));
-  outputs.warnings = mechanics_warnings(input, mechanics);
-  outputs.warnings.push_back(
-      fmt::format("The run is unfinished: its signals end where the ion transport gave up, and its "
-                  "figures are those of the contact alone. {}.",
-                  error.what()));
-  if (const auto checkpoint =
-          read_checkpoint(folder.file(results::file_names::checkpoint),
-                          transport_hash(folder.manifest().input_hash, mechanics.history))) {
-    Signals rows = read_out_rows(input, mechanics, checkpoint->solution, options.threads);
-    outputs.signals.resolved = std::move(rows.resolved);
-    outputs.signals.sampled = std::move(rows.sampled);
-  }
-  try {
-    write_unfinished(input, outputs, start, folder);
-  } catch (const base::UnwritableFile&) { // why the solver gave up matters more
-  }
 }
 
 /// A run keeps its results where their error cannot be estimated.
@@ -275,8 +245,8 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
     require_unchanged(input, *given_strain);
   }
 
-  const MechanicsRecord mechanics =
-      given_strain ? record_of(std::move(*given_strain)) : study_1(input, options, folder, timers);
+  const MechanicsRecord mechanics = given_strain ? record_of(std::move(*given_strain))
+                                                 : study_1(input, options, start, folder, timers);
   RunOutputs outputs;
   if (options.studies == Studies::mechanics) {
     outputs.signals = read_out_mechanics(input, mechanics, options.threads);
@@ -285,7 +255,11 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
     try {
       outputs.ions = study_2(input, options, folder, mechanics.history, timers);
     } catch (const SolverError& error) {
-      keep_unfinished(input, options, mechanics, error, start, folder);
+      const auto checkpoint =
+          read_checkpoint(folder.file(results::file_names::checkpoint),
+                          transport_hash(folder.manifest().input_hash, mechanics.history));
+      keep_unfinished_ions(input, options, mechanics, checkpoint ? &checkpoint->solution : nullptr,
+                           error, start, folder);
       throw;
     }
     outputs.signals = read_out(input, mechanics, *outputs.ions, options.threads);

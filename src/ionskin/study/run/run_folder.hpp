@@ -7,6 +7,7 @@
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/study/run/run_case.hpp"
 
+#include <exception>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -49,7 +50,12 @@ public:
     } catch (const Interrupted&) {
       give_up(name, "interrupted", base::wall_time() - start);
       throw;
-    } catch (...) {
+    } catch (const SolverError& error) {
+      manifest_.reason = std::string(error.what()) + "; remedy: " + error.remedy();
+      give_up(name, "failed", base::wall_time() - start);
+      throw;
+    } catch (const std::exception& error) {
+      manifest_.reason = error.what();
       give_up(name, "failed", base::wall_time() - start);
       throw;
     }

@@ -47,6 +47,7 @@ void add_pass(const Case& input, const std::vector<std::string>& names,
     }
   }
   mechanics::ContactOptions own = options;
+  own.unfinished = nullptr; // what a coarser mesh left is nobody's result
   own.progress = [&](std::string_view activity, double fraction) {
     activity == "mechanics"
         ? options.progress(companion_activity, first + solved * share * fraction)

@@ -156,8 +156,8 @@ void write_unfinished(const Case& input, const RunOutputs& outputs, double start
                       RunFolder& folder) {
   results::Summary summary = summary_of(input, outputs);
   summary.timing = timing(folder, start);
-  results::write_csv(folder.own(names::signals), outputs.signals.resolved);
-  results::write_csv(folder.own(names::sampled), outputs.signals.sampled);
+  write_optional(folder, names::signals, present(outputs.signals.resolved));
+  write_optional(folder, names::sampled, present(outputs.signals.sampled));
   results::write_summary(folder.own(names::summary), summary);
 }
 

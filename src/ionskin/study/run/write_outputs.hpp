@@ -34,8 +34,8 @@ RunOutcome write_outputs(const Case& input, const RunOptions& options,
                          const MechanicsRecord& mechanics, const RunOutputs& outputs, double start,
                          RunFolder& folder);
 
-/// Writes signals, sampled currents and summary of a run that a solver gave up; `results.h5` stays
-/// as it is, for `--resume`.
+/// Writes signals and sampled currents, if there are any, and the summary of a run that a solver
+/// gave up; `results.h5` stays as it is, for `--resume`.
 void write_unfinished(const Case& input, const RunOutputs& outputs, double start,
                       RunFolder& folder);
 

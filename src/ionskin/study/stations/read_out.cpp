@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/stations/read_out.hpp"
 
+#include "ionskin/base/largest.hpp"
 #include "ionskin/case/coupling.hpp"
 #include "ionskin/circuits/circuit.hpp"
 #include "ionskin/electrochemistry/coupling/driving_channel.hpp"
@@ -321,7 +322,7 @@ Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonS
   return signals;
 }
 
-Signals read_out_mechanics(const Case& input, const MechanicsRecord& mechanics, int threads) {
+Signals read_out_mechanics_rows(const Case& input, const MechanicsRecord& mechanics, int threads) {
   const auto& time = mechanics.history.time;
   auto inputs = mechanical_inputs(input, mechanics, time, threads);
   inputs.charge_top.assign(time.size(), std::numeric_limits<double>::quiet_NaN());
@@ -329,6 +330,11 @@ Signals read_out_mechanics(const Case& input, const MechanicsRecord& mechanics, 
   Signals signals;
   signals.resolved = readout::build_signal_table(inputs);
   signals.sampled = readout::sample_currents(signals.resolved, input.readout.sample_interval);
+  return signals;
+}
+
+Signals read_out_mechanics(const Case& input, const MechanicsRecord& mechanics, int threads) {
+  Signals signals = read_out_mechanics_rows(input, mechanics, threads);
   for (const auto& metric : readout::signal_metrics(signals.resolved, signals.sampled,
                                                     named_instants(input, mechanics))) {
     if (metric.name.find("current") == std::string::npos &&
@@ -338,6 +344,19 @@ Signals read_out_mechanics(const Case& input, const MechanicsRecord& mechanics, 
   }
   add_slide_metrics(input, mechanics, signals.metrics);
   return signals;
+}
+
+std::vector<readout::Metric> audited_metrics(const MechanicsRecord& mechanics,
+                                             const Signals& signals) {
+  std::vector<readout::Metric> metrics = signals.metrics;
+  if (mechanics.has_contact()) {
+    double largest = 0;
+    for (const double shear : signals.resolved.column("p99_shear").values) {
+      largest = base::larger(largest, std::abs(shear));
+    }
+    metrics.push_back({"largest_p99_shear", largest, "1"});
+  }
+  return metrics;
 }
 
 } // namespace ionskin::study

@@ -36,4 +36,12 @@ Signals read_out_rows(const Case& input, const MechanicsRecord& mechanics,
 /// Study 1 alone, one row per sample of the strain history; charges and currents stay empty.
 Signals read_out_mechanics(const Case& input, const MechanicsRecord& mechanics, int threads);
 
+/// The same without figures, for a contact that did not come to its end.
+Signals read_out_mechanics_rows(const Case& input, const MechanicsRecord& mechanics, int threads);
+
+/// Figures that are audited: those of the signals, and the largest shear of a contact, which takes
+/// strains as small; those of a file are as they are.
+std::vector<readout::Metric> audited_metrics(const MechanicsRecord& mechanics,
+                                             const Signals& signals);
+
 } // namespace ionskin::study
