@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The case as a form, made from the schema table: one field per key, with unit, range, default and help.
 import { CaseError, CaseValue, Key } from "./api";
-import { el, labelled, select } from "./dom";
+import { el, labelled } from "./dom";
+import { FieldControl, field_control, field_label, plain } from "./field_control";
 import { words } from "./format";
+import { RowTable, row_lists } from "./row_table";
 
 export type Edit = (key: string, value: string) => void;
 
@@ -11,11 +13,23 @@ const headings: Record<string, string> = { title: "Case", skin: "Skin", material
 
 export class CaseForm {
   readonly element = el("div", { class: "form" });
-  private fields = new Map<string, { control: HTMLInputElement | HTMLSelectElement; problem: HTMLElement; box: HTMLElement }>();
+  private fields = new Map<string, { control: FieldControl; problem: HTMLElement; box: HTMLElement }>();
   private shape = "";
   private last: { values: CaseValue[]; applicable: string[] } = { values: [], applicable: [] };
 
-  constructor(private keys: Key[], private edit: Edit) {}
+  private tables: RowTable[];
+
+  constructor(private keys: Key[], private edit: Edit, rewrite: (change: (text: string) => string) => void) {
+    this.tables = row_lists.map((list) => new RowTable(list, keys, edit, rewrite));
+  }
+
+  /// Rows of layers and taxels, as they stand in the text.
+  show_rows(text: string): void {
+    for (const table of this.tables) {
+      table.show(text, this.last.values);
+      for (const [key, { box }] of this.fields) if (key.startsWith(`${table.own.list}.`)) box.hidden = table.stands;
+    }
+  }
 
   /// Fields are made once for the same set of keys, so that what one types in stays in place.
   /// @param applicable keys of the table that have a meaning in this case; others have no field
@@ -29,8 +43,7 @@ export class CaseForm {
     }
     for (const [key, { control, box }] of this.fields) {
       const value = given.get(key);
-      const written = value?.written ?? this.row(key)?.default ?? "";
-      if (document.activeElement !== control) control.value = plain(written);
+      control.show(value?.written ?? this.row(key)?.default ?? "");
       box.classList.toggle("default", !value || value.origin === "default" || value.origin === "preset");
     }
     this.mark([]);
@@ -47,10 +60,11 @@ export class CaseForm {
   mark(errors: CaseError[]): void {
     for (const [key, { control, problem, box }] of this.fields) {
       const own = errors.filter((error) => error.keys.includes(key));
-      control.setAttribute("aria-invalid", String(own.length > 0));
+      for (const input of control.inputs()) input.setAttribute("aria-invalid", String(own.length > 0));
       problem.textContent = own.map((error) => `${error.message}: ${error.remedy}`).join("\n");
       if (own.length) box.closest("details")?.setAttribute("open", "");
     }
+    for (const table of this.tables) table.mark(errors);
   }
 
   private row(key: string): Key | undefined {
@@ -71,6 +85,13 @@ export class CaseForm {
     };
     for (const row of this.keys) {
       if (row.key.startsWith("motion.waypoints[]")) continue; // in the editor of the path
+      const table = this.tables.find((one) => row.key.startsWith(`${one.own.list}[]`));
+      if (table) {
+        const section = row.key.split(".")[0];
+        if (!sections.has(section)) sections.set(section, []);
+        if (!sections.get(section)!.includes(table.element)) sections.get(section)!.push(table.element);
+        if (!table.element.hidden) continue;
+      }
       if (/\[\]|NAME/.test(row.key)) {
         for (const key of given.keys()) if (this.row(key) === row) add(key, row);
       } else if (applicable.has(row.key) || given.has(row.key)) add(row.key, row);
@@ -82,33 +103,16 @@ export class CaseForm {
   }
 
   private field(key: string, row: Key): HTMLElement {
-    const change = () => this.edit(key, typed(control.value, row));
-    const control = row.choices.length
-      ? select(row.choices.map((choice) => [choice, choice]), "", change)
-      : el("input", { type: "text", onchange: change, autocomplete: "off", spellcheck: false, inputMode: row.type === "number" || row.type === "integer" ? "decimal" : "text" });
-    control.dataset.key = key;
+    const label = field_label(key);
+    const control = field_control(key, row, label, (value) => this.edit(key, value));
     const facts = [row.si_unit ? `SI unit ${row.si_unit}` : "", row.range, row.default ? `default ${plain(row.default)}` : row.need].filter(Boolean).join("; ");
     const problem = el("span", { class: "field-problem", role: "alert" });
-    const name = key.replace(/^[a-z]+[.]?/, "") || key;
-    const box = labelled(words(name.replace(/\[(\d+)\]\./, (_, i) => `${Number(i) + 1}: `).replace(/\./g, " ")), control);
-    control.setAttribute("aria-describedby", `${control.id}-help`);
+    const box = labelled(label, control.element);
+    control.element.setAttribute("aria-describedby", `${control.element.id}-help`);
     box.title = `${key}: ${row.help}`;
     box.append(problem, el("details", { class: "help" }, el("summary", {}, "?"),
-      el("div", { id: `${control.id}-help` }, `${row.help} ${row.range_reason}`, el("br"), el("code", {}, key), ` ${facts}`, row.source ? el("div", { class: "hint" }, `Source: ${row.source}`) : null)));
+      el("div", { id: `${control.element.id}-help` }, `${row.help} ${row.range_reason}`, el("br"), el("code", {}, key), ` ${facts}`, row.source ? el("div", { class: "hint" }, `Source: ${row.source}`) : null)));
     this.fields.set(key, { control, problem, box });
     return box;
   }
-}
-
-/// A text without its quotes; lists stay as they are.
-function plain(written: string): string {
-  try {
-    return /^"(?:[^"\\]|\\.)*"$/.test(written) ? JSON.parse(written) : written;
-  } catch {
-    return written;
-  }
-}
-
-function typed(value: string, row: Key): string {
-  return row.type === "text" || row.type === "choice" ? JSON.stringify(value) : value.trim();
 }

@@ -36,8 +36,9 @@ export function case_view(): HTMLElement {
       take(await fitted(key, edited.text));
     }));
   };
-  const form = new CaseForm(store.keys, set);
-  const path = new WaypointEditor(set, (change) => { edits = edits.then(() => attempt(async () => take(change(store.case_text)))); });
+  const rewrite = (change: (text: string) => string) => { edits = edits.then(() => attempt(async () => take(change(store.case_text)))); };
+  const form = new CaseForm(store.keys, set, rewrite);
+  const path = new WaypointEditor(set, rewrite);
   /// Another choice takes away the keys that do not go with it; what it lacks gets a field.
   async function fitted(key: string, text: string): Promise<string> {
     if (!store.keys.find((one) => one.key === key)?.choices.length) return text;
@@ -74,6 +75,7 @@ export function case_view(): HTMLElement {
       path.show(valid, shape);
       sketch.replaceChildren(case_picture(shape));
     } else form.offer(missing_keys(errors));
+    form.show_rows(store.case_text);
     form.mark(errors);
     actions.allow(verdict.valid ? verdict.values : undefined);
     verdict_line.className = verdict.valid ? "verdict good" : "verdict bad";

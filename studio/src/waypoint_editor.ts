@@ -4,6 +4,7 @@ import { CaseValue, upload } from "./api";
 import { attempt, button, el, say, svg } from "./dom";
 import { number } from "./format";
 import { Geometry } from "./geometry";
+import { blocks, with_block, without_block, without_blocks } from "./table_text";
 
 const columns = ["time", "position", "height", "force"];
 const width = 420, margin = 14;
@@ -28,7 +29,7 @@ export class WaypointEditor {
       const written = (given.get(key)?.written ?? "").replace(/"/g, "");
       return el("td", {}, el("input", { type: "text", size: column === "position" ? 16 : 8, value: written, "data-key": key, "aria-label": `${column} of waypoint ${i + 1}`,
         onchange: (event: Event) => this.edit(key, (event.target as HTMLInputElement).value) }));
-    }), el("td", {}, this.count > 2 ? remover(i, () => this.rewrite((text) => without_waypoint(text, i))) : null)));
+    }), el("td", {}, this.count > 2 ? remover(i, () => this.rewrite((text) => without_block(text, list, i))) : null)));
     this.element.replaceChildren(
       el("h3", {}, "Path"), ...(shape.path.length ? [this.plan(shape), el("p", { class: "hint" }, "Seen from above; drag a point to move it.")] : []),
       ...(this.count ? [el("div", { class: "scroll" }, el("table", {}, el("thead", {}, el("tr", {}, ...["", "Time", "Place x, y", "Height", "or force", ""].map((title) => el("th", { scope: "col" }, title)))), el("tbody", {}, ...rows))),
@@ -99,21 +100,18 @@ function remover(index: number, click: () => void): HTMLElement {
   return cross;
 }
 
-const block = /^\[\[motion\.waypoints\]\][^\n]*\n(?:(?!\s*\[)[^\n]*(?:\n|$))*/gm;
+const list = "motion.waypoints";
 
-export function without_waypoints(text: string): string { return text.replace(block, "").replace(/^file\s*=.*\n/m, (line, at: number) => (section_at(text.replace(block, ""), at) === "motion" ? "" : line)); }
-function without_waypoint(text: string, index: number): string {
-  let i = 0;
-  return text.replace(block, (one) => (i++ === index ? "" : one));
+export function without_waypoints(text: string): string {
+  const rest = without_blocks(text, list);
+  return rest.replace(/^file\s*=.*\n/m, (line, at: number) => (section_at(rest, at) === "motion" ? "" : line));
 }
 
 /// The last one again, a second later.
 function with_waypoint_after_last(text: string): string {
-  const last = [...text.matchAll(block)].pop();
+  const last = blocks(text, list).pop();
   if (!last) return text;
-  const later = last[0].replace(/^(\s*time\s*=\s*")\s*([-+\d.eE]+)\s*(\w+)/m, (_, begin, value, unit) => `${begin}${Number(value) + (unit === "ms" ? 1000 : 1)} ${unit}`);
-  const end = last.index + last[0].length;
-  return text.slice(0, end) + (last[0].endsWith("\n") ? "" : "\n") + later + text.slice(end);
+  return with_block(text, list, last.replace(/^(\s*time\s*=\s*")\s*([-+\d.eE]+)\s*(\w+)/m, (_, begin, value, unit) => `${begin}${Number(value) + (unit === "ms" ? 1000 : 1)} ${unit}`));
 }
 
 function section_at(text: string, at: number): string {

@@ -149,6 +149,7 @@ class FirstMinutes(ProgramTest):
         for entry in entries:
             for field in ("author", "title", "year", "doi", "url"):
                 self.assertRegex(entry, rf"\n  {field} = {{.+}}")
+        self.assertIn("Not confirmed by a second source, check it: author, volume, pages and doi.\n@article{small1984", cited)
         dry, wet = (self.run_program("cite", ROOT / "cases" / f"{name}.toml").stdout for name in ("quick", "poroelastic"))
         self.assertNotIn("biot1941", dry)
         self.assertIn("biot1941", wet)

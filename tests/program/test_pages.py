@@ -111,6 +111,7 @@ class Pages(ProgramTest):
     def test_some(self):
         quick = [row for row in pairwise(FACTORS) if row["preset"] == "coarse" and row["motion"] == "touch-slide-lift"]
         self.draw(quick[:FEW])
+        self.draw([row for row in quick if row["starter"] == "poroelastic"][:1])  # whose concentrations have six digits
 
     @long_test
     def test_all(self):

@@ -3,6 +3,7 @@
 
 import json
 import os
+import pathlib
 import shutil
 import subprocess
 import sys
@@ -10,7 +11,10 @@ import unittest
 
 import numpy
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "unit" / "results"))
 import ionskin
+import page_faults
+from browser import browser_page
 from ionskin.evaluation import LocalEngine, StudyFolder
 from ionskin.uncertainty.distributions import parse
 from package import CASES, PackageTest
@@ -147,6 +151,9 @@ class OfACase(PackageTest):
         self.assertEqual(resumed.returncode, 0, resumed.stderr)
         for name in ("uncertainty.json", "samples.csv", "bands.csv"):
             self.assertEqual((self.folder / "out" / name).read_text(), (self.folder / "cut" / name).read_text(), name)
+        with browser_page(self.folder / "out" / "report.html") as page:
+            for width in page_faults.WIDTHS:
+                self.assertEqual(page_faults.faults(page, width), [], f"at {width} pixels")
         indices = json.loads((self.folder / "out" / "uncertainty.json").read_text())["metrics"]["rms_current_difference"]
         self.assertGreater(indices["sobol_indices"][K]["first"]["value"], 0.8)  # the current goes with k
         other = self.command("--resume", "--seed=2")

@@ -79,7 +79,7 @@ void add_log_options(CLI::App& verb, LogFormat& log) {
           "The same as --progress auto or json")
       ->check(CLI::IsMember({"text", "json"}));
   verb.add_flag_callback(
-      "--quiet", [&log] { log = LogFormat::quiet; },
+      "-q,--quiet", [&log] { log = LogFormat::quiet; },
       "Neither progress nor a summary of the results");
 }
 

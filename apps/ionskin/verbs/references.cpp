@@ -48,12 +48,12 @@ constexpr std::array<Reference, 17> table{{
      "Strip loadings",
      "journal = {International Journal for Numerical Methods in Engineering}, volume = {20}, "
      "number = {6}, pages = {1025--1037}",
-     1984, "10.1002/nme.1620200606", has_contact},
+     1984, "10.1002/nme.1620200606", has_contact, "author, volume, pages and doi"},
     {"kausel1981", "stiffness of a layer", "article",
      "Eduardo Kausel and Jos{\\'e} Manuel Ro{\\\"e}sset", "Stiffness matrices for layered soils",
      "journal = {Bulletin of the Seismological Society of America}, volume = {71}, number = {6}, "
      "pages = {1743--1761}",
-     1981, "10.1785/BSSA0710061743", has_contact},
+     1981, "10.1785/BSSA0710061743", has_contact, "doi"},
     {"buzbee1971", "free sides and ends of the skin", "article",
      "B. L. Buzbee and F. W. Dorr and J. A. George and G. H. Golub",
      "The Direct Solution of the Discrete {Poisson} Equation on Irregular Regions",
@@ -113,7 +113,7 @@ constexpr std::array<Reference, 17> table{{
      "Structure and capacity of electrical double layer",
      "journal = {The London, Edinburgh, and Dublin Philosophical Magazine and Journal of "
      "Science}, volume = {33}, number = {220}, pages = {384--397}",
-     1942, "10.1080/14786444208520813", has_lattice_ions},
+     1942, "10.1080/14786444208520813", has_lattice_ions, "title, number and doi"},
     {"biot1941", "pressure and flow of the water", "article", "Maurice A. Biot",
      "General Theory of Three-Dimensional Consolidation",
      "journal = {Journal of Applied Physics}, volume = {12}, number = {2}, pages = {155--164}",
@@ -136,10 +136,14 @@ std::span<const Reference> references() {
 }
 
 std::string bibtex(const Reference& one) {
-  return fmt::format("% {}\n@{}{{{},\n  author = {{{}}},\n  title = {{{}}},\n  {},\n"
+  const std::string check =
+      one.unconfirmed.empty()
+          ? std::string()
+          : fmt::format("% Not confirmed by a second source, check it: {}.\n", one.unconfirmed);
+  return fmt::format("% {}\n{}@{}{{{},\n  author = {{{}}},\n  title = {{{}}},\n  {},\n"
                      "  year = {{{}}},\n  doi = {{{}}},\n  url = {{https://doi.org/{}}}\n}}\n",
-                     one.purpose, one.type, one.key, one.author, one.title, one.place, one.year,
-                     one.doi, one.doi);
+                     one.purpose, check, one.type, one.key, one.author, one.title, one.place,
+                     one.year, one.doi, one.doi);
 }
 
 } // namespace ionskin::apps

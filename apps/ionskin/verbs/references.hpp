@@ -20,6 +20,8 @@ struct Reference {
   int year;
   std::string_view doi;
   bool (*used)(const Case&);
+  /// Fields that no second source confirmed, in words; told above the entry.
+  std::string_view unconfirmed = "";
 };
 
 /// Publications of all methods.

@@ -11,6 +11,7 @@ from ..words import si_scale  # figures take it and the colours from here
 BEHIND_TEXT = {"facecolor": "white", "alpha": 0.8, "edgecolor": "none", "pad": 1.0}
 
 WIDTH = 170 / 25.4  # full text width of most journals [inch]
+TELEPHONE_WIDTH = 88 / 25.4  # whose letters can be read on a telephone [inch]
 ROW = 44 / 25.4  # height of one panel [inch]
 
 SETTINGS = {
@@ -53,15 +54,15 @@ def apply():
     matplotlib.rcParams.update(SETTINGS)
 
 
-def stacked(rows, *, share_x=True, heights=None, left=0.105):
-    """A full-width figure with panels on top of each other and the list of its axes."""
+def stacked(rows, *, share_x=True, heights=None, width=WIDTH):
+    """A figure with panels on top of each other, of the full width [inch] or another, and the list of its axes."""
     apply()
     heights = heights or [1] * rows
     height = ROW * sum(heights) + 0.30 + 0.22 * rows
-    figure = Figure(figsize=(WIDTH, height))
+    figure = Figure(figsize=(width, height))
     FigureCanvasAgg(figure)
     axes = figure.subplots(rows, 1, sharex=share_x, squeeze=False, gridspec_kw={"height_ratios": heights})[:, 0]
-    figure.subplots_adjust(left=left, right=0.98, top=1 - 0.22 / height, bottom=0.42 / height,
+    figure.subplots_adjust(left=0.105 * WIDTH / width, right=0.98, top=1 - 0.22 / height, bottom=0.42 / height,
                            hspace=0.22 if share_x else 0.42)
     return figure, list(axes)
 

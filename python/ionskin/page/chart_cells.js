@@ -217,11 +217,14 @@
     const log = frame.scale, [yDivisor, yWords] = log ? [1, cell.y.name] : scaled(cell.y, both || height);
     const values = log ? log.ticks : ticks(...frame.y.map((end) => end / yDivisor), Math.max(3, Math.round((frame.bottom - frame.top) / 30)), STEPS);
     const empty = !cell.curves.length && !cell.map && !cell.shapes.length;
-    for (const value of empty ? [] : values) {
+    const numbers = (empty ? [] : values).map((value) => {
       const y = frame.py(value * yDivisor);
       if (!cell.map) make(svg, "line", { class: "gridline", x1: frame.left, x2: frame.right, y1: y, y2: y });
-      make(svg, "text", { x: frame.left - 6, y: y + 4, "text-anchor": "end" }, log ? withUnit(value, cell.y.unit, 3) : Number(value.toPrecision(6)).toString());
-    }
+      return make(svg, "text", { x: frame.left - 6, y: y + 4, "text-anchor": "end" }, log ? withUnit(value, cell.y.unit, 3) : Number(value.toPrecision(6)).toString());
+    });
+    // Numbers of many digits are smaller, so that the name of the axis has its place.
+    const longest = Math.max(0, ...numbers.map((one) => one.getComputedTextLength())), room = frame.left - (cell.y.name ? 24 : 8);
+    if (longest > room) for (const one of numbers) one.style.fontSize = `${Math.max(7, 11 * room / longest)}px`;
     make(svg, "path", { class: "axis", d: `M${frame.left} ${frame.top}V${frame.bottom}H${frame.right}` });
     if (xWords && (cell.x.name || named)) {
       const text = make(svg, "text", { class: "along", y: frame.bottom + 30, "text-anchor": "middle" }, xWords), half = text.getComputedTextLength() / 2;

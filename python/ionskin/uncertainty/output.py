@@ -76,12 +76,12 @@ def summary(study, analyses) -> dict:
             for name, one in analyses.items()}}
 
 
-def indices_figure(study, analyses):
+def indices_figure(study, analyses, width):
     """Bars of both indices with their intervals, a panel a metric; None where every surrogate was refused."""
     valid = {name: one for name, one in analyses.items() if one.first}
     if not valid:
         return None
-    drawing, axes = style.stacked(len(valid), share_x=False)
+    drawing, axes = style.stacked(len(valid), share_x=False, width=width)
     places = numpy.arange(len(study.keys))
     for panel, (name, one) in zip(axes, valid.items()):
         for shift, (label, index, colour) in zip((-0.2, 0.2), (("first", one.first, style.BLUE), ("total", one.total, style.ORANGE))):
@@ -95,11 +95,11 @@ def indices_figure(study, analyses):
     return drawing
 
 
-def bands_figure(found, known):
+def bands_figure(found, known, width):
     """Median and bands of the signals over time; None without signals."""
     if not found:
         return None
-    drawing, axes = style.stacked(len(found), share_x=False)
+    drawing, axes = style.stacked(len(found), share_x=False, width=width)
     for panel, (name, (time, curves)) in zip(axes, found.items()):
         divisor, prefix = si_scale(numpy.abs(curves).max())
         unit = known.get(name, "1")
@@ -114,13 +114,22 @@ def bands_figure(found, known):
     return drawing
 
 
-def picture(folder, name, heading, caption, drawing):
-    """Saves a figure and returns its section of the page."""
+def svg_of(drawing):
+    """The text of its SVG file."""
     text = io.StringIO()
     drawing.savefig(text, format="svg", metadata={"Date": None}, transparent=True)
+    return text.getvalue()
+
+
+def picture(folder, name, heading, caption, draw):
+    """Saves a figure and returns its section of the page, which has another drawing for telephones. `draw` makes one of a width
+    in inches."""
+    drawing = draw(style.WIDTH)
     output_folder.save(drawing, folder / "figures" / f"{name}.png", dpi=PNG_DPI)
-    output_folder.write_text(folder / "figures" / f"{name}.svg", white_background(text.getvalue()))
-    image = Markup(inline_svg(text.getvalue(), name))
+    text = svg_of(drawing)
+    output_folder.write_text(folder / "figures" / f"{name}.svg", white_background(text))
+    image = Markup('<div class="desktop">{}</div><div class="telephone">{}</div>').format(
+        Markup(inline_svg(text, name)), Markup(inline_svg(svg_of(draw(style.TELEPHONE_WIDTH)), f"{name}-narrow")))
     return pages.Section(name, heading, "figure", pages.Picture(name, heading, caption, image))
 
 
@@ -133,12 +142,12 @@ def write(study, analyses, kept) -> None:
     kept.write("bands.csv", bands_table(found))
     known = units(study)
     sections = [pages.Section("warnings", "Warnings", "warnings", {"texts": warnings(study, analyses)})]
-    for name, heading, caption, drawing in (
+    for name, heading, caption, draw in (
             ("sobol_indices", "Sobol' indices", "Share of the variance by a key alone (first) and with all its interplay "
-             "(total), with 95 % intervals of the bootstrap.", indices_figure(study, analyses)),
-            ("bands", "Signals", "Quantiles of the samples at each instant.", bands_figure(found, known))):
-        if drawing is not None:
-            sections.append(picture(kept.folder, name, heading, caption, drawing))
+             "(total), with 95 % intervals of the bootstrap.", lambda width: indices_figure(study, analyses, width)),
+            ("bands", "Signals", "Quantiles of the samples at each instant.", lambda width: bands_figure(found, known, width))):
+        if draw(style.WIDTH) is not None:
+            sections.append(picture(kept.folder, name, heading, caption, draw))
     metrics = [(name, *(quantity(value, known.get(name, "1")) for value in (
         one.mean, one.deviation, one.quantiles[0.05], one.quantiles[0.5], one.quantiles[0.95])),
         "–" if one.q2 is None else f"{one.q2:.4f}") for name, one in analyses.items()]

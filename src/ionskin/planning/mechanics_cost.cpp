@@ -20,11 +20,14 @@
 namespace ionskin::planning {
 namespace {
 
-// Processor time [s], measured with AVX2 on cases/paper.toml and cases/finger.toml at coarse and
-// standard.
-constexpr double seconds_per_skin = 0.4, seconds_per_pair_of_cells = 9e-6;
+// Processor time [s], measured with AVX2 on cases/paper.toml and cases/finger.toml, with a soft
+// finger and on a path of six waypoints.
+constexpr double seconds_per_skin = 0.7, seconds_per_pair_of_cells = 9e-6;
 /// Of a step of the contact, over the square of the cells.
 constexpr double seconds_per_step = 1e-7, seconds_per_driven_step = 2e-7;
+/// More of a step at a new place across the skin, by the skin's size over the reach of its short
+/// waves: rows of cells are summed over all modes anew.
+constexpr double seconds_per_place_across = 2e-4;
 /// Of the strain of an instant that is kept of the path, over the points of the core.
 constexpr double seconds_per_strain = 6e-7;
 /// Grids of cells on which the contact of a round slider is sought.
@@ -35,21 +38,25 @@ mesh::SkinMesh expected_mesh(const Case& input) {
   return {input, mesh::expected_footprint(input)};
 }
 
-/// Of the modes on sides and ends and of what they do in the core [bytes]. They are as many as the
-/// skin is long and wide over the reach of its short waves. Measured on skins of 15 x 2.5 to
-/// 15 x 18 mm2 and 45 x 6 mm2, 0.2 mm thick, and beside a side.
-double skin_memory(const Case& input, const mesh::SkinMesh& mesh) {
-  const double bytes = mesh.half_model() ? 3.1e5 : 6.2e5; // of even modes alone, or of all
+/// Long and wide over the reach of its short waves, as modes are many.
+double skin_size(const Case& input, const mesh::SkinMesh& mesh) {
   const double reach = mechanics::short_wave_reach(input.skin, mesh.footprint(),
                                                    motion_box(input.motion, input.slider));
-  return bytes * (input.skin.length / reach) * (input.skin.width / reach);
+  return (input.skin.length / reach) * (input.skin.width / reach);
+}
+
+/// Of the modes on sides and ends and of what they do in the core [bytes]. Measured on skins of
+/// 15 x 2.5 to 15 x 18 mm2 and 45 x 6 mm2, 0.2 mm thick, and beside a side.
+double skin_memory(const Case& input, const mesh::SkinMesh& mesh) {
+  const double bytes = mesh.half_model() ? 3.1e5 : 6.2e5; // of even modes alone, or of all
+  return bytes * skin_size(input, mesh);
 }
 
 /// What one grid of cells costs.
 struct GridCost {
   GridCost(const Case& input, const mesh::SkinMesh& mesh)
       : cells(static_cast<double>(mechanics::contact_cells(mesh).count())),
-        driven(input.motion.drive.given()) {
+        size(skin_size(input, mesh)), driven(input.motion.drive.given()) {
     const auto [nx, ny, nz] = mesh.elements();
     const auto [bottom, top] = mesh.core_z();
     points = 8.0 * static_cast<double>(nx * ny * (top - bottom));
@@ -66,6 +73,7 @@ struct GridCost {
   double path_seconds(const mechanics::ExpectedSteps& steps, int threads) const {
     const double contact = driven ? seconds_per_driven_step : seconds_per_step;
     return static_cast<double>(steps.taken) * contact * cells * cells +
+           static_cast<double>(steps.across) * seconds_per_place_across * size +
            static_cast<double>(steps.kept) * seconds_per_strain * points / threads;
   }
   /// Strain of what is kept of the path [bytes].
@@ -84,6 +92,7 @@ struct GridCost {
   }
 
   double cells = 0, points = 0; ///< below the slider, of the core
+  double size = 0;              ///< of the skin
   bool driven = false;
   double history_values = 0; ///< of one instant
 };

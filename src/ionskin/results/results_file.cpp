@@ -5,12 +5,11 @@
 #include "ionskin/base/files/sealed_file.hpp"
 #include "ionskin/results/hdf5/foreign_hdf5_file.hpp"
 #include "ionskin/results/hdf5/hdf5_messages.hpp"
+#include "ionskin/results/slider_surface.hpp"
 #include "ionskin/results/strain_file/strain_file.hpp"
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <numbers>
 #include <system_error>
 
 namespace ionskin::results {
@@ -37,16 +36,6 @@ void write_field(Hdf5File& file, const std::string& dataset, const std::vector<d
   file.create_frames(dataset, {1, shape[0], shape[1], shape[2]});
   file.write_frame(dataset, 0, values);
   file.set_attribute(dataset, "unit", unit);
-}
-
-/// Places over a side of the plan, denser towards its ends, where a rounded edge is steep [m].
-std::vector<double> drawn_places(double size) {
-  constexpr int intervals = 60;
-  std::vector<double> result;
-  for (int i = 0; i <= intervals; ++i) {
-    result.push_back(size / 2 * std::sin(std::numbers::pi * (i - intervals / 2) / intervals));
-  }
-  return result;
 }
 
 } // namespace
@@ -110,19 +99,11 @@ void ResultsFile::write_contact(const ContactMaps& contact) {
 
 void ResultsFile::write_slider(const Slider& slider) {
   file_.remove("/slider");
-  const auto shape = slider.underside();
-  const shapes::Plan plan = slider.plan();
-  const double lowest = shape->lowest(plan);
-  const std::vector<double> x = drawn_places(plan.size[0]), y = drawn_places(plan.size[1]);
-  std::vector<double> heights;
-  for (const double place_y : y) {
-    for (const double place_x : x) {
-      heights.push_back(shape->height(plan, place_x, place_y) - lowest);
-    }
-  }
-  file_.write_with_unit("/slider/x", x, "m");
-  file_.write_with_unit("/slider/y", y, "m");
-  file_.write_with_unit("/slider/height", heights, "m", {y.size(), x.size()});
+  const SliderSurface surface = slider_surface(slider);
+  file_.write_with_unit("/slider/x", surface.x, "m");
+  file_.write_with_unit("/slider/y", surface.y, "m");
+  file_.write_with_unit("/slider/height", surface.height, "m",
+                        {surface.y.size(), surface.x.size()});
 }
 
 void ResultsFile::write_text(const std::string& name, const std::string& text) {

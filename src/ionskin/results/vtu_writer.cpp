@@ -2,189 +2,212 @@
 #include "ionskin/results/vtu_writer.hpp"
 
 #include "ionskin/base/files/atomic_file.hpp"
+#include "ionskin/results/slider_surface.hpp"
+#include "ionskin/results/vtu_file.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ostream.h>
-#include <zlib.h>
 
+#include <algorithm>
 #include <array>
-#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <new>
-#include <ostream>
+#include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ionskin::results {
 namespace {
 
-using electrochemistry::IonSnapshot;
-using electrochemistry::TransportGrid;
+constexpr const char* core_prefix = "fields";
+constexpr const char* layers_prefix = "layers";
+constexpr const char* contact_prefix = "contact";
+constexpr const char* slider_prefix = "slider";
 
-static_assert(std::endian::native == std::endian::little, "the files say so");
-
-/// One <DataArray> of VTK's XML format, its values compressed in the appended part of the file
-/// (VTK file formats, "XML file formats", https://docs.vtk.org).
-struct DataArray {
-  std::string attributes;
-  std::string bytes; ///< compressed, with their header
-};
-
-template <class Value>
-DataArray compressed(std::string attributes, const std::vector<Value>& values) {
-  constexpr std::size_t block_bytes = 1 << 20;
-  const auto* raw = reinterpret_cast<const unsigned char*>(values.data());
-  const std::size_t size = values.size() * sizeof(Value);
-  const std::size_t blocks = (size + block_bytes - 1) / block_bytes;
-  std::vector<std::uint64_t> header{blocks, block_bytes, size % block_bytes};
-  std::string body;
-  std::vector<unsigned char> buffer(compressBound(block_bytes));
-  for (std::size_t begin = 0; begin < size; begin += block_bytes) {
-    uLongf length = buffer.size();
-    // The best compression takes seconds for a few per cent.
-    if (compress2(buffer.data(), &length, raw + begin, std::min(block_bytes, size - begin),
-                  Z_BEST_SPEED) != Z_OK) {
-      throw std::bad_alloc(); // nothing else can fail: the buffer takes any result
-    }
-    header.push_back(length);
-    body.append(reinterpret_cast<const char*>(buffer.data()), length);
-  }
-  std::string bytes(reinterpret_cast<const char*>(header.data()), 8 * header.size());
-  return {std::move(attributes), bytes + body};
+std::string name_of(const char* prefix, std::size_t instant) {
+  return fmt::format("{}_{:04}.vtu", prefix, instant);
 }
 
-std::string named(const char* type, const char* name, int components, const char* unit = "") {
-  return fmt::format("type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"{}", type, name, components,
-                     *unit == 0 ? std::string() : fmt::format(" unit=\"{}\"", unit));
+std::string in_folder(const std::string& name) {
+  return std::string(file_names::fields) + "/" + name;
 }
 
-/// The elements between the levels of each column. Values are constant over a column, so that
-/// columns share no points: four at each level, anticlockwise.
-class ColumnMesh {
-public:
-  ColumnMesh(const TransportGrid& grid, double core_bottom)
-      : columns_((grid.x_edges.size() - 1) * (grid.y_edges.size() - 1)),
-        levels_(grid.z_nodes.size()) {
-    for (std::size_t y = 0; y + 1 < grid.y_edges.size(); ++y) {
-      for (std::size_t x = 0; x + 1 < grid.x_edges.size(); ++x) {
-        for (const double z : grid.z_nodes) {
-          for (const auto [dx, dy] : {std::array{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
-            points_.insert(points_.end(),
-                           {grid.x_edges[x + dx], grid.y_edges[y + dy], core_bottom + z});
-          }
+/// Values are constant over a column, so that columns share no points: four at each level.
+VtuGrid column_grid(const electrochemistry::TransportGrid& grid, double core_bottom) {
+  VtuGrid result;
+  const auto levels = static_cast<std::int64_t>(grid.z_nodes.size());
+  std::int64_t column = 0;
+  for (std::size_t y = 0; y + 1 < grid.y_edges.size(); ++y) {
+    for (std::size_t x = 0; x + 1 < grid.x_edges.size(); ++x, ++column) {
+      for (const double z : grid.z_nodes) {
+        for (const auto [dx, dy] : {std::array{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+          result.points.insert(result.points.end(),
+                               {grid.x_edges[x + dx], grid.y_edges[y + dy], core_bottom + z});
+        }
+      }
+      for (std::int64_t level = 0; level + 1 < levels; ++level) {
+        for (std::int64_t vertex = 0; vertex < 8; ++vertex) {
+          result.vertices.push_back(4 * (column * levels + level) + vertex);
         }
       }
     }
   }
-
-  std::size_t points() const { return points_.size() / 3; }
-  std::size_t elements() const { return columns_ * (levels_ - 1); }
-  const std::vector<double>& coordinates() const { return points_; }
-
-  std::vector<std::int64_t> connectivity() const {
-    std::vector<std::int64_t> result;
-    result.reserve(8 * elements());
-    for (std::size_t column = 0; column < columns_; ++column) {
-      for (std::size_t level = 0; level + 1 < levels_; ++level) {
-        for (std::size_t vertex = 0; vertex < 8; ++vertex) {
-          result.push_back(static_cast<std::int64_t>(4 * (column * levels_ + level) + vertex));
-        }
-      }
-    }
-    return result;
-  }
-  std::vector<std::int64_t> offsets() const {
-    std::vector<std::int64_t> result;
-    for (std::size_t element = 1; element <= elements(); ++element) {
-      result.push_back(static_cast<std::int64_t>(8 * element));
-    }
-    return result;
-  }
-  /// @param field [level][column]
-  std::vector<float> at_points(const std::vector<double>& field) const {
-    std::vector<float> result;
-    result.reserve(points());
-    for (std::size_t column = 0; column < columns_; ++column) {
-      for (std::size_t level = 0; level < levels_; ++level) {
-        result.insert(result.end(), 4, static_cast<float>(field[level * columns_ + column]));
-      }
-    }
-    return result;
-  }
-
-private:
-  std::size_t columns_, levels_;
-  std::vector<double> points_; ///< x, y, z of each [m]
-};
-
-void write_group(std::ostream& out, const char* tag, const std::vector<DataArray>& arrays,
-                 std::size_t& offset) {
-  fmt::print(out, "<{}>\n", tag);
-  for (const DataArray& array : arrays) {
-    fmt::print(out, "<DataArray {} format=\"appended\" offset=\"{}\"/>\n", array.attributes,
-               offset);
-    offset += array.bytes.size();
-  }
-  fmt::print(out, "</{}>\n", tag);
+  return result;
 }
 
-void write_vtu(const std::filesystem::path& path, const ColumnMesh& mesh,
-               const IonSnapshot& snapshot) {
-  constexpr std::uint8_t vtk_hexahedron = 12;
-  const std::vector<DataArray> time{
-      compressed("type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\"",
-                 std::vector<double>{snapshot.time})};
-  const std::vector<DataArray> points{
-      compressed(named("Float64", "Points", 3), mesh.coordinates())};
-  const std::vector<DataArray> cells{
-      compressed(named("Int64", "connectivity", 1), mesh.connectivity()),
-      compressed(named("Int64", "offsets", 1), mesh.offsets()),
-      compressed(named("UInt8", "types", 1),
-                 std::vector<std::uint8_t>(mesh.elements(), vtk_hexahedron))};
-  const std::vector<DataArray> fields{
-      compressed(named("Float32", "concentration", 1, "mol/m3"),
-                 mesh.at_points(snapshot.concentration)),
-      compressed(named("Float32", "potential", 1, "V"), mesh.at_points(snapshot.potential)),
-      compressed(named("Float32", "shear", 1, "1"), mesh.at_points(snapshot.shear))};
-  base::AtomicFile file(path);
-  std::ostream& out = file.stream();
-  out << "<?xml version=\"1.0\"?>\n"
-         "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-         "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<UnstructuredGrid>\n";
-  std::size_t offset = 0;
-  write_group(out, "FieldData", time, offset);
-  fmt::print(out, "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", mesh.points(),
-             mesh.elements());
-  write_group(out, "Points", points, offset);
-  write_group(out, "Cells", cells, offset);
-  write_group(out, "PointData", fields, offset);
-  out << "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
-  for (const auto* group : {&time, &points, &cells, &fields}) {
-    for (const DataArray& array : *group) {
-      out << array.bytes;
+/// @param field [level][column]
+std::vector<float> at_column_points(const std::vector<double>& field, std::size_t levels) {
+  const std::size_t columns = field.size() / levels;
+  std::vector<float> result;
+  result.reserve(4 * field.size());
+  for (std::size_t column = 0; column < columns; ++column) {
+    for (std::size_t level = 0; level < levels; ++level) {
+      result.insert(result.end(), 4, static_cast<float>(field[level * columns + column]));
     }
   }
-  out << "\n</AppendedData>\n</VTKFile>\n";
-  file.commit();
+  return result;
+}
+
+/// Components of one place after the other.
+template <std::size_t count>
+VtuArray interleaved(std::string name, std::string unit, std::vector<std::string> components,
+                     const std::array<const std::vector<double>*, count>& values) {
+  VtuArray result{std::move(name), std::move(unit), std::move(components), {}};
+  result.values.reserve(count * values[0]->size());
+  for (std::size_t i = 0; i < values[0]->size(); ++i) {
+    for (const std::vector<double>* component : values) {
+      result.values.push_back(static_cast<float>((*component)[i]));
+    }
+  }
+  return result;
+}
+
+VtuArray vectors(const char* name, const char* unit,
+                 const std::array<std::vector<double>, 3>& values) {
+  return interleaved<3>(name, unit, {"x", "y", "z"}, {&values[0], &values[1], &values[2]});
+}
+
+/// @param stress xx, yy, zz, yz, xz, xy
+VtuArray von_mises(const std::array<std::vector<double>, 6>& stress) {
+  VtuArray result{"von_mises_stress", "Pa", {}, {}};
+  for (std::size_t i = 0; i < stress[0].size(); ++i) {
+    const double xx = stress[0][i], yy = stress[1][i], zz = stress[2][i];
+    const double shear =
+        stress[3][i] * stress[3][i] + stress[4][i] * stress[4][i] + stress[5][i] * stress[5][i];
+    result.values.push_back(static_cast<float>(
+        std::sqrt(0.5 * ((xx - yy) * (xx - yy) + (yy - zz) * (yy - zz) + (zz - xx) * (zz - xx)) +
+                  3 * shear)));
+  }
+  return result;
+}
+
+VtuGrid layers_of(const handover::SkinDeformation& skin) {
+  VtuGrid grid = VtuGrid::between(skin.x, skin.y, skin.z);
+  grid.at_points.push_back(vectors("displacement", "m", skin.displacement));
+  VtuArray layer{"layer", "1", {}, {}};
+  for (const std::size_t own : skin.layer) {
+    layer.values.insert(layer.values.end(), (skin.x.size() - 1) * (skin.y.size() - 1),
+                        static_cast<float>(own));
+  }
+  const auto& s = skin.stress; // VTK has xy before yz and xz
+  grid.at_cells = {std::move(layer),
+                   interleaved<6>("stress", "Pa", {"XX", "YY", "ZZ", "XY", "YZ", "XZ"},
+                                  {&s[0], &s[1], &s[2], &s[5], &s[3], &s[4]}),
+                   von_mises(s)};
+  return grid;
+}
+
+VtuGrid contact_of(const SkinSnapshot& snapshot) {
+  const std::vector<double>&x = snapshot.cell_x, &y = snapshot.cell_y;
+  VtuGrid grid =
+      VtuGrid::surface(x, y, std::vector<double>(x.size() * y.size(), snapshot.skin.z.back()));
+  VtuArray pressure{"pressure", "Pa", {}, {}};
+  for (const double upwards : snapshot.traction[2]) {
+    pressure.values.push_back(static_cast<float>(-upwards));
+  }
+  grid.at_cells = {vectors("traction", "Pa", snapshot.traction), std::move(pressure),
+                   vectors("displacement", "m", snapshot.surface)};
+  return grid;
+}
+
+std::vector<double> shifted(std::vector<double> places, double by) {
+  std::ranges::for_each(places, [by](double& place) { place += by; });
+  return places;
+}
+
+/// Without what lies beyond the underside within its plan, as the corners about a ball.
+VtuGrid slider_of(const SkinSnapshot& snapshot, const SliderSurface& surface) {
+  const auto beyond = [](double height) { return height >= shapes::unreachable_gap; };
+  double highest = 0;
+  for (const double height : surface.height) {
+    highest = beyond(height) ? highest : std::max(highest, height);
+  }
+  std::vector<double> z = surface.height;
+  for (double& height : z) {
+    height = snapshot.skin.z.back() + snapshot.height + std::min(height, highest);
+  }
+  VtuGrid grid = VtuGrid::surface(shifted(surface.x, snapshot.centre[0]),
+                                  shifted(surface.y, snapshot.centre[1]), z);
+  std::vector<std::int64_t> vertices;
+  for (auto cell = grid.vertices.begin(); cell != grid.vertices.end(); cell += 4) {
+    if (std::none_of(cell, cell + 4, [&](std::int64_t at) {
+          return beyond(surface.height[static_cast<std::size_t>(at)]);
+        })) {
+      vertices.insert(vertices.end(), cell, cell + 4);
+    }
+  }
+  grid.vertices = std::move(vertices);
+  return grid;
 }
 
 } // namespace
 
-void write_fields(OutputFolder& folder, const TransportGrid& grid, double core_bottom,
-                  const std::vector<IonSnapshot>& snapshots) {
-  const auto place = [&](const std::string& name) {
-    return folder.own(std::string(file_names::fields) + "/" + name);
+void write_fields(OutputFolder& folder, const electrochemistry::TransportGrid& grid,
+                  double core_bottom, const std::vector<electrochemistry::IonSnapshot>& snapshots) {
+  VtuGrid columns = column_grid(grid, core_bottom);
+  const auto array = [&](const char* name, const char* unit, const std::vector<double>& field) {
+    return VtuArray{name, unit, {}, at_column_points(field, grid.z_nodes.size())};
   };
-  const ColumnMesh mesh(grid, core_bottom);
-  std::string collection;
   for (std::size_t i = 0; i < snapshots.size(); ++i) {
-    const std::string name = fmt::format("fields_{:04}.vtu", i);
-    write_vtu(place(name), mesh, snapshots[i]);
-    collection += fmt::format("<DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n",
-                              snapshots[i].time, name);
+    const electrochemistry::IonSnapshot& own = snapshots[i];
+    columns.at_points = {array("concentration", "mol/m3", own.concentration),
+                         array("potential", "V", own.potential), array("shear", "1", own.shear)};
+    write_vtu(folder.own(in_folder(name_of(core_prefix, i))), own.time, columns);
   }
-  base::AtomicFile file(place("fields.pvd"));
+}
+
+void write_skin(OutputFolder& folder, const Slider& slider, std::size_t instant,
+                const SkinSnapshot& snapshot) {
+  const auto write = [&](const char* prefix, const VtuGrid& grid) {
+    write_vtu(folder.own(in_folder(name_of(prefix, instant))), snapshot.time, grid);
+  };
+  write(layers_prefix, layers_of(snapshot.skin));
+  write(contact_prefix, contact_of(snapshot));
+  // Of a large slider a small part touches.
+  write(slider_prefix,
+        slider_of(snapshot, slider_surface(slider, shifted(snapshot.cell_x, -snapshot.centre[0]),
+                                           shifted(snapshot.cell_y, -snapshot.centre[1]))));
+}
+
+void write_collection(OutputFolder& folder, const std::vector<double>& instants) {
+  std::string collection;
+  for (std::size_t i = 0; i < instants.size(); ++i) {
+    int part = 0;
+    for (const char* prefix : {core_prefix, layers_prefix, contact_prefix, slider_prefix}) {
+      const std::string name = name_of(prefix, i);
+      if (std::filesystem::exists(folder.file(in_folder(name)))) {
+        collection += fmt::format(
+            "<DataSet timestep=\"{}\" group=\"\" part=\"{}\" name=\"{}\" file=\"{}\"/>\n",
+            instants[i], part, prefix == core_prefix ? "core" : prefix, name);
+      }
+      ++part;
+    }
+  }
+  if (collection.empty()) {
+    return;
+  }
+  base::AtomicFile file(folder.own(in_folder("fields.pvd")));
   file.stream() << "<?xml version=\"1.0\"?>\n"
                    "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
                    "<Collection>\n"

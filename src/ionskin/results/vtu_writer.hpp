@@ -3,17 +3,30 @@
 
 #include "ionskin/electrochemistry/output/ion_solution.hpp"
 #include "ionskin/results/output_folder.hpp"
+#include "ionskin/results/skin_snapshot.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace ionskin::results {
 
-/// Writes every snapshot as fields_0000.vtu, fields_0001.vtu, ... with fields.pvd, which gives them
-/// their instants, into the subfolder `fields`. Point data: concentration [mol/m3], potential
-/// [V] and shear [1], constant over each column and linear in z as they are computed.
+// Files for ParaView in the subfolder `fields`. Throw UserError when a file cannot be written.
+
+/// What Study 2 kept, as fields_0000.vtu, fields_0001.vtu, ... Point data: concentration [mol/m3],
+/// potential [V] and shear [1], constant over each column and linear in z as they are computed.
 /// @param core_bottom height of the core's lower face in the skin's frame [m]
-/// Throws UserError when a file cannot be written.
 void write_fields(OutputFolder& folder, const electrochemistry::TransportGrid& grid,
                   double core_bottom, const std::vector<electrochemistry::IonSnapshot>& snapshots);
+
+/// Skin and slider, as layers_0000.vtu with displacement [m] at points, and in cells the number of
+/// the layer, counted from 0 at the bottom, and stress [Pa]; contact_0000.vtu with traction,
+/// pressure [Pa] and displacement [m] of the cells on the undeformed top face; slider_0000.vtu.
+/// @param instant its number from 0
+void write_skin(OutputFolder& folder, const Slider& slider, std::size_t instant,
+                const SkinSnapshot& snapshot);
+
+/// fields.pvd, which opens all of these that are there.
+/// @param instants ascending [s]
+void write_collection(OutputFolder& folder, const std::vector<double>& instants);
 
 } // namespace ionskin::results

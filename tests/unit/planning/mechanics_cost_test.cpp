@@ -47,6 +47,17 @@ TEST(MechanicsCost, HoldsTheModesOfWideSkinsAndOfNearSides) {
   EXPECT_GT(memory({"slider.start=[\"4.5 mm\", \"0.4 mm\"]"}), 1.0e9);
 }
 
+TEST(MechanicsCost, CountsStepsAcrossTheSkin) {
+  const auto towards = [](const char* direction) {
+    return cost({"skin.width=6 mm", "slider.start=[\"4.5 mm\", \"2.8 mm\"]", "motion.stroke=1 mm",
+                 std::string("motion.direction=") + direction});
+  };
+  const MechanicsCost along = towards("[1, 0]"), across = towards("[1, 0.2]");
+  EXPECT_EQ(along.contact_cells, across.contact_cells);
+  EXPECT_GT(across.seconds, 1.8 * along.seconds);
+  EXPECT_LT(across.seconds, 5 * along.seconds);
+}
+
 TEST(MechanicsCost, GrowsWithEveryStroke) {
   const auto strokes = [](int count) {
     return cost({"motion.kind=reciprocating", "motion.strokes=" + std::to_string(count)}).steps;

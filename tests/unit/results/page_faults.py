@@ -54,6 +54,7 @@ FAULTS = r"""(() => {
     if (!holder.querySelector("svg, img") && !hidden(holder)) found.push(`empty: ${holder.id || holder.className || holder.getAttribute("aria-label")}`);
   }
   for (const svg of document.querySelectorAll("figure svg, .chart svg")) {
+    if (hidden(svg)) continue;
     const title = words((svg.querySelector(".name") || svg).textContent), box = svg.getBoundingClientRect();
     const drawn = [...svg.querySelectorAll("path, circle, image, .note, line.mark")].filter((part) => {
       if (part.closest("defs, clipPath")) return false;
@@ -92,6 +93,9 @@ def main():
     parser.add_argument("pages", nargs="+", type=pathlib.Path)
     parser.add_argument("--pictures", type=pathlib.Path, help="folder for pictures of the pages")
     arguments = parser.parse_args()
+    for path in arguments.pages:
+        if not path.is_file():
+            parser.error(f"there is no page {path}")
     bad = 0
     for path in arguments.pages:
         with browser_page(path) as page:

@@ -122,7 +122,9 @@ private:
           point_at_waypoint(document_, 0), "the first waypoint must be at 0 s");
     if (first.height.value_or(-1) < 0)
       add("the slider touches the skin from the start", point_at_waypoint(document_, 0),
-          "the first waypoint must have a height of at least 0 m");
+          "the first waypoint must have a height of at least 0 m; a CSV file may have both "
+          "columns, "
+          "height and force, one of them empty in each row");
     if (motion_.cycles > 1 && (!same_position(first, last) || last.height.value_or(-1) < 0))
       add(fmt::format("motion.cycles = {}, but the path does not end where it begins, detached",
                       motion_.cycles),

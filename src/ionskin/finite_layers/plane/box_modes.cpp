@@ -35,37 +35,57 @@ ModeTransform ModeLine::transform(const std::vector<double>& lines, double centr
 
 BoxModes::BoxModes(const SurfaceCompliance& surface, double length, double width,
                    const WaveSplit& split)
-    : surface_(surface), split_(split), x_(ModeLine::up_to(length, split.last_long())),
-      y_(ModeLine::up_to(width, split.last_long())) {}
+    : x_(ModeLine::up_to(length, split.last_long())), y_(ModeLine::up_to(width, split.last_long())),
+      between_{{{0, 0, {}}, {0, 1, {}}, {0, 2, {}}, {1, 1, {}}, {1, 2, {}}, {2, 2, {}}}} {
+  for (Between& one : between_) {
+    one.waves.resize(x_.wave_numbers.size(), y_.wave_numbers.size());
+  }
+  for (Eigen::Index n = 0; n < y_.wave_numbers.size(); ++n) {
+    for (Eigen::Index m = 0; m < x_.wave_numbers.size(); ++m) {
+      const double kx = x_.wave_numbers(m), ky = y_.wave_numbers(n), k = std::hypot(kx, ky);
+      const WaveCompliance at = surface.at(k);
+      const double c = k > 0 ? kx / k : 1.0, s = k > 0 ? ky / k : 0.0;
+      const double weight = y_.weights(n) * split.long_share(k);
+      const std::array<double, 6> waves{at.normal,
+                                        -c * at.mixed,
+                                        -s * at.mixed,
+                                        c * c * at.along + s * s * at.across,
+                                        c * s * (at.along - at.across),
+                                        s * s * at.along + c * c * at.across};
+      for (std::size_t i = 0; i < waves.size(); ++i) {
+        between_[i].waves(m, n) = weight * waves[i];
+      }
+    }
+  }
+}
 
 std::vector<Eigen::MatrixXd> BoxModes::rows(const ContactGrid& grid, double centre_y) const {
   const ModeTransform transform = y_.transform(grid.y, centre_y);
-  const Eigen::Index count = grid.rows(), modes = y_.wave_numbers.size();
-  const Eigen::Index step = grid.half ? 2 : 1; // odd modes do not occur in a mirrored load
+  const Eigen::Index count = grid.rows();
+  // Odd modes do not occur in a mirrored load.
+  const auto occur = Eigen::seq(0, y_.wave_numbers.size() - 1, grid.half ? 2 : 1);
   const double images = grid.half ? 2 : 1;
-  std::vector<Eigen::MatrixXd> result;
-  for (const double kx : x_.wave_numbers) {
-    Eigen::MatrixXd of_mode = Eigen::MatrixXd::Zero(3 * count, 3 * count);
-    Eigen::MatrixXd left(3 * count, 2), right(3 * count, 2);
-    for (Eigen::Index n = 0; n < modes; n += step) {
-      const double ky = y_.wave_numbers(n), k = std::hypot(kx, ky);
-      const WaveCompliance at = surface_.at(k);
-      const double c = k > 0 ? kx / k : 1.0, s = k > 0 ? ky / k : 0.0;
-      const double weight = images * y_.weights(n) * split_.long_share(k);
-      Eigen::Matrix3d wave;
-      wave << at.normal, -c * at.mixed, -s * at.mixed,                                         //
-          -c * at.mixed, c * c * at.along + s * s * at.across, c * s * (at.along - at.across), //
-          -s * at.mixed, c * s * (at.along - at.across), s * s * at.along + c * c * at.across;
-      for (Eigen::Index a = 0; a < 3; ++a) {
-        const auto& at_rows = a == 2 ? transform.sine : transform.cosine;
-        for (Eigen::Index b = 0; b < 3; ++b) {
-          const auto& from_rows = b == 2 ? transform.sine : transform.cosine;
-          of_mode(Eigen::seqN(a, count, 3), Eigen::seqN(b, count, 3)) +=
-              weight * wave(a, b) * at_rows.col(n).matrix() * from_rows.col(n).matrix().transpose();
-        }
+  const auto along = [&](Eigen::Index component) -> Eigen::MatrixXd { // [row, mode]
+    return (component == 2 ? transform.sine : transform.cosine)(Eigen::all, occur);
+  };
+  std::vector<Eigen::MatrixXd> result(static_cast<std::size_t>(x_.wave_numbers.size()),
+                                      Eigen::MatrixXd(3 * count, 3 * count));
+  for (const Between& one : between_) {
+    const Eigen::MatrixXd at = along(one.at), from = along(one.from);
+    Eigen::MatrixXd pairs(at.cols(), count * count); // [mode, row at and from]
+    for (Eigen::Index j = 0; j < count; ++j) {
+      pairs.middleCols(count * j, count) =
+          images * (at.array().rowwise() * from.row(j).array()).matrix().transpose();
+    }
+    const Eigen::MatrixXd waves = one.waves(Eigen::all, occur), of_modes = waves * pairs;
+    for (std::size_t m = 0; m < result.size(); ++m) {
+      const auto block = of_modes.row(static_cast<Eigen::Index>(m)).reshaped(count, count);
+      result[m](Eigen::seqN(one.at, count, 3), Eigen::seqN(one.from, count, 3)) = block;
+      if (one.at != one.from) {
+        result[m](Eigen::seqN(one.from, count, 3), Eigen::seqN(one.at, count, 3)) =
+            block.transpose();
       }
     }
-    result.push_back(std::move(of_mode));
   }
   return result;
 }

@@ -35,7 +35,6 @@ struct ModeLine {
 /// them, docs/model.md (48), (54). Its mirror images in the faces come with it.
 class BoxModes {
 public:
-  /// @param surface outlives this
   BoxModes(const SurfaceCompliance& surface, double length, double width, const WaveSplit& split);
 
   const ModeLine& along_x() const { return x_; }
@@ -46,9 +45,14 @@ public:
   std::vector<Eigen::MatrixXd> rows(const ContactGrid& grid, double centre_y) const;
 
 private:
-  const SurfaceCompliance& surface_;
-  WaveSplit split_;
   ModeLine x_, y_;
+  /// Compliance of all modes between two components, with their weights along y and their share,
+  /// [mode along x, along y]; the same at every place.
+  struct Between {
+    Eigen::Index at = 0, from = 0; ///< normal, x or y
+    Eigen::MatrixXd waves;
+  };
+  std::array<Between, 6> between_;
 };
 
 /// Which part of the modes along x: what does not depend on the place along the skin, as in an

@@ -40,7 +40,7 @@ void SteppedStrains::recover(std::size_t first) {
       residual_ = base::larger(residual_, one.equilibrium_residual);
       stress_.resize(std::max(stress_.size(), one.electrode_stress.size()));
       std::ranges::transform(one.electrode_stress, stress_, stress_.begin(), base::larger);
-      held_.push_back(std::move(one.core));
+      held_.push_back(std::move(one.strain.core));
     }
   }
   first_ = first;
@@ -51,6 +51,10 @@ const CoreStrain& SteppedStrains::at(std::size_t place) {
     recover(place);
   }
   return held_[place - first_];
+}
+
+LayerStrain SteppedStrains::all_layers(std::size_t place) const {
+  return recovery_->at({&centres_.at(place), 1}, {&forces_.at(place), 1}).front().strain;
 }
 
 } // namespace ionskin::mechanics

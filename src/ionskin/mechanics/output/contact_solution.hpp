@@ -25,12 +25,22 @@ struct CoreStrain {
   std::array<std::vector<double>, 6> component;
 };
 
+/// Small strain in all layers of a skin.
+struct LayerStrain {
+  CoreStrain core;
+  /// Of the electrode layers, bottom to top in the place of z: means through their thickness and
+  /// over each column between the mesh's lines.
+  CoreStrain electrodes;
+};
+
 /// Strains that are recovered when they are asked for: those of a long path would fill the memory.
 class StrainSource {
 public:
   virtual ~StrainSource() = default;
   /// Of a state by its place; valid until the next call. Fast when places ascend.
   virtual const CoreStrain& at(std::size_t place) = 0;
+  /// Of all layers, recovered anew; what `at` gave stays valid.
+  virtual LayerStrain all_layers(std::size_t place) const = 0;
   /// Over all states that were asked for: the largest von Mises stress of each electrode layer as a
   /// membrane, averaged through its thickness and over each column of elements, bottom to top [Pa];
   /// contact forces against base reactions, relative.

@@ -52,7 +52,7 @@ ExpectedSteps expected_steps(const Case& input) {
   const mesh::HeaviestLoad heaviest = mesh::heaviest_load(input);
   const double travel_each = longest_step_travel(input);
   std::array<double, 2> direction{};
-  double steps = 0, rows = 0;
+  double steps = 0, rows = 0, across = 0;
   for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
     if (!leg.touches()) {
       continue;
@@ -74,15 +74,18 @@ ExpectedSteps expected_steps(const Case& input) {
     const auto way = leg.direction();
     if (way[0] * direction[0] + way[1] * direction[1] < std::cos(sharp_turn)) {
       steps += each.onset;
+      across += way[1] != 0 ? each.onset : 0;
     }
     direction = way;
     // One step changes place and level alike.
     const double of_leg =
         std::max(of_level, std::ceil(leg.length() / travel_each)) + steps_of_stick_slip(input, leg);
     (of_leg <= 1 ? rows : steps) += of_leg;
+    across += way[1] != 0 ? of_leg : 0;
   }
   const auto count = [](double number) { return static_cast<std::size_t>(std::min(number, 1e9)); };
-  return {count(steps + rows), count(kept_share * steps + kept_share_of_rows * rows)};
+  return {count(steps + rows), count(kept_share * steps + kept_share_of_rows * rows),
+          count(across)};
 }
 
 } // namespace ionskin::mechanics

@@ -11,6 +11,8 @@ namespace ionskin::mechanics {
 struct ExpectedSteps {
   std::size_t taken = 0;
   std::size_t kept = 0; ///< of which the strain is kept
+  /// Of those taken, at a place across the skin where the slider was not in the step before.
+  std::size_t across = 0;
 };
 ExpectedSteps expected_steps(const Case& input);
 

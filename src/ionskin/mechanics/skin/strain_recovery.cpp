@@ -131,9 +131,11 @@ std::vector<RecoveredStrain> StrainRecovery::at(std::span<const std::array<doubl
   std::vector<finite_layers::CoreAndElectrodes> found = fields_.at(states);
   std::vector<RecoveredStrain> result;
   for (std::size_t i = 0; i < found.size(); ++i) {
+    std::vector<double> stresses = largest_stresses(*model_, found[i].electrodes);
     result.push_back(
-        {{found[i].core.points, std::move(found[i].core.component)},
-         largest_stresses(*model_, found[i].electrodes),
+        {{{found[i].core.points, std::move(found[i].core.component)},
+          {found[i].electrodes.points, std::move(found[i].electrodes.component)}},
+         std::move(stresses),
          equilibrium_residual(forces[i], model_->mesh.half_model(), found[i].force_through_level)});
   }
   return result;

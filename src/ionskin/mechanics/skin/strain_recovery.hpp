@@ -15,7 +15,7 @@ namespace ionskin::mechanics {
 
 /// What the skin does under the forces of a state.
 struct RecoveredStrain {
-  CoreStrain core;
+  LayerStrain strain;
   /// Largest von Mises stress of each electrode layer as a membrane, averaged through its thickness
   /// and over each column between the lines of the mesh, bottom to top [Pa].
   std::vector<double> electrode_stress;

@@ -15,6 +15,7 @@
 #include "ionskin/planning/resources.hpp"
 #include "ionskin/poroelasticity/prescribed_load.hpp"
 #include "ionskin/results/output_folder.hpp"
+#include "ionskin/results/vtu_writer.hpp"
 #include "ionskin/study/errors/error_estimate.hpp"
 #include "ionskin/study/run/run_folder.hpp"
 #include "ionskin/study/run/solve_mechanics.hpp"
@@ -27,6 +28,7 @@
 #include "ionskin/study/store/checkpoint_file.hpp"
 #include "ionskin/study/store/mechanics_file.hpp"
 #include "ionskin/study/store/mechanics_record.hpp"
+#include "ionskin/study/store/skin_snapshots.hpp"
 
 #include <fmt/format.h>
 
@@ -80,6 +82,15 @@ std::optional<MechanicsRecord> left_mechanics(const Case& input, const std::stri
   }
 }
 
+/// For ParaView, while the strains can be recovered.
+void write_skins(const Case& input, const mechanics::ContactSolution& contact, RunFolder& folder) {
+  const std::vector<double> instants = field_instants(input);
+  for (std::size_t i = 0; i < instants.size(); ++i) {
+    results::write_skin(folder.output(), input.slider, i,
+                        skin_snapshot(input, contact, instants[i]));
+  }
+}
+
 /// Case -> SkinMesh -> ContactSolution -> CoreHistory, or what an earlier run left of it in its
 /// folder.
 MechanicsRecord study_1(const Case& input, const RunOptions& options, double start,
@@ -119,6 +130,9 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, double sta
     constexpr double share_of_files = 0.25;
     MechanicsRecord record =
         record_mechanics(input, solved, base::share_of(options.progress, 0, 1 - share_of_files));
+    if (options.paraview) {
+      write_skins(input, solved.contact, folder);
+    }
     write_mechanics(results_path, hash, record,
                     base::share_of(options.progress, 1 - share_of_files, share_of_files));
     options.progress("strain history", 1.0);

@@ -8,6 +8,7 @@
 #include "ionskin/results/summary_json.hpp"
 #include "ionskin/results/vtu_writer.hpp"
 #include "ionskin/study/run/report.hpp"
+#include "ionskin/study/store/skin_snapshots.hpp"
 
 #include <algorithm>
 
@@ -118,6 +119,15 @@ results::Summary summary_of(const Case& input, const RunOutputs& outputs) {
   return summary;
 }
 
+/// What Study 2 kept, and the file that opens it with what Study 1 left.
+void write_paraview(const Case& input, const RunOutputs& outputs, RunFolder& folder) {
+  if (outputs.ions) {
+    results::write_fields(folder.output(), outputs.ions->grid, input.skin.core_bottom(),
+                          outputs.ions->snapshots);
+  }
+  results::write_collection(folder.output(), field_instants(input));
+}
+
 constexpr const char* writing = "results and report";
 
 std::optional<std::string> draw_report(const RunOptions& options, RunFolder& folder) {
@@ -184,9 +194,8 @@ RunOutcome write_outputs(const Case& input, const RunOptions& options,
     write_optional(folder, names::taxels_error, outputs.errors.taxels);
     write_optional(folder, names::circuit_error, outputs.errors.circuit);
     write_optional(folder, names::water_error, outputs.errors.water);
-    if (options.paraview && outputs.ions && !outputs.ions->snapshots.empty()) {
-      results::write_fields(folder.output(), outputs.ions->grid, input.skin.core_bottom(),
-                            outputs.ions->snapshots);
+    if (options.paraview) {
+      write_paraview(input, outputs, folder);
     }
     write_results_file(input, mechanics, outputs, folder);
     // The report reads the summary; its own time is added below.
