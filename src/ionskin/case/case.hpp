@@ -199,6 +199,8 @@ struct StrainSource {
 struct Taxel {
   std::string name;
   std::array<double, 2> lower{}, upper{}; ///< corners, x and y [m]
+  std::string circuit;                    ///< of its own; empty for `Readout::taxel_circuit`
+  laws::LawValues parameters;             ///< of it, where they differ from those of the readout
 };
 
 /// Equal taxels over the whole top electrode, instead of a list of them.
@@ -215,6 +217,16 @@ struct Readout {
   laws::LawValues parameters;        ///< of circuits, that of the chosen one among them
   TaxelGrid taxel_grid;              ///< as written
   std::vector<Taxel> taxels; ///< disjoint, those of a grid too; empty for one whole electrode
+  /// Of the taxels: "shared" for that of the whole electrode, or a name from the table of circuits.
+  std::string taxel_circuit = "shared";
+
+  /// Whether a taxel is a conductor with a circuit of its own, apart from the electrode.
+  bool has_own_circuit(std::size_t taxel) const;
+  /// Whether any taxel is.
+  bool is_cut() const;
+  /// The circuit of a taxel and all its parameters.
+  const std::string& circuit_of(std::size_t taxel) const;
+  laws::LawValues parameters_of(std::size_t taxel) const;
 };
 
 /// Sets of mesh sizes and tolerances.

@@ -3,6 +3,8 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/system/interrupt.hpp"
+#include "ionskin/electrochemistry/circuit/crosstalk.hpp"
+#include "ionskin/electrochemistry/circuit/cut_electrode.hpp"
 #include "ionskin/electrochemistry/circuit/external_circuit.hpp"
 #include "ionskin/electrochemistry/grid/mid_width_mirror.hpp"
 #include "ionskin/electrochemistry/grid/transport_grid.hpp"
@@ -50,20 +52,27 @@ public:
   TransportRun(const Case& input, const history::CoreHistory& history, const IonOptions& options)
       : options_(options), grid_(make_transport_grid(input, history)),
         scales_(derive_scales(input.electrochemistry, history.core_thickness())),
-        mirror_(grid_, history), scaled_(scale_grid(mirror_.solved_grid(), scales_.debye_length)),
+        mirror_(grid_, history,
+                !input.readout.is_cut() || taxels_are_mirrored(input.readout, input.skin.width)),
+        scaled_(scale_grid(mirror_.solved_grid(), scales_.debye_length)),
         control_(make_step_landings(history, options.snapshot_times),
                  step_rule(input.numerics, input.readout, scales_)),
         fixed_charge_(input, history, mirror_.solved_grid(), scaled_),
         charge_floor_(least_charge * fixed_charge_.largest_coupling()),
+        cut_(cut_electrode(input, scales_, grid_, mirror_)),
         most_work_(options.most_work > 0 ? options.most_work : work_without_progress),
         team_(useful_threads(options.threads, scaled_)),
         solver_(scaled_, newton_tolerance(control_.tolerance(), input.electrochemistry.ion_model),
-                team_, steric_excess(input.electrochemistry)),
+                team_, steric_excess(input.electrochemistry), conductors()),
         integrator_(
             scaled_, scales_, fixed_charge_, options.potentials, solver_, team_,
-            scaled_admittance(input.readout, scales_, input.skin.length * input.skin.width)),
+            cut_ ? std::nullopt
+                 : scaled_admittance(input.readout, scales_, input.skin.length * input.skin.width),
+            conductors()),
         rows_(input, scales_, grid_, mirror_, scaled_, fixed_charge_, control_.landings().time,
-              options.snapshot_times) {}
+              options.snapshot_times, cut_ ? &*cut_ : nullptr) {
+    run_.solution.taxel_crosstalk = taxel_crosstalk(input, history);
+  }
 
   IonSolution run() {
     begin();
@@ -83,6 +92,10 @@ public:
 
 private:
   double time() const { return run_.solution.time.back(); }
+  /// Nothing where one potential will do.
+  const TopElectrodes* conductors() const {
+    return cut_ && !cut_->conductors.all_held() ? &cut_->conductors : nullptr;
+  }
 
   void begin() {
     if (options_.resume) {
@@ -100,12 +113,15 @@ private:
   }
 
   void resume() {
+    const std::optional<double> crosstalk = run_.solution.taxel_crosstalk;
     run_ = *options_.resume;
+    run_.solution.taxel_crosstalk = crosstalk;
     const std::vector<double>& done = run_.solution.time;
-    const bool same_grid = run_.solution.grid.x_edges == grid_.x_edges &&
-                           run_.solution.grid.y_edges == grid_.y_edges &&
-                           run_.solution.grid.z_nodes == grid_.z_nodes &&
-                           run_.state.ions.nodes() == scaled_.nodes();
+    const bool same_grid =
+        run_.solution.grid.x_edges == grid_.x_edges &&
+        run_.solution.grid.y_edges == grid_.y_edges &&
+        run_.solution.grid.z_nodes == grid_.z_nodes && run_.state.ions.nodes() == scaled_.nodes() &&
+        run_.state.electrode_charge.size() == (conductors() != nullptr ? conductors()->size() : 0);
     if (!same_grid || done.size() != run_.step + 1 || !control_.has_landed(done)) {
       throw UserError(
           "the saved state of the ion transport belongs to another case: its grid or its "
@@ -201,7 +217,8 @@ private:
   }
 
   void append_row(double time) {
-    rows_.append(time, run_.state.ions, integrator_.relaxation(run_.state), run_.solution);
+    rows_.append(time, run_.state.ions, integrator_.relaxation(run_.state),
+                 integrator_.electrode_rows(run_.state), run_.solution);
   }
 
   void copy_counters() {
@@ -225,6 +242,7 @@ private:
   StepControl control_;
   FixedCharge fixed_charge_;
   double charge_floor_;
+  std::optional<CutElectrode> cut_;
   std::size_t most_work_, noted_work_ = 0;
   double noted_time_ = 0; ///< [s]
   parallel::WorkerTeam team_;
