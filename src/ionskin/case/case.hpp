@@ -209,6 +209,12 @@ struct TaxelGrid {
   double gap = 0;            ///< between neighbours [m]
 };
 
+/// Taxels read one row after another, each row by the circuits of its taxels for a while.
+struct Scan {
+  double dwell = 0;           ///< on a row [s]; 0 for no scan
+  bool grounds_others = true; ///< what is not read meanwhile; open otherwise
+};
+
 /// What the electrodes are connected to, and how signals are sampled.
 struct Readout {
   double sample_interval = 0;        ///< [s]
@@ -227,6 +233,12 @@ struct Readout {
   /// The circuit of a taxel and all its parameters.
   const std::string& circuit_of(std::size_t taxel) const;
   laws::LawValues parameters_of(std::size_t taxel) const;
+
+  Scan scan;
+  /// The row that a taxel is read with: that of a grid; of a list every taxel is one.
+  std::size_t scan_row(std::size_t taxel) const;
+  /// The row that is read at a time since the begin of the run [s].
+  std::size_t row_read_at(double time) const;
 };
 
 /// Sets of mesh sizes and tolerances.

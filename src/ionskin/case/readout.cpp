@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/case.hpp"
 
+#include <cmath>
 #include <cstddef>
 
 namespace ionskin {
@@ -36,6 +37,16 @@ laws::LawValues Readout::parameters_of(std::size_t taxel) const {
     values.insert_or_assign(name, value);
   }
   return values;
+}
+
+std::size_t Readout::scan_row(std::size_t taxel) const {
+  return taxel_grid.rows > 0 ? taxel / static_cast<std::size_t>(taxel_grid.columns) : taxel;
+}
+
+std::size_t Readout::row_read_at(double time) const {
+  constexpr double rounding = 1e-6; // of a dwell: an instant next to a switch is the switch
+  const std::size_t rows = scan_row(taxels.size() - 1) + 1;
+  return static_cast<std::size_t>(std::floor(time / scan.dwell + rounding)) % rows;
 }
 
 } // namespace ionskin

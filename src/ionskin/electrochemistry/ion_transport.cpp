@@ -3,11 +3,11 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/system/interrupt.hpp"
-#include "ionskin/electrochemistry/circuit/crosstalk.hpp"
 #include "ionskin/electrochemistry/circuit/cut_electrode.hpp"
 #include "ionskin/electrochemistry/circuit/external_circuit.hpp"
 #include "ionskin/electrochemistry/grid/mid_width_mirror.hpp"
 #include "ionskin/electrochemistry/grid/transport_grid.hpp"
+#include "ionskin/electrochemistry/taxel_crosstalk.hpp"
 #include "ionskin/electrochemistry/thin_layers.hpp"
 #include "ionskin/electrochemistry/time/solution_rows.hpp"
 #include "ionskin/electrochemistry/time/step_control.hpp"
@@ -50,12 +50,14 @@ constexpr double least_progress = 0.01;
 class TransportRun {
 public:
   TransportRun(const Case& input, const history::CoreHistory& history, const IonOptions& options)
-      : options_(options), grid_(make_transport_grid(input, history)),
+      : options_(options), readout_(input.readout), grid_(make_transport_grid(input, history)),
         scales_(derive_scales(input.electrochemistry, history.core_thickness())),
         mirror_(grid_, history,
                 !input.readout.is_cut() || taxels_are_mirrored(input.readout, input.skin.width)),
         scaled_(scale_grid(mirror_.solved_grid(), scales_.debye_length)),
-        control_(make_step_landings(history, options.snapshot_times),
+        control_(make_step_landings(
+                     history, options.snapshot_times,
+                     scan_switches(input.readout, history.time.front(), history.time.back())),
                  step_rule(input.numerics, input.readout, scales_)),
         fixed_charge_(input, history, mirror_.solved_grid(), scaled_),
         charge_floor_(least_charge * fixed_charge_.largest_coupling()),
@@ -94,7 +96,8 @@ private:
   double time() const { return run_.solution.time.back(); }
   /// Nothing where one potential will do.
   const TopElectrodes* conductors() const {
-    return cut_ && !cut_->conductors.all_held() ? &cut_->conductors : nullptr;
+    const bool opens = readout_.scan.dwell > 0 && !readout_.scan.grounds_others;
+    return cut_ && (opens || !cut_->conductors.all_held()) ? &cut_->conductors : nullptr;
   }
 
   void begin() {
@@ -102,6 +105,7 @@ private:
       resume();
     } else {
       const double begin = control_.landings().time.front();
+      read_row_at(begin);
       integrator_.initialise(begin, run_.state);
       run_.state.next_step = control_.first_step();
       run_.state.charge_scale = std::max(run_.state.charge_scale, charge_floor_);
@@ -129,6 +133,7 @@ private:
     }
     solver_.restore_counters({run_.solution.residual_evaluations, run_.solution.krylov_iterations,
                               run_.solution.preconditioner_setups});
+    read_row_at(time());
     integrator_.take_up(time(), run_.state);
   }
 
@@ -137,6 +142,7 @@ private:
     const double end = take_step(begin);
     ++run_.step;
     append_row(end);
+    read_next_row(end);
     copy_counters();
     const auto [from, to] = control_.span();
     if (end - noted_time_ > least_progress * (to - from)) {
@@ -147,6 +153,31 @@ private:
         base::wall_time() - saved_at_ >= options_.checkpoint_seconds) {
       save();
       saved_at_ = base::wall_time();
+    }
+  }
+
+  /// The row that a scan reads from an instant on; nothing without one.
+  std::optional<std::size_t> row_at(double time) const {
+    return cut_ && readout_.scan.dwell > 0
+               ? std::optional(readout_.row_read_at(time - control_.landings().time.front()))
+               : std::nullopt;
+  }
+
+  void read_row_at(double time) {
+    row_ = row_at(time);
+    if (row_ && conductors() != nullptr) {
+      integrator_.connect(cut_->circuits(readout_.scan, *row_));
+    }
+  }
+
+  void read_next_row(double time) {
+    const std::optional<std::size_t> next = row_at(time);
+    if (next == row_ || control_.finished(time)) {
+      return;
+    }
+    row_ = next;
+    if (conductors() != nullptr) {
+      integrator_.reconnect(time, cut_->circuits(readout_.scan, *row_), run_.state);
     }
   }
 
@@ -218,7 +249,7 @@ private:
 
   void append_row(double time) {
     rows_.append(time, run_.state.ions, integrator_.relaxation(run_.state),
-                 integrator_.electrode_rows(run_.state), run_.solution);
+                 integrator_.electrode_rows(run_.state), row_, run_.solution);
   }
 
   void copy_counters() {
@@ -235,6 +266,8 @@ private:
   }
 
   const IonOptions& options_;
+  Readout readout_;
+  std::optional<std::size_t> row_; ///< that a scan reads
   TransportGrid grid_;
   DerivedScales scales_;
   MidWidthMirror mirror_;

@@ -179,6 +179,20 @@ INSTANTIATE_TEST_SUITE_P(
                 "[readout]\ntaxel_circuit = \"open\"\n[coupling]",
                 "readout.taxel_circuit is given, but the case has no taxels", "47:17", "^^^^^^",
                 "or remove the key"},
+        Mistake{"ScanOfSharedTaxels", "[coupling]",
+                "[readout]\nscan = {dwell = \"10 ms\"}\ntaxels = {rows = 1, columns = "
+                "2}\n[coupling]",
+                "readout.scan reads taxels row by row, but none has a circuit of its own", "47:17",
+                "^^^^^^^", "set readout.taxel_circuit"},
+        Mistake{"ScanWithoutDwell", "[coupling]",
+                "[readout]\nscan = {others = \"open\"}\n[coupling]",
+                "readout.scan.others is given, but nothing is scanned", "47:18", "^^^^^^",
+                "add readout.scan.dwell"},
+        Mistake{"TooFastAScan", "[coupling]",
+                "[readout]\ntaxel_circuit = \"open\"\ntaxels = {rows = 1, columns = 2}\nscan = "
+                "{dwell = \"10 us\"}\n[coupling]",
+                "switches over the run of 4 s, more than 20000", "49:17", "^^^^^^^",
+                "it must be at least 0.0002 s"},
         Mistake{"TooManyTaxelsWithCircuits", "[coupling]",
                 "[readout]\ntaxel_circuit = \"open\"\ntaxels = {rows = 21, columns = "
                 "20}\n[coupling]",

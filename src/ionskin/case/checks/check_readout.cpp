@@ -214,6 +214,21 @@ void check_circuit(const CaseDocument& document, Problems& problems) {
                  fmt::format("set readout.circuit = {}, or remove the key", one.circuits));
 }
 
+void check_scan(const CaseDocument& document, Problems& problems) {
+  const Readout& readout = document.input.readout;
+  const std::vector<Pointer> others = document.point_at("readout.scan.others");
+  if (readout.scan.dwell == 0) {
+    if (!others.empty())
+      problems.add("readout.scan.others is given, but nothing is scanned", others,
+                   "add readout.scan.dwell, the time on a row, or remove the key");
+    return;
+  }
+  if (!readout.is_cut())
+    problems.add("readout.scan reads taxels row by row, but none has a circuit of its own",
+                 document.point_at("readout.scan.dwell"),
+                 "set readout.taxel_circuit, such as \"short\" or \"load\", beside readout.taxels");
+}
+
 void check_grid(const CaseDocument& document, Problems& problems) {
   const TaxelGrid& grid = document.input.readout.taxel_grid;
   const std::string key = "readout.taxels.";
@@ -258,6 +273,7 @@ void check_readout(const CaseDocument& document, Problems& problems) {
   }
   check_pairs(document, problems);
   check_conductors(document, problems);
+  check_scan(document, problems);
 }
 
 std::vector<std::string> notes_on_readout(const CaseDocument& document) {

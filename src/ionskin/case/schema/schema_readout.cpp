@@ -83,6 +83,31 @@ void add_taxel_circuit(SchemaRows& rows) {
                   .set = into(&Case::readout, &Readout::taxel_circuit)});
 }
 
+void add_scan(SchemaRows& rows) {
+  rows.push_back({.key = "readout.scan.dwell",
+                  .type = ValueType::quantity,
+                  .dimension = Dimension::time,
+                  .range = {1e-6, 1e7, true, true},
+                  .need = Need::where_known,
+                  .help = "Reads taxels with circuits of their own one row after another, each for "
+                          "so long and from the begin of the run on: the rows of a grid, or the "
+                          "taxels of a list.",
+                  .set = [](CaseDraft& draft, const KeyIndex&, const Value& value) {
+                    draft.input.readout.scan.dwell = value.numbers[0];
+                  }});
+  rows.push_back({.key = "readout.scan.others",
+                  .type = ValueType::choice,
+                  .applies = [](const Case& input) { return input.readout.scan.dwell > 0; },
+                  .default_value = "\"grounded\"",
+                  .choices = {{"grounded"}, {"open"}},
+                  .help = "What a scan does with the taxels of the other rows.",
+                  .source = "rows at virtual grounds do not disturb each other",
+                  .set =
+                      [](CaseDraft& draft, const KeyIndex&, const Value& value) {
+                        draft.input.readout.scan.grounds_others = value.text == "grounded";
+                      }});
+}
+
 void add_instrument(SchemaRows& rows) {
   const auto table = circuits::instruments();
   rows.push_back({.key = "readout.instrument",
@@ -164,6 +189,7 @@ void add_readout(SchemaRows& rows) {
   add_taxel_circuit(rows);
   add_taxels(rows);
   add_circuit_of_taxel(rows);
+  add_scan(rows);
   add_taxel_grid(rows);
 }
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/electrochemistry/circuit/cut_electrode.hpp"
 
+#include "ionskin/base/error.hpp"
+#include "ionskin/case/checks/check_sizes.hpp"
 #include "ionskin/electrochemistry/circuit/electrode_segments.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,11 +67,43 @@ void drop_narrow_rest(std::size_t taxels, ElectrodeSegments& segments) {
 
 } // namespace
 
+std::vector<std::optional<ScaledAdmittance>> CutElectrode::circuits(const Scan& scan,
+                                                                    std::size_t row) const {
+  std::vector<std::optional<ScaledAdmittance>> circuits;
+  for (std::size_t e = 0; e < conductors.size(); ++e) {
+    if (!row_of_conductor[e] || *row_of_conductor[e] == row) {
+      circuits.push_back(conductors.conductors()[e].admittance);
+    } else {
+      circuits.push_back(scan.grounds_others ? std::nullopt : std::optional(ScaledAdmittance{}));
+    }
+  }
+  return circuits;
+}
+
+std::vector<double> scan_switches(const Readout& readout, double begin, double end) {
+  std::vector<double> switches;
+  if (readout.scan.dwell == 0) {
+    return switches;
+  }
+  const double count = (end - begin) / readout.scan.dwell;
+  if (!(count <= most_scan_switches)) {
+    throw UserError(fmt::format("readout.scan.dwell = {:.6g} s makes {:.3g} switches over the run, "
+                                "more than {:.0f}\n  = choose at least {:.3g} s",
+                                readout.scan.dwell, count, most_scan_switches,
+                                (end - begin) / most_scan_switches));
+  }
+  for (double k = 1; k < count * (1 - 1e-9); ++k) {
+    switches.push_back(begin + k * readout.scan.dwell);
+  }
+  return switches;
+}
+
 bool taxels_are_mirrored(const Readout& readout, double width) {
   for (std::size_t i = 0; i < readout.taxels.size(); ++i) {
     const auto image = image_of(readout, i, width);
     if (!image || readout.has_own_circuit(i) != readout.has_own_circuit(*image) ||
         readout.circuit_of(i) != readout.circuit_of(*image) ||
+        (readout.scan.dwell > 0 && readout.scan_row(i) != readout.scan_row(*image)) ||
         readout.parameters_of(i) != readout.parameters_of(*image)) {
       return false;
     }
@@ -93,6 +129,7 @@ std::optional<CutElectrode> cut_electrode(const Case& input, const DerivedScales
                              static_cast<double>(segments.share.front().size());
   std::vector<TopConductor> conductors;
   std::vector<double> copies;
+  std::vector<std::optional<std::size_t>> rows;
   std::vector<std::size_t> conductor_of(names.size(), names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (conductor_of[i] < names.size()) {
@@ -122,13 +159,15 @@ std::optional<CutElectrode> cut_electrode(const Case& input, const DerivedScales
       conductor.admittance->conductance /= copies.back();
       conductor.admittance->capacitance /= copies.back();
     }
+    rows.push_back(own && readout.scan.dwell > 0 ? std::optional(readout.scan_row(i))
+                                                 : std::nullopt);
     conductors.push_back(std::move(conductor));
   }
   for (std::size_t& conductor : conductor_of) {
     conductor = conductor < conductors.size() ? conductor : 0;
   }
   return CutElectrode{TopElectrodes(std::move(conductors)), std::move(conductor_of),
-                      std::move(copies)};
+                      std::move(rows), std::move(copies)};
 }
 
 } // namespace ionskin::electrochemistry

@@ -17,9 +17,18 @@ struct CutElectrode {
   TopElectrodes conductors; ///< on the solved part of the grid
   /// Of each segment (see `make_electrode_segments`) the conductor that it is part of.
   std::vector<std::size_t> conductor_of_segment;
+  /// Of each conductor the row that it is read with; nothing for the electrode, and without a scan.
+  std::vector<std::optional<std::size_t>> row_of_conductor;
   /// Of each conductor: the whole grid has so many times the charge of the solved part.
   std::vector<double> copies;
+
+  /// The circuits of the conductors while a row is read.
+  std::vector<std::optional<ScaledAdmittance>> circuits(const Scan& scan, std::size_t row) const;
 };
+
+/// Instants between two others [s] at which a scan goes to the next row; none without a scan.
+/// Throws UserError where they are too many.
+std::vector<double> scan_switches(const Readout& readout, double begin, double end);
 
 /// Whether the circuits of the taxels are their own mirror image about mid-width.
 bool taxels_are_mirrored(const Readout& readout, double width);

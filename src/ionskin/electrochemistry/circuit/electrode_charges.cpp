@@ -38,14 +38,4 @@ ElectrodeStage ElectrodeCharges::stage(std::span<const double> start, double imp
   return stage;
 }
 
-std::vector<double> ElectrodeCharges::conserved(std::span<const double> wall_charge,
-                                                std::span<const double> potentials,
-                                                std::span<const double> net) const {
-  std::vector<double> result = electrodes_.sums(wall_charge);
-  for (std::size_t e = 0; e < result.size(); ++e) {
-    result[e] += capacitance(e) * potentials[e] - net[e];
-  }
-  return result;
-}
-
 } // namespace ionskin::electrochemistry

@@ -19,6 +19,7 @@ public:
   const TopElectrodes& electrodes() const { return electrodes_; }
   /// The circuits from now on; nothing holds a conductor at the ground.
   void connect(std::vector<std::optional<ScaledAdmittance>> circuits);
+  const std::vector<std::optional<ScaledAdmittance>>& circuits() const { return circuits_; }
 
   /// -u/R of every conductor, 0 where it is held.
   std::vector<double> rates(std::span<const double> potentials) const;
@@ -27,10 +28,6 @@ public:
   /// @param net n of every conductor
   ElectrodeStage stage(std::span<const double> start, double implicit,
                        std::span<const double> net) const;
-  /// Q - n + C u of a state: what the conductors stand at when they are connected.
-  std::vector<double> conserved(std::span<const double> wall_charge,
-                                std::span<const double> potentials,
-                                std::span<const double> net) const;
   bool holds(std::size_t conductor) const { return !circuits_[conductor]; }
   double capacitance(std::size_t conductor) const {
     return circuits_[conductor] ? circuits_[conductor]->capacitance : 0.0;

@@ -14,6 +14,8 @@ namespace ionskin::electrochemistry {
 struct ScaledAdmittance {
   double conductance = 0; ///< 1/R in units of F c0 lambda A / (tau R T/(v F)); 0 is open
   double capacitance = 0; ///< C in units of F c0 lambda A / (R T/(v F))
+
+  bool operator==(const ScaledAdmittance&) const = default;
 };
 
 /// An admittance in the units of the integrator.

@@ -34,6 +34,8 @@ struct SegmentCharge {
   // circuit has passed or holds, without the part that returns through the ground. Empty otherwise.
   std::vector<double> voltage; ///< [V]
   std::vector<double> passed;  ///< [C]
+  /// Of a scan: what came and went otherwise, while the taxel was not read [C].
+  std::vector<double> bypassed;
 };
 
 /// Where the water stands, of laws that move it: one entry per row, empty otherwise.

@@ -60,6 +60,7 @@ SolutionRows::SolutionRows(const Case& input, const DerivedScales& scales,
       is_own_(segments_.names.size(), false) {
   for (std::size_t i = 0; i < input.readout.taxels.size(); ++i) {
     is_own_[i] = input.readout.has_own_circuit(i);
+    row_of_taxel_.push_back(input.readout.scan_row(i));
   }
   for (const double instant : snapshot_times) {
     snapshot_times_.push_back(nearest(landings, instant));
@@ -67,7 +68,8 @@ SolutionRows::SolutionRows(const Case& input, const DerivedScales& scales,
 }
 
 void SolutionRows::append(double time, const IonState& state, const Relaxation& relaxation,
-                          const std::vector<ElectrodeRow>& electrodes, IonSolution& solution) {
+                          const std::vector<ElectrodeRow>& electrodes,
+                          std::optional<std::size_t> row, IonSolution& solution) {
   wall_charges(scaled_, state, fixed_charge_.ratio(), charges_);
   mirror_.complete(charges_);
   const auto c = state.concentration();
@@ -76,7 +78,7 @@ void SolutionRows::append(double time, const IonState& state, const Relaxation& 
   solution.charge_top.push_back(charge_unit_ * charges_.total_top);
   solution.charge_bottom.push_back(charge_unit_ * charges_.total_bottom);
   append_segments(segments_, charges_, charge_unit_, solution);
-  append_conductors(electrodes, solution);
+  append_conductors(electrodes, row, solution);
   if (const poroelasticity::StreamingDrive* water = fixed_charge_.water()) {
     append_water(*water, area_, solution.water);
   }
@@ -96,13 +98,26 @@ void SolutionRows::append(double time, const IonState& state, const Relaxation& 
   }
 }
 
+namespace {
+
+/// Adds the charge that has come to a taxel: to what its circuit passed while the taxel is read,
+/// else to the rest.
+void add_passed(double charge, bool is_read, SegmentCharge& segment) {
+  const double bypassed = segment.bypassed.empty() ? 0.0 : segment.bypassed.back();
+  const double passed = segment.passed.empty() ? 0.0 : segment.passed.back();
+  segment.passed.push_back(is_read ? charge - bypassed : passed);
+  segment.bypassed.push_back(is_read ? bypassed : charge - passed);
+}
+
+} // namespace
+
 void SolutionRows::append_conductors(const std::vector<ElectrodeRow>& electrodes,
-                                     IonSolution& solution) const {
+                                     std::optional<std::size_t> read, IonSolution& solution) const {
   if (cut_ == nullptr) {
     return;
   }
   if (electrodes.empty()) {
-    append_held(solution);
+    append_held(read, solution);
     return;
   }
   for (std::size_t i = 0; i < segments_.names.size(); ++i) {
@@ -113,12 +128,12 @@ void SolutionRows::append_conductors(const std::vector<ElectrodeRow>& electrodes
     if (is_own_[i]) {
       const double unit = charge_unit_ * cut_->copies[conductor];
       segment.charge.back() = unit * row.charge;
-      segment.passed.push_back(unit * row.passed);
+      add_passed(unit * row.passed, !read || *read == row_of_taxel_[i], segment);
     }
   }
 }
 
-void SolutionRows::append_held(IonSolution& solution) const {
+void SolutionRows::append_held(std::optional<std::size_t> read, IonSolution& solution) const {
   const std::size_t columns = scaled_.columns();
   std::vector<double> net(columns, 0.0);
   for (std::size_t i = 0; fixed_charge_.makes_net_charge() && i < scaled_.nodes(); ++i) {
@@ -129,7 +144,8 @@ void SolutionRows::append_held(IonSolution& solution) const {
     SegmentCharge& segment = solution.top_segments[i];
     segment.voltage.push_back(0.0);
     if (is_own_[i]) {
-      segment.passed.push_back(segment.charge.back() - charge_unit_ * below[i]);
+      add_passed(segment.charge.back() - charge_unit_ * below[i],
+                 !read || *read == row_of_taxel_[i], segment);
     }
   }
 }

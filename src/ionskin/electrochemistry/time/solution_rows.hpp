@@ -41,15 +41,18 @@ public:
                const std::vector<double>& snapshot_times, const CutElectrode* cut = nullptr);
 
   /// @param electrodes the conductors of a cut top face
+  /// @param row that a scan has read until this instant; nothing without one
   void append(double time, const IonState& state, const Relaxation& relaxation,
-              const std::vector<ElectrodeRow>& electrodes, IonSolution& solution);
+              const std::vector<ElectrodeRow>& electrodes, std::optional<std::size_t> row,
+              IonSolution& solution);
   /// Adds what is kept for the last row only.
   void finish(const IonState& state, IonSolution& solution);
 
 private:
-  void append_conductors(const std::vector<ElectrodeRow>& electrodes, IonSolution& solution) const;
+  void append_conductors(const std::vector<ElectrodeRow>& electrodes,
+                         std::optional<std::size_t> read, IonSolution& solution) const;
   /// Of conductors that the ground holds, which the solver takes for one.
-  void append_held(IonSolution& solution) const;
+  void append_held(std::optional<std::size_t> read, IonSolution& solution) const;
   IonSnapshot snapshot(double time, const IonState& state) const;
 
   const MidWidthMirror& mirror_;
@@ -67,6 +70,7 @@ private:
   ElectrodeSegments segments_;
   const CutElectrode* cut_;
   std::vector<bool> is_own_; ///< whether a segment is a taxel with a circuit of its own
+  std::vector<std::size_t> row_of_taxel_; ///< of a scan
 };
 
 } // namespace ionskin::electrochemistry

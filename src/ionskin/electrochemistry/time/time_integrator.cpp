@@ -173,6 +173,37 @@ void TimeIntegrator::take_up(double time, const TransportState& state) {
   settle(state.ions);
 }
 
+void TimeIntegrator::connect(std::vector<std::optional<ScaledAdmittance>> circuits) {
+  electrodes_->connect(std::move(circuits));
+}
+
+void TimeIntegrator::reconnect(double time, std::vector<std::optional<ScaledAdmittance>> circuits,
+                               TransportState& state) {
+  const std::vector<ElectrodeRow> rows = electrode_rows(state);
+  std::vector<double> held_at = potentials(state.ions);
+  for (std::size_t e = 0; e < rows.size(); ++e) {
+    if (electrodes_->circuits()[e] != circuits[e]) {
+      state.electrode_charge[e] = rows[e].passed;
+      held_at[e] = circuits[e] ? held_at[e] : 0.0;
+    }
+  }
+  connect(std::move(circuits));
+  electrodes_->electrodes().spread(held_at, state.ions.potential().last(grid_.columns()));
+  implicit_ = 0.0;
+  start_ = settled_;
+  start_charges_ = state.electrode_charge;
+  const StageProblem problem = problem_at(time);
+  solver_.prepare(state.ions, 0.0);
+  if (!solver_.solve(problem, state.ions)) {
+    throw SolverError("Poisson's equation could not be solved where a scan goes to the next row",
+                      "raise numerics.mesh_refinement, or ground the other rows of the scan");
+  }
+  solver_.rate(problem, state.ions, std::span(state.rate).first(grid_.nodes()));
+  std::fill(state.rate.begin() + static_cast<std::ptrdiff_t>(grid_.nodes()), state.rate.end(), 0.0);
+  settle(state.ions);
+  note_charge(state);
+}
+
 std::optional<double> TimeIntegrator::try_step(double begin, double end,
                                                const TransportState& state, double column_share) {
   length_ = (end - begin) / scales_.relaxation_time;
@@ -231,6 +262,7 @@ void TimeIntegrator::guess_stage(const TransportState& state) {
     stage_.values[p] = state.ions.values[p] + ahead * state.rate[p];
   });
   keep_in_bounds(state.ions, stage_);
+  restore_conductors(stage_);
 }
 
 /// Concentrations on the parabola through begin and stage with the rate at the begin; potentials,
@@ -247,6 +279,18 @@ void TimeIntegrator::guess_end(const TransportState& state) {
     end_.values[p] = state.ions.values[p] + ratio * (stage_.values[p] - state.ions.values[p]);
   });
   keep_in_bounds(stage_, end_);
+  restore_conductors(end_);
+}
+
+void TimeIntegrator::restore_conductors(IonState& guess) const {
+  if (!electrodes_) {
+    return;
+  }
+  std::vector<double> at = potentials(guess);
+  for (std::size_t e = 0; e < at.size(); ++e) {
+    at[e] = electrodes_->holds(e) ? 0.0 : at[e];
+  }
+  electrodes_->electrodes().spread(at, guess.potential().last(grid_.columns()));
 }
 
 void TimeIntegrator::keep_in_bounds(const IonState& safe, IonState& guess) const {

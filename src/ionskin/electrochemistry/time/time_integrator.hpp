@@ -49,6 +49,14 @@ public:
   /// Takes up a state that a run has left at an instant.
   void take_up(double time, const TransportState& state);
 
+  /// Joins the conductors of a cut top face to these circuits from now on, before the first instant
+  /// or where a run is taken up.
+  void connect(std::vector<std::optional<ScaledAdmittance>> circuits);
+  /// Does so at an instant of a run, where the state stands: conductors that come to the ground
+  /// give up their voltage, capacitors of new circuits are uncharged. Throws SolverError.
+  void reconnect(double time, std::vector<std::optional<ScaledAdmittance>> circuits,
+                 TransportState& state);
+
   /// Tries the step from `begin`, where the state stands, to `end` [s], and leaves the fixed charge
   /// at `end`.
   /// @param column_share of the errors of single columns, see `ChargeNorm::of_change`
@@ -84,6 +92,9 @@ private:
   StageProblem problem_at(double time);
   void guess_stage(const TransportState& state);
   void guess_end(const TransportState& state);
+  /// Keeps what rounding adds to the potentials of conductors, at the ground or of one column
+  /// beside another, from growing step by step.
+  void restore_conductors(IonState& guess) const;
   /// Takes `safe` instead of a guess that would deplete a concentration or the room beside it.
   void keep_in_bounds(const IonState& safe, IonState& guess) const;
   double charge_error(const TransportState& state, double column_share,

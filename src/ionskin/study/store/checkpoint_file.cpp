@@ -81,8 +81,9 @@ bool is_consistent(const IonCheckpoint& checkpoint) {
   return state.next_step > 0 && std::isfinite(state.next_step) &&
          std::isfinite(state.charge_scale) && !state.ions.values.empty() &&
          state.rate.size() == state.ions.values.size() && finite(state.ions.values) &&
-         finite(state.rate) && finite(state.electrode_charge) && solution.time.size() == checkpoint.step + 1 &&
-         finite(solution.time) && std::is_sorted(solution.time.begin(), solution.time.end());
+         finite(state.rate) && finite(state.electrode_charge) &&
+         solution.time.size() == checkpoint.step + 1 && finite(solution.time) &&
+         std::is_sorted(solution.time.begin(), solution.time.end());
 }
 
 void write_water(results::Hdf5File& file, const poroelasticity::WaterState& water) {
@@ -136,6 +137,7 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& inpu
     file.write(fmt::format("/bottom_segments/{:06}", i), solution.top_segments[i].bottom_charge);
     file.write(fmt::format("/segment_voltages/{:06}", i), solution.top_segments[i].voltage);
     file.write(fmt::format("/segment_circuits/{:06}", i), solution.top_segments[i].passed);
+    file.write(fmt::format("/segment_others/{:06}", i), solution.top_segments[i].bypassed);
   }
   for (std::size_t i = 0; i < solution.snapshots.size(); ++i) {
     const IonSnapshot& snapshot = solution.snapshots[i];
@@ -189,10 +191,10 @@ std::optional<IonCheckpoint> read_checkpoint(const std::filesystem::path& path,
   if (file.has("/segments")) {
     for (const std::string& name : file.members("/segments")) {
       const std::string dataset = "/segments/" + name;
-      solution.top_segments.push_back({file.text_attribute(dataset, "name").value_or(""),
-                                       file.read(dataset), file.read("/bottom_segments/" + name),
-                                       read_if_there("/segment_voltages/" + name),
-                                       read_if_there("/segment_circuits/" + name)});
+      solution.top_segments.push_back(
+          {file.text_attribute(dataset, "name").value_or(""), file.read(dataset),
+           file.read("/bottom_segments/" + name), read_if_there("/segment_voltages/" + name),
+           read_if_there("/segment_circuits/" + name), read_if_there("/segment_others/" + name)});
     }
   }
   if (file.has("/snapshots")) {

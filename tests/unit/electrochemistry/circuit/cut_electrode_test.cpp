@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/electrochemistry/circuit/cut_electrode.hpp"
 
-#include "ionskin/electrochemistry/circuit/crosstalk.hpp"
 #include "ionskin/electrochemistry/ion_transport.hpp"
+#include "ionskin/electrochemistry/taxel_crosstalk.hpp"
 #include "model_cases.hpp"
 
 #include <gtest/gtest.h>
@@ -168,6 +168,17 @@ TEST(CutElectrode, HalfTheSkinIsSolvedWhereTheTaxelsAreMirrored) {
   }
 }
 
+/// The second taxel ends inside a column, which it shares with the grounded rest.
+TEST(CutElectrode, TheGroundStaysTheGround) {
+  Case input = with_taxels(3, "open");
+  input.readout.taxels.pop_back();
+  input.readout.taxels[1].upper[0] = 9.3e-3;
+  const IonSolution cut = solve(input, onset());
+  ASSERT_EQ(cut.top_segments[2].name, "rest");
+  EXPECT_EQ(largest(cut.top_segments[2].voltage), 0);
+  EXPECT_GT(largest(cut.top_segments[1].voltage), 0);
+}
+
 TEST(CutElectrode, WhatHasNoCircuitOfItsOwnIsTheElectrode) {
   Case input = with_taxels(3, "shared");
   input.readout.taxels[1].circuit = "open";
@@ -209,6 +220,100 @@ TEST(CutElectrode, ThreadsDoNotChangeABit) {
   const IonSolution a = solve(input, onset()), b = solve(input, onset(), three);
   EXPECT_EQ(a.charge_top, b.charge_top);
   EXPECT_EQ(a.top_segments[2].voltage, b.top_segments[2].voltage);
+}
+
+/// Four taxels of a list, each a row, read for 50 ms.
+Case scanned(const char* circuit, bool grounds_others) {
+  Case input = with_taxels(4, circuit, 100.0);
+  input.readout.scan = {0.05, grounds_others};
+  return input;
+}
+
+TEST(Scan, StepsEndWhereTheNextRowIsRead) {
+  const IonSolution solution = solve(scanned("load", true), onset());
+  for (const double instant : {0.05, 0.1, 0.15, 0.5}) {
+    EXPECT_TRUE(std::ranges::any_of(solution.time, [instant](double time) {
+      return std::abs(time - instant) < 1e-12;
+    })) << instant;
+  }
+}
+
+TEST(Scan, ReadsChargeOfOneRowAtATime) {
+  const IonSolution solution = solve(scanned("load", true), onset());
+  for (std::size_t row = 1; row < solution.time.size(); ++row) {
+    const double middle = 0.5 * (solution.time[row - 1] + solution.time[row]);
+    const auto read = static_cast<std::size_t>(middle / 0.05) % 4;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const SegmentCharge& taxel = solution.top_segments[i];
+      if (i != read) {
+        EXPECT_EQ(taxel.passed[row], taxel.passed[row - 1]);
+      } else {
+        EXPECT_EQ(taxel.bypassed[row], taxel.bypassed[row - 1]);
+      }
+      // Out of its turn a taxel is at the ground; the row of a switch is the end of its turn.
+      if (i != read) {
+        EXPECT_EQ(taxel.voltage[row], 0);
+      }
+    }
+  }
+  EXPECT_GT(largest(solution.top_segments[1].passed), 0);
+}
+
+/// What is grounded between its turns, and in them, is never anything else.
+TEST(Scan, OfGroundedTaxelsChangesNothing) {
+  const IonSolution plain = solve(with_taxels(4, "short"), onset()),
+                    read = solve(scanned("short", true), onset());
+  for (std::size_t i = 0; i < 4; ++i) {
+    const SegmentCharge &one = plain.top_segments[i], &other = read.top_segments[i];
+    EXPECT_NEAR(one.charge.back(), other.charge.back(), 1e-3 * largest(plain.charge_top));
+    EXPECT_NEAR(other.passed.back() + other.bypassed.back(), one.passed.back(),
+                1e-3 * largest(plain.charge_top));
+  }
+}
+
+/// A taxel that was open keeps its charge until its turn, and gives it up at once.
+TEST(Scan, OpenTaxelsDischargeInTheirTurn) {
+  const auto history = linear_step_history(-1e-3, 1e-3, {0.0, 0.1, 0.2, 0.4});
+  Case input = with_taxels(4, "short");
+  input.readout.scan = {0.1, false};
+  const IonSolution solution = solve(input, history);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const SegmentCharge& taxel = solution.top_segments[i];
+    for (std::size_t row = 1; row < solution.time.size(); ++row) {
+      const auto read =
+          static_cast<std::size_t>(0.5 * (solution.time[row - 1] + solution.time[row]) / 0.1);
+      EXPECT_NEAR(taxel.bypassed[row], 0.0, 1e-12 * largest(taxel.charge));
+      if (read < i) {
+        EXPECT_EQ(taxel.passed[row], 0);
+        EXPECT_NE(taxel.voltage[row], 0);
+      }
+    }
+  }
+}
+
+TEST(Scan, InterruptedAndResumedEqualsUninterrupted) {
+  const Case input = scanned("parallel-rc", false);
+  const IonSolution whole = solve(input, onset());
+  struct Stop : std::exception {};
+  for (const std::size_t interval : {20U, 33U}) {
+    IonCheckpoint kept;
+    IonOptions first;
+    first.checkpoint_interval = interval;
+    first.checkpoint_seconds = 0;
+    first.checkpoint = [&kept](const IonCheckpoint& checkpoint) {
+      kept = checkpoint;
+      throw Stop();
+    };
+    EXPECT_THROW(solve(input, onset(), first), Stop);
+    IonOptions second;
+    second.resume = kept;
+    const IonSolution resumed = solve(input, onset(), second);
+    EXPECT_EQ(whole.time, resumed.time);
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_EQ(whole.top_segments[i].voltage, resumed.top_segments[i].voltage);
+      EXPECT_EQ(whole.top_segments[i].passed, resumed.top_segments[i].passed);
+    }
+  }
 }
 
 TEST(TaxelCrosstalk, FallsWithTheDistanceAndIsNoneOfOneConductor) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/electrochemistry/circuit/crosstalk.hpp"
+#include "ionskin/electrochemistry/taxel_crosstalk.hpp"
 
-#include "ionskin/electrochemistry/circuit/electrode_charges.hpp"
 #include "ionskin/electrochemistry/equations/steric_excess.hpp"
 #include "ionskin/electrochemistry/output/ion_state.hpp"
 #include "ionskin/electrochemistry/solver/preconditioner.hpp"
@@ -40,10 +39,12 @@ std::optional<double> taxel_crosstalk(const Case& input, const history::CoreHist
   const Eigen::MatrixXd admittance =
       Eigen::Map<const Eigen::MatrixXd>(cell.electrode_admittance().data(), count, count);
 
-  const ElectrodeCharges circuits(cut->conductors);
+  // Of a scan, while the first row is read.
+  const std::vector<std::optional<ScaledAdmittance>> circuits =
+      cut->circuits(input.readout.scan, 0);
   Eigen::MatrixXd system = admittance;
   for (Eigen::Index e = 0; e < count; ++e) {
-    const auto& circuit = cut->conductors.conductors()[static_cast<std::size_t>(e)].admittance;
+    const auto& circuit = circuits[static_cast<std::size_t>(e)];
     if (circuit) {
       system(e, e) += step * circuit->conductance + circuit->capacitance;
     } else {
@@ -55,9 +56,12 @@ std::optional<double> taxel_crosstalk(const Case& input, const history::CoreHist
   const Eigen::MatrixXd voltage = system.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
   double largest = 0.0;
   for (const Eigen::Index i : own) {
+    if (cut->row_of_conductor[static_cast<std::size_t>(i)].value_or(0) != 0) {
+      continue;
+    }
     for (const Eigen::Index j : own) {
-      const bool held = circuits.holds(static_cast<std::size_t>(i)) ||
-                        circuits.holds(static_cast<std::size_t>(j));
+      const bool held =
+          !circuits[static_cast<std::size_t>(i)] || !circuits[static_cast<std::size_t>(j)];
       const double share =
           held ? admittance(j, i) / admittance(i, i) : voltage(j, i) / voltage(i, i);
       largest = i == j ? largest : std::max(largest, std::abs(share));
