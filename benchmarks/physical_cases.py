@@ -266,7 +266,21 @@ class Draw:
             readout["taxels"] = [{"name": name, "lower": [f"{low * self.length:.3f} mm", "0 mm"],
                                   "upper": [f"{high * self.length:.3f} mm", f"{self.width} mm"]}
                                  for name, low, high in (("left", 0, 0.4), ("right", 0.5, 1))]
+        if "taxels" in readout and self.case["electrochemistry"]["ion_model"] != "thin-layers" and self.maybe(0.5):
+            self.taxel_circuits(readout)
         self.case["readout"] = readout
+
+    def taxel_circuits(self, readout):
+        """Taxels as conductors of their own, some with other circuits than the rest, some scanned."""
+        readout["taxel_circuit"] = self.rng.choice(("short", "open", "load", "parallel-rc"))
+        if isinstance(readout["taxels"], list):
+            readout["taxels"][0] |= self.rng.choice((
+                {"circuit": "parallel-rc", "load_resistance": self.quantity(10, 1e7, "ohm"), "load_capacitance": self.quantity(1e-11, 1e-6, "F")},
+                {"circuit": "amplifier", "amplifier_bandwidth": self.quantity(50, 5000, "Hz"), "noise_seed": self.rng.randint(1, 1000),
+                 "amplifier_noise_density": self.quantity(1e-15, 1e-12, "A/sqrt(Hz)"), "amplifier_range": self.quantity(1e-6, 1e-3, "A")},
+                {"circuit": "shared"}))
+        if self.maybe(0.3):
+            readout["scan"] = {"dwell": self.quantity(20, 200, "ms"), "others": self.rng.choice(("grounded", "open"))}
 
     def numerics(self):
         """Coarse and quick; errors for some."""

@@ -76,9 +76,10 @@ def currents(results):
 
 
 def reading(results):
-    """What an ammeter between the shorted electrodes shows, enlarged at the first contact; None where a circuit joins them."""
+    """What an ammeter between the shorted electrodes shows, enlarged at the first contact; None where a circuit joins them, or taxels
+    have circuits of their own."""
     sampled = results.sampled
-    if results.circuit is not None or not sampled.has("current_difference"):
+    if results.circuit is not None or readout.has_own_circuits(results) or not sampled.has("current_difference"):
         return None
     curve = Curve(sampled["time"], sampled["current_difference"], "", GREEN, "held", marks=True, band=results.band("sampled", "current_difference"))
     return with_events(results, [("Difference current", Axis("current", "A"), [curve], 1.2)])
@@ -194,6 +195,10 @@ FIGURES = [
           "has its own colours.", water.section),
     Entry("water_walls", "Pressure between the walls", "Water pressure at the top wall minus that at the bottom one, from above: "
           "its mean is what the whole electrode sees, its map what taxels see.", water.wall_difference),
+    Entry("taxel_voltage_map", "Voltages of the taxels", "The skin from above: largest magnitude of each taxel's voltage during the "
+          "run; every taxel has a circuit of its own.", readout.taxel_voltage_map),
+    Entry("taxel_voltages", "Voltage of each taxel", "Against the bottom electrode, over time on common axes; taxels.csv holds the "
+          "numbers.", readout.taxel_voltages),
     Entry("taxel_map", "Taxels", "The skin from above: largest magnitude of each taxel's charge during the run.",
           readout.taxel_map),
     Entry("taxels", "Taxel signals", "Charge of each taxel over time on common axes; taxels.csv holds the currents too.",

@@ -9,7 +9,7 @@ import numpy
 
 from .charts.chart import Axis, Cell, Chart, Curve, current_axis, phase_spans
 from .charts.colours import BLUE, GREEN, ORANGE, PURPLE, QUIET
-from .charts.readout import TAXEL, circuit_panel, taxel_names
+from .charts.readout import TAXEL, VOLTAGE, circuit_panel, has_voltages, taxel_names
 from .errors import exit_on
 from .results import Results
 
@@ -20,6 +20,10 @@ HEIGHT = 0.85
 
 def panel(results):
     """Title, vertical axis and curves of what the run's readout shows."""
+    if has_voltages(results):
+        names = taxel_names(results)
+        return ("Taxels with circuits of their own", Axis("voltage", "V"),
+                [Curve(results.taxels["time"], results.taxels[VOLTAGE + name], name, colour, True, 0.8) for name, colour in zip(names, COLOURS)])
     if results.taxels is not None:
         columns = [results.taxels[TAXEL + name] for name in taxel_names(results)]
         curves = [Curve(results.taxels["time"], values, name, colour, True, 0.8)

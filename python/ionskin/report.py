@@ -13,7 +13,7 @@ from .page import answer, chart_data, pages, quantities, report_text, sweep_page
 from .results import Results
 from .sweep_results import Study
 
-ANSWER = ("reading", "circuit", "water_voltage")  # the first of these figures that a run has stands at the top
+ANSWER = ("reading", "circuit", "taxel_voltages", "water_voltage", "taxels")  # the first of these figures that a run has stands at the top
 FIRST = ("model", "plan")  # figures that stand before the charts to explore
 
 

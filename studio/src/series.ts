@@ -53,8 +53,13 @@ export async function quantities(result: Result): Promise<Quantity[]> {
       list.push({ id: `${name}/${id}`, label: label + kind, table: name, columns: columns.map((one) => one.name), unit: columns[0].unit });
     };
     if (/taxels$/.test(name)) {
+      const through = /^(current|charge)_circuit_/; // of taxels with circuits of their own
+      const names: Record<string, string> = { A: "Currents of taxels", C: "Charges of taxels", V: "Voltages of taxels" };
       for (const unit of new Set(numeric.map((one) => one.unit))) {
-        add(`all-${unit}`, (unit === "A" ? "Currents of taxels" : unit === "C" ? "Charges of taxels" : `All of taxels [${unit}]`) + (name === "taxels" ? "" : ", sampled"), numeric.filter((one) => one.unit === unit));
+        const label = (names[unit] ?? `All of taxels [${unit}]`) + (name === "taxels" ? "" : ", sampled");
+        const [own, all] = [true, false].map((of_circuit) => numeric.filter((one) => one.unit === unit && through.test(one.name) === of_circuit));
+        add(`all-${unit}`, label, all);
+        add(`circuit-${unit}`, `${label}, through their circuits`, own);
       }
       continue;
     }

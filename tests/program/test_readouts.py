@@ -46,6 +46,34 @@ class Readouts(ProgramTest):
         self.assertGreater(numpy.abs(taxels["charge_top_a"]).max() / 8,
                            1.5 * numpy.abs(taxels["charge_top_b"]).max() / (5.3 * 0.7))
 
+    def test_taxels_with_circuits_of_their_own(self):
+        neutral, law = ("coupling.law=column-neutral", "coupling.coefficient=1")
+        whole, out = self.read_out("own", f"readout.taxels={TAXELS}", "readout.taxel_circuit=open", neutral, law)
+        taxels, sampled = signals(out, "taxels"), signals(out, "sampled_taxels")
+        for name in ("a", "b"):
+            self.assertFalse(taxels[f"charge_circuit_{name}"].any())
+            self.assertGreater(numpy.abs(taxels[f"voltage_{name}"]).max(), 1e-5)
+            self.assertEqual(len(sampled[f"voltage_{name}"]), len(sampled["time"]))
+        # What no taxel covers is a guard at the ground.
+        self.assertFalse(taxels["voltage_rest"].any())
+        self.assertNotIn("charge_circuit_rest", taxels)
+        self.assertFalse((out / "circuit.csv").exists())
+        self.assertLess(metric(out, "taxel_balance_error"), 1e-6)
+        self.assertEqual(metric(out, "peak_taxel_voltage"),
+                         max(numpy.abs(taxels[f"voltage_{name}"]).max() for name in ("a", "b")))
+        self.assertTrue(0 < metric(out, "taxel_crosstalk") < 1)
+        self.assertGreater(metric(out, "signal_to_noise"), 0)
+        self.assertIn("A voltmeter between the taxel", (out / "report.html").read_text())
+
+        # One taxel behind a load, the other one shorted with its instrument.
+        own = TAXELS.replace('"a",', '"a", circuit="load", load_resistance="100 Ohm",').replace('"b",', '"b", circuit="amplifier",')
+        _, out = self.read_out("mixed", f"readout.taxels={own}", neutral, law)
+        taxels = signals(out, "taxels")
+        numpy.testing.assert_allclose(taxels["charge_circuit_a"], taxels["charge_top_a"], rtol=0,
+                                      atol=1e-12 * numpy.abs(taxels["charge_top_a"]).max())
+        self.assertFalse(taxels["voltage_b"].any())
+        self.assertIn("reading_b", taxels)
+
     def test_grid_of_taxels_and_sampled_tables(self):
         whole, out = self.read_out("grid", "readout.circuit=load", "readout.load_resistance=20 Ohm",
                                    "readout.taxels={rows = 2, columns = 3}", "readout.sample_interval=5 ms")

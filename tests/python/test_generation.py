@@ -11,7 +11,7 @@ import numpy
 import ionskin
 from ionskin.evaluation import Outcome
 from ionskin.generation import Touches
-from ionskin.generation.store import COLUMNS, SIGNALS, tables
+from ionskin.generation.store import COLUMNS, SIGNALS, tables, taxel_signals
 from package import CASES, PackageTest, small_case
 
 
@@ -47,6 +47,19 @@ class Generation(PackageTest):
         area, stick, slip = (labels[:, COLUMNS.index(name)] for name in ("contact_area", "stick_share", "slip"))
         self.assertTrue((area[touching > 0] > 0).all() and (stick >= 0).all() and (stick <= 1).all())
         self.assertAlmostEqual(slip.max() / case["motion.stroke"], 1, delta=0.1)
+
+    def test_taxels_with_circuits_of_their_own(self):
+        case = small_case()
+        case["readout.sample_interval"] = 1e-3
+        case["readout.taxels"] = {"rows": 1, "columns": 2}
+        case["readout.taxel_circuit"] = "open"
+        outcome = Outcome.of(ionskin.run(case))
+        names = taxel_signals(outcome)
+        self.assertEqual(names, ("voltage_r1c1", "voltage_r1c2", "current_circuit_r1c1", "current_circuit_r1c2"))
+        _, signals, _ = tables(outcome, 1000.0)
+        self.assertEqual(signals.shape[1], len(SIGNALS) + 4)
+        self.assertGreater(numpy.abs(signals[:, len(SIGNALS)]).max(), 0)
+        self.assertFalse(signals[:, len(SIGNALS) + 2].any())
 
     def test_equal_stores(self):
         subprocess.run([sys.executable, CASES / "make_strain.py", self.folder / "strain.h5"], check=True)

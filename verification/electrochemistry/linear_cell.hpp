@@ -27,14 +27,14 @@ public:
   Complex short_charge(Complex s) const;
   /// Voltage of the open cell [V s/m2].
   Complex open_voltage(Complex s) const;
-  double resistance() const; ///< h/sigma [ohm m2]
+  Complex impedance(Complex s) const; ///< [ohm m2]
+  double resistance() const;          ///< h/sigma [ohm m2]
 
 private:
   struct Point {
     Complex p, q, tanh;
   };
   Point at(Complex s) const;
-  Complex impedance(Complex s) const;
 
   electrochemistry::DerivedScales scales_;
   double permittivity_;

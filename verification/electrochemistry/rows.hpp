@@ -27,4 +27,8 @@ std::vector<Row> lateral_average_rows(const Options& options);
 /// E9: ions of finite size: double layers, spectrum, linear and dilute limits, conservation.
 std::vector<Row> steric_rows(const Options& options);
 
+/// E10: taxels with circuits of their own against waves along a linear strip, conservation and
+/// reciprocity.
+std::vector<Row> taxel_rows(const Options& options);
+
 } // namespace ionskin::verification

@@ -107,6 +107,27 @@ std::string scales_of_water(const Case& input) {
   return text;
 }
 
+/// Of the first taxel with each circuit that passes charge.
+std::string time_constants_of_taxels(const Readout& readout, double capacitance_per_area) {
+  std::string text, last;
+  for (std::size_t i = 0; i < readout.taxels.size(); ++i) {
+    const circuits::Circuit circuit =
+        circuits::circuit(readout.circuit_of(i), readout.parameters_of(i));
+    if (!readout.has_own_circuit(i) || circuit.words == last)
+      continue;
+    last = circuit.words;
+    const Taxel& taxel = readout.taxels[i];
+    const double capacitance = capacitance_per_area * (taxel.upper[0] - taxel.lower[0]) *
+                               (taxel.upper[1] - taxel.lower[1]);
+    if (circuit.admittance && std::isfinite(circuit.admittance->resistance))
+      text += row(fmt::format("time constant of taxel {}", taxel.name),
+                  fmt::format("{:.4g} s", circuit.admittance->resistance *
+                                              (capacitance + circuit.admittance->capacitance)),
+                  fmt::format("through its {}", circuit.words));
+  }
+  return text;
+}
+
 /// Both diffuse layers in series, of which each holds permittivity over Debye length and area.
 std::string scales_of_readout(const Case& input) {
   const auto scales =
@@ -132,7 +153,10 @@ std::string scales_of_readout(const Case& input) {
                 fmt::format("{:.4g} s", circuit.admittance->resistance *
                                             (capacitance + circuit.admittance->capacitance)),
                 fmt::format("through the {}{}", circuit.words,
-                            readout.taxels.empty() ? "" : ", which all taxels share"));
+                            readout.taxels.empty() ? ""
+                            : readout.is_cut()     ? ", of what has no circuit of its own"
+                                                   : ", which all taxels share"));
+  text += time_constants_of_taxels(readout, per_area);
   return text;
 }
 

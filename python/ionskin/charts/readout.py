@@ -12,6 +12,7 @@ from .colours import BLUE, GREEN, ORANGE, PURPLE, SEQUENCE, mixed
 from .spans import peak_of
 
 TAXEL = "current_top_"
+VOLTAGE = "voltage_"  # of a taxel with a circuit of its own
 NO_TAXELS = "the run has no taxels"
 COLUMNS = 4  # of taxel panels side by side
 MOST_TAXELS = 36  # panels that a page can hold
@@ -82,15 +83,42 @@ def rectangles(results):
     return found
 
 
+def has_own_circuits(results):
+    """True where taxels are conductors with circuits of their own."""
+    return results.taxels is not None and any(name.startswith("current_circuit_") for name in results.taxels)
+
+
+def has_voltages(results):
+    """True where taxels have voltages: circuits of their own that do not ground them all."""
+    return results.taxels is not None and any(name.startswith(VOLTAGE) and peak_of(results.taxels[name]) > 0 for name in results.taxels)
+
+
+def has_charges(results):
+    """True where a charge passes into a taxel: not where all of them are open."""
+    return any(peak_of(results.taxels[f"charge_top_{name}"]) > 0 for name in taxel_names(results) if name != "rest")
+
+
 def taxel_map(results):
     """Where the taxels lie on the skin; coloured by the charge that each moved during the run."""
     if results.taxels is None:
         return None
+    if not has_charges(results):
+        return "no charge passes into a taxel"
+    return map_of(results, "charge_top_", "Largest charge of each taxel", "charge", "C")
+
+
+def taxel_voltage_map(results):
+    """Where the taxels lie on the skin; coloured by the largest voltage of each."""
+    return map_of(results, VOLTAGE, "Largest voltage of each taxel", "voltage", "V") if has_voltages(results) else None
+
+
+def map_of(results, column, title, quantity_name, unit):
+    """The skin from above, every taxel coloured by the largest magnitude of one of its columns."""
     places, names = rectangles(results), taxel_names(results)
-    drawn = [name for name in names if name in places]
+    drawn = [name for name in names if name in places and results.taxels.has(column + name)]
     if not drawn:
         return "the case does not list the taxels' corners in a unit that this figure knows"
-    moved = {name: peak_of(results.taxels[f"charge_top_{name}"]) for name in drawn}
+    moved = {name: peak_of(results.taxels[column + name]) for name in drawn}
     top = max(moved.values()) or 1.0
     divisor = si_scale(top)[0]
     corners = [places[name] for name in drawn]
@@ -103,8 +131,8 @@ def taxel_map(results):
         if len(drawn) <= MOST_TAXELS:
             notes.append(Note(*(low + high) / 2, f"{short(name, 12)}\n{moved[name] / divisor:.3g}", "middle",
                               "#ffffff" if moved[name] < 0.6 * top else "#000000", 6.5))
-    bar = Map(numpy.empty(0), numpy.empty(0), numpy.empty((0, 0)), 0.0, top, "charge", "C")
-    return Chart([[Cell("Largest charge of each taxel", Axis("x", "m", 0.0, extent[0]), Axis("y", "m", 0.0, extent[1]), map=bar,
+    bar = Map(numpy.empty(0), numpy.empty(0), numpy.empty((0, 0)), 0.0, top, quantity_name, unit)
+    return Chart([[Cell(title, Axis("x", "m", 0.0, extent[0]), Axis("y", "m", 0.0, extent[1]), map=bar,
                         shapes=(*shapes, *slider_path(results)), notes=tuple(notes), equal=True)]])
 
 
@@ -134,16 +162,26 @@ def taxel_charges(results):
     """The charge of every taxel over time, one panel each, laid out and scaled alike."""
     if results.taxels is None:
         return None
+    return panels_of(results, "charge_top_", "charge", "C") if has_charges(results) else "no charge passes into a taxel"
+
+
+def taxel_voltages(results):
+    """The voltage of every taxel over time, one panel each, laid out and scaled alike."""
+    return panels_of(results, VOLTAGE, "voltage", "V") if has_voltages(results) else None
+
+
+def panels_of(results, column, quantity_name, unit):
+    """One column of every taxel over time, one panel each, laid out and scaled alike."""
     names = taxel_names(results)[:MOST_TAXELS]
     columns = taxel_columns(results, names)
     places = rectangles(results)
     if all(name in places for name in names):  # as on the map, y upwards
         names.sort(key=lambda name: (-round(float(places[name][0][1]), 9), float(places[name][0][0])))
     time, spans = results.signals["time"], phase_spans(results)
-    curves = [Curve(results.taxels["time"], results.taxels[f"charge_top_{name}"], width=0.9) for name in names]
+    curves = [Curve(results.taxels["time"], results.taxels[column + name], width=0.9) for name in names]
     low, high = limits(curves)
     cells = [Cell(short(name, 20), Axis("time" if place + columns >= len(names) else "", "s", time[0], time[-1]),
-                  Axis("" if place % columns else "charge", "C", low, high), (curve,), spans, height=0.45)
+                  Axis("" if place % columns else quantity_name, unit, low, high), (curve,), spans, height=0.45)
              for place, (name, curve) in enumerate(zip(names, curves))]
     return Chart([cells[begin:begin + columns] for begin in range(0, len(cells), columns)], (1.0,) * columns, min(2, columns))
 

@@ -16,7 +16,7 @@ from ..errors import CaseError
 from ..reading import files
 from ..results import Results
 
-TABLES = ("signals", "sampled")
+TABLES = ("signals", "sampled", "sampled_taxels")
 LARGEST = 1 << 30  # bytes of an outcome
 LARGEST_NUMBER = 1e30  # in SI units; squares of larger ones, and single precision, would overflow
 
@@ -50,7 +50,7 @@ class Outcome:
 
     reason   why there is no result; "" for a finished one
     metrics  SI number by name; units likewise
-    columns  array [rows] by "signals/NAME" or "sampled/NAME"; empty where the trial gave numbers alone
+    columns  array [rows] by "signals/NAME", "sampled/NAME" or "sampled_taxels/NAME"; empty where the trial gave numbers alone
     """
 
     def __init__(self, metrics: dict, units: dict, columns: dict | None = None, reason: str = "") -> None:
@@ -65,10 +65,11 @@ class Outcome:
             return cls({}, {}, reason=" ".join(str(told).split()) or type(told).__name__)
         if isinstance(told, Results):
             known = {name: one for name, one in told.metrics.items() if one.value is not None}
-            columns = {f"{table}/{name}": values for table in TABLES
+            tables = [table for table in TABLES if getattr(told, table) is not None]
+            columns = {f"{table}/{name}": values for table in tables
                        for name, values in getattr(told, table).columns.items() if values.dtype.kind == "f"}
             units = {name: one.unit for name, one in known.items()}
-            units |= {f"{table}/{name}": unit for table in TABLES for name, unit in getattr(told, table).units.items()}
+            units |= {f"{table}/{name}": unit for table in tables for name, unit in getattr(told, table).units.items()}
             return cls({name: one.value for name, one in known.items()}, units, columns)
         if isinstance(told, dict):
             return cls({name: float(value) for name, value in told.items()}, {})

@@ -11,10 +11,16 @@ from ..evaluation import Outcome
 from ..libraries import need
 
 SIGNALS = ("current_top", "current_bottom", "current_difference", "charge_top", "charge_bottom")
+OF_TAXELS = tuple(f"sampled_taxels/{kind}" for kind in ("voltage_", "current_circuit_"))  # with circuits of their own
 LABELS = ("slider_x", "slider_z", "normal_force", "tangential_force", "mean_shear", "p99_shear", "slider_y",
           "contact_area", "stick_share", "slip")
 CONTACT_METRICS = ("stick_fraction_touchdown", "contact_area_slide", "mean_pressure_slide")
 TOUCHING = 1e-9  # of the largest normal force
+
+
+def taxel_signals(outcome: Outcome):
+    """Names of what taxels with circuits of their own read; none otherwise."""
+    return tuple(name.removeprefix("sampled_taxels/") for name in outcome.columns if name.startswith(OF_TAXELS))
 
 
 def tables(outcome: Outcome, rate: float):
@@ -24,7 +30,7 @@ def tables(outcome: Outcome, rate: float):
     time = numpy.arange(1, int(numpy.floor(clock[-1] * rate + 1e-6)) + 1) / rate
 
     def at(name):
-        for table in ("sampled", "signals"):
+        for table in ("sampled", "signals", "sampled_taxels"):
             if f"{table}/{name}" in columns:
                 return numpy.interp(time, columns[f"{table}/time"], columns[f"{table}/{name}"])
         return numpy.full(len(time), numpy.nan)
@@ -34,13 +40,26 @@ def tables(outcome: Outcome, rate: float):
     force = labels[LABELS.index("normal_force")]
     touching = numpy.where(numpy.isfinite(force), force > TOUCHING * numpy.nanmax(force, initial=1e-30), numpy.nan)
     speed = numpy.gradient(labels[LABELS.index("slider_x")], time)
-    return (time, numpy.column_stack([at(name) for name in SIGNALS]),
+    return (time, numpy.column_stack([at(name) for name in (*SIGNALS, *taxel_signals(outcome))]),
             numpy.column_stack([*labels, touching, speed]))
 
 
 COLUMNS = (*LABELS, "touching", "slider_speed")
 UNITS = {"slider_x": "m", "slider_y": "m", "contact_area": "m2", "slip": "m", "slider_z": "m", "normal_force": "N", "tangential_force": "N", "slider_speed": "m/s",
          "charge_top": "C", "charge_bottom": "C"}
+
+
+def unit_of(name):
+    """Of a column that is not in UNITS."""
+    return "A" if name.startswith("current") else "V" if name.startswith("voltage") else "1"
+
+
+def finished(touches, points: pathlib.Path):
+    """Outcomes of the touches that have a solution, in their order."""
+    for trial in touches.trials:
+        outcome = Outcome.read(points / f"{trial.number:06}.npz")
+        if outcome is not None and not outcome.reason:
+            yield outcome
 
 
 def write(path: pathlib.Path, touches, points: pathlib.Path, provenance: dict) -> int:
@@ -54,10 +73,11 @@ def write(path: pathlib.Path, touches, points: pathlib.Path, provenance: dict) -
             file.attrs[name] = value
         file.attrs["rate_hz"] = RATE
         text = h5py.string_dtype()
-        for name, columns in (("signals", SIGNALS), ("labels", COLUMNS)):
+        signals = (*SIGNALS, *next(filter(None, map(taxel_signals, finished(touches, points))), ()))
+        for name, columns in (("signals", signals), ("labels", COLUMNS)):
             file.create_dataset(f"columns/{name}", data=list(columns), dtype=text, track_times=False)
             file.create_dataset(f"columns/{name}_units", dtype=text, track_times=False,
-                                data=[UNITS.get(one, "A" if one.startswith("current") else "1") for one in columns])
+                                data=[UNITS.get(one, unit_of(one)) for one in columns])
         values = numpy.array([list(trial.values.values()) for trial in touches.trials])
         file.create_dataset("touches/values", data=values, track_times=False)
         file.create_dataset("touches/keys", data=[one.key for one in touches.parameters], dtype=text, track_times=False)

@@ -3,7 +3,7 @@
 
 import numpy
 
-from ..charts.readout import is_open
+from ..charts.readout import VOLTAGE, has_own_circuits, has_voltages, is_open
 from ..charts.spans import contact_spans, sampling_interval
 from ..words import percent, quantity
 from . import report_text
@@ -59,6 +59,20 @@ def of_circuit(results):
     return None
 
 
+def of_own_taxel(results):
+    """What the instrument at the taxel with the strongest signal reads; None unless taxels have circuits of their own."""
+    if results.sampled_taxels is None or not has_own_circuits(results):
+        return None
+    prefix, unit, words = (VOLTAGE, "V", "A voltmeter") if has_voltages(results) else ("current_circuit_", "A", "An ammeter")
+    names = [name for name in results.sampled_taxels if name.startswith(prefix)]
+    if not names:
+        return None
+    name = max(names, key=lambda one: largest(results.sampled_taxels, one)[1])
+    instant, peak = largest(results.sampled_taxels, name)
+    read = told(results, "peak_taxel_voltage", peak, unit) if unit == "V" else quantity(peak, unit, 3)
+    return f"{words} between the taxel {name.removeprefix(prefix)[:20]} and the bottom electrode reads up to {read}{event(results, instant)}."
+
+
 def of_current(results):
     """What an ammeter between the shorted electrodes reads; None without currents."""
     sampled = results.sampled
@@ -101,7 +115,7 @@ def of_noise(results):
 
 def sentences(results):
     """The first says what can be read; those after it what it depends on, or what it leaves out."""
-    first = of_circuit(results) or of_current(results) or of_mechanics(results)
+    first = of_own_taxel(results) or of_circuit(results) or of_current(results) or of_mechanics(results)
     if first is None:
         return ["This run has no currents to read."]
     found = [first, *of_noise(results)]
@@ -114,9 +128,17 @@ def sentences(results):
 
 
 def taxels(results):
-    """Which taxel moves most charge."""
+    """Which taxel moves most charge, and how much of a signal another one shows."""
     if results.taxels is None:
         return []
+    crosstalk = results.metrics.get("taxel_crosstalk")
+    told_crosstalk = [] if crosstalk is None or crosstalk.value is None else [
+        f"Of what one taxel reads another one shows up to {told(results, 'taxel_crosstalk', 0.0, '1')} through the core (crosstalk)."]
+    return most_charge(results) + told_crosstalk
+
+
+def most_charge(results):
+    """Which taxel moves most charge; nothing where none does."""
     moved = {name.removeprefix("charge_top_"): largest(results.taxels, name)[1] for name in results.taxels if name.startswith("charge_top_")}
     moved.pop("rest", None)  # of the electrode, between the taxels
     if not moved or not max(moved.values()):

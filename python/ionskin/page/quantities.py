@@ -23,6 +23,7 @@ NAMES = {
     "equilibrium_residual": "Residual of equilibrium", "complementarity_residual": "Residual of contact",
     "interpolation_error": "Error of the interpolated compliance", "peak_open_circuit_voltage": "Peak open-circuit voltage",
     "open_circuit_voltage_per_newton": "Open-circuit voltage per force", "peak_sampled_taxel_current": "Peak sampled current of a taxel",
+    "peak_taxel_voltage": "Peak voltage of a taxel", "taxel_crosstalk": "Crosstalk between taxels",
     "taxel_balance_error": "Error of the sum of the taxels", "adhesion_loss": "Work lost to adhesion", "pull_off_force": "Pull-off force", "charge_difference_end": "Difference charge at the end",
     "charge_difference_slide_end": "Difference charge at the end of the slide",
     "largest_p99_shear": "Largest shear, 99th percentile", "peak_dilution_voltage": "Peak voltage by dilution",
@@ -34,7 +35,7 @@ INSTANTS = {"touchdown": "end of touchdown", "slide": "mid-slide"}
 SIDES = {"top": "current, top", "bottom": "current, bottom", "difference": "difference current", "common": "common current"}
 KINDS = {"peak": "Peak resolved", "rms": "Rms of the", "peak_sampled": "Peak sampled"}
 CURRENT = re.compile(r"(peak|rms|peak_sampled)_current_(top|bottom|difference|common)")
-SHARES = ("stick_fraction", "micro_slip_force_ratio", "min_concentration_ratio", "streaming_share")
+SHARES = ("stick_fraction", "micro_slip_force_ratio", "min_concentration_ratio", "streaming_share", "taxel_crosstalk")
 PRECURSORS = {"correlation": "Correlation of the {} current with the stuck share", "current": "Change of the {} current before full slip",
               "lead_time": "The {} current shows slip this long before full slip"}
 

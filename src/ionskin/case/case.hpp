@@ -199,12 +199,20 @@ struct StrainSource {
 struct Taxel {
   std::string name;
   std::array<double, 2> lower{}, upper{}; ///< corners, x and y [m]
+  std::string circuit;                    ///< of its own; empty for `Readout::taxel_circuit`
+  laws::LawValues parameters;             ///< of it, where they differ from those of the readout
 };
 
 /// Equal taxels over the whole top electrode, instead of a list of them.
 struct TaxelGrid {
   int rows = 0, columns = 0; ///< along y and along x; 0 without a grid
   double gap = 0;            ///< between neighbours [m]
+};
+
+/// Taxels read one row after another, each row by the circuits of its taxels for a while.
+struct Scan {
+  double dwell = 0;           ///< on a row [s]; 0 for no scan
+  bool grounds_others = true; ///< what is not read meanwhile; open otherwise
 };
 
 /// What the electrodes are connected to, and how signals are sampled.
@@ -215,6 +223,22 @@ struct Readout {
   laws::LawValues parameters;        ///< of circuits, that of the chosen one among them
   TaxelGrid taxel_grid;              ///< as written
   std::vector<Taxel> taxels; ///< disjoint, those of a grid too; empty for one whole electrode
+  /// Of the taxels: "shared" for that of the whole electrode, or a name from the table of circuits.
+  std::string taxel_circuit = "shared";
+
+  /// Whether a taxel is a conductor with a circuit of its own, apart from the electrode.
+  bool has_own_circuit(std::size_t taxel) const;
+  /// Whether any taxel is.
+  bool is_cut() const;
+  /// The circuit of a taxel and all its parameters.
+  const std::string& circuit_of(std::size_t taxel) const;
+  laws::LawValues parameters_of(std::size_t taxel) const;
+
+  Scan scan;
+  /// The row that a taxel is read with: that of a grid; of a list every taxel is one.
+  std::size_t scan_row(std::size_t taxel) const;
+  /// The row that is read at a time since the begin of the run [s].
+  std::size_t row_read_at(double time) const;
 };
 
 /// Sets of mesh sizes and tolerances.

@@ -3,9 +3,11 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/system/interrupt.hpp"
+#include "ionskin/electrochemistry/circuit/cut_electrode.hpp"
 #include "ionskin/electrochemistry/circuit/external_circuit.hpp"
 #include "ionskin/electrochemistry/grid/mid_width_mirror.hpp"
 #include "ionskin/electrochemistry/grid/transport_grid.hpp"
+#include "ionskin/electrochemistry/taxel_crosstalk.hpp"
 #include "ionskin/electrochemistry/thin_layers.hpp"
 #include "ionskin/electrochemistry/time/solution_rows.hpp"
 #include "ionskin/electrochemistry/time/step_control.hpp"
@@ -48,22 +50,31 @@ constexpr double least_progress = 0.01;
 class TransportRun {
 public:
   TransportRun(const Case& input, const history::CoreHistory& history, const IonOptions& options)
-      : options_(options), grid_(make_transport_grid(input, history)),
+      : options_(options), readout_(input.readout), grid_(make_transport_grid(input, history)),
         scales_(derive_scales(input.electrochemistry, history.core_thickness())),
-        mirror_(grid_, history), scaled_(scale_grid(mirror_.solved_grid(), scales_.debye_length)),
-        control_(make_step_landings(history, options.snapshot_times),
+        mirror_(grid_, history,
+                !input.readout.is_cut() || taxels_are_mirrored(input.readout, input.skin.width)),
+        scaled_(scale_grid(mirror_.solved_grid(), scales_.debye_length)),
+        control_(make_step_landings(
+                     history, options.snapshot_times,
+                     scan_switches(input.readout, history.time.front(), history.time.back())),
                  step_rule(input.numerics, input.readout, scales_)),
         fixed_charge_(input, history, mirror_.solved_grid(), scaled_),
         charge_floor_(least_charge * fixed_charge_.largest_coupling()),
+        cut_(cut_electrode(input, scales_, grid_, mirror_)),
         most_work_(options.most_work > 0 ? options.most_work : work_without_progress),
         team_(useful_threads(options.threads, scaled_)),
         solver_(scaled_, newton_tolerance(control_.tolerance(), input.electrochemistry.ion_model),
-                team_, steric_excess(input.electrochemistry)),
+                team_, steric_excess(input.electrochemistry), conductors()),
         integrator_(
             scaled_, scales_, fixed_charge_, options.potentials, solver_, team_,
-            scaled_admittance(input.readout, scales_, input.skin.length * input.skin.width)),
+            cut_ ? std::nullopt
+                 : scaled_admittance(input.readout, scales_, input.skin.length * input.skin.width),
+            conductors()),
         rows_(input, scales_, grid_, mirror_, scaled_, fixed_charge_, control_.landings().time,
-              options.snapshot_times) {}
+              options.snapshot_times, cut_ ? &*cut_ : nullptr) {
+    run_.solution.taxel_crosstalk = taxel_crosstalk(input, history);
+  }
 
   IonSolution run() {
     begin();
@@ -83,12 +94,18 @@ public:
 
 private:
   double time() const { return run_.solution.time.back(); }
+  /// Nothing where one potential will do.
+  const TopElectrodes* conductors() const {
+    const bool opens = readout_.scan.dwell > 0 && !readout_.scan.grounds_others;
+    return cut_ && (opens || !cut_->conductors.all_held()) ? &cut_->conductors : nullptr;
+  }
 
   void begin() {
     if (options_.resume) {
       resume();
     } else {
       const double begin = control_.landings().time.front();
+      read_row_at(begin);
       integrator_.initialise(begin, run_.state);
       run_.state.next_step = control_.first_step();
       run_.state.charge_scale = std::max(run_.state.charge_scale, charge_floor_);
@@ -100,12 +117,15 @@ private:
   }
 
   void resume() {
+    const std::optional<double> crosstalk = run_.solution.taxel_crosstalk;
     run_ = *options_.resume;
+    run_.solution.taxel_crosstalk = crosstalk;
     const std::vector<double>& done = run_.solution.time;
-    const bool same_grid = run_.solution.grid.x_edges == grid_.x_edges &&
-                           run_.solution.grid.y_edges == grid_.y_edges &&
-                           run_.solution.grid.z_nodes == grid_.z_nodes &&
-                           run_.state.ions.nodes() == scaled_.nodes();
+    const bool same_grid =
+        run_.solution.grid.x_edges == grid_.x_edges &&
+        run_.solution.grid.y_edges == grid_.y_edges &&
+        run_.solution.grid.z_nodes == grid_.z_nodes && run_.state.ions.nodes() == scaled_.nodes() &&
+        run_.state.electrode_charge.size() == (conductors() != nullptr ? conductors()->size() : 0);
     if (!same_grid || done.size() != run_.step + 1 || !control_.has_landed(done)) {
       throw UserError(
           "the saved state of the ion transport belongs to another case: its grid or its "
@@ -113,6 +133,7 @@ private:
     }
     solver_.restore_counters({run_.solution.residual_evaluations, run_.solution.krylov_iterations,
                               run_.solution.preconditioner_setups});
+    read_row_at(time());
     integrator_.take_up(time(), run_.state);
   }
 
@@ -121,6 +142,7 @@ private:
     const double end = take_step(begin);
     ++run_.step;
     append_row(end);
+    read_next_row(end);
     copy_counters();
     const auto [from, to] = control_.span();
     if (end - noted_time_ > least_progress * (to - from)) {
@@ -131,6 +153,31 @@ private:
         base::wall_time() - saved_at_ >= options_.checkpoint_seconds) {
       save();
       saved_at_ = base::wall_time();
+    }
+  }
+
+  /// The row that a scan reads from an instant on; nothing without one.
+  std::optional<std::size_t> row_at(double time) const {
+    return cut_ && readout_.scan.dwell > 0
+               ? std::optional(readout_.row_read_at(time - control_.landings().time.front()))
+               : std::nullopt;
+  }
+
+  void read_row_at(double time) {
+    row_ = row_at(time);
+    if (row_ && conductors() != nullptr) {
+      integrator_.connect(cut_->circuits(readout_.scan, *row_));
+    }
+  }
+
+  void read_next_row(double time) {
+    const std::optional<std::size_t> next = row_at(time);
+    if (next == row_ || control_.finished(time)) {
+      return;
+    }
+    row_ = next;
+    if (conductors() != nullptr) {
+      integrator_.reconnect(time, cut_->circuits(readout_.scan, *row_), run_.state);
     }
   }
 
@@ -201,7 +248,8 @@ private:
   }
 
   void append_row(double time) {
-    rows_.append(time, run_.state.ions, integrator_.relaxation(run_.state), run_.solution);
+    rows_.append(time, run_.state.ions, integrator_.relaxation(run_.state),
+                 integrator_.electrode_rows(run_.state), row_, run_.solution);
   }
 
   void copy_counters() {
@@ -218,6 +266,8 @@ private:
   }
 
   const IonOptions& options_;
+  Readout readout_;
+  std::optional<std::size_t> row_; ///< that a scan reads
   TransportGrid grid_;
   DerivedScales scales_;
   MidWidthMirror mirror_;
@@ -225,6 +275,7 @@ private:
   StepControl control_;
   FixedCharge fixed_charge_;
   double charge_floor_;
+  std::optional<CutElectrode> cut_;
   std::size_t most_work_, noted_work_ = 0;
   double noted_time_ = 0; ///< [s]
   parallel::WorkerTeam team_;

@@ -22,7 +22,8 @@ constexpr double worth_telling = 1e9;
 /// Signals and readings, with those of the taxels.
 double tables_size(const Case& input, std::size_t ion_steps) {
   const double readings = run_duration(input).value_or(0) / input.readout.sample_interval,
-               taxels = taxel_row * static_cast<double>(input.readout.taxels.size());
+               columns = input.readout.is_cut() ? 2.5 : 1.0, // with those of their circuits
+      taxels = taxel_row * columns * static_cast<double>(input.readout.taxels.size());
   return (signal_row + taxels) * static_cast<double>(ion_steps) + (reading_row + taxels) * readings;
 }
 

@@ -15,6 +15,26 @@ namespace {
 constexpr const char* current_prefix = "current_top_";
 constexpr const char* rest_name = "rest"; // what no taxel covers
 
+void add_circuits(const std::vector<double>& time, const std::vector<TaxelCharge>& taxels,
+                  SignalTable& table) {
+  for (const TaxelCharge& taxel : taxels) {
+    if (!taxel.voltage.empty()) {
+      table.columns.push_back({"voltage_" + taxel.name, "V", taxel.voltage});
+    }
+  }
+  for (const TaxelCharge& taxel : taxels) {
+    if (!taxel.passed.empty()) {
+      table.columns.push_back(
+          {"current_circuit_" + taxel.name, "A", step_rates(time, taxel.passed)});
+    }
+  }
+  for (const TaxelCharge& taxel : taxels) {
+    if (!taxel.passed.empty()) {
+      table.columns.push_back({"charge_circuit_" + taxel.name, "C", taxel.passed});
+    }
+  }
+}
+
 /// Half of the top charges plus `sign` times the bottom ones.
 void add_part(const std::vector<double>& time, const std::vector<TaxelCharge>& taxels,
               const std::string& part, double sign, SignalTable& table) {
@@ -49,14 +69,23 @@ SignalTable taxel_signals(const std::vector<double>& time, const std::vector<Tax
   for (const auto& [part, sign] : {std::pair{"odd", -1.0}, {"even", 1.0}}) {
     add_part(time, taxels, part, sign, table);
   }
+  add_circuits(time, taxels, table);
   return table;
 }
 
+void add_reading(const std::string& name, const circuits::InstrumentReading& reading,
+                 SignalTable& table) {
+  table.columns.push_back({"reading_" + name, "A", reading.current});
+}
+
 double largest_taxel_current(const SignalTable& taxels) {
-  const std::string of_rest = std::string(current_prefix) + rest_name;
+  return largest_of_taxels(taxels, current_prefix);
+}
+
+double largest_of_taxels(const SignalTable& taxels, const std::string& prefix) {
   double largest = 0;
   for (const Signal& column : taxels.columns) {
-    if (column.name.starts_with(current_prefix) && column.name != of_rest) {
+    if (column.name.starts_with(prefix) && column.name != prefix + rest_name) {
       largest = std::fmax(largest, peak_magnitude(column.values));
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/circuits/circuit.hpp"
 #include "ionskin/readout/signals.hpp"
 
 #include <string>
@@ -14,13 +15,24 @@ struct TaxelCharge {
   std::vector<double> charge;
   /// Of the bottom electrode below it: where given, the odd and the even part are told.
   std::vector<double> bottom_charge{};
+  /// Where the taxels have circuits of their own: against the bottom electrode [V], and the charge
+  /// that the circuit has passed or holds [C]; empty otherwise.
+  std::vector<double> voltage{}, passed{};
 };
 
 /// Columns of taxels.csv: time, then current_top_NAME of every taxel (mean over the step that ends
 /// at the row), then charge_top_NAME; then of each with a bottom charge current_odd_NAME, half of
-/// top minus bottom, and current_even_NAME, half of their sum, and their charges. Every taxel is
-/// held at the potential of the whole electrode, as a virtual ground of its own does.
+/// top minus bottom, and current_even_NAME, half of their sum, and their charges; then of each with
+/// a circuit of its own voltage_NAME, current_circuit_NAME and charge_circuit_NAME.
 SignalTable taxel_signals(const std::vector<double>& time, const std::vector<TaxelCharge>& taxels);
+
+/// Adds reading_NAME, what the instrument of a taxel shows of the charge that its circuit passes.
+void add_reading(const std::string& name, const circuits::InstrumentReading& reading,
+                 SignalTable& table);
+
+/// Largest magnitude of the columns that begin with a prefix, but for those of what is left between
+/// the taxels; 0 without such columns.
+double largest_of_taxels(const SignalTable& taxels, const std::string& prefix);
 
 /// Largest |current_top_NAME| of any taxel; what is left of the electrode between them is none [A].
 double largest_taxel_current(const SignalTable& taxels);

@@ -175,6 +175,34 @@ INSTANTIATE_TEST_SUITE_P(
                 "[readout]\ntaxels = {rows = 3, columns = 1, gap = \"1 mm\"}\n[coupling]",
                 "the gaps leave no room for the taxels along y: 2 of 1 mm on 2 mm", "47:40",
                 "^^^^^^", "it must be below 1 mm"},
+        Mistake{"TaxelCircuitWithoutTaxels", "[coupling]",
+                "[readout]\ntaxel_circuit = \"open\"\n[coupling]",
+                "readout.taxel_circuit is given, but the case has no taxels", "47:17", "^^^^^^",
+                "or remove the key"},
+        Mistake{"ScanOfSharedTaxels", "[coupling]",
+                "[readout]\nscan = {dwell = \"10 ms\"}\ntaxels = {rows = 1, columns = "
+                "2}\n[coupling]",
+                "readout.scan reads taxels row by row, but none has a circuit of its own", "47:17",
+                "^^^^^^^", "set readout.taxel_circuit"},
+        Mistake{"ScanWithoutDwell", "[coupling]",
+                "[readout]\nscan = {others = \"open\"}\n[coupling]",
+                "readout.scan.others is given, but nothing is scanned", "47:18", "^^^^^^",
+                "add readout.scan.dwell"},
+        Mistake{"TooFastAScan", "[coupling]",
+                "[readout]\ntaxel_circuit = \"open\"\ntaxels = {rows = 1, columns = 2}\nscan = "
+                "{dwell = \"10 us\"}\n[coupling]",
+                "switches over the run of 4 s, more than 20000", "49:17", "^^^^^^^",
+                "it must be at least 0.0002 s"},
+        Mistake{"TooManyTaxelsWithCircuits", "[coupling]",
+                "[readout]\ntaxel_circuit = \"open\"\ntaxels = {rows = 21, columns = "
+                "20}\n[coupling]",
+                "420 taxels have circuits of their own", "47:17", "^^^^^^",
+                "at most 400 may: use fewer taxels"},
+        Mistake{"ThinLayersWithTaxelCircuits", "\"1200 mol/m3\"",
+                "\"1200 mol/m3\"\nion_model = \"thin-layers\"\n[readout]\ntaxel_circuit = "
+                "\"open\"\ntaxels = {rows = 1, columns = 2}",
+                "knows one conductor as the top electrode", "45:13", "^^^^^^",
+                "or readout.taxel_circuit = \"shared\""},
         Mistake{"DiluteIonsWithLargestConcentration", "\"1200 mol/m3\"",
                 "\"1200 mol/m3\"\nlargest_concentration = \"5000 mol/m3\"",
                 "largest_concentration is given, but dilute ions have none", "45:25",
@@ -239,6 +267,40 @@ TEST(BadCase, TaxelsThatTouchAreFine) {
   ASSERT_EQ(input.readout.taxels.size(), 2U);
   EXPECT_EQ(input.readout.taxels[1].name, "b");
   EXPECT_DOUBLE_EQ(input.readout.taxels[1].lower[0], 2.1e-3);
+}
+
+TEST(BadCase, TaxelsHaveCircuitsOfTheirOwn) {
+  const std::string left = taxel("a", "\"0 mm\", \"0 mm\"", "\"2 mm\", \"2 mm\""),
+                    right = taxel("b", "\"2 mm\", \"0 mm\"", "\"15 mm\", \"2 mm\"");
+  const TemporaryCase file(
+      with_taxels(left + "circuit = \"load\"\nload_resistance = \"2 kOhm\"\n" + right));
+  const Readout readout = read_case(file.path()).readout;
+  EXPECT_TRUE(readout.is_cut());
+  EXPECT_TRUE(readout.has_own_circuit(0));
+  EXPECT_FALSE(readout.has_own_circuit(1));
+  EXPECT_EQ(readout.circuit_of(0), "load");
+  EXPECT_EQ(readout.parameters_of(0).at("load_resistance"), 2e3);
+  EXPECT_EQ(readout.circuit_of(1), "short");
+  EXPECT_EQ(readout.parameters_of(1).at("load_resistance"), 1e6);
+
+  const TemporaryCase all(with_taxels("[readout]\ntaxel_circuit = \"open\"\n" + left +
+                                      "circuit = \"shared\"\n" + right));
+  const Readout mixed = read_case(all.path()).readout;
+  EXPECT_FALSE(mixed.has_own_circuit(0));
+  EXPECT_EQ(mixed.circuit_of(1), "open");
+}
+
+TEST(BadCase, CircuitsOfTaxelsThatCannotBe) {
+  const auto one = [](const std::string& upper, const std::string& more) {
+    return error_of(with_taxels(taxel("a", "\"0 mm\", \"0 mm\"", upper) + more));
+  };
+  EXPECT_THAT(one("\"2 mm\", \"2 mm\"", "circuit = \"open\"\nload_resistance = \"2 kOhm\"\n"),
+              HasSubstr("the taxel \"a\" has load_resistance, but its circuit has none"));
+  EXPECT_THAT(one("\"2 mm\", \"2 mm\"", "load_resistance = \"2 kOhm\"\n"),
+              HasSubstr("give it circuit = \"load\" or \"parallel-rc\""));
+  EXPECT_THAT(one("\"0.1 mm\", \"2 mm\"", "circuit = \"open\"\n"),
+              HasSubstr("too small for a circuit of its own: 0.1 mm along x"));
+  EXPECT_THAT(one("\"2 mm\", \"2 mm\"", "circuit = \"opne\"\n"), HasSubstr("open"));
 }
 
 TEST(BadCase, TaxelsOffTheSkinOrWithoutExtentOrName) {

@@ -22,7 +22,7 @@ from ionskin.analysis import paper
 from ionskin.charts import readout, sketches, spans
 from ionskin.charts.chart import Curve, Map
 from ionskin.figures import charts, draw_all
-from ionskin.page import chart_data, report_text
+from ionskin.page import answer, chart_data, report_text
 from ionskin.report import make_gallery, make_report
 from ionskin.words import percent, quantity, si_scale
 
@@ -268,6 +268,47 @@ circuit = "load"
         self.assertIn(r"$\frac{1}$", (self.folder / "figures" / "fig02_layers.svg").read_text())
         self.assertLess((self.folder / "figures" / "fig01_model.svg").stat().st_size, 200_000)
         self.assertLess(len(page), 300_000)
+
+
+class TaxelsOfTheirOwn(unittest.TestCase):
+    """Two taxels with circuits of their own; the right one is open."""
+
+    CASE = """
+[skin]
+length = "4 mm"
+width = "2 mm"
+[readout]
+taxel_circuit = "open"
+taxels = {rows = 1, columns = 2}
+"""
+    COLUMNS = ("current_top_r1c1 [A]", "current_top_r1c2 [A]", "charge_top_r1c1 [C]", "charge_top_r1c2 [C]", "voltage_r1c1 [V]", "voltage_r1c2 [V]",
+               "current_circuit_r1c1 [A]", "current_circuit_r1c2 [A]", "charge_circuit_r1c1 [C]", "charge_circuit_r1c2 [C]")
+
+    def results(self, last):
+        folder = pathlib.Path(tempfile.mkdtemp(prefix="ionskin-report-"))
+        self.addCleanup(shutil.rmtree, folder)
+        write_run(folder)
+        (folder / "case.toml").write_text(self.CASE)
+        for name in ("taxels", "sampled_taxels"):
+            (folder / f"{name}.csv").write_text("\n".join([",".join(("time [s]", *self.COLUMNS)), ",".join("0" * 11), "4," + last]) + "\n")
+        return Results(folder)
+
+    def test_maps_and_panels_of_voltages(self):
+        results = self.results("0,0,0,0,1e-3,-4e-3,0,0,0,0")
+        self.assertTrue(readout.has_own_circuits(results) and readout.has_voltages(results))
+        cell = readout.taxel_voltage_map(results).rows[0][0]
+        self.assertEqual((cell.map.unit, cell.map.high), ("V", 4e-3))
+        self.assertEqual(len(cell.shapes), 2)
+        self.assertEqual([each.title for each in readout.taxel_voltages(results).rows[0]], ["r1c1", "r1c2"])
+        self.assertEqual(readout.taxel_map(results), "no charge passes into a taxel")
+        self.assertTrue(answer.sentences(results)[0].startswith("A voltmeter between the taxel r1c2 and the bottom electrode reads up to 4 mV"))
+
+    def test_grounded_taxels_have_currents_alone(self):
+        results = self.results("1e-9,2e-9,3e-9,4e-9,0,0,1e-9,2e-9,3e-9,4e-9")
+        self.assertIsNone(readout.taxel_voltage_map(results))
+        self.assertIsNone(readout.taxel_voltages(results))
+        self.assertEqual(readout.taxel_map(results).rows[0][0].map.high, 4e-9)
+        self.assertTrue(answer.sentences(results)[0].startswith("An ammeter between the taxel r1c2 and the bottom electrode reads up to 2 nA"))
 
 
 class ChartData(unittest.TestCase):

@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <string_view>
 
 namespace ionskin {
 
@@ -109,6 +111,15 @@ struct IdleKey {
   std::string key, circuits;
 };
 
+/// Whether the circuit of the electrode, or one of a taxel, has a parameter.
+bool is_used(const Readout& readout, std::string_view parameter) {
+  const auto table = circuits::circuits();
+  bool used = laws::has_parameter(table, readout.circuit, parameter);
+  for (std::size_t i = 0; i < readout.taxels.size() && !used; ++i)
+    used = laws::has_parameter(table, readout.circuit_of(i), parameter);
+  return used;
+}
+
 /// Those that are given and not used.
 std::vector<IdleKey> idle_keys(const CaseDocument& document) {
   const auto table = circuits::circuits();
@@ -118,14 +129,79 @@ std::vector<IdleKey> idle_keys(const CaseDocument& document) {
       const std::string key = fmt::format("readout.{}", parameter.name);
       if (!document.point_at(key).empty() &&
           std::ranges::find(idle, key, &IdleKey::key) == idle.end() &&
-          !laws::has_parameter(table, document.input.readout.circuit, parameter.name))
+          !is_used(document.input.readout, parameter.name))
         idle.push_back({key, laws_with_parameter(table, parameter.name)});
     }
   return idle;
 }
 
 bool names_circuit(const CaseDocument& document) {
-  return !document.point_at("readout.circuit").empty();
+  return !document.point_at("readout.circuit").empty() ||
+         !document.point_at("readout.taxel_circuit").empty() || document.input.readout.is_cut();
+}
+
+/// Most conductors of the top face, whose potentials are a dense system, and least size of one over
+/// that of the skin: the transport grid has columns that fit it along the whole skin.
+constexpr std::size_t most_conductors = 400;
+constexpr double least_conductor = 0.01;
+
+/// Parameters of a taxel's own must be of its circuit.
+void check_parameters(const CaseDocument& document, std::size_t index, Problems& problems) {
+  const Readout& readout = document.input.readout;
+  const auto table = circuits::circuits();
+  for (const auto& [name, value] : readout.taxels[index].parameters)
+    if (!laws::has_parameter(table, readout.circuit_of(index), name) ||
+        !readout.has_own_circuit(index))
+      problems.add(
+          fmt::format("the taxel \"{}\" has {}, but its circuit has none",
+                      base::shown(readout.taxels[index].name), name),
+          document.point_at(taxel_key(index, name)),
+          fmt::format("give it circuit = {}, or remove the key", laws_with_parameter(table, name)));
+}
+
+void check_size(const CaseDocument& document, std::size_t index, Problems& problems) {
+  const Taxel& taxel = document.input.readout.taxels[index];
+  const std::array<double, 2> face{document.input.skin.length, document.input.skin.width};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double size = taxel.upper[axis] - taxel.lower[axis];
+    if (size > 0 && size < least_conductor * face[axis])
+      problems.add(
+          fmt::format("the taxel \"{}\" is too small for a circuit of its own: {:.4g} mm along {}",
+                      base::shown(taxel.name), size * 1e3, axis == 0 ? "x" : "y"),
+          document.point_at(taxel_key(index, "upper")),
+          fmt::format("it must be at least {:.4g} mm, a hundredth of the skin, or share the "
+                      "circuit of the electrode: circuit = \"shared\"",
+                      least_conductor * face[axis] * 1e3));
+  }
+}
+
+/// Of taxels that are conductors of their own.
+void check_conductors(const CaseDocument& document, Problems& problems) {
+  const Readout& readout = document.input.readout;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < readout.taxels.size(); ++i) {
+    check_parameters(document, i, problems);
+    if (readout.has_own_circuit(i)) {
+      ++count;
+      check_size(document, i, problems);
+    }
+  }
+  if (count > most_conductors)
+    problems.add(fmt::format("{} taxels have circuits of their own", count),
+                 document.point_at("readout.taxel_circuit"),
+                 fmt::format("at most {} may: use fewer taxels, or taxel_circuit = \"shared\"",
+                             most_conductors));
+  if (readout.taxels.empty() && !document.point_at("readout.taxel_circuit").empty() &&
+      readout.taxel_circuit != "shared")
+    problems.add("readout.taxel_circuit is given, but the case has no taxels",
+                 document.point_at("readout.taxel_circuit"),
+                 "add taxels, such as readout.taxels = {rows = 2, columns = 4}, or remove the key");
+  if (count > 0 && document.input.electrochemistry.ion_model == IonModel::thin_layers)
+    problems.add("the ion model \"thin-layers\" knows one conductor as the top electrode, and "
+                 "taxels have circuits of their own here",
+                 document.point_at("electrochemistry.ion_model"),
+                 "set electrochemistry.ion_model = \"dilute\", or readout.taxel_circuit = "
+                 "\"shared\"");
 }
 
 /// A key of a circuit beside no word of a circuit is one that the user forgot to name.
@@ -136,6 +212,21 @@ void check_circuit(const CaseDocument& document, Problems& problems) {
     problems.add(fmt::format("{} is given, but the circuit has none", one.key),
                  document.point_at(one.key),
                  fmt::format("set readout.circuit = {}, or remove the key", one.circuits));
+}
+
+void check_scan(const CaseDocument& document, Problems& problems) {
+  const Readout& readout = document.input.readout;
+  const std::vector<Pointer> others = document.point_at("readout.scan.others");
+  if (readout.scan.dwell == 0) {
+    if (!others.empty())
+      problems.add("readout.scan.others is given, but nothing is scanned", others,
+                   "add readout.scan.dwell, the time on a row, or remove the key");
+    return;
+  }
+  if (!readout.is_cut())
+    problems.add("readout.scan reads taxels row by row, but none has a circuit of its own",
+                 document.point_at("readout.scan.dwell"),
+                 "set readout.taxel_circuit, such as \"short\" or \"load\", beside readout.taxels");
 }
 
 void check_grid(const CaseDocument& document, Problems& problems) {
@@ -181,6 +272,8 @@ void check_readout(const CaseDocument& document, Problems& problems) {
     check_rectangle(document, i, problems);
   }
   check_pairs(document, problems);
+  check_conductors(document, problems);
+  check_scan(document, problems);
 }
 
 std::vector<std::string> notes_on_readout(const CaseDocument& document) {
@@ -190,18 +283,19 @@ std::vector<std::string> notes_on_readout(const CaseDocument& document) {
     notes.push_back(fmt::format("{} is given and not used: the circuit \"{}\" has none, {} has.",
                                 one.key, readout.circuit, one.circuits));
   const circuits::Circuit circuit = circuits::circuit(readout.circuit, readout.parameters);
-  if (readout.taxels.empty() || !circuit.admittance)
+  if (readout.taxels.empty() || readout.is_cut() || !circuit.admittance)
     return notes;
   if (circuit.admittance->passes_charge())
     notes.push_back(fmt::format(
         "All {} taxels share one {} and one voltage: with the circuit \"{}\" the top electrode is "
         "one conductor, and taxels.csv tells the part of the current that enters each. Taxels read "
-        "one by one are held at one potential: circuit \"short\".",
+        "one by one have circuits of their own: readout.taxel_circuit.",
         readout.taxels.size(), circuit.words, circuit.name));
   else
     notes.push_back(fmt::format(
         "All taxels share one voltage: with the circuit \"{}\" the top electrode is one "
-        "conductor, and the currents of the taxels flow from one to another.",
+        "conductor, and the currents of the taxels flow from one to another. For voltages of "
+        "their own set readout.taxel_circuit.",
         circuit.name));
   return notes;
 }

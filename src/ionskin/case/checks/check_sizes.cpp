@@ -69,6 +69,14 @@ void check_sizes(const CaseDocument& document, Problems& problems) {
   if (!(*duration / input.readout.sample_interval <= most_readings))
     problems.add(too_many_readings(input.readout, *duration),
                  document.point_at("readout.sample_interval"), remedy_of_readings(*duration));
+  if (input.readout.scan.dwell > 0 && *duration / input.readout.scan.dwell > most_scan_switches)
+    problems.add(fmt::format("readout.scan.dwell = {:.6g} s makes {:.3g} switches over the run of "
+                             "{:.6g} s, more than {:.0f}",
+                             input.readout.scan.dwell, *duration / input.readout.scan.dwell,
+                             *duration, most_scan_switches),
+                 document.point_at("readout.scan.dwell"),
+                 fmt::format("it must be at least {:.3g} s: the solver starts anew at each",
+                             *duration / most_scan_switches));
 }
 
 void require_sampling(const Readout& readout, double duration) {

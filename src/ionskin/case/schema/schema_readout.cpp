@@ -7,6 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
+
 namespace ionskin {
 
 using units::Dimension;
@@ -25,6 +28,84 @@ void add_circuit(SchemaRows& rows) {
                   .set = into(&Case::readout, &Readout::circuit)});
   add_law_parameters(rows, LawSection{"readout", "circuit", &Case::readout, &Readout::circuit},
                      table, Need::always, true);
+}
+
+/// Not a circuit: the taxel is part of the electrode, and has its circuit.
+constexpr const char* shared = "shared";
+
+std::vector<Choice> circuits_of_taxels() {
+  std::vector<Choice> choices = choices_of(circuits::circuits());
+  choices.insert(choices.begin(), {shared});
+  return choices;
+}
+
+/// Keys of the circuits for one taxel, which has those of the readout where it is silent.
+void add_circuit_of_taxel(SchemaRows& rows) {
+  rows.push_back({.key = "readout.taxels[].circuit",
+                  .type = ValueType::choice,
+                  .need = Need::where_known,
+                  .choices = circuits_of_taxels(),
+                  .help = "Joins this taxel to the bottom electrode, instead of "
+                          "readout.taxel_circuit.",
+                  .set = into_taxel(&Taxel::circuit)});
+  const std::size_t own = rows.size();
+  const auto table = circuits::circuits();
+  for (const circuits::CircuitRow& circuit : table)
+    for (const laws::LawParameter& parameter : circuit.parameters) {
+      const std::string name(parameter.name), key = "readout.taxels[]." + name;
+      if (std::any_of(rows.begin() + static_cast<std::ptrdiff_t>(own), rows.end(),
+                      [&](const SchemaRow& row) { return row.key == key; }))
+        continue;
+      rows.push_back(
+          {.key = key,
+           .type = type_of(parameter),
+           .dimension = parameter.dimension,
+           .range = {parameter.lowest, parameter.highest, true, true},
+           .need = Need::where_known,
+           .help = fmt::format("Of this taxel, instead of readout.{}. Of the circuit {}.", name,
+                               laws_with_parameter(table, name)),
+           .set = [name](CaseDraft& draft, const KeyIndex& index, const Value& value) {
+             draft.input.readout.taxels[index.entry].parameters[name] = value.numbers[0];
+           }});
+    }
+}
+
+void add_taxel_circuit(SchemaRows& rows) {
+  rows.push_back({.key = "readout.taxel_circuit",
+                  .type = ValueType::choice,
+                  .default_value = fmt::format("\"{}\"", shared),
+                  .choices = circuits_of_taxels(),
+                  .help = "What joins every taxel to the bottom electrode, which makes it a "
+                          "conductor of its own: a circuit as of readout.circuit, with the same "
+                          "keys. \"shared\": the taxels are parts of one conductor, with the "
+                          "circuit of the electrode.",
+                  .source = "the paper's electrode is one conductor",
+                  .set = into(&Case::readout, &Readout::taxel_circuit)});
+}
+
+void add_scan(SchemaRows& rows) {
+  rows.push_back({.key = "readout.scan.dwell",
+                  .type = ValueType::quantity,
+                  .dimension = Dimension::time,
+                  .range = {1e-6, 1e7, true, true},
+                  .need = Need::where_known,
+                  .help = "Reads taxels with circuits of their own one row after another, each for "
+                          "so long and from the begin of the run on: the rows of a grid, or the "
+                          "taxels of a list.",
+                  .set = [](CaseDraft& draft, const KeyIndex&, const Value& value) {
+                    draft.input.readout.scan.dwell = value.numbers[0];
+                  }});
+  rows.push_back({.key = "readout.scan.others",
+                  .type = ValueType::choice,
+                  .applies = [](const Case& input) { return input.readout.scan.dwell > 0; },
+                  .default_value = "\"grounded\"",
+                  .choices = {{"grounded"}, {"open"}},
+                  .help = "What a scan does with the taxels of the other rows.",
+                  .source = "rows at virtual grounds do not disturb each other",
+                  .set =
+                      [](CaseDraft& draft, const KeyIndex&, const Value& value) {
+                        draft.input.readout.scan.grounds_others = value.text == "grounded";
+                      }});
 }
 
 void add_instrument(SchemaRows& rows) {
@@ -105,7 +186,10 @@ void add_readout(SchemaRows& rows) {
                   .set = into(&Case::readout, &Readout::sample_interval)});
   add_circuit(rows);
   add_instrument(rows);
+  add_taxel_circuit(rows);
   add_taxels(rows);
+  add_circuit_of_taxel(rows);
+  add_scan(rows);
   add_taxel_grid(rows);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/electrochemistry/equations/exact_average.hpp"
 
+#include "ionskin/electrochemistry/grid/charges.hpp"
+
 namespace ionskin::electrochemistry {
 namespace {
 
@@ -18,9 +20,10 @@ double level_sum(std::span<const double> field, std::size_t level, std::size_t c
 
 } // namespace
 
-ExactAverage::ExactAverage(const ScaledGrid& grid, std::optional<StericExcess> excess)
-    : grid_(grid), excess_(excess), voltage_(grid), mean_(grid.levels), charge_(grid.levels),
-      diagonal_(grid.levels), potential_(grid.levels) {}
+ExactAverage::ExactAverage(const ScaledGrid& grid, std::optional<StericExcess> excess,
+                           const TopElectrodes* electrodes)
+    : grid_(grid), excess_(excess), electrodes_(electrodes), voltage_(grid), mean_(grid.levels),
+      charge_(grid.levels), diagonal_(grid.levels), potential_(grid.levels) {}
 
 double ExactAverage::total(const ScaledGrid& grid, std::span<const double> field) {
   double total = 0.0;
@@ -50,11 +53,34 @@ void ExactAverage::restore_amount(double ion_amount, std::span<double> concentra
   }
 }
 
+void ExactAverage::restore_charge(const StageProblem& problem, IonState& state) const {
+  const ElectrodeStage& stage = *problem.electrodes;
+  const auto top = state.potential().last(grid_.columns());
+  const std::vector<double> potentials = electrodes_->potentials(top);
+  double missing = -ramo_charge_top(grid_, state, problem.fixed_charge);
+  double per_potential = static_cast<double>(grid_.columns()) / grid_.thickness;
+  for (std::size_t e = 0; e < potentials.size(); ++e) {
+    if (stage.holds(e)) {
+      return;
+    }
+    missing += stage.start[e] - stage.conductance[e] * potentials[e];
+    per_potential += stage.conductance[e];
+  }
+  for (double& potential : top) {
+    potential += missing / per_potential;
+  }
+}
+
 void ExactAverage::correct(const StageProblem& problem, IonState& state) {
   restore_amount(problem.ion_amount, state.concentration());
-  const double potential_top = top_potential(problem, voltage_, state.concentration());
+  if (problem.electrodes != nullptr) {
+    restore_charge(problem, state);
+  }
   const std::size_t columns = grid_.columns(), top = grid_.levels - 1;
   const auto count = static_cast<double>(columns);
+  const double potential_top = problem.electrodes != nullptr
+                                   ? level_sum(state.potential(), top, columns, 0.0) / count
+                                   : top_potential(problem, voltage_, state.concentration());
   for (std::size_t k = 0; k <= top; ++k) {
     mean_[k] = level_sum(state.concentration(), k, columns, 1.0) / count;
   }
@@ -79,7 +105,9 @@ void ExactAverage::correct(const StageProblem& problem, IonState& state) {
   const auto phi = state.potential();
   for (std::size_t i = 0; i < columns; ++i) {
     phi[i] = problem.potential_bottom;
-    phi[top * columns + i] = potential_top;
+    if (problem.electrodes == nullptr) {
+      phi[top * columns + i] = potential_top;
+    }
   }
   for (std::size_t k = 1; k < top; ++k) {
     const double shift = potential_[k] - level_sum(phi, k, columns, 0.0) / count;

@@ -16,7 +16,9 @@ namespace ionskin::electrochemistry {
 class ExactAverage {
 public:
   /// @param excess nothing for dilute ions
-  explicit ExactAverage(const ScaledGrid& grid, std::optional<StericExcess> excess = std::nullopt);
+  /// @param electrodes of the top face where it is cut; must outlive this, nullptr otherwise
+  explicit ExactAverage(const ScaledGrid& grid, std::optional<StericExcess> excess = std::nullopt,
+                        const TopElectrodes* electrodes = nullptr);
 
   void correct(const StageProblem& problem, IonState& state);
 
@@ -24,10 +26,14 @@ public:
   static double total(const ScaledGrid& grid, std::span<const double> field);
 
 private:
+  /// Shifts all conductors of a cut top face alike, so that the sum of what their circuits ask
+  /// holds; not where one of them is held.
+  void restore_charge(const StageProblem& problem, IonState& state) const;
   void restore_amount(double ion_amount, std::span<double> concentration) const;
 
   const ScaledGrid& grid_;
   std::optional<StericExcess> excess_;
+  const TopElectrodes* electrodes_;
   TerminalVoltage voltage_;
   std::vector<double> mean_, charge_, diagonal_, potential_; ///< per level
 };

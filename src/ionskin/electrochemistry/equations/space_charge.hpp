@@ -44,6 +44,8 @@ public:
   const poroelasticity::StreamingDrive* water() const { return water_ ? &*water_ : nullptr; }
   /// Largest departure of cf / c0 from 1, or largest drive, that the history can make [1].
   double largest_coupling() const { return largest_coupling_; }
+  /// Whether the charge of the core changes with the shear.
+  bool makes_net_charge() const { return traits_.makes_net_charge; }
   /// Whether the law adds a mobile ion for every fixed charge it adds.
   bool releases_ions() const { return traits_.releases_ions; }
 

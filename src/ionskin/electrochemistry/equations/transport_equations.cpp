@@ -25,8 +25,9 @@ double top_potential(const StageProblem& problem, const TerminalVoltage& voltage
 }
 
 TransportEquations::TransportEquations(const ScaledGrid& grid, parallel::WorkerTeam& team,
-                                       std::optional<StericExcess> excess)
-    : grid_(grid), team_(team), excess_(excess), voltage_(grid),
+                                       std::optional<StericExcess> excess,
+                                       const TopElectrodes* electrodes)
+    : grid_(grid), team_(team), excess_(excess), voltage_(grid), electrodes_(electrodes),
       by_lower_(grid.nodes() - grid.columns()), by_upper_(by_lower_.size()),
       by_difference_(by_lower_.size()) {
   for (std::size_t i = 0; i < team.size(); ++i) {
@@ -65,6 +66,22 @@ void TransportEquations::residual(const StageProblem& problem, const IonState& s
   team_.for_blocks(grid_.levels, 1, [&](std::size_t begin, std::size_t end, std::size_t worker) {
     residual_levels(problem, top, state, drive, begin, end, workspaces_[worker], out);
   });
+  if (problem.electrodes != nullptr) {
+    add_circuits(*problem.electrodes, state.potential().last(grid_.columns()), true,
+                 out.last(grid_.columns()));
+  }
+}
+
+void TransportEquations::add_circuits(const ElectrodeStage& stage,
+                                      std::span<const double> top_potential, bool from_start,
+                                      std::span<double> charges) const {
+  std::vector<double> asked = electrodes_->potentials(top_potential);
+  for (std::size_t e = 0; e < asked.size(); ++e) {
+    asked[e] = stage.holds(e)
+                   ? 0.0
+                   : stage.conductance[e] * asked[e] - (from_start ? stage.start[e] : 0.0);
+  }
+  electrodes_->add(asked, charges);
 }
 
 void TransportEquations::residual_levels(const StageProblem& problem, double potential_top,
@@ -106,7 +123,20 @@ void TransportEquations::residual_levels(const StageProblem& problem, double pot
     }
     double* poisson = out.data() + nodes + k * columns;
     const double* phi_k = phi.data() + k * columns;
-    if (k == 0 || k == top) {
+    if (k == top && problem.electrodes != nullptr) {
+      const double down = 1.0 / grid_.spacing[k - 1];
+      const double* phi_below = phi_k - columns;
+      const double* field = work.lateral_field.data();
+      const double* fixed = problem.fixed_charge.data() + k * columns;
+      const double* c_below = c_k - columns;
+      const ChargeWeights weight = charge_weights(grid_, k);
+#pragma omp simd
+      for (std::size_t i = 0; i < columns; ++i) {
+        const double charge = weight.below * (c_below[i] - 1.0) + weight.here * (c_k[i] - 1.0) -
+                              height * (fixed[i] - 1.0);
+        poisson[i] = down * (phi_k[i] - phi_below[i]) - height * field[i] - charge;
+      }
+    } else if (k == 0 || k == top) {
       const double wall = k == 0 ? problem.potential_bottom : potential_top;
       for (std::size_t i = 0; i < columns; ++i) {
         poisson[i] = phi_k[i] - wall;
@@ -137,6 +167,7 @@ void TransportEquations::linearise(const StageProblem& problem, const IonState& 
   state_ = &state;
   step_ = problem.step;
   circuit_ = problem.circuit;
+  electrode_stage_ = problem.electrodes;
   const std::size_t columns = grid_.columns();
   state_drive_ = driving(problem, state, kept_drive_);
   const auto c = state.concentration(), drive = state_drive_;
@@ -175,6 +206,10 @@ void TransportEquations::apply_jacobian(std::span<const double> direction, std::
   team_.for_blocks(grid_.levels, 1, [&](std::size_t begin, std::size_t end, std::size_t worker) {
     jacobian_levels(direction, potential_change, begin, end, workspaces_[worker], out);
   });
+  if (electrode_stage_ != nullptr) {
+    add_circuits(*electrode_stage_, direction.last(grid_.columns()), false,
+                 out.last(grid_.columns()));
+  }
 }
 
 /// Change of the flux between levels `interface` and `interface` + 1.
@@ -233,7 +268,18 @@ void TransportEquations::jacobian_levels(std::span<const double> direction, doub
     }
     double* poisson = out.data() + nodes + k * columns;
     const double* dphi = direction.data() + nodes + k * columns;
-    if (k == 0 || k == top) {
+    if (k == top && electrode_stage_ != nullptr) {
+      const double down = 1.0 / grid_.spacing[k - 1];
+      const double* dphi_below = dphi - columns;
+      const double* field = work.lateral_field.data();
+      const double* dc_below = dc - columns;
+      const ChargeWeights weight = charge_weights(grid_, k);
+#pragma omp simd
+      for (std::size_t i = 0; i < columns; ++i) {
+        poisson[i] = down * (dphi[i] - dphi_below[i]) - height * field[i] -
+                     weight.below * dc_below[i] - weight.here * dc[i];
+      }
+    } else if (k == 0 || k == top) {
       const double wall = k == 0 ? 0.0 : potential_change;
       for (std::size_t i = 0; i < columns; ++i) {
         poisson[i] = dphi[i] - wall;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ionskin/electrochemistry/circuit/terminal_voltage.hpp"
+#include "ionskin/electrochemistry/circuit/top_electrodes.hpp"
 #include "ionskin/electrochemistry/equations/ion_flux.hpp"
 #include "ionskin/electrochemistry/equations/lateral_flux.hpp"
 #include "ionskin/electrochemistry/equations/steric_excess.hpp"
@@ -28,6 +29,10 @@ struct StageProblem {
   std::optional<CircuitStage> circuit{};
   /// Drives the cations beside the potential [nodes]; empty for none. Must outlive its use.
   std::span<const double> drive{};
+  /// Conductors of the top face behind circuits of their own, where it is cut: the state has their
+  /// potentials on the top wall, and the residual there is the charge of every column plus what
+  /// has, as its sum over each conductor, conductance u - start. Must outlive its use.
+  const ElectrodeStage* electrodes = nullptr;
 };
 
 /// Potential of the top electrode: given, or what the circuit makes of the concentrations.
@@ -40,8 +45,10 @@ double top_potential(const StageProblem& problem, const TerminalVoltage& voltage
 class TransportEquations {
 public:
   /// @param excess nothing for dilute ions
+  /// @param electrodes of the top face where it is cut; must outlive this, nullptr otherwise
   TransportEquations(const ScaledGrid& grid, parallel::WorkerTeam& team,
-                     std::optional<StericExcess> excess = std::nullopt);
+                     std::optional<StericExcess> excess = std::nullopt,
+                     const TopElectrodes* electrodes = nullptr);
 
   /// Residual of ion balance, then of Poisson's equation, per control volume [2 nodes]. On the
   /// walls the second one is phi minus the electrode's potential.
@@ -78,6 +85,11 @@ private:
   void jacobian_levels(std::span<const double> direction, double potential_change,
                        std::size_t begin, std::size_t end, Workspace& work,
                        std::span<double> out) const;
+  /// Adds what the circuits of the conductors ask to the charges on the top wall.
+  /// @param top_potential of the columns, or its change
+  /// @param from_start whether the charges that the stage starts from count
+  void add_circuits(const ElectrodeStage& stage, std::span<const double> top_potential,
+                    bool from_start, std::span<double> charges) const;
   void flux_change(std::size_t interface, std::span<const double> direction,
                    std::span<double> flux) const;
 
@@ -89,6 +101,8 @@ private:
   const IonState* state_ = nullptr;
   double step_ = 0;
   std::optional<CircuitStage> circuit_;
+  const TopElectrodes* electrodes_;
+  const ElectrodeStage* electrode_stage_ = nullptr;
   std::span<const double> state_drive_;    ///< of the fluxes of `state_`
   std::vector<double> drive_, kept_drive_; ///< of a residual and of `state_`; empty until needed
   std::vector<double> by_lower_, by_upper_, by_difference_; ///< flux derivatives per interface

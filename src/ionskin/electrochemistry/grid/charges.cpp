@@ -22,6 +22,19 @@ void wall_charges(const ScaledGrid& grid, const IonState& state,
   charges.bottom.resize(columns);
   charges.top.resize(columns);
   charges.total_bottom = charges.total_top = 0.0;
+  const auto wall = phi.last(columns);
+  const auto sideways = [&](std::size_t i) {
+    const std::size_t x = i % grid.columns_x, y = i / grid.columns_x;
+    double inflow = 0.0;
+    const auto from = [&](bool exists, double coupling, std::size_t other) {
+      inflow += exists ? coupling * (wall[other] - wall[i]) : 0.0;
+    };
+    from(x > 0, grid.coupling_x, i - 1);
+    from(x + 1 < grid.columns_x, grid.coupling_x, i + 1);
+    from(y > 0, grid.coupling_y, i - grid.columns_x);
+    from(y + 1 < grid.columns_y, grid.coupling_y, i + grid.columns_x);
+    return inflow;
+  };
   for (std::size_t i = 0; i < columns; ++i) {
     const std::size_t bottom_node = i, top_node = top + i;
     charges.bottom[i] = (phi[bottom_node] - phi[bottom_node + columns]) / grid.spacing.front() -
@@ -31,7 +44,7 @@ void wall_charges(const ScaledGrid& grid, const IonState& state,
     charges.top[i] = (phi[top_node] - phi[top_node - columns]) / grid.spacing.back() -
                      at_top.here * (c[top_node] - 1.0) -
                      at_top.below * (c[top_node - columns] - 1.0) +
-                     grid.height.back() * (fixed_charge[top_node] - 1.0);
+                     grid.height.back() * (fixed_charge[top_node] - 1.0 - sideways(i));
     charges.total_bottom += charges.bottom[i];
     charges.total_top += charges.top[i];
   }

@@ -52,8 +52,10 @@ bool is_mirrored(const history::CoreHistory& history) {
   });
 }
 
-MidWidthMirror::MidWidthMirror(const TransportGrid& whole, const history::CoreHistory& history)
-    : solved_(whole), halved_((whole.y_edges.size() - 1) % 2 == 0 && is_mirrored(history)) {
+MidWidthMirror::MidWidthMirror(const TransportGrid& whole, const history::CoreHistory& history,
+                               bool readout_is_mirrored)
+    : solved_(whole),
+      halved_(readout_is_mirrored && (whole.y_edges.size() - 1) % 2 == 0 && is_mirrored(history)) {
   if (halved_) {
     solved_.y_edges.resize((whole.y_edges.size() + 1) / 2);
   }

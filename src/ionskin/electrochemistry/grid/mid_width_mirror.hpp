@@ -18,7 +18,9 @@ bool is_mirrored(const history::CoreHistory& history);
 /// where the history is mirrored about mid-width and the columns come in pairs, else all of it.
 class MidWidthMirror {
 public:
-  MidWidthMirror(const TransportGrid& whole, const history::CoreHistory& history);
+  /// @param readout_is_mirrored false where the circuits of the top face are no mirror image
+  MidWidthMirror(const TransportGrid& whole, const history::CoreHistory& history,
+                 bool readout_is_mirrored = true);
 
   const TransportGrid& solved_grid() const { return solved_; }
   /// How many times the solved part is in the whole.

@@ -10,6 +10,9 @@
 namespace ionskin::electrochemistry {
 namespace {
 
+/// Least number of columns along a taxel with a circuit of its own.
+constexpr double columns_per_taxel = 2.0;
+
 constexpr std::size_t fewest_x = 24, most_x = 150, fewest_y = 8, most_y = 40;
 
 /// Thickness of the part at each wall that grows with `layer_growth` [Debye lengths].
@@ -62,6 +65,18 @@ std::vector<double> half_spacings(double half, const GridResolution& resolution)
   const double rest = half - reached, last = spacings.back();
   append_fitted(spacings, last, rest, terms_to_reach(rest, last * growth, growth));
   return spacings;
+}
+
+/// Whether potentials of the top face differ along an axis: a taxel with a circuit of its own ends
+/// on the skin.
+bool is_cut(const Readout& readout, std::size_t axis, double length) {
+  bool cut = false;
+  for (std::size_t i = 0; i < readout.taxels.size(); ++i) {
+    const Taxel& taxel = readout.taxels[i];
+    cut = cut || (readout.has_own_circuit(i) &&
+                  taxel.upper[axis] - taxel.lower[axis] < (1.0 - 1e-9) * length);
+  }
+  return cut;
 }
 
 std::vector<double> uniform_edges(double length, std::size_t count) {
@@ -156,12 +171,25 @@ TransportGrid make_transport_grid(const Case& input, const history::CoreHistory&
   const auto bound = [refinement](std::size_t count) {
     return static_cast<std::size_t>(std::lround(static_cast<double>(count) * refinement));
   };
-  const bool uniform_x = history.grid.columns_x() == 1 && history.frame == history::Frame::skin;
-  const bool uniform_y = history.grid.columns_y() == 1 && history.slider_y.empty();
+  const bool uniform_x = history.grid.columns_x() == 1 && history.frame == history::Frame::skin &&
+                         !is_cut(input.readout, 0, history.length);
+  const bool uniform_y = history.grid.columns_y() == 1 && history.slider_y.empty() &&
+                         !is_cut(input.readout, 1, history.width);
   const std::size_t columns_x =
       uniform_x ? 1 : column_count(history.length, width, bound(fewest_x), bound(most_x));
   const std::size_t across = column_count(history.width, width, bound(fewest_y), bound(most_y));
   const std::size_t columns_y = uniform_y ? 1 : across + across % 2;
+  // A taxel with a potential of its own needs columns of its own.
+  const auto resolved = [&](std::size_t count, std::size_t axis, double length) {
+    for (std::size_t i = 0; count > 1 && i < input.readout.taxels.size(); ++i) {
+      const Taxel& taxel = input.readout.taxels[i];
+      if (input.readout.has_own_circuit(i)) {
+        const double least = columns_per_taxel * length / (taxel.upper[axis] - taxel.lower[axis]);
+        count = std::max(count, static_cast<std::size_t>(std::ceil(least)));
+      }
+    }
+    return count + (axis == 1 && count > 1 ? count % 2 : 0);
+  };
   const auto aligned = [&](std::size_t count, std::size_t step, std::size_t axis, double length) {
     std::vector<double> fractions;
     for (const Taxel& taxel : input.readout.taxels) {
@@ -171,8 +199,10 @@ TransportGrid make_transport_grid(const Case& input, const history::CoreHistory&
     return count == 1 ? count : aligned_column_count(count, step, fractions);
   };
   const double debye_length = derive_scales(input.electrochemistry, thickness).debye_length;
-  return {uniform_edges(history.length, aligned(columns_x, 1, 0, history.length)),
-          uniform_edges(history.width, aligned(columns_y, 2, 1, history.width)),
+  return {uniform_edges(history.length,
+                        aligned(resolved(columns_x, 0, history.length), 1, 0, history.length)),
+          uniform_edges(history.width,
+                        aligned(resolved(columns_y, 1, history.width), 2, 1, history.width)),
           graded_nodes(thickness, debye_length, resolution)};
 }
 

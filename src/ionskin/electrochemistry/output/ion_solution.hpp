@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,12 @@ struct IonSnapshot {
 struct SegmentCharge {
   std::string name;
   std::vector<double> charge, bottom_charge;
+  // Of taxels with circuits of their own: against the bottom electrode, and the charge that the
+  // circuit has passed or holds, without the part that returns through the ground. Empty otherwise.
+  std::vector<double> voltage; ///< [V]
+  std::vector<double> passed;  ///< [C]
+  /// Of a scan: what came and went otherwise, while the taxel was not read [C].
+  std::vector<double> bypassed;
 };
 
 /// Where the water stands, of laws that move it: one entry per row, empty otherwise.
@@ -67,6 +74,7 @@ struct IonSolution {
   std::vector<double> max_potential;     ///< largest |phi| [V]
   std::vector<double> shear_integral;    ///< of gamma on the transport grid [m3]
   WaterRows water;
+  std::optional<double> taxel_crosstalk; ///< see `taxel_crosstalk`; with circuits of their own only
   std::vector<SegmentCharge> top_segments; ///< the taxels and the rest; empty without taxels
   /// Charge of the top wall per column at the last row [C], [y][x].
   std::vector<double> column_charge_top;

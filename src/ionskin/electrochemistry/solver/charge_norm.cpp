@@ -44,8 +44,11 @@ double ChargeNorm::of_state(const IonState& state, std::span<const double> fixed
     difference += 0.25 * (top - bottom) * (top - bottom);
   }
   const double mean = 0.5 * (charges.total_top - charges.total_bottom) / columns;
-  const auto phi = state.potential();
-  const double polarisation = mean - (phi.back() - phi.front()) / grid_.thickness;
+  double voltage = 0.0;
+  for (const double potential : state.potential().last(grid_.columns())) {
+    voltage += potential - state.potential().front();
+  }
+  const double polarisation = mean - voltage / (columns * grid_.thickness);
   return base::larger(
       base::larger(std::abs(mean), std::abs(polarisation)),
       base::larger(0.1 * std::sqrt(difference / columns), 0.01 * std::sqrt(all / columns)));

@@ -6,17 +6,23 @@
 namespace ionskin::electrochemistry {
 
 ClosedPreconditioner::ClosedPreconditioner(const ScaledGrid& grid, parallel::WorkerTeam& team,
-                                           std::optional<StericExcess> excess)
-    : grid_(grid), open_(grid, team, excess), voltage_(grid) {}
+                                           std::optional<StericExcess> excess,
+                                           const TopElectrodes* electrodes)
+    : grid_(grid), open_(grid, team, excess, electrodes), voltage_(grid) {}
 
 void ClosedPreconditioner::factorise(const IonState& state, double step) {
   open_.factorise(state, step);
   answer_is_known_ = false;
 }
 
-void ClosedPreconditioner::apply(const std::optional<CircuitStage>& circuit,
-                                 std::span<const double> residual, std::span<double> out) {
+void ClosedPreconditioner::apply(const StageProblem& problem, std::span<const double> residual,
+                                 std::span<double> out) {
+  if (problem.electrodes != nullptr) {
+    open_.apply(*problem.electrodes, residual, out);
+    return;
+  }
   open_.apply(residual, out);
+  const std::optional<CircuitStage>& circuit = problem.circuit;
   if (!circuit) {
     return;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ionskin/electrochemistry/circuit/terminal_voltage.hpp"
+#include "ionskin/electrochemistry/equations/transport_equations.hpp"
 #include "ionskin/electrochemistry/solver/preconditioner.hpp"
 
 #include <array>
@@ -14,18 +15,21 @@ namespace ionskin::electrochemistry {
 /// The preconditioner closed by the circuit between the electrodes. The voltage is a linear
 /// function of the concentrations, which adds a matrix of rank one to the Jacobian: its inverse
 /// follows from the answer to a unit voltage, the same in every column (Sherman and Morrison 1950,
-/// doi 10.1214/aoms/1177729893).
+/// doi 10.1214/aoms/1177729893). Conductors of a cut top face are FastDiagonalisation's own.
 class ClosedPreconditioner {
 public:
   /// @param excess nothing for dilute ions
+  /// @param electrodes see FastDiagonalisation
   ClosedPreconditioner(const ScaledGrid& grid, parallel::WorkerTeam& team,
-                       std::optional<StericExcess> excess = std::nullopt);
+                       std::optional<StericExcess> excess = std::nullopt,
+                       const TopElectrodes* electrodes = nullptr);
 
   void factorise(const IonState& state, double step);
 
   /// out = (approximate Jacobian)^-1 residual; both [2 nodes].
-  void apply(const std::optional<CircuitStage>& circuit, std::span<const double> residual,
-             std::span<double> out);
+  void apply(const StageProblem& problem, std::span<const double> residual, std::span<double> out);
+
+  const std::vector<double>& electrode_admittance() const { return open_.electrode_admittance(); }
 
   /// Of an open circuit, see FastDiagonalisation.
   std::array<std::vector<double>, 2>

@@ -12,6 +12,7 @@ namespace {
 
 /// Rounding of the scaled unknowns, which are of order 1.
 constexpr double residual_rounding = 1e-14;
+constexpr double concentration_rounding = 1e-16;
 constexpr int newton_limit = 40;
 constexpr int krylov_limit = 80;
 constexpr double smallest_step_length = 1.0 / 256.0;
@@ -27,11 +28,12 @@ constexpr std::size_t nodes_per_block = 1024;
 } // namespace
 
 NewtonKrylov::NewtonKrylov(const ScaledGrid& grid, double tolerance, parallel::WorkerTeam& team,
-                           std::optional<StericExcess> excess)
+                           std::optional<StericExcess> excess, const TopElectrodes* electrodes)
     : grid_(grid), tolerance_(tolerance), excess_(excess), team_(team), vectors_(team),
-      equations_(grid, team, excess), preconditioner_(grid, team, excess),
-      gmres_(2 * grid.nodes(), team), exact_average_(grid, excess), trial_(grid.nodes()),
-      residual_(2 * grid.nodes()), defect_(residual_.size()), correction_(residual_.size()) {}
+      equations_(grid, team, excess, electrodes), preconditioner_(grid, team, excess, electrodes),
+      gmres_(2 * grid.nodes(), team), exact_average_(grid, excess, electrodes),
+      trial_(grid.nodes()), residual_(2 * grid.nodes()), defect_(residual_.size()),
+      correction_(residual_.size()) {}
 
 void NewtonKrylov::prepare(const IonState& state, double step) {
   preconditioner_.factorise(state, step);
@@ -50,7 +52,7 @@ void NewtonKrylov::rate(const StageProblem& problem, const IonState& state, std:
 
 double NewtonKrylov::precondition_residual(const StageProblem& problem, const IonState& state) {
   equations_.residual(problem, state, residual_);
-  preconditioner_.apply(problem.circuit, residual_, defect_);
+  preconditioner_.apply(problem, residual_, defect_);
   ++counters_.residual_evaluations;
   return vectors_.norm(defect_);
 }
@@ -64,7 +66,13 @@ double NewtonKrylov::allowed_error(const StageProblem& problem, const IonState& 
   for (std::size_t i = 0; i < problem.fixed_charge.size(); ++i) {
     scale = std::max(scale, std::abs(fixed_charge[i] - 1.0));
   }
-  return std::isnan(scale) ? scale : tolerance_ * std::min(scale, 1.0) + residual_rounding;
+  // The potential of a conductor that floats turns charge that is rounded off into a voltage over
+  // the whole core.
+  const double rounding =
+      residual_rounding + (problem.electrodes != nullptr
+                               ? concentration_rounding * grid_.thickness * grid_.thickness
+                               : 0.0);
+  return std::isnan(scale) ? scale : tolerance_ * std::min(scale, 1.0) + rounding;
 }
 
 bool NewtonKrylov::solve(const StageProblem& problem, IonState& state) {
@@ -134,7 +142,7 @@ int NewtonKrylov::solve_linearised(const StageProblem& problem, const IonState& 
   equations_.linearise(problem, state);
   const auto preconditioned_jacobian = [&](std::span<const double> x, std::span<double> y) {
     equations_.apply_jacobian(x, residual_);
-    preconditioner_.apply(problem.circuit, residual_, y);
+    preconditioner_.apply(problem, residual_, y);
   };
   const Gmres::Result result =
       gmres_.solve(preconditioned_jacobian, defect_, correction_, reduction, krylov_limit);

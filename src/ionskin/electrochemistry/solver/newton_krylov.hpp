@@ -31,8 +31,10 @@ public:
   /// @param tolerance error allowed in the unknowns, against the largest departure from the state
   ///   at rest
   /// @param excess nothing for dilute ions
+  /// @param electrodes of the top face where it is cut; must outlive this, nullptr otherwise
   NewtonKrylov(const ScaledGrid& grid, double tolerance, parallel::WorkerTeam& team,
-               std::optional<StericExcess> excess = std::nullopt);
+               std::optional<StericExcess> excess = std::nullopt,
+               const TopElectrodes* electrodes = nullptr);
 
   /// Renews the preconditioner for stages with this implicit step near this state.
   void prepare(const IonState& state, double step);
@@ -52,6 +54,12 @@ public:
   std::array<std::vector<double>, 2>
   damped_sums(std::span<const double> change, const std::array<std::vector<double>, 2>& weights) {
     return preconditioner_.damped_sums(change, weights);
+  }
+
+  /// The charge of one conductor by the potential of another, row by row, of the state and step
+  /// prepared last.
+  const std::vector<double>& electrode_admittance() const {
+    return preconditioner_.electrode_admittance();
   }
 
   /// Nothing for dilute ions.

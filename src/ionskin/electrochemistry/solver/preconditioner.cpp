@@ -39,13 +39,21 @@ FluxDerivatives with_excess(const FluxDerivatives& flux, double slope_lower, dou
 } // namespace
 
 FastDiagonalisation::FastDiagonalisation(const ScaledGrid& grid, parallel::WorkerTeam& team,
-                                         std::optional<StericExcess> excess)
+                                         std::optional<StericExcess> excess,
+                                         const TopElectrodes* electrodes)
     : grid_(grid), team_(team), excess_(excess), transform_(grid), mean_concentration_(grid.levels),
       mean_drive_(grid.levels), slope_(grid.levels, 0.0), share_(excess ? grid.nodes() : 0),
       lower_(grid.levels), upper_(grid.levels), inverse_00_(grid.nodes()),
       inverse_01_(grid.nodes()), inverse_10_(grid.nodes()), inverse_11_(grid.nodes()),
       balance_(grid.nodes()), poisson_(grid.nodes()), sums_(2 * grid.columns()),
-      scratch_(team.size(), std::vector<float>(tile_levels * grid.columns())) {}
+      scratch_(team.size(), std::vector<float>(tile_levels * grid.columns())),
+      electrodes_(electrodes) {
+  if (electrodes_ != nullptr) {
+    coupling_.emplace(*electrodes_, transform_);
+    wall_admittance_.resize(grid.columns());
+    charge_by_balance_.resize(grid.columns());
+  }
+}
 
 void FastDiagonalisation::average(const IonState& state) {
   const std::size_t columns = grid_.columns();
@@ -80,6 +88,9 @@ void FastDiagonalisation::factorise(const IonState& state, double step) {
                    [&](std::size_t begin, std::size_t end, std::size_t) {
                      factorise_modes(step, begin, end, begin == 0);
                    });
+  if (coupling_) {
+    coupling_->set_admittance(wall_admittance_);
+  }
 }
 
 /// Block elimination from the bottom; the off-diagonal blocks are kept by whoever owns them.
@@ -111,6 +122,19 @@ void FastDiagonalisation::factorise_modes(double step, std::size_t begin, std::s
     const double flux_potential = -above.by_difference - below.by_difference;
     const double* lambda = transform_.eigenvalues().data() + begin;
     const std::size_t offset = k * columns + begin;
+    std::vector<double> by_ions, by_wall; // the charge of the top wall
+    if (electrodes_ != nullptr && k == top) {
+      const ChargeWeights ions = charge_weights(grid_, k);
+      for (std::size_t i = 0; i < end - begin; ++i) {
+        const double x0 = -ions.below * w00[i] - down * w10[i];
+        const double x1 = -ions.below * w01[i] - down * w11[i];
+        by_ions.push_back(-ions.here - x0 * u00 - x1 * u10);
+        by_wall.push_back(down + height * lambda[i] - x0 * u01 - x1 * u11);
+      }
+      if (keep_off_diagonals) {
+        wall_lower_ = {0, 0, static_cast<float>(-ions.below), static_cast<float>(-down)};
+      }
+    }
 #pragma omp simd
     for (std::size_t i = 0; i < end - begin; ++i) {
       const double x00 = l00 * w00[i] + l01 * w10[i], x01 = l00 * w01[i] + l01 * w11[i];
@@ -130,6 +154,10 @@ void FastDiagonalisation::factorise_modes(double step, std::size_t begin, std::s
       inverse_01_[offset + i] = static_cast<float>(w01[i]);
       inverse_10_[offset + i] = static_cast<float>(w10[i]);
       inverse_11_[offset + i] = static_cast<float>(w11[i]);
+    }
+    for (std::size_t i = 0; i < by_ions.size(); ++i) {
+      wall_admittance_[begin + i] = by_wall[i] + by_ions[i] * w01[i];
+      charge_by_balance_[begin + i] = static_cast<float>(by_ions[i] * w00[i]);
     }
     u00 = -step * above.by_upper;
     u01 = step * above.by_difference;
@@ -177,6 +205,43 @@ void FastDiagonalisation::apply(std::span<const double> residual, std::span<doub
                        scratch);
   });
   for_modes([&](std::size_t begin, std::size_t end) { solve_modes(begin, end); });
+  backward(out);
+}
+
+void FastDiagonalisation::apply(const ElectrodeStage& stage, std::span<const double> residual,
+                                std::span<double> out) {
+  const std::size_t nodes = grid_.nodes(), columns = grid_.columns(), top = grid_.levels - 1;
+  const std::span balance(balance_), poisson(poisson_);
+  for_tiles([&](std::size_t first, std::size_t count, std::span<float> scratch) {
+    transform_.forward(residual.subspan(first, count), balance.subspan(first, count), scratch);
+    transform_.forward(residual.subspan(nodes + first, count), poisson.subspan(first, count),
+                       scratch);
+  });
+  for_modes([&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = 0; k < top; ++k) {
+      eliminate_level(k, begin, end);
+    }
+    eliminate_wall(begin, end);
+  });
+  const std::span charge = poisson.subspan(top * columns, columns);
+  const std::vector<double> potentials = coupling_->potentials(stage, charge);
+  coupling_->spread(potentials, charge);
+  for_modes([&](std::size_t begin, std::size_t end) {
+    const std::size_t offset = top * columns;
+#pragma omp simd
+    for (std::size_t i = begin; i < end; ++i) {
+      balance_[offset + i] = inverse_00_[offset + i] * balance_[offset + i] +
+                             inverse_01_[offset + i] * poisson_[offset + i];
+    }
+    substitute(begin, end);
+  });
+  backward(out);
+  electrodes_->spread(potentials, out.last(columns)); // in double precision
+}
+
+void FastDiagonalisation::backward(std::span<double> out) {
+  const std::size_t nodes = grid_.nodes();
+  const std::span balance(balance_), poisson(poisson_);
   for_tiles([&](std::size_t first, std::size_t count, std::span<float> scratch) {
     transform_.backward(balance.subspan(first, count), out.subspan(first, count), scratch);
     transform_.backward(poisson.subspan(first, count), out.subspan(nodes + first, count), scratch);
@@ -235,29 +300,51 @@ void FastDiagonalisation::sum_levels(std::span<const double> weights, std::size_
 }
 
 void FastDiagonalisation::solve_modes(std::size_t begin, std::size_t end) {
-  const std::size_t columns = grid_.columns(), levels = grid_.levels;
-  for (std::size_t k = 0; k < levels; ++k) {
-    const std::size_t offset = k * columns;
-    float* x = balance_.data() + offset;
-    float* y = poisson_.data() + offset;
-    const float* w00 = inverse_00_.data() + offset;
-    const float* w01 = inverse_01_.data() + offset;
-    const float* w10 = inverse_10_.data() + offset;
-    const float* w11 = inverse_11_.data() + offset;
-    const OffDiagonal l = lower_[k];
-    const float* x_below = k > 0 ? x - columns : x;
-    const float* y_below = k > 0 ? y - columns : y;
-#pragma omp simd
-    for (std::size_t i = begin; i < end; ++i) {
-      const float r =
-          x[i] - l.balance_concentration * x_below[i] - l.balance_potential * y_below[i];
-      const float s =
-          y[i] - l.poisson_concentration * x_below[i] - l.poisson_potential * y_below[i];
-      x[i] = w00[i] * r + w01[i] * s;
-      y[i] = w10[i] * r + w11[i] * s;
-    }
+  for (std::size_t k = 0; k < grid_.levels; ++k) {
+    eliminate_level(k, begin, end);
   }
-  for (std::size_t k = levels - 1; k-- > 0;) {
+  substitute(begin, end);
+}
+
+void FastDiagonalisation::eliminate_level(std::size_t level, std::size_t begin, std::size_t end) {
+  const std::size_t columns = grid_.columns(), offset = level * columns;
+  float* x = balance_.data() + offset;
+  float* y = poisson_.data() + offset;
+  const float* w00 = inverse_00_.data() + offset;
+  const float* w01 = inverse_01_.data() + offset;
+  const float* w10 = inverse_10_.data() + offset;
+  const float* w11 = inverse_11_.data() + offset;
+  const OffDiagonal l = lower_[level];
+  const float* x_below = level > 0 ? x - columns : x;
+  const float* y_below = level > 0 ? y - columns : y;
+#pragma omp simd
+  for (std::size_t i = begin; i < end; ++i) {
+    const float r = x[i] - l.balance_concentration * x_below[i] - l.balance_potential * y_below[i];
+    const float s = y[i] - l.poisson_concentration * x_below[i] - l.poisson_potential * y_below[i];
+    x[i] = w00[i] * r + w01[i] * s;
+    y[i] = w10[i] * r + w11[i] * s;
+  }
+}
+
+void FastDiagonalisation::eliminate_wall(std::size_t begin, std::size_t end) {
+  const std::size_t columns = grid_.columns(), top = grid_.levels - 1, offset = top * columns;
+  float* x = balance_.data() + offset;
+  float* y = poisson_.data() + offset;
+  const float* x_below = x - columns;
+  const float* y_below = y - columns;
+  const float* by_balance = charge_by_balance_.data();
+  const OffDiagonal l = lower_[top], charge = wall_lower_;
+#pragma omp simd
+  for (std::size_t i = begin; i < end; ++i) {
+    x[i] -= l.balance_concentration * x_below[i] + l.balance_potential * y_below[i];
+    y[i] -= charge.poisson_concentration * x_below[i] + charge.poisson_potential * y_below[i] +
+            by_balance[i] * x[i];
+  }
+}
+
+void FastDiagonalisation::substitute(std::size_t begin, std::size_t end) {
+  const std::size_t columns = grid_.columns();
+  for (std::size_t k = grid_.levels - 1; k-- > 0;) {
     const std::size_t offset = k * columns;
     float* x = balance_.data() + offset;
     float* y = poisson_.data() + offset;

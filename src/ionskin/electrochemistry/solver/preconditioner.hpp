@@ -5,6 +5,7 @@
 #include "ionskin/electrochemistry/grid/scaled_grid.hpp"
 #include "ionskin/electrochemistry/output/ion_state.hpp"
 #include "ionskin/electrochemistry/solver/cosine_transform.hpp"
+#include "ionskin/electrochemistry/solver/electrode_coupling.hpp"
 #include "ionskin/parallel/worker_team.hpp"
 
 #include <array>
@@ -22,14 +23,23 @@ namespace ionskin::electrochemistry {
 class FastDiagonalisation {
 public:
   /// @param excess nothing for dilute ions
+  /// @param electrodes of the top face where it is cut; must outlive this, nullptr otherwise
   FastDiagonalisation(const ScaledGrid& grid, parallel::WorkerTeam& team,
-                      std::optional<StericExcess> excess = std::nullopt);
+                      std::optional<StericExcess> excess = std::nullopt,
+                      const TopElectrodes* electrodes = nullptr);
 
   /// Factorises for the lateral average of a state and the implicit part of a step.
   void factorise(const IonState& state, double step);
 
   /// out = (approximate Jacobian)^-1 residual; both [2 nodes].
   void apply(std::span<const double> residual, std::span<double> out);
+
+  /// The same with the conductors of the top face behind their circuits: in the place of the
+  /// potential of the top wall the residual has its charge, see `StageProblem`.
+  void apply(const ElectrodeStage& stage, std::span<const double> residual, std::span<double> out);
+
+  /// B^T Y B of the conductors, see ElectrodeCoupling; of the state and step factorised last.
+  const std::vector<double>& electrode_admittance() const { return coupling_->admittance(); }
 
   /// Sums over the levels of the concentrations that answer to an amount of ions in every cell,
   /// with weights [levels] each. Transforms little more than half of what `apply` does.
@@ -51,6 +61,11 @@ private:
   template <class Body> void for_tiles(const Body& body);
   template <class Body> void for_modes(const Body& body);
   void solve_modes(std::size_t begin, std::size_t end);
+  void backward(std::span<double> out);
+  void eliminate_level(std::size_t level, std::size_t begin, std::size_t end);
+  void substitute(std::size_t begin, std::size_t end);
+  /// Leaves on the top level the residual of the ion balance and the charge of the wall at 0.
+  void eliminate_wall(std::size_t begin, std::size_t end);
   void sum_levels(std::span<const double> weights, std::size_t row, std::size_t begin,
                   std::size_t end);
 
@@ -71,6 +86,13 @@ private:
   std::vector<float> balance_, poisson_;    ///< right-hand side and solution, [level][mode]
   std::vector<float> sums_;                 ///< of `damped_sums`, two rows of modes
   std::vector<std::vector<float>> scratch_; ///< of a tile, per thread
+  const TopElectrodes* electrodes_;
+  std::optional<ElectrodeCoupling> coupling_;
+  // The charge of the top wall, eliminated like a row of the system: Y of every mode, and what the
+  // residual of the ion balance on the wall makes of it.
+  std::vector<double> wall_admittance_;
+  std::vector<float> charge_by_balance_;
+  OffDiagonal wall_lower_;
 };
 
 } // namespace ionskin::electrochemistry

@@ -2,6 +2,7 @@
 #include "ionskin/electrochemistry/time/problem_size.hpp"
 
 #include "ionskin/case/slider_motion.hpp"
+#include "ionskin/electrochemistry/circuit/cut_electrode.hpp"
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "ionskin/electrochemistry/grid/transport_grid.hpp"
 #include "ionskin/electrochemistry/time/step_control.hpp"
@@ -150,7 +151,9 @@ ProblemSize problem_size(const Case& input, const history::CoreHistory& history)
   // Thin layers have a charge at each wall.
   size.levels = input.electrochemistry.ion_model == IonModel::thin_layers ? 1 : grid.z_nodes.size();
   size.unknowns = 2 * size.columns_x * size.columns_y * size.levels;
-  const StepLandings landings = make_step_landings(history, input.output.fields);
+  const StepLandings landings =
+      make_step_landings(history, input.output.fields,
+                         scan_switches(input.readout, history.time.front(), history.time.back()));
   const StepRule rule = step_rule(input.numerics, input.readout, scales);
   size.steps = estimate_steps(landings, rule, longest_steps(input, landings, rule, scales, size));
   size.memory = vectors_per_unknown * sizeof(double) * static_cast<double>(size.unknowns);

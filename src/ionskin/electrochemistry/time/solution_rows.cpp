@@ -22,6 +22,17 @@ double nearest(const std::vector<double>& times, double instant) {
   });
 }
 
+/// Of the top face against the bottom one, whose potential is the same everywhere.
+double mean_voltage(const IonState& state, std::size_t columns) {
+  const auto top = state.potential().last(columns);
+  const double last = top.back(), bottom = state.potential().front();
+  double departures = 0.0;
+  for (const double potential : top) {
+    departures += potential - last;
+  }
+  return last - bottom + departures / static_cast<double>(columns);
+}
+
 std::vector<double> scaled_copy(std::span<const double> values, double unit) {
   std::vector<double> copy(values.begin(), values.end());
   for (double& value : copy) {
@@ -36,7 +47,7 @@ SolutionRows::SolutionRows(const Case& input, const DerivedScales& scales,
                            const TransportGrid& grid, const MidWidthMirror& mirror,
                            const ScaledGrid& scaled, const FixedCharge& fixed_charge,
                            const std::vector<double>& landings,
-                           const std::vector<double>& snapshot_times)
+                           const std::vector<double>& snapshot_times, const CutElectrode* cut)
     : mirror_(mirror), scaled_(scaled), fixed_charge_(fixed_charge),
       charge_unit_(scales.charge_density * column_area(grid)),
       mean_unit_(mirror.copies() * static_cast<double>(scaled.columns()) * charge_unit_),
@@ -45,14 +56,20 @@ SolutionRows::SolutionRows(const Case& input, const DerivedScales& scales,
       concentration_unit_(input.electrochemistry.fixed_charge_concentration /
                           input.electrochemistry.valence),
       potential_unit_(scales.potential_scale),
-      segments_(make_electrode_segments(input.readout.taxels, grid)) {
+      segments_(make_electrode_segments(input.readout.taxels, grid)), cut_(cut),
+      is_own_(segments_.names.size(), false) {
+  for (std::size_t i = 0; i < input.readout.taxels.size(); ++i) {
+    is_own_[i] = input.readout.has_own_circuit(i);
+    row_of_taxel_.push_back(input.readout.scan_row(i));
+  }
   for (const double instant : snapshot_times) {
     snapshot_times_.push_back(nearest(landings, instant));
   }
 }
 
 void SolutionRows::append(double time, const IonState& state, const Relaxation& relaxation,
-                          IonSolution& solution) {
+                          const std::vector<ElectrodeRow>& electrodes,
+                          std::optional<std::size_t> row, IonSolution& solution) {
   wall_charges(scaled_, state, fixed_charge_.ratio(), charges_);
   mirror_.complete(charges_);
   const auto c = state.concentration();
@@ -61,6 +78,7 @@ void SolutionRows::append(double time, const IonState& state, const Relaxation& 
   solution.charge_top.push_back(charge_unit_ * charges_.total_top);
   solution.charge_bottom.push_back(charge_unit_ * charges_.total_bottom);
   append_segments(segments_, charges_, charge_unit_, solution);
+  append_conductors(electrodes, row, solution);
   if (const poroelasticity::StreamingDrive* water = fixed_charge_.water()) {
     append_water(*water, area_, solution.water);
   }
@@ -68,8 +86,7 @@ void SolutionRows::append(double time, const IonState& state, const Relaxation& 
                                      ramo_charge_top(scaled_, state, fixed_charge_.ratio()));
   solution.relaxation_charge.push_back(mean_unit_ * relaxation.charge);
   solution.relaxation_current.push_back(mean_unit_ / time_unit_ * relaxation.rate);
-  solution.voltage.push_back(potential_unit_ *
-                             (state.potential().back() - state.potential().front()));
+  solution.voltage.push_back(potential_unit_ * mean_voltage(state, scaled_.columns()));
   solution.ion_amount.push_back(mirror_.copies() * volume_unit_ * concentration_unit_ *
                                 ExactAverage::total(scaled_, c));
   solution.min_concentration.push_back(concentration_unit_ * std::ranges::min(c));
@@ -78,6 +95,58 @@ void SolutionRows::append(double time, const IonState& state, const Relaxation& 
                                     ExactAverage::total(scaled_, fixed_charge_.shear()));
   if (std::ranges::find(snapshot_times_, time) != snapshot_times_.end()) {
     solution.snapshots.push_back(snapshot(time, state));
+  }
+}
+
+namespace {
+
+/// Adds the charge that has come to a taxel: to what its circuit passed while the taxel is read,
+/// else to the rest.
+void add_passed(double charge, bool is_read, SegmentCharge& segment) {
+  const double bypassed = segment.bypassed.empty() ? 0.0 : segment.bypassed.back();
+  const double passed = segment.passed.empty() ? 0.0 : segment.passed.back();
+  segment.passed.push_back(is_read ? charge - bypassed : passed);
+  segment.bypassed.push_back(is_read ? bypassed : charge - passed);
+}
+
+} // namespace
+
+void SolutionRows::append_conductors(const std::vector<ElectrodeRow>& electrodes,
+                                     std::optional<std::size_t> read, IonSolution& solution) const {
+  if (cut_ == nullptr) {
+    return;
+  }
+  if (electrodes.empty()) {
+    append_held(read, solution);
+    return;
+  }
+  for (std::size_t i = 0; i < segments_.names.size(); ++i) {
+    SegmentCharge& segment = solution.top_segments[i];
+    const std::size_t conductor = cut_->conductor_of_segment[i];
+    const ElectrodeRow& row = electrodes[conductor];
+    segment.voltage.push_back(potential_unit_ * row.potential);
+    if (is_own_[i]) {
+      const double unit = charge_unit_ * cut_->copies[conductor];
+      segment.charge.back() = unit * row.charge;
+      add_passed(unit * row.passed, !read || *read == row_of_taxel_[i], segment);
+    }
+  }
+}
+
+void SolutionRows::append_held(std::optional<std::size_t> read, IonSolution& solution) const {
+  const std::size_t columns = scaled_.columns();
+  std::vector<double> net(columns, 0.0);
+  for (std::size_t i = 0; fixed_charge_.makes_net_charge() && i < scaled_.nodes(); ++i) {
+    net[i % columns] += 0.5 * scaled_.height[i / columns] * (fixed_charge_.ratio()[i] - 1.0);
+  }
+  const std::vector<double> below = segments_.charges(mirror_.whole(net));
+  for (std::size_t i = 0; i < segments_.names.size(); ++i) {
+    SegmentCharge& segment = solution.top_segments[i];
+    segment.voltage.push_back(0.0);
+    if (is_own_[i]) {
+      add_passed(segment.charge.back() - charge_unit_ * below[i],
+                 !read || *read == row_of_taxel_[i], segment);
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ionskin/case/case.hpp"
+#include "ionskin/electrochemistry/circuit/cut_electrode.hpp"
 #include "ionskin/electrochemistry/circuit/electrode_segments.hpp"
 #include "ionskin/electrochemistry/equations/space_charge.hpp"
 #include "ionskin/electrochemistry/grid/charges.hpp"
@@ -33,17 +34,25 @@ public:
   /// @param mirror says which part of it `scaled` is
   /// @param landings instants on which steps end [s]
   /// @param snapshot_times wanted instants [s]; each is kept at the nearest of them
+  /// @param cut the conductors of a cut top face; must outlive this, nullptr for one conductor
   SolutionRows(const Case& input, const DerivedScales& scales, const TransportGrid& grid,
                const MidWidthMirror& mirror, const ScaledGrid& scaled,
                const FixedCharge& fixed_charge, const std::vector<double>& landings,
-               const std::vector<double>& snapshot_times);
+               const std::vector<double>& snapshot_times, const CutElectrode* cut = nullptr);
 
+  /// @param electrodes the conductors of a cut top face
+  /// @param row that a scan has read until this instant; nothing without one
   void append(double time, const IonState& state, const Relaxation& relaxation,
+              const std::vector<ElectrodeRow>& electrodes, std::optional<std::size_t> row,
               IonSolution& solution);
   /// Adds what is kept for the last row only.
   void finish(const IonState& state, IonSolution& solution);
 
 private:
+  void append_conductors(const std::vector<ElectrodeRow>& electrodes,
+                         std::optional<std::size_t> read, IonSolution& solution) const;
+  /// Of conductors that the ground holds, which the solver takes for one.
+  void append_held(std::optional<std::size_t> read, IonSolution& solution) const;
   IonSnapshot snapshot(double time, const IonState& state) const;
 
   const MidWidthMirror& mirror_;
@@ -59,6 +68,9 @@ private:
   std::vector<double> snapshot_times_;
   WallCharges charges_;
   ElectrodeSegments segments_;
+  const CutElectrode* cut_;
+  std::vector<bool> is_own_; ///< whether a segment is a taxel with a circuit of its own
+  std::vector<std::size_t> row_of_taxel_; ///< of a scan
 };
 
 } // namespace ionskin::electrochemistry

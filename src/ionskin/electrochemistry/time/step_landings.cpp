@@ -25,7 +25,8 @@ std::size_t StepLandings::behind(double instant) const {
 }
 
 StepLandings make_step_landings(const history::CoreHistory& history,
-                                const std::vector<double>& field_times) {
+                                const std::vector<double>& field_times,
+                                const std::vector<double>& switches) {
   const double resolution = same_instant(history);
   StepLandings landings;
   landings.time = history.time;
@@ -38,12 +39,18 @@ StepLandings make_step_landings(const history::CoreHistory& history,
       landings.time.push_back(inside);
     }
   }
+  for (const double instant : switches) {
+    if (!is_among(history.time, instant, resolution)) {
+      landings.time.push_back(instant);
+    }
+  }
   std::sort(fields.begin(), fields.end());
   std::sort(landings.time.begin(), landings.time.end());
   const auto same = [resolution](double a, double b) { return b - a <= resolution; };
   landings.time.erase(std::unique(landings.time.begin(), landings.time.end(), same),
                       landings.time.end());
   std::vector<double> events = history.event_time;
+  events.insert(events.end(), switches.begin(), switches.end());
   std::sort(events.begin(), events.end());
   for (const double instant : landings.time) {
     landings.is_event.push_back(is_among(events, instant, resolution));

@@ -19,7 +19,9 @@ struct StepLandings {
 };
 
 /// @param field_times where the fields are kept [s]; instants outside the history move to its ends
+/// @param switches instants within the history at which circuits change [s], which are events
 StepLandings make_step_landings(const history::CoreHistory& history,
-                                const std::vector<double>& field_times);
+                                const std::vector<double>& field_times,
+                                const std::vector<double>& switches = {});
 
 } // namespace ionskin::electrochemistry

@@ -3,11 +3,13 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/largest.hpp"
+#include "ionskin/electrochemistry/grid/charges.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 namespace ionskin::electrochemistry {
@@ -34,12 +36,30 @@ constexpr std::size_t nodes_per_block = 1024;
 TimeIntegrator::TimeIntegrator(const ScaledGrid& grid, const DerivedScales& scales,
                                FixedCharge& fixed_charge, ElectrodePotentials potentials,
                                NewtonKrylov& solver, parallel::WorkerTeam& team,
-                               std::optional<ScaledAdmittance> admittance)
+                               std::optional<ScaledAdmittance> admittance,
+                               const TopElectrodes* electrodes)
     : grid_(grid), scales_(scales), fixed_charge_(fixed_charge), potentials_(std::move(potentials)),
       solver_(solver), team_(team), admittance_(admittance), terminals_(grid), charge_norm_(grid),
       resting_amount_(ExactAverage::total(grid, std::vector<double>(grid.nodes(), 1.0))),
       settled_(grid.nodes()), start_(grid.nodes()), stage_rate_(grid.nodes()),
-      end_rate_(grid.nodes()), stage_(grid.nodes()), end_(grid.nodes()) {}
+      end_rate_(grid.nodes()), stage_(grid.nodes()), end_(grid.nodes()) {
+  if (electrodes != nullptr) {
+    electrodes_.emplace(*electrodes);
+  }
+}
+
+namespace {
+
+/// amounts + factor * rates
+std::vector<double> sum(std::vector<double> amounts, double factor,
+                        const std::vector<double>& rates) {
+  for (std::size_t i = 0; i < amounts.size(); ++i) {
+    amounts[i] += factor * rates[i];
+  }
+  return amounts;
+}
+
+} // namespace
 
 template <class Body> void TimeIntegrator::for_nodes(const Body& body) const {
   const bool releases = fixed_charge_.releases_ions();
@@ -59,6 +79,31 @@ void TimeIntegrator::settle(const IonState& ions) {
   if (admittance_) {
     settled_charge_ += admittance_->capacitance * voltage(ions);
   }
+}
+
+std::vector<double> TimeIntegrator::potentials(const IonState& ions) const {
+  return electrodes_->electrodes().potentials(ions.potential().last(grid_.columns()));
+}
+
+std::vector<double> TimeIntegrator::net_charges() const {
+  const std::size_t columns = grid_.columns();
+  std::vector<double> net(columns, 0.0);
+  if (fixed_charge_.makes_net_charge()) {
+    for (std::size_t i = 0; i < grid_.nodes(); ++i) {
+      net[i % columns] += 0.5 * grid_.height[i / columns] * (fixed_charge_.ratio()[i] - 1.0);
+    }
+  }
+  return electrodes_->electrodes().sums(net);
+}
+
+double TimeIntegrator::largest_of_conductors(const std::vector<double>& charges) const {
+  double largest = 0.0;
+  for (std::size_t e = 0; e < charges.size(); ++e) {
+    const std::vector<double>& share = electrodes_->electrodes().conductors()[e].share;
+    const double area = std::accumulate(share.begin(), share.end(), 0.0);
+    largest = base::larger(largest, std::abs(charges[e]) / area);
+  }
+  return largest;
 }
 
 double TimeIntegrator::voltage(const IonState& ions) const {
@@ -82,6 +127,9 @@ StageProblem TimeIntegrator::problem_at(double time) {
     for_nodes([&](std::size_t i, double released) { start_[i] += released; });
     ion_amount = ExactAverage::total(grid_, fixed_charge_.ratio());
   }
+  if (electrodes_) {
+    electrode_stage_ = electrodes_->stage(start_charges_, implicit_, net_charges());
+  }
   return {start_,
           implicit_,
           fixed_charge_.ratio(),
@@ -92,7 +140,8 @@ StageProblem TimeIntegrator::problem_at(double time) {
               ? std::optional(CircuitStage{start_charge_, implicit_ * admittance_->conductance +
                                                               admittance_->capacitance})
               : std::nullopt,
-          fixed_charge_.drive()};
+          fixed_charge_.drive(),
+          electrodes_ ? &electrode_stage_ : nullptr};
 }
 
 void TimeIntegrator::initialise(double time, TransportState& state) {
@@ -101,6 +150,10 @@ void TimeIntegrator::initialise(double time, TransportState& state) {
   std::ranges::fill(start_, 1.0);
   implicit_ = 0.0;
   start_charge_ = 0.0;
+  if (electrodes_) {
+    start_charges_.assign(electrodes_->electrodes().size(), 0.0);
+    state.electrode_charge = start_charges_;
+  }
   const StageProblem problem = problem_at(time);
   std::ranges::copy(start_, state.ions.values.begin());
   solver_.prepare(state.ions, 0.0);
@@ -120,6 +173,37 @@ void TimeIntegrator::take_up(double time, const TransportState& state) {
   settle(state.ions);
 }
 
+void TimeIntegrator::connect(std::vector<std::optional<ScaledAdmittance>> circuits) {
+  electrodes_->connect(std::move(circuits));
+}
+
+void TimeIntegrator::reconnect(double time, std::vector<std::optional<ScaledAdmittance>> circuits,
+                               TransportState& state) {
+  const std::vector<ElectrodeRow> rows = electrode_rows(state);
+  std::vector<double> held_at = potentials(state.ions);
+  for (std::size_t e = 0; e < rows.size(); ++e) {
+    if (electrodes_->circuits()[e] != circuits[e]) {
+      state.electrode_charge[e] = rows[e].passed;
+      held_at[e] = circuits[e] ? held_at[e] : 0.0;
+    }
+  }
+  connect(std::move(circuits));
+  electrodes_->electrodes().spread(held_at, state.ions.potential().last(grid_.columns()));
+  implicit_ = 0.0;
+  start_ = settled_;
+  start_charges_ = state.electrode_charge;
+  const StageProblem problem = problem_at(time);
+  solver_.prepare(state.ions, 0.0);
+  if (!solver_.solve(problem, state.ions)) {
+    throw SolverError("Poisson's equation could not be solved where a scan goes to the next row",
+                      "raise numerics.mesh_refinement, or ground the other rows of the scan");
+  }
+  solver_.rate(problem, state.ions, std::span(state.rate).first(grid_.nodes()));
+  std::fill(state.rate.begin() + static_cast<std::ptrdiff_t>(grid_.nodes()), state.rate.end(), 0.0);
+  settle(state.ions);
+  note_charge(state);
+}
+
 std::optional<double> TimeIntegrator::try_step(double begin, double end,
                                                const TransportState& state, double column_share) {
   length_ = (end - begin) / scales_.relaxation_time;
@@ -127,6 +211,11 @@ std::optional<double> TimeIntegrator::try_step(double begin, double end,
   solver_.prepare(state.ions, implicit_);
   for_nodes([&](std::size_t i, double) { start_[i] = settled_[i] + implicit_ * state.rate[i]; });
   start_charge_ = settled_charge_ + implicit_ * charge_rate(state.ions);
+  std::vector<double> begin_rates, stage_rates;
+  if (electrodes_) {
+    begin_rates = electrodes_->rates(potentials(state.ions));
+    start_charges_ = sum(state.electrode_charge, implicit_, begin_rates);
+  }
   const StageProblem at_stage = problem_at(begin + stage_fraction * (end - begin));
   guess_stage(state);
   if (!solver_.solve(at_stage, stage_)) {
@@ -138,6 +227,11 @@ std::optional<double> TimeIntegrator::try_step(double begin, double end,
   });
   start_charge_ =
       settled_charge_ + weight * length_ * (charge_rate(state.ions) + charge_rate(stage_));
+  if (electrodes_) {
+    stage_rates = electrodes_->rates(potentials(stage_));
+    start_charges_ = sum(sum(state.electrode_charge, weight * length_, begin_rates),
+                         weight * length_, stage_rates);
+  }
   const StageProblem at_end = problem_at(end);
   guess_end(state);
   if (!solver_.solve(at_end, end_)) {
@@ -145,7 +239,16 @@ std::optional<double> TimeIntegrator::try_step(double begin, double end,
   }
   for_nodes(
       [&](std::size_t i, double) { end_rate_[i] = (end_.values[i] - start_[i]) / implicit_; });
-  const double error = charge_error(state, column_share);
+  double passed = 0.0;
+  if (electrodes_) {
+    const std::vector<double> end_rates = electrodes_->rates(potentials(end_));
+    end_charges_ = sum(start_charges_, implicit_, end_rates);
+    const std::vector<double> nothing(end_rates.size(), 0.0);
+    passed = largest_of_conductors(sum(sum(sum(nothing, length_ * error_of_begin, begin_rates),
+                                           length_ * error_of_stage, stage_rates),
+                                       length_ * error_of_end, end_rates));
+  }
+  const double error = charge_error(state, column_share, passed);
   return std::isfinite(error) ? std::optional(error) : std::nullopt;
 }
 
@@ -159,6 +262,7 @@ void TimeIntegrator::guess_stage(const TransportState& state) {
     stage_.values[p] = state.ions.values[p] + ahead * state.rate[p];
   });
   keep_in_bounds(state.ions, stage_);
+  restore_conductors(stage_);
 }
 
 /// Concentrations on the parabola through begin and stage with the rate at the begin; potentials,
@@ -175,6 +279,18 @@ void TimeIntegrator::guess_end(const TransportState& state) {
     end_.values[p] = state.ions.values[p] + ratio * (stage_.values[p] - state.ions.values[p]);
   });
   keep_in_bounds(stage_, end_);
+  restore_conductors(end_);
+}
+
+void TimeIntegrator::restore_conductors(IonState& guess) const {
+  if (!electrodes_) {
+    return;
+  }
+  std::vector<double> at = potentials(guess);
+  for (std::size_t e = 0; e < at.size(); ++e) {
+    at[e] = electrodes_->holds(e) ? 0.0 : at[e];
+  }
+  electrodes_->electrodes().spread(at, guess.potential().last(grid_.columns()));
 }
 
 void TimeIntegrator::keep_in_bounds(const IonState& safe, IonState& guess) const {
@@ -196,7 +312,8 @@ void TimeIntegrator::keep_in_bounds(const IonState& safe, IonState& guess) const
   }
 }
 
-double TimeIntegrator::charge_error(const TransportState& state, double column_share) {
+double TimeIntegrator::charge_error(const TransportState& state, double column_share,
+                                    double passed_by_conductors) {
   for_nodes([&](std::size_t i, double) {
     start_[i] = length_ * (error_of_begin * state.rate[i] + error_of_stage * stage_rate_[i] +
                            error_of_end * end_rate_[i]);
@@ -206,7 +323,8 @@ double TimeIntegrator::charge_error(const TransportState& state, double column_s
                  error_of_end * charge_rate(end_));
   const auto charges = solver_.damped_sums(start_, charge_norm_.weights());
   const double moved =
-      base::larger(charge_norm_.of_change(charges, column_share), std::abs(passed));
+      base::larger(base::larger(charge_norm_.of_change(charges, column_share), std::abs(passed)),
+                   column_share * passed_by_conductors);
   const double error = base::larger(0.0, moved - rounding * grid_.thickness);
   const double scale =
       std::max(state.charge_scale, charge_norm_.of_state(end_, fixed_charge_.ratio()));
@@ -225,13 +343,38 @@ void TimeIntegrator::accept(TransportState& state) {
     state.rate[p] = late + rest * (late - early);
   });
   std::swap(state.ions.values, end_.values);
+  if (electrodes_) {
+    state.electrode_charge = end_charges_;
+  }
   fixed_charge_.accept(state.ions.concentration());
   state.memory = fixed_charge_.memory();
   settle(state.ions);
   note_charge(state);
 }
 
+std::vector<ElectrodeRow> TimeIntegrator::electrode_rows(const TransportState& state) const {
+  std::vector<ElectrodeRow> rows;
+  if (!electrodes_) {
+    return rows;
+  }
+  WallCharges walls;
+  wall_charges(grid_, state.ions, fixed_charge_.ratio(), walls);
+  const std::vector<double> on_metal = electrodes_->electrodes().sums(walls.top),
+                            potential = potentials(state.ions), net = net_charges();
+  for (std::size_t e = 0; e < potential.size(); ++e) {
+    // What the circuits conserve is known to rounding, the charges on the wall as Newton left them.
+    const double passed = electrodes_->holds(e) ? on_metal[e] - net[e]
+                                                : state.electrode_charge[e] -
+                                                      electrodes_->capacitance(e) * potential[e];
+    rows.push_back({electrodes_->holds(e) ? 0.0 : potential[e], passed + net[e], passed});
+  }
+  return rows;
+}
+
 Relaxation TimeIntegrator::relaxation(const TransportState& state) const {
+  if (electrodes_) {
+    return {}; // conductors whose potentials follow the shear leave no smooth part
+  }
   const Relaxation of_ions{terminals_.of_ions(settled_, 1.0),
                            terminals_.of_ions(std::span(state.rate).first(settled_.size()), 0.0)};
   if (!admittance_) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/electrochemistry/circuit/electrode_charges.hpp"
 #include "ionskin/electrochemistry/circuit/external_circuit.hpp"
 #include "ionskin/electrochemistry/equations/space_charge.hpp"
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
@@ -13,6 +14,12 @@
 #include <vector>
 
 namespace ionskin::electrochemistry {
+
+/// A conductor of a cut top face at an instant, scaled: its potential, the charge on its metal, and
+/// the part of it that its circuit has passed or holds.
+struct ElectrodeRow {
+  double potential = 0, charge = 0, passed = 0;
+};
 
 /// Part of the charge that changes smoothly at kinks of the shear, see IonSolution, and its rate;
 /// per area and scaled.
@@ -30,15 +37,25 @@ struct Relaxation {
 class TimeIntegrator {
 public:
   /// @param admittance of the circuit between the electrodes; without it the potentials are given
+  /// @param electrodes of the top face where it is cut, instead; those of the solver
   TimeIntegrator(const ScaledGrid& grid, const DerivedScales& scales, FixedCharge& fixed_charge,
                  ElectrodePotentials potentials, NewtonKrylov& solver, parallel::WorkerTeam& team,
-                 std::optional<ScaledAdmittance> admittance = std::nullopt);
+                 std::optional<ScaledAdmittance> admittance = std::nullopt,
+                 const TopElectrodes* electrodes = nullptr);
 
   /// The response at the first instant: ions where they were, phi from Poisson's equation.
   /// Throws SolverError.
   void initialise(double time, TransportState& state);
   /// Takes up a state that a run has left at an instant.
   void take_up(double time, const TransportState& state);
+
+  /// Joins the conductors of a cut top face to these circuits from now on, before the first instant
+  /// or where a run is taken up.
+  void connect(std::vector<std::optional<ScaledAdmittance>> circuits);
+  /// Does so at an instant of a run, where the state stands: conductors that come to the ground
+  /// give up their voltage, capacitors of new circuits are uncharged. Throws SolverError.
+  void reconnect(double time, std::vector<std::optional<ScaledAdmittance>> circuits,
+                 TransportState& state);
 
   /// Tries the step from `begin`, where the state stands, to `end` [s], and leaves the fixed charge
   /// at `end`.
@@ -50,12 +67,22 @@ public:
   /// Makes the end of the step tried last the new state.
   void accept(TransportState& state);
 
+  /// Of the conductors of a cut top face, in the state that was accepted or taken up last; empty
+  /// for one conductor.
+  std::vector<ElectrodeRow> electrode_rows(const TransportState& state) const;
+
   /// Of the state that was accepted or taken up last.
   Relaxation relaxation(const TransportState& state) const;
 
 private:
   void note_charge(TransportState& state);
   double voltage(const IonState& ions) const;
+  std::vector<double> potentials(const IonState& ions) const;
+  /// Half of the net charge below every conductor that the law has made until the instant evaluated
+  /// last.
+  std::vector<double> net_charges() const;
+  /// The largest of some charges of conductors, per area.
+  double largest_of_conductors(const std::vector<double>& charges) const;
   /// Rate of the conserved charge: that which the circuit's resistor passes.
   double charge_rate(const IonState& ions) const;
   /// Keeps the concentration that a step starts from, without the released ions.
@@ -65,9 +92,13 @@ private:
   StageProblem problem_at(double time);
   void guess_stage(const TransportState& state);
   void guess_end(const TransportState& state);
+  /// Keeps what rounding adds to the potentials of conductors, at the ground or of one column
+  /// beside another, from growing step by step.
+  void restore_conductors(IonState& guess) const;
   /// Takes `safe` instead of a guess that would deplete a concentration or the room beside it.
   void keep_in_bounds(const IonState& safe, IonState& guess) const;
-  double charge_error(const TransportState& state, double column_share);
+  double charge_error(const TransportState& state, double column_share,
+                      double passed_by_conductors);
 
   const ScaledGrid& grid_;
   DerivedScales scales_;
@@ -86,8 +117,11 @@ private:
   /// Half the difference of the electrodes' charges and the charge on the circuit's capacitor,
   /// which are conserved together, where the step begins.
   double settled_charge_ = 0;
-  double start_charge_ = 0;                   ///< the same that a stage starts from
-  std::vector<double> stage_rate_, end_rate_; ///< of concentration minus released ions
+  double start_charge_ = 0;                    ///< the same that a stage starts from
+  std::optional<ElectrodeCharges> electrodes_; ///< of a cut top face
+  ElectrodeStage electrode_stage_;
+  std::vector<double> start_charges_, end_charges_; ///< of its conductors
+  std::vector<double> stage_rate_, end_rate_;       ///< of concentration minus released ions
   IonState stage_, end_;
 };
 

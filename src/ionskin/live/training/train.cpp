@@ -161,6 +161,12 @@ void check_trainable(const Case& input, const TrainingOptions& options) {
     throw UserError("readout.circuit: a live skin knows shorted electrodes alone\n"
                     "  = set readout.circuit = \"short\"");
   }
+  if (input.readout.is_cut()) {
+    throw UserError("readout.taxel_circuit: a live skin knows taxels at one potential alone, and "
+                    "here they have circuits of their own\n"
+                    "  = set readout.taxel_circuit = \"shared\", and remove the circuits of single "
+                    "taxels");
+  }
   if (options.friction) {
     const auto [low, high] = *options.friction;
     if (!(low >= 0 && low < high && high <= most_friction)) {

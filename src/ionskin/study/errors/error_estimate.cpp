@@ -90,11 +90,28 @@ struct Coarser {
 /// Noise of an instrument is no error of the program.
 Case without_noise(const Case& input) {
   Case result = input;
-  const circuits::CircuitRow& circuit = circuits::circuit_row(input.readout.circuit);
-  if (!circuit.noise.empty()) {
-    result.readout.parameters.insert_or_assign(std::string(circuit.noise), 0.0);
+  for (const circuits::CircuitRow& circuit : circuits::circuits()) {
+    const auto silence = [&](laws::LawValues& values) {
+      const auto known = values.find(circuit.noise);
+      if (!circuit.noise.empty() && known != values.end()) {
+        known->second = 0.0;
+      }
+    };
+    silence(result.readout.parameters);
+    for (Taxel& taxel : result.readout.taxels) {
+      silence(taxel.parameters);
+    }
   }
   return result;
+}
+
+/// Whether an instrument reads the electrode or a taxel.
+bool has_instrument(const Readout& readout) {
+  bool found = bool(circuits::circuit(readout.circuit, readout.parameters).read);
+  for (std::size_t i = 0; i < readout.taxels.size() && !found; ++i) {
+    found = bool(circuits::circuit(readout.circuit_of(i), readout.parameters_of(i)).read);
+  }
+  return found;
 }
 
 /// The coarser runs that tell the parts of a run of both studies.
@@ -208,7 +225,7 @@ ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanic
       [](const Case& own, const MechanicsRecord& record, const electrochemistry::IonSolution& its) {
         return read_out(own, record, its, 1);
       });
-  const bool noisy = quiet.readout.parameters != input.readout.parameters;
+  const bool noisy = has_instrument(input.readout);
   const Signals& base =
       results.emplace(run, noisy ? read_out(quiet, mechanics, ions, threads) : signals)
           .first->second;

@@ -200,6 +200,15 @@ void require_voltage(const FitModel& model, const FitData& data) {
                   with_voltage);
 }
 
+void require_one_electrode(const FitModel& model) {
+  if (model.start_case().readout.is_cut()) {
+    throw UserError("readout.taxel_circuit: a fit compares the signals of the whole top electrode, "
+                    "and here taxels have circuits of their own\n"
+                    "  = set readout.taxel_circuit = \"shared\", and remove the circuits of single "
+                    "taxels");
+  }
+}
+
 void require_rows(const FitModel& model, const FitData& data) {
   if (data.values.size() <= model.parameters().size()) {
     throw UserError(fmt::format("{} rows of data cannot fix {} free keys\n  = give more rows than "
@@ -250,6 +259,7 @@ FitResult summarise(FitModel& model, const FitData& data, const Misfit& misfit,
 } // namespace
 
 void prepare(FitData& data, FitModel& model) {
+  require_one_electrode(model);
   require_voltage(model, data);
   const auto [begin, end] = model.span();
   restrict_to_run(data, begin, end);

@@ -33,7 +33,16 @@ void warn_about_common_current(const Case& input, const readout::SignalTable& si
   const double common = readout::rms_of_step_means(time, signals.column("current_common").values);
   const double difference =
       readout::rms_of_step_means(time, signals.column("current_difference").values);
-  if (laws::coupling_law(input.coupling.law).traits.makes_net_charge && common > difference) {
+  if (!laws::coupling_law(input.coupling.law).traits.makes_net_charge || common <= difference) {
+    return;
+  }
+  if (input.readout.is_cut()) {
+    warnings.push_back(
+        "The common part of the charges dominates in current_top_NAME of taxels.csv: an instrument "
+        "between a taxel and the bottom electrode reads current_circuit_NAME only. Compare that "
+        "one "
+        "with a measurement, or take a neutral law (coupling.law = \"column-neutral\").");
+  } else {
     warnings.push_back(fmt::format(
         "The common part of the electrode currents dominates, {:.3g} times the difference: an "
         "ammeter between the electrodes reads current_difference only. Compare that one with a "
@@ -233,7 +242,7 @@ std::vector<std::string> collect_warnings(const Case& input, const MechanicsReco
 std::vector<std::string> error_warnings(const Case& input, const ErrorEstimate& errors) {
   std::vector<std::string> warnings;
   const auto tail = errors.relative.find("tail_current_difference");
-  if (circuits::circuit_row(input.readout.circuit).holds_potential &&
+  if (circuits::circuit_row(input.readout.circuit).holds_potential && !input.readout.is_cut() &&
       tail != errors.relative.end() && tail->second > error_limit) {
     warnings.push_back(fmt::format(
         "The error of the difference current between the contact spikes is estimated at {}. "

@@ -19,6 +19,8 @@
 #include "ionskin/study/stations/sample_noise.hpp"
 #include "ionskin/study/stations/slip_metrics.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -186,6 +188,36 @@ void add_ion_metrics(const Case& input, const IonSolution& ions,
   metrics.push_back({"max_potential", readout::peak_magnitude(ions.max_potential), "V"});
 }
 
+/// What the instruments of the taxels show.
+void add_readings(const Readout& readout, const IonSolution& ions, Signals& signals) {
+  for (std::size_t i = 0; i < readout.taxels.size(); ++i) {
+    const circuits::Circuit circuit =
+        circuits::circuit(readout.circuit_of(i), readout.parameters_of(i));
+    if (!readout.has_own_circuit(i) || !circuit.read) {
+      continue;
+    }
+    const circuits::InstrumentReading reading =
+        circuit.read(ions.time, ions.top_segments[i].passed);
+    readout::add_reading(readout.taxels[i].name, reading, *signals.taxels);
+    for (const std::string& warning : reading.warnings) {
+      signals.warnings.push_back(fmt::format("Taxel {}: {}", readout.taxels[i].name, warning));
+    }
+  }
+}
+
+/// The largest voltage of a taxel, and how much of a signal the next one shows.
+void add_circuits_of_taxels(const Readout& readout, const IonSolution& ions, Signals& signals) {
+  if (!readout.is_cut()) {
+    return;
+  }
+  add_readings(readout, ions, signals);
+  signals.metrics.push_back(
+      {"peak_taxel_voltage", readout::largest_of_taxels(*signals.taxels, "voltage_"), "V"});
+  if (ions.taxel_crosstalk) {
+    signals.metrics.push_back({"taxel_crosstalk", *ions.taxel_crosstalk, "1"});
+  }
+}
+
 void add_taxels(const IonSolution& ions, bool moves_water, Signals& signals) {
   if (ions.top_segments.empty()) {
     return;
@@ -193,7 +225,8 @@ void add_taxels(const IonSolution& ions, bool moves_water, Signals& signals) {
   std::vector<readout::TaxelCharge> charges;
   for (const auto& segment : ions.top_segments) {
     charges.push_back({segment.name, segment.charge,
-                       moves_water ? segment.bottom_charge : std::vector<double>{}});
+                       moves_water ? segment.bottom_charge : std::vector<double>{}, segment.voltage,
+                       segment.passed});
   }
   signals.taxels = readout::taxel_signals(ions.time, charges);
   signals.metrics.push_back(
@@ -260,6 +293,38 @@ double value_of(const std::vector<readout::Metric>& metrics, const std::string& 
   return found == metrics.end() ? 0.0 : found->value;
 }
 
+/// Of a sample of the taxel with a circuit of its own that has the largest signal: a voltage where
+/// any taxel has one.
+void add_noise_of_taxel(const Case& input, const MechanicsRecord& mechanics,
+                        const IonSolution& ions, Signals& signals) {
+  const Readout& readout = input.readout;
+  std::optional<std::size_t> strongest;
+  bool of_voltage = false;
+  double peak = 0;
+  for (std::size_t i = 0; i < readout.taxels.size(); ++i) {
+    if (!readout.has_own_circuit(i)) {
+      continue;
+    }
+    const bool has_voltage = !circuits::circuit_row(readout.circuit_of(i)).holds_potential;
+    const std::string column =
+        (has_voltage ? "voltage_" : "current_circuit_") + readout.taxels[i].name;
+    const double largest = readout::peak_magnitude(signals.sampled_taxels->column(column).values);
+    if (!strongest || has_voltage > of_voltage || (has_voltage == of_voltage && largest > peak)) {
+      strongest = i, of_voltage = has_voltage, peak = largest;
+    }
+  }
+  Case taxel = input; // the cell below it
+  taxel.skin.length = readout.taxels[*strongest].upper[0] - readout.taxels[*strongest].lower[0];
+  taxel.skin.width = readout.taxels[*strongest].upper[1] - readout.taxels[*strongest].lower[1];
+  taxel.readout.circuit = readout.circuit_of(*strongest);
+  taxel.readout.parameters = readout.parameters_of(*strongest);
+  const SampleNoise noise = sample_noise(taxel, peak, ions.time.back() - ions.time.front());
+  for (const auto& found : {precursor_metrics(input, mechanics, signals.resolved, 0.0),
+                            noise_metrics(noise, peak, of_voltage ? "V" : "A")}) {
+    signals.metrics.insert(signals.metrics.end(), found.begin(), found.end());
+  }
+}
+
 /// Of a sample, and what it leaves to be seen before full slip.
 void add_noise(const Case& input, const MechanicsRecord& mechanics, const IonSolution& ions,
                Signals& signals) {
@@ -300,21 +365,29 @@ Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonS
   if (const auto identity = charge_identity(input, mechanics, ions, threads)) {
     signals.metrics.push_back(*identity);
   }
-  add_noise(input, mechanics, ions, signals);
+  if (!input.readout.is_cut()) {
+    add_noise(input, mechanics, ions, signals);
+  }
   add_ion_metrics(input, ions, signals.resolved, signals.metrics);
   const bool moves_water = ionskin::moves_water(input);
   const circuits::Circuit circuit =
       circuits::circuit(input.readout.circuit, input.readout.parameters);
   add_taxels(ions, moves_water, signals);
+  add_circuits_of_taxels(input.readout, ions, signals);
   if (moves_water) {
     add_water(input, circuit, mechanics, ions, signals);
   }
-  add_circuit(circuit, ions, signals);
+  if (!input.readout.is_cut()) {
+    add_circuit(circuit, ions, signals);
+  }
   const double interval = input.readout.sample_interval;
   if (signals.taxels) {
     signals.sampled_taxels = readout::sample_table(*signals.taxels, interval);
     signals.metrics.push_back({"peak_sampled_taxel_current",
                                readout::largest_taxel_current(*signals.sampled_taxels), "A"});
+    if (input.readout.is_cut()) {
+      add_noise_of_taxel(input, mechanics, ions, signals);
+    }
   }
   if (signals.circuit) {
     signals.sampled_circuit = readout::sample_table(*signals.circuit, interval);

@@ -81,8 +81,9 @@ bool is_consistent(const IonCheckpoint& checkpoint) {
   return state.next_step > 0 && std::isfinite(state.next_step) &&
          std::isfinite(state.charge_scale) && !state.ions.values.empty() &&
          state.rate.size() == state.ions.values.size() && finite(state.ions.values) &&
-         finite(state.rate) && solution.time.size() == checkpoint.step + 1 &&
-         finite(solution.time) && std::is_sorted(solution.time.begin(), solution.time.end());
+         finite(state.rate) && finite(state.electrode_charge) &&
+         solution.time.size() == checkpoint.step + 1 && finite(solution.time) &&
+         std::is_sorted(solution.time.begin(), solution.time.end());
 }
 
 void write_water(results::Hdf5File& file, const poroelasticity::WaterState& water) {
@@ -110,6 +111,7 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& inpu
   file.set_attribute("/", "step", static_cast<double>(checkpoint.step));
   file.write("/state/ions", checkpoint.state.ions.values);
   file.write("/state/rate", checkpoint.state.rate);
+  file.write("/state/electrode_charge", checkpoint.state.electrode_charge);
   file.set_attribute("/state", "next_step", checkpoint.state.next_step);
   file.set_attribute("/state", "charge_scale", checkpoint.state.charge_scale);
   if (checkpoint.state.memory) {
@@ -133,6 +135,9 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& inpu
     file.write(dataset, solution.top_segments[i].charge);
     file.set_attribute(dataset, "name", solution.top_segments[i].name);
     file.write(fmt::format("/bottom_segments/{:06}", i), solution.top_segments[i].bottom_charge);
+    file.write(fmt::format("/segment_voltages/{:06}", i), solution.top_segments[i].voltage);
+    file.write(fmt::format("/segment_circuits/{:06}", i), solution.top_segments[i].passed);
+    file.write(fmt::format("/segment_others/{:06}", i), solution.top_segments[i].bypassed);
   }
   for (std::size_t i = 0; i < solution.snapshots.size(); ++i) {
     const IonSnapshot& snapshot = solution.snapshots[i];
@@ -162,6 +167,10 @@ std::optional<IonCheckpoint> read_checkpoint(const std::filesystem::path& path,
   checkpoint.step = static_cast<std::size_t>(file.number_attribute("/", "step").value_or(0));
   checkpoint.state.ions.values = file.read("/state/ions");
   checkpoint.state.rate = file.read("/state/rate");
+  const auto read_if_there = [&file](const std::string& dataset) {
+    return file.has(dataset) ? file.read(dataset) : std::vector<double>();
+  };
+  checkpoint.state.electrode_charge = read_if_there("/state/electrode_charge");
   checkpoint.state.next_step = file.number_attribute("/state", "next_step").value_or(0);
   checkpoint.state.charge_scale = file.number_attribute("/state", "charge_scale").value_or(0);
   if (file.has("/water")) {
@@ -182,8 +191,10 @@ std::optional<IonCheckpoint> read_checkpoint(const std::filesystem::path& path,
   if (file.has("/segments")) {
     for (const std::string& name : file.members("/segments")) {
       const std::string dataset = "/segments/" + name;
-      solution.top_segments.push_back({file.text_attribute(dataset, "name").value_or(""),
-                                       file.read(dataset), file.read("/bottom_segments/" + name)});
+      solution.top_segments.push_back(
+          {file.text_attribute(dataset, "name").value_or(""), file.read(dataset),
+           file.read("/bottom_segments/" + name), read_if_there("/segment_voltages/" + name),
+           read_if_there("/segment_circuits/" + name), read_if_there("/segment_others/" + name)});
     }
   }
   if (file.has("/snapshots")) {

@@ -35,6 +35,7 @@ TEST(Schema, EveryChoiceOfThisVersionCanBeSet) {
     for (const Choice& choice : row.choices) {
       CaseDraft draft;
       draft.input.skin.layers.resize(1);
+      draft.input.readout.taxels.resize(1);
       if (choice.in_this_version)
         EXPECT_NO_THROW(row.set(draft, {}, {choice.name, {}})) << row.key << " " << choice.name;
       else

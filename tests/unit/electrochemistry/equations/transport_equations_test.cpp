@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace ionskin::electrochemistry {
@@ -131,7 +133,38 @@ TEST_F(Equations, ClosedPreconditionerDoesSoWithACircuit) {
   const IonState direction = test::wavy_state(grid);
   std::vector<double> image(2 * grid.nodes()), back(image);
   equations.apply_jacobian(direction.values, image);
-  preconditioner.apply(problem.circuit, image, back);
+  preconditioner.apply(problem, image, back);
+  for (std::size_t i = 0; i < back.size(); ++i) {
+    EXPECT_NEAR(back[i], direction.values[i], 3e-5) << i;
+  }
+}
+
+/// One conductor held, two behind circuits, a column shared by two of them.
+TEST_F(Equations, ClosedPreconditionerDoesSoWithConductors) {
+  const std::size_t columns = grid.columns();
+  std::vector<TopConductor> conductors(
+      3, TopConductor{std::vector<double>(columns, 0.0), ScaledAdmittance{}});
+  for (std::size_t i = 0; i < columns; ++i) {
+    conductors[3 * i / columns].share[i] = 1.0;
+  }
+  conductors[0].share[0] = 0.25;
+  conductors[1].share[0] = 0.75;
+  const TopElectrodes electrodes(std::move(conductors));
+  const double held = std::numeric_limits<double>::infinity();
+  const ElectrodeStage stage{{0.1, 0.2, 0.3}, {0.02, held, 0.0}};
+  problem.electrodes = &stage;
+
+  IonState state(grid.nodes());
+  std::ranges::fill(state.concentration(), 1.2);
+  TransportEquations equations(grid, team, std::nullopt, &electrodes);
+  ClosedPreconditioner preconditioner(grid, team, std::nullopt, &electrodes);
+  equations.linearise(problem, state);
+  preconditioner.factorise(state, problem.step);
+  IonState direction = test::wavy_state(grid);
+  electrodes.spread(std::vector{0.7, 0.0, -0.4}, direction.potential().last(columns));
+  std::vector<double> image(2 * grid.nodes()), back(image);
+  equations.apply_jacobian(direction.values, image);
+  preconditioner.apply(problem, image, back);
   for (std::size_t i = 0; i < back.size(); ++i) {
     EXPECT_NEAR(back[i], direction.values[i], 3e-5) << i;
   }

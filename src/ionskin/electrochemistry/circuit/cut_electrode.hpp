@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/electrochemistry/circuit/top_electrodes.hpp"
+#include "ionskin/electrochemistry/grid/derived_scales.hpp"
+#include "ionskin/electrochemistry/grid/mid_width_mirror.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace ionskin::electrochemistry {
+
+/// The top electrode of a case whose taxels have circuits of their own.
+struct CutElectrode {
+  TopElectrodes conductors; ///< on the solved part of the grid
+  /// Of each segment (see `make_electrode_segments`) the conductor that it is part of.
+  std::vector<std::size_t> conductor_of_segment;
+  /// Of each conductor the row that it is read with; nothing for the electrode, and without a scan.
+  std::vector<std::optional<std::size_t>> row_of_conductor;
+  /// Of each conductor: the whole grid has so many times the charge of the solved part.
+  std::vector<double> copies;
+
+  /// The circuits of the conductors while a row is read.
+  std::vector<std::optional<ScaledAdmittance>> circuits(const Scan& scan, std::size_t row) const;
+};
+
+/// Instants between two others [s] at which a scan goes to the next row; none without a scan.
+/// Throws UserError where they are too many.
+std::vector<double> scan_switches(const Readout& readout, double begin, double end);
+
+/// Whether the circuits of the taxels are their own mirror image about mid-width.
+bool taxels_are_mirrored(const Readout& readout, double width);
+
+/// Nothing where the top electrode is one conductor. A taxel with a circuit of its own is a
+/// conductor; the other taxels and what no taxel covers are the electrode, which has that of the
+/// electrode. Taxels that mirror each other about mid-width, where half of the skin is solved, are
+/// one conductor. Strips between taxels that are narrower than a hundredth of a column are none.
+/// @param grid the whole one
+std::optional<CutElectrode> cut_electrode(const Case& input, const DerivedScales& scales,
+                                          const TransportGrid& grid, const MidWidthMirror& mirror);
+
+} // namespace ionskin::electrochemistry
