@@ -50,6 +50,9 @@ int main(int argc, char** argv) {
     if (const auto* generate_options = std::get_if<GenerateOptions>(&*command)) {
       return generate(*generate_options);
     }
+    if (const auto* motion_options = std::get_if<MotionOptions>(&*command)) {
+      return motion(*motion_options);
+    }
     if (const auto* report_options = std::get_if<ReportOptions>(&*command)) {
       return report(*report_options);
     }

@@ -23,4 +23,7 @@ void add_fit_bindings(pybind11::module_& module);
 /// key_quantity.
 void add_key_bindings(pybind11::module_& module);
 
+/// Tables of numbers from elsewhere, and units.
+void add_table_bindings(pybind11::module_& module);
+
 } // namespace ionskin::python

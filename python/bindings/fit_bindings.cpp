@@ -37,7 +37,7 @@ py::tuple fit(Model& self, const std::string& column, const std::string& unit,
     const double start = base::wall_time();
     study::prepare(data, self.model);
     self.progress = progress.callback();
-    result = study::fit(self.model, data, self.progress);
+    result = study::fit(self.model, data, self.progress, [](const std::string&) {});
     text = study::fit_json_text(result, self.model, data, base::wall_time() - start);
   });
   return py::make_tuple(text, data.time, data.values, result.fitted);

@@ -190,4 +190,5 @@ PYBIND11_MODULE(_ionskin_solver, module) {
   module.def("sweep", &sweep);
   python::add_fit_bindings(module);
   python::add_key_bindings(module);
+  python::add_table_bindings(module);
 }

@@ -16,10 +16,11 @@ from .design import Design
 from .errors import CaseError, SolverError
 from .fit_results import Fit
 from .fitting import FitModel, fit
+from .reading.recording import motion
 from .results import Metric, Results, Table
 from .running import run, sweep
 from .sweep_results import Study, Sweep, open_results
 from .uncertainty import Analysis, Uncertainty
 
 __all__ = ["Analysis", "Case", "CaseError", "ClusterError", "Design", "Fit", "FitModel", "Metric", "Results", "SolverError",
-           "Study", "Sweep", "Table", "Uncertainty", "Value", "fit", "open_results", "run", "sweep"]
+           "Study", "Sweep", "Table", "Uncertainty", "Value", "fit", "motion", "open_results", "run", "sweep"]

@@ -13,7 +13,8 @@ from .results import read_json, read_table, whole
 class Estimate(NamedTuple):
     """One fitted key: its value with the ends of its 95 % interval, in the SI unit.
 
-    Ends that the data do not tell are None. log_standard_error: of the logarithm of the value; None likewise.
+    Ends that the data do not tell are None. log_standard_error: of the logarithm of the value; None likewise, and of a
+    key of the data (data.time_shift, ...), whose interval is symmetric.
     """
 
     value: float

@@ -17,7 +17,8 @@ from .running import Progress, solve_settings
 class FitModel:
     """A case as a function of a few of its keys, to be fitted to one set of data after another.
 
-    free     keys of single real numbers, not 0 in the case, from which the fit starts; their signs stay
+    free     keys of single real numbers, not 0 in the case, from which the fit starts; their signs stay. Of the data:
+             data.time_shift, data.baseline, data.drift, data.gain, whose starts the fit finds itself
     threads  at most so many; 0: all processors
     cache    has no effect any more
 
@@ -28,7 +29,7 @@ class FitModel:
         self._model = solver.load().FitModel(case, list(free), threads)
 
     def fit(self, time, values, column: str = "current_difference", *, progress: Progress | None = None) -> Fit:
-        """Least squares in the logarithms of the keys.
+        """Least squares in the logarithms of the keys of the case, and in those of the data as they are.
 
         time, values  arrays [rows]: strictly ascending instants [s], and the signal in its SI unit; rows with NaN are
                       passed over
@@ -40,8 +41,16 @@ class FitModel:
         units = solver.load().fit_columns()
         if column not in units:
             raise CaseError(f"{column} is no signal to fit\n  = known: {', '.join(units)}")
-        if time.ndim != 1 or time.shape != values.shape or not (numpy.diff(time) > 0).all():
-            raise CaseError("time and values must be of one length, and the time must ascend")
+        if time.ndim != 1 or time.shape != values.shape:
+            raise CaseError("time and values must be of one length, each a single row")
+        if not numpy.isfinite(time).all():
+            raise CaseError("a time is no number")
+        behind = numpy.flatnonzero(numpy.diff(time) <= 0)
+        if len(behind):
+            now, before = time[behind[0] + 1], time[behind[0]]
+            raise CaseError(f"the time {now:.12g} s stands twice: average the values of one time, or drop all but one"
+                            if now == before else f"the time must ascend, and {now:.12g} s comes behind {before:.12g} s: "
+                            "sort the rows by time")
         known = numpy.isfinite(values)
         main = threading.current_thread() is threading.main_thread()
         return Fit.from_text(*self._model.fit(column, units[column], time[known].tolist(), values[known].tolist(), main,

@@ -34,7 +34,7 @@ void set_when_parsed(CLI::App& verb, const std::shared_ptr<Options>& options, Co
 
 /// sweep, fit, report, compare and studio.
 void add_study_verbs(CLI::App& app, Command& command);
-/// uncertainty, design and generate: many trials of a case.
+/// uncertainty, design and generate: many trials of a case. And motion, of a recording.
 void add_trial_verbs(CLI::App& app, Command& command);
 /// doctor, cache, keys, completion, man and cite.
 void add_help_verbs(CLI::App& app, Command& command);

@@ -108,12 +108,58 @@ void add_generate(CLI::App& app, Command& command) {
   set_when_parsed(*verb, options, command);
 }
 
+void add_motion(CLI::App& app, Command& command) {
+  auto options = std::make_shared<MotionOptions>();
+  CLI::App* verb = app.add_subcommand(
+      "motion", "Make a path of waypoints from recordings of a robot, and say what was done");
+  verb->add_option("recording", options->recordings,
+                   "CSV file; of several the first gives the instants")
+      ->required()
+      ->type_name("FILE.csv");
+  verb->add_option("-o,--output", options->output, "File of the path, such as path.csv")
+      ->required()
+      ->type_name("PATH.csv");
+  add_list(
+      *verb, "--column", options->columns,
+      "Which column is what, where its name does not tell: \"z=tip height [mm]\"; roles: time, "
+      "x, y, z, qx, qy, qz, qw, fx, fy, fz, height, force",
+      "ROLE=NAME");
+  const auto text = [&](const char* name, std::string& value, const char* help, const char* type) {
+    verb->add_option(name, value, help)->type_name(type);
+  };
+  text("--origin", options->origin,
+       "Corner (0, 0) of the skin's top face in the recording's frame: \"0.4 m, -0.1 m, 32 mm\"",
+       "X,Y,Z");
+  text("--x-axis", options->x_axis, "Direction of the skin's x there: 0,1,0", "X,Y,Z");
+  text("--y-axis", options->y_axis, "Direction of the skin's y there", "X,Y,Z");
+  text("--tool", options->tool,
+       "Tip of the finger from the tracked point, in the frame that the quaternion turns", "X,Y,Z");
+  verb->add_option("--force-in", options->force_in, "Frame of the force's components")
+      ->check(CLI::IsMember({"skin", "recording", "tool"}))
+      ->capture_default_str();
+  verb->add_option("--level", options->level,
+                   "What leads in contact: auto takes the force where there is one")
+      ->check(CLI::IsMember({"auto", "height", "force"}))
+      ->capture_default_str();
+  text("--contact-force", options->contact_force,
+       "Force above which the finger touches (default: above the noise)", "FORCE");
+  verb->add_flag("--tare", options->tare, "Subtract the force at rest");
+  text("--gap", options->gap, "Height off the skin where none is recorded (default: 1 mm)",
+       "LENGTH");
+  text("--rate", options->rate, "Resample to so many rows a second, such as 100Hz", "FREQUENCY");
+  text("--filter", options->filter, "Low-pass without delay, 3 dB at such as 20Hz", "FREQUENCY");
+  add_overwrite_option(*verb, options->overwrite);
+  verb->add_flag("-q,--quiet", options->quiet, "Print errors only");
+  set_when_parsed(*verb, options, command);
+}
+
 } // namespace
 
 void add_trial_verbs(CLI::App& app, Command& command) {
   add_uncertainty(app, command);
   add_design(app, command);
   add_generate(app, command);
+  add_motion(app, command);
 }
 
 } // namespace ionskin::apps

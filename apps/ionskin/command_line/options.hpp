@@ -110,6 +110,19 @@ struct GenerateOptions : TrialOptions {
   std::uint64_t seed = 1;
 };
 
+/// A path of waypoints from recordings, which ionskin's Python package makes. Texts as written,
+/// empty for what the recording tells.
+struct MotionOptions {
+  std::vector<std::string> recordings;
+  std::string output;
+  std::vector<std::string> columns; ///< "ROLE=NAME" or "ROLE=NAME [unit]"
+  std::string origin, x_axis, y_axis, tool, force_in = "skin", level = "auto";
+  std::string contact_force, gap, rate, filter;
+  bool tare = false;
+  bool overwrite = false;
+  bool quiet = false;
+};
+
 struct ReportOptions {
   std::string folder;
   std::vector<std::string> figures; ///< only these, as files; empty for the page
@@ -162,10 +175,11 @@ struct LiveOptions {
   LogFormat log = LogFormat::automatic;
 };
 
-using Command = std::variant<InitOptions, CheckOptions, RunOptions, SweepOptions, FitOptions,
-                             UncertaintyOptions, DesignOptions, GenerateOptions, ImpedanceOptions,
-                             LiveOptions, ReportOptions, CompareOptions, VerifyOptions,
-                             StudioOptions, DoctorOptions, CiteOptions, ClusterOptions, KeysOptions,
-                             CompletionOptions, ManualOptions, CacheOptions>;
+using Command =
+    std::variant<InitOptions, CheckOptions, RunOptions, SweepOptions, FitOptions,
+                 UncertaintyOptions, DesignOptions, GenerateOptions, MotionOptions,
+                 ImpedanceOptions, LiveOptions, ReportOptions, CompareOptions, VerifyOptions,
+                 StudioOptions, DoctorOptions, CiteOptions, ClusterOptions, KeysOptions,
+                 CompletionOptions, ManualOptions, CacheOptions>;
 
 } // namespace ionskin::apps

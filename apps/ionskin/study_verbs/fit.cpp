@@ -9,14 +9,31 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace ionskin::apps {
 namespace {
+
+/// So many digits that the ends of the interval differ.
+int digits(const study::FittedParameter& fitted) {
+  const double width = std::abs(fitted.upper_95 - fitted.lower_95);
+  const double ratio = std::abs(fitted.value) / width;
+  return std::isfinite(ratio) && ratio > 0
+             ? std::clamp(2 + static_cast<int>(std::ceil(std::log10(ratio))), 6, 16)
+             : 6;
+}
 
 void print_result(const study::FitResult& result, const FitOptions& options) {
   for (const auto& fitted : result.parameters) {
     const std::string unit = fitted.parameter.unit == "1" ? "" : " " + fitted.parameter.unit;
-    fmt::print("{:<34} {:.6g}{}  (95 %: {:.6g} to {:.6g}; start {:.6g})\n", fitted.parameter.key,
-               fitted.value, unit, fitted.lower_95, fitted.upper_95, fitted.parameter.start);
+    const int places = digits(fitted);
+    const std::string interval =
+        std::isfinite(fitted.lower_95)
+            ? fmt::format("{:.{}g} to {:.{}g}", fitted.lower_95, places, fitted.upper_95, places)
+            : "not told by the data";
+    fmt::print("{:<34} {:.{}g}{}  (95 %: {}; start {:.6g})\n", fitted.parameter.key, fitted.value,
+               places, unit, interval, fitted.parameter.start);
   }
   fmt::print("explained {:.4f} of the variance; condition number {:.3g}; {} iterations\n",
              result.statistics.explained, result.statistics.condition_number, result.iterations);
@@ -41,6 +58,7 @@ int fit(const FitOptions& options, const std::string& command) {
     ProgressDisplay display(options.log);
     auto settings = study_settings<study::FitOptions>(options, command, display);
     settings.resume = options.resume;
+    settings.note = [&display](const std::string& text) { display.tell("note: " + text); };
     result = study::run_fit(request, settings);
   }
   if (options.log != LogFormat::quiet) {

@@ -40,8 +40,7 @@ Words common(const TrialOptions& options) {
   return words;
 }
 
-int run_trials(const std::string& module, Words words, const TrialOptions& options) {
-  words.insert(words.end(), {"--", options.case_path});
+int run_words(const std::string& module, const Words& words) {
   // The script handles an interrupt and ends with its code; this process waits for it.
   base::install_interrupt_handler();
   const int code = study::run_python_module(module, words, study::PythonErrors::shown).exit_code;
@@ -50,6 +49,11 @@ int run_trials(const std::string& module, Words words, const TrialOptions& optio
                     " cannot be started or was killed\n  = ionskin doctor says what is missing");
   }
   return code;
+}
+
+int run_trials(const std::string& module, Words words, const TrialOptions& options) {
+  words.insert(words.end(), {"--", options.case_path});
+  return run_words(module, words);
 }
 
 } // namespace
@@ -84,6 +88,34 @@ int generate(const GenerateOptions& options) {
   words.insert(words.end(), {fmt::format("--touches={}", options.touches),
                              fmt::format("--seed={}", options.seed)});
   return run_trials("ionskin.generation", words, options);
+}
+
+int motion(const MotionOptions& options) {
+  Words words{word("output", options.output), word("force-in", options.force_in),
+              word("level", options.level)};
+  add_all(words, "column", options.columns);
+  for (const auto& [name, value] : {std::pair{"origin", options.origin},
+                                    {"x-axis", options.x_axis},
+                                    {"y-axis", options.y_axis},
+                                    {"tool", options.tool},
+                                    {"contact-force", options.contact_force},
+                                    {"gap", options.gap},
+                                    {"rate", options.rate},
+                                    {"filter", options.filter}}) {
+    if (!value.empty()) {
+      words.push_back(word(name, value));
+    }
+  }
+  for (const auto& [given, flag] :
+       {std::pair{options.tare, "--tare"}, std::pair{options.overwrite, "--overwrite"},
+        std::pair{options.quiet, "--quiet"}}) {
+    if (given) {
+      words.emplace_back(flag);
+    }
+  }
+  words.emplace_back("--");
+  words.insert(words.end(), options.recordings.begin(), options.recordings.end());
+  return run_words("ionskin.reading.recording", words);
 }
 
 } // namespace ionskin::apps

@@ -17,4 +17,7 @@ int design(const DesignOptions& options);
 /// A store of random touches.
 int generate(const GenerateOptions& options);
 
+/// A path of waypoints from recordings of a robot.
+int motion(const MotionOptions& options);
+
 } // namespace ionskin::apps

@@ -68,6 +68,15 @@ void ProgressDisplay::update(std::string_view activity, double fraction) {
   }
 }
 
+void ProgressDisplay::tell(const std::string& text) {
+  const std::lock_guard lock(mutex_);
+  if (format_ == LogFormat::bar || format_ == LogFormat::lines) {
+    end_bar();
+    put(text + "\n");
+    std::fflush(stderr);
+  }
+}
+
 base::ProgressCallback ProgressDisplay::callback() {
   return [this](std::string_view activity, double fraction) { update(activity, fraction); };
 }

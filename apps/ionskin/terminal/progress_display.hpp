@@ -7,6 +7,7 @@
 
 #include <condition_variable>
 #include <mutex>
+#include <string>
 #include <string_view>
 #include <thread>
 
@@ -25,6 +26,8 @@ public:
   /// @param fraction finished part of the activity in [0, 1]; less than before is taken as before,
   /// but after 1, which begins the activity anew
   void update(std::string_view activity, double fraction);
+  /// Shows a line for readers between the others; JSON lines, and nothing, stay what they are.
+  void tell(const std::string& text);
   /// Updates this display, which must outlive it.
   base::ProgressCallback callback();
 

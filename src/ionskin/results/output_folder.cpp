@@ -226,6 +226,12 @@ void OutputFolder::remove_results() {
   clear_file_list(folder_);
 }
 
+void OutputFolder::discard() {
+  remove_results();
+  std::error_code ignored;
+  fs::remove(folder_ / file_list_name, ignored);
+}
+
 void OutputFolder::remove_staging() {
   std::error_code ignored;
   const fs::path staging = folder_ / file_names::staging;

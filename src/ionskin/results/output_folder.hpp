@@ -42,6 +42,9 @@ public:
   std::filesystem::path own(const std::string& name);
   /// Removes a file that the program wrote, if it is there.
   void remove(const std::string& name);
+  /// Removes all that the program wrote, the list too, as before the work began; for work that the
+  /// input ends before anything is found. What is the user's stays.
+  void discard();
   /// Names of the files that the program wrote here, whether they are still there or not.
   const std::set<std::string>& owned() const { return owned_; }
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 namespace ionskin {
 namespace {
@@ -85,6 +86,7 @@ std::optional<std::vector<std::string>> CsvFile::next() {
   while (at_ < text_.size()) {
     line_ = next_line_;
     if (text_[at_] == '#' || text_.compare(at_, 2, "\"#") == 0) {
+      comment_ = at_;
       at_ = std::min(text_.find_first_of(line_ends, at_), text_.size());
       end_line();
       continue;
@@ -102,6 +104,16 @@ std::optional<std::vector<std::string>> CsvFile::next() {
   }
   line_ = std::max<std::size_t>(line_, 1);
   return std::nullopt;
+}
+
+std::vector<std::string> CsvFile::cells_of_comment() {
+  if (!comment_)
+    return {};
+  const std::size_t at = std::exchange(at_, *comment_), next_line = next_line_;
+  std::vector<std::string> cells = record();
+  at_ = at;
+  next_line_ = next_line;
+  return cells;
 }
 
 bool CsvFile::at_end_of_line() const {

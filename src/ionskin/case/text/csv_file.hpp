@@ -23,6 +23,9 @@ public:
   /// Throws UserError with the line for quotes that do not close, and for numbers whose commas may
   /// as well group thousands.
   std::optional<std::vector<std::string>> next();
+  /// The cells of the last row that begins with # and was passed over, by the separators of the
+  /// others: some programs begin their header so. Empty where there is none.
+  std::vector<std::string> cells_of_comment();
   /// On which the row read last begins, from 1; at the end of the file its last line.
   std::size_t line() const { return line_; }
 
@@ -40,6 +43,7 @@ private:
 
   std::string path_, text_;
   std::size_t at_ = 0, line_ = 0, next_line_ = 1;
+  std::optional<std::size_t> comment_; ///< where the last one begins
   char separator_ = 0;
   std::size_t comma_line_ = 0, point_line_ = 0; ///< of the first such decimal; 0 for none
 };

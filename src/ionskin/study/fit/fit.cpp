@@ -4,8 +4,9 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/circuits/circuit.hpp"
+#include "ionskin/study/fit/data_checks.hpp"
+#include "ionskin/study/fit/misfit.hpp"
 
-#include <ceres/cost_function.h>
 #include <ceres/iteration_callback.h>
 #include <ceres/problem.h>
 #include <ceres/solver.h>
@@ -13,132 +14,35 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
+#include <limits>
 
 namespace ionskin::study {
 namespace {
 
-// Of log parameters. Time steps change with the parameters, so differences must be well above that.
-constexpr double difference = 0.05;
 constexpr double gain_tolerance = 1e-7, step_tolerance = 1e-5; // relative
 constexpr int most_iterations = 50;
-
-/// Residuals and derivatives as Ceres asks for them: scaled, in log parameters.
-class Misfit : public ceres::CostFunction {
-public:
-  Misfit(FitModel& model, const FitData& data) : model_(model), data_(data) {
-    set_num_residuals(static_cast<int>(data.values.size()));
-    mutable_parameter_block_sizes()->push_back(static_cast<int>(model.parameters().size()));
-    double power = 0;
-    for (const double value : data.values) {
-      power += value * value;
-    }
-    scale_ = power > 0 ? std::sqrt(static_cast<double>(data.values.size()) / power) : 1.0;
-  }
-
-  bool Evaluate(const double* const* parameters, double* residuals,
-                double** jacobians) const override {
-    const std::size_t count = model_.parameters().size();
-    const std::vector<double> logs(parameters[0], parameters[0] + count);
-    try {
-      if (!evaluate(logs, residuals)) {
-        return false;
-      }
-      if (jacobians == nullptr || jacobians[0] == nullptr) {
-        return true;
-      }
-      const auto columns = derivatives(logs);
-      if (!columns) {
-        return false;
-      }
-      for (std::size_t row = 0; row < data_.values.size(); ++row) {
-        for (std::size_t i = 0; i < count; ++i) {
-          jacobians[0][row * count + i] = -scale_ * (*columns)[i][row];
-        }
-      }
-      return true;
-    } catch (...) { // must not pass through Ceres
-      failure_ = std::current_exception();
-      return false;
-    }
-  }
-
-  /// Throws again what an evaluation met.
-  void rethrow() const {
-    if (failure_) {
-      std::rethrow_exception(failure_);
-    }
-  }
-  bool failed() const { return failure_ != nullptr; }
-
-  std::vector<double> values(const std::vector<double>& logs) const {
-    std::vector<double> result;
-    for (std::size_t i = 0; i < logs.size(); ++i) {
-      result.push_back(std::copysign(std::exp(logs[i]), model_.parameters()[i].start));
-    }
-    return result;
-  }
-
-  /// Derivatives of the model by the log parameters; nothing where there is no solution.
-  std::optional<Jacobian> derivatives(const std::vector<double>& logs) const {
-    std::vector<std::vector<double>> points;
-    std::vector<double> widths;
-    for (std::size_t i = 0; i < logs.size(); ++i) {
-      const FitParameter& parameter = model_.parameters()[i];
-      std::vector<double> up = logs, down = logs;
-      up[i] = std::min(logs[i] + difference, std::log(parameter.highest));
-      down[i] = std::max(logs[i] - difference, std::log(parameter.lowest));
-      widths.push_back(up[i] - down[i]);
-      points.push_back(values(up));
-      points.push_back(values(down));
-    }
-    const auto answers = model_.answers(data_, points);
-    Jacobian result;
-    for (std::size_t i = 0; i < logs.size(); ++i) {
-      if (!answers[2 * i] || !answers[2 * i + 1]) {
-        return std::nullopt;
-      }
-      std::vector<double>& column = result.emplace_back(*answers[2 * i]);
-      for (std::size_t row = 0; row < column.size(); ++row) {
-        column[row] = (column[row] - (*answers[2 * i + 1])[row]) / widths[i];
-      }
-    }
-    return result;
-  }
-
-private:
-  bool evaluate(const std::vector<double>& logs, double* residuals) const {
-    const auto answer = model_.answers(data_, {values(logs)}).front();
-    if (!answer) {
-      return false;
-    }
-    for (std::size_t row = 0; row < answer->size(); ++row) {
-      residuals[row] = scale_ * (data_.values[row] - (*answer)[row]);
-    }
-    return true;
-  }
-
-  FitModel& model_;
-  const FitData& data_;
-  double scale_ = 1;
-  mutable std::exception_ptr failure_;
-};
+constexpr int most_shortened = 12;   // trials of one step that lead too far, or to no solution
+constexpr double search_ends = 5e-5; // so close to the optimum, in a unit of a coordinate
+constexpr double untold = 1e6;       // an interval of such a factor either way tells nothing
 
 /// Tells the progress and ends the fit on an interrupt.
 class Watch : public ceres::IterationCallback {
 public:
-  Watch(const Misfit& misfit, const base::ProgressCallback& progress)
-      : misfit_(misfit), progress_(progress) {}
+  /// @param at the coordinates, which Ceres keeps up to date
+  Watch(Misfit& misfit, const std::vector<double>& at, const base::ProgressCallback& progress)
+      : misfit_(misfit), at_(at), progress_(progress) {}
 
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
     const int done = std::max(0, summary.iteration);
+    misfit_.accept(at_);
     progress_("least squares", 1.0 - std::pow(0.7, done));
     return misfit_.failed() || base::interrupt_requested() ? ceres::SOLVER_ABORT
                                                            : ceres::SOLVER_CONTINUE;
   }
 
 private:
-  const Misfit& misfit_;
+  Misfit& misfit_;
+  const std::vector<double>& at_;
   const base::ProgressCallback& progress_;
 };
 
@@ -149,38 +53,60 @@ ceres::Solver::Options solver_options(Watch& watch) {
   options.max_num_iterations = most_iterations;
   options.function_tolerance = gain_tolerance;
   options.parameter_tolerance = step_tolerance;
+  options.max_num_consecutive_invalid_steps = most_shortened;
+  options.update_state_every_iteration = true;
   options.callbacks.push_back(&watch);
   return options;
 }
 
-void set_bounds(ceres::Problem& problem, double* logs, const FitModel& model) {
+void set_bounds(ceres::Problem& problem, double* coordinates, const FitModel& model) {
   for (std::size_t i = 0; i < model.parameters().size(); ++i) {
     const FitParameter& parameter = model.parameters()[i];
+    if (is_data_key(parameter.key)) {
+      continue;
+    }
     if (parameter.lowest > 0) {
-      problem.SetParameterLowerBound(logs, static_cast<int>(i), std::log(parameter.lowest));
+      problem.SetParameterLowerBound(coordinates, static_cast<int>(i), std::log(parameter.lowest));
     }
     if (std::isfinite(parameter.highest)) {
-      problem.SetParameterUpperBound(logs, static_cast<int>(i), std::log(parameter.highest));
+      problem.SetParameterUpperBound(coordinates, static_cast<int>(i), std::log(parameter.highest));
     }
   }
 }
 
-std::vector<double> start_logs(const FitModel& model) {
-  std::vector<double> logs;
+std::vector<double> start_values(const FitModel& model, DataAdjustment adjustment) {
+  std::vector<double> values;
   for (const FitParameter& parameter : model.parameters()) {
-    logs.push_back(std::log(std::abs(parameter.start)));
+    values.push_back(is_data_key(parameter.key) ? adjustment.of(parameter.key) : parameter.start);
   }
-  return logs;
+  return values;
 }
 
-void require_start(FitModel& model, const FitData& data) {
-  std::vector<double> start;
-  for (const FitParameter& parameter : model.parameters()) {
-    start.push_back(parameter.start);
-  }
-  if (!model.answers(data, {start}).front()) {
+FitModel::Ions solve_start(FitModel& model) {
+  FitModel::Ions ions = model.solutions({start_values(model, {})}).front();
+  if (!ions) {
     throw SolverError("the case that the fit starts from has no solution: " + model.last_failure(),
                       "start from other values of the free keys");
+  }
+  return ions;
+}
+
+bool frees_time_shift(const FitModel& model) {
+  return std::ranges::any_of(model.parameters(),
+                             [](const auto& one) { return one.key == "data.time_shift"; });
+}
+
+/// Rows that lie behind the end of the run, by more than an interval, once the shift is taken off.
+void drop_late_rows(FitData& data, double end, std::vector<std::string>& warnings) {
+  const std::size_t rows = data.time.size();
+  const double interval = rows > 1 ? (data.time.back() - data.time.front()) / (rows - 1.0) : 0;
+  const auto kept = static_cast<std::size_t>(std::ranges::upper_bound(data.time, end + interval) -
+                                             data.time.begin());
+  if (kept < rows) {
+    warnings.push_back(fmt::format("{} of {} rows lie behind the end of the run and are left out.",
+                                   rows - kept, rows));
+    data.time.resize(kept);
+    data.values.resize(kept);
   }
 }
 
@@ -217,19 +143,29 @@ void require_rows(const FitModel& model, const FitData& data) {
   }
 }
 
-FittedParameter fitted(const FitParameter& parameter, double value, double half_width) {
-  const double near = value * std::exp(-half_width), far = value * std::exp(half_width);
+/// @param scale of the coordinate, 0 for a logarithm @param half_width of the interval there
+FittedParameter fitted(const FitParameter& parameter, double value, double scale,
+                       double half_width) {
+  if (scale > 0) {
+    const double half = scale * half_width;
+    return {parameter, value, value - half, value + half, false};
+  }
   const double size = std::abs(value);
   const bool held = size <= parameter.lowest * (1 + 1e-6) || size >= parameter.highest * (1 - 1e-6);
+  if (!(half_width < std::log(untold))) {
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    return {parameter, value, unknown, unknown, held};
+  }
+  const double near = value * std::exp(-half_width), far = value * std::exp(half_width);
   return {parameter, value, std::min(near, far), std::max(near, far), held};
 }
 
 FitResult summarise(FitModel& model, const FitData& data, const Misfit& misfit,
-                    const std::vector<double>& logs) {
+                    const std::vector<double>& start, const std::vector<double>& optimum) {
   FitResult result;
-  const std::vector<double> values = misfit.values(logs);
-  result.fitted = *model.answers(data, {values}).front();
-  const auto jacobian = misfit.derivatives(logs);
+  const std::vector<double> values = misfit.values(optimum);
+  result.fitted = *misfit.fitted(optimum);
+  const auto jacobian = misfit.derivatives(optimum);
   if (!jacobian) {
     throw SolverError("there is no solution close to the fitted values: " + model.last_failure(),
                       "start from other values of the free keys");
@@ -240,11 +176,16 @@ FitResult summarise(FitModel& model, const FitData& data, const Misfit& misfit,
   }
   result.statistics = fit_statistics(data.values, residuals, *jacobian);
   std::vector<std::string> keys;
-  for (std::size_t i = 0; i < logs.size(); ++i) {
-    const FitParameter& parameter = model.parameters()[i];
+  for (std::size_t i = 0; i < optimum.size(); ++i) {
+    FitParameter parameter = model.parameters()[i];
+    parameter.start = start[i];
+    if (is_data_key(parameter.key)) {
+      parameter.unit = data_key_unit(parameter.key, data.unit);
+    }
     keys.push_back(parameter.key);
     result.parameters.push_back(
-        fitted(parameter, values[i], result.statistics.quantile * result.statistics.log_error[i]));
+        fitted(parameter, values[i], misfit.scale(i),
+               result.statistics.quantile * result.statistics.log_error[i] + search_ends));
     if (result.parameters.back().at_bound) {
       result.warnings.push_back(
           fmt::format("{} = {:.6g} is at the end of its range: its interval says nothing.", keys[i],
@@ -262,20 +203,37 @@ void prepare(FitData& data, FitModel& model) {
   require_one_electrode(model);
   require_voltage(model, data);
   const auto [begin, end] = model.span();
-  restrict_to_run(data, begin, end);
+  if (!frees_time_shift(model)) {
+    restrict_to_run(data, begin, end);
+  }
   require_rows(model, data);
+  require_signal(data);
 }
 
-FitResult fit(FitModel& model, const FitData& data, const base::ProgressCallback& progress) {
-  require_start(model, data);
-  std::vector<double> logs = start_logs(model);
-  Misfit misfit(model, data);
-  Watch watch(misfit, progress);
+FitResult fit(FitModel& model, FitData& data, const base::ProgressCallback& progress,
+              const FitNote& note) {
+  const FitModel::Ions start_ions = solve_start(model);
+  const DataAdjustment adjustment = start_adjustment(model, data, *start_ions);
+  std::vector<std::string> warnings;
+  if (frees_time_shift(model)) {
+    drop_late_rows(data, model.span().second + adjustment.time_shift, warnings);
+    require_rows(model, data);
+    require_signal(data);
+  }
+  const auto likeness = compare_with_start(model, data, *start_ions, adjustment);
+  warnings.insert(warnings.end(), likeness.begin(), likeness.end());
+  std::ranges::for_each(warnings, note);
+
+  const std::vector<double> start = start_values(model, adjustment);
+  Misfit misfit(model, data, start);
+  std::vector<double> at = misfit.coordinates(start);
+  misfit.accept(at);
+  Watch watch(misfit, at, progress);
   ceres::Problem::Options borrowed;
   borrowed.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ceres::Problem problem(borrowed);
-  problem.AddResidualBlock(&misfit, nullptr, logs.data());
-  set_bounds(problem, logs.data(), model);
+  problem.AddResidualBlock(&misfit, nullptr, at.data());
+  set_bounds(problem, at.data(), model);
   ceres::Solver::Summary summary;
   ceres::Solve(solver_options(watch), &problem, &summary);
   misfit.rethrow();
@@ -285,8 +243,13 @@ FitResult fit(FitModel& model, const FitData& data, const base::ProgressCallback
                           (model.last_failure().empty() ? "" : "; " + model.last_failure()),
                       "start from other values of the free keys");
   }
-  FitResult result = summarise(model, data, misfit, logs);
+  FitResult result = summarise(model, data, misfit, start, at);
   progress("least squares", 1.0);
+  const std::vector<double> optimum = misfit.values(at);
+  const auto reasons =
+      explain_misfit(model, data, *start_ions, *model.solutions({optimum}).front(), optimum);
+  result.warnings.insert(result.warnings.begin(), reasons.begin(), reasons.end());
+  result.warnings.insert(result.warnings.begin(), warnings.begin(), warnings.end());
   result.converged = summary.termination_type == ceres::CONVERGENCE;
   result.iterations = static_cast<int>(summary.iterations.size()) - 1;
   if (!result.converged) {

@@ -5,6 +5,7 @@
 #include "ionskin/study/fit/fit_statistics.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace ionskin::study {
 /// One parameter as the fit leaves it, with its 95 % confidence interval [SI].
 struct FittedParameter {
   FitParameter parameter;
-  double value = 0, lower_95 = 0, upper_95 = 0; ///< ends may be infinite, or 0
+  double value = 0, lower_95 = 0, upper_95 = 0; ///< no numbers where the data do not tell them
   bool at_bound = false;                        ///< the range of the key holds it
 };
 
@@ -29,16 +30,23 @@ struct FitResult {
   std::vector<std::string> warnings;
 };
 
+/// What a user should know while the fit goes on.
+using FitNote = std::function<void(const std::string&)>;
+
 /// Drops rows that the run cannot answer. Throws UserError when the case has no such signal, the
-/// data last longer than the run, or too few rows are left.
+/// data last longer than the run, do not count their time from its beginning, are constant, or too
+/// few rows are left. With a free `data.time_shift` the times are looked at by `fit`.
 void prepare(FitData& data, FitModel& model);
 
 /// Fits the model to the data by least squares in the logarithms of the parameters
-/// (Levenberg-Marquardt with bounds, by Ceres). Derivatives are central differences whose points
-/// run side by side.
-/// @param data prepared
-/// Throws SolverError when the start has no solution, Interrupted.
-FitResult fit(FitModel& model, const FitData& data, const base::ProgressCallback& progress);
+/// (Levenberg-Marquardt with bounds, by Ceres), and linearly in what the data free of their own.
+/// Derivatives are central differences whose points run side by side.
+/// @param data prepared; rows that lie behind the run by a free shift are dropped
+/// @param note called with each warning that is known before the search
+/// Throws SolverError when the start has no solution, UserError when the data cannot come from the
+/// model at any value of the keys (`compare_with_start`), Interrupted.
+FitResult fit(FitModel& model, FitData& data, const base::ProgressCallback& progress,
+              const FitNote& note);
 
 /// Estimates, statistics and counters as the JSON text of fit.json.
 /// @param seconds the fit took
@@ -63,6 +71,7 @@ struct FitOptions {
   bool report = true;  ///< draw the figure
   std::string command;
   base::ProgressCallback progress = base::no_progress;
+  FitNote note = [](const std::string&) {};
 };
 
 /// Fits and writes manifest.json, case.toml (the start), fitted.toml, fit.json, fit.csv and the

@@ -6,6 +6,7 @@
 #include "ionskin/results/manifest.hpp"
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/study/fit/fit.hpp"
+#include "ionskin/study/fit/fitted_case.hpp"
 #include "ionskin/study/run/report.hpp"
 #include "ionskin/study/run/run_folder.hpp"
 
@@ -27,13 +28,14 @@ Json number(double value) {
 }
 
 Json parameter_json(const FittedParameter& fitted, double log_error) {
-  return {{"value", fitted.value},
-          {"unit", fitted.parameter.unit},
-          {"lower_95", number(fitted.lower_95)},
-          {"upper_95", number(fitted.upper_95)},
-          {"log_standard_error", number(log_error)},
-          {"start", fitted.parameter.start},
-          {"at_bound", fitted.at_bound}};
+  return {
+      {"value", fitted.value},
+      {"unit", fitted.parameter.unit},
+      {"lower_95", number(fitted.lower_95)},
+      {"upper_95", number(fitted.upper_95)},
+      {"log_standard_error", is_data_key(fitted.parameter.key) ? Json(nullptr) : number(log_error)},
+      {"start", fitted.parameter.start},
+      {"at_bound", fitted.at_bound}};
 }
 
 readout::SignalTable fit_table(const FitData& data, const FitResult& result) {
@@ -78,9 +80,10 @@ void add_errors(FitModel& model, const FitData& data, FitResult& result) {
   }
 }
 
-void write_fit(const FitModel& model, const FitData& data, const FitResult& result, double seconds,
-               results::OutputFolder& folder) {
-  base::write_text_file(folder.own(names::fitted_case), model.case_at(fitted_values(result)).text);
+void write_fit(const std::string& data_name, const FitModel& model, const FitData& data,
+               const FitResult& result, double seconds, results::OutputFolder& folder) {
+  base::write_text_file(folder.own(names::fitted_case),
+                        fitted_case_text(model, fitted_values(result), data_name));
   results::write_csv(folder.own(names::fit_table), fit_table(data, result));
   base::write_text_file(folder.own(names::fit), fit_json_text(result, model, data, seconds));
 }
@@ -164,16 +167,20 @@ FitResult run_fit(const FitRequest& request, const FitOptions& options) {
   model.keep_answers_in(log);
   FitResult result;
   try {
-    result = fit(model, data, options.progress);
+    result = fit(model, data, options.progress, options.note);
     add_errors(model, data, result);
   } catch (const Interrupted&) {
     note_state("interrupted");
+    throw;
+  } catch (const UserError&) { // of the data: nothing was found that the next try could take up
+    folder.discard();
     throw;
   } catch (...) {
     note_state("failed");
     throw;
   }
-  write_fit(model, data, result, base::wall_time() - start, folder);
+  write_fit(request.data_path.filename().string(), model, data, result, base::wall_time() - start,
+            folder);
   if (options.report) {
     if (const auto problem = draw_fit(options.folder)) {
       result.warnings.push_back(*problem);

@@ -7,6 +7,7 @@
 #include "ionskin/base/files/sealed_file.hpp"
 #include "ionskin/results/hdf5/foreign_hdf5_file.hpp"
 
+#include <array>
 #include <utility>
 
 namespace ionskin::study {
@@ -20,14 +21,42 @@ bool is_evaluation(const std::string& name) {
   return name.starts_with(place) && name.ends_with(extension);
 }
 
+using Ions = electrochemistry::IonSolution;
+
+struct Column {
+  const char* name;
+  std::vector<double> Ions::*values;
+};
+
+constexpr std::array<Column, 6> columns = {{{"/time", &Ions::time},
+                                            {"/charge_top", &Ions::charge_top},
+                                            {"/charge_bottom", &Ions::charge_bottom},
+                                            {"/relaxation_charge", &Ions::relaxation_charge},
+                                            {"/relaxation_current", &Ions::relaxation_current},
+                                            {"/voltage", &Ions::voltage}}};
+
 FitAnswer read_answer(const results::ForeignHdf5File& file) {
   if (const auto failure = file.text_attribute("/", failure_name)) {
-    return {std::nullopt, *failure};
+    return {nullptr, *failure};
   }
-  return {file.read("/answer"), ""};
+  Ions ions;
+  for (const Column& column : columns) {
+    if (file.has(column.name)) { // one without rows is not written
+      ions.*column.values = file.read(column.name);
+    }
+  }
+  return fit_answer(ions);
 }
 
 } // namespace
+
+FitAnswer fit_answer(const electrochemistry::IonSolution& ions) {
+  Ions part;
+  for (const Column& column : columns) {
+    part.*column.values = ions.*column.values;
+  }
+  return {std::make_shared<const Ions>(std::move(part)), ""};
+}
 
 FitLog::FitLog(results::OutputFolder& folder) : folder_(folder) {
   for (const std::string& name : folder_.owned()) {
@@ -44,7 +73,7 @@ void FitLog::take_up(const std::filesystem::path& path) {
   }
   try {
     const results::ForeignHdf5File file(path);
-    answers_[file.read("/point")] = read_answer(file);
+    answers_[file.has("/point") ? file.read("/point") : std::vector<double>()] = read_answer(file);
   } catch (const UserError&) {
     // Not what it seems: it is solved again.
   }
@@ -62,9 +91,15 @@ void FitLog::add(const std::vector<double>& point, const FitAnswer& answer) {
   const std::string name = place + base::DigestBuilder().add(point).finish().hex() + extension;
   base::PendingFile pending(folder_.own(name));
   results::Hdf5File file(pending.path(), results::Hdf5File::Access::create);
-  file.write("/point", point);
-  if (answer.values) {
-    file.write("/answer", *answer.values);
+  if (!point.empty()) { // data keys alone are free
+    file.write("/point", point);
+  }
+  if (answer.ions) {
+    for (const Column& column : columns) {
+      if (const auto& values = (*answer.ions).*column.values; !values.empty()) {
+        file.write(column.name, values);
+      }
+    }
   } else {
     file.set_attribute("/", failure_name, answer.failure);
   }

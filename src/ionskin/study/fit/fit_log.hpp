@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/electrochemistry/output/ion_solution.hpp"
 #include "ionskin/results/output_folder.hpp"
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -12,11 +14,15 @@
 
 namespace ionskin::study {
 
-/// What the model said at one point: one value per row of the data [SI], or why it said nothing.
+/// What the model said at one point: time, charges and voltage of the solution, which every column
+/// of data follows from, or why there is none.
 struct FitAnswer {
-  std::optional<std::vector<double>> values;
-  std::string failure; ///< empty when there are values
+  std::shared_ptr<const electrochemistry::IonSolution> ions;
+  std::string failure; ///< empty when there is a solution
 };
+
+/// The part of a solution that a `FitAnswer` holds.
+FitAnswer fit_answer(const electrochemistry::IonSolution& ions);
 
 /// The finished evaluations of a fit in a folder, a file each, written when it ends. A fit is
 /// deterministic: one that finds its evaluations again goes the same way without solving them. Safe

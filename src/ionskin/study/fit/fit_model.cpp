@@ -17,9 +17,11 @@
 #include "ionskin/study/run/solve_mechanics.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace ionskin::study {
@@ -46,7 +48,20 @@ void set_bounds(const Range& range, FitParameter& parameter) {
   parameter.highest = far;
 }
 
+/// The fit finds where such a key starts by the data.
+FitParameter make_data_parameter(const std::string& key) {
+  if (!is_data_key(key)) {
+    refuse(key, "unknown key of the data", fmt::format("known: {}", fmt::join(data_keys(), ", ")));
+  }
+  FitParameter parameter{key, "", DataAdjustment().of(key)};
+  parameter.highest = std::numeric_limits<double>::infinity();
+  return parameter;
+}
+
 FitParameter make_parameter(const CaseDocument& document, const std::string& key) {
+  if (key.starts_with("data.")) {
+    return make_data_parameter(key);
+  }
   const SchemaRow* row = find_row(key_pattern(key));
   if (row == nullptr) {
     refuse_unknown(key);
@@ -95,6 +110,9 @@ Case FitModel::case_at(const std::vector<double>& values) const {
   std::vector<std::string> edits = set_edits_;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const FitParameter& parameter = parameters_[i];
+    if (is_data_key(parameter.key)) {
+      continue;
+    }
     edits.push_back(parameter.unit == "1"
                         ? fmt::format("{}={}", parameter.key, values[i])
                         : fmt::format("{}={} {}", parameter.key, values[i], parameter.unit));
@@ -137,8 +155,28 @@ std::pair<double, double> FitModel::span() {
   return {time.front(), time.back()};
 }
 
-FitModel::Ions FitModel::solve(const std::vector<double>& values, int threads) {
-  Case input = case_at(values);
+std::vector<double> FitModel::of_case(const std::vector<double>& point) const {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    if (!is_data_key(parameters_[i].key)) {
+      values.push_back(point[i]);
+    }
+  }
+  return values;
+}
+
+DataAdjustment FitModel::adjustment_at(const std::vector<double>& point) const {
+  DataAdjustment adjustment;
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    if (is_data_key(parameters_[i].key)) {
+      adjustment.of(parameters_[i].key) = point[i];
+    }
+  }
+  return adjustment;
+}
+
+electrochemistry::IonSolution FitModel::solve(const std::vector<double>& point, int threads) {
+  Case input = case_at(point);
   input.output.fields.clear();
   const Mechanics mechanics = mechanics_of(input);
   electrochemistry::check_fixed_charge(input, mechanics->history);
@@ -146,8 +184,7 @@ FitModel::Ions FitModel::solve(const std::vector<double>& values, int threads) {
   base::Timers timers;
   electrochemistry::IonOptions ion_options;
   ion_options.threads = threads;
-  return std::make_shared<const electrochemistry::IonSolution>(
-      electrochemistry::solve_ion_transport(input, mechanics->history, ion_options, timers));
+  return electrochemistry::solve_ion_transport(input, mechanics->history, ion_options, timers);
 }
 
 std::vector<double> FitModel::errors(const FitData& data, const std::vector<double>& point) {
@@ -159,66 +196,61 @@ std::vector<double> FitModel::errors(const FitData& data, const std::vector<doub
     contact_options.threads = options_.threads;
     add_companions(input, contact_options, mechanics);
   }
-  return estimate_data_errors(input, mechanics, *solve(point, options_.threads), data,
-                              options_.threads);
+  const DataAdjustment adjustment = adjustment_at(point);
+  auto errors = estimate_data_errors(input, mechanics, solve(point, options_.threads),
+                                     without_shift(data, adjustment.time_shift), options_.threads);
+  for (double& error : errors) {
+    error *= std::abs(adjustment.gain);
+  }
+  return errors;
 }
 
-std::optional<FitAnswer> FitModel::known_answer(const FitData& data,
-                                                const std::vector<double>& point) const {
+std::optional<FitAnswer> FitModel::known_answer(const std::vector<double>& of_case) const {
   if (log_ != nullptr) {
-    return log_->find(point);
+    return log_->find(of_case);
   }
-  if (const auto failed = failures_.find(point); failed != failures_.end()) {
-    return FitAnswer{std::nullopt, failed->second};
-  }
-  const auto solved = solutions_.find(point);
-  return solved == solutions_.end() ? std::nullopt
-                                    : std::optional(FitAnswer{predict(data, *solved->second), ""});
+  const auto found = answers_.find(of_case);
+  return found == answers_.end() ? std::nullopt : std::optional(found->second);
 }
 
-void FitModel::find_answer(const FitData& data, const std::vector<double>& point, int threads) {
+void FitModel::find_answer(const std::vector<double>& point, int threads) {
   FitAnswer answer;
-  Ions ions;
   try {
-    ions = solve(point, threads);
-    answer.values = predict(data, *ions);
+    answer = fit_answer(solve(point, threads));
   } catch (const SolverError& error) {
     answer.failure = fmt::format("{}; {}", error.what(), error.remedy());
   } catch (const UserError& error) { // the start was checked: these values do not fit together
     answer.failure = error.what();
   }
-  if (log_ != nullptr) { // holds what the data need; other data have another log
-    log_->add(point, answer);
+  if (log_ != nullptr) {
+    log_->add(of_case(point), answer);
     return;
   }
   const std::lock_guard lock(answers_mutex_);
-  if (ions) {
-    solutions_[point] = ions;
-  } else {
-    failures_[point] = answer.failure;
-  }
+  answers_[of_case(point)] = std::move(answer);
 }
 
-std::vector<std::optional<std::vector<double>>>
-FitModel::answers(const FitData& data, const std::vector<std::vector<double>>& points) {
-  std::vector<std::vector<double>> missing;
+std::vector<FitModel::Ions> FitModel::solutions(const std::vector<std::vector<double>>& points) {
+  std::vector<std::vector<double>> missing, wanted;
   for (const auto& point : points) {
-    if (!known_answer(data, point) && std::ranges::find(missing, point) == missing.end()) {
+    const std::vector<double> values = of_case(point);
+    if (!known_answer(values) && std::ranges::find(wanted, values) == wanted.end()) {
       missing.push_back(point);
+      wanted.push_back(values);
     }
   }
   // Of all points: whichever are known already, a solution is worked the same way.
   const int each = std::max(1, options_.threads / std::max(1, static_cast<int>(points.size())));
   parallel::run_tasks(missing.size(), options_.threads,
-                      [&](std::size_t i) { find_answer(data, missing[i], each); });
+                      [&](std::size_t i) { find_answer(missing[i], each); });
   ion_solves_ += missing.size();
-  std::vector<std::optional<std::vector<double>>> result;
+  std::vector<Ions> result;
   for (const auto& point : points) {
-    FitAnswer answer = known_answer(data, point).value();
-    if (!answer.values) {
+    const FitAnswer answer = known_answer(of_case(point)).value();
+    if (!answer.ions) {
       last_failure_ = answer.failure;
     }
-    result.push_back(std::move(answer.values));
+    result.push_back(answer.ions);
   }
   return result;
 }

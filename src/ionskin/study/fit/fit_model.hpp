@@ -3,6 +3,7 @@
 
 #include "ionskin/base/progress.hpp"
 #include "ionskin/case/case.hpp"
+#include "ionskin/study/fit/data_adjustment.hpp"
 #include "ionskin/study/fit/fit_log.hpp"
 #include "ionskin/study/store/fit_data.hpp"
 #include "ionskin/study/store/mechanics_record.hpp"
@@ -16,10 +17,10 @@
 
 namespace ionskin::study {
 
-/// One key that a fit varies, in SI units. It keeps its sign: the fit works on the logarithm of its
-/// magnitude.
+/// One key that a fit varies, in SI units. A key of the case keeps its sign: the fit works on the
+/// logarithm of its magnitude. One of the data (`data_keys`) is varied as it is.
 struct FitParameter {
-  std::string key, unit;
+  std::string key, unit; ///< unit empty while it follows from the data
   double start = 0;
   double lowest = 0, highest = 0; ///< of the magnitude, within the key's range
 };
@@ -33,14 +34,17 @@ struct FitModelOptions {
 /// it the same; every answer is kept. For one thread at a time, which works with several.
 class FitModel {
 public:
+  using Ions = std::shared_ptr<const electrochemistry::IonSolution>;
+
   /// @param text, path, set_edits the case; the path names it and anchors the files it names
-  /// @param free keys of single real numbers that are not 0
+  /// @param free keys of single real numbers that are not 0, and keys of the data
   /// Throws UserError for another key, and for everything that is wrong with the case.
   FitModel(std::string text, std::string path, std::vector<std::string> set_edits,
            const std::vector<std::string>& free, FitModelOptions options);
 
   const std::vector<FitParameter>& parameters() const { return parameters_; }
   const Case& start_case() const { return start_case_; }
+  const std::string& path() const { return path_; }
   /// The case at other values of the parameters.
   Case case_at(const std::vector<double>& values) const;
 
@@ -48,18 +52,19 @@ public:
   std::pair<double, double> span();
 
   /// Every answer from now on goes into the log, and what stands there is not solved again.
-  /// @param log of one and the same data; must outlive the model's answers
+  /// @param log must outlive the model's answers
   void keep_answers_in(FitLog& log) { log_ = &log; }
 
-  /// What the data would be, for each point; empty where there is no solution.
-  /// @param points one value per parameter each, in SI units
+  /// The solution of each point, as far as data need it; null where there is none.
+  /// @param points one value per parameter each, in SI units; those of the data change nothing
   /// Throws Interrupted.
-  std::vector<std::optional<std::vector<double>>>
-  answers(const FitData& data, const std::vector<std::vector<double>>& points);
+  std::vector<Ions> solutions(const std::vector<std::vector<double>>& points);
+  /// The values of a point that belong to the data.
+  DataAdjustment adjustment_at(const std::vector<double>& point) const;
 
-  /// Half the width of the band of numerical errors about an answer, one entry per row of the data;
-  /// empty where they are not estimated. Solves the companions of Study 1: for the end of a fit.
-  /// Throws SolverError, Interrupted.
+  /// Half the width of the band of numerical errors about the fitted curve, one entry per row of
+  /// the data; empty where they are not estimated. Solves the companions of Study 1: for the end of
+  /// a fit. Throws SolverError, Interrupted.
   std::vector<double> errors(const FitData& data, const std::vector<double>& point);
 
   std::size_t ion_solves() const { return ion_solves_; }
@@ -70,13 +75,12 @@ public:
 
 private:
   using Mechanics = std::shared_ptr<const MechanicsRecord>;
-  using Ions = std::shared_ptr<const electrochemistry::IonSolution>;
 
   Mechanics mechanics_of(const Case& input);
-  Ions solve(const std::vector<double>& values, int threads);
-  std::optional<FitAnswer> known_answer(const FitData& data,
-                                        const std::vector<double>& point) const;
-  void find_answer(const FitData& data, const std::vector<double>& point, int threads);
+  std::vector<double> of_case(const std::vector<double>& point) const;
+  electrochemistry::IonSolution solve(const std::vector<double>& point, int threads);
+  std::optional<FitAnswer> known_answer(const std::vector<double>& of_case) const;
+  void find_answer(const std::vector<double>& point, int threads);
 
   std::string path_, text_;
   std::vector<std::string> set_edits_;
@@ -84,9 +88,8 @@ private:
   Case start_case_;
   std::vector<FitParameter> parameters_;
   std::mutex mechanics_mutex_;
-  std::map<std::string, Mechanics> mechanics_;          ///< by `mechanics_hash`
-  std::map<std::vector<double>, Ions> solutions_;       ///< by the parameters
-  std::map<std::vector<double>, std::string> failures_; ///< likewise
+  std::map<std::string, Mechanics> mechanics_;       ///< by `mechanics_hash`
+  std::map<std::vector<double>, FitAnswer> answers_; ///< by the keys of the case
   std::mutex answers_mutex_;
   FitLog* log_ = nullptr;
   std::size_t ion_solves_ = 0, mechanics_solves_ = 0;

@@ -67,7 +67,9 @@ std::string combination(const FitStatistics& statistics, const std::vector<std::
   std::string text;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     if (std::abs(statistics.weakest[i]) > 0.1) {
-      text += fmt::format("{}{}^{:.2f}", text.empty() ? "" : " ", keys[i], statistics.weakest[i]);
+      const char* how = keys[i].starts_with("data.") ? " by " : "^";
+      text +=
+          fmt::format("{}{}{}{:.2f}", text.empty() ? "" : " ", keys[i], how, statistics.weakest[i]);
     }
   }
   return text;
@@ -118,7 +120,11 @@ std::vector<std::string> fit_warnings(const FitStatistics& statistics,
       }
     }
     const double half_width = statistics.quantile * statistics.log_error[i];
-    if (!(half_width < hardly_determined)) {
+    if (keys[i].starts_with("data.")) {
+      if (!std::isfinite(half_width)) {
+        warnings.push_back(fmt::format("The data do not fix {}.", keys[i]));
+      }
+    } else if (!(half_width < hardly_determined)) {
       warnings.push_back(fmt::format("The data hardly fix {}: its 95 % interval spans a factor of "
                                      "{:.3g} either way.",
                                      keys[i], std::exp(half_width)));

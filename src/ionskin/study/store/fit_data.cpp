@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace ionskin::study {
@@ -155,14 +156,24 @@ private:
   std::string last_; ///< value, as written
 };
 
-bool is_current(const FitData& data) {
-  return data.column.starts_with("current_");
-}
-
-/// Beginning of the interval that ends at the first row [s].
-double first_begin(const FitData& data, double start) {
-  const double interval = data.time.size() > 1 ? data.time[1] - data.time[0] : data.time[0] - start;
-  return std::max(start, data.time[0] - interval);
+/// Of a record at one rate its interval, else infinity [s].
+double rate_interval(const FitData& data) {
+  constexpr double alike = 0.3, enough = 0.8;
+  std::vector<double> steps;
+  for (std::size_t row = 1; row < data.time.size(); ++row) {
+    steps.push_back(data.time[row] - data.time[row - 1]);
+  }
+  if (steps.empty()) {
+    return std::numeric_limits<double>::infinity();
+  }
+  std::vector<double> ordered = steps;
+  const auto middle = ordered.begin() + static_cast<std::ptrdiff_t>(ordered.size() / 2);
+  std::nth_element(ordered.begin(), middle, ordered.end());
+  const auto regular = std::ranges::count_if(
+      steps, [&](double step) { return std::abs(step - *middle) < alike * *middle; });
+  return static_cast<double>(regular) >= enough * static_cast<double>(steps.size())
+             ? *middle
+             : std::numeric_limits<double>::infinity();
 }
 
 /// Parts of the charges of the two electrodes that a column is made of.
@@ -200,12 +211,57 @@ FitData read_fit_data(const std::filesystem::path& path, const std::string& colu
   return Reader(path).read(column);
 }
 
+bool is_current(const FitData& data) {
+  return data.column.starts_with("current_");
+}
+
+std::vector<double> interval_starts(const FitData& data, double start) {
+  constexpr double gap = 1.75; // of the interval
+  const double interval = rate_interval(data);
+  std::vector<double> starts;
+  for (std::size_t row = 1; row < data.time.size(); ++row) {
+    const bool behind_gap = data.time[row] - data.time[row - 1] > gap * interval;
+    starts.push_back(behind_gap ? data.time[row] - interval : data.time[row - 1]);
+  }
+  const double first = data.time.front();
+  const double before = starts.empty() ? start : first - (data.time[1] - starts.front());
+  starts.insert(starts.begin(), first > start ? std::max(start, before) : before);
+  return starts;
+}
+
+namespace {
+
+[[noreturn]] void refuse_late(const FitData& data, double start, double end) {
+  const double span = end - start, length = data.time.back() - data.time.front();
+  if (length > 100 * span) {
+    throw UserError(
+        fmt::format("the data last {:.6g} s, the run {:.6g} s\n  = are the times in ms, "
+                    "us or ns? name their unit in the header, such as time [ms]; else "
+                    "cut the data",
+                    length, span));
+  }
+  const double first = interval_starts(data, start).front();
+  if (data.time.front() > start + 0.05 * span && length < span * (1 + 1e-3)) {
+    throw UserError(fmt::format(
+        "the times do not count from the beginning of the run: your first time is {0:.13g} s, the "
+        "last {1:.13g} s, and the run goes from {2:.6g} s to {3:.6g} s\n  = subtract it: {4:.13g} "
+        "s "
+        "from all times, if the record begins with the run; or let the fit find the shift: --free "
+        "data.time_shift",
+        data.time.front(), data.time.back(), start, end, first - start));
+  }
+  throw UserError(fmt::format("the data reach to t = {:.13g} s, the run ends at {:.6g} s\n  = cut "
+                              "the data, let the run last longer (motion.cycles), or free "
+                              "data.time_shift where their clock is late",
+                              data.time.back(), end));
+}
+
+} // namespace
+
 void restrict_to_run(FitData& data, double start, double end) {
   const double slack = 1e-9 * (end - start);
   if (!data.time.empty() && data.time.back() > end + slack) {
-    throw UserError(fmt::format("the data reach to t = {:.6g} s, the run ends at {:.6g} s\n  = cut "
-                                "the data, or let the run last longer (motion.cycles)",
-                                data.time.back(), end));
+    refuse_late(data, start, end);
   }
   const auto early = [&](double instant) {
     return is_current(data) ? instant <= start + slack : instant < start - slack;
@@ -227,10 +283,10 @@ std::vector<double> predict(const FitData& data, const electrochemistry::IonSolu
     std::ranges::transform(data.time, result.begin(), at);
     return result;
   }
-  double begin = first_begin(data, ions.time.front());
+  const std::vector<double> starts = interval_starts(data, ions.time.front());
   for (std::size_t row = 0; row < result.size(); ++row) {
-    result[row] = (at(data.time[row]) - at(begin)) / (data.time[row] - begin);
-    begin = data.time[row];
+    const double interval = data.time[row] - starts[row];
+    result[row] = interval > 0 ? (at(data.time[row]) - at(starts[row])) / interval : 0.0;
   }
   return result;
 }

@@ -30,13 +30,22 @@ const std::map<std::string, std::string>& fit_columns();
 /// unknown, an entry is no number, or the time does not ascend.
 FitData read_fit_data(const std::filesystem::path& path, const std::string& column = "");
 
+/// Whether the values are means over an interval.
+bool is_current(const FitData& data);
+
+/// Where the interval of each row of a current begins: at the row before. Of a record at one rate
+/// (four in five intervals are alike) with rows missing, a row behind a gap stands for an interval
+/// of that rate. The first interval is as long as the second, as far as the run has begun.
+/// @param start of the run [s]
+std::vector<double> interval_starts(const FitData& data, double start);
+
 /// Drops the rows that a run from `start` on cannot answer: a current at or before its beginning.
 /// Throws UserError when rows lie behind `end`, or none is left. [s]
 void restrict_to_run(FitData& data, double start, double end);
 
 /// What a run says to the data: a charge or a voltage at the instants; a current as the charge
-/// gained since the row before, divided by the time, which is what both our tables hold. The first
-/// row's interval is as long as the second's, as far as the run has begun.
+/// gained over the row's interval, divided by it, which is what both our tables hold. Before its
+/// beginning and behind its end charges stay.
 std::vector<double> predict(const FitData& data, const electrochemistry::IonSolution& ions);
 
 } // namespace ionskin::study

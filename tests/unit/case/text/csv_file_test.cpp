@@ -3,10 +3,12 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/case/text/csv_table.hpp"
+#include "ionskin/case/text/number_table.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -58,6 +60,34 @@ TEST_F(CsvFileTest, GivesCellsAndTheirLine) {
   EXPECT_EQ(*header, (std::vector<std::string>{"time [ms]", "x [mm]"}));
   EXPECT_EQ(rest(file), (Rows{{"1", "2"}, {"3", ""}}));
   EXPECT_EQ(file.line(), 6U);
+}
+
+TEST_F(CsvFileTest, RecordingsKeepNanosecondsOfAnEpoch) {
+  // A header behind #, beside a remark; and columns of text, of nothing, and with holes.
+  write("# of a robot\n#timestamp [ns],frame,x [m],empty,\n1403636580838555648,a,nan,,\n"
+        "1403636580838555649,b,2,,\n");
+  const std::vector<NumberColumn> columns = read_number_table(path, "recording");
+  ASSERT_EQ(columns.size(), 5U);
+  EXPECT_EQ(columns[0].title.name, "timestamp");
+  EXPECT_EQ(columns[0].title.unit, "ns");
+  EXPECT_EQ(columns[0].since_first, (std::vector<double>{0, 1}));
+  EXPECT_FALSE(columns[1].numbers);
+  EXPECT_TRUE(std::isnan(columns[2].since_first[0]));
+  EXPECT_EQ(columns[2].first, 2);
+  EXPECT_EQ(columns[2].since_first[1], 0);
+  EXPECT_FALSE(columns[3].numbers);
+  EXPECT_FALSE(columns[4].numbers);
+}
+
+TEST_F(CsvFileTest, RecordingsNeedAHeaderAndWholeRows) {
+  const auto refused = [&](const std::string& text) {
+    write(text);
+    return refusal([&] { read_number_table(path, "recording"); });
+  };
+  EXPECT_THAT(refused("1,2\n3,4\n"), HasSubstr("has no header"));
+  EXPECT_THAT(refused("t,x\n"), HasSubstr("no row stands below the header"));
+  EXPECT_THAT(refused(""), HasSubstr("has no row"));
+  EXPECT_THAT(refused("t,x\n1,2,3\n"), HasSubstr("csv:2"));
 }
 
 TEST_F(CsvFileTest, OfNothingHasNoRow) {

@@ -10,6 +10,13 @@
 namespace ionskin::study {
 namespace {
 
+FitAnswer answer(std::vector<double> time) {
+  electrochemistry::IonSolution ions;
+  ions.charge_top = {-0.1, 5e-324};
+  ions.time = std::move(time);
+  return fit_answer(ions);
+}
+
 TEST(FitLog, GivesBackEveryBitOfWhatAnEarlierFitFound) {
   const results::ScratchFolder scratch;
   results::OutputFolder folder(scratch.path() / "out", results::ExistingFolder::refuse);
@@ -17,15 +24,19 @@ TEST(FitLog, GivesBackEveryBitOfWhatAnEarlierFitFound) {
   {
     FitLog log(folder);
     EXPECT_FALSE(log.find(point));
-    log.add(point, {std::vector<double>{1e-300, -0.1, 1.0 / 3}, ""});
-    log.add(hopeless, {std::nullopt, "no solution"});
+    log.add(point, answer({1e-300, 1.0 / 3}));
+    log.add({}, answer({2}));
+    log.add(hopeless, {nullptr, "no solution"});
     EXPECT_EQ(log.taken_up(), 0u);
   }
   FitLog log(folder);
-  EXPECT_EQ(log.taken_up(), 2u);
-  EXPECT_EQ(log.find(point)->values, (std::vector<double>{1e-300, -0.1, 1.0 / 3}));
+  EXPECT_EQ(log.taken_up(), 3u);
+  EXPECT_EQ(log.find(point)->ions->time, (std::vector<double>{1e-300, 1.0 / 3}));
+  EXPECT_EQ(log.find(point)->ions->charge_top, (std::vector<double>{-0.1, 5e-324}));
+  EXPECT_TRUE(log.find(point)->ions->voltage.empty());
+  EXPECT_EQ(log.find({})->ions->time, (std::vector<double>{2}));
   EXPECT_FALSE(log.find(beside));
-  EXPECT_FALSE(log.find(hopeless)->values);
+  EXPECT_FALSE(log.find(hopeless)->ions);
   EXPECT_EQ(log.find(hopeless)->failure, "no solution");
 }
 
@@ -34,8 +45,8 @@ TEST(FitLog, PassesOverDamagedFilesAndLeavesForeignOnes) {
   results::OutputFolder folder(scratch.path() / "out", results::ExistingFolder::refuse);
   {
     FitLog log(folder);
-    log.add({1.0}, {std::vector<double>{2.0}, ""});
-    log.add({2.0}, {std::vector<double>{3.0}, ""});
+    log.add({1.0}, answer({2}));
+    log.add({2.0}, answer({3}));
   }
   const auto entry = std::filesystem::directory_iterator(folder.file("evaluations"))->path();
   std::fstream(entry, std::ios::in | std::ios::out).seekp(2000).put('x');

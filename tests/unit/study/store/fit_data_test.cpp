@@ -99,6 +99,25 @@ TEST(FitPrediction, CurrentsAreMeansSinceTheRowBefore) {
   EXPECT_EQ(predict({"charge_top", "C", {0, 2}, {}}, ions), (std::vector<double>{5, 5}));
 }
 
+TEST(FitPrediction, ARowBehindAGapStandsForOneInterval) {
+  FitData record{"current_top", "A", {}, {}};
+  for (const double row : {1, 2, 3, 4, 5, 9, 10, 11, 12, 13}) {
+    record.time.push_back(0.1 * row);
+  }
+  EXPECT_NEAR(interval_starts(record, 0)[5], 0.8, 1e-12);
+  EXPECT_EQ(interval_starts(record, 0)[6], record.time[5]);
+  // Where steps differ as a solver chooses them, a row stands for all since the row before.
+  record.time = {0.1, 0.2, 0.4, 0.8, 1.6, 3.0};
+  EXPECT_EQ(interval_starts(record, 0).back(), 1.6);
+}
+
+TEST(FitPrediction, BeforeAndBehindTheRunNothingFlows) {
+  EXPECT_EQ(predict({"current_top", "A", {-2, -1, 0}, {}}, solution()),
+            (std::vector<double>{0, 0, 0}));
+  EXPECT_EQ(predict({"current_top", "A", {3, 4, 5}, {}}, solution()),
+            (std::vector<double>{-2, 0, 0}));
+}
+
 TEST(FitPrediction, RowsOutsideTheRun) {
   FitData data{"current_top", "A", {0, 1, 2}, {7, 8, 9}};
   restrict_to_run(data, 0, 2);

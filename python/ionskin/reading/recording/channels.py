@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Channels over time: repeated stamps, rows without values, resampling, a filter without delay."""
+
+import numpy
+
+from ...errors import CaseError
+
+MOST_ROWS = 1_000_000  # waypoints of a path
+
+
+class Channels:
+    """Channels over one time.
+
+    time    [rows], s, strictly ascending, the first at 0
+    values  by name: array [rows] or [rows, parts]
+    """
+
+    def __init__(self, time, values):
+        self.time, self.values = time, values
+
+    @classmethod
+    def cleaned(cls, time, values, notes):
+        """Leaves out rows without a number, sorts, averages rows of one stamp. Raises CaseError."""
+        known = numpy.isfinite(time)
+        for one in values.values():
+            known &= numpy.isfinite(one if one.ndim == 1 else one.sum(axis=1))
+        if not known.all():
+            notes.append(f"{(~known).sum()} of {len(time)} rows lack a number and are left out")
+            time, values = time[known], {name: one[known] for name, one in values.items()}
+        if len(time) < 2:
+            raise CaseError("fewer than two rows of the recording have a time and every value\n  = name other columns")
+        if (numpy.diff(time) < 0).any():
+            notes.append(f"{(numpy.diff(time) < 0).sum()} stamps go back: the rows are sorted by time")
+            order = numpy.argsort(time, kind="stable")
+            time, values = time[order], {name: one[order] for name, one in values.items()}
+        instants, place = numpy.unique(time, return_inverse=True)
+        if len(instants) < len(time):
+            notes.append(f"{len(time) - len(instants)} stamps repeat the one before: their rows are averaged")
+            counts = numpy.bincount(place)
+            values = {name: _means(one, place, counts) for name, one in values.items()}
+        if len(instants) < 2:
+            raise CaseError("the recording holds one instant alone\n  = name the column of times with --column time=NAME")
+        steps = numpy.diff(instants)
+        if steps.max() > 10 * numpy.median(steps) and steps.max() > 0.1:
+            notes.append(f"a gap of {steps.max():.4g} s, where the interval is {numpy.median(steps):.4g} s: straight lines go "
+                         "over it")
+        return cls(instants - instants[0], values)
+
+    def at(self, time):
+        """The channels at other instants, linear between the rows."""
+        return Channels(time, {name: _interpolated(time, self.time, one) for name, one in self.values.items()})
+
+    def resampled(self, rate):
+        """At equal steps of 1 / rate [s], from the first row to the last. Raises CaseError."""
+        count = self.time[-1] * rate
+        if count > MOST_ROWS:
+            raise CaseError(f"--rate {rate:.6g} Hz makes {count:.0f} rows of {self.time[-1]:.6g} s\n"
+                            f"  = a path may have {MOST_ROWS}")
+        time = numpy.arange(int(count * (1 + 1e-12)) + 1) / rate
+        return self.at(time if self.time[-1] - time[-1] < 1e-9 else numpy.append(time, self.time[-1]))
+
+    def filtered(self, frequency):
+        """Gaussian low-pass with half the power at the frequency [Hz], without delay; ends are held.
+
+        Raises CaseError.
+        """
+        step = float(numpy.median(numpy.diff(self.time)))
+        deviation = numpy.sqrt(numpy.log(2)) / (2 * numpy.pi * frequency) / step
+        count = self.time[-1] / step
+        if deviation < 0.3:
+            raise CaseError(f"--filter {frequency:.6g} Hz is above what rows every {step:.4g} s hold\n"
+                            f"  = choose one below {0.44 / step:.3g} Hz, or leave it out")
+        if count > 20 * MOST_ROWS or deviation > count:
+            raise CaseError(f"--filter {frequency:.6g} Hz is slower than the recording of {self.time[-1]:.4g} s, or that has "
+                            "too many rows\n  = choose a higher frequency, or a shorter recording")
+        even = self.at(numpy.arange(int(count) + 1) * step)
+        reach = int(numpy.ceil(4 * deviation))
+        kernel = numpy.exp(-0.5 * (numpy.arange(-reach, reach + 1) / deviation) ** 2)
+        smooth = {name: _convolved(one, kernel / kernel.sum(), reach) for name, one in even.values.items()}
+        return Channels(even.time, smooth).at(self.time)
+
+
+def _columns(one, work):
+    return work(one) if one.ndim == 1 else numpy.column_stack([work(part) for part in one.T])
+
+
+def _means(one, place, counts):
+    return _columns(one, lambda part: numpy.bincount(place, weights=part) / counts)
+
+
+def _interpolated(time, known, one):
+    return _columns(one, lambda part: numpy.interp(time, known, part))
+
+
+def _convolved(one, kernel, reach):
+    return _columns(one, lambda part: numpy.convolve(numpy.pad(part, reach, mode="edge"), kernel, mode="valid"))

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which column of a recording is what: by the names that robots, ROS and force sensors give."""
+
+import os
+import re
+
+import numpy
+
+from ... import solver
+from ...errors import CaseError
+
+# A role and the names that mean it, without the unit, in small letters. The first that fits counts.
+AXES = "xyz"
+NAMES = {
+    "time": (r"(?:.*\.)?header\.stamp", r"(?:.*[./])?stamp", r"rosbagtimestamp", r"__time", r"timestamp(?:_(?:s|ms|us|ns))?",
+             r"time(?:stamp)?(?:_(?:s|sec|ms|us|ns))?", r"t", r"elapsed(?:_time)?", r"seconds"),
+    "seconds": (r"(?:.*[./_])?stamp[./_]secs?",),
+    "nanoseconds": (r"(?:.*[./_])?stamp[./_](?:nsecs?|nanosecs?|nanosec)",),
+    "height": (r"height", r"tip_height"),
+    "force": (r"force", r"normal_force", r"force_n"),
+    **{axis: (axis, rf"(?:.*[./])?(?:position|translation|pos)[./_]{axis}", rf"p(?:os)?_rs_r_{axis}", rf"p_?{axis}",
+              rf"pos_?{axis}", rf"(?:tool|tcp|tip|ee)_?{axis}", rf"(?:actual_)?tcp_pose_{i}", rf"o_t_ee\[{12 + i}\]",
+              rf"{axis}_(?:m|mm|um)")
+       for i, axis in enumerate(AXES)},
+    **{f"q{axis}": (rf"q_?{axis}", rf"(?:.*[./])?(?:orientation|rotation)[./_]{axis}", rf"q_rs_{axis}", rf"quat_{axis}")
+       for axis in "xyzw"},
+    **{f"f{axis}": (rf"f_?{axis}", rf"(?:.*[./])?(?:force)[./_]{axis}", rf"(?:actual_)?tcp_force_{i}",
+                    rf"o_f_ext_hat_k\[{i}\]", rf"f{axis}_n") for i, axis in enumerate(AXES)},
+}
+LENGTHS, FORCES = {"x", "y", "z", "height"}, {"force", "fx", "fy", "fz"}
+SUFFIXES = re.compile(r".*_(ns|us|ms|s|mm|um|m|n)")
+STAMPS = ((1e17, "ns"), (1e14, "us"), (1e11, "ms"))  # an epoch above the first is in the second
+
+
+class Column:
+    """One column: values [rows] as distances from `first`, in `unit` or None."""
+
+    def __init__(self, name, unit, first, values):
+        if unit is not None and unit.isdigit():  # O_T_EE[12] is an entry, no unit
+            name, unit = f"{name}[{unit}]", None
+        self.name, self.unit, self.first, self.values = name, unit, first, values
+
+    def si(self, target, default):
+        """Values in the SI unit `target`, as distances from the first, and the first. Raises CaseError."""
+        unit, convert = self.unit or default, solver.load().convert_unit
+        zero, one = convert(0.0, unit, target), convert(1.0, unit, target)
+        if one is None:
+            raise CaseError(f"the unit [{unit}] of {self.name} does not convert to {target}\n"
+                            f"  = name the column and its unit, such as --column \"ROLE={self.name} [{target}]\"")
+        return self.values * (one - zero), zero + self.first * (one - zero)
+
+
+def read(path) -> list[Column]:
+    """Every column of a file. Raises CaseError."""
+    return [Column(*one) for one in solver.load().number_table(os.fsencode(path), "recording")]
+
+
+def assign(columns, wanted) -> dict[str, Column]:
+    """A column for each role that is there.
+
+    wanted  "ROLE=NAME" or "ROLE=NAME [unit]"; they come before the names that are known
+
+    Raises CaseError for a role or a name that is unknown, and for a column of text.
+    """
+    found = {}
+    for text in wanted:
+        role, _, rest = (part.strip() for part in text.partition("="))
+        if role not in NAMES or not rest:
+            raise CaseError(f"--column {text}: a role, = and a name of a column are wanted\n  = roles: {', '.join(NAMES)}")
+        match = re.fullmatch(r"(.*?)\s*(?:\[([^\[\]\d][^\[\]]*)\])?", rest)
+        named = [one for one in columns if one.name == match[1].lower()]
+        if not named:
+            raise CaseError(f"--column {text}: the recording has no column {match[1]}\n  = its columns: "
+                            + ", ".join(one.name for one in columns if one.name))
+        column = named[0]
+        if column.values is None:
+            raise CaseError(f"--column {text}: {column.name} holds no numbers\n  = name another column")
+        found[role] = Column(column.name, match[2] or column.unit, column.first, column.values)
+    numbers = [one for one in columns if one.values is not None]
+    for role, patterns in NAMES.items():
+        if role in found:
+            continue
+        for pattern in patterns:
+            fitting = [one for one in numbers if re.fullmatch(pattern, one.name) and _may_be(role, one)]
+            if fitting:
+                found[role] = fitting[0]
+                break
+    return found
+
+
+def _may_be(role, column):
+    """Tx [N m] is a torque, tx [m] a place."""
+    if column.unit is None:
+        return True
+    target = "m" if role in LENGTHS else "N" if role in FORCES else "s" if role in ("time", "seconds", "nanoseconds") else "1"
+    return solver.load().convert_unit(1.0, column.unit, target) is not None or (target == "1" and column.unit == "")
+
+
+def unit_by_name(column):
+    """The unit that a name ends in, as pos_mm does; None without one."""
+    match = SUFFIXES.fullmatch(column.name)
+    return {"n": "N"}.get(match[1], match[1]) if match else None
+
+
+def instants(found, notes):
+    """Seconds since the first stamp, and that stamp. Raises CaseError where there is no time."""
+    if "seconds" in found and "nanoseconds" in found:
+        seconds, nanoseconds = found["seconds"], found["nanoseconds"]
+        notes.append(f"time: {seconds.name} and {nanoseconds.name}")
+        return seconds.values + 1e-9 * nanoseconds.values, seconds.first + 1e-9 * nanoseconds.first
+    if "time" not in found:
+        raise CaseError("the recording has no column of times that is known\n  = name it: --column \"time=NAME [unit]\"")
+    column = found["time"]
+    unit = column.unit or unit_by_name(column)
+    if not unit:
+        unit = next((name for least, name in STAMPS if abs(column.first) > least), "s")
+    notes.append(f"time: {column.name} in {unit}")
+    return column.si("s", unit)
+
+
+def vector(found, roles, target, default, notes):
+    """The columns of the roles side by side, [rows, roles] in SI; None where one is missing."""
+    if any(role not in found for role in roles):
+        return None
+    parts = []
+    for role in roles:
+        column = found[role]
+        unit = column.unit or unit_by_name(column) if target != "1" else "1"
+        values, first = column.si(target, unit or default)
+        parts.append(values + first)
+        if target != "1":
+            notes.append(f"{role}: {column.name} in {unit or default}" + ("" if unit else ", as nothing else is said"))
+    return numpy.column_stack(parts)

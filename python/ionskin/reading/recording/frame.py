@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From the frame of a recording to that of the skin: origin, axes, quaternions."""
+
+import numpy
+
+from ... import solver
+from ...errors import CaseError
+
+
+def quantity(text, unit, name, default=None):
+    """A number of a text such as "32 mm", in the SI unit. Raises CaseError."""
+    parts = str(text).strip().split(None, 1)
+    try:
+        value = float(parts[0]) if parts and _splits(parts[0]) else None
+    except ValueError:
+        value = None
+    if value is None:  # "100Hz"
+        stripped = str(text).strip()
+        end = len(stripped.rstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZµ"))
+        parts = [stripped[:end], stripped[end:]]
+        value = float(parts[0]) if _splits(parts[0]) else None
+    written = parts[1] if len(parts) > 1 and parts[1] else default
+    converted = None if value is None or written is None else solver.load().convert_unit(value, written, unit)
+    if converted is None or not numpy.isfinite(converted):
+        raise CaseError(f"{name} = {text!r} is no quantity in {unit}\n  = write a number and a unit, such as \"20 {unit}\"")
+    return converted
+
+
+def _splits(text):
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
+def point(text, name):
+    """Three lengths [m]: "0.4 m, -0.1 m, 32 mm", or numbers in metres. Raises CaseError."""
+    parts = text.split(",") if isinstance(text, str) else list(text)
+    if len(parts) != 3:
+        raise CaseError(f"{name} = {text!r}: three lengths are wanted\n  = such as \"0.4 m, -0.1 m, 32 mm\"")
+    return numpy.array([quantity(part, "m", name, "m") for part in parts])
+
+
+def axes(x_axis, y_axis):
+    """Rows: the directions of the skin's x, y and normal in the recording's frame. Raises CaseError."""
+    rows = []
+    for text, name in ((x_axis, "--x-axis"), (y_axis, "--y-axis")):
+        parts = text.split(",") if isinstance(text, str) else list(text)
+        if len(parts) != 3 or not all(_splits(part) for part in parts):
+            raise CaseError(f"{name} = {text!r}: three numbers are wanted\n  = such as 0,1,0")
+        rows.append(numpy.array([float(part) for part in parts]))
+    lengths = [numpy.linalg.norm(row) for row in rows]
+    if min(lengths) == 0 or abs(rows[0] @ rows[1]) > 1e-3 * lengths[0] * lengths[1]:
+        raise CaseError(f"the axes {x_axis} and {y_axis} do not stand at a right angle\n  = give two directions that do")
+    x = rows[0] / lengths[0]
+    y = rows[1] - (rows[1] @ x) * x
+    y /= numpy.linalg.norm(y)
+    return numpy.array([x, y, numpy.cross(x, y)])
+
+
+def turned(quaternions, vectors):
+    """Vectors turned by quaternions.
+
+    quaternions  array [rows, 4]: x, y, z, w of any length but 0
+    vectors      array [3] or [rows, 3]
+    """
+    q = quaternions / numpy.linalg.norm(quaternions, axis=1, keepdims=True)
+    vectors = numpy.broadcast_to(vectors, (len(q), 3))
+    cross = 2 * numpy.cross(q[:, :3], vectors)
+    return vectors + q[:, 3:] * cross + numpy.cross(q[:, :3], cross)

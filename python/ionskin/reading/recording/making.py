@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What makes a path of a recording: frame, force, contact."""
+
+import os
+
+import numpy
+
+from ...errors import CaseError
+from . import contact, frame
+from .channels import MOST_ROWS
+from .merging import merged
+from .path import Path
+
+LEAD = 0.1  # s before a recording that begins on the skin
+
+
+def motion(recordings, *, columns=(), origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis=(0, 1, 0), tool=None, force_in="skin",
+           level="auto", contact_force=None, tare=False, gap="1 mm", rate=None, filter=None) -> Path:
+    """A path from a recording, or from several of one clock: the first gives the instants.
+
+    columns        "ROLE=NAME [unit]" where a name does not tell; roles: time, x, y, z, height, qx, qy, qz, qw, fx, fy,
+                   fz, force
+    origin         corner (0, 0) of the skin's top face in the recording's frame, in metres or with units
+    x_axis, y_axis directions of the skin's x and y there
+    tool           tip of the finger from the tracked point, in the frame that the quaternion turns
+    force_in       "skin": fz is along the skin's normal; "recording", "tool": the frame of fx, fy, fz
+    level          "auto": force where the finger touches, height elsewhere; "height", "force": the one alone
+    contact_force  above which it touches; else above the noise
+    tare           subtracts the force at rest
+    gap            height where none is recorded
+    rate, filter   resampling, and a low-pass without delay ("100 Hz")
+
+    Raises CaseError.
+    """
+    notes = []
+    channels = merged([recordings] if isinstance(recordings, (str, os.PathLike)) else list(recordings), columns, notes)
+    if filter is not None:
+        frequency = frame.quantity(filter, "Hz", "--filter")
+        channels = channels.filtered(_positive(frequency, "--filter"))
+        notes.append(f"filtered at {frequency:.6g} Hz, without delay")
+    if rate is not None:
+        before = len(channels.time)
+        channels = channels.resampled(_positive(frame.quantity(rate, "Hz", "--rate"), "--rate"))
+        notes.append(f"resampled from {before} to {len(channels.time)} rows")
+    if len(channels.time) > MOST_ROWS:
+        raise CaseError(f"the recording has {len(channels.time)} rows\n"
+                        f"  = a path may have {MOST_ROWS}: resample it with --rate")
+    place, height = _on_skin(channels, origin, x_axis, y_axis, tool)
+    zeroed = contact_force is not None and not tare
+    force = None if level == "height" else _normal_force(channels, x_axis, y_axis, force_in, zeroed, notes)
+    if level == "force" and force is None:
+        raise CaseError("no force is recorded\n  = name its column with --column force=NAME, or take --level height")
+    if force is None and height is None:
+        raise CaseError("neither a height (z) nor a force is recorded\n  = name one with --column")
+    off = _positive(frame.quantity(gap, "m", "--gap"), "--gap")
+    if force is not None:
+        height, force = _by_force(force, height if level == "auto" else None, off, contact_force, tare, notes)
+    else:
+        force = numpy.full(len(height), numpy.nan)
+    time = channels.time
+    if not height[0] >= 0:
+        notes.append(f"the recording begins on the skin: the finger lands there within {LEAD} s before it")
+        time = numpy.concatenate(([0], time + LEAD))
+        place, height, force = numpy.vstack((place[:1], place)), numpy.append(off, height), numpy.append(numpy.nan, force)
+    notes.append(_summary(time, place, height, force))
+    return Path(time, place, height, force, notes)
+
+
+def _positive(value, name):
+    if not value > 0:
+        raise CaseError(f"{name} must be above 0")
+    return value
+
+
+def _on_skin(channels, origin, x_axis, y_axis, tool):
+    """Places [rows, 2] and heights, or None, in the frame of the skin. Raises CaseError."""
+    values, turn = channels.values, frame.axes(x_axis, y_axis)
+    place = values.get("place")
+    if place is None:
+        if "flat" not in values:
+            raise CaseError("the recording has no columns of x and y that are known\n"
+                            "  = name them: --column \"x=NAME [unit]\" --column \"y=NAME [unit]\"")
+        place = numpy.column_stack((values["flat"], numpy.zeros(len(channels.time))))
+    if tool is not None:
+        if "turn" not in values:
+            raise CaseError("--tool needs a quaternion, and the recording has none\n  = name qx, qy, qz and qw with --column")
+        place = place + frame.turned(values["turn"], frame.point(tool, "--tool"))
+    on_skin = (place - frame.point(origin, "--origin")) @ turn.T
+    height = values.get("height", on_skin[:, 2] if "place" in values else None)
+    return on_skin[:, :2], height
+
+
+def _normal_force(channels, x_axis, y_axis, force_in, zeroed, notes):
+    """Compression positive; None where no force is recorded. Raises CaseError."""
+    values = channels.values
+    if "force" in values or "forces" not in values:
+        force = values.get("force")
+    elif force_in == "skin":
+        force = values["forces"][:, 2]
+    else:
+        forces = values["forces"]
+        if force_in == "tool":
+            if "turn" not in values:
+                raise CaseError("--force-in tool needs a quaternion, and the recording has none\n  = name qx, qy, qz and qw")
+            forces = numpy.column_stack([numpy.sum(forces * frame.turned(_inverse(values["turn"]), axis), axis=1)
+                                         for axis in numpy.eye(3)])
+        force = forces @ frame.axes(x_axis, y_axis)[2]
+    if force is None:
+        return None
+    if not contact.compresses(force, zeroed):
+        notes.append("the sign of the force is turned: compression counts as positive")
+        force = -force
+    return force
+
+
+def _inverse(turn):
+    return turn * numpy.array([-1, -1, -1, 1])
+
+
+def _by_force(force, height, gap, contact_force, tare, notes):
+    """Height off the skin and force on it, each not a number where the other leads. Raises CaseError."""
+    above, rest = contact.threshold(force), contact.rest_level(force)
+    if contact_force is not None:
+        above = _positive(frame.quantity(contact_force, "N", "--contact-force"), "--contact-force")
+    if tare:
+        notes.append(f"the force at rest, {rest:.4g} N, is subtracted")
+        force = force - rest
+    elif abs(rest) > above and contact_force is None:
+        raise CaseError(f"the force is {rest:.4g} N at rest, beyond its noise\n  = subtract it with --tare if it is the "
+                        "sensor's offset or the weight of a tool; if the finger never leaves the skin, say so by "
+                        "--contact-force")
+    touches = contact.touching(force, above) & (force > 0)
+    stretches = contact.parts(touches)
+    if not stretches:
+        raise CaseError(f"the force never rises above {above:.4g} N, where a touch begins\n"
+                        "  = lower it with --contact-force, or take --level height")
+    notes.append(f"touches where the force is above {above:.4g} N, until half of it: {len(stretches)} time"
+                 f"{'s' if len(stretches) > 1 else ''}")
+    if height is None:
+        off = numpy.full(len(force), gap)
+        notes.append(f"off the skin the height is {1e3 * gap:.4g} mm")
+    else:
+        off = numpy.maximum(height, 0)
+        below = int(((height < 0) & ~touches).sum())
+        if below:
+            notes.append(f"{below} heights below 0 where nothing is felt are set to 0, the least of {1e3 * height.min():.3g} "
+                         "mm: is the origin on the skin's top face?")
+        landing = float(numpy.median([height[first] for first, _ in stretches]))
+        if abs(landing) > 1e-3:
+            notes.append(f"the force begins at a height of {1e3 * landing:.4g} mm: is the origin on the skin's top face?")
+    return numpy.where(touches, numpy.nan, off), numpy.where(touches, force, numpy.nan)
+
+
+def _summary(time, place, height, force):
+    speeds = numpy.linalg.norm(numpy.diff(place, axis=0), axis=1) / numpy.diff(time)
+    low, high = 1e3 * place.min(axis=0), 1e3 * place.max(axis=0)
+    loads = force[numpy.isfinite(force)]
+    load = f"up to {loads.max():.4g} N" if len(loads) else f"down to {1e3 * height.min():.4g} mm"
+    return (f"{len(time)} waypoints over {time[-1]:.6g} s, x {low[0]:.4g} to {high[0]:.4g} mm, y {low[1]:.4g} to "
+            f"{high[1]:.4g} mm, {load}, {1e3 * speeds.max():.4g} mm/s at most")

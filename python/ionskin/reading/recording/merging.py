@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Recordings of one clock, read and laid side by side."""
+
+import numpy
+
+from ...errors import CaseError
+from . import columns
+from .channels import Channels
+
+
+def _recording(path, wanted, notes):
+    """Channels of one file by the roles that they play, and the first stamp [s]."""
+    notes.append(f"{path}:")
+    known = columns.read(path)
+    there = {one.name for one in known}
+    own = [text for text in wanted if text.partition("=")[2].rsplit("[", 1)[0].strip().lower() in there or len(wanted) == 0]
+    found = columns.assign(known, own)
+    time, first = columns.instants(found, notes)
+    values = {}
+    for name, roles, unit, default in (("place", ("x", "y", "z"), "m", "m"), ("flat", ("x", "y"), "m", "m"),
+                                       ("turn", ("qx", "qy", "qz", "qw"), "1", "1"), ("forces", ("fx", "fy", "fz"), "N", "N"),
+                                       ("height", ("height",), "m", "m"), ("force", ("force",), "N", "N"),
+                                       ("force", ("fz",), "N", "N")):
+        if name in values or (name == "flat" and "place" in values) or (roles == ("fz",) and "forces" in values):
+            continue
+        part = columns.vector(found, roles, unit, default, notes)
+        if part is not None:
+            values[name] = part[:, 0] if len(roles) == 1 else part
+    used = {found[role].name for role in found}
+    passed = [one.name for one in known if one.name and one.name not in used]
+    if passed:
+        notes.append("not used: " + ", ".join(passed[:8]) + (f" and {len(passed) - 8} more" if len(passed) > 8 else ""))
+    if "turn" in values:
+        lengths = numpy.linalg.norm(values["turn"], axis=1)
+        values["turn"] = numpy.where(lengths[:, None] > 0, values["turn"], numpy.nan)
+        values["turn"] = _continuous(values["turn"])
+    return Channels.cleaned(time, values, notes), first + float(numpy.nanmin(time))
+
+
+def _continuous(turn):
+    """q and -q are one turn, and must not be averaged."""
+    against = numpy.sum(turn[1:] * turn[:-1], axis=1) < 0
+    return turn * numpy.where(numpy.concatenate(([0], numpy.cumsum(against))) % 2, -1, 1)[:, None]
+
+
+def merged(paths, wanted, notes) -> Channels:
+    """The channels of recordings of one clock, at the instants of the first. Raises CaseError.
+
+    wanted  "ROLE=NAME [unit]" of each column whose name does not tell
+    """
+    if not paths:
+        raise CaseError("no recording is named")
+    text = [wanted] if isinstance(wanted, str) else list(wanted)
+    _require_known(paths, text)
+    parts = [_recording(path, text, notes) for path in paths]
+    base, start = parts[0]
+    begin, end = 0.0, float(base.time[-1])
+    for other, first in parts[1:]:
+        begin, end = max(begin, first - start), min(end, first - start + float(other.time[-1]))
+    rows = (base.time >= begin - 1e-9) & (base.time <= end + 1e-9)
+    if rows.sum() < 2:
+        raise CaseError("the recordings do not overlap in time\n  = are they of one clock, and their units those of --column?")
+    if not rows.all():
+        notes.append(f"{(~rows).sum()} rows are left out where not every recording has begun, or goes on")
+    time = base.time[rows]
+    values = {name: one[rows] for name, one in base.values.items()}
+    for other, first in parts[1:]:
+        for name, one in other.at(time + start - first).values.items():
+            values.setdefault(name, one)
+    return Channels(time - time[0], values)
+
+
+def _require_known(paths, wanted):
+    """Each --column names a column of at least one of the recordings."""
+    there = {one.name for path in paths for one in columns.read(path)} if wanted else set()
+    for text in wanted:
+        role, _, rest = (part.strip() for part in text.partition("="))
+        name = rest.rsplit("[", 1)[0].strip().lower() if rest.lower() not in there else rest.lower()
+        if role not in columns.NAMES or name not in there:
+            problem, remedy = ((f"{role!r} is no role", f"roles: {', '.join(columns.NAMES)}") if role not in columns.NAMES else
+                               (f"no column is named {name!r}", f"columns: {', '.join(sorted(there - {''}))}"))
+            raise CaseError(f"--column {text}: {problem}\n  = {remedy}")

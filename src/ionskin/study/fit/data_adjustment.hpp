@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/electrochemistry/output/ion_solution.hpp"
+#include "ionskin/study/store/fit_data.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ionskin::study {
+
+/// How the record of an instrument departs from the signal of a run:
+///   measured(t) = gain * signal(t - time_shift) + baseline + drift * (t - first t).
+struct DataAdjustment {
+  double time_shift = 0; ///< how late the record's clock is [s]
+  double baseline = 0;   ///< [unit of the data]
+  double drift = 0;      ///< [unit of the data / s]
+  double gain = 1;       ///< negative where the electrodes are swapped [1]
+
+  double& of(std::string_view key);
+};
+
+/// "data.time_shift" and so on: what a fit may free beside the keys of a case.
+const std::vector<std::string>& data_keys();
+bool is_data_key(std::string_view key);
+/// Unit of such a key for data in `unit`.
+std::string data_key_unit(std::string_view key, const std::string& unit);
+
+/// What a run would leave in the record, one entry per row. Before its beginning the run rests, and
+/// behind its end its charges stay.
+std::vector<double> predict(const FitData& data, const electrochemistry::IonSolution& ions,
+                            const DataAdjustment& adjustment);
+
+/// The data with a clock that is right.
+FitData without_shift(FitData data, double time_shift);
+
+} // namespace ionskin::study

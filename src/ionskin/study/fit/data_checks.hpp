@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/study/fit/fit_model.hpp"
+
+#include <string>
+#include <vector>
+
+namespace ionskin::study {
+
+/// Throws UserError where all values of the data are 0, or one and the same.
+void require_signal(const FitData& data);
+
+/// Where the free keys of the data start: the shift with which the data correlate best with the
+/// signal of the start, and gain, baseline and drift by linear least squares there.
+DataAdjustment start_adjustment(const FitModel& model, const FitData& data,
+                                const electrochemistry::IonSolution& start);
+
+/// What data and start say to each other before any search: their sizes, a shift, clipped rows, and
+/// whether there is a likeness at all.
+/// Throws UserError where no search can succeed: the start gives no signal, the data correlate with
+/// minus the model, or they do with the model only when shifted.
+std::vector<std::string> compare_with_start(const FitModel& model, const FitData& data,
+                                            const electrochemistry::IonSolution& start,
+                                            const DataAdjustment& adjustment);
+
+/// What of the misfit a shift, a baseline, a drift or a gain explains: those that were free, and
+/// those that were not.
+/// @param start, end the solutions at the start and at the optimum
+/// @param point the optimum
+std::vector<std::string> explain_misfit(const FitModel& model, const FitData& data,
+                                        const electrochemistry::IonSolution& start,
+                                        const electrochemistry::IonSolution& end,
+                                        const std::vector<double>& point);
+
+} // namespace ionskin::study

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/study/fit/fit_model.hpp"
+
+#include <string>
+#include <vector>
+
+namespace ionskin::study {
+
+/// The text of the case at fitted values, which says at its head what was fitted to what. A comment
+/// behind a fitted value, or in the lines right above it, tells of the value that stood there: it
+/// is left out.
+/// @param values one per parameter [SI]
+/// @param data name of what was fitted to
+std::string fitted_case_text(const FitModel& model, const std::vector<double>& values,
+                             const std::string& data);
+
+} // namespace ionskin::study
