@@ -48,7 +48,7 @@ double skin_size(const Case& input, const mesh::SkinMesh& mesh) {
 /// Of the modes on sides and ends and of what they do in the core [bytes]. Measured on skins of
 /// 15 x 2.5 to 15 x 18 mm2 and 45 x 6 mm2, 0.2 mm thick, and beside a side.
 double skin_memory(const Case& input, const mesh::SkinMesh& mesh) {
-  const double bytes = mesh.half_model() ? 3.1e5 : 6.2e5; // of even modes alone, or of all
+  const double bytes = mesh.half_model() ? 3.1e5 : 9e5; // of even modes alone, or of all
   return bytes * skin_size(input, mesh);
 }
 

@@ -23,6 +23,9 @@ namespace {
 
 constexpr int most_passes = 12;
 constexpr double growth = 1.4;
+/// After so many growths the guess was far too small: adhesion pulls over a wide gap.
+constexpr int many_growths = 4;
+constexpr double fast_growth = 2.5;
 constexpr double least_fill = 0.6;   ///< of the rim by the contact, before it is accepted
 constexpr double trial_margin = 1.3; ///< of a rim that is tried next
 constexpr double margin = 1.1;       ///< of the rim that is accepted
@@ -171,6 +174,7 @@ mesh::Footprint footprint_at(const Case& input, double friction, int threads,
   const mesh::Footprint limit = mesh::footprint_limit(input);
   const Case coarse = footprint_case(input);
   parallel::SharedProgress progress("contact footprint", callback);
+  std::array<int, 2> growths{};
   std::array<double, 2> too_narrow{}; // the contact reached them: with few cells, rims could cycle
   for (int pass = 0; pass < most_passes; ++pass) {
     const Reach reach = reach_of(coarse, footprint, friction, threads, progress);
@@ -187,7 +191,8 @@ mesh::Footprint footprint_at(const Case& input, double friction, int threads,
       if (reach.border[d] && !at_limit) {
         settled = false;
         too_narrow[d] = std::max(too_narrow[d], footprint.rim[d]);
-        set_rim(footprint, d, growth * footprint.rim[d], limit);
+        set_rim(footprint, d,
+                (++growths[d] > many_growths ? fast_growth : growth) * footprint.rim[d], limit);
       } else if (reach.border[d] && mesh::ends_at_skin(input, footprint, d)) {
         refuse_edge(d);
       } else if (trial_margin * rim[d] <= too_narrow[d]) {

@@ -129,6 +129,18 @@ TEST(FindFootprint, of_a_wedge_follows_its_ridge) {
   EXPECT_NEAR(largest.half_size[1], 0.4e-3, 1e-9);
 }
 
+TEST(FindFootprint, of_adhesion_over_a_wide_gap_is_found) {
+  Case input = small_wedge(0);
+  input.motion.stroke = 0;
+  input.motion.preload = 0.1e-6;
+  input.numerics.mesh_refinement = 0.3;
+  input.contact.law = "adhesive";
+  input.contact.parameters = {{"work_of_adhesion", 1.0}, {"cohesive_strength", 1e4}};
+  // It pulls over 0.1 mm, a thousand times what it is pressed in.
+  EXPECT_GT(find_footprint(input, 0.3, 1).half_size[0],
+            100 * mesh::largest_footprint(input).half_size[0]);
+}
+
 TEST(FirstTouch, refuses_a_slider_that_touches_no_cell) {
   EXPECT_NO_THROW(require_touch(small_wedge(0)));
   Case input = small_wedge(0.3e-3); // far from the centre, where cells are wide
