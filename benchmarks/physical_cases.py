@@ -266,7 +266,7 @@ class Draw:
             readout["taxels"] = [{"name": name, "lower": [f"{low * self.length:.3f} mm", "0 mm"],
                                   "upper": [f"{high * self.length:.3f} mm", f"{self.width} mm"]}
                                  for name, low, high in (("left", 0, 0.4), ("right", 0.5, 1))]
-        if "taxels" in readout and self.case["electrochemistry"]["ion_model"] != "thin-layers" and self.maybe(0.5):
+        if "taxels" in readout and circuit != "amplifier" and self.case["electrochemistry"]["ion_model"] != "thin-layers" and self.maybe(0.5):
             self.taxel_circuits(readout)
         self.case["readout"] = readout
 

@@ -20,7 +20,7 @@ SIGNAL_COLUMNS = [
     "tangential_force [N]", "mean_shear [1]", "rms_shear [1]", "p99_shear [1]", "shear_first_moment [1]",
     "mean_shear_rate [1/s]", "charge_top [C]", "charge_bottom [C]", "current_top [A]", "current_bottom [A]",
     "current_difference [A]", "current_common [A]", "slider_y [m]", "contact_area [m2]", "stick_share [1]", "slip [m]",
-    "slip_state [1]",
+    "slip_state [1]", "tangential_force_x [N]", "tangential_force_y [N]",
 ]
 METRICS = [
     "normal_force_touchdown", "normal_force_slide", "tangential_force_slide", "mean_shear_touchdown",

@@ -59,6 +59,20 @@ class HostileInput(ProgramTest):
         for name in ("/dev/zero", "."):
             self.answer("check", QUICK, "--set", "motion.kind=waypoints", "--set", f"motion.file={name}")
 
+    def test_lists_as_long_as_they_may_be_take_no_time(self):
+        """Each takes a third of a second at most, and 20 s and more where the time goes with the square."""
+        case = QUICK.read_text()
+        instants = ", ".join(f'"{4 * i / 10001:.5f} s"' for i in range(1, 10001))
+        self.write("instants.toml", f"{case.split('[output]')[0]}[output]\nfields = [{instants}]\n")
+        self.write("unknown.toml", case + "".join(f"key_{i} = 1\n" for i in range(12000)))
+        places = (5000 - abs(i % 10000 - 5000) for i in range(50000))
+        self.write("way.csv", "time [s],x [mm],y [mm],height [mm]\n" + "".join(
+            f"{i / 1000},{4.5 + place / 1000},1,{1 if i in (0, 49999) else -0.001}\n" for i, place in enumerate(places)))
+        after = f"[contact]{case.split('[contact]')[1].split('[output]')[0]}"
+        self.write("way.toml", f'{case.split("start = [")[0]}[motion]\nkind = "waypoints"\nfile = "way.csv"\n{after}')
+        for name, expect in (("instants", 0), ("way", 0), ("unknown", 2)):
+            self.run_program("check", f"{name}.toml", expect=expect, processor_seconds=5)
+
     def test_readings_before_any_work(self):
         message = self.answer("run", QUICK, "-o", "out", "--set", "readout.sample_interval=1 ns")
         self.assertIn("readings", message)

@@ -59,6 +59,17 @@ class Run(PackageTest):
                                           rtol=1e-9, atol=1e-15)
         self.assertEqual(begun.metrics["contact_area_slide"], result.metrics["contact_area_slide"])
 
+    def test_tangential_force_has_two_components(self):
+        case = small_case()
+        case["motion.direction"], case["motion.stroke"] = [0.96, 0.28], "0.5 mm"
+        case["numerics.mesh_refinement"], case["numerics.error_estimate"] = 0.25, "off"
+        signals = ionskin.run(case, only="mechanics").signals
+        x, y, along = (signals[f"tangential_force{end}"] for end in ("_x", "_y", ""))
+        numpy.testing.assert_allclose(0.96 * x + 0.28 * y, along, rtol=1e-12, atol=1e-12)
+        end = case["motion.touchdown"] + case["motion.slide"]  # what landing turned has slipped by then
+        ratio = signals.at("tangential_force_y", end) / signals.at("tangential_force_x", end)
+        self.assertAlmostEqual(ratio, 0.28 / 0.96, delta=1e-3)
+
     def test_temporary_results_live_as_long_as_they_are_held(self):
         result = ionskin.run(small_case(), only="mechanics")
         with result.open_fields() as file:

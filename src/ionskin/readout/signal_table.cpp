@@ -83,6 +83,8 @@ SignalTable build_signal_table(const SignalInputs& inputs) {
   table.columns.push_back(optional("stick_share", "1", inputs.stick_share, rows));
   table.columns.push_back(optional("slip", "m", inputs.slip, rows));
   table.columns.push_back(optional("slip_state", "1", inputs.slip_state, rows));
+  table.columns.push_back(optional("tangential_force_x", "N", inputs.tangential_force_x, rows));
+  table.columns.push_back(optional("tangential_force_y", "N", inputs.tangential_force_y, rows));
   if (!inputs.drive_x.empty()) {
     table.columns.push_back(required("drive_x", "m", inputs.drive_x, rows));
     table.columns.push_back(required("drive_y", "m", inputs.drive_y, rows));

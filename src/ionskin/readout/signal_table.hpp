@@ -12,15 +12,16 @@ namespace ionskin::readout {
 /// Everything signals.csv is made of, one entry per row. The motion and the forces may be left
 /// empty (runs from a strain file): their columns then hold no values.
 struct SignalInputs {
-  std::vector<double> time;               ///< [s], strictly ascending
-  std::vector<int> cycle;                 ///< from 1
-  std::vector<std::string> phase;         ///< touchdown, slide, lift, return
-  std::vector<double> slider_x;           ///< centre [m]
-  std::vector<double> slider_y;           ///< centre [m]
-  std::vector<double> slider_z;           ///< underside above the undeformed top face [m]
-  std::vector<double> normal_force;       ///< of the full skin [N]
-  std::vector<double> tangential_force;   ///< of the full skin, along the first slide [N]
-  std::vector<double> contact_area;       ///< of the full skin [m2]
+  std::vector<double> time;             ///< [s], strictly ascending
+  std::vector<int> cycle;               ///< from 1
+  std::vector<std::string> phase;       ///< touchdown, slide, lift, return
+  std::vector<double> slider_x;         ///< centre [m]
+  std::vector<double> slider_y;         ///< centre [m]
+  std::vector<double> slider_z;         ///< underside above the undeformed top face [m]
+  std::vector<double> normal_force;     ///< of the full skin [N]
+  std::vector<double> tangential_force; ///< of the full skin, along the first slide [N]
+  std::vector<double> tangential_force_x, tangential_force_y; ///< of the full skin [N]
+  std::vector<double> contact_area;                           ///< of the full skin [m2]
   std::vector<double> stick_share;        ///< of that area, where nothing slips, 0 to 1
   std::vector<double> slip;               ///< mean over the contact since it began [m]
   std::vector<double> slip_state;         ///< numbers of SlipState

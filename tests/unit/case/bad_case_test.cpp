@@ -179,6 +179,11 @@ INSTANTIATE_TEST_SUITE_P(
                 "[readout]\ntaxel_circuit = \"open\"\n[coupling]",
                 "readout.taxel_circuit is given, but the case has no taxels", "47:17", "^^^^^^",
                 "or remove the key"},
+        Mistake{"AmplifierOfACutElectrode", "[coupling]",
+                "[readout]\ncircuit = \"amplifier\"\ntaxel_circuit = \"open\"\ntaxels = {rows = 1, "
+                "columns = 2}\n[coupling]",
+                "the instrument of readout.circuit = \"amplifier\" reads one electrode", "47:11",
+                "^^^^^^^^^^^", "readout.taxel_circuit = \"amplifier\" reads each of them"},
         Mistake{"ScanOfSharedTaxels", "[coupling]",
                 "[readout]\nscan = {dwell = \"10 ms\"}\ntaxels = {rows = 1, columns = "
                 "2}\n[coupling]",

@@ -47,7 +47,9 @@ TEST(SignalTable, HasTheColumnsOfSignalsCsvInOrder) {
                                              "contact_area [m2]",
                                              "stick_share [1]",
                                              "slip [m]",
-                                             "slip_state [1]"}));
+                                             "slip_state [1]",
+                                             "tangential_force_x [N]",
+                                             "tangential_force_y [N]"}));
 }
 
 TEST(SignalTable, RatesAndCurrentsAreMeansOverTheStepThatEndsAtTheRow) {
@@ -58,8 +60,9 @@ TEST(SignalTable, RatesAndCurrentsAreMeansOverTheStepThatEndsAtTheRow) {
 
 TEST(SignalTable, LeavesMotionAndForcesEmptyInRunsFromAStrainFile) {
   const SignalTable table = build_signal_table(three_rows());
-  for (const char* name : {"slider_x", "slider_y", "slider_z", "normal_force", "tangential_force",
-                           "contact_area", "stick_share", "slip", "slip_state"}) {
+  for (const char* name :
+       {"slider_x", "slider_y", "slider_z", "normal_force", "tangential_force", "contact_area",
+        "stick_share", "slip", "slip_state", "tangential_force_x", "tangential_force_y"}) {
     EXPECT_TRUE(std::isnan(table.column(name).values[1])) << name;
   }
   EXPECT_EQ(table.cycle, (std::vector<int>{0, 0, 0}));

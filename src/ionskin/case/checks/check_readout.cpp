@@ -196,6 +196,14 @@ void check_conductors(const CaseDocument& document, Problems& problems) {
     problems.add("readout.taxel_circuit is given, but the case has no taxels",
                  document.point_at("readout.taxel_circuit"),
                  "add taxels, such as readout.taxels = {rows = 2, columns = 4}, or remove the key");
+  if (count > 0 && circuits::circuit(readout.circuit, readout.parameters).read)
+    problems.add(fmt::format("the instrument of readout.circuit = \"{}\" reads one electrode, and "
+                             "taxels have circuits of their own",
+                             readout.circuit),
+                 document.point_at("readout.circuit"),
+                 fmt::format("set readout.circuit = \"short\" for what is between the taxels; "
+                             "readout.taxel_circuit = \"{}\" reads each of them",
+                             readout.circuit));
   if (count > 0 && document.input.electrochemistry.ion_model == IonModel::thin_layers)
     problems.add("the ion model \"thin-layers\" knows one conductor as the top electrode, and "
                  "taxels have circuits of their own here",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/fit/alignment.hpp"
 
+#include "ionskin/readout/sampling.hpp"
 #include "ionskin/study/fit/data_adjustment.hpp"
 
 #include <Eigen/Dense>
@@ -22,23 +23,28 @@ struct Cells {
   std::vector<double> values, weights;
 };
 
-/// A mean stands for the interval that ends at its row, any other value for one about it.
+/// A mean stands for the interval that ends at its row; between instants values are linear.
 Cells data_cells(const FitData& data, double begin, double length) {
   const std::vector<double> starts = interval_starts(data, begin);
-  const double back = is_current(data) ? 0.0 : 0.5;
   Cells cells;
   const auto index = [&](double time) {
     return static_cast<std::int64_t>(std::floor((time - begin) / length));
   };
-  const double lead = back * (data.time.front() - starts.front());
-  cells.first = index(starts.front() + lead);
-  const auto count = static_cast<std::size_t>(index(data.time.back() + lead) - cells.first + 2);
+  cells.first = index(is_current(data) ? starts.front() : data.time.front());
+  const auto count = static_cast<std::size_t>(index(data.time.back()) - cells.first + 1);
+  if (!is_current(data)) {
+    cells.weights.assign(count, 1.0);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double middle = static_cast<double>(cells.first) + static_cast<double>(i) + 0.5;
+      cells.values.push_back(readout::value_at(data.time, data.values, begin + middle * length));
+    }
+    return cells;
+  }
   cells.values.assign(count, 0.0);
   cells.weights.assign(count, 0.0);
   for (std::size_t row = 0; row < data.time.size(); ++row) {
-    const double half = back * (data.time[row] - starts[row]);
-    const double from = (starts[row] + half - begin) / length - static_cast<double>(cells.first);
-    const double to = (data.time[row] + half - begin) / length - static_cast<double>(cells.first);
+    const double from = (starts[row] - begin) / length - static_cast<double>(cells.first);
+    const double to = (data.time[row] - begin) / length - static_cast<double>(cells.first);
     for (double at = std::max(0.0, from); at < to && at < static_cast<double>(count);) {
       const double next = std::min(to, std::floor(at) + 1);
       const auto cell = static_cast<std::size_t>(at);
@@ -90,10 +96,22 @@ double correlation_at(const FitData& data, const electrochemistry::IonSolution& 
 Alignment refined(const FitData& data, const electrochemistry::IonSolution& ions,
                   const Alignment& about, double step) {
   constexpr double section = 0.6180339887498949;
-  constexpr int rounds = 24;
+  constexpr int rounds = 24, most_parts = 32;
   const double sign = about.correlation < 0 ? -1 : 1;
   const auto likeness = [&](double shift) { return sign * correlation_at(data, ions, shift); };
-  double from = about.time_shift - step, to = about.time_shift + step;
+  // A peak of one row is narrower than a step may be.
+  const double interval =
+      (data.time.back() - data.time.front()) / static_cast<double>(data.time.size());
+  const int parts = std::clamp(static_cast<int>(std::ceil(4 * step / interval)), 4, most_parts);
+  double best = about.time_shift, best_likeness = likeness(best);
+  for (int part = -parts; part <= parts; ++part) {
+    const double shift = about.time_shift + step * part / parts;
+    if (const double here = likeness(shift); here > best_likeness) {
+      best = shift;
+      best_likeness = here;
+    }
+  }
+  double from = best - step / parts, to = best + step / parts;
   double low = to - section * (to - from), high = from + section * (to - from);
   double at_low = likeness(low), at_high = likeness(high);
   for (int round = 0; round < rounds; ++round) {

@@ -304,7 +304,8 @@ std::vector<std::string> compare_with_start(const FitModel& model, const FitData
     }
     warnings.push_back("At the start " + text + ": " + shift_remedy + ".");
   }
-  if (!shift_helps && std::abs(r) < 4 / std::sqrt(static_cast<double>(data.values.size()))) {
+  if (!shift_helps &&
+      std::abs(r) < std::min(0.5, 4 / std::sqrt(static_cast<double>(data.values.size())))) {
     warnings.push_back(fmt::format("At the start the data do not follow the model at all "
                                    "(correlation {:.2f}): check the column, the motion of the case "
                                    "and the times.",

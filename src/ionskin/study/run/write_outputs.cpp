@@ -115,6 +115,10 @@ results::Summary summary_of(const Case& input, const RunOutputs& outputs) {
         circuits::circuit(input.readout.circuit, input.readout.parameters);
     summary.circuit = results::CircuitEntry{std::string(circuit.name), circuit.words,
                                             std::string(circuits::top_potential(circuit))};
+    if (input.readout.is_cut()) {
+      summary.circuit->words = "taxels with circuits of their own";
+      summary.circuit->top_potential = "φ = U of each taxel";
+    }
   }
   return summary;
 }

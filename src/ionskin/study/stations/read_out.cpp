@@ -67,6 +67,8 @@ readout::SignalInputs mechanical_inputs(const Case& input, const MechanicsRecord
     inputs.slider_z = at_rows(mechanics.slider_z);
     inputs.normal_force = at_rows(mechanics.normal_force);
     inputs.tangential_force = at_rows(mechanics.tangential_force);
+    inputs.tangential_force_x = at_rows(mechanics.tangential_force_x);
+    inputs.tangential_force_y = at_rows(mechanics.tangential_force_y);
     inputs.contact_area = at_rows(mechanics.contact_area);
     inputs.slip = at_rows(mechanics.slip);
     add_stick(mechanics, at_rows, inputs);

@@ -103,6 +103,8 @@ MechanicsRecord make_mechanics_record(const Case& input, const mechanics::Contac
       record.normal_force.push_back(combination.normal_force());
       record.tangential_force.push_back(tangential[0] * direction[0] +
                                         tangential[1] * direction[1]);
+      record.tangential_force_x.push_back(tangential[0]);
+      record.tangential_force_y.push_back(tangential[1]);
       record.contact_area.push_back(signals.area[i]);
       record.stick_share.push_back(signals.stick_share[i]);
       record.slip.push_back(signals.slip[i]);

@@ -24,9 +24,10 @@ struct MechanicsRecord {
   std::vector<double> slider_z;         ///< underside above the undeformed top face [m]
   std::vector<double> normal_force;     ///< [N]
   std::vector<double> tangential_force; ///< along the first slide [N]
-  std::vector<double> contact_area;     ///< [m2]
-  std::vector<double> stick_share;      ///< of that area, 0 to 1
-  std::vector<double> slip;             ///< mean over the contact since it began [m]
+  std::vector<double> tangential_force_x, tangential_force_y; ///< [N]
+  std::vector<double> contact_area;                           ///< [m2]
+  std::vector<double> stick_share;                            ///< of that area, 0 to 1
+  std::vector<double> slip; ///< mean over the contact since it began [m]
   /// Of a slider on a drive, on which it pulls; empty without one.
   std::vector<double> drive_force_x, drive_force_y; ///< [N]
   double join_time = 0; ///< from which all slips its way in the first slide [s]
