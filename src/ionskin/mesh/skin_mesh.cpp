@@ -182,7 +182,11 @@ SkinMesh::SkinMesh(const Case& input, const Footprint& footprint, MeshedPart par
 }
 
 MeshLines SkinMesh::lines(const std::array<double, 2>& centre) const {
-  return {x_.lines(centre[0], skin_.length), y_.lines(centre[1], skin_.width), z_};
+  return {x_.lines(centre[0], skin_.length), lines_across(centre[1]), z_};
+}
+
+std::vector<double> SkinMesh::lines_across(double centre_y) const {
+  return y_.lines(centre_y, skin_.width);
 }
 
 std::array<std::size_t, 3> SkinMesh::elements() const {

@@ -37,6 +37,9 @@ public:
   /// Lines for a slider centred at `centre` [m]. The half model spans y in [0, width / 2].
   MeshLines lines(const std::array<double, 2>& centre) const;
 
+  /// Those along y alone.
+  std::vector<double> lines_across(double centre_y) const;
+
   /// True when only y <= width / 2 is meshed, as the motion lies on the symmetry plane y = width /
   /// 2.
   bool half_model() const { return half_model_; }

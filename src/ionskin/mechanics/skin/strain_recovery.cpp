@@ -47,7 +47,7 @@ std::optional<finite_layers::PlacesAcross> places_across(const SkinModel& model)
   if (!model.mesh.half_model() && low[1] != high[1]) {
     return std::nullopt;
   }
-  const std::vector<double> lines = model.mesh.lines(low).y;
+  const std::vector<double> lines = model.mesh.lines_across(low[1]);
   const double middle = lines.back(); // of the skin, where it is half of it
   return finite_layers::PlacesAcross{model.mesh.half_model() ? middle : low[1], gauss_points(lines),
                                      lines};
