@@ -74,6 +74,15 @@ class Readouts(ProgramTest):
         self.assertFalse(taxels["voltage_b"].any())
         self.assertIn("reading_b", taxels)
 
+    def test_fits_and_live_skins_refuse_taxels_with_circuits_of_their_own(self):
+        data = self.write("data.csv", "time [s],current_difference [A]\n1,1e-6\n2,1e-6\n3,2e-6\n")
+        own = [word for edit in ("readout.taxels.rows=1", "readout.taxels.columns=2", "readout.taxel_circuit=open")
+               for word in ("--set", edit)]
+        for words in (("fit", QUICK, "--data", data, "--free", "coupling.coefficient", "-o", "fit"), ("live", QUICK, "-o", "skin.live")):
+            error = self.run_program(*words, *own, expect=2).stderr
+            self.assertIn("here", error)
+            self.assertIn('set readout.taxel_circuit = "shared"', error)
+
     def test_grid_of_taxels_and_sampled_tables(self):
         whole, out = self.read_out("grid", "readout.circuit=load", "readout.load_resistance=20 Ohm",
                                    "readout.taxels={rows = 2, columns = 3}", "readout.sample_interval=5 ms")
