@@ -40,7 +40,7 @@ void SteppedStrains::recover(std::size_t first) {
       residual_ = base::larger(residual_, one.equilibrium_residual);
       stress_.resize(std::max(stress_.size(), one.electrode_stress.size()));
       std::ranges::transform(one.electrode_stress, stress_, stress_.begin(), base::larger);
-      held_.push_back(std::move(one.strain.core));
+      held_.push_back(std::move(one.core));
     }
   }
   first_ = first;
@@ -54,7 +54,7 @@ const CoreStrain& SteppedStrains::at(std::size_t place) {
 }
 
 LayerStrain SteppedStrains::all_layers(std::size_t place) const {
-  return recovery_->at({&centres_.at(place), 1}, {&forces_.at(place), 1}).front().strain;
+  return recovery_->all_layers(centres_.at(place), forces_.at(place));
 }
 
 } // namespace ionskin::mechanics

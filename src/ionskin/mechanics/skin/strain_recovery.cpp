@@ -104,6 +104,16 @@ double equilibrium_residual(const CellVector& forces, bool half,
   return difference > 0 ? difference / largest : 0;
 }
 
+finite_layers::FieldState field_state(const SkinModel& model, const std::array<double, 2>& centre,
+                                      const CellVector& forces) {
+  const mesh::MeshLines lines = model.mesh.lines(centre);
+  return {{gauss_points(lines.x), gauss_points(lines.y), lines.x, lines.y}, centre, forces};
+}
+
+CoreStrain core_strain(finite_layers::StrainField field) {
+  return {field.points, std::move(field.component)};
+}
+
 } // namespace
 
 finite_layers::ComponentChoice strain_components(const Case& input) {
@@ -124,21 +134,25 @@ std::vector<RecoveredStrain> StrainRecovery::at(std::span<const std::array<doubl
                                                 std::span<const CellVector> forces) const {
   std::vector<finite_layers::FieldState> states;
   for (std::size_t i = 0; i < centres.size(); ++i) {
-    const mesh::MeshLines lines = model_->mesh.lines(centres[i]);
-    states.push_back(
-        {{gauss_points(lines.x), gauss_points(lines.y), lines.x, lines.y}, centres[i], forces[i]});
+    states.push_back(field_state(*model_, centres[i], forces[i]));
   }
   std::vector<finite_layers::CoreAndElectrodes> found = fields_.at(states);
   std::vector<RecoveredStrain> result;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    std::vector<double> stresses = largest_stresses(*model_, found[i].electrodes);
     result.push_back(
-        {{{found[i].core.points, std::move(found[i].core.component)},
-          {found[i].electrodes.points, std::move(found[i].electrodes.component)}},
-         std::move(stresses),
+        {core_strain(std::move(found[i].core)), largest_stresses(*model_, found[i].electrodes),
          equilibrium_residual(forces[i], model_->mesh.half_model(), found[i].force_through_level)});
   }
   return result;
+}
+
+LayerStrain StrainRecovery::all_layers(const std::array<double, 2>& centre,
+                                       const CellVector& forces) const {
+  const finite_layers::SkinFields all =
+      model_->layers.fields(heights(model_->mesh), mean_column(model_->mesh));
+  finite_layers::CoreAndElectrodes found =
+      std::move(all.at({field_state(*model_, centre, forces)}).front());
+  return {core_strain(std::move(found.core)), core_strain(std::move(found.electrodes))};
 }
 
 } // namespace ionskin::mechanics

@@ -15,7 +15,7 @@ namespace ionskin::mechanics {
 
 /// What the skin does under the forces of a state.
 struct RecoveredStrain {
-  LayerStrain strain;
+  CoreStrain core; ///< of the components that were chosen
   /// Largest von Mises stress of each electrode layer as a membrane, averaged through its thickness
   /// and over each column between the lines of the mesh, bottom to top [Pa].
   std::vector<double> electrode_stress;
@@ -41,6 +41,10 @@ public:
   /// @param forces of the cells [N]
   std::vector<RecoveredStrain> at(std::span<const std::array<double, 2>> centres,
                                   std::span<const CellVector> forces) const;
+
+  /// Of one state, with all components of the core. It costs some states more, as nothing is kept
+  /// for it.
+  LayerStrain all_layers(const std::array<double, 2>& centre, const CellVector& forces) const;
 
 private:
   std::shared_ptr<const SkinModel> model_;
