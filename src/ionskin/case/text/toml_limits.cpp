@@ -21,9 +21,9 @@ bool ends_word(char letter) {
 }
 
 /// One pass over the text that knows strings, comments, brackets and words, and no more of TOML.
-class Scan {
+class TextScan {
 public:
-  Scan(const std::string& text, const std::string& file) : text_(text), file_(file) {}
+  TextScan(const std::string& text, const std::string& file) : text_(text), file_(file) {}
 
   /// @return see `check_toml_limits`
   std::vector<std::size_t> run() {
@@ -207,7 +207,7 @@ private:
 } // namespace
 
 std::vector<std::size_t> check_toml_limits(const std::string& text, const std::string& file) {
-  return Scan(text, file).run();
+  return TextScan(text, file).run();
 }
 
 } // namespace ionskin
