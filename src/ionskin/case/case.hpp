@@ -195,6 +195,9 @@ struct StrainSource {
   double duration = 0;  ///< of the run [s]
 };
 
+/// Instead of a circuit of its own: a taxel is part of the one conductor of the electrode.
+inline constexpr const char* shared_circuit = "shared";
+
 /// A rectangle of the top electrode with a lead of its own.
 struct Taxel {
   std::string name;
@@ -223,8 +226,8 @@ struct Readout {
   laws::LawValues parameters;        ///< of circuits, that of the chosen one among them
   TaxelGrid taxel_grid;              ///< as written
   std::vector<Taxel> taxels; ///< disjoint, those of a grid too; empty for one whole electrode
-  /// Of the taxels: "shared" for that of the whole electrode, or a name from the table of circuits.
-  std::string taxel_circuit = "shared";
+  /// Of the taxels: `shared_circuit`, or a name from the table of circuits.
+  std::string taxel_circuit = shared_circuit;
 
   /// Whether a taxel is a conductor with a circuit of its own, apart from the electrode.
   bool has_own_circuit(std::size_t taxel) const;

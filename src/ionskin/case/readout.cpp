@@ -5,14 +5,10 @@
 #include <cstddef>
 
 namespace ionskin {
-namespace {
-
-constexpr const char* shared = "shared";
-
-} // namespace
 
 bool Readout::has_own_circuit(std::size_t taxel) const {
-  return !taxels[taxel].circuit.empty() ? taxels[taxel].circuit != shared : taxel_circuit != shared;
+  return !taxels[taxel].circuit.empty() ? taxels[taxel].circuit != shared_circuit
+                                        : taxel_circuit != shared_circuit;
 }
 
 bool Readout::is_cut() const {

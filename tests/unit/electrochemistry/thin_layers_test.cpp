@@ -18,7 +18,7 @@ namespace ionskin::electrochemistry {
 namespace {
 
 constexpr double length = 0.4e-3; // of the skin [m]
-constexpr std::size_t columns = 64;
+constexpr std::size_t columns_along = 64;
 
 /// Water that stays where it is, so that the drive is that of the undrained pressure.
 Case still_case() {
@@ -40,8 +40,8 @@ history::CoreHistory held(const std::function<double(double, double)>& pressure,
   const Case input = still_case();
   history::CoreHistory history;
   history.grid = {{}, {0.0, input.skin.width}, {}};
-  for (std::size_t i = 0; i <= columns; ++i) {
-    history.grid.x_edges.push_back(length * static_cast<double>(i) / columns);
+  for (std::size_t i = 0; i <= columns_along; ++i) {
+    history.grid.x_edges.push_back(length * static_cast<double>(i) / columns_along);
   }
   history.measure = "prescribed";
   history.length = length;
@@ -53,7 +53,7 @@ history::CoreHistory held(const std::function<double(double, double)>& pressure,
   for (std::size_t k = 0; k <= intervals; ++k) {
     const double height = static_cast<double>(k) / intervals;
     history.grid.z_nodes.push_back(height * input.skin.core_thickness());
-    for (std::size_t i = 0; i < columns; ++i) {
+    for (std::size_t i = 0; i < columns_along; ++i) {
       const double place = 0.5 * (history.grid.x_edges[i] + history.grid.x_edges[i + 1]);
       field.push_back(pressure(place, height));
     }

@@ -192,7 +192,7 @@ void check_conductors(const CaseDocument& document, Problems& problems) {
                  fmt::format("at most {} may: use fewer taxels, or taxel_circuit = \"shared\"",
                              most_conductors));
   if (readout.taxels.empty() && !document.point_at("readout.taxel_circuit").empty() &&
-      readout.taxel_circuit != "shared")
+      readout.taxel_circuit != shared_circuit)
     problems.add("readout.taxel_circuit is given, but the case has no taxels",
                  document.point_at("readout.taxel_circuit"),
                  "add taxels, such as readout.taxels = {rows = 2, columns = 4}, or remove the key");

@@ -31,11 +31,10 @@ void add_circuit(SchemaRows& rows) {
 }
 
 /// Not a circuit: the taxel is part of the electrode, and has its circuit.
-constexpr const char* shared = "shared";
 
 std::vector<Choice> circuits_of_taxels() {
   std::vector<Choice> choices = choices_of(circuits::circuits());
-  choices.insert(choices.begin(), {shared});
+  choices.insert(choices.begin(), {shared_circuit});
   return choices;
 }
 
@@ -73,7 +72,7 @@ void add_circuit_of_taxel(SchemaRows& rows) {
 void add_taxel_circuit(SchemaRows& rows) {
   rows.push_back({.key = "readout.taxel_circuit",
                   .type = ValueType::choice,
-                  .default_value = fmt::format("\"{}\"", shared),
+                  .default_value = fmt::format("\"{}\"", shared_circuit),
                   .choices = circuits_of_taxels(),
                   .help = "What joins every taxel to the bottom electrode, which makes it a "
                           "conductor of its own: a circuit as of readout.circuit, with the same "
