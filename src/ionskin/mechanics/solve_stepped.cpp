@@ -137,20 +137,6 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
   return solution;
 }
 
-/// Where the centre of the slider may be while it touches: a drive may swing as far as there is
-/// room.
-MotionBox places_of(const Case& input, const MotionBox& box, const mesh::Footprint& footprint) {
-  if (!input.motion.drive.given()) {
-    return box;
-  }
-  MotionBox places = room_on_skin(input, footprint);
-  for (std::size_t d = 0; d < 2; ++d) {
-    places.low[d] = std::min(places.low[d], box.low[d]);
-    places.high[d] = std::max(places.high[d], box.high[d]);
-  }
-  return places;
-}
-
 /// Never touched.
 std::vector<SteppedSolution> untouched(const std::vector<MotionLeg>& legs, ContactSolution empty,
                                        std::size_t count) {
@@ -184,8 +170,8 @@ std::vector<SteppedSolution> solve_stepped(const Case& input, const mesh::Footpr
   std::shared_ptr<const SkinModel> model;
   {
     const base::Timers::Scope scope(timers, "mechanics: skin");
-    model = std::make_shared<const SkinModel>(input, footprint, places_of(input, *box, footprint),
-                                              part, shared_threads);
+    model = std::make_shared<const SkinModel>(
+        input, footprint, expected_places(input, *box, footprint), part, shared_threads);
     progress.finish_unit();
   }
   const auto recovery =

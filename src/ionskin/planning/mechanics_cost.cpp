@@ -6,6 +6,8 @@
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/handover/strain_grid.hpp"
 #include "ionskin/mechanics/companions.hpp"
+#include "ionskin/mechanics/engine/drive_room.hpp"
+#include "ionskin/mechanics/path/contact_box.hpp"
 #include "ionskin/mechanics/path/expected_steps.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/skin/skin_reach.hpp"
@@ -40,8 +42,10 @@ mesh::SkinMesh expected_mesh(const Case& input) {
 
 /// Long and wide over the reach of its short waves, as modes are many.
 double skin_size(const Case& input, const mesh::SkinMesh& mesh) {
-  const double reach = mechanics::short_wave_reach(input.skin, mesh.footprint(),
-                                                   motion_box(input.motion, input.slider));
+  const MotionBox touching =
+      mechanics::contact_box(input).value_or(motion_box(input.motion, input.slider));
+  const double reach = mechanics::short_wave_reach(
+      input.skin, mesh.footprint(), mechanics::expected_places(input, touching, mesh.footprint()));
   return (input.skin.length / reach) * (input.skin.width / reach);
 }
 

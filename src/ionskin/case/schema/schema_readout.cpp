@@ -30,8 +30,7 @@ void add_circuit(SchemaRows& rows) {
                      table, Need::always, true);
 }
 
-/// Not a circuit: the taxel is part of the electrode, and has its circuit.
-
+/// Those of a readout, and being part of the electrode, with its circuit.
 std::vector<Choice> circuits_of_taxels() {
   std::vector<Choice> choices = choices_of(circuits::circuits());
   choices.insert(choices.begin(), {shared_circuit});

@@ -1,10 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/engine/drive_room.hpp"
 
+#include "ionskin/finite_layers/thickness/elastic_layer.hpp"
+
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
 namespace ionskin::mechanics {
+namespace {
+
+/// On the full skin: what presses, or what a height takes that squeezes the layers like columns
+/// [N].
+double largest_load(const Case& input, const mesh::Footprint& footprint) {
+  const mesh::HeaviestLoad heaviest = mesh::heaviest_load(input);
+  double compliance = 0; // of a column [m/Pa]
+  for (const finite_layers::ElasticLayer& layer : finite_layers::elastic_layers(input.skin)) {
+    compliance += layer.thickness / layer.oedometric_modulus();
+  }
+  const double area = 4 * footprint.half_size[0] * footprint.half_size[1];
+  return std::max(heaviest.force, heaviest.indentation / compliance * area);
+}
+
+} // namespace
 
 MotionBox room_on_skin(const Case& input, const mesh::Footprint& footprint) {
   constexpr double margin = 1e-3; // of the skin; the mesh needs some room at its edges
@@ -18,6 +36,26 @@ MotionBox room_on_skin(const Case& input, const mesh::Footprint& footprint) {
     room.high[d] -= edge;
   }
   return room;
+}
+
+MotionBox expected_places(const Case& input, const MotionBox& touching,
+                          const mesh::Footprint& footprint) {
+  if (!input.motion.drive.given()) {
+    return touching;
+  }
+  // A slider that sticks and slips swings at most by twice what friction stretches the spring by.
+  const double swing =
+      2 * input.contact.friction * largest_load(input, footprint) / input.motion.drive.stiffness;
+  const MotionBox room = room_on_skin(input, footprint);
+  MotionBox places = touching;
+  for (std::size_t d = 0; d < 2; ++d) {
+    if (touching.low[d] == touching.high[d]) {
+      continue; // friction pulls along the motion
+    }
+    places.low[d] = std::min(touching.low[d], std::max(room.low[d], touching.low[d] - swing));
+    places.high[d] = std::max(touching.high[d], std::min(room.high[d], touching.high[d] + swing));
+  }
+  return places;
 }
 
 } // namespace ionskin::mechanics
