@@ -24,7 +24,9 @@ namespace {
 
 // Processor time [s], measured with AVX2 on cases/paper.toml and cases/finger.toml, with a soft
 // finger and on a path of six waypoints.
-constexpr double seconds_per_skin = 0.7, seconds_per_pair_of_cells = 9e-6;
+constexpr double seconds_per_skin = 0.6, seconds_per_pair_of_cells = 9e-6;
+/// More of a skin, by its size over the reach of its short waves: measured near an end of it.
+constexpr double seconds_per_reach = 8e-4;
 /// Of a step of the contact, over the square of the cells.
 constexpr double seconds_per_step = 1e-7, seconds_per_driven_step = 2e-7;
 /// More of a step at a new place across the skin, by the skin's size over the reach of its short
@@ -32,6 +34,8 @@ constexpr double seconds_per_step = 1e-7, seconds_per_driven_step = 2e-7;
 constexpr double seconds_per_place_across = 2e-4;
 /// Of the strain of an instant that is kept of the path, over the points of the core.
 constexpr double seconds_per_strain = 6e-7;
+/// Of a row of cells and one of elements, measured on cases/paper.toml and cases/finger.toml.
+constexpr double row_bytes = 4e5;
 /// Grids of cells on which the contact of a round slider is sought.
 constexpr double searched_grids = 4;
 
@@ -66,12 +70,17 @@ struct GridCost {
     points = 8.0 * static_cast<double>(nx * ny * (top - bottom));
     const handover::CoreGrid core =
         handover::core_grid(input, mesh, motion_box(input.motion, input.slider));
+    const MotionBox box = motion_box(input.motion, input.slider);
+    if (mesh.half_model() || box.low[1] == box.high[1]) {
+      const auto [first, end] = mesh.footprint_y();
+      rows = row_bytes * static_cast<double>((end - first) * ny);
+    }
     history_values = (moves_water(input) ? 2.0 : 1.0) * // channels
                      static_cast<double>(handover::strain_grid(input, mesh, core).values());
   }
 
   double skin_seconds() const {
-    return seconds_per_skin + seconds_per_pair_of_cells * cells * cells;
+    return seconds_per_skin + seconds_per_reach * size + seconds_per_pair_of_cells * cells * cells;
   }
   /// Of steps along the path and of the strain of what is kept of them, which threads share.
   double path_seconds(const mechanics::ExpectedSteps& steps, int threads) const {
@@ -96,7 +105,10 @@ struct GridCost {
   }
 
   double cells = 0, points = 0; ///< below the slider, of the core
-  double size = 0;              ///< of the skin
+  /// Strains over forces on rows of cells, kept where the slider keeps its place across the skin
+  /// [bytes].
+  double rows = 0;
+  double size = 0; ///< of the skin
   bool driven = false;
   double history_values = 0; ///< of one instant
 };
@@ -137,7 +149,7 @@ MechanicsCost estimate_mechanics_cost(const Case& input, int threads,
     } catch (const UserError&) { // its cells do not fit beside the slider: a run goes without
     }
   }
-  cost.memory = skin_memory(input, mesh) +
+  cost.memory = skin_memory(input, mesh) + own.rows +
                 std::max(own.contact_memory(threads), own.strain_memory(threads) + cost.histories);
   return cost;
 }
