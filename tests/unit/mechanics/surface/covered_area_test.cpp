@@ -61,7 +61,7 @@ TEST(CoveredArea, finds_straight_borders_within_cells) {
       // Primitive of sqrt(a^2 - x^2).
       const auto primitive = [&](double at) {
         const double x = std::clamp(at, -a, a);
-        return (x * std::sqrt(a * a - x * x) + a * a * std::asin(x / a)) / 2;
+        return (x * std::sqrt(std::max(0.0, a * a - x * x)) + a * a * std::asin(x / a)) / 2;
       };
       if (std::abs(cells.lines_x[i] + cells.lines_x[i + 1]) / 2 < a) {
         field[i] = primitive(cells.lines_x[i + 1]) - primitive(cells.lines_x[i]);
