@@ -167,6 +167,14 @@ Slot slot_at_end(const std::string& text, const std::string& table, const std::s
           "\n",        table.substr(0, table.find('.')),    false};
 }
 
+/// Where a table has a list of tables alone so far, such as [[readout.taxels]], behind which it
+/// could not be opened.
+Slot slot_before_list(const std::string& text, std::size_t first, const std::string& table,
+                      const std::string& key) {
+  const std::size_t line = first == 0 ? 0 : text.rfind('\n', first - 1) + 1;
+  return {line, fmt::format("[{}]\n", table), key, "\n\n", table, false};
+}
+
 Slot slot_after_line(const std::string& text, std::size_t position, const std::string& key) {
   return {line_end(text, position), "\n", key, "", ""};
 }
@@ -220,6 +228,8 @@ Slot find_slot(const std::string& argument, const TomlText& values, const Descen
   }
   if (written == "[" + name + "]" || written == "[[" + name + "]]")
     return slot_after_line(text, span.begin, rest);
+  if (written.starts_with("[["))
+    return slot_before_list(text, span.begin, name, rest);
   if (written.starts_with('['))
     return slot_at_end(text, name,
                        rest); // only sub-tables such as [materials.platinum] exist so far

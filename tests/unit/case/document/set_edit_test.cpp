@@ -54,6 +54,13 @@ TEST(SetEdit, AddsAMissingTableAtTheEnd) {
             "[materials.a]\nx = 1\n\n[materials]\nb.poissons_ratio = 0.4\n");
 }
 
+TEST(SetEdit, AddsATableBeforeItsList) {
+  const std::string taxels = "[a]\nb = 1\n# two\n[[readout.taxels]]\nname = \"x\"\n";
+  EXPECT_EQ(edited(taxels, {"readout.circuit=open", "readout.taxel_circuit=load"}),
+            "[a]\nb = 1\n# two\n[readout]\ntaxel_circuit = \"load\"\ncircuit = "
+            "\"open\"\n\n[[readout.taxels]]\nname = \"x\"\n");
+}
+
 TEST(SetEdit, ReachesIntoLists) {
   const std::string layers = "[[skin.layers]]\nname = \"a\"\n[[skin.layers]]\nname = \"b\"\n";
   EXPECT_EQ(edited(layers, {"skin.layers[1].name=c"}),
