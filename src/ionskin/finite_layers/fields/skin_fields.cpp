@@ -13,6 +13,8 @@
 namespace ionskin::finite_layers {
 namespace {
 
+/// Of the width: two places across the skin that are the same but for rounding.
+constexpr double same_place = 1e-9;
 /// Waves of more than some 16 to a column average out in it.
 constexpr double column_waves = 100;
 
@@ -144,6 +146,7 @@ struct SkinFields::Parts {
   double box_length, box_width; ///< that short waves do not leave
   PlaneWaves long_waves, short_waves;
   std::optional<RowStrains> core_rows, electrode_rows; ///< of the short waves
+  std::optional<double> rows_at;                       ///< for which they are made [m]
 
   Parts(const FieldSkin& layered, const ContactGrid& contact, const std::vector<double>& heights,
         double column, const WaveSplit& waves, const ComponentChoice& components,
@@ -161,6 +164,7 @@ struct SkinFields::Parts {
             box_length, box_width, cells.half, [&](double k) { return split.short_share(k); },
             std::max(largest(core.levels().cutoffs), largest(electrodes.levels().cutoffs))) {
     if (across) {
+      rows_at = across->centre_y;
       const PlaneBox box = short_box({0, across->centre_y});
       const ModeTransform rows = of_rows(short_waves, box, across->centre_y);
       core_rows = core.row_strains(short_waves, box, rows,
@@ -258,6 +262,9 @@ std::vector<CoreAndElectrodes> SkinFields::at(const std::vector<FieldState>& sta
   for (const FieldState& state : states) {
     if (state.forces.size() != static_cast<std::size_t>(3 * parts.cells.count())) {
       throw InternalError("each cell has three forces");
+    }
+    if (parts.rows_at && std::abs(state.centre[1] - *parts.rows_at) > same_place * skin.width) {
+      throw InternalError("a slider that keeps its place across the skin has left it");
     }
     const CellForces by_cell = by_cells(parts.cells, state.forces);
     normal_force.push_back(by_cell[0].sum());

@@ -38,7 +38,10 @@ SkinModel::SkinModel(const Case& input, const MotionBox& places_of_centre,
           mechanics::slider_compliance(input.slider, contact_grid(cells, mesh.half_model()))),
       layers(input.skin, contact_grid(cells, mesh.half_model()),
              resolution(input.skin, mesh.footprint(), places_of_centre, purpose), threads),
-      places(places_of_centre) {}
+      places(places_of_centre),
+      // Off the middle a drive yields along y, too.
+      stays_across(mesh.half_model() ||
+                   (places.low[1] == places.high[1] && !input.motion.drive.given())) {}
 
 void ContactCompliance::at(const std::array<double, 2>& place, Eigen::MatrixXd& result) {
   if (!across_ || centre_y_ != place[1]) {

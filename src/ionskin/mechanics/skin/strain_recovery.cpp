@@ -43,10 +43,10 @@ double mean_column(const mesh::SkinMesh& mesh) {
 
 /// Where all states have them alike.
 std::optional<finite_layers::PlacesAcross> places_across(const SkinModel& model) {
-  const auto& [low, high] = model.places;
-  if (!model.mesh.half_model() && low[1] != high[1]) {
+  if (!model.stays_across) {
     return std::nullopt;
   }
+  const std::array<double, 2>& low = model.places.low;
   const std::vector<double> lines = model.mesh.lines_across(low[1]);
   const double middle = lines.back(); // of the skin, where it is half of it
   return finite_layers::PlacesAcross{model.mesh.half_model() ? middle : low[1], gauss_points(lines),
