@@ -12,6 +12,7 @@
 #include "ionskin/mechanics/path/expected_steps.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/path/path_resolution.hpp"
+#include "ionskin/mechanics/skin/skin_reach.hpp"
 #include "ionskin/mesh/footprint.hpp"
 #include "ionskin/parallel/task_pool.hpp"
 
@@ -137,6 +138,26 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
   return solution;
 }
 
+/// Says where a slider on a drive comes nearer to an edge than its skin was resolved for.
+void warn_of_near_edges(const Case& input, const SkinModel& model, ContactSolution& contact) {
+  constexpr double tolerated = 0.9; // of the reach of short waves
+  MotionBox places = model.places;
+  for (const SteppedInstant& instant : contact.stepped) {
+    for (std::size_t d = 0; d < 2 && instant.state; ++d) {
+      places.low[d] = std::min(places.low[d], instant.centre[d]);
+      places.high[d] = std::max(places.high[d], instant.centre[d]);
+    }
+  }
+  const mesh::Footprint& footprint = model.mesh.footprint();
+  if (short_wave_reach(input.skin, footprint, places) <
+      tolerated * short_wave_reach(input.skin, footprint, model.places)) {
+    contact.warnings.emplace_back(
+        "The slider swings nearer to an edge of the skin than its drive lets expect: what that "
+        "edge "
+        "does to the strain is resolved less finely. Stiffen motion.drive, or take a larger skin.");
+  }
+}
+
 /// Never touched.
 std::vector<SteppedSolution> untouched(const std::vector<MotionLeg>& legs, ContactSolution empty,
                                        std::size_t count) {
@@ -186,6 +207,7 @@ std::vector<SteppedSolution> solve_stepped(const Case& input, const mesh::Footpr
                          std::make_shared<SteppedStrains>(recovery, shared_threads, options.spare),
                          variants[i], options, progress);
     std::ranges::move(warnings, std::back_inserter(contact.warnings));
+    warn_of_near_edges(input, *model, contact);
     // Each by itself, so that no solution depends on its neighbours.
     solutions[i].wider = widened_footprint(input, footprint, contact);
     if (solutions[i].wider) {

@@ -234,6 +234,7 @@ TEST(RollerFields, of_places_that_stay_across_are_those_of_any) {
     for (const double x : {0.9e-3, 1.6e-3, 2.7e-3}) { // the last near an end
       expect_alike(staying.at({x, y}, forces(of)), any.at({x, y}, forces(of)));
     }
+    EXPECT_THROW(staying.at({0.9e-3, y + 1e-6}, forces(of)), InternalError);
   }
 }
 

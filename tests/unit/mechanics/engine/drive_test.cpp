@@ -128,6 +128,45 @@ TEST(DrivenSlider, swings_on_where_the_path_halts_beyond_its_end) {
   EXPECT_LT(solution.worst_complementarity_residual, 1e-6);
 }
 
+bool warns_of_an_edge(const ContactSolution& solution) {
+  return std::ranges::any_of(solution.warnings, [](const std::string& warning) {
+    return warning.find("nearer to an edge") != std::string::npos;
+  });
+}
+
+TEST(DrivenSlider, says_where_it_comes_nearer_to_an_edge_than_expected) {
+  Case input = driven_case();
+  input.contact.friction = 0.002;
+  input.motion.drive = {100, 0, 50e-3}; // a period of 140 ms: it swings on by 1 mm
+  input.motion.stroke = 1.6e-3;
+  input.motion.slide = 0.02;
+  input.motion.kind = MotionKind::reciprocating;
+  input.motion.strokes = 2;
+  input.motion.dwell = 0.2;
+  input.motion.preload_force = 5;
+  double furthest = 0;
+  const ContactSolution solution = solved(input);
+  for (const SteppedInstant& instant : solution.stepped) {
+    furthest = std::max(furthest, instant.centre[0]);
+  }
+  EXPECT_TRUE(warns_of_an_edge(solution)) << furthest;
+  EXPECT_FALSE(warns_of_an_edge(solved(driven_case())));
+}
+
+TEST(DrivenSlider, off_the_middle_its_strain_is_that_of_the_place_where_it_is) {
+  Case input = driven_case();
+  input.slider.start[1] -= 0.1e-3;
+  const ContactSolution solution = solved(input);
+  double aside = 0;
+  for (const SteppedInstant& instant : solution.stepped) {
+    if (instant.state) {
+      aside = std::max(aside, std::abs(instant.centre[1] - input.slider.start[1]));
+      EXPECT_FALSE(core_strain(*instant.state).component[4].empty());
+    }
+  }
+  EXPECT_GT(aside, 1e-8); // it yields along y, too
+}
+
 TEST(DrivenSlider, is_given_up_where_its_steps_get_nowhere) {
   const Case input = driven_case();
   base::Timers timers;
