@@ -135,4 +135,16 @@ history::CoreHistory sliding_contact_history(int cycles) {
   return history;
 }
 
+history::CoreHistory slide_onset_history() {
+  history::CoreHistory history = sliding_contact_history(1);
+  history.time[4] = 0.6;
+  history.slider_x[4] = 4.8e-3;
+  for (auto* series : {&history.time, &history.slider_x}) {
+    series->resize(5);
+  }
+  history.shear().resize(5);
+  history.event_time = {history.time.begin() + 1, history.time.end() - 1};
+  return history;
+}
+
 } // namespace ionskin::verification

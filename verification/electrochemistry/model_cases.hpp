@@ -21,5 +21,7 @@ history::CoreHistory linear_step_history(double bottom, double top, std::vector<
 /// along the edges, contact during the last half millisecond of touchdown, full slip after 17 ms.
 /// @param cycles periods of 4 s
 history::CoreHistory sliding_contact_history(int cycles);
+/// The first 0.6 s of it: touchdown and the onset of the slide.
+history::CoreHistory slide_onset_history();
 
 } // namespace ionskin::verification

@@ -19,7 +19,7 @@ namespace {
 
 using verification::linear_step_history;
 using verification::model_case;
-using verification::sliding_contact_history;
+using verification::slide_onset_history;
 
 IonSolution solve(const Case& input, const history::CoreHistory& history,
                   const IonOptions& options = {}) {
@@ -31,19 +31,6 @@ Case coarse_case() {
   Case input = model_case();
   input.numerics.preset = Preset::coarse;
   return input;
-}
-
-/// The first 0.6 s of the sliding contact: touchdown and the onset of the slide.
-history::CoreHistory onset_history() {
-  history::CoreHistory history = sliding_contact_history(1);
-  history.time[4] = 0.6;
-  history.slider_x[4] = 4.8e-3;
-  for (auto* series : {&history.time, &history.slider_x}) {
-    series->resize(5);
-  }
-  history.shear().resize(5);
-  history.event_time = {history.time.begin() + 1, history.time.end() - 1};
-  return history;
 }
 
 void expect_equal(const IonSolution& a, const IonSolution& b) {
@@ -61,7 +48,7 @@ void expect_equal(const IonSolution& a, const IonSolution& b) {
 }
 
 TEST(IonTransport, ThreadsDoNotChangeABit) {
-  const auto history = onset_history();
+  const auto history = slide_onset_history();
   IonOptions one, three;
   one.snapshot_times = three.snapshot_times = {0.55};
   three.threads = 3;
@@ -69,7 +56,7 @@ TEST(IonTransport, ThreadsDoNotChangeABit) {
 }
 
 TEST(IonTransport, InterruptedAndResumedEqualsUninterrupted) {
-  const auto history = onset_history();
+  const auto history = slide_onset_history();
   IonOptions options;
   options.snapshot_times = {0.2, 0.55};
   const IonSolution whole = solve(coarse_case(), history, options);
@@ -93,7 +80,7 @@ TEST(IonTransport, InterruptedAndResumedEqualsUninterrupted) {
 }
 
 TEST(IonTransport, StepsThatGetNowhereEndAndCanBeResumed) {
-  const auto history = onset_history();
+  const auto history = slide_onset_history();
   const IonSolution whole = solve(coarse_case(), history);
 
   IonCheckpoint kept;
@@ -127,7 +114,7 @@ TEST(IonTransport, IonsThatCrowdInSomeColumnsTakeFewSteps) {
   input.electrochemistry.diffusivity = 3.7e-13;
   input.electrochemistry.permittivity = 6.8e-10;
   input.coupling.coefficient = -3e-4;
-  history::CoreHistory history = onset_history();
+  history::CoreHistory history = slide_onset_history();
   for (double& time : history.time) {
     time *= 2e-5;
   }
@@ -266,7 +253,7 @@ TEST(IonTransport, VoltageDecaysWithTheCapacitancesOfCircuitAndCell) {
 }
 
 TEST(IonTransport, ColumnChargesAddUpToTheLastRow) {
-  const auto solution = solve(coarse_case(), onset_history());
+  const auto solution = solve(coarse_case(), slide_onset_history());
   double sum = 0.0;
   for (const double charge : solution.column_charge_top) {
     sum += charge;
@@ -334,7 +321,7 @@ TEST(IonTransport, DeepDepletionStaysPositiveAndKeepsTheIdentities) {
 TEST(IonTransport, PairGenerationKeepsTheCoreNeutralAndCountsTheReleasedIons) {
   Case input = coarse_case();
   input.coupling.law = "pair-generation";
-  const auto solution = solve(input, onset_history());
+  const auto solution = solve(input, slide_onset_history());
   const double unit = input.coupling.coefficient * 1200.0;
   for (std::size_t i = 0; i < solution.time.size(); ++i) {
     const double released = unit * solution.shear_integral[i];

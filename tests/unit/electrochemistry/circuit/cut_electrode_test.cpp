@@ -17,7 +17,7 @@ namespace {
 
 using verification::linear_step_history;
 using verification::model_case;
-using verification::sliding_contact_history;
+using verification::slide_onset_history;
 
 IonSolution solve(const Case& input, const history::CoreHistory& history,
                   const IonOptions& options = {}) {
@@ -47,18 +47,6 @@ Case without_taxels(const char* circuit) {
   return input;
 }
 
-history::CoreHistory onset() {
-  history::CoreHistory history = sliding_contact_history(1);
-  history.time[4] = 0.6;
-  history.slider_x[4] = 4.8e-3;
-  for (auto* series : {&history.time, &history.slider_x}) {
-    series->resize(5);
-  }
-  history.shear().resize(5);
-  history.event_time = {history.time.begin() + 1, history.time.end() - 1};
-  return history;
-}
-
 double largest(const std::vector<double>& values) {
   double result = 0;
   for (const double value : values) {
@@ -75,7 +63,8 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 
 TEST(CutElectrode, GroundedTaxelsAreOneElectrodeCutAfterwards) {
   Case whole = with_taxels(4, "shared");
-  const IonSolution one = solve(whole, onset()), cut = solve(with_taxels(4, "short"), onset());
+  const IonSolution one = solve(whole, slide_onset_history()),
+                    cut = solve(with_taxels(4, "short"), slide_onset_history());
   ASSERT_EQ(one.time, cut.time);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_LT(largest_difference(one.top_segments[i].charge, cut.top_segments[i].charge),
@@ -86,8 +75,8 @@ TEST(CutElectrode, GroundedTaxelsAreOneElectrodeCutAfterwards) {
 
 /// 4 mOhm each, beside some ohms of the cell.
 TEST(CutElectrode, TaxelsBehindNoLoadAreNearlyGrounded) {
-  const IonSolution one = solve(with_taxels(4, "short"), onset()),
-                    cut = solve(with_taxels(4, "load", 4e-3), onset());
+  const IonSolution one = solve(with_taxels(4, "short"), slide_onset_history()),
+                    cut = solve(with_taxels(4, "load", 4e-3), slide_onset_history());
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(one.top_segments[i].charge.back(), cut.top_segments[i].charge.back(),
                 5e-3 * largest(one.charge_top));
@@ -116,8 +105,8 @@ TEST(CutElectrode, ChargeIsConserved) {
     input.coupling.law = "column-neutral";
     Case grounded = input;
     grounded.readout.taxel_circuit = "short";
-    const double scale = largest(solve(grounded, onset()).top_segments[1].charge);
-    const IonSolution cut = solve(input, onset());
+    const double scale = largest(solve(grounded, slide_onset_history()).top_segments[1].charge);
+    const IonSolution cut = solve(input, slide_onset_history());
     for (std::size_t row = 0; row < cut.time.size(); ++row) {
       EXPECT_NEAR(cut.charge_top[row], -cut.charge_bottom[row], 1e-10 * scale);
       EXPECT_NEAR(cut.charge_top[row], cut.ramo_charge_top[row], 1e-11 * scale);
@@ -155,10 +144,10 @@ TEST(CutElectrode, HalfTheSkinIsSolvedWhereTheTaxelsAreMirrored) {
     input.readout.taxels.back().upper[1] = width;
   }
   EXPECT_TRUE(taxels_are_mirrored(input.readout, width));
-  const IonSolution half = solve(input, onset());
+  const IonSolution half = solve(input, slide_onset_history());
   input.readout.taxels[3].parameters["load_resistance"] = 30.0 * (1 + 1e-12);
   EXPECT_FALSE(taxels_are_mirrored(input.readout, width));
-  const IonSolution whole = solve(input, onset());
+  const IonSolution whole = solve(input, slide_onset_history());
   ASSERT_EQ(half.top_segments.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(half.top_segments[i].voltage.back(), whole.top_segments[i].voltage.back(),
@@ -173,7 +162,7 @@ TEST(CutElectrode, TheGroundStaysTheGround) {
   Case input = with_taxels(3, "open");
   input.readout.taxels.pop_back();
   input.readout.taxels[1].upper[0] = 9.3e-3;
-  const IonSolution cut = solve(input, onset());
+  const IonSolution cut = solve(input, slide_onset_history());
   ASSERT_EQ(cut.top_segments[2].name, "rest");
   EXPECT_EQ(largest(cut.top_segments[2].voltage), 0);
   EXPECT_GT(largest(cut.top_segments[1].voltage), 0);
@@ -182,7 +171,7 @@ TEST(CutElectrode, TheGroundStaysTheGround) {
 TEST(CutElectrode, WhatHasNoCircuitOfItsOwnIsTheElectrode) {
   Case input = with_taxels(3, "shared");
   input.readout.taxels[1].circuit = "open";
-  const IonSolution cut = solve(input, onset());
+  const IonSolution cut = solve(input, slide_onset_history());
   EXPECT_EQ(largest(cut.top_segments[0].voltage), 0);
   EXPECT_EQ(largest(cut.top_segments[2].voltage), 0);
   EXPECT_GT(largest(cut.top_segments[1].voltage), 0);
@@ -190,34 +179,39 @@ TEST(CutElectrode, WhatHasNoCircuitOfItsOwnIsTheElectrode) {
   EXPECT_EQ(largest(cut.top_segments[1].passed), 0);
 }
 
-TEST(CutElectrode, InterruptedAndResumedEqualsUninterrupted) {
-  const Case input = with_taxels(4, "parallel-rc", 100.0, 1e-5);
-  const IonSolution whole = solve(input, onset());
+/// A run that is stopped after some steps and resumed is the one that was not, to the bit.
+void expect_resumes(const Case& input, const IonSolution& whole, std::size_t steps) {
   struct Stop : std::exception {};
   IonCheckpoint kept;
   IonOptions first;
-  first.checkpoint_interval = 20;
+  first.checkpoint_interval = steps;
   first.checkpoint_seconds = 0;
   first.checkpoint = [&kept](const IonCheckpoint& checkpoint) {
     kept = checkpoint;
     throw Stop();
   };
-  EXPECT_THROW(solve(input, onset(), first), Stop);
+  EXPECT_THROW(solve(input, slide_onset_history(), first), Stop);
   IonOptions second;
   second.resume = kept;
-  const IonSolution resumed = solve(input, onset(), second);
+  const IonSolution resumed = solve(input, slide_onset_history(), second);
   EXPECT_EQ(whole.time, resumed.time);
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < whole.top_segments.size(); ++i) {
     EXPECT_EQ(whole.top_segments[i].voltage, resumed.top_segments[i].voltage);
     EXPECT_EQ(whole.top_segments[i].passed, resumed.top_segments[i].passed);
   }
+}
+
+TEST(CutElectrode, InterruptedAndResumedEqualsUninterrupted) {
+  const Case input = with_taxels(4, "parallel-rc", 100.0, 1e-5);
+  expect_resumes(input, solve(input, slide_onset_history()), 20);
 }
 
 TEST(CutElectrode, ThreadsDoNotChangeABit) {
   const Case input = with_taxels(4, "load", 100.0);
   IonOptions three;
   three.threads = 3;
-  const IonSolution a = solve(input, onset()), b = solve(input, onset(), three);
+  const IonSolution a = solve(input, slide_onset_history()),
+                    b = solve(input, slide_onset_history(), three);
   EXPECT_EQ(a.charge_top, b.charge_top);
   EXPECT_EQ(a.top_segments[2].voltage, b.top_segments[2].voltage);
 }
@@ -230,7 +224,7 @@ Case scanned(const char* circuit, bool grounds_others) {
 }
 
 TEST(Scan, StepsEndWhereTheNextRowIsRead) {
-  const IonSolution solution = solve(scanned("load", true), onset());
+  const IonSolution solution = solve(scanned("load", true), slide_onset_history());
   for (const double instant : {0.05, 0.1, 0.15, 0.5}) {
     EXPECT_TRUE(std::ranges::any_of(solution.time, [instant](double time) {
       return std::abs(time - instant) < 1e-12;
@@ -239,7 +233,7 @@ TEST(Scan, StepsEndWhereTheNextRowIsRead) {
 }
 
 TEST(Scan, ReadsChargeOfOneRowAtATime) {
-  const IonSolution solution = solve(scanned("load", true), onset());
+  const IonSolution solution = solve(scanned("load", true), slide_onset_history());
   for (std::size_t row = 1; row < solution.time.size(); ++row) {
     const double middle = 0.5 * (solution.time[row - 1] + solution.time[row]);
     const auto read = static_cast<std::size_t>(middle / 0.05) % 4;
@@ -261,8 +255,8 @@ TEST(Scan, ReadsChargeOfOneRowAtATime) {
 
 /// What is grounded between its turns, and in them, is never anything else.
 TEST(Scan, OfGroundedTaxelsChangesNothing) {
-  const IonSolution plain = solve(with_taxels(4, "short"), onset()),
-                    read = solve(scanned("short", true), onset());
+  const IonSolution plain = solve(with_taxels(4, "short"), slide_onset_history()),
+                    read = solve(scanned("short", true), slide_onset_history());
   for (std::size_t i = 0; i < 4; ++i) {
     const SegmentCharge &one = plain.top_segments[i], &other = read.top_segments[i];
     EXPECT_NEAR(one.charge.back(), other.charge.back(), 1e-3 * largest(plain.charge_top));
@@ -293,31 +287,14 @@ TEST(Scan, OpenTaxelsDischargeInTheirTurn) {
 
 TEST(Scan, InterruptedAndResumedEqualsUninterrupted) {
   const Case input = scanned("parallel-rc", false);
-  const IonSolution whole = solve(input, onset());
-  struct Stop : std::exception {};
-  for (const std::size_t interval : {20U, 33U}) {
-    IonCheckpoint kept;
-    IonOptions first;
-    first.checkpoint_interval = interval;
-    first.checkpoint_seconds = 0;
-    first.checkpoint = [&kept](const IonCheckpoint& checkpoint) {
-      kept = checkpoint;
-      throw Stop();
-    };
-    EXPECT_THROW(solve(input, onset(), first), Stop);
-    IonOptions second;
-    second.resume = kept;
-    const IonSolution resumed = solve(input, onset(), second);
-    EXPECT_EQ(whole.time, resumed.time);
-    for (std::size_t i = 0; i < 4; ++i) {
-      EXPECT_EQ(whole.top_segments[i].voltage, resumed.top_segments[i].voltage);
-      EXPECT_EQ(whole.top_segments[i].passed, resumed.top_segments[i].passed);
-    }
+  const IonSolution whole = solve(input, slide_onset_history());
+  for (const std::size_t steps : {20U, 33U}) {
+    expect_resumes(input, whole, steps);
   }
 }
 
 TEST(TaxelCrosstalk, FallsWithTheDistanceAndIsNoneOfOneConductor) {
-  const auto history = onset();
+  const auto history = slide_onset_history();
   EXPECT_FALSE(taxel_crosstalk(with_taxels(4, "shared"), history));
   const double near = taxel_crosstalk(with_taxels(20, "open"), history).value();
   const double far = taxel_crosstalk(with_taxels(2, "open"), history).value();
