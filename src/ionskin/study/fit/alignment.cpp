@@ -4,6 +4,8 @@
 #include "ionskin/readout/sampling.hpp"
 #include "ionskin/study/fit/data_adjustment.hpp"
 
+#include <boost/math/tools/minima.hpp>
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -87,16 +89,13 @@ std::vector<double> smoothed(const std::vector<double>& values, double cells) {
 
 double correlation_at(const FitData& data, const electrochemistry::IonSolution& ions,
                       double time_shift) {
-  DataAdjustment adjustment;
-  adjustment.time_shift = time_shift;
-  return correlation(data.values, predict(data, ions, adjustment));
+  return correlation(data.values, predict_shifted(data, ions, time_shift));
 }
 
-/// The best shift within a step of one (golden section), with its sign.
+/// The best shift within a step of one, with its sign.
 Alignment refined(const FitData& data, const electrochemistry::IonSolution& ions,
                   const Alignment& about, double step) {
-  constexpr double section = 0.6180339887498949;
-  constexpr int rounds = 24, most_parts = 32;
+  constexpr int most_parts = 32, bits = 26;
   const double sign = about.correlation < 0 ? -1 : 1;
   const auto likeness = [&](double shift) { return sign * correlation_at(data, ions, shift); };
   // A peak of one row is narrower than a step may be.
@@ -111,26 +110,10 @@ Alignment refined(const FitData& data, const electrochemistry::IonSolution& ions
       best_likeness = here;
     }
   }
-  double from = best - step / parts, to = best + step / parts;
-  double low = to - section * (to - from), high = from + section * (to - from);
-  double at_low = likeness(low), at_high = likeness(high);
-  for (int round = 0; round < rounds; ++round) {
-    if (at_low > at_high) {
-      to = high;
-      high = low;
-      at_high = at_low;
-      low = to - section * (to - from);
-      at_low = likeness(low);
-    } else {
-      from = low;
-      low = high;
-      at_low = at_high;
-      high = from + section * (to - from);
-      at_high = likeness(high);
-    }
-  }
-  const double middle = 0.5 * (from + to);
-  return {middle, correlation_at(data, ions, middle)};
+  const double part = step / parts;
+  const auto [place, unlikeness] = boost::math::tools::brent_find_minima(
+      [&](double of_part) { return -likeness(best + of_part * part); }, -1.0, 1.0, bits);
+  return {best + place * part, -sign * unlikeness};
 }
 
 } // namespace
@@ -188,6 +171,17 @@ Alignment best_alignment(const FitData& data, const electrochemistry::IonSolutio
   const Alignment between = refined(data, ions, best, length);
   best.correlation = correlation_at(data, ions, best.time_shift);
   return std::abs(between.correlation) > std::abs(best.correlation) ? between : best;
+}
+
+double deviation(const std::vector<double>& values) {
+  double mean = 0, squares = 0;
+  for (const double value : values) {
+    mean += value / static_cast<double>(values.size());
+  }
+  for (const double value : values) {
+    squares += (value - mean) * (value - mean) / static_cast<double>(values.size());
+  }
+  return std::sqrt(squares);
 }
 
 double correlation(const std::vector<double>& first, const std::vector<double>& second) {

@@ -22,6 +22,9 @@ enum class Sign { kept, free };
 /// means over the cells between them, so that peaks of a single row are found; then between steps.
 Alignment best_alignment(const FitData& data, const electrochemistry::IonSolution& ions, Sign sign);
 
+/// Root mean square about the mean.
+double deviation(const std::vector<double>& values);
+
 /// Correlation of two signals of one length; 0 where one is constant.
 double correlation(const std::vector<double>& first, const std::vector<double>& second);
 

@@ -69,4 +69,11 @@ std::vector<double> predict(const FitData& data, const electrochemistry::IonSolu
   return result;
 }
 
+std::vector<double> predict_shifted(const FitData& data, const electrochemistry::IonSolution& ions,
+                                    double time_shift) {
+  DataAdjustment adjustment;
+  adjustment.time_shift = time_shift;
+  return predict(data, ions, adjustment);
+}
+
 } // namespace ionskin::study

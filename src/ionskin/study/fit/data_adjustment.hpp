@@ -32,6 +32,10 @@ std::string data_key_unit(std::string_view key, const std::string& unit);
 std::vector<double> predict(const FitData& data, const electrochemistry::IonSolution& ions,
                             const DataAdjustment& adjustment);
 
+/// The same of a record that departs by its clock alone.
+std::vector<double> predict_shifted(const FitData& data, const electrochemistry::IonSolution& ions,
+                                    double time_shift);
+
 /// The data with a clock that is right.
 FitData without_shift(FitData data, double time_shift);
 

@@ -24,13 +24,4 @@ std::vector<std::string> compare_with_start(const FitModel& model, const FitData
                                             const electrochemistry::IonSolution& start,
                                             const DataAdjustment& adjustment);
 
-/// What of the misfit a shift, a baseline, a drift or a gain explains: those that were free, and
-/// those that were not.
-/// @param start, end the solutions at the start and at the optimum
-/// @param point the optimum
-std::vector<std::string> explain_misfit(const FitModel& model, const FitData& data,
-                                        const electrochemistry::IonSolution& start,
-                                        const electrochemistry::IonSolution& end,
-                                        const std::vector<double>& point);
-
 } // namespace ionskin::study

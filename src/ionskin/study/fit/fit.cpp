@@ -6,6 +6,7 @@
 #include "ionskin/circuits/circuit.hpp"
 #include "ionskin/study/fit/data_checks.hpp"
 #include "ionskin/study/fit/misfit.hpp"
+#include "ionskin/study/fit/misfit_explanation.hpp"
 
 #include <ceres/iteration_callback.h>
 #include <ceres/problem.h>
@@ -89,11 +90,6 @@ FitModel::Ions solve_start(FitModel& model) {
                       "start from other values of the free keys");
   }
   return ions;
-}
-
-bool frees_time_shift(const FitModel& model) {
-  return std::ranges::any_of(model.parameters(),
-                             [](const auto& one) { return one.key == "data.time_shift"; });
 }
 
 /// Rows that lie behind the end of the run, by more than an interval, once the shift is taken off.
@@ -203,7 +199,7 @@ void prepare(FitData& data, FitModel& model) {
   require_one_electrode(model);
   require_voltage(model, data);
   const auto [begin, end] = model.span();
-  if (!frees_time_shift(model)) {
+  if (!model.frees("data.time_shift")) {
     restrict_to_run(data, begin, end);
   }
   require_rows(model, data);
@@ -215,7 +211,7 @@ FitResult fit(FitModel& model, FitData& data, const base::ProgressCallback& prog
   const FitModel::Ions start_ions = solve_start(model);
   const DataAdjustment adjustment = start_adjustment(model, data, *start_ions);
   std::vector<std::string> warnings;
-  if (frees_time_shift(model)) {
+  if (model.frees("data.time_shift")) {
     drop_late_rows(data, model.span().second + adjustment.time_shift, warnings);
     require_rows(model, data);
     require_signal(data);

@@ -255,4 +255,8 @@ std::vector<FitModel::Ions> FitModel::solutions(const std::vector<std::vector<do
   return result;
 }
 
+bool FitModel::frees(std::string_view key) const {
+  return std::ranges::find(parameters_, key, &FitParameter::key) != parameters_.end();
+}
+
 } // namespace ionskin::study

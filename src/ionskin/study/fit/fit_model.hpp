@@ -13,6 +13,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ionskin::study {
@@ -43,6 +44,7 @@ public:
            const std::vector<std::string>& free, FitModelOptions options);
 
   const std::vector<FitParameter>& parameters() const { return parameters_; }
+  bool frees(std::string_view key) const;
   const Case& start_case() const { return start_case_; }
   const std::string& path() const { return path_; }
   /// The case at other values of the parameters.

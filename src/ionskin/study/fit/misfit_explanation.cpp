@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/study/fit/misfit_explanation.hpp"
+
+#include "ionskin/study/fit/alignment.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <optional>
+
+namespace ionskin::study {
+namespace {
+
+/// Rows at the ends of the data's range that are left out: where an instrument would saturate.
+struct Ends {
+  bool least = false, largest = false;
+};
+
+/// What the model says of the ends once it is fitted to the other rows.
+struct WithoutEnds {
+  FitData rows;                                ///< the others
+  std::vector<double> signal;                  ///< likewise
+  double beyond_least = 0, beyond_largest = 0; ///< mean of the signal over the ends
+  std::size_t least_rows = 0, largest_rows = 0;
+};
+
+WithoutEnds without_ends(const FitData& data, const std::vector<double>& signal, Ends ends) {
+  const auto [least, most] = std::ranges::minmax(data.values);
+  const double slack = 1e-6 * (most - least);
+  WithoutEnds result{{data.column, data.unit, {}, {}}, {}};
+  for (std::size_t row = 0; row < data.values.size(); ++row) {
+    if (ends.least && data.values[row] <= least + slack) {
+      result.beyond_least += signal[row];
+      ++result.least_rows;
+    } else if (ends.largest && data.values[row] >= most - slack) {
+      result.beyond_largest += signal[row];
+      ++result.largest_rows;
+    } else {
+      result.rows.time.push_back(data.time[row]);
+      result.rows.values.push_back(data.values[row]);
+      result.signal.push_back(signal[row]);
+    }
+  }
+  result.beyond_least /= std::max(1.0, static_cast<double>(result.least_rows));
+  result.beyond_largest /= std::max(1.0, static_cast<double>(result.largest_rows));
+  return result;
+}
+
+/// Data that a model fitted to all rows but those at the ends of the range describes ten times as
+/// well, and that it leaves by a tenth of the range there, are clipped.
+/// @param left the sum of squares that the fit leaves
+std::string clipping(const FitData& data, const std::vector<double>& signal, bool baseline,
+                     bool drift, double left) {
+  constexpr double beyond = 0.1, better = 0.1;
+  const auto [least, most] = std::ranges::minmax(data.values);
+  for (const Ends ends : {Ends{false, true}, Ends{true, false}, Ends{true, true}}) {
+    const WithoutEnds others = without_ends(data, signal, ends);
+    if (others.signal.size() < 4) {
+      continue;
+    }
+    const LinearFit fit = linear_fit(others.rows, others.signal, baseline, drift);
+    const double margin = beyond * (most - least);
+    const bool above = fit.gain * others.beyond_largest + fit.baseline > most + margin;
+    const bool below = fit.gain * others.beyond_least + fit.baseline < least - margin;
+    if ((!ends.largest || above) && (!ends.least || below) && fit.left < better * left) {
+      const std::string level = ends.largest && ends.least
+                                    ? fmt::format("{:.4g} and {:.4g}", least, most)
+                                    : fmt::format("{:.4g}", ends.largest ? most : least);
+      return fmt::format("The data end at {} {} in {} rows, where the model that describes the "
+                         "others goes beyond: the instrument is saturated. Leave the values of "
+                         "these rows empty, or measure again in a wider range.",
+                         level, data.unit, others.least_rows + others.largest_rows);
+    }
+  }
+  return "";
+}
+
+/// A way to explain a misfit that no key of the case has.
+struct Explanation {
+  bool shift = false, baseline = false, drift = false;
+  double time_shift = 0;
+  LinearFit fit;
+};
+
+std::string joined(const std::vector<std::string>& parts, const char* between) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == parts.size() ? between : ", ") + parts[i];
+  }
+  return text;
+}
+
+std::string words_of(const Explanation& one, const FitData& data) {
+  std::vector<std::string> parts, keys;
+  if (one.shift) {
+    parts.push_back(fmt::format("a time shift of {:.4g} s", one.time_shift));
+    keys.emplace_back("data.time_shift");
+  }
+  if (one.baseline) {
+    parts.push_back(fmt::format("a baseline of {:.4g} {}", one.fit.baseline, data.unit));
+    keys.emplace_back("data.baseline");
+  }
+  if (one.drift) {
+    parts.push_back(fmt::format("a drift of {:.4g} {}/s", one.fit.drift, data.unit));
+    keys.emplace_back("data.drift");
+  }
+  return fmt::format("{}: --free {}", joined(parts, " and "), joined(keys, ","));
+}
+
+double left_of(const FitData& data, const std::vector<double>& fitted) {
+  double squares = 0;
+  for (std::size_t row = 0; row < fitted.size(); ++row) {
+    squares += (data.values[row] - fitted[row]) * (data.values[row] - fitted[row]);
+  }
+  return squares;
+}
+
+/// The simplest explanation that leaves less than half, and not much more than all together.
+std::optional<Explanation> find_explanation(const FitModel& model, const FitData& data,
+                                            const electrochemistry::IonSolution& ions,
+                                            const DataAdjustment& adjustment, double left) {
+  const bool shift_free = model.frees("data.time_shift");
+  const bool baseline_free = model.frees("data.baseline");
+  const bool drift_free = model.frees("data.drift");
+  const Alignment aligned =
+      best_alignment(data, ions, model.frees("data.gain") ? Sign::free : Sign::kept);
+  std::vector<Explanation> all;
+  for (const auto& [shift, baseline, drift] :
+       std::initializer_list<std::array<bool, 3>>{{true, false, false},
+                                                  {false, true, false},
+                                                  {true, true, false},
+                                                  {false, true, true},
+                                                  {true, true, true}}) {
+    if ((shift && shift_free) || (baseline && baseline_free && !drift) || (drift && drift_free)) {
+      continue;
+    }
+    const bool level = baseline || baseline_free, slope = drift || drift_free;
+    const double time_shift = shift ? aligned.time_shift : adjustment.time_shift;
+    all.push_back({shift, baseline && !baseline_free, drift, time_shift,
+                   linear_fit(data, predict_shifted(data, ions, time_shift), level, slope)});
+  }
+  double least = left;
+  for (const Explanation& one : all) {
+    least = std::min(least, one.fit.left);
+  }
+  for (const Explanation& one : all) {
+    if (one.fit.left < 0.5 * left && one.fit.left <= std::max(2 * least, 0.02 * left)) {
+      return one;
+    }
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+std::vector<std::string> explain_misfit(const FitModel& model, const FitData& data,
+                                        const electrochemistry::IonSolution& start,
+                                        const electrochemistry::IonSolution& end,
+                                        const std::vector<double>& point) {
+  constexpr double negligible = 1e-5; // of the variance
+  constexpr double lost = 1e-4;       // of the start's signal: below it rounding shows
+  const DataAdjustment adjustment = model.adjustment_at(point);
+  const double left = left_of(data, predict(data, end, adjustment));
+  const double variance =
+      std::pow(deviation(data.values), 2) * static_cast<double>(data.values.size());
+  std::vector<std::string> warnings;
+  for (const std::string& key : data_keys()) {
+    if (!model.frees(key)) {
+      continue;
+    }
+    DataAdjustment without = adjustment;
+    without.of(key) = DataAdjustment().of(key);
+    const double share = 1 - left / left_of(data, predict(data, end, without));
+    if (share > 0.5) {
+      const std::string unit = data_key_unit(key, data.unit);
+      warnings.push_back(fmt::format(
+          "{} = {:.4g}{} explains {:.3g} % of the misfit that is there without it{}.", key,
+          DataAdjustment(adjustment).of(key), unit == "1" ? "" : " " + unit, 100 * share,
+          key == "data.gain" && adjustment.gain < 0
+              ? "; it is negative: the electrodes are swapped, or the amplifier inverts"
+              : ""));
+    }
+  }
+  if (left < negligible * variance) {
+    return warnings;
+  }
+  const bool faded = deviation(predict_shifted(data, end, adjustment.time_shift)) <
+                     lost * deviation(predict_shifted(data, start, adjustment.time_shift));
+  const electrochemistry::IonSolution& shape = faded ? start : end;
+  const std::string clipped =
+      clipping(data, predict_shifted(data, shape, adjustment.time_shift),
+               model.frees("data.baseline"), model.frees("data.drift"), left);
+  if (!clipped.empty()) {
+    warnings.push_back(clipped);
+  } else if (const auto found = find_explanation(model, data, shape, adjustment, left)) {
+    warnings.push_back(fmt::format(
+        "The fit leaves {:.3g} % of the variance, and {:.3g} % of that is "
+        "explained by {}.",
+        100 * left / variance, 100 * (1 - found->fit.left / left), words_of(*found, data)));
+  }
+  return warnings;
+}
+
+} // namespace ionskin::study
