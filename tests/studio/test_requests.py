@@ -164,8 +164,8 @@ class Requests(StudioTest):
         run = self.folder / "run"
         run.mkdir()
         path = "/api/table?path=run&name=signals"
-        for text in ("," * 20_000_000, "a,b\n" + "," * 20_000_000, "," * 10_000 + "\n" * 10_000_000, "a\n" + "word\n" * 4_000_000,
-                     "a\n" + ("w" * 1_000_000 + "\n") * 40, "a" * 20_000_000, '"' * 20_000_000, "a,b\n" + "1,2\n" * 9_000_000):
+        for text in ("," * 20_000_000, "a,b\n" + "," * 20_000_000, "," * 10_000 + "\n" * 10_000_000, "a\n" + "word\n" * 2_100_000,
+                     "a\n" + ("w" * 1_000_000 + "\n") * 34, "a" * 20_000_000, '"' * 20_000_000, "a,b\n" + "1,2\n" * 8_000_001):
             with self.subTest(text=text[:20]):
                 (run / "signals.csv").write_text(text)
                 status, _, body = self.studio.call("GET", path)

@@ -146,7 +146,7 @@ double work_of(const LongList& list, int count) {
 
 TEST(LongLists, CostWorkInProportion) {
   for (const LongList& list : long_lists()) {
-    const double some = work_of(list, 200), four_times = work_of(list, 800);
+    const double some = work_of(list, 100), four_times = work_of(list, 400);
     EXPECT_LT(four_times, 6 * some) << list.name;
   }
 }

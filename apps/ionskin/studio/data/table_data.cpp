@@ -63,9 +63,13 @@ public:
   explicit Lines(const std::filesystem::path& path)
       : file_(path), buffer_(limits::table_line, '\0') {}
 
-  void begin() {
+  /// The heading; `next` gives the first row then.
+  std::string_view begin() {
     file_.clear();
     file_.seekg(0);
+    std::string_view heading;
+    next(heading);
+    return heading;
   }
   /// False at the end.
   bool next(std::string_view& line) {
@@ -103,15 +107,24 @@ struct Shape {
   std::vector<bool> words;
 };
 
-/// Throws HttpError when the table would not fit into memory.
-Shape shape_of(Lines& lines, std::size_t columns) {
-  Shape shape{0, std::vector<bool>(columns, false)};
-  std::vector<std::size_t> bytes(columns, 0);
-  std::string cell;
-  for (std::string_view line; lines.next(line); ++shape.rows) {
-    if ((shape.rows + 1) * columns > limits::table_cells) {
+/// Throws HttpError when they hold more cells than fit into memory.
+std::size_t count_rows(Lines& lines, std::size_t columns) {
+  std::size_t rows = 0;
+  for (std::string_view line; lines.next(line);) {
+    if (++rows * columns > limits::table_cells) {
       refuse();
     }
+  }
+  return rows;
+}
+
+/// Throws HttpError when the words would not fit into memory.
+Shape shape_of(Lines& lines, std::size_t rows, std::size_t columns) {
+  Shape shape{rows, std::vector<bool>(columns, false)};
+  std::vector<std::size_t> bytes(columns, 0);
+  std::string cell;
+  std::string_view line;
+  for (std::size_t row = 0; row < rows && lines.next(line); ++row) {
     for (std::size_t i = 0; i < columns; ++i) {
       take_cell(line, cell);
       shape.words[i] = shape.words[i] || !number_of(cell);
@@ -137,10 +150,11 @@ std::string packed_table(const std::filesystem::path& path) {
     refuse();
   }
   Lines lines(path);
-  std::string_view line;
-  lines.next(line);
-  const auto titles = titles_of(line);
-  const Shape shape = shape_of(lines, titles.size());
+  const auto titles = titles_of(lines.begin());
+  // Counted first: what is refused is refused before its cells are read.
+  const std::size_t rows = count_rows(lines, titles.size());
+  lines.begin();
+  const Shape shape = shape_of(lines, rows, titles.size());
   Json heading = {{"rows", shape.rows}, {"columns", Json::array()}};
   Json& columns = heading["columns"];
   std::vector<std::size_t> begins; // of the columns of numbers
@@ -153,8 +167,8 @@ std::string packed_table(const std::filesystem::path& path) {
   }
   std::vector<double> numbers(count, missing);
   std::string cell;
+  std::string_view line;
   lines.begin();
-  lines.next(line);
   for (std::size_t row = 0; row < shape.rows && lines.next(line); ++row) {
     for (std::size_t i = 0; i < titles.size(); ++i) {
       take_cell(line, cell);
