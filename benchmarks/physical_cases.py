@@ -235,8 +235,12 @@ class Draw:
 
     def water(self):
         """Keys of [water] beside those of the material."""
-        water = {"dilution": self.rng.choice(("mixture", "pore-water")), "bottom_wall": self.rng.choice(("sealed", "open")),
-                 "top_wall": "sealed"}
+        water = {"dilution": self.rng.choice(("mixture", "pore-water")),
+                 "bottom_wall": self.rng.choice(("sealed", "open", "permeable")), "top_wall": "sealed"}
+        if water["bottom_wall"] == "permeable":
+            water["bottom_conductance"] = self.quantity(1e-15, 1e-11, "m/(Pa s)")
+        if water["bottom_wall"] != "sealed" and self.maybe(0.3):
+            water["bottom_pressure"] = self.quantity(10, 10000, "Pa")
         if self.maybe(0.5):
             water["drained_poissons_ratio"] = self.between(0.1, 0.3)
         else:

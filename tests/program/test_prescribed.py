@@ -39,6 +39,44 @@ class Prescribed(ProgramTest):
         self.assertGreater(drained, 3e-5)
         self.assertLess(sealed, 1e-6 * drained)
 
+    def test_a_held_compression_relaxes(self):
+        # M = 2 G (1 - nu)/(1 - 2 nu) of the drained core, M_B = K_u - K_d; water leaves through the top.
+        shear = 249e6 / (2 * 1.49)
+        drained = 2 * shear * 0.6 / 0.2
+        storage = 249e6 / (3 * 0.02) - (drained - 4 / 3 * shear)
+        self.run_case(BENDING, "-o", "held", *COARSE, "--set", "strain.curvature=0 1/m", "--set", "strain.compression=100 nm",
+                      "--set", "water.top_wall=open", "--set", "strain.duration=60 s")
+        pressure = signals(self.folder / "held", "water")["holding_pressure"]
+        self.assertAlmostEqual(pressure[0] / ((drained + storage) * 100e-9 / 180e-6), 1, delta=0.03)  # one node of 25 is drained at once
+        self.assertAlmostEqual(pressure[-1] / (drained * 100e-9 / 180e-6), 1, delta=1e-3)
+        self.assertTrue((numpy.diff(pressure) <= 0).all())
+
+    def test_water_under_pressure_permeates(self):
+        flow = {}
+        for name, more in (("open", []), ("tight", ["water.top_wall=permeable", "water.top_conductance=2.7777777777777777e-13 m/(Pa s)"])):
+            edits = ["strain.curvature=0 1/m", "water.bottom_wall=open", "water.top_wall=open", "water.bottom_pressure=100 kPa",
+                     "strain.duration=40 s", *more]
+            self.run_case(BENDING, "-o", name, *COARSE, *[word for edit in edits for word in ("--set", edit)])
+            water = signals(self.folder / name, "water")
+            flow[name] = (water["water_outflow_top"][-1] - water["water_outflow_top"][-2]) / (water["time"][-1] - water["time"][-2])
+            balance = water["water_outflow_top"] + water["water_outflow_bottom"]
+            self.assertLess(abs(balance[-1] - balance[-2]), 1e-6 * abs(water["water_outflow_top"][-1]))
+        steady = 5e-17 * 100e3 / 180e-6 * 30e-3 * 5e-3  # K p/h over the area
+        self.assertAlmostEqual(flow["open"] / steady, 1, delta=1e-3)
+        self.assertAlmostEqual(flow["tight"] / steady, 0.5, delta=1e-3)  # the wall conducts as much as the core
+        voltage = signals(self.folder / "open", "water")["streaming_voltage"][-1]
+        self.assertAlmostEqual(voltage / (2.5 * 1.8e-5 / 96485 * 100e3), 1, delta=0.01)
+
+    def test_loads_that_exclude_each_other_are_told(self):
+        for edits, words in ((["strain.pressure=1 kPa"], "more than one load"),
+                             (["strain.curvature=0 1/m"], "no load is prescribed"),
+                             (["strain.curvature=0 1/m", "strain.compression=20 um"], "more than a tenth of the core"),
+                             (["strain.curvature=0 1/m", "strain.compression=1 um", "water.top_wall=open", "water.top_pressure=1 kPa"],
+                              "beside a pressure of the water outside")):
+            with self.subTest(edits=edits):
+                process = self.run_program("check", BENDING, *[word for edit in edits for word in ("--set", edit)], expect=2)
+                self.assertIn(words, process.stderr)
+
     def test_only_mechanics_has_nothing_to_do(self):
         process = self.run_case(BENDING, "-o", "out", "--only", "mechanics", expect=2)
         self.assertIn('strain.source = "prescribed"', process.stderr)

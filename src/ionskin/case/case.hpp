@@ -156,8 +156,9 @@ struct Coupling {
   std::string measure = "off-diagonal"; ///< a name from the table in laws/shear/shear_measure.cpp
 };
 
-/// Whether water passes a wall of the core: no flux, or the potential P = 0 of a reservoir.
-enum class WaterWall { sealed, open };
+/// What a wall of the core does to water: lets none through, lets it through freely, or lets
+/// through in proportion to what the potentials on both sides differ by.
+enum class WaterWall { sealed, open, permeable };
 
 /// Whether swelling dilutes the cations in the volume of the mixture or in that of the pore water.
 enum class WaterDilution { mixture, pore_water };
@@ -174,6 +175,8 @@ struct Water {
   WaterDilution dilution = WaterDilution::mixture;
   double volume_fraction = 0; ///< of water in the core [1]
   WaterWall bottom_wall = WaterWall::sealed, top_wall = WaterWall::sealed;
+  double bottom_conductance = 0, top_conductance = 0; ///< of permeable walls [m/(Pa s)]
+  double bottom_pressure = 0, top_pressure = 0; ///< of the water outside, above that at rest [Pa]
 };
 
 /// Where the strain of Study 2 comes from.
@@ -186,9 +189,10 @@ enum class LoadWaveform { step, ramp, sine };
 struct StrainSource {
   StrainSourceKind kind = StrainSourceKind::contact;
   std::string file; ///< absolute path; empty without one
-  // prescribed: a load that is uniform along the skin, one of the two; 0 is not given
-  double pressure = 0;  ///< on both faces, positive in compression [Pa]
-  double curvature = 0; ///< of the skin along x, positive with the top face stretched [1/m]
+  // prescribed: a load that is uniform along the skin, one of the three; 0 is not given
+  double pressure = 0;    ///< on both faces, positive in compression [Pa]
+  double compression = 0; ///< by how much the core is held thinner [m]
+  double curvature = 0;   ///< of the skin along x, positive with the top face stretched [1/m]
   LoadWaveform waveform = LoadWaveform::step;
   double rise = 0;      ///< of `ramp`: after it the load is held [s]
   double frequency = 0; ///< of `sine` [Hz]

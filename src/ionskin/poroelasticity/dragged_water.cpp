@@ -2,29 +2,29 @@
 #include "ionskin/poroelasticity/dragged_water.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace ionskin::poroelasticity {
 
-Outflow outflow(const std::vector<double>& nodes, const std::array<WaterWall, 2>& walls,
+Outflow outflow(const std::vector<double>& nodes, const WaterWalls& walls,
                 std::span<const double> growth) {
-  const bool bottom = walls[0] == WaterWall::open, top = walls[1] == WaterWall::open;
   Outflow out;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const double height = nodes[i] / nodes.back();
-    const double above = top ? (bottom ? height : 1.0) : 0.0;
-    out.top -= above * growth[i];
-    out.bottom -= bottom ? (1.0 - above) * growth[i] : 0.0;
+    const double top = walls.share_of_top(nodes[i], nodes.back());
+    out.top -= top * growth[i];
+    out.bottom -= walls.bottom == sealed_wall ? 0.0 : (1.0 - top) * growth[i];
   }
   return out;
 }
 
 DraggedWater::DraggedWater(const WaterProperties& water, double volume, std::vector<double> nodes,
-                           const std::array<WaterWall, 2>& walls, const std::vector<double>& levels)
-    : volume_(volume), modulus_(water.consolidation_coefficient / water.mobility), nodes_(nodes),
-      lengths_(node_lengths(nodes)), walls_(walls),
+                           const WaterWalls& walls, const std::vector<double>& levels)
+    : volume_(volume), modulus_(water.consolidation_coefficient / water.mobility),
+      held_share_(water.held_share), nodes_(nodes), lengths_(node_lengths(nodes)), walls_(walls),
       to_levels_(quadratic_interpolation(nodes, levels)),
-      water_({1, 1}, {1.0, 1.0}, std::move(nodes), walls, water.consolidation_coefficient),
+      water_({1, 1}, {1.0, 1.0}, std::move(nodes), walls, water.consolidation_coefficient,
+             water.held_share),
       brought_(nodes_.size(), 0.0), load_(nodes_.size(), 0.0), pressure_(nodes_.size(), 0.0) {}
 
 PressureState DraggedWater::rest() const {
@@ -48,8 +48,11 @@ void DraggedWater::step(const PressureState& begin, double duration,
   water_.step(begin, duration, load_, end);
   water_.pressure(end, pressure_);
   // What P stores, less what the cations brought.
+  const double back = held_share_ *
+                      std::inner_product(lengths_.begin(), lengths_.end(), pressure_.begin(), 0.0) /
+                      nodes_.back();
   for (std::size_t i = 0; i < load_.size(); ++i) {
-    load_[i] = lengths_[i] * pressure_[i] / modulus_ - brought_[i];
+    load_[i] = lengths_[i] * (pressure_[i] - back) / modulus_ - brought_[i];
   }
   left_ = outflow(nodes_, walls_, load_);
 }

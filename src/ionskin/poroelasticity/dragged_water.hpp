@@ -5,7 +5,6 @@
 #include "ionskin/poroelasticity/pore_pressure.hpp"
 #include "ionskin/poroelasticity/water_properties.hpp"
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -17,11 +16,10 @@ struct Outflow {
 };
 
 /// Water that has left the core through its walls, from how much its content has grown at the
-/// nodes. A wall's share of the content is weighted with the function that is 1 at that wall, 0 at
-/// another open one and harmonic in between, so that no flux has to be differentiated: the manner
-/// of Ramo and Shockley, docs/model.md (27).
+/// nodes. The content is weighted with the pressure that one unit outside a wall would make, so
+/// that no flux has to be differentiated: the manner of Ramo and Shockley, docs/model.md (27).
 /// @param growth of the water at each node, per area [m]
-Outflow outflow(const std::vector<double>& nodes, const std::array<WaterWall, 2>& walls,
+Outflow outflow(const std::vector<double>& nodes, const WaterWalls& walls,
                 std::span<const double> growth);
 
 /// The water's side of Saxen's relation, docs/model.md (23): a cation drags n_d molecules of water,
@@ -36,7 +34,7 @@ public:
   /// @param nodes of the pressure, as `wall_modes` takes them [m]
   /// @param levels of the ions, from 0 to the core's thickness [m]
   DraggedWater(const WaterProperties& water, double volume, std::vector<double> nodes,
-               const std::array<WaterWall, 2>& walls, const std::vector<double>& levels);
+               const WaterWalls& walls, const std::vector<double>& levels);
 
   /// Cations at rest.
   PressureState rest() const;
@@ -52,8 +50,9 @@ public:
 
 private:
   double volume_, modulus_; ///< modulus: c_v/K [Pa]
+  double held_share_;
   std::vector<double> nodes_, lengths_;
-  std::array<WaterWall, 2> walls_;
+  WaterWalls walls_;
   history::LineOperator to_levels_;
   PorePressure water_;
   std::vector<double> brought_, load_, pressure_;

@@ -37,10 +37,10 @@ LineModes cosine_modes(std::size_t columns, double width) {
   return modes;
 }
 
-LineModes wall_modes(const std::vector<double>& nodes, const std::array<WaterWall, 2>& walls) {
+LineModes wall_modes(const std::vector<double>& nodes, const WaterWalls& walls, double held_share) {
   const auto size = static_cast<Eigen::Index>(nodes.size());
-  const Eigen::Index first = walls[0] == WaterWall::open ? 1 : 0;
-  const Eigen::Index count = size - first - (walls[1] == WaterWall::open ? 1 : 0);
+  const Eigen::Index first = walls.bottom == open_wall ? 1 : 0;
+  const Eigen::Index count = size - first - (walls.top == open_wall ? 1 : 0);
   if (size < 3 || size % 2 == 0) {
     throw InternalError("quadratic elements have an odd number of nodes");
   }
@@ -55,16 +55,21 @@ LineModes wall_modes(const std::vector<double>& nodes, const std::array<WaterWal
     stiffness.block<3, 3>(i, i) +=
         Eigen::Matrix3d{{7, -8, 1}, {-8, 16, -8}, {1, -8, 7}} / (3 * length);
   }
+  stiffness(0, 0) += first == 1 ? 0.0 : walls.bottom;
+  stiffness(size - 1, size - 1) += walls.top == open_wall ? 0.0 : walls.top;
   const RowMajor scaled =
       (inverse.asDiagonal() * stiffness * inverse.asDiagonal()).block(first, first, count, count);
-  const Eigen::SelfAdjointEigenSolver<RowMajor> solver(scaled);
+  const Eigen::VectorXd even = root_mass.segment(first, count) / root_mass.norm();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<RowMajor> solver(
+      scaled, RowMajor::Identity(count, count) - held_share * even * even.transpose());
+  const bool is_sealed = walls.bottom == sealed_wall && walls.top == sealed_wall;
   LineModes modes{nodes.size(), std::vector<double>(nodes.size(), 0.0), {}, {}};
   RowMajor to_modes = RowMajor::Zero(size, size), from_modes = RowMajor::Zero(size, size);
   for (Eigen::Index m = 0; m < count; ++m) {
-    const bool uniform = m == 0 && count == size;
+    const bool uniform = m == 0 && is_sealed;
     modes.curvature[static_cast<std::size_t>(m)] = uniform ? 0.0 : solver.eigenvalues()(m);
     // The uniform mode is known: water is conserved to rounding.
-    const Eigen::VectorXd vector = uniform ? Eigen::VectorXd(root_mass / root_mass.norm())
+    const Eigen::VectorXd vector = uniform ? Eigen::VectorXd(even / std::sqrt(1 - held_share))
                                            : Eigen::VectorXd(solver.eigenvectors().col(m));
     for (Eigen::Index i = 0; i < count; ++i) {
       to_modes(m, first + i) = vector(i) * root_mass(first + i);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/case/case.hpp"
 #include "ionskin/history/line_operators.hpp"
+#include "ionskin/poroelasticity/water_walls.hpp"
 
 #include <array>
 #include <cstddef>
@@ -27,7 +27,9 @@ LineModes cosine_modes(std::size_t columns, double width);
 /// order 4 (Cohen 2002, doi 10.1007/978-3-662-04823-8). At an open wall the value is 0: its row and
 /// its column are zero.
 /// @param nodes ends and middles of the elements, ascending [m]
-LineModes wall_modes(const std::vector<double>& nodes, const std::array<WaterWall, 2>& walls);
+/// @param held_share of the mean value, which does not diffuse: docs/model.md (68)
+LineModes wall_modes(const std::vector<double>& nodes, const WaterWalls& walls,
+                     double held_share = 0);
 
 /// Integral of each node's share, by Simpson's rule [m].
 std::vector<double> node_lengths(const std::vector<double>& nodes);

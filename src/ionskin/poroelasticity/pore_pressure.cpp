@@ -42,9 +42,10 @@ double mean_decay(double a) {
 
 PorePressure::PorePressure(const std::array<std::size_t, 2>& columns,
                            const std::array<double, 2>& widths, std::vector<double> nodes,
-                           const std::array<WaterWall, 2>& walls, double consolidation_coefficient)
+                           const WaterWalls& walls, double consolidation_coefficient,
+                           double held_share)
     : x_(cosine_modes(columns[0], widths[0])), y_(cosine_modes(columns[1], widths[1])),
-      z_(wall_modes(nodes, walls)), nodes_(std::move(nodes)) {
+      z_(wall_modes(nodes, walls, held_share)), nodes_(std::move(nodes)) {
   rate_.reserve(values());
   for (const double z : z_.curvature) {
     for (const double y : y_.curvature) {

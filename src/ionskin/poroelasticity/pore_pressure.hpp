@@ -19,7 +19,7 @@ struct PressureState {
 /// Water potential P in the core under a load whose undrained pore pressure p_u is given,
 /// docs/model.md (22):
 ///   dP/dt = c_v (d2/dx2 + d2/dy2 + d2/dz2) P + dp_u/dt,
-/// sealed at the sides, sealed or open (P = 0) at each wall. Every mode of the core (cosines along
+/// sealed at the sides, with P = 0 outside the walls. Every mode of the core (cosines along
 /// x and y, eigenmodes of linear elements through the thickness) decays on its own, which is solved
 /// exactly for a p_u linear in time over a step: no limit on the step, and no water lost between
 /// sealed walls. Consolidation: Biot 1941, doi 10.1063/1.1712886.
@@ -27,10 +27,10 @@ class PorePressure {
 public:
   /// @param columns along x and y; widths of a column [m]
   /// @param nodes through the thickness, from 0 [m]
-  /// @param walls bottom, top
+  /// @param held_share of the mean of P that comes back as p_u, docs/model.md (68)
   PorePressure(const std::array<std::size_t, 2>& columns, const std::array<double, 2>& widths,
-               std::vector<double> nodes, const std::array<WaterWall, 2>& walls,
-               double consolidation_coefficient);
+               std::vector<double> nodes, const WaterWalls& walls, double consolidation_coefficient,
+               double held_share = 0);
 
   const std::vector<double>& nodes() const { return nodes_; }
   std::size_t values() const { return x_.size * y_.size * z_.size; }

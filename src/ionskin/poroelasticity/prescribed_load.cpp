@@ -31,7 +31,27 @@ Samples sine(const StrainSource& strain) {
   return samples;
 }
 
-Samples waveform(const StrainSource& strain) {
+/// Of the whole load, at the bottom and at the top of the core [Pa].
+std::array<double, 2> undrained_pressure(const Case& input) {
+  const double storage = storage_modulus(input);
+  if (input.strain.curvature == 0) {
+    const double drained = drained_oedometric_modulus(input);
+    const double pressure =
+        (input.strain.pressure + drained * input.strain.compression / input.skin.core_thickness()) *
+        storage / (drained + storage);
+    return {pressure, pressure};
+  }
+  const double ratio = input.skin.layers[input.skin.core_index()].material.poissons_ratio;
+  const double dilation =
+      input.skin.sides == SideCondition::free ? 1 - 2 * ratio : (1 - 2 * ratio) / (1 - ratio);
+  const double stretched =
+      -storage * dilation * input.strain.curvature * 0.5 * input.skin.core_thickness();
+  return {-stretched, stretched};
+}
+
+} // namespace
+
+std::vector<std::pair<double, double>> load_shares(const StrainSource& strain) {
   switch (strain.waveform) {
   case LoadWaveform::step:
     return {{0.0, 1.0}, {strain.duration, 1.0}};
@@ -46,24 +66,6 @@ Samples waveform(const StrainSource& strain) {
   return sine(strain);
 }
 
-/// Of the whole load, at the bottom and at the top of the core [Pa].
-std::array<double, 2> undrained_pressure(const Case& input) {
-  const double storage = storage_modulus(input);
-  if (input.strain.curvature == 0) {
-    const double pressure =
-        input.strain.pressure * storage / (drained_oedometric_modulus(input) + storage);
-    return {pressure, pressure};
-  }
-  const double ratio = input.skin.layers[input.skin.core_index()].material.poissons_ratio;
-  const double dilation =
-      input.skin.sides == SideCondition::free ? 1 - 2 * ratio : (1 - 2 * ratio) / (1 - ratio);
-  const double stretched =
-      -storage * dilation * input.strain.curvature * 0.5 * input.skin.core_thickness();
-  return {-stretched, stretched};
-}
-
-} // namespace
-
 history::CoreHistory prescribed_history(const Case& input) {
   history::CoreHistory history;
   history.measure = "prescribed";
@@ -72,7 +74,7 @@ history::CoreHistory prescribed_history(const Case& input) {
   history.grid = {{0.0, history.length}, {0.0, history.width}, {0.0, input.skin.core_thickness()}};
   const std::array<double, 2> whole = undrained_pressure(input);
   auto& channel = history.add_channel(history::channel_name::undrained_pressure, "Pa");
-  for (const auto& [time, share] : waveform(input.strain)) {
+  for (const auto& [time, share] : load_shares(input.strain)) {
     history.time.push_back(time);
     channel.samples.push_back(std::make_shared<const history::StrainField>(
         history::StrainField{share * whole[0], share * whole[1]}));

@@ -43,33 +43,60 @@ StreamingDrive::StreamingDrive(const Case& input, const CoreHistory& history,
     : water_(derive_water_properties(input)),
       pressure_of_channel_(channel.name == history::channel_name::dilation ? water_.storage_modulus
                                                                            : 1.0),
-      pore_pressure_(
-          {x_edges.size() - 1, y_edges.size() - 1}, {width_of(x_edges), width_of(y_edges)},
-          wall_clustered_nodes(history.core_thickness(), elements_through_core),
-          {input.water.bottom_wall, input.water.top_wall}, water_.consolidation_coefficient),
+      pore_pressure_({x_edges.size() - 1, y_edges.size() - 1},
+                     {width_of(x_edges), width_of(y_edges)},
+                     wall_clustered_nodes(history.core_thickness(), elements_through_core),
+                     water_walls(input.water, water_.mobility), water_.consolidation_coefficient,
+                     water_.held_share),
       projection_(history, channel, x_edges, y_edges,
                   history::linear_interpolation(history.grid.z_nodes, pore_pressure_.nodes())),
       to_levels_(quadratic_interpolation(pore_pressure_.nodes(), levels)),
-      walls_{input.water.bottom_wall, input.water.top_wall},
+      walls_(water_walls(input.water, water_.mobility)), outside_(input, walls_, water_.mobility),
       dragged_water_(water_, input.water.drag_number * constants::molar_volume_of_water,
                      pore_pressure_.nodes(), walls_, levels),
       streaming_(input.electrochemistry.valence * water_.streaming_coefficient /
                  water_.thermal_voltage),
       dilution_(water_.dilution / water_.drained_modulus),
       volts_(water_.thermal_voltage / input.electrochemistry.valence),
-      largest_(streaming_ * pressure_of_channel_ * largest_magnitude(channel)) {}
+      largest_(streaming_ *
+               (pressure_of_channel_ * largest_magnitude(channel) + outside_.largest())) {}
 
 void StreamingDrive::load(double time) {
   projection_.evaluate(time, undrained_);
   for (double& value : undrained_) {
     value *= pressure_of_channel_;
   }
+  driving_ = undrained_;
+  for (std::size_t i = 0; outside_.acts() && i < driving_.size(); ++i) {
+    driving_[i] -= outside_.steady(nodes()[i / columns()], time);
+  }
+}
+
+void StreamingDrive::unload(double time) {
+  for (std::size_t i = 0; outside_.acts() && i < pressure_.size(); ++i) {
+    pressure_[i] += outside_.steady(nodes()[i / columns()], time);
+  }
+  if (water_.held_share > 0) {
+    const double back = water_.held_share * mean_pressure();
+    for (double& value : undrained_) {
+      value += back;
+    }
+  }
+}
+
+double StreamingDrive::mean_pressure() const {
+  const std::vector<double> lengths = node_lengths(nodes());
+  double sum = 0;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    sum += lengths[i] * mean(pressure().subspan(i * columns(), columns()));
+  }
+  return sum / nodes().back();
 }
 
 void StreamingDrive::start(double time) {
   load(time);
   accepted_.time = time;
-  pore_pressure_.start(undrained_, accepted_.pressure);
+  pore_pressure_.start(driving_, accepted_.pressure);
   accepted_.dragged = dragged_water_.rest();
 }
 
@@ -87,8 +114,9 @@ void StreamingDrive::restore(const WaterState& state) {
 const std::vector<double>& StreamingDrive::evaluate(double time) {
   load(time);
   tried_.time = time;
-  pore_pressure_.step(accepted_.pressure, time - accepted_.time, undrained_, tried_.pressure);
+  pore_pressure_.step(accepted_.pressure, time - accepted_.time, driving_, tried_.pressure);
   pore_pressure_.pressure(tried_.pressure, pressure_);
+  unload(time);
   combine();
   return at_levels_;
 }
@@ -105,6 +133,10 @@ void StreamingDrive::combine() {
   }
   history::apply_along(to_levels_, 1, drive_.size() / pore_pressure_.nodes().size(), drive_,
                        at_levels_);
+}
+
+double StreamingDrive::holding_pressure() const {
+  return water_.held_share > 0 ? mean(undrained_) / water_.held_share : 0.0;
 }
 
 double StreamingDrive::pressure_at_bottom() const {
@@ -137,7 +169,8 @@ Outflow StreamingDrive::left() const {
         modulus;
   }
   const Outflow by_load = outflow(nodes(), walls_, growth);
-  return {by_load.bottom + dragged().bottom, by_load.top + dragged().top};
+  const double passed = outside_.passed(tried_.time);
+  return {by_load.bottom + dragged().bottom - passed, by_load.top + dragged().top + passed};
 }
 
 std::vector<double> StreamingDrive::pressure_at_levels() const {

@@ -4,6 +4,7 @@
 #include "ionskin/history/core_history.hpp"
 #include "ionskin/history/strain_projection.hpp"
 #include "ionskin/poroelasticity/dragged_water.hpp"
+#include "ionskin/poroelasticity/outside_water.hpp"
 #include "ionskin/poroelasticity/pore_pressure.hpp"
 #include "ionskin/poroelasticity/water_properties.hpp"
 
@@ -57,6 +58,8 @@ public:
   /// evaluated last, means over the columns: -L_s (P_top - P_bottom), and the dilution [V].
   double streaming_voltage() const;
   double dilution_voltage() const;
+  /// Pressure on the faces that holds a prescribed compression [Pa]; 0 where none is held.
+  double holding_pressure() const;
   /// Mean of P over the columns at a wall [Pa].
   double pressure_at_bottom() const;
   double pressure_at_top() const;
@@ -81,9 +84,14 @@ public:
   const std::vector<double>& nodes() const { return pore_pressure_.nodes(); }
 
 private:
+  /// Fills `undrained_` and what of it drives P less the steady pressure of the water outside.
   void load(double time);
+  /// P from its departure from the steady pressure, and p_u with what a held compression adds.
+  void unload(double time);
   void combine();
-  std::size_t columns() const { return pressure_.size() / pore_pressure_.nodes().size(); }
+  std::size_t columns() const { return undrained_.size() / pore_pressure_.nodes().size(); }
+  /// Of the core as a whole [Pa].
+  double mean_pressure() const;
   /// Mean over the columns of a field at the top wall minus that at the bottom one.
   double wall_difference(const std::vector<double>& field) const;
 
@@ -92,14 +100,15 @@ private:
   PorePressure pore_pressure_;
   history::StrainProjection projection_;
   history::LineOperator to_levels_;
-  std::array<WaterWall, 2> walls_;
+  WaterWalls walls_;
+  OutsideWater outside_;
   DraggedWater dragged_water_;
   double streaming_ = 0; ///< v L_s/V_T [1/Pa]
   double dilution_ = 0;  ///< theta/M [1/Pa]
   double volts_ = 0;     ///< V_T/v: what g counts in [V]
   double largest_ = 0;
   WaterState accepted_, tried_;
-  std::vector<double> undrained_, pressure_, drive_, at_levels_;
+  std::vector<double> undrained_, driving_, pressure_, drive_, at_levels_;
 };
 
 } // namespace ionskin::poroelasticity

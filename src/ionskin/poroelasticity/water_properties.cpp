@@ -41,6 +41,9 @@ WaterProperties derive_water_properties(const Case& input) {
       input.water.dilution == WaterDilution::mixture ? 1.0 : 1.0 / input.water.volume_fraction;
   water.skempton_coefficient = water.storage_modulus / bulk_modulus(core);
   water.thermal_voltage = gas_constant * input.electrochemistry.temperature / faraday;
+  water.held_share = input.strain.compression == 0
+                         ? 0.0
+                         : water.storage_modulus / (water.drained_modulus + water.storage_modulus);
   return water;
 }
 

@@ -15,6 +15,8 @@ struct WaterProperties {
   double dilution = 0;                  ///< theta: by how much swelling dilutes the cations [1]
   double skempton_coefficient = 0;      ///< B = M_B/K_u [1]
   double thermal_voltage = 0;           ///< V_T = R T/F [V]
+  /// Of the mean pressure that comes back as p_u where a compression is held, M_B/(M + M_B) [1].
+  double held_share = 0;
 
   /// tau_p = h2/(pi2 c_v): the slowest decay of a pressure difference between sealed walls [s].
   double consolidation_time(double thickness) const;

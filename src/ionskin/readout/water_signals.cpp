@@ -39,6 +39,9 @@ SignalTable water_signals(const WaterInputs& inputs) {
       {"dragged_outflow_bottom", "m3", inputs.dragged_bottom},
       {"dragged_pressure_difference", "Pa", inputs.dragged_difference},
   };
+  if (peak_magnitude(inputs.holding_pressure) > 0) {
+    table.columns.push_back({"holding_pressure", "Pa", inputs.holding_pressure});
+  }
   return table;
 }
 

@@ -28,6 +28,8 @@ const std::map<Dimension, DimensionInfo>& table() {
       {Dimension::viscosity, {"a viscosity", "Pa s", {"mPa s", "Pa s"}}},
       {Dimension::hydraulic_mobility,
        {"a hydraulic mobility", "m2/(Pa s)", {"m2/(Pa s)", "um2/(Pa s)"}}},
+      {Dimension::hydraulic_conductance,
+       {"a hydraulic conductance", "m/(Pa s)", {"m/(Pa s)", "um/(Pa s)"}}},
       {Dimension::curvature, {"a curvature", "1/m", {"1/m", "1/mm", "1/cm"}}},
       {Dimension::speed, {"a speed", "m/s", {"mm/s", "um/s", "m/s"}}},
       {Dimension::capacitance, {"a capacitance", "F", {"pF", "nF", "uF", "mF", "F"}}},

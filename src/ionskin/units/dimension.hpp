@@ -24,6 +24,7 @@ enum class Dimension {
   area,
   viscosity,
   hydraulic_mobility,
+  hydraulic_conductance,
   curvature,
   speed,
   capacitance,

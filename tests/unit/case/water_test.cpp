@@ -28,6 +28,9 @@ TEST(Water, IsReadWithEveryWayToGiveIt) {
                          "consolidation_coefficient = \"1e-10 m2/s\"\ndilution = \"pore-water\"\n"
                          "volume_fraction = 0.4\ntop_wall = \"open\"\n")),
             "");
+  EXPECT_EQ(error_of(wet(water + "top_wall = \"permeable\"\ntop_conductance = \"1e-14 m/(Pa s)\"\n"
+                                 "top_pressure = \"-2 kPa\"\n")),
+            "");
 }
 
 /// Lines of a case that is refused, what the message says and what it advises.
@@ -79,6 +82,15 @@ INSTANTIATE_TEST_SUITE_P(
                 "[water]\ndrag_number = 30\ndrained_poissons_ratio = 0.4\n"
                 "mobility = \"1e-19 m2/(Pa s)\"\nvolume_fraction = 0.1\n",
                 "molecules of water for each cation", "it must be at most"},
+        Refusal{"APermeableWallWithoutConductance", water + "top_wall = \"permeable\"\n",
+                "water.top_wall = \"permeable\" without water.top_conductance",
+                "give water.top_conductance"},
+        Refusal{"AConductanceOfAnOpenWall",
+                water + "top_wall = \"open\"\ntop_conductance = \"1e-14 m/(Pa s)\"\n",
+                "water.top_conductance is given", "set water.top_wall = \"permeable\""},
+        Refusal{"WaterOutsideASealedWall", water + "bottom_pressure = \"1 kPa\"\n",
+                "water.bottom_pressure is given, but water.bottom_wall is \"sealed\"",
+                "set water.bottom_wall = \"open\""},
         Refusal{"AWallThatIsNoWall", water + "top_wall = \"ajar\"\n", "water.top_wall = \"ajar\"",
                 "sealed"}),
     [](const auto& refusal) { return refusal.param.name; });

@@ -18,7 +18,7 @@ WaterProperties properties() {
   return water;
 }
 
-DraggedWater water_between(WaterWall bottom, WaterWall top) {
+DraggedWater water_between(double bottom, double top) {
   return {properties(), volume, wall_clustered_nodes(thickness, 12), {bottom, top}, levels};
 }
 
@@ -31,7 +31,7 @@ Outflow left_after(DraggedWater& water, double time) {
 }
 
 TEST(DraggedWater, LeavesThroughOpenWallsAsTheMomentOfTheCationsTells) {
-  DraggedWater water = water_between(WaterWall::open, WaterWall::open);
+  DraggedWater water = water_between(open_wall, open_wall);
   const Outflow left = left_after(water, 1e4);
   double moment = 0;
   for (std::size_t k = 0; k < levels.size(); ++k) {
@@ -43,7 +43,7 @@ TEST(DraggedWater, LeavesThroughOpenWallsAsTheMomentOfTheCationsTells) {
 }
 
 TEST(DraggedWater, StaysBetweenSealedWallsAndLiftsThePressure) {
-  DraggedWater water = water_between(WaterWall::sealed, WaterWall::sealed);
+  DraggedWater water = water_between(sealed_wall, sealed_wall);
   const Outflow left = left_after(water, 1.0);
   EXPECT_EQ(left.top, 0.0);
   EXPECT_EQ(left.bottom, 0.0);
@@ -51,7 +51,7 @@ TEST(DraggedWater, StaysBetweenSealedWallsAndLiftsThePressure) {
 }
 
 TEST(DraggedWater, ComesBackThroughTheOnlyOpenWall) {
-  DraggedWater water = water_between(WaterWall::sealed, WaterWall::open);
+  DraggedWater water = water_between(sealed_wall, open_wall);
   EXPECT_GT(left_after(water, 1.0).top, 1e-12);
   const Outflow left = left_after(water, 1e4);
   EXPECT_NEAR(left.top, 0.0, 1e-18);
@@ -59,7 +59,7 @@ TEST(DraggedWater, ComesBackThroughTheOnlyOpenWall) {
 }
 
 TEST(DraggedWater, IonsAtRestDragNone) {
-  DraggedWater water = water_between(WaterWall::open, WaterWall::open);
+  DraggedWater water = water_between(open_wall, open_wall);
   PressureState end;
   water.step(water.rest(), 1.0, {}, end);
   EXPECT_EQ(water.left().top, 0.0);
@@ -67,11 +67,11 @@ TEST(DraggedWater, IonsAtRestDragNone) {
 
 TEST(DraggedWater, OutflowIsWhatTheContentLost) {
   const std::vector<double> nodes{0.0, 0.25, 0.5}, growth{-1.0, -2.0, -3.0};
-  const Outflow both = outflow(nodes, {WaterWall::open, WaterWall::open}, growth);
+  const Outflow both = outflow(nodes, {open_wall, open_wall}, growth);
   EXPECT_DOUBLE_EQ(both.top, 4.0);
   EXPECT_DOUBLE_EQ(both.bottom, 2.0);
-  EXPECT_DOUBLE_EQ(outflow(nodes, {WaterWall::open, WaterWall::sealed}, growth).bottom, 6.0);
-  EXPECT_EQ(outflow(nodes, {WaterWall::open, WaterWall::sealed}, growth).top, 0.0);
+  EXPECT_DOUBLE_EQ(outflow(nodes, {open_wall, sealed_wall}, growth).bottom, 6.0);
+  EXPECT_EQ(outflow(nodes, {open_wall, sealed_wall}, growth).top, 0.0);
 }
 
 } // namespace

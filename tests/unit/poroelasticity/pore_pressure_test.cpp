@@ -9,12 +9,12 @@
 namespace ionskin::poroelasticity {
 namespace {
 
-constexpr WaterWall sealed = WaterWall::sealed, open = WaterWall::open;
+constexpr double sealed = sealed_wall, open = open_wall;
 
 /// One column of unit thickness and unit consolidation coefficient.
 class Layer {
 public:
-  Layer(std::size_t elements, const std::array<WaterWall, 2>& walls)
+  Layer(std::size_t elements, const WaterWalls& walls)
       : water_({1, 1}, {1.0, 1.0}, wall_clustered_nodes(1.0, elements), walls, 1.0) {}
 
   /// P a time after a step of p_u that is then held.

@@ -20,7 +20,8 @@ SignalTable example() {
                         .outflow_bottom = {0, 0, 0},
                         .dragged_top = {0, 1e-15, 1e-15},
                         .dragged_bottom = {0, 0, 0},
-                        .dragged_difference = {0, 40, 20}});
+                        .dragged_difference = {0, 40, 20},
+                        .holding_pressure = {0, 0, 0}});
 }
 
 double value_of(const std::vector<Metric>& metrics, const std::string& name) {
@@ -35,6 +36,14 @@ TEST(WaterSignals, AddUp) {
   EXPECT_EQ(table.column("open_circuit_voltage").unit, "V");
   EXPECT_EQ(table.column("water_outflow_top").values[2], 3e-15);
   EXPECT_EQ(table.column("dragged_outflow_top").unit, "m3");
+}
+
+TEST(WaterSignals, TellWhatHoldsACompressionOnlyWhereOneIsHeld) {
+  const auto has = [](const SignalTable& table) {
+    return std::ranges::count(table.columns, "holding_pressure", &Signal::name);
+  };
+  EXPECT_EQ(has(example()), 0);
+  EXPECT_EQ(has(water_signals({.time = {0}, .holding_pressure = {1e5}})), 1);
 }
 
 TEST(WaterSignals, MetricsArePeaksAndWhatANewtonGives) {

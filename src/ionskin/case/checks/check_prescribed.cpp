@@ -19,6 +19,9 @@ namespace {
 /// the radius is the strain of the core's faces.
 constexpr double least_radius = 1.0;
 
+/// Of the thickness of the core.
+constexpr double largest_compression = 0.1;
+
 /// A sine has 64 samples a period, of which each takes a time step or more.
 constexpr double most_periods = 1000;
 
@@ -42,16 +45,33 @@ void check_law(const CaseDocument& document, Problems& problems) {
 
 void check_load(const CaseDocument& document, Problems& problems) {
   const StrainSource& strain = document.input.strain;
-  const bool pressure = strain.pressure != 0, curvature = strain.curvature != 0;
-  if (pressure == curvature)
-    problems.add(pressure ? "strain.pressure and strain.curvature are both given"
-                          : "no load is prescribed, or one of 0",
-                 places(document, {"strain.pressure", "strain.curvature", "strain.source"}),
-                 pressure ? "give one of them: pressure leaves the strain along the skin at 0, "
-                            "bending leaves the faces free"
-                          : "give strain.pressure, such as \"100 kPa\", or strain.curvature, such "
-                            "as \"20 1/m\"");
+  const Water& water = document.input.water;
+  const int loads = (strain.pressure != 0) + (strain.compression != 0) + (strain.curvature != 0);
+  const bool outside = water.bottom_pressure != 0 || water.top_pressure != 0;
+  if (loads > 1)
+    problems.add("more than one load is prescribed",
+                 places(document, {"strain.pressure", "strain.compression", "strain.curvature"}),
+                 "give one of strain.pressure, strain.compression and strain.curvature: the first "
+                 "two leave the strain along the skin at 0, bending leaves the faces free");
+  if (loads == 0 && !outside)
+    problems.add("no load is prescribed, or one of 0", places(document, {"strain.source"}),
+                 "give strain.pressure, such as \"100 kPa\", strain.compression, such as \"1 um\", "
+                 "strain.curvature, such as \"20 1/m\", or the pressure of water outside an open "
+                 "wall, water.top_pressure");
+  if (strain.compression != 0 && outside)
+    problems.add(
+        "strain.compression is given beside a pressure of the water outside",
+        places(document, {"strain.compression", "water.bottom_pressure", "water.top_pressure"}),
+        "press with strain.pressure instead, or leave the water outside at rest");
   const double thickness = document.input.skin.core_thickness();
+  if (std::abs(strain.compression) > largest_compression * thickness)
+    problems.add(fmt::format("strain.compression = {:.6g} um is more than a tenth of the core, "
+                             "{:.6g} um thick",
+                             strain.compression * 1e6, thickness * 1e6),
+                 places(document, {"strain.compression"}),
+                 fmt::format("it must be at most {:.6g} um in magnitude: the law holds for small "
+                             "strain",
+                             1e6 * largest_compression * thickness));
   if (std::abs(strain.curvature) * thickness > 1 / least_radius)
     problems.add(fmt::format("strain.curvature = {:.6g} 1/m bends the core, {:.6g} mm thick, to a "
                              "radius of {:.6g} mm",
@@ -101,8 +121,8 @@ void check_prescribed_keys(const CaseDocument& document, Problems& problems) {
     check_law(document, problems);
     return;
   }
-  for (const char* key : {"strain.pressure", "strain.curvature", "strain.waveform", "strain.rise",
-                          "strain.frequency", "strain.duration"})
+  for (const char* key : {"strain.pressure", "strain.compression", "strain.curvature",
+                          "strain.waveform", "strain.rise", "strain.frequency", "strain.duration"})
     if (const auto where = places(document, {key}); !where.empty())
       problems.add(fmt::format("{} is given, but strain.source is not \"prescribed\"", key), where,
                    "set strain.source = \"prescribed\", or remove the key");

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <string>
 
 namespace ionskin {
 
@@ -148,6 +149,35 @@ void check_dilution(const CaseDocument& document, Problems& problems) {
         fmt::format("it must be at most {:.4g}", per_cation));
 }
 
+/// A wall's conductance belongs to a permeable one, a pressure outside to one that lets water
+/// through.
+void check_wall(const CaseDocument& document, const std::string& side, WaterWall wall,
+                double conductance, double pressure, Problems& problems) {
+  const std::string wall_key = "water." + side + "_wall";
+  const std::string conductance_key = "water." + side + "_conductance";
+  const std::string pressure_key = "water." + side + "_pressure";
+  const bool permeable = wall == WaterWall::permeable;
+  if (permeable && conductance == 0)
+    problems.add(fmt::format("{} = \"permeable\" without {}", wall_key, conductance_key),
+                 given(document, {wall_key.c_str()}),
+                 fmt::format("give {}, such as \"1e-14 m/(Pa s)\"", conductance_key));
+  if (!permeable && conductance != 0)
+    problems.add(fmt::format("{} is given, but {} is not \"permeable\"", conductance_key, wall_key),
+                 given(document, {conductance_key.c_str(), wall_key.c_str()}),
+                 fmt::format("set {} = \"permeable\", or remove the key", wall_key));
+  if (wall == WaterWall::sealed && pressure != 0)
+    problems.add(fmt::format("{} is given, but {} is \"sealed\"", pressure_key, wall_key),
+                 given(document, {pressure_key.c_str(), wall_key.c_str()}),
+                 fmt::format("set {} = \"open\" or \"permeable\", or remove the key", wall_key));
+}
+
+void check_walls(const CaseDocument& document, Problems& problems) {
+  const Water& water = document.input.water;
+  check_wall(document, "bottom", water.bottom_wall, water.bottom_conductance, water.bottom_pressure,
+             problems);
+  check_wall(document, "top", water.top_wall, water.top_conductance, water.top_pressure, problems);
+}
+
 } // namespace
 
 void check_water_keys(const CaseDocument& document, Problems& problems) {
@@ -165,6 +195,7 @@ void check_water(const CaseDocument& document, Problems& problems) {
   if (problems.empty())
     check_mobility(document, problems);
   check_dilution(document, problems);
+  check_walls(document, problems);
 }
 
 } // namespace ionskin

@@ -31,12 +31,18 @@ void add_prescribed_load(SchemaRows& rows) {
   rows.push_back(of_load("strain.pressure", Dimension::stress, {-1e9, 1e9, true, true},
                          &StrainSource::pressure,
                          "Pressure on the faces of the skin, uniform, of strain.source = "
-                         "\"prescribed\"; or give strain.curvature."));
+                         "\"prescribed\"; or give strain.compression or strain.curvature."));
+  rows.back().purpose = load;
+  rows.push_back(of_load("strain.compression", Dimension::length, {-1.0, 1.0, true, true},
+                         &StrainSource::compression,
+                         "By how much the core is held thinner than at rest, of strain.source = "
+                         "\"prescribed\"; or give strain.pressure or strain.curvature."));
   rows.back().purpose = load;
   rows.push_back(of_load("strain.curvature", Dimension::curvature, {-1e5, 1e5, true, true},
                          &StrainSource::curvature,
                          "Curvature along x of the bent skin, uniform, positive with the top face "
-                         "stretched, of strain.source = \"prescribed\"; or give strain.pressure."));
+                         "stretched, of strain.source = \"prescribed\"; or give strain.pressure or "
+                         "strain.compression."));
   rows.back().purpose = load;
   rows.push_back(
       {.key = "strain.waveform",
@@ -70,7 +76,7 @@ void add_strain(SchemaRows& rows) {
                   .default_value = "\"contact\"",
                   .choices = {{"contact"}, {"file"}, {"prescribed"}},
                   .help = "Where the strain comes from: the contact problem, a strain file, or a "
-                          "pressure or curvature that is prescribed, of laws that move water.",
+                          "load that is prescribed, of laws that move water.",
                   .set = into<StrainSource, StrainSourceKind>(
                       &Case::strain, &StrainSource::kind,
                       {{"contact", StrainSourceKind::contact},

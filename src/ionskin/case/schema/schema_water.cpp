@@ -3,6 +3,7 @@
 
 #include "ionskin/case/schema/schema_setters.hpp"
 
+#include <string>
 #include <utility>
 
 namespace ionskin {
@@ -11,7 +12,8 @@ using units::Dimension;
 
 namespace {
 
-const Names<WaterWall> walls{{"sealed", WaterWall::sealed}, {"open", WaterWall::open}};
+const Names<WaterWall> walls{
+    {"sealed", WaterWall::sealed}, {"open", WaterWall::open}, {"permeable", WaterWall::permeable}};
 
 constexpr const char* stiffness = "stiffness without water pressure";
 constexpr const char* speed = "speed of the water";
@@ -34,10 +36,36 @@ SchemaRow wall(const char* key, WaterWall Water::*member, const char* help) {
           .type = ValueType::choice,
           .applies = moves_water,
           .default_value = "\"sealed\"",
-          .choices = {{"sealed"}, {"open"}},
+          .choices = {{"sealed"}, {"open"}, {"permeable"}},
           .help = help,
           .source = "a metal electrode without cracks lets no water through",
           .set = into<Water, WaterWall>(&Case::water, member, walls)};
+}
+
+void add_outside(SchemaRows& rows, const std::string& side, double Water::*conductance,
+                 double Water::*pressure) {
+  rows.push_back({.key = "water." + side + "_conductance",
+                  .type = ValueType::quantity,
+                  .dimension = Dimension::hydraulic_conductance,
+                  .range = {1e-25, 1e3, true, true},
+                  .need = Need::where_known,
+                  .applies = moves_water,
+                  .help = "Water that a wall \"permeable\" lets through, volume per area, time and "
+                          "pressure.",
+                  .set = into(&Case::water, conductance)});
+  rows.push_back({.key = "water." + side + "_pressure",
+                  .type = ValueType::quantity,
+                  .dimension = Dimension::stress,
+                  .range = {-1e9, 1e9, true, true},
+                  .applies = moves_water,
+                  .default_value = "\"0 Pa\"",
+                  .help =
+                      "Pressure of the water outside an open or permeable wall, above that at "
+                      "rest, from the first instant on; with strain.source = \"prescribed\" it "
+                      "goes over time as the load. Of moist air, R T/V_w times the logarithm of "
+                      "its humidity over that at rest.",
+                  .source = "the skin rests in equilibrium with what is around it",
+                  .set = into(&Case::water, pressure)});
 }
 
 } // namespace
@@ -117,6 +145,8 @@ void add_water(SchemaRows& rows) {
       wall("water.bottom_wall", &Water::bottom_wall, "Whether water passes the lower electrode."));
   rows.push_back(
       wall("water.top_wall", &Water::top_wall, "Whether water passes the upper electrode."));
+  add_outside(rows, "bottom", &Water::bottom_conductance, &Water::bottom_pressure);
+  add_outside(rows, "top", &Water::top_conductance, &Water::top_pressure);
 }
 
 } // namespace ionskin

@@ -22,4 +22,8 @@ const history::HistoryChannel& driving_channel(const Case& input,
 /// [C/m3 per unit of the channel].
 double charge_density_of_channel(const Case& input, const history::HistoryChannel& channel);
 
+/// Charge that water under pressure outside the walls moves in the core, to first order; 0 where
+/// there is none [C].
+double charge_moved_by_outside_water(const Case& input);
+
 } // namespace ionskin::electrochemistry

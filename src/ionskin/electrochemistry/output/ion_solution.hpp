@@ -52,6 +52,7 @@ struct WaterRows {
   /// P at the top wall above that at the bottom one that the dragged water makes, and that does not
   /// act on the ions, means over the area [Pa].
   std::vector<double> dragged_difference;
+  std::vector<double> holding_pressure; ///< on the faces, of a compression that is held [Pa]
 };
 
 /// All of Study 2. Row 0 is the initial state with the response to a shear that does not start at

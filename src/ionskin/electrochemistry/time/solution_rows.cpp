@@ -175,6 +175,7 @@ void append_water(const poroelasticity::StreamingDrive& water, double area, Wate
   rows.dragged_top.push_back(area * dragged.top);
   rows.dragged_bottom.push_back(area * dragged.bottom);
   rows.dragged_difference.push_back(water.dragged_pressure_difference());
+  rows.holding_pressure.push_back(water.holding_pressure());
 }
 
 void SolutionRows::finish(const IonState& state, IonSolution& solution) {

@@ -20,8 +20,9 @@ double charge_rounding(const Case& input, const history::CoreHistory& history) {
   for (const double time : history.time) {
     largest = std::max(largest, history::channel_integrals(history, channel, time).magnitude);
   }
-  return part_of_charge * std::abs(electrochemistry::charge_density_of_channel(input, channel)) *
-         largest;
+  return part_of_charge *
+         (std::abs(electrochemistry::charge_density_of_channel(input, channel)) * largest +
+          electrochemistry::charge_moved_by_outside_water(input));
 }
 
 } // namespace ionskin::study

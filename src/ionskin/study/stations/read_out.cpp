@@ -161,7 +161,8 @@ std::optional<readout::Metric> charge_identity(const Case& input, const Mechanic
     expected[row] = factor * drive.value;
     magnitude[row] = factor * drive.magnitude;
   });
-  const double scale = readout::peak_magnitude(magnitude);
+  const double scale =
+      readout::peak_magnitude(magnitude) + electrochemistry::charge_moved_by_outside_water(input);
   if (!traits.makes_net_charge) {
     expected.assign(expected.size(), 0.0);
   }
@@ -244,7 +245,7 @@ void add_water(const Case& input, const circuits::Circuit& circuit,
       {ions.time, ions.water.pressure_top, ions.water.pressure_bottom, ions.water.streaming_voltage,
        ions.water.dilution_voltage, ions.water.largest_pressure, ions.water.largest_drive,
        ions.water.outflow_top, ions.water.outflow_bottom, ions.water.dragged_top,
-       ions.water.dragged_bottom, ions.water.dragged_difference});
+       ions.water.dragged_bottom, ions.water.dragged_difference, ions.water.holding_pressure});
   std::optional<double> force;
   if (mechanics.has_contact()) {
     force = readout::peak_magnitude(mechanics.normal_force);

@@ -51,7 +51,8 @@ constexpr std::array water_rows{WaterRow{"pressure_top", &WaterRows::pressure_to
                                 WaterRow{"outflow_bottom", &WaterRows::outflow_bottom},
                                 WaterRow{"dragged_top", &WaterRows::dragged_top},
                                 WaterRow{"dragged_bottom", &WaterRows::dragged_bottom},
-                                WaterRow{"dragged_difference", &WaterRows::dragged_difference}};
+                                WaterRow{"dragged_difference", &WaterRows::dragged_difference},
+                                WaterRow{"holding_pressure", &WaterRows::holding_pressure}};
 
 struct Counter {
   const char* name;
