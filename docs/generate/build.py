@@ -12,6 +12,7 @@ import subprocess
 import sys
 
 from case_reference import case_reference, command_line
+from evidence import evidence
 from gallery import gallery
 from materials import materials
 from mend_theme import mend_theme
@@ -29,6 +30,8 @@ def make_material(program, material):
     if not (material / "verification.csv").exists():
         # A row that fails is a row of the page, not the end of the pages.
         subprocess.run([program, "verify", "--csv", material / "verification.csv"], check=False)
+    if not (material / "evidence.json").exists():
+        subprocess.run([sys.executable, DOCS.parent / "benchmarks" / "evidence.py", program, "--json", material / "evidence.json"], check=True)
     sweep = material / "sweep"
     if not list(sweep.glob("figures/fig*.png")):
         subprocess.run([program, "sweep", DOCS.parent / "cases" / "quick.toml", "-o", sweep, "--overwrite", "--no-report",
@@ -58,6 +61,7 @@ def main():
              "python_api": python_api(DOCS.parent / "python"),
              "materials": materials(DOCS.parent / "materials"),
              "verification_results": verification(material / "verification.csv", source),
+             "evidence": evidence(material / "evidence.json", source),
              "gallery": gallery(material / "sweep" / "figures", source),
              "studio": studio(program.parent / "studio" / "pictures", source)}
     for name, text in pages.items():

@@ -77,6 +77,13 @@ class Prescribed(ProgramTest):
                 process = self.run_program("check", BENDING, *[word for edit in edits for word in ("--set", edit)], expect=2)
                 self.assertIn(words, process.stderr)
 
+    def test_cases_of_the_page_on_measurements_are_valid(self):
+        cases = sorted((ROOT / "cases" / "evidence").glob("*.toml"))
+        self.assertGreaterEqual(len(cases), 5)
+        for case in cases:
+            with self.subTest(case=case.name):
+                self.assertNotIn("warning", self.run_program("check", case).stderr)
+
     def test_only_mechanics_has_nothing_to_do(self):
         process = self.run_case(BENDING, "-o", "out", "--only", "mechanics", expect=2)
         self.assertIn('strain.source = "prescribed"', process.stderr)
