@@ -204,4 +204,14 @@ def not_comparable(_runs):
         yield Row(name, source, measured, "", "", "cannot be had", remark)
 
 
+def two_laws(runs):
+    """Peak voltage of a bent strip over cation and thickness [V], by streaming and by ions that bending alone thins: Cha and
+    Porfiri 2013 have V = (R T/F) h kappa in that limit, whatever the cation (coefficient from memory)."""
+    thermal_voltage, curvature = 8.314462618 * 298.15 / 96485.33212, 10.0
+    return [{"ion": ion, "thickness": microns * 1e-6, "diluted": thermal_voltage * curvature * microns * 1e-6,
+             "streamed": runs("bent_strip", water__drag_number=drag,
+                              **{"skin__layers[1]__thickness": f"{microns} um"}).values["peak_voltage"]}
+            for microns in (100, 200) for ion, drag in DRAG.items()]
+
+
 EXPERIMENTS = (cations, held_bend, swinging_bend, sealed_stack, permeation, cartilage, pressed_pad, gel, not_comparable)
