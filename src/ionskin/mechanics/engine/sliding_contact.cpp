@@ -169,15 +169,13 @@ SurfaceState SlidingContact::solve(const ContactProblem& problem, const SliderSt
     return solve_adhesive(problem, step);
   }
   Iterate iterate{state_.force, state_.indentation};
-  // From no load a force says nothing of the indentation, which the other way searches.
-  if ((step.load.kind == LoadKind::indentation || in_contact()) &&
-      newton_.solve(problem, step, iterate)) {
+  if (newton_.solve(problem, step, iterate)) {
     return surface_state(problem, step, std::move(iterate.force), iterate.indentation,
                          newton_.iterations());
   }
   ++fallbacks_;
   newton_.forget();
-  return solve_contact_step(problem, step, state_.force);
+  return solve_contact_step(problem, step, CellVector(state_.force.size(), 0.0));
 }
 
 const SurfaceState& SlidingContact::step(double time_step, const std::array<double, 2>& place,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/mechanics/engine/kept_newton.hpp"
+#include "ionskin/mechanics/surface/contact_newton.hpp"
 #include "ionskin/mechanics/surface/contact_solver.hpp"
 
 #include <array>
@@ -83,7 +83,7 @@ public:
                                double time_step) const;
 
   int factorisations() const { return newton_.factorisations(); }
-  int fallbacks() const { return fallbacks_; } ///< steps that the kept method did not solve
+  int fallbacks() const { return fallbacks_; } ///< steps not solved from the state before
 
 private:
   void condense_at(const std::array<double, 2>& place);
@@ -96,7 +96,7 @@ private:
 
   ComplianceAt compliance_;
   ContactProblem problem_;
-  KeptNewton newton_;
+  ContactNewton newton_;
   SurfaceState state_;
   std::vector<laws::ElasticSlip> elastic_slip_; ///< of the cells; empty without
   std::vector<double> remembered_speed_;        ///< by friction, before the present state [m/s]

@@ -2,9 +2,7 @@
 #include "ionskin/mechanics/surface/adhesive_contact.hpp"
 
 #include "ionskin/base/error.hpp"
-#include "ionskin/mechanics/surface/contact_linearisation.hpp"
 #include "ionskin/mechanics/surface/contact_newton.hpp"
-#include "ionskin/mechanics/surface/projected_gauss_seidel.hpp"
 
 #include <fmt/format.h>
 
@@ -23,8 +21,6 @@ constexpr double near_change = 0.02, relaxed_change = 1e-10;
 constexpr int relaxations_between = 10; ///< attempts of Newton
 /// Newton may move the forces by so much of their sum, or it has gone elsewhere.
 constexpr double most_moved = 0.2;
-constexpr double sweep_tolerance = 1e-11;
-constexpr int most_sweeps_held = 20000;
 constexpr int most_heights = 200;
 constexpr double first_way = 0.25; ///< of the range of the adhesion, towards a force
 constexpr double longest_growth = 2;
@@ -54,49 +50,32 @@ double sum_of_magnitudes(const CellVector& force) {
                          [](double sum, double value) { return sum + std::abs(value); });
 }
 
-bool lasts(const ContactProblem& problem, const SliderStep& step, const Iterate& iterate) {
-  const CellVector surface = problem.surface_displacement(iterate.force);
-  std::vector<CellPredictor> predictors;
-  std::vector<int> touching;
-  for (int cell = 0; cell < problem.cells(); ++cell) {
-    predictors.push_back(predict(problem, step, iterate, surface, cell));
-    if (predictors.back().status != CellStatus::separated) {
-      touching.push_back(cell);
-    }
-  }
-  if (touching.empty()) {
-    return true;
-  }
-  LinearSystem system(problem, step, touching);
-  system.add_rows(predictors, iterate);
-  return has_positive_determinant(system.matrix().partialPivLu());
-}
-
 /// Newton with the pulls as the law has them, where it stays near and the result can last.
 bool finished(const ContactProblem& problem, const SliderStep& step, CellVector& force,
               double& indentation, int& iterations) {
-  CellVector found = force;
-  double height = indentation;
-  const NewtonResult newton = contact_newton(problem, step, found, height);
-  iterations += newton.iterations;
-  if (!newton.converged || !lasts(problem, step, {found, height})) {
+  ContactNewton newton;
+  Iterate found{force, indentation};
+  const bool converged = newton.solve(problem, step, found);
+  iterations += newton.iterations();
+  if (!converged) {
     return false;
   }
   double moved = 0;
-  for (std::size_t at = 0; at < found.size(); at += 3) {
-    moved += std::abs(found[at] - force[at]);
+  for (std::size_t at = 0; at < force.size(); at += 3) {
+    moved += std::abs(found.force[at] - force[at]);
   }
   if (moved > most_moved * sum_of_magnitudes(force)) {
     return false;
   }
-  force = std::move(found);
-  indentation = height;
+  force = std::move(found.force);
+  indentation = found.indentation;
   return true;
 }
 
 SurfaceState relaxed(const ContactProblem& problem, const SliderStep& step,
                      const AdhesiveStart& start) {
   ContactProblem held = problem;
+  ContactNewton newton;
   held.pull.resize(problem.area.size());
   std::vector<double> opening = start.opening;
   CellVector force = start.force;
@@ -119,13 +98,13 @@ SurfaceState relaxed(const ContactProblem& problem, const SliderStep& step,
         finished(problem, step, force, indentation, iterations)) {
       return surface_state(problem, step, std::move(force), indentation, iterations);
     }
-    const NewtonResult newton = contact_newton(held, step, force, indentation);
-    iterations += newton.iterations;
-    if (!newton.converged &&
-        !projected_gauss_seidel(held, step, indentation, force, sweep_tolerance, most_sweeps_held)
-             .converged) {
+    Iterate now{std::move(force), indentation};
+    const bool converged = newton.solve(held, step, now);
+    iterations += newton.iterations();
+    if (!converged) {
       give_up_adhesion(indentation);
     }
+    force = std::move(now.force);
     opening = openings(problem, indentation, problem.surface_displacement(force));
   }
   give_up_adhesion(indentation);
