@@ -3,7 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/system/interrupt.hpp"
-#include "ionskin/mechanics/surface/adhesive_contact.hpp"
+#include "ionskin/mechanics/surface/adhesion_energy.hpp"
 
 #include <algorithm>
 #include <cmath>

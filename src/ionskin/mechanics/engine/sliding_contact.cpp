@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/engine/sliding_contact.hpp"
 
-#include "ionskin/mechanics/surface/adhesive_contact.hpp"
+#include "ionskin/mechanics/surface/adhesion_energy.hpp"
+#include "ionskin/mechanics/surface/adhesive_force.hpp"
 #include "ionskin/mechanics/surface/contact_diagnostics.hpp"
 
 #include <algorithm>
@@ -159,8 +160,9 @@ SurfaceState SlidingContact::solve_adhesive(const ContactProblem& problem, const
   ++fallbacks_;
   newton_.forget();
   may_have_jumped_ = true;
-  return solve_adhesive_step(problem, step,
-                             in_contact() ? start_from(problem, state_) : far_apart(problem));
+  const AdhesiveStart start = in_contact() ? start_from(problem, state_) : far_apart(problem);
+  return step.load.kind == LoadKind::force ? adhesive_contact_at_force(problem, step, start)
+                                           : relaxed_contact(problem, step, start);
 }
 
 SurfaceState SlidingContact::solve(const ContactProblem& problem, const SliderStep& step) {

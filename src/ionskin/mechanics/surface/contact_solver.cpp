@@ -2,7 +2,7 @@
 #include "ionskin/mechanics/surface/contact_solver.hpp"
 
 #include "ionskin/base/error.hpp"
-#include "ionskin/mechanics/surface/adhesive_contact.hpp"
+#include "ionskin/mechanics/surface/adhesive_force.hpp"
 #include "ionskin/mechanics/surface/contact_newton.hpp"
 
 #include <fmt/format.h>
@@ -56,7 +56,8 @@ SurfaceState solve_contact_step(const ContactProblem& problem, const SliderStep&
   if (problem.friction.adhesion.pulls()) {
     AdhesiveStart apart = far_apart(problem);
     apart.force = start;
-    return solve_adhesive_step(problem, step, apart);
+    return step.load.kind == LoadKind::force ? adhesive_contact_at_force(problem, step, apart)
+                                             : relaxed_contact(problem, step, apart);
   }
   if (step.load.kind == LoadKind::force && step.load.value <= 0) {
     return surface_state(problem, step, CellVector(start.size(), 0.0),
