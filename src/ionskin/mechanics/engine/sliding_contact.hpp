@@ -63,6 +63,8 @@ public:
   /// At the present place.
   const ContactProblem& problem() const { return problem_; }
   bool in_contact() const; ///< pressed or pulled
+  /// Opening up to which adhesion pulls; 0 without [m].
+  double range() const { return problem_.friction.adhesion.range; }
   /// Whether the last step of a contact with adhesion may have jumped: it was not found near the
   /// state before.
   bool may_have_jumped() const { return may_have_jumped_; }
