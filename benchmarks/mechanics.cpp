@@ -57,7 +57,7 @@ void measure_skin(const Case& input) {
   std::shared_ptr<const mechanics::SkinModel> model;
   const double made = seconds_of([&] {
     model = std::make_shared<const mechanics::SkinModel>(
-        input, mechanics::find_footprint(input, input.contact.friction, 1), box);
+        input, mechanics::find_footprint(input, input.contact.friction, 1).footprint, box);
   });
   line("contact cells", fmt::format("{}", model->cells.count()));
   line("skin, once for all places", fmt::format("{:.3f} s", made));
@@ -85,7 +85,7 @@ void measure_steps(const Case& input) {
   constexpr int steps = 300;
   const MotionBox box = *mechanics::contact_box(input);
   const mechanics::SkinModel model(
-      input, mechanics::find_footprint(input, input.contact.friction, 1), box);
+      input, mechanics::find_footprint(input, input.contact.friction, 1).footprint, box);
   mechanics::ContactCompliance compliance(model);
   mechanics::SlidingContact contact(
       [&](const auto& place, auto& result) { compliance.at(place, result); }, model.cells.area,
