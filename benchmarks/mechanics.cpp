@@ -70,7 +70,7 @@ void measure_skin(const Case& input) {
        fmt::format("{:.1f} ms", 1e3 * seconds_of([&] { compliance.at(box.high, matrix); })));
   line("compliance in the middle",
        fmt::format("{:.1f} ms", 1e3 * seconds_of([&] { compliance.at(middle, matrix); })));
-  const mechanics::StrainRecovery recovery(model);
+  const mechanics::StrainRecovery recovery(model, finite_layers::all_components);
   constexpr std::size_t together = 4;
   const std::vector<std::array<double, 2>> centres(together, middle);
   const std::vector<mechanics::CellVector> forces(
