@@ -17,7 +17,7 @@ namespace {
 
 constexpr int most_heights = 200;
 constexpr double first_way = 0.25; ///< of the range of the adhesion
-constexpr double longest_growth = 2;
+constexpr double longest_way_growth = 2;
 constexpr double beyond_need = 1.05; ///< of the way that a straight line foresees
 /// A way up that is halved below this, of the range, ends in a jump.
 constexpr double shortest_way = 1e-4;
@@ -47,8 +47,8 @@ public:
         return between(std::move(here), std::move(next));
       }
       const double slope = (excess(next) - excess(here)) / (side * way);
-      const double left = slope > 0 ? std::abs(excess(next)) / slope : longest_growth * way;
-      way = std::min(longest_growth * way, std::max(beyond_need * left, shortest_way * range_));
+      const double left = slope > 0 ? std::abs(excess(next)) / slope : longest_way_growth * way;
+      way = std::min(longest_way_growth * way, std::max(beyond_need * left, shortest_way * range_));
       here = std::move(next);
     }
     throw SolverError(fmt::format("the adhesive contact carries {:.3g} N at no height that was "
