@@ -57,7 +57,7 @@ void measure_skin(const Case& input) {
   std::shared_ptr<const mechanics::SkinModel> model;
   const double made = seconds_of([&] {
     model = std::make_shared<const mechanics::SkinModel>(
-        input, mechanics::find_footprint(input, input.contact.friction, 1), box);
+        input, mechanics::find_footprint(input, input.contact.friction, 1).footprint, box);
   });
   line("contact cells", fmt::format("{}", model->cells.count()));
   line("skin, once for all places", fmt::format("{:.3f} s", made));
@@ -70,7 +70,7 @@ void measure_skin(const Case& input) {
        fmt::format("{:.1f} ms", 1e3 * seconds_of([&] { compliance.at(box.high, matrix); })));
   line("compliance in the middle",
        fmt::format("{:.1f} ms", 1e3 * seconds_of([&] { compliance.at(middle, matrix); })));
-  const mechanics::StrainRecovery recovery(model);
+  const mechanics::StrainRecovery recovery(model, finite_layers::all_components);
   constexpr std::size_t together = 4;
   const std::vector<std::array<double, 2>> centres(together, middle);
   const std::vector<mechanics::CellVector> forces(
@@ -85,7 +85,7 @@ void measure_steps(const Case& input) {
   constexpr int steps = 300;
   const MotionBox box = *mechanics::contact_box(input);
   const mechanics::SkinModel model(
-      input, mechanics::find_footprint(input, input.contact.friction, 1), box);
+      input, mechanics::find_footprint(input, input.contact.friction, 1).footprint, box);
   mechanics::ContactCompliance compliance(model);
   mechanics::SlidingContact contact(
       [&](const auto& place, auto& result) { compliance.at(place, result); }, model.cells.area,

@@ -10,7 +10,7 @@
 namespace ionskin::verification {
 
 PressedSkin::PressedSkin(const Case& input)
-    : model_(input, mechanics::find_footprint(input, input.contact.friction, 2),
+    : model_(input, mechanics::find_footprint(input, input.contact.friction, 2).footprint,
              {input.slider.start, input.slider.start}),
       problem_{{},
                model_.cells.area,

@@ -38,7 +38,8 @@ std::optional<mesh::Footprint> found_footprint(const Case& input) {
   ProgressDisplay display(isatty(STDERR_FILENO) != 0 ? LogFormat::bar : LogFormat::none);
   try {
     return mechanics::find_footprint(input, input.contact.friction, thread_count(0),
-                                     display.callback());
+                                     display.callback())
+        .footprint;
   } catch (const SolverError&) {
     return std::nullopt;
   }

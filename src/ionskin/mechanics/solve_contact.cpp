@@ -58,17 +58,14 @@ std::vector<ContactSolution> solve_on_own_footprints(const Case& input,
     std::vector<std::size_t> sharing{first};
     {
       const base::Timers::Scope scope(timers, "mechanics: footprint");
-      together.footprint =
-          find_common_footprint(input, variants[first].friction, options.threads, options.progress);
-      for (std::size_t i = first + 1; together.footprint && i < variants.size(); ++i) {
+      const FoundFootprint found =
+          find_footprint(input, variants[first].friction, options.threads, options.progress);
+      together.footprint = found.footprint;
+      for (std::size_t i = first + 1; found.shared && i < variants.size(); ++i) {
         if (input.slider.sharp() || footprint_friction(variants[i].friction) ==
                                         footprint_friction(variants[first].friction)) {
           sharing.push_back(i);
         }
-      }
-      if (!together.footprint) {
-        together.footprint =
-            find_footprint(input, variants[first].friction, options.threads, options.progress);
       }
     }
     auto solved = solve_variants(input, choose(variants, sharing), together, timers);
@@ -132,7 +129,8 @@ std::vector<ContactState> solve_steady_sliding(const Case& input,
   const base::Timers::Scope scope(timers, "mechanics: steady sliding");
   const MotionLeg leg = first_slide(motion_legs(input.motion, input.slider));
   const auto model = std::make_shared<const SkinModel>(
-      input, find_footprint(input, input.contact.friction, options.threads), *contact_box(input));
+      input, find_footprint(input, input.contact.friction, options.threads).footprint,
+      *contact_box(input));
   const auto direction = leg.direction();
   const double value = leg.to_level.is_force
                            ? leg.to_level.value * (model->mesh.half_model() ? 0.5 : 1.0)

@@ -100,7 +100,7 @@ TEST(MechanicsCost, ExpectsTheContactThatIsFoundUnderAForce) {
     const Case input = read_case(IONSKIN_CASES "/quick.toml", edits);
     const MechanicsCost expected = estimate_mechanics_cost(input, 1, {});
     const MechanicsCost found =
-        estimate_mechanics_cost(input, 1, mechanics::find_footprint(input, 0.3, 1));
+        estimate_mechanics_cost(input, 1, mechanics::find_footprint(input, 0.3, 1).footprint);
     const double ratio = expected.memory / found.memory;
     EXPECT_GT(ratio, 0.6) << slider.front() << " " << slider.back();
     EXPECT_LT(ratio, 1.6) << slider.front() << " " << slider.back();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/engine/contact_state.hpp"
 
-#include "ionskin/mechanics/surface/adhesive_contact.hpp"
+#include "ionskin/mechanics/surface/adhesion_energy.hpp"
 #include "ionskin/mechanics/surface/contact_diagnostics.hpp"
 #include "ionskin/mechanics/surface/covered_area.hpp"
 

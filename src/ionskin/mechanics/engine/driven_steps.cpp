@@ -39,16 +39,20 @@ double distance(const std::array<double, 2>& a, const std::array<double, 2>& b) 
 } // namespace
 
 DrivenSteps::DrivenSteps(SlidingContact& contact, const DriveOptions& options, double meshed_share)
-    : contact_(contact), options_(options), drive_(options.drive, meshed_share, options.along),
+    : LegSteps(contact), options_(options), drive_(options.drive, meshed_share, options.along),
       meshed_share_(meshed_share) {}
 
-void DrivenSteps::hold(const MotionLeg& leg, double fraction) {
+void DrivenSteps::land(const MotionLeg& leg, double fraction) {
   drive_.hold(end_at(leg, fraction));
   const double period = options_.drive.natural_period();
   longest_ = period > 0 ? first_of_period * period : first_of_leg * leg.duration;
 }
 
-std::array<double, 2> DrivenSteps::force(const MotionLeg& leg, double fraction) const {
+std::array<double, 2> DrivenSteps::centre(const MotionLeg& /*leg*/, double /*fraction*/) const {
+  return contact().place();
+}
+
+std::array<double, 2> DrivenSteps::drive_force(const MotionLeg& leg, double fraction) const {
   return drive_.force(end_at(leg, fraction));
 }
 
@@ -56,18 +60,18 @@ std::array<double, 2> DrivenSteps::force(const MotionLeg& leg, double fraction) 
 /// what slips. How the slider swings on the skin that holds it is not followed.
 double DrivenSteps::longest_step(const MotionLeg& leg) const {
   double longest = longest_ > 0 ? longest_ : std::numeric_limits<double>::infinity();
-  if (leg.length() > 0 && contact_.in_contact() && contact_.sticks()) {
-    const ContactProblem& problem = contact_.problem();
+  if (leg.length() > 0 && contact().in_contact() && contact().sticks()) {
+    const ContactProblem& problem = contact().problem();
     double limit = 0;
     for (int cell = 0; cell < problem.cells(); ++cell) {
       limit += problem.friction_limit(
-          cell, contact_.state().force[3 * static_cast<std::size_t>(cell)], 0, 0);
+          cell, contact().state().force[3 * static_cast<std::size_t>(cell)], 0, 0);
     }
     const double way = share_of_onset * limit / meshed_share_ / options_.drive.stiffness;
-    const double yield =
-        share_of_onset *
-        contact_.onset_distance(leg.direction(), meshed_share_ < 1, leg.length(), leg.duration)
-            .whole;
+    const double yield = share_of_onset * contact()
+                                              .onset_distance(leg.direction(), meshed_share_ < 1,
+                                                              leg.length(), leg.duration)
+                                              .whole;
     if (way + yield > 0) {
       longest = std::min(longest, (way + yield) / leg.length() * leg.duration);
     }
@@ -76,7 +80,7 @@ double DrivenSteps::longest_step(const MotionLeg& leg) const {
 }
 
 void DrivenSteps::require_room(double time) const {
-  const auto& place = contact_.place();
+  const auto& place = contact().place();
   for (std::size_t c = 0; c < 2; ++c) {
     if (options_.along[c] &&
         (place[c] < options_.room.low[c] || place[c] > options_.room.high[c])) {
@@ -109,20 +113,21 @@ void DrivenSteps::require_progress(double time, double time_step) {
             "shorten the motion: every swing is resolved");
 }
 
-double DrivenSteps::advance(const MotionLeg& leg, double from, double to, const Load& load) {
+double DrivenSteps::advance(const MotionLeg& leg, const LegLevels& levels, double from, double to,
+                            const PassedSink& passed) {
   const double wanted = to;
   to = std::min(to, from + longest_step(leg) / leg.duration);
   const double tolerance = options_.tolerance * std::max(yield_, options_.longest_travel);
   const double period = options_.drive.natural_period();
   const double least = shortest * (period > 0 ? period : leg.duration);
-  SlidingContact::Moment before = contact_.moment();
+  SlidingContact::Moment before = contact().moment();
   int failures = 0, rejections = 0;
   while (true) {
     const double time_step = (to - from) * leg.duration;
     const DriveEnd end = end_at(leg, to);
     require_progress(leg.begin + from * leg.duration, time_step);
     try {
-      contact_.step_yielding(time_step, drive_.guide(time_step, end), load(to));
+      contact().step_yielding(time_step, drive_.guide(time_step, end), levels.load(to));
     } catch (const SolverError&) {
       if (++failures > most_failures) {
         throw;
@@ -130,26 +135,28 @@ double DrivenSteps::advance(const MotionLeg& leg, double from, double to, const 
       to = 0.5 * (from + to);
       continue;
     }
-    const double surprise = drive_.surprise(time_step, contact_.place()) / tolerance;
-    const double travel = distance(contact_.place(), drive_.place()) / options_.longest_travel;
+    const double surprise = drive_.surprise(time_step, contact().place()) / tolerance;
+    const double travel = distance(contact().place(), drive_.place()) / options_.longest_travel;
     // The first grows about with the cube of the step, the second in proportion.
     const double scale = std::min(surprise > 0 ? std::cbrt(aim / surprise) : longest_growth,
                                   travel > 0 ? aim / travel : longest_growth);
     if ((surprise > 1 || travel > 1) && rejections < most_rejections && time_step > least) {
       ++rejections;
-      contact_.go_back(before);
+      contact().go_back(before);
       to = from + (to - from) * std::clamp(scale, shortest_shrink, aim);
       continue;
     }
-    drive_.accept(time_step, contact_.place(), end);
+    drive_.accept(time_step, contact().place(), end);
     if (rejections > 0 || failures > 0 || longest_ == 0 || to < wanted || scale < 1) {
       longest_ = time_step * std::clamp(scale, shortest_shrink, longest_growth);
     } else {
       longest_ = std::max(longest_, time_step * longest_growth);
     }
     longest_ = std::max(longest_, least);
-    yield_ = std::max(yield_, distance(end.place, contact_.place()));
+    yield_ = std::max(yield_, distance(end.place, contact().place()));
     require_room(leg.begin + to * leg.duration);
+    count_step();
+    passed({to, levels.height(to)});
     return to;
   }
 }

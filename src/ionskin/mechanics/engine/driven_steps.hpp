@@ -3,10 +3,10 @@
 
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/mechanics/engine/compliant_drive.hpp"
+#include "ionskin/mechanics/engine/leg_steps.hpp"
 
 #include <array>
 #include <cstddef>
-#include <functional>
 
 namespace ionskin::mechanics {
 
@@ -23,28 +23,24 @@ struct DriveOptions {
 /// Steps of a slider on a compliant drive, as long as the place at their end is foreseen within a
 /// tolerance from velocity and acceleration at their begin: short while the slider swings, slips or
 /// catches, long while it sticks or slides evenly.
-class DrivenSteps {
+class DrivenSteps : public LegSteps {
 public:
-  using Load = std::function<SliderLoad(double fraction)>; ///< of the leg, at a fraction of it
-
-  /// @param contact outlives this
   DrivenSteps(SlidingContact& contact, const DriveOptions& options, double meshed_share);
 
-  /// The slider stands at the end of the drive at a fraction of a leg, as where it lands.
-  void hold(const MotionLeg& leg, double fraction);
-  /// One step from a fraction of a leg towards another. @returns the fraction that it reached
-  /// Throws SolverError when the contact has no solution, the slider leaves its room, or steps get
-  /// nowhere.
-  double advance(const MotionLeg& leg, double from, double to, const Load& load);
-  /// Of the drive on the slider [N].
-  std::array<double, 2> force(const MotionLeg& leg, double fraction) const;
+  /// One step. Throws SolverError also when the slider leaves its room, or steps get nowhere.
+  double advance(const MotionLeg& leg, const LegLevels& levels, double from, double to,
+                 const PassedSink& passed) override;
+  /// The slider stands at the end of the drive.
+  void land(const MotionLeg& leg, double fraction) override;
+  std::array<double, 2> centre(const MotionLeg& leg, double fraction) const override;
+  std::array<double, 2> drive_force(const MotionLeg& leg, double fraction) const override;
+  bool follows_path() const override { return false; }
 
 private:
   double longest_step(const MotionLeg& leg) const;
   void require_room(double time) const;
   void require_progress(double time, double time_step);
 
-  SlidingContact& contact_;
   DriveOptions options_;
   CompliantDrive drive_;
   double meshed_share_;

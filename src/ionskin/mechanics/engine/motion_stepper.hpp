@@ -3,11 +3,14 @@
 
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/mechanics/engine/driven_steps.hpp"
+#include "ionskin/mechanics/engine/leg_steps.hpp"
+#include "ionskin/mechanics/engine/onset_travel.hpp"
 #include "ionskin/mechanics/engine/sliding_contact.hpp"
 #include "ionskin/mechanics/path/path_steps.hpp"
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -35,11 +38,8 @@ struct StepperOptions {
 };
 
 /// Moves a slider through the legs of a cycle. A leg is cut where the slider lands and leaves, so
-/// that its load changes by a small part of the heaviest in each step, and so that its travel grows
-/// geometrically from a small part of the surface's displacement for as long as cells stick: after
-/// landing, a rest or a turn. With adhesion the slider holds on above the skin until it lets go,
-/// which is found by shorter and shorter steps; a step that jumps nevertheless is an event, and the
-/// energy that it loses is counted.
+/// that its load changes by a small part of the heaviest in each step, by the travel of an onset,
+/// and at the instants that were asked for; `LegSteps` go from cut to cut.
 class MotionStepper {
 public:
   using Sink = std::function<void(const StepPoint&, const SlidingContact&)>;
@@ -52,41 +52,32 @@ public:
 
   const std::vector<double>& events() const { return events_; }
   const std::vector<std::array<double, 2>>& onsets() const { return onsets_; }
-  int steps() const { return steps_taken_; }
-  double adhesion_loss() const { return adhesion_loss_; } ///< in jumps, on the meshed part [J]
+  int steps() const { return steps_->steps(); }
+  double adhesion_loss() const { return steps_->adhesion_loss(); } ///< on the meshed part [J]
 
 private:
-  struct Levels; ///< of a leg's contact, along its fraction
-  Levels levels(const MotionLeg& leg) const;
   void touch(const MotionLeg& leg);
-  double next_fraction(const MotionLeg& leg, const Levels& levels, double at) const;
-  void begin_travel(const MotionLeg& leg);
-  SliderLoad load_at(const Levels& levels, double fraction) const;
-  void advance(const MotionLeg& leg, const Levels& levels, double from, double to, int depth);
-  bool slides_fully(const MotionLeg& leg) const;
+  bool lands_on_the_way(const MotionLeg& leg, const LegLevels& levels);
+  void begin_travel(const MotionLeg& leg, bool lands, double begin);
+  void go(const MotionLeg& leg, const LegLevels& levels);
+  double next_fraction(const MotionLeg& leg, const LegLevels& levels, double at) const;
   int touchdown_steps() const;
-  void note_change(const MotionLeg& leg, const Levels& levels);
+  void note_change(const MotionLeg& leg, const LegLevels& levels);
   bool may_touch(const MotionLeg& leg) const;
-  double range() const { return contact_.problem().friction.adhesion.range; }
-  void advance_adhering(const MotionLeg& leg, const Levels& levels, double from, double to,
-                        int depth);
-  void emit(const MotionLeg& leg, double fraction, double height, bool required);
+  double emit(const MotionLeg& leg, double fraction, std::optional<double> height, bool required);
   bool asked_for(double time) const;
   void note_event(double time);
 
   SlidingContact& contact_;
   StepperOptions options_;
   Sink sink_;
-  std::optional<DrivenSteps> driven_;
-  std::array<double, 2> direction_{}; ///< of the last travel; 0 after landing or a rest
-  double increment_ = 0;              ///< longest travel of the next step [m]
-  double rest_step_ = 0;              ///< longest of the next step while the slider rests; 0: moves
+  std::unique_ptr<LegSteps> steps_;
+  OnsetTravel travel_;
+  double rest_step_ = 0; ///< longest of the next step while the slider rests; 0: moves
   bool onset_open_ = false;
   bool travels_ = false, loads_ = false; ///< whether the leg before moved, and changed its level
   std::vector<double> events_;
   std::vector<std::array<double, 2>> onsets_;
-  int steps_taken_ = 0;
-  double adhesion_loss_ = 0;
   double last_height_ = 0; ///< of the slider, as it was last told [m]
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/engine/sliding_contact.hpp"
 
-#include "ionskin/mechanics/surface/adhesive_contact.hpp"
+#include "ionskin/mechanics/surface/adhesion_energy.hpp"
+#include "ionskin/mechanics/surface/adhesive_force.hpp"
 #include "ionskin/mechanics/surface/contact_diagnostics.hpp"
 
 #include <algorithm>
@@ -159,8 +160,9 @@ SurfaceState SlidingContact::solve_adhesive(const ContactProblem& problem, const
   ++fallbacks_;
   newton_.forget();
   may_have_jumped_ = true;
-  return solve_adhesive_step(problem, step,
-                             in_contact() ? start_from(problem, state_) : far_apart(problem));
+  const AdhesiveStart start = in_contact() ? start_from(problem, state_) : far_apart(problem);
+  return step.load.kind == LoadKind::force ? adhesive_contact_at_force(problem, step, start)
+                                           : relaxed_contact(problem, step, start);
 }
 
 SurfaceState SlidingContact::solve(const ContactProblem& problem, const SliderStep& step) {
@@ -169,15 +171,13 @@ SurfaceState SlidingContact::solve(const ContactProblem& problem, const SliderSt
     return solve_adhesive(problem, step);
   }
   Iterate iterate{state_.force, state_.indentation};
-  // From no load a force says nothing of the indentation, which the other way searches.
-  if ((step.load.kind == LoadKind::indentation || in_contact()) &&
-      newton_.solve(problem, step, iterate)) {
+  if (newton_.solve(problem, step, iterate)) {
     return surface_state(problem, step, std::move(iterate.force), iterate.indentation,
                          newton_.iterations());
   }
   ++fallbacks_;
   newton_.forget();
-  return solve_contact_step(problem, step, state_.force);
+  return solve_contact_step(problem, step, CellVector(state_.force.size(), 0.0));
 }
 
 const SurfaceState& SlidingContact::step(double time_step, const std::array<double, 2>& place,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/mechanics/engine/kept_newton.hpp"
+#include "ionskin/mechanics/surface/contact_newton.hpp"
 #include "ionskin/mechanics/surface/contact_solver.hpp"
 
 #include <array>
@@ -63,6 +63,8 @@ public:
   /// At the present place.
   const ContactProblem& problem() const { return problem_; }
   bool in_contact() const; ///< pressed or pulled
+  /// Opening up to which adhesion pulls; 0 without [m].
+  double range() const { return problem_.friction.adhesion.range; }
   /// Whether the last step of a contact with adhesion may have jumped: it was not found near the
   /// state before.
   bool may_have_jumped() const { return may_have_jumped_; }
@@ -83,7 +85,7 @@ public:
                                double time_step) const;
 
   int factorisations() const { return newton_.factorisations(); }
-  int fallbacks() const { return fallbacks_; } ///< steps that the kept method did not solve
+  int fallbacks() const { return fallbacks_; } ///< steps not solved from the state before
 
 private:
   void condense_at(const std::array<double, 2>& place);
@@ -96,7 +98,7 @@ private:
 
   ComplianceAt compliance_;
   ContactProblem problem_;
-  KeptNewton newton_;
+  ContactNewton newton_;
   SurfaceState state_;
   std::vector<laws::ElasticSlip> elastic_slip_; ///< of the cells; empty without
   std::vector<double> remembered_speed_;        ///< by friction, before the present state [m/s]

@@ -12,7 +12,7 @@
 
 namespace ionskin::mechanics {
 
-void require_touch(const Case& input, const mesh::Footprint& footprint) {
+void require_touch(const Case& input) {
   const mesh::HeaviestLoad load = mesh::heaviest_load(input);
   if (load.force > 0) { // presses until cells touch
     return;
@@ -24,7 +24,7 @@ void require_touch(const Case& input, const mesh::Footprint& footprint) {
   if (input.slider.sharp()) {
     return;
   }
-  const mesh::SkinMesh mesh(input, footprint);
+  const mesh::SkinMesh mesh(input, mesh::largest_footprint(input));
   const std::vector<double> gap =
       mean_gap(input.slider, mesh.footprint_lines_x(), mesh.footprint_lines_y(), {false, false});
   const double least = std::ranges::min(gap);
@@ -37,10 +37,6 @@ void require_touch(const Case& input, const mesh::Footprint& footprint) {
       "indent by more than {:.3g} um (motion.preload, or the waypoints' height), raise "
       "numerics.mesh_refinement, or bring the lowest point of the profile to the slider's centre",
       load.indentation * 1e6, least * 1e6, least * 1e6));
-}
-
-void require_touch(const Case& input) {
-  require_touch(input, mesh::largest_footprint(input));
 }
 
 } // namespace ionskin::mechanics

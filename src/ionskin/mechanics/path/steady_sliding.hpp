@@ -6,11 +6,9 @@
 namespace ionskin::mechanics {
 
 /// The limit of long sliding under a constant load: every touching cell slips along `direction`,
-/// so its tangential force is the friction limit against that direction, and only normal contact is
-/// left to solve (active set, with Newton's method where the limit is not in proportion to the
-/// pressure; under a given force the indentation is one more unknown).
+/// so its tangential force is the friction limit against that direction.
 /// @param travel of the slider, which becomes the slip [m]
-/// Throws SolverError when the active set cycles, and when the friction law gives no finite number
+/// Throws SolverError when no contact is found, and when the friction law gives no finite number
 /// there.
 SurfaceState steady_sliding(const ContactProblem& problem, const SliderLoad& load,
                             const std::array<double, 2>& direction, double travel);

@@ -3,6 +3,7 @@
 
 #include "ionskin/mechanics/surface/contact_solver.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace ionskin::mechanics {
@@ -18,23 +19,21 @@ struct AdhesiveStart {
 AdhesiveStart far_apart(const ContactProblem& problem);
 AdhesiveStart start_from(const ContactProblem& problem, const SurfaceState& state);
 
-/// `solve_contact_step` with adhesion, which need not have one solution: the one that a slow motion
-/// from the start comes to. At an indentation the pulls are held at those of the openings, the
-/// contact is solved under them, which has one solution, and the pulls are those of its openings
-/// next, docs/model.md (44): the energy falls from one to the next until it cannot, also where the
-/// contact jumps. Under a force the slider goes up or down until it carries the force; where it
-/// comes off the skin before that, the state is without forces.
-SurfaceState solve_adhesive_step(const ContactProblem& problem, const SliderStep& step,
-                                 const AdhesiveStart& start);
+/// The contact with adhesion at an indentation, which need not have one solution: the one that a
+/// slow motion from the start comes to. The pulls are held at those of the openings, the contact is
+/// solved under them, which has one solution, and the pulls are those of its openings next,
+/// docs/model.md (44): the energy falls from one to the next until it cannot, also where the
+/// contact jumps.
+SurfaceState relaxed_contact(const ContactProblem& problem, const SliderStep& step,
+                             const AdhesiveStart& start);
 
-/// Of all cells [J].
-double binding_energy(const ContactProblem& problem, const SurfaceState& state);
+/// The solution of a step that Newton's method finds from forces, with the pulls as the law has
+/// them; empty where it ends far from them, or in an equilibrium that cannot last.
+/// @param indentation to start from, under a given force [m]
+std::optional<SurfaceState> nearby_solution(const ContactProblem& problem, const SliderStep& step,
+                                            const CellVector& start, double indentation);
 
-/// Elastic energy of the skin less the binding energy of the cells [J].
-double potential_energy(const ContactProblem& problem, const SurfaceState& state);
-
-/// Work of the slider on the skin between two states, less that of friction [J].
-/// @param lowered by how much the slider was lowered where it is off the skin in one of them [m]
-double work_on_skin(const SurfaceState& before, const SurfaceState& after, double lowered);
+/// Of all components [N].
+double sum_of_magnitudes(const CellVector& force);
 
 } // namespace ionskin::mechanics

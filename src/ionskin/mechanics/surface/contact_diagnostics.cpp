@@ -29,11 +29,12 @@ ContactViolations contact_violations(const ContactProblem& problem, const Surfac
     const std::size_t at = 3 * static_cast<std::size_t>(cell);
     const double normal = state.force[at];
     const double opening = problem.opening(cell, state.indentation, state.surface);
-    const ContactProblem::NormalResponse held =
-        problem.normal_response(cell, normal - opening / problem.own_compliance(cell, 0));
+    const laws::CellTrial trial =
+        problem.cell_trial(cell, step, state.indentation, state.force, state.surface);
+    const laws::CellResponse held = laws::cell_response(problem.friction, trial);
     const bool adheres = problem.friction.adhesion.pulls();
-    const bool touches = adheres ? held.touches : normal > 0;
-    const double pull = adheres ? std::abs(normal - held.force) : -normal;
+    const bool touches = adheres ? held.normal_by_trial == 1 : normal > 0;
+    const double pull = adheres ? std::abs(normal - held.normal) : -normal;
     worst.tension = base::larger(worst.tension, share(pull, reference_force));
     const double gap = share(opening, preload);
     worst.penetration = base::larger(worst.penetration, touches ? std::abs(gap) : -gap);
@@ -43,10 +44,7 @@ ContactViolations contact_violations(const ContactProblem& problem, const Surfac
     const std::array<double, 2> force{state.force[at + 1], state.force[at + 2]};
     worst.cone = base::larger(
         worst.cone, share(laws::limit_norm(problem.friction, force) - limit, reference_force));
-    const double compliance = problem.own_compliance(cell, 1);
-    const std::array<double, 2> trial{force[0] + slip[0] / compliance,
-                                      force[1] + slip[1] / compliance};
-    const auto allowed = problem.friction_response(cell, normal, trial, compliance, step).traction;
+    const auto allowed = laws::cell_friction(problem.friction, trial, normal).traction;
     worst.slip_law =
         base::larger(worst.slip_law, share(std::hypot(force[0] - allowed[0], force[1] - allowed[1]),
                                            reference_force));

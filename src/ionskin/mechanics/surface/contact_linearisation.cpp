@@ -3,161 +3,179 @@
 
 #include "ionskin/base/largest.hpp"
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ionskin::mechanics {
 
-CellPredictor predict(const ContactProblem& problem, const SliderStep& step, const Iterate& iterate,
-                      const CellVector& surface, int cell) {
-  const std::size_t at = 3 * static_cast<std::size_t>(cell);
-  const CellVector& force = iterate.force;
-  CellPredictor result;
-  const double normal = force[at] + (iterate.indentation - problem.gap[cell] - surface[at]) /
-                                        problem.own_compliance(cell, 0);
-  const ContactProblem::NormalResponse held = problem.normal_response(cell, normal);
-  result.residual = std::isnan(normal) ? normal : std::abs(force[at] - held.force);
-  if (!held.touches) {
-    result.status = held.pulled ? CellStatus::pulled : CellStatus::separated;
-    result.residual = base::larger(result.residual,
-                                   base::larger(std::abs(force[at + 1]), std::abs(force[at + 2])));
-    return result;
+using laws::CellResponse;
+using laws::CellStatus;
+using laws::CellTrial;
+
+Standing::Standing(const ContactProblem& problem, const SliderStep& step, const Iterate& iterate) {
+  const CellVector surface = problem.surface_displacement(iterate.force);
+  if (step.load.kind == LoadKind::force) {
+    residual = std::abs(total_normal_force(iterate.force) - step.load.value);
   }
-  const auto slip = slip_increment(step, surface, cell);
-  const double compliance = problem.own_compliance(cell, 1);
-  result.tangential = {force[at + 1] + slip[0] / compliance, force[at + 2] + slip[1] / compliance};
-  const laws::FrictionResponse response =
-      problem.friction_response(cell, normal, result.tangential, compliance, step);
-  result.status = response.sticks ? CellStatus::sticking : CellStatus::slipping;
-  const auto& allowed = response.traction;
-  result.residual =
-      base::larger(result.residual, base::larger(std::abs(force[at + 1] - allowed[0]),
-                                                 std::abs(force[at + 2] - allowed[1])));
+  for (int cell = 0; cell < problem.cells(); ++cell) {
+    const double* force = iterate.force.data() + 3 * static_cast<std::ptrdiff_t>(cell);
+    trial.push_back(problem.cell_trial(cell, step, iterate.indentation, iterate.force, surface));
+    response.push_back(laws::cell_response(problem.friction, trial.back()));
+    const CellResponse& now = response.back();
+    status.push_back(now.status);
+    residual = base::larger(residual, std::abs(force[0] - now.normal));
+    for (std::size_t c = 0; c < 2; ++c) {
+      residual = base::larger(residual, std::abs(force[1 + c] - now.tangential.traction[c]));
+    }
+    largest_force = std::max(largest_force, std::abs(force[0]));
+    if (now.status != CellStatus::separated) {
+      active.push_back(cell);
+    }
+  }
+}
+
+ContactLinearisation::ContactLinearisation(const ContactProblem& problem, const SliderStep& step,
+                                           const Standing& at)
+    : problem_(problem), step_(step), at_(at) {
+  for (const int cell : at_.active) {
+    first_.push_back(size_);
+    size_ += follows(cell) ? 1 : 3;
+  }
+  size_ += force_given() ? 1 : 0;
+}
+
+bool ContactLinearisation::follows(int cell) const {
+  return at_.status[cell] == CellStatus::pulled || step_.sliding_direction ||
+         problem_.friction.coefficient == 0;
+}
+
+void ContactLinearisation::displacement_by(int i, int component, Eigen::VectorXd& result) const {
+  const int cell = at_.active[i];
+  result = problem_.compliance.col(3 * cell + component);
+  if (follows(cell)) {
+    const laws::FrictionResponse& friction = at_.response[cell].tangential;
+    for (int c = 0; c < 2; ++c) {
+      if (friction.by_normal[c] != 0) {
+        result += friction.by_normal[c] * problem_.compliance.col(3 * cell + 1 + c);
+      }
+    }
+  }
+}
+
+Eigen::MatrixXd ContactLinearisation::matrix() const {
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size_, size_);
+  const int count = static_cast<int>(at_.active.size());
+  Eigen::VectorXd surface; // by an unknown
+  for (int j = 0; j < count; ++j) {
+    for (int s = 0; s < (follows(at_.active[j]) ? 1 : 3); ++s) {
+      displacement_by(j, s, surface);
+      double* column = matrix.col(first_[j] + s).data();
+      for (int i = 0; i < count; ++i) {
+        const int cell = at_.active[i];
+        const double* moved = surface.data() + 3 * static_cast<std::ptrdiff_t>(cell);
+        const CellTrial& trial = at_.trial[cell];
+        const laws::FrictionResponse& friction = at_.response[cell].tangential;
+        double* row = column + first_[i];
+        const bool pulled = at_.status[cell] == CellStatus::pulled;
+        row[0] = pulled ? -trial.pull_slope * moved[0] : moved[0] / trial.normal_compliance;
+        if (!follows(cell)) {
+          const double x = moved[1] / trial.tangential_compliance,
+                       y = moved[2] / trial.tangential_compliance;
+          row[1] = friction.by_trial[0][0] * x + friction.by_trial[0][1] * y;
+          row[2] = friction.by_trial[1][0] * x + friction.by_trial[1][1] * y;
+        }
+      }
+    }
+  }
+  for (int i = 0; i < count; ++i) {
+    const int cell = at_.active[i];
+    const Eigen::Index first = first_[i];
+    const CellResponse& response = at_.response[cell];
+    if (response.status == CellStatus::pulled) {
+      matrix(first, first) += 1;
+    }
+    for (int r = 0; r < 2 && !follows(cell); ++r) {
+      matrix(first + 1 + r, first) -= response.tangential.by_normal[r];
+      for (int s = 0; s < 2; ++s) {
+        // Where the skin itself is held along s, its force does not change the trial force.
+        const int own = 3 * cell + 1 + s;
+        const bool held = problem_.compliance(own, own) <= 0;
+        matrix(first + 1 + r, first + 1 + s) +=
+            (r == s ? 1.0 : 0.0) - (held ? 0.0 : response.tangential.by_trial[r][s]);
+      }
+    }
+    if (force_given()) {
+      const CellTrial& trial = at_.trial[cell];
+      matrix(first, size_ - 1) =
+          response.status == CellStatus::pulled ? trial.pull_slope : -1 / trial.normal_compliance;
+      matrix(size_ - 1, first) = 1;
+    }
+  }
+  return matrix;
+}
+
+CellVector ContactLinearisation::settle_followers(CellVector& force) const {
+  for (int cell = 0; cell < problem_.cells(); ++cell) {
+    double* own = force.data() + 3 * static_cast<std::ptrdiff_t>(cell);
+    const CellResponse& response = at_.response[cell];
+    if (response.status == CellStatus::separated) {
+      own[0] = own[1] = own[2] = 0;
+    } else if (follows(cell)) {
+      for (std::size_t c = 0; c < 2; ++c) {
+        own[1 + c] = response.tangential.traction[c] +
+                     response.tangential.by_normal[c] * (own[0] - response.normal);
+      }
+    }
+  }
+  return problem_.surface_displacement(force);
+}
+
+Eigen::VectorXd ContactLinearisation::residual(const Iterate& iterate,
+                                               const CellVector& surface) const {
+  Eigen::VectorXd result(size_);
+  for (std::size_t i = 0; i < at_.active.size(); ++i) {
+    const int cell = at_.active[i];
+    const double* own = iterate.force.data() + 3 * static_cast<std::ptrdiff_t>(cell);
+    const CellTrial now =
+        problem_.cell_trial(cell, step_, iterate.indentation, iterate.force, surface);
+    const CellResponse& response = at_.response[cell];
+    result[first_[i]] =
+        response.status == CellStatus::pulled
+            ? own[0] + now.pull -
+                  now.pull_slope * problem_.opening(cell, iterate.indentation, surface)
+            : own[0] - now.normal;
+    for (int r = 0; r < 2 && !follows(cell); ++r) {
+      double allowed = response.tangential.traction[r] +
+                       response.tangential.by_normal[r] * (own[0] - response.normal);
+      for (int s = 0; s < 2; ++s) {
+        allowed += response.tangential.by_trial[r][s] *
+                   (now.tangential[s] - at_.trial[cell].tangential[s]);
+      }
+      result[first_[i] + 1 + r] = own[1 + r] - allowed;
+    }
+  }
+  if (force_given()) {
+    result[size_ - 1] = total_normal_force(iterate.force) - step_.load.value;
+  }
   return result;
 }
 
-LinearSystem::LinearSystem(const ContactProblem& problem, const SliderStep& step,
-                           const std::vector<int>& touching)
-    : problem_(problem), step_(step), touching_(touching),
-      matrix_(Eigen::MatrixXd::Zero(size(), size())), right_(Eigen::VectorXd::Zero(size())) {}
-
-void LinearSystem::add_load_row() {
-  if (!force_given()) {
-    return;
-  }
-  for (int i = 0; i < count(); ++i) {
-    matrix_(size() - 1, 3 * i) = 1;
-  }
-  right_[size() - 1] = step_.load.value;
-}
-
-void LinearSystem::add_opening(int i, double scale) {
-  add_displacement(3 * i, 3 * touching_[i], scale);
-  right_[3 * i] -= scale * problem_.gap[touching_[i]];
-  if (force_given()) {
-    matrix_(3 * i, size() - 1) -= scale;
-  } else {
-    right_[3 * i] += scale * step_.load.value;
-  }
-}
-
-void LinearSystem::add_normal_row(int i) {
-  add_opening(i, 1 / problem_.own_compliance(touching_[i], 0));
-}
-
-void LinearSystem::add_pulled_rows(int i) {
-  add_opening(i, -problem_.pull_slope(touching_[i]));
-  right_[3 * i] -= problem_.largest_pull(touching_[i]);
-  for (int c = 0; c < 3; ++c) {
-    matrix_(3 * i + c, 3 * i + c) += 1;
-  }
-}
-
-void LinearSystem::add_stick_rows(int i) {
-  const int cell = touching_[i];
-  const double scale = 1 / problem_.own_compliance(cell, 1);
-  for (int c = 1; c < 3; ++c) {
-    if (problem_.compliance(3 * cell + c, 3 * cell + c) > 0) {
-      add_displacement(3 * i + c, 3 * cell + c, scale);
-      right_[3 * i + c] = scale * free_displacement(cell, c);
-    } else { // held by the skin itself: no tangential force arises
-      matrix_(3 * i + c, 3 * i + c) = 1;
-    }
-  }
-}
-
-void LinearSystem::add_slip_rows(int i, const CellPredictor& predictor, double normal_force) {
-  const int cell = touching_[i];
-  const double compliance = problem_.own_compliance(cell, 1), scale = 1 / compliance;
-  const laws::FrictionResponse friction =
-      problem_.friction_response(cell, normal_force, predictor.tangential, compliance, step_, true);
-  for (int r = 0; r < 2; ++r) {
-    const int row = 3 * i + 1 + r;
-    matrix_(row, row) += 1;
-    matrix_(row, 3 * i) -= friction.by_normal[r];
-    right_[row] += friction.traction[r] - friction.by_normal[r] * normal_force;
-    for (int s = 0; s < 2; ++s) {
-      const double weight = friction.by_trial[r][s];
-      add_displacement(row, 3 * cell + 1 + s, weight * scale);
-      matrix_(row, 3 * i + 1 + s) -= weight;
-      right_[row] += weight * (scale * free_displacement(cell, 1 + s) - predictor.tangential[s]);
-    }
-  }
-}
-
-void LinearSystem::add_rows(const std::vector<CellPredictor>& predictors, const Iterate& iterate) {
-  add_load_row();
-  for (int i = 0; i < count(); ++i) {
-    const auto cell = static_cast<std::size_t>(touching_[i]);
-    const CellPredictor& predictor = predictors[cell];
-    if (predictor.status == CellStatus::pulled) {
-      add_pulled_rows(i);
-      continue;
-    }
-    add_normal_row(i);
-    if (predictor.status == CellStatus::sticking) {
-      add_stick_rows(i);
-    } else {
-      add_slip_rows(i, predictor, std::max(0.0, iterate.force[3 * cell]));
-    }
-  }
-}
-
-bool has_positive_determinant(const Eigen::PartialPivLU<Eigen::MatrixXd>& factor) {
-  bool positive = factor.permutationP().determinant() > 0;
-  for (const double pivot : factor.matrixLU().diagonal()) {
-    positive = positive == (pivot > 0);
-  }
-  return positive;
-}
-
-void LinearSystem::solve(Iterate& iterate) const {
-  const Eigen::VectorXd solution = matrix_.partialPivLu().solve(right_);
-  std::fill(iterate.force.begin(), iterate.force.end(), 0.0);
-  for (int i = 0; i < count(); ++i) {
-    for (int c = 0; c < 3; ++c) {
-      iterate.force[3 * touching_[i] + c] = solution[3 * i + c];
+void ContactLinearisation::correct(const Eigen::PartialPivLU<Eigen::MatrixXd>& factor,
+                                   Iterate& iterate) const {
+  const CellVector surface = settle_followers(iterate.force);
+  const Eigen::VectorXd change = factor.solve(residual(iterate, surface));
+  for (std::size_t i = 0; i < at_.active.size(); ++i) {
+    const int cell = at_.active[i];
+    double* own = iterate.force.data() + 3 * static_cast<std::ptrdiff_t>(cell);
+    own[0] -= change[first_[i]];
+    for (int c = 0; c < 2; ++c) {
+      own[1 + c] -= follows(cell) ? at_.response[cell].tangential.by_normal[c] * change[first_[i]]
+                                  : change[first_[i] + 1 + c];
     }
   }
   if (force_given()) {
-    iterate.indentation = solution[size() - 1];
+    iterate.indentation -= change[size_ - 1];
   }
-}
-
-void LinearSystem::add_displacement(int row, int component, double scale) {
-  const double* column = problem_.compliance.col(component).data(); // symmetric
-  for (int j = 0; j < count(); ++j) {
-    for (int c = 0; c < 3; ++c) {
-      matrix_(row, 3 * j + c) += scale * column[3 * touching_[j] + c];
-    }
-  }
-}
-
-double LinearSystem::free_displacement(int cell, int c) const {
-  return step_.travel[c - 1] + step_.surface_before[3 * cell + c];
 }
 
 } // namespace ionskin::mechanics

@@ -1,58 +1,131 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/surface/contact_newton.hpp"
 
-#include "ionskin/base/largest.hpp"
-#include "ionskin/mechanics/surface/contact_linearisation.hpp"
+#include "ionskin/mechanics/output/contact_solution.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
-#include <vector>
 
 namespace ionskin::mechanics {
-NewtonResult contact_newton(const ContactProblem& problem, const SliderStep& step,
-                            CellVector& force, double& indentation, double tolerance,
-                            int most_iterations) {
-  const bool force_given = step.load.kind == LoadKind::force;
-  Iterate iterate{force, force_given ? indentation : step.load.value};
-  std::vector<CellPredictor> predictors(problem.area.size());
-  for (int iteration = 0; iteration <= most_iterations; ++iteration) {
-    const CellVector surface = problem.surface_displacement(iterate.force);
-    double residual =
-        force_given ? std::abs(total_normal_force(iterate.force) - step.load.value) : 0.0;
-    double scale = 0;
-    bool same_status = iteration > 0;
-    std::vector<int> touching;
-    for (int cell = 0; cell < problem.cells(); ++cell) {
-      const CellPredictor now = predict(problem, step, iterate, surface, cell);
-      same_status = same_status && now.status == predictors[cell].status;
-      predictors[cell] = now;
-      residual = base::larger(residual, now.residual);
-      scale = std::max(scale, std::abs(iterate.force[3 * static_cast<std::size_t>(cell)]));
-      if (now.status != CellStatus::separated) {
-        touching.push_back(cell);
+namespace {
+
+constexpr double newton_tolerance = contact_tolerance / 10;
+constexpr int most_iterations = 30;
+/// A residual that falls more slowly has outgrown the factorisation.
+constexpr double least_contraction = 0.2;
+
+/// Whether the determinant of a factorised matrix is positive: of a contact with adhesion, that its
+/// equilibrium can last. Where the pull falls with the opening faster than the skin springs back,
+/// the sign has changed, docs/model.md (43).
+bool has_positive_determinant(const Eigen::PartialPivLU<Eigen::MatrixXd>& factor) {
+  bool positive = factor.permutationP().determinant() > 0;
+  for (const double pivot : factor.matrixLU().diagonal()) {
+    positive = positive == (pivot > 0);
+  }
+  return positive;
+}
+
+/// Where no cell touches any more: the skin that they pressed down rises to the slider. A force
+/// needs a cell to bear it, the one that the slider meets first.
+void begin_anew(const ContactProblem& problem, const SliderStep& step, Iterate& iterate) {
+  std::ranges::fill(iterate.force, 0.0);
+  if (step.load.kind == LoadKind::force) {
+    const auto first = std::ranges::min_element(problem.gap) - problem.gap.begin();
+    iterate.force[3 * static_cast<std::size_t>(first)] = step.load.value;
+    iterate.indentation =
+        problem.gap[first] + problem.own_compliance(static_cast<int>(first), 0) * step.load.value;
+  }
+}
+
+/// Cells that an iteration has drawn beyond where they stick, so that they would slip back, are
+/// held: else they turn to and fro.
+void hold_turned(const ContactProblem& problem, const SliderStep& step, const Iterate& iterate,
+                 Standing& at) {
+  for (const int cell : at.active) {
+    const double* force = iterate.force.data() + 3 * static_cast<std::ptrdiff_t>(cell);
+    const laws::TangentialVector& trial = at.trial[cell].tangential;
+    if (at.status[cell] == laws::CellStatus::slipping &&
+        force[1] * trial[0] + force[2] * trial[1] < 0 &&
+        problem.friction_limit(cell, at.response[cell].normal, 0, step.time_step) > 0) {
+      at.status[cell] = at.response[cell].status = laws::CellStatus::sticking;
+      at.response[cell].tangential = {true, trial, {{{1, 0}, {0, 1}}}, {}};
+    }
+  }
+}
+
+} // namespace
+
+void ContactNewton::factorise(const ContactLinearisation& equations, const Standing& at) {
+  factor_.compute(equations.matrix());
+  factor_size_ = equations.size();
+  factorised_ = at.status;
+  ++factorisations_;
+}
+
+/// Moves forces within the tolerance to where their cells stand: open ones carry nothing, slipping
+/// ones their limit, and none is pulled by more than its adhesion.
+void ContactNewton::settle(const ContactProblem& problem, const Standing& at, Iterate& iterate) {
+  settled_by_ = {};
+  for (int cell = 0; cell < problem.cells(); ++cell) {
+    double* force = iterate.force.data() + 3 * static_cast<std::ptrdiff_t>(cell);
+    const std::array<double, 2> found{force[1], force[2]};
+    const laws::CellTrial& trial = at.trial[cell];
+    force[0] =
+        at.status[cell] == laws::CellStatus::separated ? 0.0 : std::max(-trial.pull, force[0]);
+    if (at.status[cell] == laws::CellStatus::slipping) {
+      const auto friction = laws::cell_friction(problem.friction, trial, force[0], true);
+      force[1] = friction.traction[0];
+      force[2] = friction.traction[1];
+    } else if (at.status[cell] != laws::CellStatus::sticking) {
+      force[1] = force[2] = 0;
+    }
+    settled_by_[0] += force[1] - found[0];
+    settled_by_[1] += force[2] - found[1];
+  }
+}
+
+bool ContactNewton::solve(const ContactProblem& problem, const SliderStep& step, Iterate& iterate) {
+  if (step.load.kind == LoadKind::indentation) {
+    iterate.indentation = step.load.value;
+  }
+  Iterate now = iterate;
+  double last = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < most_iterations; ++i) {
+    iterations_ = i;
+    Standing at(problem, step, now);
+    if (!std::isfinite(at.residual)) {
+      return false;
+    }
+    if (!step.sliding_direction && i > 0 && at.residual > newton_tolerance * at.largest_force) {
+      hold_turned(problem, step, now, at);
+    }
+    const ContactLinearisation equations(problem, step, at);
+    if (at.residual <= newton_tolerance * at.largest_force) {
+      if (problem.friction.adhesion.pulls() && problem.pull.empty() && !at.active.empty()) {
+        factorise(equations, at);
+        if (!has_positive_determinant(factor_)) {
+          return false;
+        }
       }
+      settle(problem, at, now);
+      iterate = std::move(now);
+      return true;
     }
-    if (same_status && residual <= tolerance * scale) {
-      force = std::move(iterate.force);
-      indentation = iterate.indentation;
-      return {true, iteration};
-    }
-    if (!std::isfinite(residual)) {
-      break;
-    }
-    if (touching.empty()) {
-      if (force_given) {
-        break;
-      }
-      std::fill(iterate.force.begin(), iterate.force.end(), 0.0);
+    if (at.active.empty()) {
+      begin_anew(problem, step, now);
+      last = std::numeric_limits<double>::infinity();
       continue;
     }
-    LinearSystem system(problem, step, touching);
-    system.add_rows(predictors, iterate);
-    system.solve(iterate);
+    const bool known = factor_size_ == equations.size() && factorised_ == at.status;
+    if (!known || at.residual > least_contraction * last) {
+      factorise(equations, at);
+    }
+    last = at.residual;
+    equations.correct(factor_, now);
   }
-  return {false, most_iterations};
+  return false;
 }
 
 } // namespace ionskin::mechanics

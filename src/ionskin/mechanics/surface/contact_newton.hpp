@@ -1,25 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/mechanics/surface/contact_problem.hpp"
+#include "ionskin/mechanics/surface/contact_linearisation.hpp"
+
+#include <Eigen/LU>
+
+#include <array>
+#include <vector>
 
 namespace ionskin::mechanics {
 
-/// How Newton's method ended.
-struct NewtonResult {
-  bool converged = false;
-  int iterations = 0;
-};
-
 /// Semi-smooth Newton on the projection form of contact and friction (Alart and Curnier 1991,
-/// doi 10.1016/0045-7825(91)90022-X). Under a given force the indentation is one more unknown and
-/// the sum of the normal forces one more equation. Exact once stick, slip and separation are right;
-/// needs a good start.
-/// @param force start on entry; the result on return when converged [N]
-/// @param indentation likewise, under a given force; the given one otherwise [m]
-/// @param tolerance on the projection residual over the largest normal force
-NewtonResult contact_newton(const ContactProblem& problem, const SliderStep& step,
-                            CellVector& force, double& indentation, double tolerance = 1e-10,
-                            int most_iterations = 15);
+/// doi 10.1016/0045-7825(91)90022-X), with the cells that touch as active set. Under a given force
+/// the indentation is one more unknown and the sum of the normal forces one more equation. The
+/// factorisation is kept, also from one solution to the next, for as long as the same cells touch,
+/// stick and slip and the residual falls fast enough.
+class ContactNewton {
+public:
+  /// @param iterate start on entry, such as the state before; the solution on return when converged
+  /// @returns whether it converged, to 1e-10 of the largest normal force, and with adhesion to an
+  /// equilibrium that can last
+  bool solve(const ContactProblem& problem, const SliderStep& step, Iterate& iterate);
+
+  int iterations() const { return iterations_; } ///< of the last solve
+  int factorisations() const { return factorisations_; }
+  /// Forgets the factorisation, as after a solution by other means.
+  void forget() {
+    factor_size_ = 0;
+    settled_by_ = {};
+  }
+  /// By what the last solution moved the sums of the tangential forces in the end, within the
+  /// tolerance, so that slipping cells carry their limits [N].
+  const std::array<double, 2>& settled_by() const { return settled_by_; }
+
+private:
+  void factorise(const ContactLinearisation& equations, const Standing& at);
+  void settle(const ContactProblem& problem, const Standing& at, Iterate& iterate);
+
+  Eigen::PartialPivLU<Eigen::MatrixXd> factor_;
+  Eigen::Index factor_size_ = 0;             ///< 0: none
+  std::vector<laws::CellStatus> factorised_; ///< the pattern it belongs to
+  int iterations_ = 0, factorisations_ = 0;
+  std::array<double, 2> settled_by_{};
+};
 
 } // namespace ionskin::mechanics

@@ -28,26 +28,6 @@ double ContactProblem::pull_slope(int cell) const {
                                                    : 0.0;
 }
 
-ContactProblem::NormalResponse ContactProblem::normal_response(int cell, double trial) const {
-  const double most = largest_pull(cell);
-  if (trial > -most) {
-    return {true, false, trial};
-  }
-  if (most == 0) {
-    return {};
-  }
-  const double softening = pull_slope(cell) * own_compliance(cell, 0);
-  if (softening == 0) {
-    return {false, true, -most};
-  }
-  // The opening that balances the pull, docs/model.md (42); with a softening of 1 there is none.
-  const bool far = trial <= -friction.adhesion.range / own_compliance(cell, 0);
-  if (far || softening >= 1) {
-    return {};
-  }
-  return {false, true, -(most + softening * trial) / (1 - softening)};
-}
-
 double ContactProblem::lagged_speed_of(int cell) const {
   return lagged_speed.empty() ? 0.0 : lagged_speed[static_cast<std::size_t>(cell)];
 }
@@ -70,24 +50,24 @@ double ContactProblem::friction_limit_slope(int cell, double normal_force, doubl
   return friction.limit_slope({normal_force / area[cell], slip, time_step, lagged_speed_of(cell)});
 }
 
-laws::FrictionResponse ContactProblem::friction_response(int cell, double normal_force,
-                                                         const std::array<double, 2>& trial,
-                                                         double own_slip, const SliderStep& step,
-                                                         bool slips) const {
-  const double cell_area = area[cell];
-  laws::FrictionResponse response =
-      laws::return_mapping(friction,
-                           {normal_force / cell_area,
-                            {trial[0] / cell_area, trial[1] / cell_area},
-                            own_slip * cell_area,
-                            step.time_step,
-                            lagged_speed_of(cell),
-                            step.elastic_slip_before(cell)},
-                           slips);
-  for (double& component : response.traction) {
-    component *= cell_area;
-  }
-  return response;
+laws::CellTrial ContactProblem::cell_trial(int cell, const SliderStep& step, double indentation,
+                                           const CellVector& force,
+                                           const CellVector& surface) const {
+  const std::size_t at = 3 * static_cast<std::size_t>(cell);
+  const double normal = own_compliance(cell, 0), tangential = own_compliance(cell, 1);
+  const auto slip = slip_increment(step, surface, cell);
+  return {
+      .area = area[cell],
+      .normal_compliance = normal,
+      .tangential_compliance = tangential,
+      .normal = force[at] - opening(cell, indentation, surface) / normal,
+      .tangential = {force[at + 1] + slip[0] / tangential, force[at + 2] + slip[1] / tangential},
+      .pull = largest_pull(cell),
+      .pull_slope = pull_slope(cell),
+      .time_step = step.time_step,
+      .lagged_speed = lagged_speed_of(cell),
+      .elastic = step.elastic_slip_before(cell),
+      .sliding_direction = step.sliding_direction};
 }
 
 laws::FrictionArguments ContactProblem::arguments(int cell, double normal_force,

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/laws/friction/return_mapping.hpp"
+#include "ionskin/laws/friction/cell_response.hpp"
 
 #include <Eigen/Core>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace ionskin::mechanics {
@@ -44,24 +45,14 @@ struct ContactProblem {
   /// Largest pull of a cell [N], and by how much it falls with the opening [N/m].
   double largest_pull(int cell) const;
   double pull_slope(int cell) const;
-  /// The normal force that contact and adhesion allow a cell where a trial force would hold it to
-  /// the slider.
-  struct NormalResponse {
-    bool touches = false, pulled = false; ///< closed; open, and pulled
-    double force = 0;                     ///< [N]
-  };
-  NormalResponse normal_response(int cell, double trial) const;
   /// C f.
   CellVector surface_displacement(const CellVector& force) const;
   /// Largest tangential force of a cell under a normal force, along x, and its derivative [N], [1].
   double friction_limit(int cell, double normal_force, double slip, double time_step) const;
   double friction_limit_slope(int cell, double normal_force, double slip, double time_step) const;
-  /// The tangential force that friction allows a cell where a trial force would hold it to the
-  /// slider in a step, with its derivatives by forces; as laws::return_mapping, in forces [N].
-  /// @param own_slip over the force that is not carried [m/N]
-  laws::FrictionResponse friction_response(int cell, double normal_force,
-                                           const std::array<double, 2>& trial, double own_slip,
-                                           const SliderStep& step, bool slips = false) const;
+  /// Before the equations of a cell, laws::cell_response. @param surface C f [m]
+  laws::CellTrial cell_trial(int cell, const SliderStep& step, double indentation,
+                             const CellVector& force, const CellVector& surface) const;
   /// Largest tangential force of a cell that slipped in a step, along x [N].
   double friction_limit_behind(int cell, double normal_force, const std::array<double, 2>& slip,
                                const SliderStep& step) const;
@@ -90,6 +81,9 @@ struct SliderStep {
   CellVector surface_before;      ///< surface displacement at its start [m]
   /// Of the cells at its start; empty without.
   std::vector<laws::ElasticSlip> elastic_before = {};
+  /// Of the limit of long sliding, in which all cells that touch slip along it, and the step takes
+  /// no time; empty for a step like others.
+  std::optional<std::array<double, 2>> sliding_direction = {};
 
   laws::ElasticSlip elastic_slip_before(int cell) const {
     return elastic_before.empty() ? laws::ElasticSlip{}

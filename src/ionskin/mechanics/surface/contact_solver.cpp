@@ -2,47 +2,36 @@
 #include "ionskin/mechanics/surface/contact_solver.hpp"
 
 #include "ionskin/base/error.hpp"
-#include "ionskin/mechanics/surface/adhesive_contact.hpp"
-#include "ionskin/mechanics/surface/contact_at_force.hpp"
+#include "ionskin/mechanics/surface/adhesive_force.hpp"
 #include "ionskin/mechanics/surface/contact_newton.hpp"
-#include "ionskin/mechanics/surface/projected_gauss_seidel.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace ionskin::mechanics {
 namespace {
 
-constexpr double rough_tolerance = 1e-4;
-constexpr int rough_sweeps = 3000;
-constexpr double fallback_tolerance = 1e-10;
-constexpr int fallback_sweeps = 20000;
+/// Indentation at which forces hold the cells on the slider's face, in the mean over the force.
+double mean_indentation(const ContactProblem& problem, const CellVector& force) {
+  const CellVector surface = problem.surface_displacement(force);
+  double sum = 0, total = 0;
+  for (std::size_t cell = 0; cell < problem.area.size(); ++cell) {
+    sum += force[3 * cell] * (surface[3 * cell] + problem.gap[cell]);
+    total += force[3 * cell];
+  }
+  return total > 0 ? sum / total : 0.0;
+}
 
-SurfaceState solve_at_indentation(const ContactProblem& problem, const SliderStep& step,
-                                  const CellVector& start) {
-  double indentation = step.load.value;
-  CellVector rough = start;
-  const auto sweeps =
-      projected_gauss_seidel(problem, step, indentation, rough, rough_tolerance, rough_sweeps);
-  CellVector force = rough;
-  const auto newton = contact_newton(problem, step, force, indentation);
-  int iterations = sweeps.sweeps + newton.iterations;
-  if (newton.converged && free_of_tension(problem, force)) {
-    return surface_state(problem, step, std::move(force), indentation, iterations);
-  }
-  const auto fallback = projected_gauss_seidel(problem, step, indentation, rough,
-                                               fallback_tolerance, fallback_sweeps);
-  iterations += fallback.sweeps;
-  if (!fallback.converged) {
-    throw SolverError(
-        fmt::format(
-            "the contact solver did not converge in {} iterations at an indentation of {:.3g} um",
-            iterations, indentation * 1e6),
-        "lower contact.friction, or change numerics.mesh_refinement");
-  }
-  return surface_state(problem, step, std::move(rough), indentation, iterations);
+[[noreturn]] void give_up(const SliderLoad& load, int iterations) {
+  const std::string where = load.kind == LoadKind::force
+                                ? fmt::format("under a force of {:.3g} N", load.value)
+                                : fmt::format("at an indentation of {:.3g} um", load.value * 1e6);
+  throw SolverError(
+      fmt::format("the contact solver did not converge in {} iterations {}", iterations, where),
+      "lower contact.friction, or change numerics.mesh_refinement");
 }
 
 } // namespace
@@ -67,10 +56,20 @@ SurfaceState solve_contact_step(const ContactProblem& problem, const SliderStep&
   if (problem.friction.adhesion.pulls()) {
     AdhesiveStart apart = far_apart(problem);
     apart.force = start;
-    return solve_adhesive_step(problem, step, apart);
+    return step.load.kind == LoadKind::force ? adhesive_contact_at_force(problem, step, apart)
+                                             : relaxed_contact(problem, step, apart);
   }
-  return step.load.kind == LoadKind::force ? solve_contact_at_force(problem, step, start)
-                                           : solve_at_indentation(problem, step, start);
+  if (step.load.kind == LoadKind::force && step.load.value <= 0) {
+    return surface_state(problem, step, CellVector(start.size(), 0.0),
+                         *std::ranges::min_element(problem.gap), 0);
+  }
+  ContactNewton newton;
+  Iterate iterate{start, mean_indentation(problem, start)};
+  if (!newton.solve(problem, step, iterate)) {
+    give_up(step.load, newton.iterations());
+  }
+  return surface_state(problem, step, std::move(iterate.force), iterate.indentation,
+                       newton.iterations());
 }
 
 } // namespace ionskin::mechanics

@@ -15,8 +15,8 @@ struct SurfaceState {
   double indentation = 0; ///< given, or found to carry the given force [m]
 };
 
-/// Projected Gauss-Seidel to 1e-4, semi-smooth Newton to rounding; Gauss-Seidel to 1e-10 where
-/// Newton cycles. Throws SolverError when all fail.
+/// One step by itself, by `ContactNewton`. A force of 0 leaves the slider just touching. Throws
+/// SolverError where Newton's method finds no solution.
 /// @param start forces to start from, such as those of the state before [N]
 SurfaceState solve_contact_step(const ContactProblem& problem, const SliderStep& step,
                                 const CellVector& start);

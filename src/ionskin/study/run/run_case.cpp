@@ -91,7 +91,7 @@ void write_skins(const Case& input, const mechanics::ContactSolution& contact, R
   }
 }
 
-/// Case -> SkinMesh -> ContactSolution -> CoreHistory, or what an earlier run left of it in its
+/// Case -> ContactSolution -> CoreHistory, or what an earlier run left of it in its
 /// folder.
 MechanicsRecord study_1(const Case& input, const RunOptions& options, double start,
                         RunFolder& folder, base::Timers& timers) {

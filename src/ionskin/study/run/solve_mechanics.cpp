@@ -155,7 +155,8 @@ std::vector<SolvedMechanics> solve_mechanics(const Case& input,
   if (!both.footprint) {
     const base::Timers::Scope scope(timers, "mechanics: footprint");
     both.footprint =
-        mechanics::find_footprint(input, frictions.front(), options.threads, options.progress);
+        mechanics::find_footprint(input, frictions.front(), options.threads, options.progress)
+            .footprint;
     if (!input.slider.sharp()) { // of which the mesh was a guess before
       planning::require_resources(input, options.threads, both.footprint);
     }
@@ -188,7 +189,8 @@ void add_companions(const Case& input, const mechanics::ContactOptions& options,
                     MechanicsRecord& record) {
   mechanics::ContactOptions own = options;
   if (!own.footprint) {
-    own.footprint = mechanics::find_footprint(input, input.contact.friction, options.threads);
+    own.footprint =
+        mechanics::find_footprint(input, input.contact.friction, options.threads).footprint;
   }
   std::string problem;
   for (Companions& solved : try_companions(input, {input.contact.friction}, own, problem)) {

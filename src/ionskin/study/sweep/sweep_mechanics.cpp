@@ -109,9 +109,9 @@ struct GroupPlan {
 GroupPlan plan_group(const Case& input, int threads) {
   GroupPlan plan;
   failure_of([&] {
-    const auto footprint = mechanics::find_common_footprint(input, input.contact.friction, threads);
-    if (footprint) {
-      plan = {batch_size(input, *footprint), footprint};
+    const auto found = mechanics::find_footprint(input, input.contact.friction, threads);
+    if (found.shared) {
+      plan = {batch_size(input, found.footprint), found.footprint};
     }
   });
   return plan;

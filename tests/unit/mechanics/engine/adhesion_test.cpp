@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/engine/motion_stepper.hpp"
 #include "ionskin/mechanics/solve_contact.hpp"
-#include "ionskin/mechanics/surface/adhesive_contact.hpp"
+#include "ionskin/mechanics/surface/adhesion_energy.hpp"
 #include "small_case.hpp"
 
 #include <gtest/gtest.h>

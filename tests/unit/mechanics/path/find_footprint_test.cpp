@@ -30,13 +30,13 @@ Case coarse_finger() {
 }
 
 TEST(FindFootprint, of_a_sharp_slider_is_its_plan) {
-  const mesh::Footprint footprint = find_footprint(small_case(), 0.3, 1);
+  const mesh::Footprint footprint = find_footprint(small_case(), 0.3, 1).footprint;
   EXPECT_EQ(footprint.half_size, (std::array<double, 2>{0.5e-3, 0.4e-3}));
   EXPECT_TRUE(footprint.sharp(0) && footprint.sharp(1));
 }
 
 TEST(FindFootprint, of_a_sphere_holds_its_contact_closely) {
-  const mesh::Footprint footprint = find_footprint(small_finger(), 0.3, 1);
+  const mesh::Footprint footprint = find_footprint(small_finger(), 0.3, 1).footprint;
   EXPECT_TRUE(footprint.round(0) && footprint.round(1));
   const mesh::Footprint largest = mesh::largest_footprint(small_finger());
   for (std::size_t d = 0; d < 2; ++d) {
@@ -47,11 +47,11 @@ TEST(FindFootprint, of_a_sphere_holds_its_contact_closely) {
 
 TEST(FindFootprint, of_a_sphere_on_few_cells_is_found) {
   // Four cells across: two widths could follow each other without end, one reached, one ill filled.
-  const mesh::Footprint finer = find_footprint(small_finger(), 0.3, 1);
+  const mesh::Footprint finer = find_footprint(small_finger(), 0.3, 1).footprint;
   for (const double refinement : {0.25, 0.3}) {
     Case input = small_finger();
     input.numerics.mesh_refinement = refinement;
-    const mesh::Footprint footprint = find_footprint(input, 0.3, 1);
+    const mesh::Footprint footprint = find_footprint(input, 0.3, 1).footprint;
     for (std::size_t d = 0; d < 2; ++d) {
       EXPECT_GT(footprint.half_size[d], 0.9 * finer.half_size[d]) << refinement;
       EXPECT_LT(footprint.half_size[d], 2.5 * finer.half_size[d]) << refinement;
@@ -64,7 +64,7 @@ TEST(FindFootprint, of_a_barely_pressed_rounded_slider_ends_close_to_its_flat_pa
   input.slider.parameters["edge_radius"] = 0.2e-3;
   input.motion.preload = 0;
   input.motion.preload_force = 0.1;
-  const mesh::Footprint footprint = find_footprint(input, 0.3, 1);
+  const mesh::Footprint footprint = find_footprint(input, 0.3, 1).footprint;
   for (std::size_t d = 0; d < 2; ++d) {
     EXPECT_NEAR(footprint.half_size[d] - footprint.rim[d], input.slider.flat_half_size()[d], 1e-15);
     EXPECT_GT(footprint.rim[d], 0);
@@ -75,7 +75,8 @@ TEST(FindFootprint, of_a_barely_pressed_rounded_slider_ends_close_to_its_flat_pa
 TEST(FindFootprint, does_not_depend_on_the_number_of_threads) {
   Case input = coarse_finger();
   input.motion.stroke = 1e-3;
-  const mesh::Footprint one = find_footprint(input, 0.3, 1), two = find_footprint(input, 0.3, 2);
+  const mesh::Footprint one = find_footprint(input, 0.3, 1).footprint,
+                        two = find_footprint(input, 0.3, 2).footprint;
   EXPECT_EQ(one.half_size, two.half_size);
   EXPECT_EQ(one.rim, two.rim);
 }
@@ -87,7 +88,8 @@ TEST(FindFootprint, is_shared_by_all_coefficients_up_to_the_next_step) {
   EXPECT_EQ(footprint_friction(0.51), 1);
   EXPECT_EQ(footprint_friction(2), 2);
   const Case input = coarse_finger();
-  EXPECT_EQ(find_footprint(input, 0.1, 1).half_size, find_footprint(input, 0.45, 1).half_size);
+  EXPECT_EQ(find_footprint(input, 0.1, 1).footprint.half_size,
+            find_footprint(input, 0.45, 1).footprint.half_size);
 }
 
 TEST(FindFootprint, refuses_a_contact_over_the_edge_of_the_skin) {
@@ -137,7 +139,7 @@ TEST(FindFootprint, of_adhesion_over_a_wide_gap_is_found) {
   input.contact.law = "adhesive";
   input.contact.parameters = {{"work_of_adhesion", 1.0}, {"cohesive_strength", 1e4}};
   // It pulls over 0.1 mm, a thousand times what it is pressed in.
-  EXPECT_GT(find_footprint(input, 0.3, 1).half_size[0],
+  EXPECT_GT(find_footprint(input, 0.3, 1).footprint.half_size[0],
             100 * mesh::largest_footprint(input).half_size[0]);
 }
 

@@ -4,7 +4,6 @@
 #include "ionskin/mechanics/surface/contact_diagnostics.hpp"
 #include "ionskin/mechanics/surface/contact_newton.hpp"
 #include "ionskin/mechanics/surface/contact_solver.hpp"
-#include "ionskin/mechanics/surface/projected_gauss_seidel.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -95,20 +94,6 @@ TEST(ContactSolver, partial_slip_satisfies_every_condition) {
       state = solve_contact_step(problem, step, state.force);
       EXPECT_LT(worst_violation(problem, state), 1e-8) << friction << " step " << i;
     }
-  }
-}
-
-TEST(ContactSolver, newton_and_gauss_seidel_agree) {
-  const ContactProblem problem = line_of_cells(20, 0.3);
-  const SliderStep step = press(problem, 1e-6, {1e-7, 0});
-  CellVector slow(60, 0.0);
-  ASSERT_TRUE(projected_gauss_seidel(problem, step, 1e-6, slow, 1e-12, 100000).converged);
-  CellVector fast(60, 0.0);
-  ASSERT_TRUE(projected_gauss_seidel(problem, step, 1e-6, fast, 1e-4, 1000).converged);
-  double indentation = 1e-6;
-  ASSERT_TRUE(contact_newton(problem, step, fast, indentation, 1e-11, 15).converged);
-  for (std::size_t i = 0; i < slow.size(); ++i) {
-    EXPECT_NEAR(fast[i], slow[i], 1e-8);
   }
 }
 
@@ -329,11 +314,8 @@ TEST(ContactSolver, NaNIsNoConvergence) {
   ContactProblem problem = line_of_cells(3, 0.5);
   problem.compliance(3, 3) = nan;
   const SliderStep step = press(problem, 1e-6);
-  CellVector force(9, 0.0);
-  EXPECT_FALSE(projected_gauss_seidel(problem, step, 1e-6, force, 1e-4, 100).converged);
-  force.assign(9, 0.0);
-  double indentation = 1e-6;
-  EXPECT_FALSE(contact_newton(problem, step, force, indentation).converged);
+  Iterate iterate{CellVector(9, 0.0), 1e-6};
+  EXPECT_FALSE(ContactNewton().solve(problem, step, iterate));
   EXPECT_THROW(solve(problem, step), SolverError);
   EXPECT_THROW(steady_sliding(problem, {LoadKind::indentation, 1e-6}, {1, 0}, 0), SolverError);
 }

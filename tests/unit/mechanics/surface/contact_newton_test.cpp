@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/mechanics/engine/kept_newton.hpp"
+#include "ionskin/mechanics/surface/contact_newton.hpp"
 
 #include "ionskin/mechanics/surface/contact_diagnostics.hpp"
 #include "ionskin/mechanics/surface/contact_solver.hpp"
@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace ionskin::mechanics {
 namespace {
@@ -41,7 +42,7 @@ ContactProblem sphere_on_many_cells(double friction) {
   return problem;
 }
 
-TEST(KeptNewton, FindsTheContactWhereASliderIsLiftedByMoreThanCellsGiveAlone) {
+TEST(ContactNewton, FindsTheContactWhereASliderIsLiftedByMoreThanCellsGiveAlone) {
   for (const double friction : {0.0, 0.3}) {
     const ContactProblem problem = sphere_on_many_cells(friction);
     const CellVector none(3 * problem.area.size(), 0.0);
@@ -52,7 +53,7 @@ TEST(KeptNewton, FindsTheContactWhereASliderIsLiftedByMoreThanCellsGiveAlone) {
       SCOPED_TRACE(share);
       const SliderStep step{
           {LoadKind::indentation, share * deepest}, {1e-6, 0}, 0.1, pressed.surface};
-      KeptNewton newton;
+      ContactNewton newton;
       Iterate iterate{pressed.force, pressed.indentation};
       ASSERT_TRUE(newton.solve(problem, step, iterate));
       const SurfaceState direct = solve_contact_step(problem, step, none);
@@ -61,6 +62,37 @@ TEST(KeptNewton, FindsTheContactWhereASliderIsLiftedByMoreThanCellsGiveAlone) {
       const SurfaceState found =
           surface_state(problem, step, iterate.force, iterate.indentation, newton.iterations());
       EXPECT_LT(contact_violations(problem, found, expected, deepest).largest(), 1e-8);
+    }
+  }
+}
+
+/// Steps of any size, each from no forces and from those before.
+TEST(ContactNewton, TakesAnyStepUnderAnyFriction) {
+  constexpr double deepest = 2e-5, heaviest = 20;
+  for (const double friction : {0.3, 2.0}) {
+    const ContactProblem problem = sphere_on_many_cells(friction);
+    const CellVector none(3 * problem.area.size(), 0.0);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    for (const bool by_force : {false, true}) {
+      SurfaceState state{.force = none, .surface = none};
+      for (int i = 0; i < 12; ++i) {
+        const double level = std::abs(unit(random)), way = std::pow(10, -4 - 3 * level);
+        const SliderStep step{by_force ? SliderLoad{LoadKind::force, level * heaviest}
+                                       : SliderLoad{LoadKind::indentation, level * deepest},
+                              {way * unit(random), way * unit(random)},
+                              0.1,
+                              state.surface};
+        SCOPED_TRACE(i);
+        Iterate near{state.force, state.indentation}, anew{none, 0};
+        ContactNewton newton;
+        ASSERT_TRUE(newton.solve(problem, step, near));
+        ASSERT_TRUE(ContactNewton().solve(problem, step, anew));
+        const double load = total_normal_force(near.force);
+        EXPECT_NEAR(total_normal_force(anew.force), load, 1e-8 * load);
+        state = surface_state(problem, step, near.force, near.indentation, newton.iterations());
+        EXPECT_LT(contact_violations(problem, state, load, deepest).largest(), 1e-8);
+      }
     }
   }
 }

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/mechanics/engine/prescribed_steps.hpp"
+
+#include "ionskin/base/error.hpp"
+
+namespace ionskin::mechanics {
+namespace {
+
+/// A step without a solution is halved so often before the motion is given up.
+constexpr int most_halvings = 6;
+
+} // namespace
+
+void PrescribedSteps::step(const MotionLeg& leg, const LegLevels& levels, double from, double to,
+                           int depth) {
+  try {
+    contact().step((to - from) * leg.duration, leg.centre(to * leg.duration), levels.load(to));
+    count_step();
+  } catch (const SolverError&) {
+    if (depth == most_halvings) {
+      throw;
+    }
+    step(leg, levels, from, 0.5 * (from + to), depth + 1);
+    step(leg, levels, 0.5 * (from + to), to, depth + 1);
+  }
+}
+
+double PrescribedSteps::advance(const MotionLeg& leg, const LegLevels& levels, double from,
+                                double to, const PassedSink& passed) {
+  step(leg, levels, from, to, 0);
+  passed({to, levels.height(to)});
+  return to;
+}
+
+} // namespace ionskin::mechanics
