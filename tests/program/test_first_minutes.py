@@ -130,8 +130,8 @@ class FirstMinutes(ProgramTest):
         compared = self.run_program("compare", "one", "two").stdout
         self.assertIn("  coupling.law: 'fixed-charge' (default) | 'column-neutral'\n", compared)
         self.assertNotIn("contact.law", compared)
-        self.assertRegex(compared, r"  mean_shear_slide: [\d.]+ \| [\d.]+ \(")
-        self.assertRegex(compared, r"  tangential_force_slide: [\d.]+ \| [\d.]+ N \(")
+        self.assertRegex(compared, r"  Mean shear, mid-slide +0\.0\d+ ± [\d.]+ % +0\.0\d+ ± [\d.]+ % +[\d.]+ % +\w+ the stated errors +mean_shear_slide")
+        self.assertRegex(compared, r"  Tangential force, mid-slide +[\d.]+ N .*[\d.]+ N .* tangential_force_slide")
 
     def test_doctor_and_cite(self):
         whole = self.run_program("doctor").stdout
