@@ -108,7 +108,7 @@ class FirstMinutes(ProgramTest):
         self.run_program("init", "finger.toml", "--from", "finger")
         self.assertIn("sphere", (self.folder / "finger.toml").read_text())
         self.assertIn("paper, quick, finger", self.run_program("init", "x.toml", "--from", "hand", expect=2).stderr)
-        for name in ("taxels", "reciprocating", "poroelastic", "strain_file"):
+        for name in ("taxels", "reciprocating", "waypoints", "poroelastic", "bending", "strain_file"):
             wrote = self.run_program("init", f"{name}.toml", "--from", name).stdout
             if name == "strain_file":  # what it needs is named, and serves
                 subprocess.run(re.search("First: (.*)", wrote)[1].split(), cwd=self.folder, check=True)
