@@ -85,8 +85,8 @@ class ParaView(ProgramTest):
                     self.assertEqual((failures, reader.GetErrorCode()), ([], 0))
                     numpy.testing.assert_array_equal(vtk_to_numpy(grid.GetPoints().GetData()), own["Points"])
                     numpy.testing.assert_array_equal(vtk_to_numpy(grid.GetCells().GetConnectivityArray()), own["connectivity"].ravel())
-                    fields = {data.GetArrayName(i): vtk_to_numpy(data.GetArray(i)) for data in (grid.GetPointData(), grid.GetCellData(), grid.GetFieldData())
-                              for i in range(data.GetNumberOfArrays())}
+                    kinds = (grid.GetPointData(), grid.GetCellData(), grid.GetFieldData())
+                    fields = {data.GetArrayName(i): vtk_to_numpy(data.GetArray(i)) for data in kinds for i in range(data.GetNumberOfArrays())}
                     self.assertEqual(set(fields), set(own) - {"Points", "connectivity", "offsets", "types"})
                     for name, values in fields.items():
                         numpy.testing.assert_array_equal(values, own[name], name)
