@@ -42,6 +42,8 @@ class FirstMinutes(ProgramTest):
         self.run_program("init", "my_skin.toml")
         self.run_program("init", "my_skin.toml", expect=2)
         self.assertIn("valid", self.run_program("check", "my_skin.toml").stdout)
+        (self.folder / "out").mkdir()  # of an earlier case: a run into it would be refused
+        self.assertIn("ionskin run second.toml -o second\n", self.run_program("init", "second.toml").stdout)
         # An edit takes one word, wherever it stands.
         self.run_program("check", "--set", "contact.friction=0.1", PAPER, "--explain")
         explained = self.run_program("check", PAPER, "--explain").stdout
