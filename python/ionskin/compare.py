@@ -10,7 +10,11 @@ import tomllib
 import numpy
 
 from .errors import exit_on
+from .page import quantities, report_text
 from .results import Results
+from .words import percent, quantity, short
+
+LONGEST_TITLE = 24
 
 
 def flat(value, prefix=""):
@@ -82,8 +86,8 @@ def exceeding(first, second, table, name, time):
 
 
 def signals(first, second, tolerance):
-    """Rows of table, name, largest difference over the peak, and share of instants beyond both stated errors (None
-    without those), at the first run's instants both runs cover."""
+    """Rows of table, name, largest difference, that over the peak, and share of instants beyond both stated errors
+    (None without those), at the first run's instants both runs cover."""
     rows = []
     for table in ("signals", "sampled"):
         one, two = getattr(first, table), getattr(second, table)
@@ -94,35 +98,51 @@ def signals(first, second, tolerance):
             gap = numpy.nanmax(numpy.abs(one[name][:len(time)] - two.at(name, time)))
             scale = max(numpy.nanmax(numpy.abs(one[name])), numpy.nanmax(numpy.abs(two[name])))
             if scale and gap > tolerance * scale:
-                rows.append((table, name, gap / scale, exceeding(first, second, table, name, time)))
+                rows.append((table, name, gap, gap / scale, exceeding(first, second, table, name, time)))
     return rows
 
 
-def number(value):
-    """A number for the table."""
-    return "–" if value is None else f"{value:.8g}"
+def told(run, name):
+    """A metric of a run with its stated error, "491 µA ± 5 %"; "–" where the run has no such metric."""
+    if name not in run.metrics:
+        return "–"
+    return f"{report_text.value(run, name)} {report_text.error(run, name)}".strip()
 
 
-def remark(text):
-    """A remark behind a row."""
-    return f", {text}" if text else ""
+def metric_lines(first, second, tolerance):
+    """Words, both values with their errors, the difference, what the errors say of it, and the name in files."""
+    return [(quantities.words(name), told(first, name), told(second, name), "–" if None in (one, two) else percent(gap),
+             verdict(first, second, name), name) for name, one, two, _, gap in metrics(first, second, tolerance)]
+
+
+def signal_lines(first, second, tolerance):
+    """Words, the largest difference and its part of the peak, what the errors say of it, and the name in files."""
+    def remark(share):
+        if share is None:
+            return ""
+        return f"beyond the stated errors at {percent(share)} of the instants" if share else "within the stated errors"
+
+    return [(quantities.column_words(table, name), quantity(gap, getattr(first, table).units[name], report_text.DIGITS), percent(part),
+             remark(share), f"{table}/{name}") for table, name, gap, part, share in signals(first, second, tolerance)]
+
+
+def aligned(rows):
+    """Rows of texts as lines, every column as wide as its longest text; columns without any text are left out."""
+    rows = [row for row in zip(*(column for column in zip(*rows) if any(column[1:])))]
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    return ["  ".join(text.ljust(width) for text, width in zip(row, widths)).rstrip() for row in rows]
 
 
 def report(first, second, tolerance, defaults=None):
     """The differences as lines of text."""
+    titles = [short(run.folder.name or str(run.folder), LONGEST_TITLE) for run in (first, second)]
     lines = []
-    for heading, rows in (
-            ("parameters", [f"{key}: {one} | {two}" for key, one, two in parameters(first, second, defaults or {})]),
-            ("metrics (relative difference)", [
-                f"{name}: {number(one)} | {number(two)}{'' if unit == '1' else ' ' + unit} ({gap:.2e})"
-                + remark(verdict(first, second, name))
-                for name, one, two, unit, gap in metrics(first, second, tolerance)]),
-            ("signals (largest difference over the peak)", [
-                f"{table}/{name}: {gap:.2e}" + remark("" if share is None else "within the stated errors" if not share
-                                                      else f"beyond the stated errors at {share:.1%} of the instants")
-                for table, name, gap, share in signals(first, second, tolerance)])):
+    for heading, titled, rows in (
+            ("parameters", (), [f"{key}: {one} | {two}" for key, one, two in parameters(first, second, defaults or {})]),
+            ("numbers", ("", *titles, "differ by", "", "name in summary.json"), metric_lines(first, second, tolerance)),
+            ("signals", ("", "largest difference", "of the peak", "", "table and column"), signal_lines(first, second, tolerance))):
         if rows:
-            lines += [heading, *(f"  {row}" for row in rows)]
+            lines += [heading, *(f"  {row}" for row in (aligned([titled, *rows]) if titled else rows))]
     return lines or [f"no differences above {tolerance:g}"]
 
 

@@ -4,6 +4,8 @@ run would need for it."""
 
 from typing import Callable, NamedTuple
 
+import numpy
+
 from .analysis import derived
 from .charts import contact, ions, onset, readout, skin, water
 from .charts.chart import Axis, Cell, Chart, Curve, Mark, Note, current_axis, over_time, phase_spans, telling_coincidence, with_events
@@ -48,10 +50,11 @@ def forces(results):
     signals = results.signals
     if not signals.has("normal_force"):
         return None
-    time = signals["time"]
+    time, tangential = signals["time"], signals["tangential_force"]
+    if skin.moves_across(results) and signals.has("tangential_force_x", "tangential_force_y"):
+        tangential = numpy.hypot(signals["tangential_force_x"], signals["tangential_force_y"])  # tangential_force is along the first slide
     return over_time(results, [("Force on the full skin", Axis("force", "N"),
-                                [Curve(time, signals["normal_force"], "normal"),
-                                 Curve(time, signals["tangential_force"], "tangential", ORANGE)], 1.0)])
+                                [Curve(time, signals["normal_force"], "normal"), Curve(time, tangential, "tangential", ORANGE)], 1.0)])
 
 
 def currents(results):

@@ -29,9 +29,7 @@ export function case_picture(shape: Geometry): SVGElement {
       parts.push(svg("rect", { x: x - w / 2, y: y - 34, width: w, height: 26, class: "p-slider", rx: 2 }));
     }
     if (shape.path.length > 1) {
-      const ends = shape.path.map(([at]) => left + at * scale);
-      const [least, most] = [Math.min(...ends), Math.max(...ends)];
-      if (most > least) parts.push(svg("path", { d: `M${least} ${y - 40}H${most}m-5 -4l6 4l-6 4M${least + 5} ${y - 44}l-6 4l6 4`, class: "p-way" }));
+      parts.push(...path_seen(shape.path.map(([at, across]) => [left + at * scale, y - 14 - (across - Math.min(...shape.path.map((one) => one[1]))) * scale])));
     } else if (shape.stroke > 0) {
       const end = x + shape.stroke * scale * (shape.direction[0] || 1);
       parts.push(svg("path", { d: `M${x} ${y - 20}H${end - 3}m-5 -4l6 4l-6 4`, class: "p-way" }));
@@ -46,6 +44,17 @@ export function case_picture(shape: Geometry): SVGElement {
   // Drops of the water that moves in the core.
   if (shape.wet) for (let i = 0; i < 7; ++i) parts.push(svg("circle", { cx: left + 16 + i * 28, cy: y + 13 + (i % 2) * 8, r: 2.5, class: "p-drop" }));
   return framed(width, height, parts);
+}
+
+/// A path as seen from above, with its waypoints and an arrow at its end.
+function path_seen(path: [number, number][]): SVGElement[] {
+  const way = path.filter((at, i) => !i || at.some((value, axis) => value !== path[i - 1][axis]));
+  if (way.length < 2) return [];
+  const [end, before] = [way[way.length - 1], way[way.length - 2]];
+  const angle = (Math.atan2(end[1] - before[1], end[0] - before[0]) * 180) / Math.PI;
+  return [svg("path", { d: `M${way.map((at) => at.join(" ")).join("L")}`, class: "p-way" }),
+    ...way.slice(0, -1).map(([x, y]) => svg("circle", { cx: x, cy: y, r: 2.5, class: "p-stop" })),
+    svg("path", { d: "M-6 -4l6 4l-6 4", transform: `translate(${end.join(" ")}) rotate(${angle})`, class: "p-way" })];
 }
 
 function words(x: number, y: number, text: string): SVGElement {

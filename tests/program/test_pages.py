@@ -117,13 +117,14 @@ class Pages(ProgramTest):
     def test_all(self):
         self.draw(pairwise(FACTORS))
 
-    def test_starters_without_a_slider(self):
-        for name in ("bending", "strain_file"):
+    def test_starters_without_strokes(self):
+        for name, refinement in (("bending", 0.5), ("strain_file", 0.5), ("waypoints", 0.3)):
             with self.subTest(name):
                 wrote = self.run_program("init", f"{name}.toml", "--from", name).stdout
                 for command in re.findall("First: (.*)", wrote):
                     subprocess.run(command.split(), cwd=self.folder, check=True)
-                self.run_program("run", f"{name}.toml", "-o", name, "--set", "numerics.mesh_refinement=0.5")
+                self.run_program("run", f"{name}.toml", "-o", name, "--set", f"numerics.mesh_refinement={refinement}", "--set",
+                                 f"numerics.error_estimate={'off' if name == 'waypoints' else 'on'}")
                 self.look(self.folder / name / "report.html")
 
     def test_a_page_that_cannot_be_made_is_a_failure_that_is_seen(self):

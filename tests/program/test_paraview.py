@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a run writes for ParaView, read back by examples/paraview, which shares no code with the writer."""
+"""What a run writes for ParaView, read back by examples/paraview, which shares no code with the writer, and by ParaView's library."""
 
 import subprocess
 import sys
@@ -8,6 +8,7 @@ import unittest
 import numpy
 
 from program import QUICK, ROOT, SMALL, ProgramTest, signals
+from tiers import long_test
 
 EXAMPLE = ROOT / "examples" / "paraview"
 sys.path.insert(0, str(EXAMPLE))
@@ -62,6 +63,33 @@ class ParaView(ProgramTest):
         self.run_case(*case, "-o", "out", "--only", "electrochemistry", "--resume")
         for _, files in read_collection(out / "fields" / "fields.pvd"):
             self.assertEqual(set(files), {"core", "layers", "contact", "slider"})
+
+    @long_test
+    def test_the_library_of_paraview_reads_the_same(self):
+        try:
+            from vtkmodules.util.numpy_support import vtk_to_numpy
+            from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+        except ImportError:
+            self.skipTest("no VTK on this machine: apt-get install python3-vtk9 to read the files with it")
+        self.run_case(QUICK, *SMALL, "-o", "out")
+        for _, files in read_collection(self.folder / "out" / "fields" / "fields.pvd"):
+            for block, path in files.items():
+                with self.subTest(block):
+                    reader, failures = vtkXMLUnstructuredGridReader(), []
+                    self.assertTrue(reader.CanReadFile(str(path)))
+                    for event in ("ErrorEvent", "WarningEvent"):
+                        reader.AddObserver(event, lambda _, event: failures.append(event))
+                    reader.SetFileName(str(path))
+                    reader.Update()
+                    grid, own = reader.GetOutput(), read_vtu(path)
+                    self.assertEqual((failures, reader.GetErrorCode()), ([], 0))
+                    numpy.testing.assert_array_equal(vtk_to_numpy(grid.GetPoints().GetData()), own["Points"])
+                    numpy.testing.assert_array_equal(vtk_to_numpy(grid.GetCells().GetConnectivityArray()), own["connectivity"].ravel())
+                    kinds = (grid.GetPointData(), grid.GetCellData(), grid.GetFieldData())
+                    fields = {data.GetArrayName(i): vtk_to_numpy(data.GetArray(i)) for data in kinds for i in range(data.GetNumberOfArrays())}
+                    self.assertEqual(set(fields), set(own) - {"Points", "connectivity", "offsets", "types"})
+                    for name, values in fields.items():
+                        numpy.testing.assert_array_equal(values, own[name], name)
 
 
 if __name__ == "__main__":

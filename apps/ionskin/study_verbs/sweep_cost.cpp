@@ -9,10 +9,6 @@
 namespace ionskin::apps {
 namespace {
 
-// Measured on cases/quick.toml (0.08): what a further friction coefficient adds to a contact
-// solution, whose skin it shares.
-constexpr double further_friction = 0.1;
-
 std::string duration(double seconds) {
   if (seconds < 90) {
     return fmt::format("{:.2g} s", seconds);
@@ -50,8 +46,8 @@ std::string sweep_cost(const study::SweepPlan& plan, bool both_studies, int thre
   for (const auto& group : groups) {
     const planning::CostEstimate cost =
         planning::estimate_cost(plan.points[group.first_point()].input, threads);
-    const double further = further_friction * static_cast<double>(group.solutions.size() - 1);
-    seconds += cost.mechanics_seconds * (1 + further);
+    seconds += cost.mechanics_seconds +
+               cost.further_seconds * static_cast<double>(group.solutions.size() - 1);
   }
   if (both_studies) {
     seconds += planning::estimate_cost(plan.points.front().input, threads).ion_seconds *

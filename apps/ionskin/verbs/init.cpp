@@ -37,8 +37,10 @@ int init(const InitOptions& options) {
                         (data_folder() / "cases" / "make_strain.py").string(),
                         (target.parent_path() / "strain.h5").string());
   }
-  fmt::print("Wrote {0}.\n{1}Next: ionskin check {0} --explain\n      ionskin run {0} -o out\n",
-             options.path, first);
+  // Results of an earlier case in "out" would be refused.
+  const std::string output = fs::exists("out", error) ? target.stem().string() : "out";
+  fmt::print("Wrote {0}.\n{1}Next: ionskin check {0} --explain\n      ionskin run {0} -o {2}\n",
+             options.path, first, output);
   return 0;
 }
 

@@ -135,7 +135,7 @@ def model(results):
     shapes.append(Shape([seen([(*lowest, height), (*lowest, height + gap)])], None, width=0.8))
     words = [*([Note(*seen(above + way + (0, 0, 0.25)), f"stroke {shape['stroke'] * 1e3:.4g} mm")] if way.any() else []),
              Note(*seen((lowest[0] + 0.2, lowest[1], height + gap / 2)), f"gap {gap:.4g} mm", boxed=True),
-             Note(*seen((length / 2, 0, -0.35)), f"length {length:.4g} mm (x)", "middle"),
+             Note(*seen((length / 2, 0, -0.35)), f"length {length:.4g} mm (x)", "end"),
              Note(*seen((length + 0.35, width / 2, 0)), f"width {width:.4g} mm (y)")]
     corners = numpy.concatenate([outline for each in shapes for outline in each.outlines])
     low, high = corners.min(axis=0) - (0.3, 0.8), corners.max(axis=0) + (2.5, 0.5)

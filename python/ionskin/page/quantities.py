@@ -24,12 +24,20 @@ NAMES = {
     "interpolation_error": "Error of the interpolated compliance", "peak_open_circuit_voltage": "Peak open-circuit voltage",
     "open_circuit_voltage_per_newton": "Open-circuit voltage per force", "peak_sampled_taxel_current": "Peak sampled current of a taxel",
     "peak_taxel_voltage": "Peak voltage of a taxel", "taxel_crosstalk": "Crosstalk between taxels",
-    "taxel_balance_error": "Error of the sum of the taxels", "adhesion_loss": "Work lost to adhesion", "pull_off_force": "Pull-off force", "charge_difference_end": "Difference charge at the end",
+    "taxel_balance_error": "Error of the sum of the taxels", "adhesion_loss": "Work lost to adhesion", "pull_off_force": "Pull-off force", "slider_strain": "Strain of the slider",
+    "charge_difference_end": "Difference charge at the end",
     "charge_difference_slide_end": "Difference charge at the end of the slide",
     "largest_p99_shear": "Largest shear, 99th percentile", "peak_dilution_voltage": "Peak voltage by dilution",
     "peak_streaming_voltage": "Peak voltage by streaming", "peak_drive": "Peak drive of the water on the cations",
     "peak_pore_pressure": "Peak water pressure", "peak_pressure_difference": "Peak water pressure, top minus bottom",
     "pressure_asymmetry": "Asymmetry of the water pressure", "rms_voltage": "Rms of the voltage", "streaming_share": "Part of the voltage by streaming",
+}
+COLUMNS = {
+    "slider_x": "Slider, x", "slider_y": "Slider, y", "slider_z": "Height of the slider", "tangential_force_x": "Tangential force, x",
+    "tangential_force_y": "Tangential force, y", "rms_shear": "Shear, rms", "mean_shear_rate": "Rate of the mean shear",
+    "stick_share": "Stuck part of the contact", "slip": "Way slipped since landing", "slip_state": "State of slip", "drive_x": "End of the drive, x",
+    "drive_y": "End of the drive, y", "drive_force_x": "Force of the drive, x", "drive_force_y": "Force of the drive, y",
+    "charge_top": "Charge, top", "charge_bottom": "Charge, bottom",
 }
 INSTANTS = {"touchdown": "end of touchdown", "slide": "mid-slide"}
 SIDES = {"top": "current, top", "bottom": "current, bottom", "difference": "difference current", "common": "common current"}
@@ -37,7 +45,8 @@ KINDS = {"peak": "Peak resolved", "rms": "Rms of the", "peak_sampled": "Peak sam
 CURRENT = re.compile(r"(peak|rms|peak_sampled)_current_(top|bottom|difference|common)")
 SHARES = ("stick_fraction", "micro_slip_force_ratio", "min_concentration_ratio", "streaming_share", "taxel_crosstalk")
 PRECURSORS = {"correlation": "Correlation of the {} current with the stuck share", "current": "Change of the {} current before full slip",
-              "lead_time": "The {} current shows slip this long before full slip"}
+              "lead_time": "The {} current shows slip this long before full slip",
+              "signal_to_noise": "Change of the {} current before full slip, over the noise"}
 
 # Words of the glossary that a page explains: identifier, what of a metric's name asks for it, heading, meaning.
 GLOSSARY = [
@@ -84,6 +93,14 @@ def known_words(name):
     if name.startswith("initial_charge_"):
         return f"Charge at the start, {name.removeprefix('initial_charge_')}"
     return ""
+
+
+def column_words(table, name):
+    """The name of a column of a table of signals in words; one that is not known here keeps its own."""
+    if name.startswith("current_") and name.removeprefix("current_") in SIDES:
+        side = SIDES[name.removeprefix("current_")]
+        return f"Sampled {side}" if table == "sampled" else side.capitalize()
+    return COLUMNS.get(name) or words(name)
 
 
 def is_share(name):

@@ -3,7 +3,7 @@
   const LEFT = 74, RIGHT = 14, TOP = 24, BOTTOM = 42, NARROWEST = 280;
   let WIDTH = 900; // of the charts in pixels, so that their letters keep their size on every screen
   const PANELS = [
-    { title: "Motion", height: 146, curves: ["slider_x", "slider_z"], colours: ["--blue", "--orange"] },
+    { title: "Motion", height: 146, curves: ["slider_x", "slider_z", "slider_y"], colours: ["--blue", "--orange", "--purple"] },
     { title: "Mean shear γ of the core", height: 156, curves: ["mean_shear"], colours: ["--blue"] },
     { title: "Electrode currents, sampled", height: 186, curves: ["current_top", "current_bottom", "current_common"],
       colours: ["--blue", "--orange", "--purple"] },

@@ -5,7 +5,7 @@ import re
 
 import numpy
 
-from ..charts import numbered, trends
+from ..charts import numbered, skin, trends
 from ..charts.spans import contact_spans
 from ..sweep_results import value_text
 from ..words import quantity, without_folders
@@ -17,8 +17,8 @@ NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 TOLD_BY = 40  # letters from its beginning that tell a warning from another
 MOST_NAMED = 3  # points of a warning
 TREND_NOTE = "A click on a mark shows its run in the charts above."
-CURVES = [("slider_x", "position x", "m"), ("slider_z", "height z", "m"), ("mean_shear", "mean shear γ", "1"),
-          ("current_top", "top", "A"), ("current_bottom", "bottom", "A"), ("current_difference", "difference", "A"),
+CURVES = [("slider_x", "position x", "m"), ("slider_z", "height z", "m"), ("slider_y", "position y", "m"),
+          ("mean_shear", "mean shear γ", "1"), ("current_top", "top", "A"), ("current_bottom", "bottom", "A"), ("current_difference", "difference", "A"),
           ("current_common", "common", "A")]
 AGAINST = ["peak_mean_shear", "time_mean_shear", "peak_sampled_current_top", "peak_sampled_current_difference",
            "peak_current_top", "rms_current_top", "rms_current_difference", "normal_force_slide"]
@@ -31,6 +31,8 @@ def member_data(study, member):
     time = results.sampled["time"]
     series = {}
     for name, _, _ in CURVES:
+        if name == "slider_y" and not skin.moves_across(results):
+            continue
         if name in results.sampled and results.sampled.has(name):
             series[name] = rounded(results.sampled[name])
         elif results.signals.has(name):

@@ -66,6 +66,7 @@ CostEstimate estimate_cost(const Case& input, int threads,
   cost.ion_unknowns = ions.unknowns;
   cost.ion_steps = ions.steps;
   cost.mechanics_seconds = mechanics.seconds;
+  cost.further_seconds = mechanics.further_seconds;
   cost.ion_seconds = ion_seconds(input, ions, threads);
   cost.seconds = cost.mechanics_seconds + cost.ion_seconds + seconds_of_output;
   cost.memory = bytes_at_rest + std::max(mechanics.memory, mechanics.histories + ions.memory);

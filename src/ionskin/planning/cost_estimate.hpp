@@ -20,6 +20,7 @@ struct CostEstimate {
   double memory = 0;            ///< largest resident [bytes]
   double output = 0;            ///< files [bytes]
   double mechanics_seconds = 0; ///< wall time of Study 1
+  double further_seconds = 0;   ///< more of it for another friction coefficient on the same skin
   double ion_seconds = 0;       ///< wall time of Study 2
   double seconds = 0;           ///< wall time of both, with files and report
 };

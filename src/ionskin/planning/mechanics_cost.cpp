@@ -22,18 +22,19 @@
 namespace ionskin::planning {
 namespace {
 
-// Processor time [s], measured with AVX2 on cases/paper.toml and cases/finger.toml, with a soft
-// finger and on a path of six waypoints.
-constexpr double seconds_per_skin = 0.6, seconds_per_pair_of_cells = 9e-6;
+// Processor time [s], measured with AVX2 on cases/paper.toml, cases/finger.toml and
+// cases/waypoints.toml, with a soft finger, a height map, and sweeps of friction, which tell skin
+// and path apart.
+constexpr double seconds_per_skin = 0.38, seconds_per_pair_of_cells = 5.7e-6;
 /// More of a skin, by its size over the reach of its short waves: measured near an end of it.
-constexpr double seconds_per_reach = 8e-4;
+constexpr double seconds_per_reach = 5e-4;
 /// Of a step of the contact, over the square of the cells.
-constexpr double seconds_per_step = 1e-7, seconds_per_driven_step = 2e-7;
+constexpr double seconds_per_step = 2.2e-7, seconds_per_driven_step = 8e-7;
 /// More of a step at a new place across the skin, by the skin's size over the reach of its short
 /// waves: rows of cells are summed over all modes anew.
 constexpr double seconds_per_place_across = 2e-4;
 /// Of the strain of an instant that is kept of the path, over the points of the core.
-constexpr double seconds_per_strain = 6e-7;
+constexpr double seconds_per_strain = 1.3e-6;
 /// Of a row of cells and one of elements, measured on cases/paper.toml and cases/finger.toml.
 constexpr double row_bytes = 4e5;
 /// Grids of cells on which the contact of a round slider is sought.
@@ -82,12 +83,15 @@ struct GridCost {
   double skin_seconds() const {
     return seconds_per_skin + seconds_per_reach * size + seconds_per_pair_of_cells * cells * cells;
   }
-  /// Of steps along the path and of the strain of what is kept of them, which threads share.
-  double path_seconds(const mechanics::ExpectedSteps& steps, int threads) const {
+  /// Of steps along the path.
+  double path_seconds(const mechanics::ExpectedSteps& steps) const {
     const double contact = driven ? seconds_per_driven_step : seconds_per_step;
     return static_cast<double>(steps.taken) * contact * cells * cells +
-           static_cast<double>(steps.across) * seconds_per_place_across * size +
-           static_cast<double>(steps.kept) * seconds_per_strain * points / threads;
+           static_cast<double>(steps.across) * seconds_per_place_across * size;
+  }
+  /// Of the strain of what is kept of them, which threads share.
+  double strain_seconds(const mechanics::ExpectedSteps& steps) const {
+    return static_cast<double>(steps.kept) * seconds_per_strain * points;
   }
   /// Strain of what is kept of the path [bytes].
   double history_memory(const mechanics::ExpectedSteps& steps) const {
@@ -134,21 +138,29 @@ MechanicsCost estimate_mechanics_cost(const Case& input, int threads,
   cost.contact_cells = static_cast<std::size_t>(own.cells);
   cost.steps = steps.taken;
   cost.histories = own.history_memory(steps);
-  cost.seconds = own.skin_seconds() + own.path_seconds(steps, threads);
+  double sought = 0, path = own.path_seconds(steps), strain = own.strain_seconds(steps);
+  double beside = 0, path_beside = 0; // of the companions, which a thread of their own solves
   for (const char* name : companions_of(input)) {
     const Case of_companion = mechanics::companion_case(input, name);
     try {
       const GridCost companion(of_companion, {of_companion, mesh.footprint()});
       // `path` steps over the same cells, half as finely.
       const double paths = name == std::string_view(mechanics::companions::mesh) ? 1.5 : 1;
-      cost.seconds += companion.skin_seconds() + paths * companion.path_seconds(steps, threads);
+      beside += companion.skin_seconds();
+      path_beside += paths * companion.path_seconds(steps);
+      strain += paths * companion.strain_seconds(steps);
       cost.histories += paths * companion.history_memory(steps);
       if (!input.slider.sharp()) {
-        cost.seconds += searched_grids * companion.skin_seconds();
+        sought += searched_grids * companion.skin_seconds();
       }
     } catch (const UserError&) { // its cells do not fit beside the slider: a run goes without
     }
   }
+  const double alone = own.skin_seconds() + path;
+  beside += path_beside;
+  cost.seconds =
+      sought + (threads > 1 ? std::max(alone, beside) : alone + beside) + strain / threads;
+  cost.further_seconds = (path + path_beside + strain) / threads;
   cost.memory = skin_memory(input, mesh) + own.rows +
                 std::max(own.contact_memory(threads), own.strain_memory(threads) + cost.histories);
   return cost;

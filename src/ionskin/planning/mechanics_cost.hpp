@@ -14,8 +14,9 @@ struct MechanicsCost {
   std::size_t contact_cells = 0; ///< below the slider, each with three components
   std::size_t steps = 0;         ///< of the contact along the path
   double seconds = 0;            ///< wall time, the handover of the strain included
-  double memory = 0;             ///< largest, beside what the program takes at rest [bytes]
-  double histories = 0;          ///< strain of run and companions, in memory to the end [bytes]
+  double further_seconds = 0; ///< more wall time for another friction coefficient on the same skin
+  double memory = 0;          ///< largest, beside what the program takes at rest [bytes]
+  double histories = 0;       ///< strain of run and companions, in memory to the end [bytes]
 };
 
 /// Of the run and, where it estimates its errors, of the companions that it solves before.

@@ -34,6 +34,20 @@ TEST(MechanicsCost, OfErrorsIsThatOfTheCompanions) {
   EXPECT_EQ(with.contact_cells, without.contact_cells);
 }
 
+TEST(MechanicsCost, OfAnotherFrictionIsThatOfThePathAlone) {
+  // One thread takes 4 s for the first coefficient and 2.4 s for each of nine more.
+  const MechanicsCost one = cost({});
+  EXPECT_GT(one.further_seconds, 0.4 * one.seconds);
+  EXPECT_LT(one.further_seconds, 0.8 * one.seconds);
+  EXPECT_NEAR(cost({}, 2).further_seconds, one.further_seconds / 2, 1e-9);
+}
+
+TEST(MechanicsCost, OfTwoThreadsIsLessAsCompanionsAreSolvedBeside) {
+  const double one = cost({}).seconds, two = cost({}, 2).seconds;
+  EXPECT_GE(two, one / 2);
+  EXPECT_LT(two, 0.8 * one);
+}
+
 TEST(MechanicsCost, HoldsTheModesOfWideSkinsAndOfNearSides) {
   const auto memory = [](const std::vector<std::string>& edits) {
     std::vector<std::string> all{"numerics.preset=coarse", "numerics.error_estimate=off"};

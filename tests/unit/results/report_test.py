@@ -17,12 +17,12 @@ import unittest
 import numpy
 from PIL import Image
 
-from ionskin import Results
+from ionskin import Results, Study, figures
 from ionskin.analysis import paper
 from ionskin.charts import readout, sketches, spans
 from ionskin.charts.chart import Curve, Map
 from ionskin.figures import charts, draw_all
-from ionskin.page import answer, chart_data, report_text
+from ionskin.page import answer, chart_data, report_text, sweep_page
 from ionskin.report import make_gallery, make_report
 from ionskin.words import percent, quantity, si_scale
 
@@ -148,6 +148,22 @@ class OtherRuns(unittest.TestCase):
 
     def test_runs_from_a_strain_file_have_no_motion(self):
         self.assertEqual(self.figures(contact=False), ["reading", "shear", "currents", "charge"])
+
+    def test_a_path_across_the_skin_shows_its_place_and_the_size_of_its_force(self):
+        write_run(self.folder)
+        lines = [line.split(",") for line in (self.folder / "signals.csv").read_text().splitlines()]
+        y = lines[0].index("slider_y [m]")
+        for row, line in enumerate(lines):
+            line += [""] * (len(COLUMNS) - len(line))
+            line[y] = line[y] if row == 0 else f"{1e-3 * row}"
+            line += ["tangential_force_x [N]", "tangential_force_y [N]"] if row == 0 else ["3", "-4"]
+        straight = Results(self.folder)
+        self.assertNotIn("slider_y", sweep_page.member_data(Study(self.folder), Study(self.folder).typical)["series"])
+        self.assertEqual(figures.forces(straight).rows[0][0].curves[1].y[0], 19.5)
+        (self.folder / "signals.csv").write_text("\n".join(map(",".join, lines)) + "\n")
+        study = Study(self.folder)
+        self.assertIn("slider_y", sweep_page.member_data(study, study.typical)["series"])
+        self.assertEqual(figures.forces(study.typical.results).rows[0][0].curves[1].y.tolist(), [5.0] * (len(lines) - 1))
 
     def test_mechanics_alone_has_no_currents(self):
         self.assertEqual(self.figures(ions=False), ["motion", "shear", "forces"])

@@ -22,6 +22,7 @@ from ionskin import compare
 from ionskin.analysis import claims, regimes, sensitivity
 from ionskin.charts import contact, numbered
 from ionskin.drawing import draw_chart
+from ionskin.page import quantities
 from ionskin.report import make_gallery, make_report
 from report_test import write_run
 
@@ -199,9 +200,22 @@ class Compare(SweepTest):
         table = self.folder / "b" / "signals.csv"
         table.write_text(table.read_text().replace("0.008", "0.009"))
         text = "\n".join(compare.report(first, Results(self.folder / "b"), 1e-9))
-        for words in ("skin.length: '15 mm' | '16 mm'", "normal_force_slide: 65.25 | 66 N", "signals/mean_shear: 1.11e-01"):
-            self.assertIn(words, text)
+        self.assertIn("skin.length: '15 mm' | '16 mm'", text)
+        self.assertRegex(text, r"\n +a +b +differ by +name in summary\.json\n")
+        self.assertRegex(text, r"\n  Normal force, mid-slide +65\.2 N ± 0\.4 % +66 N ± 0\.4 % +1\.1 % +normal_force_slide\n")
+        self.assertRegex(text, r"\n  Mean shear +0\.001 +11 % +signals/mean_shear$")
         self.assertNotIn("current_top", text)
+        self.assertNotRegex(text, r"\de[-+]\d")
+
+    def test_what_one_run_lacks_is_a_dash(self):
+        for name in ("a", "b"):
+            (self.folder / name).mkdir()
+            write_run(self.folder / name)
+        summary = json.loads((self.folder / "b" / "summary.json").read_text())
+        del summary["metrics"]["normal_force_slide"]
+        (self.folder / "b" / "summary.json").write_text(json.dumps(summary))
+        text = "\n".join(compare.report(Results(self.folder / "a"), Results(self.folder / "b"), 1e-9))
+        self.assertRegex(text, r"\n  Normal force, mid-slide +65\.2 N ± 0\.4 % +– +– +normal_force_slide$")
 
     def test_says_what_the_stated_errors_allow(self):
         """Forces 65.25 and 66 N: errors of 0.5 and 0.3 N cover their distance, of 0.3 and 0.3 N they do not."""
@@ -212,6 +226,7 @@ class Compare(SweepTest):
             summary = json.loads(path.read_text())
             summary["metrics"]["normal_force_slide"]["value"] = value
             summary["error_parts"] = {"normal_force_slide": {"mechanics_mesh": error - 0.1, "path": 0.1}}
+            summary["error_estimate"] = {"normal_force_slide": error / value}
             path.write_text(json.dumps(summary))
             for table in ("signals", "sampled"):
                 shutil.copy(self.folder / name / f"{table}.csv", self.folder / name / f"{table}_error.csv")
@@ -219,11 +234,20 @@ class Compare(SweepTest):
         table.write_text(table.read_text().replace("0.008", "0.009"))
         first, second, third = (Results(self.folder / name) for name in "abc")
         text = "\n".join(compare.report(first, second, 1e-9))
-        self.assertIn("66 N (1.14e-02), within the stated errors", text)
-        self.assertIn("signals/mean_shear: 1.11e-01, within the stated errors", text)
-        self.assertIn("66 N (1.14e-02), beyond the stated errors", "\n".join(compare.report(third, second, 1e-9)))
+        force = r"66 N ± 0\.45 % +1\.1 % +{} +normal_force_slide\n"
+        self.assertRegex(text, r"65\.2 N ± 0\.77 % +" + force.format("within the stated errors"))
+        self.assertRegex(text, r"Mean shear +0\.001 +11 % +within the stated errors +signals/mean_shear")
+        self.assertRegex("\n".join(compare.report(third, second, 1e-9)), force.format("beyond the stated errors"))
         second.summary["not_converging"] = {"normal_force_slide": "a reason"}
-        self.assertIn("66 N (1.14e-02), does not converge", "\n".join(compare.report(first, second, 1e-9)))
+        self.assertRegex("\n".join(compare.report(first, second, 1e-9)), r"66 N +1\.1 % +does not converge +normal_force_slide")
+
+    def test_every_column_has_a_name_in_words(self):
+        axes = [f"{name}_{axis}" for name in ("slider", "tangential_force", "drive", "drive_force") for axis in "xy"]
+        for name in ("slider_z", "normal_force", "tangential_force", "mean_shear", "rms_shear", "p99_shear", "shear_first_moment", "mean_shear_rate",
+                     "charge_top", "charge_bottom", "contact_area", "stick_share", "slip", "slip_state", *axes):
+            self.assertTrue(quantities.known_words(name) or name in quantities.COLUMNS, name)
+        self.assertEqual(quantities.column_words("sampled", "current_difference"), "Sampled difference current")
+        self.assertEqual(quantities.column_words("signals", "current_top"), "Current, top")
 
 
 class Page(SweepTest):

@@ -21,12 +21,14 @@ struct Starter {
   const char* summary;
 };
 
-constexpr std::array<Starter, 8> starters{{
-    {"quick", "A first look", "The paper's skin, coarse and for one cycle: seconds to run."},
-    {"paper", "The paper's case", "Three cycles at standard accuracy."},
+constexpr std::array<Starter, 9> starters{{
+    {"quick", "A first look",
+     "The paper's skin under a block with 65 N, coarse and for one cycle."},
+    {"paper", "The paper's case", "A block presses with 65 N: three cycles at standard accuracy."},
     {"finger", "A fingertip", "A sphere presses with 1 N and strokes; neutral coupling."},
     {"taxels", "Taxels", "The top electrode in four named parts with a current each."},
     {"reciprocating", "Back and forth", "Four strokes in contact with a rest at each turn."},
+    {"waypoints", "A path", "A fingertip draws an arc through waypoints, with 1 to 2 N."},
     {"poroelastic", "Moving water",
      "Pressure moves water, which drags the ions: constants that can be measured."},
     {"bending", "A bent strip", "A wet strip under a curvature, without a slider: water and ions."},

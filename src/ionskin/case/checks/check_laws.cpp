@@ -19,12 +19,7 @@ namespace {
 template <class Law>
 void check_section(const CaseDocument& document, const std::string& section,
                    std::span<const Law> table, const std::string& law, Problems& problems) {
-  const ValueRecord* choice = document.find(section + ".law");
-  const bool tries_laws = choice && choice->origin == ValueOrigin::set_edit;
   for (const ValueRecord& record : document.records) {
-    // A sweep of laws leaves the parameters of the others in the file.
-    if (tries_laws && record.origin == ValueOrigin::file)
-      continue;
     if (!record.place || !record.key.starts_with(section + "."))
       continue;
     const std::string name = record.key.substr(section.size() + 1);

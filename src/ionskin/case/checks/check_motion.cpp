@@ -33,7 +33,8 @@ public:
       add(fmt::format("a path needs at least two waypoints, and there {} {}",
                       waypoints.size() == 1 ? "is" : "are", waypoints.size()),
           document_.point_at(motion_.file.empty() ? "motion.kind" : "motion.file"),
-          "write sections [[motion.waypoints]], or name a file with motion.file");
+          "name a file, such as motion.file=path.csv, or write sections [[motion.waypoints]]; "
+          "ionskin init FILE --from waypoints writes a case with a path");
       return false;
     }
     constexpr std::size_t most_told = 10; // each reads the file's line again

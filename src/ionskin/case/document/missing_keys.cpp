@@ -9,6 +9,8 @@
 
 #include <map>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace ionskin {
 
@@ -44,8 +46,9 @@ std::string example(const SchemaRow& row) {
 
 class Completion {
 public:
-  Completion(TomlWalk& walk, const std::string& file, Problems& problems)
-      : walk_(walk), file_(file), problems_(problems) {}
+  Completion(TomlWalk& walk, const std::string& file, const std::optional<EditedChoices>& choices,
+             Problems& problems)
+      : walk_(walk), file_(file), choices_(choices), problems_(problems) {}
 
   void run() {
     for (const SchemaRow& row : schema()) {
@@ -57,6 +60,7 @@ public:
       else
         look_at(row, row.key, {});
     }
+    report_asked_for();
     // Without its table there is no row to miss, yet a skin needs layers.
     if (walk_.draft.input.skin.layers.empty())
       problems_.add("the skin has no layers", pointers_to("skin"),
@@ -77,13 +81,15 @@ private:
     return !row.applies || row.applies(walk_.draft.input);
   }
 
-  bool is_needed(const SchemaRow& row) const {
-    const StrainSourceKind source = walk_.draft.input.strain.kind;
+  bool is_needed(const SchemaRow& row) const { return is_needed(row, walk_.draft.input); }
+
+  static bool is_needed(const SchemaRow& row, const Case& input) {
+    const bool applies = !row.applies || row.applies(input);
+    const StrainSourceKind source = input.strain.kind;
     const bool contact = source == StrainSourceKind::contact;
     if (row.need == Need::when_it_applies)
-      return contact && applies(row);
-    return (row.need == Need::always && applies(row)) ||
-           (row.need == Need::with_contact && contact) ||
+      return contact && applies;
+    return (row.need == Need::always && applies) || (row.need == Need::with_contact && contact) ||
            (row.need == Need::with_strain_file && source == StrainSourceKind::file);
   }
 
@@ -122,8 +128,31 @@ private:
                       fmt::format("add it with its keys: {}", needed_keys(section)));
       return;
     }
-    problems_.add(fmt::format("missing key {} in {}", key, file_), pointers_to(section),
+    if (choices_ && !is_needed(row, choices_->before))
+      asked_for_.emplace_back(key, &row);
+    else
+      report_key(row, key);
+  }
+
+  void report_key(const SchemaRow& row, const std::string& key) {
+    problems_.add(fmt::format("missing key {} in {}", key, file_), pointers_to(section_of(key)),
                   fmt::format("add it: {}", example(row)));
+  }
+
+  /// What an edited choice asks for is one problem, with all that mends it.
+  void report_asked_for() {
+    if (asked_for_.size() == 1)
+      report_key(*asked_for_.front().second, asked_for_.front().first);
+    if (asked_for_.size() < 2)
+      return;
+    std::string keys, examples;
+    for (const auto& [key, row] : asked_for_) {
+      keys += (keys.empty() ? "" : ", ") + key;
+      examples += fmt::format("{}{}, {}", examples.empty() ? "" : "; ", key, example(*row));
+    }
+    problems_.add(
+        fmt::format("{} needs keys that {} does not have: {}", choices_->words, file_, keys),
+        choices_->places, fmt::format("set them, too, by --set KEY=VALUE: {}", examples));
   }
 
   std::string needed_keys(const std::string& section) const {
@@ -145,15 +174,18 @@ private:
 
   TomlWalk& walk_;
   const std::string& file_;
+  const std::optional<EditedChoices>& choices_;
   Problems& problems_;
+  std::vector<std::pair<std::string, const SchemaRow*>> asked_for_; ///< keys, by edited choices
   std::set<std::string> reported_sections_;
   std::map<const SchemaRow*, Value> defaults_;
 };
 
 } // namespace
 
-void complete(TomlWalk& walk, const std::string& file, Problems& problems) {
-  Completion(walk, file, problems).run();
+void complete(TomlWalk& walk, const std::string& file, const std::optional<EditedChoices>& choices,
+              Problems& problems) {
+  Completion(walk, file, choices, problems).run();
 }
 
 } // namespace ionskin

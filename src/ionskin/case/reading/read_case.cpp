@@ -7,6 +7,7 @@
 #include "ionskin/case/checks/check_readout.hpp"
 #include "ionskin/case/checks/check_slider.hpp"
 #include "ionskin/case/checks/check_water.hpp"
+#include "ionskin/case/document/edited_choice.hpp"
 #include "ionskin/case/document/height_map_file.hpp"
 #include "ionskin/case/document/materials.hpp"
 #include "ionskin/case/document/missing_keys.hpp"
@@ -110,12 +111,14 @@ CaseDocument read_case_document(const std::string& path,
 CaseDocument read_case_text(const std::string& original, const std::string& path,
                             const std::vector<std::string>& set_edits) {
   CaseText text(path, original);
-  const TomlText values = apply_set_edits(text, set_edits);
+  TomlText values = apply_set_edits(text, set_edits);
+  const std::optional<EditedChoices> choices =
+      fit_to_edited_choices(text, values, original, set_edits);
   Problems problems;
   TomlWalk walk(text, values, problems);
   walk.visit();
   complete_materials(walk, problems);
-  complete(walk, path, problems);
+  complete(walk, path, choices, problems);
   resolve_materials(walk, problems);
 
   CaseDocument document(std::move(walk.draft.input), path,
@@ -135,6 +138,10 @@ CaseDocument read_case_text(const std::string& original, const std::string& path
   document.input.text = text.text();
   document.input.values = values_text(document.records);
   check_case(document);
+  if (choices && !choices->left_out.empty())
+    document.input.notes.push_back(
+        fmt::format("Without a meaning with {}, and left out of the case: {}.", choices->words,
+                    fmt::join(choices->left_out, ", ")));
   for (auto* const notes : {notes_on_readout, notes_on_slider, notes_on_former_keys}) {
     for (std::string& note : notes(document)) {
       document.input.notes.push_back(std::move(note));

@@ -95,6 +95,8 @@ struct SchemaRow {
   std::string purpose{};
   /// Whether the key has a meaning in a case; empty for always.
   std::function<bool(const Case&)> applies{};
+  /// Has a meaning where `applies` is false, too, though it is not asked for there.
+  bool may_stand = false;
   std::string default_value{};   ///< TOML; used when an optional key is missing
   std::vector<Choice> choices{}; ///< of type `choice`
   /// False for a key of older versions, which is read and comes to nothing.

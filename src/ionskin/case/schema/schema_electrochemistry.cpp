@@ -138,6 +138,7 @@ void add_coupling(SchemaRows& rows) {
   const auto measures = laws::shear_measures();
   rows.push_back({.key = "coupling.measure",
                   .type = ValueType::choice,
+                  .applies = has_coupling_coefficient,
                   .default_value = fmt::format("\"{}\"", measures.front().name),
                   .choices = choices_of(measures),
                   .help = fmt::format("Scalar gamma made of the strain e: {}.",

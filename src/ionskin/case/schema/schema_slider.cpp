@@ -41,11 +41,12 @@ void add_slider(SchemaRows& rows) {
                   .range = extent,
                   .need = Need::when_it_applies,
                   .applies = needs_size,
+                  .may_stand = true,
                   .help = "Plan of the slider along x and y; the whole diameter for a sphere "
                           "without one.",
                   .set = into(&Case::slider, &Slider::size)});
   add_law_parameters(rows, LawSection{"slider", "shape", &Case::slider, &Slider::shape}, table,
-                     Need::when_it_applies, true);
+                     Need::when_it_applies);
   rows.push_back({.key = "slider.profile",
                   .type = ValueType::text,
                   .need = Need::when_it_applies,

@@ -11,9 +11,6 @@
 namespace ionskin::study {
 namespace {
 
-// Measured on cases/quick.toml (0.08): what a further friction coefficient adds to a contact
-// solution, whose skin it shares.
-constexpr double further_solution = 0.1;
 /// Work that a batch may add to the mechanics it shares, as a multiple of that.
 constexpr double added_work = 4;
 
@@ -48,7 +45,7 @@ void add_batches(const std::vector<SweepPoint>& points, const MechanicsGroup& gr
                  Studies studies, int threads, std::vector<SweepBatch>& batches) {
   const planning::CostEstimate single =
       planning::estimate_cost(points[group.first_point()].input, threads);
-  const GroupCost cost{single.mechanics_seconds, further_solution * single.mechanics_seconds,
+  const GroupCost cost{single.mechanics_seconds, single.further_seconds,
                        studies == Studies::mechanics ? 0 : single.ion_seconds};
   std::size_t count = 0;
   for (const auto& solution : group.solutions) {
