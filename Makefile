@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # The thin front of the build: CMake presets do the work.
-.PHONY: help setup setup-demo setup-all build demo check-sources quick check check-long separate install package docs format bench clean
+.PHONY: help setup setup-demo setup-check setup-all build demo check-sources quick check check-long separate install package docs format bench clean
 
 BUILD := build
 JOBS := $(shell nproc)
@@ -26,6 +26,9 @@ setup-demo:
 setup:
 	@scripts/install_packages.sh program parts
 
+setup-check:
+	@scripts/install_packages.sh program parts tests uncertainty cluster arrays pages notebooks mujoco
+
 setup-all:
 	@scripts/install_packages.sh
 
@@ -50,7 +53,7 @@ package: build
 	@echo "Package: $$(ls -t $(CURDIR)/$(BUILD)/package/*.deb | head -1)"
 
 # The cheap checks come first, so that a slip shows before the long build.
-check-sources: setup-all
+check-sources: setup-check
 	@scripts/check_format.sh
 	@/usr/bin/python3 scripts/check_includes.py
 	@/usr/bin/python3 scripts/check_equations.py
@@ -71,7 +74,7 @@ check: check-sources build
 	@scripts/check_threads.sh threads $(JOBS)
 	@/usr/bin/python3 scripts/run_tests.py check
 
-check-long: check
+check-long: setup-all check
 	@cmake --build --preset release --target benchmarks --parallel $(JOBS)
 	@cmake --build --preset sanitize-long --parallel $(JOBS)
 	@/usr/bin/python3 scripts/run_tests.py sanitize-long
@@ -80,19 +83,19 @@ check-long: check
 	@/usr/bin/python3 scripts/run_tests.py long
 
 # Every source by itself: the release and the sanitizers compile several together, where a missing include does not show.
-separate: setup-all
+separate: setup-check
 	@cmake --preset separate
 	@cmake --build --preset separate --parallel $(JOBS)
 
 # Runs the verification set and the gallery's sweep once; remove build/docs/material to run them again.
-docs: setup-all build
+docs: setup-check build
 	@/usr/bin/python3 docs/generate/build.py --program $(BUILD)/ionskin --work $(BUILD)/docs --output docs/_build/html --material
 	@echo "Pages: $(CURDIR)/docs/_build/html/index.html"
 
 format:
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format-14 -i
 
-bench: setup-all build
+bench: setup-check build
 	@cmake --build --preset release --target benchmarks --parallel $(JOBS)
 	$(BUILD)/benchmarks/electrochemistry
 	$(BUILD)/benchmarks/columns
