@@ -31,4 +31,8 @@ std::vector<Row> steric_rows(const Options& options);
 /// reciprocity.
 std::vector<Row> taxel_rows(const Options& options);
 
+/// E11: metal with a sheet resistance against a line of resistors and cells, its limits, and
+/// conservation.
+std::vector<Row> sheet_rows(const Options& options);
+
 } // namespace ionskin::verification
