@@ -155,6 +155,26 @@ class Readouts(ProgramTest):
                                (metal("1 ohm", "readout.contact=middle"), "one end")):
             self.assertIn(problem, self.run_program("check", QUICK, *edits, expect=2).stderr)
 
+    def test_interface_apart_from_bulk(self):
+        def cell(*edits):
+            return [option for edit in ("coupling.law=column-neutral", "electrochemistry.permittivity=1.8e-10 F/m",
+                                        "electrochemistry.interface_capacitance=30 F/m2", "coupling.coefficient=1e-3",
+                                        *edits) for option in ("--set", edit)]
+        explained = self.run_program("check", QUICK, "--explain", *cell()).stdout
+        for line in (r"capacitance of the cell C +0\.00045 F", r"geometric capacitance +3e-11 F",
+                     r"charging through the core +0\.00841\d* s"):
+            self.assertRegex(explained, line)
+        out = self.folder / "interface"
+        self.run_case(QUICK, "-o", out, *cell())
+        self.assertGreater(metric(out, "rms_current_difference"), 0)
+        self.assertGreater(metric(out, "min_concentration_ratio"), 0.5)
+        for edits, problem in ((["coupling.law=fixed-charge"], "makes net charge"),
+                               (["electrochemistry.interface_capacitance=0.3 F/m2"], "of the projected area alone"),
+                               (["electrochemistry.permittivity=1e-3 F/m", "electrochemistry.interface_capacitance=1e4 F/m2"],
+                                "would change its resistance"),
+                               (["electrochemistry.interface_capacitance=30 F"], "expected a capacitance per area")):
+            self.assertIn(problem, self.run_program("check", QUICK, *cell(*edits), expect=2).stderr)
+
     def test_circuits_can_be_swept(self):
         case = self.write("case.toml", QUICK.read_text() + '\n[readout]\ncircuit = "load"\nload_resistance = "1 kOhm"\n')
         note = self.run_program("check", case, "--set", "readout.circuit=short").stdout

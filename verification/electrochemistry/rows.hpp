@@ -35,4 +35,7 @@ std::vector<Row> taxel_rows(const Options& options);
 /// conservation.
 std::vector<Row> sheet_rows(const Options& options);
 
+/// E12: the blocking cell with and without a capacitance of its interfaces, in frequency and time.
+std::vector<Row> interface_rows(const Options& options);
+
 } // namespace ionskin::verification

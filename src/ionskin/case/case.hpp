@@ -148,6 +148,9 @@ struct Electrochemistry {
   int valence = 1;                       ///< of the mobile cation
   IonModel ion_model = IonModel::dilute;
   double largest_concentration = 0; ///< of the mobile cation, of ion model `steric` [mol/m3]
+  /// Of one electrode's double layer at rest, per projected area [F/m2]; 0 for that which the
+  /// permittivity makes of the projected area.
+  double interface_capacitance = 0;
 
   /// Of the mobile cation at rest, c0 / v [mol/m3].
   double resting_concentration() const { return fixed_charge_concentration / valence; }

@@ -16,8 +16,9 @@ CellCircuit cell_circuit(const Case& input) {
   const auto excess = steric_excess(input.electrochemistry);
   // Of ions that take room the layers are thicker.
   const double screened = scales.debye_length * (excess ? std::sqrt(1 / excess->room(1.0)) : 1.0);
+  const double interface = scales.area_ratio * permittivity / screened;
   CellCircuit circuit;
-  circuit.layers = area * permittivity / (2 * screened);
+  circuit.layers = area * interface / 2;
   circuit.geometric = area * permittivity / thickness;
   circuit.core = thickness / (scales.conductivity * area);
   circuit.screening = circuit.core * circuit.geometric;

@@ -63,7 +63,7 @@ public:
       : options_(options), readout_(input.readout), grid_(make_transport_grid(input, history)),
         scales_(derive_scales(input.electrochemistry, history.core_thickness())),
         mirror_(grid_, history, readout_is_mirrored(input)),
-        scaled_(scale_grid(mirror_.solved_grid(), scales_.debye_length)),
+        scaled_(scale_grid(mirror_.solved_grid(), scales_.debye_length, scales_.area_ratio)),
         control_(make_step_landings(
                      history, options.snapshot_times,
                      scan_switches(input.readout, history.time.front(), history.time.back())),

@@ -16,13 +16,13 @@ using Complex = std::complex<double>;
 /// Of the preset `fine`.
 constexpr double refinement = 3.0;
 
-ScaledGrid column_grid(const Case& input, double debye_length) {
+ScaledGrid column_grid(const Case& input, const DerivedScales& scales) {
   const double thickness = input.skin.core_thickness();
-  return scale_grid(
-      {{0.0, input.skin.length},
-       {0.0, input.skin.width},
-       graded_nodes(thickness, debye_length, refined(grid_resolution(Preset::fine), refinement))},
-      debye_length);
+  return scale_grid({{0.0, input.skin.length},
+                     {0.0, input.skin.width},
+                     graded_nodes(thickness, scales.debye_length,
+                                  refined(grid_resolution(Preset::fine), refinement))},
+                    scales.debye_length, scales.area_ratio);
 }
 
 double diffusion_at_rest(const Electrochemistry& electrochemistry) {
@@ -54,8 +54,8 @@ std::vector<Complex> solve_tridiagonal(const std::vector<double>& lower,
 
 SmallSignalCell::SmallSignalCell(const Case& input)
     : scales_(derive_scales(input.electrochemistry, input.skin.core_thickness())),
-      grid_(column_grid(input, scales_.debye_length)),
-      diffusion_(diffusion_at_rest(input.electrochemistry)), metal_(input) {}
+      grid_(column_grid(input, scales_)), diffusion_(diffusion_at_rest(input.electrochemistry)),
+      metal_(input) {}
 
 std::complex<double> SmallSignalCell::area_impedance(double frequency) const {
   return metal_.area_impedance(core_impedance(frequency));
