@@ -232,6 +232,10 @@ class Draw:
         self.case["coupling"] = {"law": self.rng.choice(COUPLINGS[:-1]),
                                  "coefficient": self.rng.choice((1, -1)) * self.between(0.01, 1),
                                  "measure": self.rng.choice(("off-diagonal", "deviatoric", "signed-xz"))}
+        if self.case["coupling"]["law"] != "fixed-charge" and self.maybe(0.2):
+            ions["permittivity"] = self.quantity(1e-10, 1e-9, "F/m")
+            place = self.case["materials"]["polymer"] if "materials" in self.case and self.maybe(0.3) else ions
+            place["interface_capacitance"] = self.quantity(10, 200, "F/m2")
 
     def water(self):
         """Keys of [water] beside those of the material."""
@@ -272,6 +276,11 @@ class Draw:
                                  for name, low, high in (("left", 0, 0.4), ("right", 0.5, 1))]
         if "taxels" in readout and circuit != "amplifier" and self.case["electrochemistry"]["ion_model"] != "thin-layers" and self.maybe(0.5):
             self.taxel_circuits(readout)
+        if "taxels" not in readout and self.case["electrochemistry"]["ion_model"] != "thin-layers" and self.maybe(0.3):
+            readout["contact"] = self.rng.choice(("everywhere", "one end", "both ends", "corner"))
+            for layer in self.case["skin"]["layers"]:
+                if layer["role"] == "electrode" and self.maybe(0.8):
+                    layer["sheet_resistance"] = self.quantity(0.01, 100, "ohm")
         self.case["readout"] = readout
 
     def taxel_circuits(self, readout):

@@ -117,7 +117,9 @@ class Readouts(ProgramTest):
         self.assertIn("note: All 16 taxels share one resistor of 1000 ohm", explained)
         # eps A / (2 lambda) of 15 mm x 2 mm, a sixteenth of it, and with 1 kOhm.
         for line in (r"capacitance of the cell C +0\.0454\d* F", r"capacitance below taxel r1c1 +0\.002838 F",
-                     r"time constant R C +45\.41 s"):
+                     r"time constant R C +45\.41 s", r"geometric capacitance +0\.0003333 F",
+                     r"resistance of the core +18\.\d+ ohm", r"screening within the core +0\.006234 s",
+                     r"charging through the core +0\.84\d+ s"):
             self.assertRegex(explained, line)
         for edits, problem in ((("readout.taxels.rows=4",), "missing key readout.taxels.columns"),
                                (("readout.taxels={rows = 0, columns = 2}",), "readout.taxels.rows = 0 is out of range"),
@@ -125,6 +127,53 @@ class Readouts(ProgramTest):
                                (("readout.taxels={rows = 3, colums = 2}",), "did you mean readout.taxels.columns?")):
             error = self.run_program("check", QUICK, *(option for edit in edits for option in ("--set", edit)), expect=2)
             self.assertIn(problem, error.stderr)
+
+    def test_metal_with_a_sheet_resistance(self):
+        def metal(resistance, *edits):
+            return [option for edit in (f"skin.layers[0].sheet_resistance={resistance}", f"skin.layers[2].sheet_resistance={resistance}",
+                                        *edits) for option in ("--set", edit)]
+        explained = self.run_program("check", QUICK, "--explain").stdout
+        self.assertRegex(explained, r"charging along the metal +0\.276\d s +if each metal had 1 ohm a square")
+        self.assertIn("warning: thin metal would delay and lower the current", " ".join(explained.split()))
+        explained = self.run_program("check", QUICK, "--explain", *metal("0.5 ohm", "readout.contact=both ends")).stdout
+        self.assertRegex(explained, r"resistance of the metal +7\.5 ohm")
+        self.assertRegex(explained, r"charging along the metal +0\.0345\d* s")
+        self.assertNotIn("thin metal", explained)
+
+        out, plain, touched = (self.folder / name for name in ("metal", "plain", "touched"))
+        self.run_case(QUICK, "-o", out, *metal("3 ohm"))
+        self.run_case(QUICK, "-o", plain)
+        self.assertGreater(metric(out, "peak_metal_drop"), 0)
+        self.assertLess(metric(out, "rms_current_difference"), 0.9 * metric(plain, "rms_current_difference"))
+        self.run_case(QUICK, "-o", touched, *metal("3 ohm", "readout.contact=everywhere"))
+        self.assertEqual(metric(touched, "rms_current_difference"), metric(plain, "rms_current_difference"))
+        self.assertTrue(any("leads hold the metal at one potential" in warning for warning in summary(touched)["warnings"]))
+
+        for edits, problem in ((metal("1 ohm", "readout.taxels={rows = 1, columns = 2}"), "taxels have leads of their own"),
+                               (["--set", "skin.layers[1].sheet_resistance=1 ohm"], "which is that of an electrode"),
+                               (metal("-1 ohm"), "is out of range"),
+                               (metal("1 ohm", "readout.contact=middle"), "one end")):
+            self.assertIn(problem, self.run_program("check", QUICK, *edits, expect=2).stderr)
+
+    def test_interface_apart_from_bulk(self):
+        def cell(*edits):
+            return [option for edit in ("coupling.law=column-neutral", "electrochemistry.permittivity=1.8e-10 F/m",
+                                        "electrochemistry.interface_capacitance=30 F/m2", "coupling.coefficient=1e-3",
+                                        *edits) for option in ("--set", edit)]
+        explained = self.run_program("check", QUICK, "--explain", *cell()).stdout
+        for line in (r"capacitance of the cell C +0\.00045 F", r"geometric capacitance +3e-11 F",
+                     r"charging through the core +0\.00841\d* s"):
+            self.assertRegex(explained, line)
+        out = self.folder / "interface"
+        self.run_case(QUICK, "-o", out, *cell())
+        self.assertGreater(metric(out, "rms_current_difference"), 0)
+        self.assertGreater(metric(out, "min_concentration_ratio"), 0.5)
+        for edits, problem in ((["coupling.law=fixed-charge"], "makes net charge"),
+                               (["electrochemistry.interface_capacitance=0.3 F/m2"], "of the projected area alone"),
+                               (["electrochemistry.permittivity=1e-3 F/m", "electrochemistry.interface_capacitance=1e4 F/m2"],
+                                "would change its resistance"),
+                               (["electrochemistry.interface_capacitance=30 F"], "expected a capacitance per area")):
+            self.assertIn(problem, self.run_program("check", QUICK, *cell(*edits), expect=2).stderr)
 
     def test_circuits_can_be_swept(self):
         case = self.write("case.toml", QUICK.read_text() + '\n[readout]\ncircuit = "load"\nload_resistance = "1 kOhm"\n')

@@ -31,4 +31,11 @@ std::vector<Row> steric_rows(const Options& options);
 /// reciprocity.
 std::vector<Row> taxel_rows(const Options& options);
 
+/// E11: metal with a sheet resistance against a line of resistors and cells, its limits, and
+/// conservation.
+std::vector<Row> sheet_rows(const Options& options);
+
+/// E12: the blocking cell with and without a capacitance of its interfaces, in frequency and time.
+std::vector<Row> interface_rows(const Options& options);
+
 } // namespace ionskin::verification

@@ -282,6 +282,38 @@ void add_limit_rows(const Options& options, std::vector<Row>& rows) {
                          difference / largest_magnitude(whole.voltage), 1e-8));
 }
 
+/// Two taxels that are read in turns, each by its load while the other is open, are by and by two
+/// behind twice the resistance: what they lag behind goes with the dwell.
+void add_scan_rows(const Options& options, std::vector<Row>& rows) {
+  const double resistance =
+      LinearCell(strip(1, 1)).resistance() / (0.5 * strip_length * strip_width);
+  const IonSolution steady = run_strip(strip(2.0 * resistance, 6.0 * resistance), options);
+  Case input = strip(resistance, 3.0 * resistance);
+  input.readout.scan.grounds_others = false;
+  constexpr double instant = 1.0;
+  const auto charge = [](const IonSolution& solution, std::size_t taxel) {
+    return solution.top_segments[taxel].charge[row_at(solution, instant)];
+  };
+  std::array<std::vector<double>, 2> errors;
+  for (const double dwell : {0.02, 0.01}) {
+    input.readout.scan.dwell = dwell;
+    const IonSolution scanned = run_strip(input, options);
+    for (std::size_t taxel = 0; taxel < 2; ++taxel) {
+      errors[taxel].push_back(std::abs(charge(scanned, taxel) - charge(steady, taxel)));
+    }
+  }
+  for (std::size_t taxel = 0; taxel < 2; ++taxel) {
+    const std::string name = taxel == 0 ? "first" : "second";
+    rows.push_back(at_most("E10",
+                           fmt::format("charge of the {} of two taxels scanned by 10 ms against "
+                                       "twice the loads, relative",
+                                       name),
+                           errors[taxel][1] / std::abs(charge(steady, taxel)), 2e-3));
+    rows.push_back(at_least("E10", fmt::format("order of the charge of the {} by the dwell", name),
+                            std::log2(errors[taxel][0] / errors[taxel][1]), 0.9));
+  }
+}
+
 } // namespace
 
 std::vector<Row> taxel_rows(const Options& options) {
@@ -289,6 +321,7 @@ std::vector<Row> taxel_rows(const Options& options) {
   add_bridge_rows(options, rows);
   add_order_row(options, rows);
   add_limit_rows(options, rows);
+  add_scan_rows(options, rows);
   add_conservation_rows(options, rows);
   add_reciprocity_row(options, rows);
   return rows;

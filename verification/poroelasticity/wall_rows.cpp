@@ -70,7 +70,7 @@ double left_by_exchange(std::size_t elements, double exchange, double time) {
 }
 
 /// Mean pressure of a layer that is held compressed, over the pressure M d/h: sealed at one face,
-/// open at the other. Poles of docs/model.md (68) after Laplace.
+/// open at the other. Poles of docs/model.md (75) after Laplace.
 /// @param stiffness M/M_B
 double left_under_compression(double stiffness, double time) {
   double sum = 0;

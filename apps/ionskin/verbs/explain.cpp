@@ -10,6 +10,7 @@
 #include "ionskin/case/elastic_constants.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/circuits/circuit.hpp"
+#include "ionskin/electrochemistry/cell_circuit.hpp"
 #include "ionskin/electrochemistry/equations/steric_excess.hpp"
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "ionskin/mesh/footprint.hpp"
@@ -128,18 +129,65 @@ std::string time_constants_of_taxels(const Readout& readout, double capacitance_
   return text;
 }
 
-/// Both diffuse layers in series, of which each holds permittivity over Debye length and area.
+/// The longest time for which something presses without a break [s].
+double time_of_touch(const Case& input) {
+  if (input.strain.kind == StrainSourceKind::prescribed)
+    return input.strain.duration;
+  double longest = 0, now = 0;
+  if (input.strain.kind == StrainSourceKind::contact)
+    for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
+      now = leg.touches() ? (leg.lands() ? 0 : now) + contact_part(leg).duration : 0;
+      longest = std::max(longest, now);
+    }
+  return longest;
+}
+
+/// What metal of a usual sheet resistance would do where none is given.
+std::string metal(const Case& input, const electrochemistry::CellCircuit& cell) {
+  constexpr double usual = 1.0;       // of either metal [ohm]
+  constexpr double comparable = 0.05; // of a touch
+  const double squares = cell.metal_squares;
+  if (squares > 0)
+    return row("resistance of the metal",
+               fmt::format("{:.4g} ohm", squares * input.skin.length / input.skin.width),
+               "of both electrodes from end to end") +
+           row("charging along the metal", fmt::format("{:.4g} s", cell.metal_time(squares)),
+               "metal and double layers, up to the place farthest from the leads");
+  if (input.readout.contact == ElectrodeContact::everywhere || !input.readout.taxels.empty() ||
+      input.electrochemistry.ion_model == IonModel::thin_layers)
+    return "";
+  const double time = cell.metal_time(2 * usual), touch = time_of_touch(input);
+  std::string text = row("charging along the metal", fmt::format("{:.4g} s", time),
+                         fmt::format("if each metal had {:.2g} ohm a square; 0 is taken, as no "
+                                     "skin.layers[].sheet_resistance is given",
+                                     usual));
+  if (time > comparable * touch && touch > 0)
+    text += paragraph(
+        fmt::format("warning: thin metal would delay and lower the current: with {:.2g} ohm a "
+                    "square charge takes {:.2g} s along it, and a touch lasts {:.2g} s. Give "
+                    "skin.layers[].sheet_resistance of both electrodes, or readout.contact = "
+                    "\"everywhere\" where leads touch them all over.",
+                    usual, time, touch),
+        2);
+  return text;
+}
+
+/// What charges and discharges, and through what; the circuit decides which of it is read.
 std::string scales_of_readout(const Case& input) {
-  const auto scales =
-      electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness());
-  const auto excess = electrochemistry::steric_excess(input.electrochemistry);
-  const double screening = scales.debye_length * (excess ? std::sqrt(1 / excess->room(1.0)) : 1.0);
-  const double per_area = input.electrochemistry.permittivity / (2 * screening);
+  const electrochemistry::CellCircuit cell = electrochemistry::cell_circuit(input);
+  const double face = input.skin.length * input.skin.width, per_area = cell.layers / face;
   const Readout& readout = input.readout;
-  const double capacitance = per_area * input.skin.length * input.skin.width;
   std::string text = "\nReadout\n";
-  text += row("capacitance of the cell C", fmt::format("{:.4g} F", capacitance),
+  text += row("capacitance of the cell C", fmt::format("{:.4g} F", cell.layers),
               "of both double layers in series, at low frequency and small voltage");
+  text += row("geometric capacitance", fmt::format("{:.4g} F", cell.geometric),
+              "of the core as a dielectric, for what is faster than its screening");
+  text += row("resistance of the core", fmt::format("{:.4g} ohm", cell.core), "h / (sigma A)");
+  text += row("screening within the core", fmt::format("{:.4g} s", cell.screening),
+              "core and geometric capacitance: an open voltage decays so, behind any circuit");
+  text += row("charging through the core", fmt::format("{:.4g} s", cell.charging),
+              "core and double layers: the current of a short circuit or an amplifier decays so");
+  text += metal(input, cell);
   if (!readout.taxels.empty()) {
     const Taxel& first = readout.taxels.front();
     const double area = (first.upper[0] - first.lower[0]) * (first.upper[1] - first.lower[1]);
@@ -148,14 +196,23 @@ std::string scales_of_readout(const Case& input) {
                 fmt::format("the first of {}", readout.taxels.size()));
   }
   const circuits::Circuit circuit = circuits::circuit(readout.circuit, readout.parameters);
-  if (circuit.admittance && std::isfinite(circuit.admittance->resistance))
-    text += row("time constant R C",
-                fmt::format("{:.4g} s", circuit.admittance->resistance *
-                                            (capacitance + circuit.admittance->capacitance)),
-                fmt::format("through the {}{}", circuit.words,
-                            readout.taxels.empty() ? ""
-                            : readout.is_cut()     ? ", of what has no circuit of its own"
-                                                   : ", which all taxels share"));
+  if (circuit.admittance && std::isfinite(circuit.admittance->resistance)) {
+    const double resistance = circuit.admittance->resistance,
+                 beside = circuit.admittance->capacitance;
+    const char* of = readout.taxels.empty() ? ""
+                     : readout.is_cut()     ? ", of what has no circuit of its own"
+                                            : ", which all taxels share";
+    text +=
+        row("time constant R C", fmt::format("{:.4g} s", resistance * (cell.layers + beside)),
+            fmt::format("double layers through the {}{}: what the screening leaves of a voltage "
+                        "decays so",
+                        circuit.words, of));
+    const double faster = resistance * (cell.geometric + beside);
+    if (faster < cell.screening)
+      text += row("geometric time constant", fmt::format("{:.4g} s", faster),
+                  fmt::format("the {}{} takes a voltage away sooner than the core screens it",
+                              circuit.words, of));
+  }
   text += time_constants_of_taxels(readout, per_area);
   return text;
 }

@@ -23,6 +23,7 @@ NAMES = {
     "equilibrium_residual": "Residual of equilibrium", "complementarity_residual": "Residual of contact",
     "interpolation_error": "Error of the interpolated compliance", "peak_open_circuit_voltage": "Peak open-circuit voltage",
     "open_circuit_voltage_per_newton": "Open-circuit voltage per force", "peak_sampled_taxel_current": "Peak sampled current of a taxel",
+    "peak_metal_drop": "Largest difference in potential along the metal",
     "peak_taxel_voltage": "Peak voltage of a taxel", "taxel_crosstalk": "Crosstalk between taxels",
     "taxel_balance_error": "Error of the sum of the taxels", "adhesion_loss": "Work lost to adhesion", "pull_off_force": "Pull-off force", "slider_strain": "Strain of the slider",
     "charge_difference_end": "Difference charge at the end",

@@ -32,6 +32,8 @@ struct Layer {
   LayerRole role = LayerRole::core;
   Material material;
   double thickness = 0; ///< [m]
+  /// Of an electrode: of a square of its metal, along it [ohm]; 0 is a perfect conductor.
+  double sheet_resistance = 0;
 };
 
 /// The two faces normal to y: free of traction, or symmetry planes (u_y = 0, no shear traction).
@@ -49,6 +51,9 @@ struct Skin {
   double core_bottom() const;     ///< height of the core's lower face [m]
   double core_thickness() const;  ///< [m]
   double core_volume() const;     ///< [m3]
+  /// Of the bottom and of the top electrode [ohm]: layers that have one are in parallel; 0 where
+  /// none has.
+  std::array<double, 2> sheet_resistances() const;
 };
 
 /// A rigid body whose underside presses on the skin.
@@ -143,6 +148,9 @@ struct Electrochemistry {
   int valence = 1;                       ///< of the mobile cation
   IonModel ion_model = IonModel::dilute;
   double largest_concentration = 0; ///< of the mobile cation, of ion model `steric` [mol/m3]
+  /// Of one electrode's double layer at rest, per projected area [F/m2]; 0 for that which the
+  /// permittivity makes of the projected area.
+  double interface_capacitance = 0;
 
   /// Of the mobile cation at rest, c0 / v [mol/m3].
   double resting_concentration() const { return fixed_charge_concentration / valence; }
@@ -222,13 +230,21 @@ struct Scan {
   bool grounds_others = true; ///< what is not read meanwhile; open otherwise
 };
 
+/// Where the leads touch the metal of both electrodes: all over, or at the ends of the skin along
+/// x, or at a part of the end at x = 0 that begins at y = 0.
+enum class ElectrodeContact { everywhere, one_end, both_ends, corner };
+
+/// Length of a contact at a corner over the width of the skin.
+inline constexpr double corner_share = 0.25;
+
 /// What the electrodes are connected to, and how signals are sampled.
 struct Readout {
   double sample_interval = 0;        ///< [s]
   std::string circuit = "short";     ///< a name from the table in circuits/circuit.cpp
   std::string instrument = "ad8605"; ///< a name from the table in circuits/instruments.cpp
   laws::LawValues parameters;        ///< of circuits, that of the chosen one among them
-  TaxelGrid taxel_grid;              ///< as written
+  ElectrodeContact contact = ElectrodeContact::one_end; ///< matters with sheet resistances only
+  TaxelGrid taxel_grid;                                 ///< as written
   std::vector<Taxel> taxels; ///< disjoint, those of a grid too; empty for one whole electrode
   /// Of the taxels: `shared_circuit`, or a name from the table of circuits.
   std::string taxel_circuit = shared_circuit;
@@ -288,6 +304,9 @@ struct Case {
   std::string text; ///< the TOML text with all `--set` edits applied, as written to case.toml
   /// Every key with its value in SI units, those of defaults and of material presets included.
   std::string values;
+
+  /// Whether the potential varies along the metal of an electrode.
+  bool has_sheet_resistance() const;
 };
 
 /// Between symmetry planes a slider over the whole width, wherever it goes, makes plane strain.

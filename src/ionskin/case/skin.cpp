@@ -34,4 +34,19 @@ double Skin::core_volume() const {
   return length * width * core_thickness();
 }
 
+std::array<double, 2> Skin::sheet_resistances() const {
+  std::array<double, 2> conductances{};
+  for (std::size_t i = 0; i < layers.size(); ++i)
+    if (layers[i].sheet_resistance > 0)
+      conductances[i < core_index() ? 0 : 1] += 1 / layers[i].sheet_resistance;
+  return {conductances[0] > 0 ? 1 / conductances[0] : 0,
+          conductances[1] > 0 ? 1 / conductances[1] : 0};
+}
+
+bool Case::has_sheet_resistance() const {
+  const std::array<double, 2> resistances = skin.sheet_resistances();
+  return readout.contact != ElectrodeContact::everywhere &&
+         (resistances[0] > 0 || resistances[1] > 0);
+}
+
 } // namespace ionskin

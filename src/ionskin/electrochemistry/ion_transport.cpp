@@ -5,6 +5,8 @@
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/electrochemistry/circuit/cut_electrode.hpp"
 #include "ionskin/electrochemistry/circuit/external_circuit.hpp"
+#include "ionskin/electrochemistry/circuit/sheet_charges.hpp"
+#include "ionskin/electrochemistry/circuit/sheet_electrodes.hpp"
 #include "ionskin/electrochemistry/grid/mid_width_mirror.hpp"
 #include "ionskin/electrochemistry/grid/transport_grid.hpp"
 #include "ionskin/electrochemistry/taxel_crosstalk.hpp"
@@ -46,15 +48,22 @@ constexpr double least_charge = 1e-3;
 constexpr std::size_t work_without_progress = 200'000;
 constexpr double least_progress = 0.01;
 
+/// Whether one half of the skin about mid-width can stand for the other, as far as electrodes go.
+bool readout_is_mirrored(const Case& input) {
+  if (input.has_sheet_resistance() && input.readout.contact == ElectrodeContact::corner) {
+    return false;
+  }
+  return !input.readout.is_cut() || taxels_are_mirrored(input.readout, input.skin.width);
+}
+
 /// The parts of one run, wired together.
 class TransportRun {
 public:
   TransportRun(const Case& input, const history::CoreHistory& history, const IonOptions& options)
       : options_(options), readout_(input.readout), grid_(make_transport_grid(input, history)),
         scales_(derive_scales(input.electrochemistry, history.core_thickness())),
-        mirror_(grid_, history,
-                !input.readout.is_cut() || taxels_are_mirrored(input.readout, input.skin.width)),
-        scaled_(scale_grid(mirror_.solved_grid(), scales_.debye_length)),
+        mirror_(grid_, history, readout_is_mirrored(input)),
+        scaled_(scale_grid(mirror_.solved_grid(), scales_.debye_length, scales_.area_ratio)),
         control_(make_step_landings(
                      history, options.snapshot_times,
                      scan_switches(input.readout, history.time.front(), history.time.back())),
@@ -62,15 +71,16 @@ public:
         fixed_charge_(input, history, mirror_.solved_grid(), scaled_),
         charge_floor_(least_charge * fixed_charge_.largest_coupling()),
         cut_(cut_electrode(input, scales_, grid_, mirror_)),
+        sheets_(sheet_electrodes(input, scales_, mirror_, scaled_)),
         most_work_(options.most_work > 0 ? options.most_work : work_without_progress),
         team_(useful_threads(options.threads, scaled_)),
         solver_(scaled_, newton_tolerance(control_.tolerance(), input.electrochemistry.ion_model),
-                team_, steric_excess(input.electrochemistry), conductors()),
-        integrator_(
-            scaled_, scales_, fixed_charge_, options.potentials, solver_, team_,
-            cut_ ? std::nullopt
-                 : scaled_admittance(input.readout, scales_, input.skin.length * input.skin.width),
-            conductors()),
+                team_, steric_excess(input.electrochemistry), conductors(), sheets()),
+        integrator_(scaled_, scales_, fixed_charge_, options.potentials, solver_, team_,
+                    cut_ || sheets_ ? std::nullopt
+                                    : scaled_admittance(input.readout, scales_,
+                                                        input.skin.length * input.skin.width),
+                    conductors(), sheets()),
         rows_(input, scales_, grid_, mirror_, scaled_, fixed_charge_, control_.landings().time,
               options.snapshot_times, cut_ ? &*cut_ : nullptr) {
     run_.solution.taxel_crosstalk = taxel_crosstalk(input, history);
@@ -100,6 +110,14 @@ private:
     return cut_ && (opens || !cut_->conductors.all_held()) ? &cut_->conductors : nullptr;
   }
 
+  const SheetElectrodes* sheets() const { return sheets_ ? &*sheets_ : nullptr; }
+  /// Size of `TransportState::electrode_charge`.
+  std::size_t electrode_charges() const {
+    return sheets_                   ? SheetState::packed_size(scaled_.columns())
+           : conductors() != nullptr ? conductors()->size()
+                                     : 0;
+  }
+
   void begin() {
     if (options_.resume) {
       resume();
@@ -121,11 +139,11 @@ private:
     run_ = *options_.resume;
     run_.solution.taxel_crosstalk = crosstalk;
     const std::vector<double>& done = run_.solution.time;
-    const bool same_grid =
-        run_.solution.grid.x_edges == grid_.x_edges &&
-        run_.solution.grid.y_edges == grid_.y_edges &&
-        run_.solution.grid.z_nodes == grid_.z_nodes && run_.state.ions.nodes() == scaled_.nodes() &&
-        run_.state.electrode_charge.size() == (conductors() != nullptr ? conductors()->size() : 0);
+    const bool same_grid = run_.solution.grid.x_edges == grid_.x_edges &&
+                           run_.solution.grid.y_edges == grid_.y_edges &&
+                           run_.solution.grid.z_nodes == grid_.z_nodes &&
+                           run_.state.ions.nodes() == scaled_.nodes() &&
+                           run_.state.electrode_charge.size() == electrode_charges();
     if (!same_grid || done.size() != run_.step + 1 || !control_.has_landed(done)) {
       throw UserError(
           "the saved state of the ion transport belongs to another case: its grid or its "
@@ -249,7 +267,8 @@ private:
 
   void append_row(double time) {
     rows_.append(time, run_.state.ions, integrator_.relaxation(run_.state),
-                 integrator_.electrode_rows(run_.state), row_, run_.solution);
+                 integrator_.electrode_rows(run_.state), row_, integrator_.lead_voltage(run_.state),
+                 run_.solution);
   }
 
   void copy_counters() {
@@ -276,6 +295,7 @@ private:
   FixedCharge fixed_charge_;
   double charge_floor_;
   std::optional<CutElectrode> cut_;
+  std::optional<SheetElectrodes> sheets_;
   std::size_t most_work_, noted_work_ = 0;
   double noted_time_ = 0; ///< [s]
   parallel::WorkerTeam team_;

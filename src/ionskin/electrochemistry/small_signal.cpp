@@ -16,13 +16,13 @@ using Complex = std::complex<double>;
 /// Of the preset `fine`.
 constexpr double refinement = 3.0;
 
-ScaledGrid column_grid(const Case& input, double debye_length) {
+ScaledGrid column_grid(const Case& input, const DerivedScales& scales) {
   const double thickness = input.skin.core_thickness();
-  return scale_grid(
-      {{0.0, input.skin.length},
-       {0.0, input.skin.width},
-       graded_nodes(thickness, debye_length, refined(grid_resolution(Preset::fine), refinement))},
-      debye_length);
+  return scale_grid({{0.0, input.skin.length},
+                     {0.0, input.skin.width},
+                     graded_nodes(thickness, scales.debye_length,
+                                  refined(grid_resolution(Preset::fine), refinement))},
+                    scales.debye_length, scales.area_ratio);
 }
 
 double diffusion_at_rest(const Electrochemistry& electrochemistry) {
@@ -54,8 +54,12 @@ std::vector<Complex> solve_tridiagonal(const std::vector<double>& lower,
 
 SmallSignalCell::SmallSignalCell(const Case& input)
     : scales_(derive_scales(input.electrochemistry, input.skin.core_thickness())),
-      grid_(column_grid(input, scales_.debye_length)),
-      diffusion_(diffusion_at_rest(input.electrochemistry)) {}
+      grid_(column_grid(input, scales_)), diffusion_(diffusion_at_rest(input.electrochemistry)),
+      metal_(input) {}
+
+std::complex<double> SmallSignalCell::area_impedance(double frequency) const {
+  return metal_.area_impedance(core_impedance(frequency));
+}
 
 /// The field between levels, less what `charge_weights` exchanges, is that of the charge on the
 /// metal and of the ions in the volumes up to there. Where w is the part of the charge on the metal
@@ -64,7 +68,7 @@ SmallSignalCell::SmallSignalCell(const Case& input)
 ///   (1 + p) w_k - g_k [(w_{k+1} - w_k) / height_{k+1} - (w_k - w_{k-1}) / height_k] = 1,
 /// with w = 0 on the metal. Real and imaginary part of w are told to rounding each, where those of
 /// the potential are not: in the core it hardly differs from that of a capacitor.
-std::complex<double> SmallSignalCell::area_impedance(double frequency) const {
+std::complex<double> SmallSignalCell::core_impedance(double frequency) const {
   const Complex rate(0.0, 2.0 * std::numbers::pi * frequency * scales_.relaxation_time);
   const std::size_t intervals = grid_.spacing.size();
   std::vector<double> exchange(intervals), lower(intervals), upper(intervals);

@@ -4,6 +4,7 @@
 #include "ionskin/case/case.hpp"
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "ionskin/electrochemistry/grid/scaled_grid.hpp"
+#include "ionskin/electrochemistry/sheet_impedance.hpp"
 
 #include <complex>
 #include <vector>
@@ -17,17 +18,21 @@ class SmallSignalCell {
 public:
   explicit SmallSignalCell(const Case& input);
 
-  /// Voltage phi_top - phi_bottom over the current into the top electrode, times the area of the
+  /// Voltage between the leads over the current into the top electrode, times the area of the
   /// electrode [ohm m2]. Real and imaginary part are right to 1e-3 each, however much they differ.
   /// @param frequency [Hz], positive
   std::complex<double> area_impedance(double frequency) const;
 
 private:
+  /// The same below electrodes at one potential each.
+  std::complex<double> core_impedance(double frequency) const;
+
   DerivedScales scales_;
   ScaledGrid grid_;
   /// Departure of the concentration between neighbouring levels, over their spacing, that balances
   /// a unit of the field: 1, or more where ions take room.
   double diffusion_;
+  SheetImpedance metal_;
 };
 
 } // namespace ionskin::electrochemistry

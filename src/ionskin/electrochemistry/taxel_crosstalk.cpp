@@ -28,7 +28,7 @@ std::optional<double> taxel_crosstalk(const Case& input, const history::CoreHist
   if (own.size() < 2) {
     return std::nullopt;
   }
-  const ScaledGrid scaled = scale_grid(grid, scales.debye_length);
+  const ScaledGrid scaled = scale_grid(grid, scales.debye_length, scales.area_ratio);
   parallel::WorkerTeam team(1);
   FastDiagonalisation cell(scaled, team, steric_excess(input.electrochemistry), &cut->conductors);
   IonState rest(scaled.nodes());

@@ -72,7 +72,7 @@ public:
         x_(poroelasticity::cosine_modes(solved().x_edges.size() - 1, width_of(solved().x_edges))),
         y_(poroelasticity::cosine_modes(solved().y_edges.size() - 1, width_of(solved().y_edges))),
         columns_(x_.size * y_.size), area_(input.skin.length * input.skin.width),
-        layer_(input.electrochemistry.permittivity / scales_.debye_length),
+        layer_(scales_.area_ratio * input.electrochemistry.permittivity / scales_.debye_length),
         valence_(input.electrochemistry.valence),
         resting_(input.electrochemistry.resting_concentration()),
         circuit_(0.5 * layer_ * area_, history.core_thickness() / (scales_.conductivity * area_),
@@ -278,8 +278,8 @@ private:
       largest = std::max({largest, high, -low});
     }
     const double per_area = static_cast<double>(charges.top.size()) / area_;
-    solution_.min_concentration.push_back(resting_ *
-                                          (1.0 - lowest * per_area / scales_.charge_density));
+    solution_.min_concentration.push_back(
+        resting_ * (1.0 - lowest * per_area / scales_.area_ratio / scales_.charge_density));
     solution_.max_potential.push_back(
         base::larger(largest * per_area / layer_, std::abs(charges_.mean.voltage)));
   }

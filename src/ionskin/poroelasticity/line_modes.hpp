@@ -27,7 +27,7 @@ LineModes cosine_modes(std::size_t columns, double width);
 /// order 4 (Cohen 2002, doi 10.1007/978-3-662-04823-8). At an open wall the value is 0: its row and
 /// its column are zero.
 /// @param nodes ends and middles of the elements, ascending [m]
-/// @param held_share of the mean value, which does not diffuse: docs/model.md (68)
+/// @param held_share of the mean value, which does not diffuse: docs/model.md (75)
 LineModes wall_modes(const std::vector<double>& nodes, const WaterWalls& walls,
                      double held_share = 0);
 

@@ -9,7 +9,7 @@
 
 namespace ionskin::poroelasticity {
 
-/// Water outside the walls, docs/model.md (67): the pressure in the core that would stand still
+/// Water outside the walls, docs/model.md (74): the pressure in the core that would stand still
 /// under it, linear from wall to wall, and what flows through meanwhile. Constant from the first
 /// instant on, or over time as a prescribed load.
 class OutsideWater {

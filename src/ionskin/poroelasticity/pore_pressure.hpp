@@ -27,7 +27,7 @@ class PorePressure {
 public:
   /// @param columns along x and y; widths of a column [m]
   /// @param nodes through the thickness, from 0 [m]
-  /// @param held_share of the mean of P that comes back as p_u, docs/model.md (68)
+  /// @param held_share of the mean of P that comes back as p_u, docs/model.md (75)
   PorePressure(const std::array<std::size_t, 2>& columns, const std::array<double, 2>& widths,
                std::vector<double> nodes, const WaterWalls& walls, double consolidation_coefficient,
                double held_share = 0);

@@ -14,7 +14,7 @@ namespace ionskin::poroelasticity {
 /// docs/model.md (24):
 /// - pressure p, the strain along the skin held at 0 by the electrodes: p_u = p M_B/(M + M_B);
 /// - compression d, held likewise: that of the pressure M d/h, to which comes what the mean of P
-///   adds, docs/model.md (68);
+///   adds, docs/model.md (75);
 /// - curvature k about the middle of the core, with e_xx = k (z - h/2) and faces free of stress:
 ///   p_u = -M_B tr(e), tr(e) = (1 - 2 nu_u) e_xx of a strip with free sides, and that over
 ///   1 - nu_u between symmetry planes (nu_u: Poisson's ratio of the core, the undrained one).

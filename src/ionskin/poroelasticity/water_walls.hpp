@@ -15,7 +15,7 @@ struct WaterWalls {
   double bottom = sealed_wall, top = sealed_wall;
 
   /// Steady pressure in the core under one unit outside the top wall and none outside the bottom
-  /// one, docs/model.md (67). The core ends at 0 and at `thickness` [m].
+  /// one, docs/model.md (74). The core ends at 0 and at `thickness` [m].
   double share_of_top(double height, double thickness) const;
   /// Its slope [1/m].
   double slope_of_share(double thickness) const;

@@ -32,6 +32,8 @@ const std::map<Dimension, DimensionInfo>& table() {
        {"a hydraulic conductance", "m/(Pa s)", {"m/(Pa s)", "um/(Pa s)"}}},
       {Dimension::curvature, {"a curvature", "1/m", {"1/m", "1/mm", "1/cm"}}},
       {Dimension::speed, {"a speed", "m/s", {"mm/s", "um/s", "m/s"}}},
+      {Dimension::areal_capacitance,
+       {"a capacitance per area", "F/m2", {"F/m2", "uF/cm2", "mF/cm2"}}},
       {Dimension::capacitance, {"a capacitance", "F", {"pF", "nF", "uF", "mF", "F"}}},
       {Dimension::stiffness, {"a stiffness", "N/m", {"N/m", "N/mm", "kN/m"}}},
       {Dimension::damping, {"a damping", "N s/m", {"N s/m", "mN s/m"}}},

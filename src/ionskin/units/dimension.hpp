@@ -28,6 +28,7 @@ enum class Dimension {
   curvature,
   speed,
   capacitance,
+  areal_capacitance,
   stiffness,
   damping,
   mass,

@@ -28,6 +28,24 @@ TEST(SmallSignalCell, IsAResistanceInTheMiddleAndCapacitancesAtTheEnds) {
   EXPECT_NEAR(cell.area_impedance(high).imag() * -2.0 * std::numbers::pi * high * empty, 1.0, 1e-3);
 }
 
+/// The interface holds what it is said to, and the core is a resistor far beyond.
+TEST(SmallSignalCell, AnInterfaceApartFromTheBulkLeavesAPlainResistor) {
+  Case input = verification::model_case();
+  input.electrochemistry.permittivity = 1.8e-10;
+  input.electrochemistry.interface_capacitance = 20.0;
+  const double core = 180e-6 / derive_scales(input.electrochemistry, 180e-6).conductivity;
+  const SmallSignalCell cell(input);
+  EXPECT_NEAR(cell.area_impedance(1e-3).imag() * -2.0 * std::numbers::pi * 1e-3 * 10.0, 1.0, 1e-3);
+  for (const double frequency : {1e-3, 1.0, 1e3, 1e6}) {
+    EXPECT_NEAR(cell.area_impedance(frequency).real() / core, 1.0, 1e-3) << frequency;
+  }
+  input.electrochemistry.ion_model = IonModel::steric;
+  input.electrochemistry.largest_concentration = 2400.0;
+  EXPECT_NEAR(SmallSignalCell(input).area_impedance(1e-3).imag() * -2.0 * std::numbers::pi * 1e-3 *
+                  10.0,
+              1.0, 1e-3);
+}
+
 TEST(SmallSignalCell, AnswersToTheValence) {
   Case input = verification::model_case();
   input.electrochemistry.valence = 2;

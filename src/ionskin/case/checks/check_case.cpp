@@ -4,6 +4,7 @@
 #include "ionskin/case/checks/check_drive.hpp"
 #include "ionskin/case/checks/check_electrochemistry.hpp"
 #include "ionskin/case/checks/check_laws.hpp"
+#include "ionskin/case/checks/check_metal.hpp"
 #include "ionskin/case/checks/check_motion.hpp"
 #include "ionskin/case/checks/check_prescribed.hpp"
 #include "ionskin/case/checks/check_readout.hpp"
@@ -128,6 +129,7 @@ void check_case(const CaseDocument& document) {
   check_laws(document, problems);
   check_water(document, problems);
   check_readout(document, problems);
+  check_metal(document, problems);
   if (document.input.strain.kind == StrainSourceKind::contact) {
     check_slider(document, problems);
     if (check_motion(document, problems)) {

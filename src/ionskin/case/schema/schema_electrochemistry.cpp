@@ -50,6 +50,18 @@ void add_electrochemistry(SchemaRows& rows) {
                   .help = "Effective permittivity of the core, absolute.",
                   .set = into(&Case::electrochemistry, &Electrochemistry::permittivity)});
   rows.push_back(
+      {.key = "electrochemistry.interface_capacitance",
+       .type = ValueType::quantity,
+       .dimension = Dimension::areal_capacitance,
+       .range = {1e-6, 1e6, true, true},
+       .need = Need::where_known,
+       .of_material = true,
+       .help = "Capacitance of one electrode's double layer, per projected area, at small voltage "
+               "and low frequency. The true area of rough metal makes it larger than what "
+               "electrochemistry.permittivity, then that of the bulk, makes of the projected area; "
+               "where it is not given, the two areas are the same.",
+       .set = into(&Case::electrochemistry, &Electrochemistry::interface_capacitance)});
+  rows.push_back(
       {.key = "electrochemistry.fixed_charge_concentration",
        .type = ValueType::quantity,
        .dimension = Dimension::concentration,

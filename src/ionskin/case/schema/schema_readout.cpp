@@ -68,6 +68,23 @@ void add_circuit_of_taxel(SchemaRows& rows) {
     }
 }
 
+void add_electrode_contact(SchemaRows& rows) {
+  rows.push_back(
+      {.key = "readout.contact",
+       .type = ValueType::choice,
+       .default_value = "\"one end\"",
+       .choices = {{"everywhere"}, {"one end"}, {"both ends"}, {"corner"}},
+       .help = "Where leads touch the metal of both electrodes, which matters where it has a "
+               "skin.layers[].sheet_resistance: all over, along the end at x = 0, along both "
+               "ends, or along the first quarter of the end at x = 0, from y = 0 on.",
+       .source = "strips are clamped at one end",
+       .set = into<Readout, ElectrodeContact>(&Case::readout, &Readout::contact,
+                                              {{"everywhere", ElectrodeContact::everywhere},
+                                               {"one end", ElectrodeContact::one_end},
+                                               {"both ends", ElectrodeContact::both_ends},
+                                               {"corner", ElectrodeContact::corner}})});
+}
+
 void add_taxel_circuit(SchemaRows& rows) {
   rows.push_back({.key = "readout.taxel_circuit",
                   .type = ValueType::choice,
@@ -184,6 +201,7 @@ void add_readout(SchemaRows& rows) {
                   .set = into(&Case::readout, &Readout::sample_interval)});
   add_circuit(rows);
   add_instrument(rows);
+  add_electrode_contact(rows);
   add_taxel_circuit(rows);
   add_taxels(rows);
   add_circuit_of_taxel(rows);

@@ -68,6 +68,17 @@ void add_layers(SchemaRows& rows) {
                   .need = Need::always,
                   .help = "Thickness of the layer.",
                   .set = into_layer(&Layer::thickness)});
+  rows.push_back({.key = "skin.layers[].sheet_resistance",
+                  .type = ValueType::quantity,
+                  .dimension = Dimension::resistance,
+                  .range = {0.0, 1e6, true, true},
+                  .need = Need::where_known,
+                  .help =
+                      "Of an electrode: resistance of a square of its metal along the face. The "
+                      "potential then varies along it, from the leads on: readout.contact. "
+                      "Without it, or at 0, the metal is at one potential. Of several metals "
+                      "on one side of the core those that have one are in parallel.",
+                  .set = into_layer(&Layer::sheet_resistance)});
 }
 
 void add_materials(SchemaRows& rows) {

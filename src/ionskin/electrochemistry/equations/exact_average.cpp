@@ -21,9 +21,9 @@ double level_sum(std::span<const double> field, std::size_t level, std::size_t c
 } // namespace
 
 ExactAverage::ExactAverage(const ScaledGrid& grid, std::optional<StericExcess> excess,
-                           const TopElectrodes* electrodes)
-    : grid_(grid), excess_(excess), electrodes_(electrodes), voltage_(grid), mean_(grid.levels),
-      charge_(grid.levels), diagonal_(grid.levels), potential_(grid.levels) {}
+                           const TopElectrodes* electrodes, const SheetElectrodes* sheets)
+    : grid_(grid), excess_(excess), electrodes_(electrodes), sheets_(sheets), voltage_(grid),
+      mean_(grid.levels), charge_(grid.levels), diagonal_(grid.levels), potential_(grid.levels) {}
 
 double ExactAverage::total(const ScaledGrid& grid, std::span<const double> field) {
   double total = 0.0;
@@ -71,21 +71,50 @@ void ExactAverage::restore_charge(const StageProblem& problem, IonState& state) 
   }
 }
 
+void ExactAverage::restore_lead_charge(const StageProblem& problem, IonState& state) const {
+  const SheetStage& stage = *problem.sheets;
+  if (!stage.circuit) {
+    return;
+  }
+  const std::size_t columns = grid_.columns();
+  const auto top = state.potential().last(columns);
+  const double lead = sheets_->lead_potential(stage, problem.potential_bottom, 0.0, top);
+  double net = -static_cast<double>(columns) * stage.passed; // returns through the ground
+  for (const double charge : stage.start[top_wall]) {
+    net += charge;
+  }
+  const double missing =
+      net +
+      static_cast<double>(columns) *
+          (stage.circuit->start - stage.circuit->conductance * (lead - problem.potential_bottom)) -
+      ramo_charge_top(grid_, state, problem.fixed_charge);
+  const double follows =
+      sheets_->lead_change(stage, std::vector<double>(columns, 1.0)) * stage.circuit->conductance;
+  const double shift = missing / (static_cast<double>(columns) * (1.0 / grid_.thickness + follows));
+  for (double& potential : top) {
+    potential += shift;
+  }
+}
+
 void ExactAverage::correct(const StageProblem& problem, IonState& state) {
   restore_amount(problem.ion_amount, state.concentration());
   if (problem.electrodes != nullptr) {
     restore_charge(problem, state);
   }
+  if (problem.sheets != nullptr) {
+    restore_lead_charge(problem, state);
+  }
   const std::size_t columns = grid_.columns(), top = grid_.levels - 1;
   const auto count = static_cast<double>(columns);
-  const double potential_top = problem.electrodes != nullptr
-                                   ? level_sum(state.potential(), top, columns, 0.0) / count
-                                   : top_potential(problem, voltage_, state.concentration());
+  const bool top_varies = problem.electrodes != nullptr || problem.sheets != nullptr;
+  const double potential_top = top_varies ? level_sum(state.potential(), top, columns, 0.0) / count
+                                          : top_potential(problem, voltage_, state.concentration());
   for (std::size_t k = 0; k <= top; ++k) {
     mean_[k] = level_sum(state.concentration(), k, columns, 1.0) / count;
   }
   // Elimination from the bottom wall up, then substitution from the top wall down.
-  potential_[0] = problem.potential_bottom;
+  potential_[0] = problem.sheets != nullptr ? level_sum(state.potential(), 0, columns, 0.0) / count
+                                            : problem.potential_bottom;
   diagonal_[0] = 1.0;
   for (std::size_t k = 1; k < top; ++k) {
     const double down = 1.0 / grid_.spacing[k - 1], up = 1.0 / grid_.spacing[k];
@@ -104,8 +133,10 @@ void ExactAverage::correct(const StageProblem& problem, IonState& state) {
   }
   const auto phi = state.potential();
   for (std::size_t i = 0; i < columns; ++i) {
-    phi[i] = problem.potential_bottom;
-    if (problem.electrodes == nullptr) {
+    if (problem.sheets == nullptr) {
+      phi[i] = problem.potential_bottom;
+    }
+    if (!top_varies) {
       phi[top * columns + i] = potential_top;
     }
   }

@@ -17,8 +17,10 @@ class ExactAverage {
 public:
   /// @param excess nothing for dilute ions
   /// @param electrodes of the top face where it is cut; must outlive this, nullptr otherwise
+  /// @param sheets electrodes with sheet resistances; must outlive this, nullptr for none
   explicit ExactAverage(const ScaledGrid& grid, std::optional<StericExcess> excess = std::nullopt,
-                        const TopElectrodes* electrodes = nullptr);
+                        const TopElectrodes* electrodes = nullptr,
+                        const SheetElectrodes* sheets = nullptr);
 
   void correct(const StageProblem& problem, IonState& state);
 
@@ -29,11 +31,14 @@ private:
   /// Shifts all conductors of a cut top face alike, so that the sum of what their circuits ask
   /// holds; not where one of them is held.
   void restore_charge(const StageProblem& problem, IonState& state) const;
+  /// Shifts the top metal with its lead, so that the charge that passes the circuit holds.
+  void restore_lead_charge(const StageProblem& problem, IonState& state) const;
   void restore_amount(double ion_amount, std::span<double> concentration) const;
 
   const ScaledGrid& grid_;
   std::optional<StericExcess> excess_;
   const TopElectrodes* electrodes_;
+  const SheetElectrodes* sheets_;
   TerminalVoltage voltage_;
   std::vector<double> mean_, charge_, diagonal_, potential_; ///< per level
 };

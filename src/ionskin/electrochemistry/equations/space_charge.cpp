@@ -60,8 +60,7 @@ void FixedCharge::accept(std::span<const double> concentration) {
   if (!water_) {
     return;
   }
-  const double amount_unit =
-      resting_concentration_ * grid_.z_nodes.back() / scaled_.thickness; // [mol/m2]
+  const double amount_unit = resting_concentration_ * scaled_.unit; // [mol/m2]
   cations_.resize(scaled_.levels);
   for (std::size_t k = 0; k < scaled_.levels; ++k) {
     const auto level = concentration.subspan(k * scaled_.columns(), scaled_.columns());
@@ -93,7 +92,7 @@ void FixedCharge::evaluate(double time) {
   if (!law_) {
     return;
   }
-  law_({scaled_.columns(), scaled_.levels, scaled_.height, scaled_.thickness}, shear_, ratio_);
+  law_({scaled_.columns(), scaled_.levels, scaled_.height, scaled_.volume}, shear_, ratio_);
   check_sign(time);
   check_room(time);
 }
@@ -146,9 +145,8 @@ std::string FixedCharge::describe(std::size_t node, double time) const {
 
 void check_fixed_charge(const Case& input, const history::CoreHistory& history) {
   const TransportGrid grid = make_transport_grid(input, history);
-  const double debye_length =
-      derive_scales(input.electrochemistry, history.core_thickness()).debye_length;
-  const ScaledGrid scaled = scale_grid(grid, debye_length);
+  const DerivedScales scales = derive_scales(input.electrochemistry, history.core_thickness());
+  const ScaledGrid scaled = scale_grid(grid, scales.debye_length, scales.area_ratio);
   FixedCharge charge(input, history, grid, scaled);
   charge.start(history.time.front());
   for (const double time : history.time) {

@@ -26,9 +26,10 @@ double top_potential(const StageProblem& problem, const TerminalVoltage& voltage
 
 TransportEquations::TransportEquations(const ScaledGrid& grid, parallel::WorkerTeam& team,
                                        std::optional<StericExcess> excess,
-                                       const TopElectrodes* electrodes)
+                                       const TopElectrodes* electrodes,
+                                       const SheetElectrodes* sheets)
     : grid_(grid), team_(team), excess_(excess), voltage_(grid), electrodes_(electrodes),
-      by_lower_(grid.nodes() - grid.columns()), by_upper_(by_lower_.size()),
+      sheets_(sheets), by_lower_(grid.nodes() - grid.columns()), by_upper_(by_lower_.size()),
       by_difference_(by_lower_.size()) {
   for (std::size_t i = 0; i < team.size(); ++i) {
     workspaces_.emplace_back(grid);
@@ -70,6 +71,28 @@ void TransportEquations::residual(const StageProblem& problem, const IonState& s
     add_circuits(*problem.electrodes, state.potential().last(grid_.columns()), true,
                  out.last(grid_.columns()));
   }
+  if (problem.sheets != nullptr) {
+    const SheetStage& stage = *problem.sheets;
+    const std::size_t columns = grid_.columns();
+    const double lead = sheets_->lead_potential(
+        stage, problem.potential_bottom, problem.potential_top, state.potential().last(columns));
+    const std::span<double> charges = out.last(grid_.nodes());
+    for (std::size_t i = 0; i < columns; ++i) {
+      charges[i] -= stage.start[bottom_wall][i];
+      charges[grid_.nodes() - columns + i] -= stage.start[top_wall][i];
+    }
+    take_inflow(stage, state.potential(), problem.potential_bottom, lead, charges);
+  }
+}
+
+void TransportEquations::take_inflow(const SheetStage& stage, std::span<const double> potentials,
+                                     double lead_bottom, double lead_top,
+                                     std::span<double> charges) const {
+  const std::size_t columns = grid_.columns();
+  sheets_->take_inflow(bottom_wall, stage.step, potentials.first(columns), lead_bottom,
+                       charges.first(columns));
+  sheets_->take_inflow(top_wall, stage.step, potentials.last(columns), lead_top,
+                       charges.last(columns));
 }
 
 void TransportEquations::add_circuits(const ElectrodeStage& stage,
@@ -123,7 +146,20 @@ void TransportEquations::residual_levels(const StageProblem& problem, double pot
     }
     double* poisson = out.data() + nodes + k * columns;
     const double* phi_k = phi.data() + k * columns;
-    if (k == top && problem.electrodes != nullptr) {
+    if (k == 0 && problem.sheets != nullptr) {
+      const double up = 1.0 / grid_.spacing[k];
+      const double* phi_above = phi_k + columns;
+      const double* field = work.lateral_field.data();
+      const double* fixed = problem.fixed_charge.data() + k * columns;
+      const double* c_above = c_k + columns;
+      const ChargeWeights weight = charge_weights(grid_, k);
+#pragma omp simd
+      for (std::size_t i = 0; i < columns; ++i) {
+        const double charge = weight.here * (c_k[i] - 1.0) + weight.above * (c_above[i] - 1.0) -
+                              height * (fixed[i] - 1.0);
+        poisson[i] = up * (phi_k[i] - phi_above[i]) - height * field[i] - charge;
+      }
+    } else if (k == top && (problem.electrodes != nullptr || problem.sheets != nullptr)) {
       const double down = 1.0 / grid_.spacing[k - 1];
       const double* phi_below = phi_k - columns;
       const double* field = work.lateral_field.data();
@@ -168,6 +204,7 @@ void TransportEquations::linearise(const StageProblem& problem, const IonState& 
   step_ = problem.step;
   circuit_ = problem.circuit;
   electrode_stage_ = problem.electrodes;
+  sheet_stage_ = problem.sheets;
   const std::size_t columns = grid_.columns();
   state_drive_ = driving(problem, state, kept_drive_);
   const auto c = state.concentration(), drive = state_drive_;
@@ -209,6 +246,10 @@ void TransportEquations::apply_jacobian(std::span<const double> direction, std::
   if (electrode_stage_ != nullptr) {
     add_circuits(*electrode_stage_, direction.last(grid_.columns()), false,
                  out.last(grid_.columns()));
+  }
+  if (sheet_stage_ != nullptr) {
+    const double lead = sheets_->lead_change(*sheet_stage_, direction.last(grid_.columns()));
+    take_inflow(*sheet_stage_, direction.last(grid_.nodes()), 0.0, lead, out.last(grid_.nodes()));
   }
 }
 
@@ -268,7 +309,18 @@ void TransportEquations::jacobian_levels(std::span<const double> direction, doub
     }
     double* poisson = out.data() + nodes + k * columns;
     const double* dphi = direction.data() + nodes + k * columns;
-    if (k == top && electrode_stage_ != nullptr) {
+    if (k == 0 && sheet_stage_ != nullptr) {
+      const double up = 1.0 / grid_.spacing[k];
+      const double* dphi_above = dphi + columns;
+      const double* field = work.lateral_field.data();
+      const double* dc_above = dc + columns;
+      const ChargeWeights weight = charge_weights(grid_, k);
+#pragma omp simd
+      for (std::size_t i = 0; i < columns; ++i) {
+        poisson[i] = up * (dphi[i] - dphi_above[i]) - height * field[i] - weight.here * dc[i] -
+                     weight.above * dc_above[i];
+      }
+    } else if (k == top && (electrode_stage_ != nullptr || sheet_stage_ != nullptr)) {
       const double down = 1.0 / grid_.spacing[k - 1];
       const double* dphi_below = dphi - columns;
       const double* field = work.lateral_field.data();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/electrochemistry/circuit/sheet_electrodes.hpp"
 #include "ionskin/electrochemistry/circuit/terminal_voltage.hpp"
 #include "ionskin/electrochemistry/circuit/top_electrodes.hpp"
 #include "ionskin/electrochemistry/equations/ion_flux.hpp"
@@ -33,6 +34,10 @@ struct StageProblem {
   /// potentials on the top wall, and the residual there is the charge of every column plus what
   /// has, as its sum over each conductor, conductance u - start. Must outlive its use.
   const ElectrodeStage* electrodes = nullptr;
+  /// Metal with sheet resistances, whose leads have the potentials above or the circuit of its own:
+  /// the state has its potentials on both walls, and the residual there is the charge of every
+  /// column less what the metal brings it. Must outlive its use.
+  const SheetStage* sheets = nullptr;
 };
 
 /// Potential of the top electrode: given, or what the circuit makes of the concentrations.
@@ -46,9 +51,11 @@ class TransportEquations {
 public:
   /// @param excess nothing for dilute ions
   /// @param electrodes of the top face where it is cut; must outlive this, nullptr otherwise
+  /// @param sheets electrodes with sheet resistances; must outlive this, nullptr for none
   TransportEquations(const ScaledGrid& grid, parallel::WorkerTeam& team,
                      std::optional<StericExcess> excess = std::nullopt,
-                     const TopElectrodes* electrodes = nullptr);
+                     const TopElectrodes* electrodes = nullptr,
+                     const SheetElectrodes* sheets = nullptr);
 
   /// Residual of ion balance, then of Poisson's equation, per control volume [2 nodes]. On the
   /// walls the second one is phi minus the electrode's potential.
@@ -90,6 +97,10 @@ private:
   /// @param from_start whether the charges that the stage starts from count
   void add_circuits(const ElectrodeStage& stage, std::span<const double> top_potential,
                     bool from_start, std::span<double> charges) const;
+  /// Takes from the charges on both walls what the metal brings.
+  /// @param potentials of all nodes, or their change; of the top lead likewise
+  void take_inflow(const SheetStage& stage, std::span<const double> potentials, double lead_bottom,
+                   double lead_top, std::span<double> charges) const;
   void flux_change(std::size_t interface, std::span<const double> direction,
                    std::span<double> flux) const;
 
@@ -103,6 +114,8 @@ private:
   std::optional<CircuitStage> circuit_;
   const TopElectrodes* electrodes_;
   const ElectrodeStage* electrode_stage_ = nullptr;
+  const SheetElectrodes* sheets_;
+  const SheetStage* sheet_stage_ = nullptr;
   std::span<const double> state_drive_;    ///< of the fluxes of `state_`
   std::vector<double> drive_, kept_drive_; ///< of a residual and of `state_`; empty until needed
   std::vector<double> by_lower_, by_upper_, by_difference_; ///< flux derivatives per interface

@@ -22,8 +22,7 @@ void wall_charges(const ScaledGrid& grid, const IonState& state,
   charges.bottom.resize(columns);
   charges.top.resize(columns);
   charges.total_bottom = charges.total_top = 0.0;
-  const auto wall = phi.last(columns);
-  const auto sideways = [&](std::size_t i) {
+  const auto sideways = [&](std::span<const double> wall, std::size_t i) {
     const std::size_t x = i % grid.columns_x, y = i / grid.columns_x;
     double inflow = 0.0;
     const auto from = [&](bool exists, double coupling, std::size_t other) {
@@ -37,14 +36,15 @@ void wall_charges(const ScaledGrid& grid, const IonState& state,
   };
   for (std::size_t i = 0; i < columns; ++i) {
     const std::size_t bottom_node = i, top_node = top + i;
-    charges.bottom[i] = (phi[bottom_node] - phi[bottom_node + columns]) / grid.spacing.front() -
-                        at_bottom.here * (c[bottom_node] - 1.0) -
-                        at_bottom.above * (c[bottom_node + columns] - 1.0) +
-                        grid.height.front() * (fixed_charge[bottom_node] - 1.0);
-    charges.top[i] = (phi[top_node] - phi[top_node - columns]) / grid.spacing.back() -
-                     at_top.here * (c[top_node] - 1.0) -
-                     at_top.below * (c[top_node - columns] - 1.0) +
-                     grid.height.back() * (fixed_charge[top_node] - 1.0 - sideways(i));
+    charges.bottom[i] =
+        (phi[bottom_node] - phi[bottom_node + columns]) / grid.spacing.front() -
+        at_bottom.here * (c[bottom_node] - 1.0) -
+        at_bottom.above * (c[bottom_node + columns] - 1.0) +
+        grid.height.front() * (fixed_charge[bottom_node] - 1.0 - sideways(phi.first(columns), i));
+    charges.top[i] =
+        (phi[top_node] - phi[top_node - columns]) / grid.spacing.back() -
+        at_top.here * (c[top_node] - 1.0) - at_top.below * (c[top_node - columns] - 1.0) +
+        grid.height.back() * (fixed_charge[top_node] - 1.0 - sideways(phi.last(columns), i));
     charges.total_bottom += charges.bottom[i];
     charges.total_top += charges.top[i];
   }

@@ -12,8 +12,8 @@ namespace ionskin::electrochemistry {
 /// Charge on the metal per area of each column, docs/model.md (25), scaled by F c0 lambda: what
 /// Poisson's equation leaves over in the half control volume at the wall. It is conservative (the
 /// two walls and the charge in between add up to nothing but rounding), where a difference of phi
-/// at the wall is not. The potential of the bottom wall is uniform; between conductors of the top
-/// one field passes from one control volume to the next.
+/// at the wall is not. Where the potential of a wall is not
+/// uniform, field passes from one control volume to the next.
 struct WallCharges {
   std::vector<double> bottom, top;        ///< [y][x]
   double total_bottom = 0, total_top = 0; ///< sums over the columns

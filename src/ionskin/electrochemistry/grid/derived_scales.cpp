@@ -7,6 +7,19 @@
 
 namespace ionskin::electrochemistry {
 
+namespace {
+
+/// Of a double layer at rest over an area of its own; crowded ions make it thicker [F/m2].
+double layer_capacitance(const Electrochemistry& electrochemistry, double debye_length) {
+  const double share =
+      electrochemistry.ion_model == IonModel::steric
+          ? electrochemistry.resting_concentration() / electrochemistry.largest_concentration
+          : 0.0;
+  return electrochemistry.permittivity * std::sqrt(1.0 - share) / debye_length;
+}
+
+} // namespace
+
 DerivedScales derive_scales(const Electrochemistry& electrochemistry, double core_thickness) {
   const double charge_concentration =
       constants::faraday * electrochemistry.fixed_charge_concentration;
@@ -22,11 +35,16 @@ DerivedScales derive_scales(const Electrochemistry& electrochemistry, double cor
       electrochemistry.diffusivity * charge_concentration / scales.potential_scale;
   scales.charge_density = charge_concentration * scales.debye_length;
   scales.half_thickness = core_thickness / (2.0 * scales.debye_length);
+  if (electrochemistry.interface_capacitance > 0) {
+    scales.area_ratio = electrochemistry.interface_capacitance /
+                        layer_capacitance(electrochemistry, scales.debye_length);
+    scales.slow_time *= scales.area_ratio;
+  }
   return scales;
 }
 
 double nonlinearity(const DerivedScales& scales, double coefficient, double shear) {
-  return std::abs(coefficient * shear) * scales.half_thickness;
+  return std::abs(coefficient * shear) * scales.half_thickness / scales.area_ratio;
 }
 
 } // namespace ionskin::electrochemistry

@@ -12,10 +12,12 @@ struct DerivedScales {
   double potential_scale = 0; ///< R T / (v F): changes c by a factor e [V]
   double debye_length = 0;    ///< sqrt(eps R T / (v F^2 c0)) [m]
   double relaxation_time = 0; ///< lambda^2 / D [s]
-  double slow_time = 0;       ///< lambda h / (2 D), charging of both double layers [s]
-  double conductivity = 0;    ///< D v F^2 c0 / (R T) [S/m]
-  double charge_density = 0;  ///< F c0 lambda: wall charge of a fully depleted Debye length [C/m2]
-  double half_thickness = 0;  ///< h / (2 lambda) [1]
+  double slow_time = 0; ///< charging of both double layers: lambda h / (2 D) times area_ratio [s]
+  double conductivity = 0;   ///< D v F^2 c0 / (R T) [S/m]
+  double charge_density = 0; ///< F c0 lambda: wall charge of a fully depleted Debye length [C/m2]
+  double half_thickness = 0; ///< h / (2 lambda) [1]
+  /// True area of an interface over the projected one, by which it holds more than eps/lambda [1].
+  double area_ratio = 1;
 };
 
 /// @param core_thickness h [m]

@@ -22,6 +22,30 @@ double charge_exchange(double spacing, double wall_distance) {
   return 0.25 * spacing / (1.0 + std::pow(wall_distance / 6.0, 8));
 }
 
+/// Gives the intervals within `interface_depth` of either wall so many times the area.
+void enlarge_interfaces(double area_ratio, ScaledGrid& grid) {
+  const double whole = grid.thickness;
+  grid.height.assign(grid.levels, 0.0);
+  double depth = 0.0;
+  grid.thickness = grid.volume = 0.0;
+  std::vector<double> passed{0.0};
+  for (std::size_t k = 0; k + 1 < grid.levels; ++k) {
+    const double spacing = grid.spacing[k], middle = depth + 0.5 * spacing;
+    const double area = std::min(middle, whole - middle) < interface_depth ? area_ratio : 1.0;
+    depth += spacing;
+    grid.height[k] += 0.5 * spacing * area;
+    grid.height[k + 1] += 0.5 * spacing * area;
+    grid.volume += spacing * area;
+    grid.spacing[k] /= area;
+    grid.charge_exchange[k] *= area;
+    grid.thickness += grid.spacing[k];
+    passed.push_back(grid.thickness);
+  }
+  for (std::size_t k = 0; k < grid.levels; ++k) {
+    grid.position[k] = passed[k] / grid.thickness;
+  }
+}
+
 } // namespace
 
 ChargeWeights charge_weights(const ScaledGrid& grid, std::size_t level) {
@@ -30,12 +54,13 @@ ChargeWeights charge_weights(const ScaledGrid& grid, std::size_t level) {
   return {below, grid.height[level] - below - above, above};
 }
 
-ScaledGrid scale_grid(const TransportGrid& grid, double debye_length) {
+ScaledGrid scale_grid(const TransportGrid& grid, double debye_length, double area_ratio) {
   ScaledGrid scaled;
   scaled.columns_x = grid.x_edges.size() - 1;
   scaled.columns_y = grid.y_edges.size() - 1;
   scaled.levels = grid.z_nodes.size();
-  scaled.thickness = grid.z_nodes.back() / debye_length;
+  scaled.unit = debye_length;
+  scaled.volume = scaled.thickness = grid.z_nodes.back() / debye_length;
   scaled.coupling_x = lateral_coupling(grid.x_edges, debye_length);
   scaled.coupling_y = lateral_coupling(grid.y_edges, debye_length);
   scaled.height.assign(scaled.levels, 0.0);
@@ -50,6 +75,9 @@ ScaledGrid scale_grid(const TransportGrid& grid, double debye_length) {
   }
   for (const double z : grid.z_nodes) {
     scaled.position.push_back(z / grid.z_nodes.back());
+  }
+  if (area_ratio != 1.0) {
+    enlarge_interfaces(area_ratio, scaled);
   }
   return scaled;
 }

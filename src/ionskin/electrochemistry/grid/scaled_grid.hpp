@@ -8,17 +8,23 @@
 
 namespace ionskin::electrochemistry {
 
-/// The transport grid in Debye lengths. Fields on it are [z][y][x] with x fastest; one z level is
-/// contiguous. Columns are uniform in x and in y.
+/// The transport grid in Debye lengths. Where an interface has a true area above the projected one,
+/// volumes near the walls are as many times larger and distances between levels as many times
+/// shorter, docs/model.md (72): whatever holds per volume and across it stays as it is written.
+/// Fields on it are [z][y][x] with x fastest; one z level is contiguous. Columns are uniform in x
+/// and in y.
 struct ScaledGrid {
   std::size_t columns_x = 1, columns_y = 1, levels = 0;
   std::vector<double> spacing; ///< between neighbouring levels [levels - 1]
-  std::vector<double> height;  ///< of the control volume of each level; they add up to `thickness`
+  std::vector<double> height;  ///< of the control volume of each level; they add up to `volume`
   /// Share of the difference in charge density between neighbouring levels that their control
   /// volumes exchange [levels - 1]; see `charge_weights`.
   std::vector<double> charge_exchange;
-  std::vector<double> position; ///< zeta / h of each level, 0 at the bottom and 1 at the top
-  double thickness = 0;         ///< h / lambda
+  /// zeta / h of each level, 0 at the bottom and 1 at the top: the potential of a dielectric.
+  std::vector<double> position;
+  double thickness = 0; ///< h / lambda, of a dielectric of the same capacitance
+  double volume = 0;    ///< of the core over its projected area, as `height` counts it
+  double unit = 0;      ///< Debye length [m]
   double coupling_x = 0, coupling_y = 0; ///< 1 / (column width)^2; 0 where there is one column
 
   std::size_t columns() const { return columns_x * columns_y; }
@@ -41,6 +47,10 @@ struct ChargeWeights {
 /// Outside the layers e fades. The exchange conserves charge.
 ChargeWeights charge_weights(const ScaledGrid& grid, std::size_t level);
 
-ScaledGrid scale_grid(const TransportGrid& grid, double debye_length);
+/// @param area_ratio true area of the interfaces over the projected one
+ScaledGrid scale_grid(const TransportGrid& grid, double debye_length, double area_ratio = 1.0);
+
+/// Depth of the true area from each wall [Debye lengths]: a double layer has decayed by e^-8 there.
+inline constexpr double interface_depth = 8.0;
 
 } // namespace ionskin::electrochemistry

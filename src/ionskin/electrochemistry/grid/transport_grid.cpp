@@ -171,10 +171,12 @@ TransportGrid make_transport_grid(const Case& input, const history::CoreHistory&
   const auto bound = [refinement](std::size_t count) {
     return static_cast<std::size_t>(std::lround(static_cast<double>(count) * refinement));
   };
+  const bool at_corner =
+      input.has_sheet_resistance() && input.readout.contact == ElectrodeContact::corner;
   const bool uniform_x = history.grid.columns_x() == 1 && history.frame == history::Frame::skin &&
-                         !is_cut(input.readout, 0, history.length);
+                         !is_cut(input.readout, 0, history.length) && !input.has_sheet_resistance();
   const bool uniform_y = history.grid.columns_y() == 1 && history.slider_y.empty() &&
-                         !is_cut(input.readout, 1, history.width);
+                         !is_cut(input.readout, 1, history.width) && !at_corner;
   const std::size_t columns_x =
       uniform_x ? 1 : column_count(history.length, width, bound(fewest_x), bound(most_x));
   const std::size_t across = column_count(history.width, width, bound(fewest_y), bound(most_y));
@@ -195,6 +197,9 @@ TransportGrid make_transport_grid(const Case& input, const history::CoreHistory&
     for (const Taxel& taxel : input.readout.taxels) {
       fractions.push_back(taxel.lower[axis] / length);
       fractions.push_back(taxel.upper[axis] / length);
+    }
+    if (axis == 1 && at_corner) {
+      fractions.push_back(corner_share);
     }
     return count == 1 ? count : aligned_column_count(count, step, fractions);
   };

@@ -43,11 +43,12 @@ std::size_t column_count(double length, double width, std::size_t fewest, std::s
 std::size_t aligned_column_count(std::size_t count, std::size_t step,
                                  const std::vector<double>& fractions);
 
-/// The grid of a case, whose columns end at the edges of the taxels where such a number of columns
-/// exists. A direction in which the history has a single cell at rest needs, and gets,
-/// a single column, unless taxels with circuits of their own end along it; such a taxel has two
-/// columns at least. Across the width their number is even otherwise, so that half of them do where
-/// the shear is its own mirror image.
+/// The grid of a case, whose columns end at the edges of the taxels, and of leads at a corner,
+/// where such a number of columns exists. A direction in which the history has a single cell at
+/// rest needs, and gets, a single column, unless taxels with circuits of their own end along it, or
+/// charge moves along it in metal with a sheet resistance; such a taxel has two columns at least.
+/// Across the width their number is even otherwise, so that half of them do where the shear is its
+/// own mirror image.
 TransportGrid make_transport_grid(const Case& input, const history::CoreHistory& history);
 
 } // namespace ionskin::electrochemistry

@@ -69,7 +69,10 @@ struct IonSolution {
   /// and its rate [C], [A]: the ions' part at given potentials, all of it behind a circuit. The
   /// rest follows the shear linearly between the rows.
   std::vector<double> relaxation_charge, relaxation_current;
-  std::vector<double> voltage;           ///< of the top electrode against the bottom one [V]
+  std::vector<double> voltage; ///< of the top electrode against the bottom one [V]
+  /// Largest difference in potential along the metal of either electrode [V]; empty where it has no
+  /// sheet resistance.
+  std::vector<double> metal_drop;
   std::vector<double> ion_amount;        ///< integral of c [mol]
   std::vector<double> min_concentration; ///< [mol/m3]
   std::vector<double> max_potential;     ///< largest |phi| [V]

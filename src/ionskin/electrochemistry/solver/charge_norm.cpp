@@ -45,8 +45,9 @@ double ChargeNorm::of_state(const IonState& state, std::span<const double> fixed
   }
   const double mean = 0.5 * (charges.total_top - charges.total_bottom) / columns;
   double voltage = 0.0;
-  for (const double potential : state.potential().last(grid_.columns())) {
-    voltage += potential - state.potential().front();
+  const auto top_wall = state.potential().last(grid_.columns());
+  for (std::size_t i = 0; i < grid_.columns(); ++i) {
+    voltage += top_wall[i] - state.potential()[i];
   }
   const double polarisation = mean - voltage / (columns * grid_.thickness);
   return base::larger(

@@ -7,8 +7,9 @@ namespace ionskin::electrochemistry {
 
 ClosedPreconditioner::ClosedPreconditioner(const ScaledGrid& grid, parallel::WorkerTeam& team,
                                            std::optional<StericExcess> excess,
-                                           const TopElectrodes* electrodes)
-    : grid_(grid), open_(grid, team, excess, electrodes), voltage_(grid) {}
+                                           const TopElectrodes* electrodes,
+                                           const SheetElectrodes* sheets)
+    : grid_(grid), open_(grid, team, excess, electrodes, sheets), voltage_(grid) {}
 
 void ClosedPreconditioner::factorise(const IonState& state, double step) {
   open_.factorise(state, step);

@@ -19,10 +19,11 @@ namespace ionskin::electrochemistry {
 class ClosedPreconditioner {
 public:
   /// @param excess nothing for dilute ions
-  /// @param electrodes see FastDiagonalisation
+  /// @param electrodes and `sheets`: see FastDiagonalisation
   ClosedPreconditioner(const ScaledGrid& grid, parallel::WorkerTeam& team,
                        std::optional<StericExcess> excess = std::nullopt,
-                       const TopElectrodes* electrodes = nullptr);
+                       const TopElectrodes* electrodes = nullptr,
+                       const SheetElectrodes* sheets = nullptr);
 
   void factorise(const IonState& state, double step);
 

@@ -2,6 +2,7 @@
 #include "ionskin/electrochemistry/solver/newton_krylov.hpp"
 
 #include "ionskin/base/largest.hpp"
+#include "ionskin/electrochemistry/grid/charges.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,12 +29,13 @@ constexpr std::size_t nodes_per_block = 1024;
 } // namespace
 
 NewtonKrylov::NewtonKrylov(const ScaledGrid& grid, double tolerance, parallel::WorkerTeam& team,
-                           std::optional<StericExcess> excess, const TopElectrodes* electrodes)
+                           std::optional<StericExcess> excess, const TopElectrodes* electrodes,
+                           const SheetElectrodes* sheets)
     : grid_(grid), tolerance_(tolerance), excess_(excess), team_(team), vectors_(team),
-      equations_(grid, team, excess, electrodes), preconditioner_(grid, team, excess, electrodes),
-      gmres_(2 * grid.nodes(), team), exact_average_(grid, excess, electrodes),
-      trial_(grid.nodes()), residual_(2 * grid.nodes()), defect_(residual_.size()),
-      correction_(residual_.size()) {}
+      equations_(grid, team, excess, electrodes, sheets),
+      preconditioner_(grid, team, excess, electrodes, sheets), gmres_(2 * grid.nodes(), team),
+      exact_average_(grid, excess, electrodes, sheets), trial_(grid.nodes()),
+      residual_(2 * grid.nodes()), defect_(residual_.size()), correction_(residual_.size()) {}
 
 void NewtonKrylov::prepare(const IonState& state, double step) {
   preconditioner_.factorise(state, step);
@@ -69,10 +71,29 @@ double NewtonKrylov::allowed_error(const StageProblem& problem, const IonState& 
   // The potential of a conductor that floats turns charge that is rounded off into a voltage over
   // the whole core.
   const double rounding =
-      residual_rounding + (problem.electrodes != nullptr
+      residual_rounding + (problem.electrodes != nullptr || problem.sheets != nullptr
                                ? concentration_rounding * grid_.thickness * grid_.thickness
                                : 0.0);
   return std::isnan(scale) ? scale : tolerance_ * std::min(scale, 1.0) + rounding;
+}
+
+std::array<std::vector<double>, 2>
+NewtonKrylov::damped_charges(std::span<const double> change,
+                             const std::array<std::vector<double>, 2>& charges) {
+  const std::size_t columns = grid_.columns(), nodes = grid_.nodes();
+  for (std::size_t i = 0; i < nodes; ++i) {
+    residual_[i] = grid_.height[i / columns] * change[i];
+    residual_[nodes + i] = 0.0;
+  }
+  std::ranges::copy(charges[bottom_wall], residual_.begin() + static_cast<std::ptrdiff_t>(nodes));
+  std::ranges::copy(charges[top_wall], residual_.end() - static_cast<std::ptrdiff_t>(columns));
+  preconditioner_.apply(StageProblem{}, residual_, trial_.values);
+  for (double& concentration : trial_.concentration()) {
+    concentration += 1.0;
+  }
+  WallCharges left;
+  wall_charges(grid_, trial_, std::vector<double>(nodes, 1.0), left);
+  return {std::move(left.bottom), std::move(left.top)};
 }
 
 bool NewtonKrylov::solve(const StageProblem& problem, IonState& state) {

@@ -32,9 +32,10 @@ public:
   ///   at rest
   /// @param excess nothing for dilute ions
   /// @param electrodes of the top face where it is cut; must outlive this, nullptr otherwise
+  /// @param sheets electrodes with sheet resistances; must outlive this, nullptr for none
   NewtonKrylov(const ScaledGrid& grid, double tolerance, parallel::WorkerTeam& team,
                std::optional<StericExcess> excess = std::nullopt,
-               const TopElectrodes* electrodes = nullptr);
+               const TopElectrodes* electrodes = nullptr, const SheetElectrodes* sheets = nullptr);
 
   /// Renews the preconditioner for stages with this implicit step near this state.
   void prepare(const IonState& state, double step);
@@ -55,6 +56,12 @@ public:
   damped_sums(std::span<const double> change, const std::array<std::vector<double>, 2>& weights) {
     return preconditioner_.damped_sums(change, weights);
   }
+
+  /// The same where metal has sheet resistances, whose charges are given, too.
+  /// @param charges per area brought to the columns of the bottom and of the top wall
+  /// @returns charges that are left on them
+  std::array<std::vector<double>, 2>
+  damped_charges(std::span<const double> change, const std::array<std::vector<double>, 2>& charges);
 
   /// The charge of one conductor by the potential of another, row by row, of the state and step
   /// prepared last.

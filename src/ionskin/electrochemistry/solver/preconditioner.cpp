@@ -40,18 +40,24 @@ FluxDerivatives with_excess(const FluxDerivatives& flux, double slope_lower, dou
 
 FastDiagonalisation::FastDiagonalisation(const ScaledGrid& grid, parallel::WorkerTeam& team,
                                          std::optional<StericExcess> excess,
-                                         const TopElectrodes* electrodes)
+                                         const TopElectrodes* electrodes,
+                                         const SheetElectrodes* sheets)
     : grid_(grid), team_(team), excess_(excess), transform_(grid), mean_concentration_(grid.levels),
       mean_drive_(grid.levels), slope_(grid.levels, 0.0), share_(excess ? grid.nodes() : 0),
       lower_(grid.levels), upper_(grid.levels), inverse_00_(grid.nodes()),
       inverse_01_(grid.nodes()), inverse_10_(grid.nodes()), inverse_11_(grid.nodes()),
       balance_(grid.nodes()), poisson_(grid.nodes()), sums_(2 * grid.columns()),
       scratch_(team.size(), std::vector<float>(tile_levels * grid.columns())),
-      electrodes_(electrodes) {
+      electrodes_(electrodes), sheets_(sheets) {
   if (electrodes_ != nullptr) {
     coupling_.emplace(*electrodes_, transform_);
     wall_admittance_.resize(grid.columns());
     charge_by_balance_.resize(grid.columns());
+  }
+  if (sheets_ != nullptr) {
+    contact_.emplace(grid, *sheets_);
+    balance_answer_.fill(std::vector<float>(grid.nodes()));
+    poisson_answer_ = balance_answer_;
   }
 }
 
@@ -91,13 +97,47 @@ void FastDiagonalisation::factorise(const IonState& state, double step) {
   if (coupling_) {
     coupling_->set_admittance(wall_admittance_);
   }
+  if (contact_) {
+    factorise_contact(SheetElectrodes::implicit_step(step));
+  }
+}
+
+void FastDiagonalisation::factorise_contact(double step) {
+  const std::size_t columns = grid_.columns(), top = grid_.nodes() - columns;
+  std::array<std::array<std::span<const float>, 2>, 2> answers;
+  for (std::size_t wall = 0; wall < 2; ++wall) {
+    std::ranges::fill(balance_, 0.0F);
+    std::ranges::fill(poisson_, 0.0F);
+    std::ranges::fill(std::span(poisson_).subspan(wall == bottom_wall ? 0 : top, columns), 1.0F);
+    for_modes([&](std::size_t begin, std::size_t end) { solve_modes(begin, end); });
+    balance_answer_[wall] = balance_;
+    poisson_answer_[wall] = poisson_;
+    answers[bottom_wall][wall] = std::span(poisson_answer_[wall]).first(columns);
+    answers[top_wall][wall] = std::span(poisson_answer_[wall]).last(columns);
+  }
+  contact_->invert(answers, step);
+}
+
+void FastDiagonalisation::add_contact() {
+  const std::size_t columns = grid_.columns();
+  const auto charges =
+      contact_->charges({std::span(poisson_).first(columns), std::span(poisson_).last(columns)});
+  team_.for_blocks(grid_.levels, tile_levels, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin * columns; i < end * columns; ++i) {
+      for (std::size_t wall = 0; wall < 2; ++wall) {
+        const float charge = charges[wall][i % columns];
+        balance_[i] += charge * balance_answer_[wall][i];
+        poisson_[i] += charge * poisson_answer_[wall][i];
+      }
+    }
+  });
 }
 
 /// Block elimination from the bottom; the off-diagonal blocks are kept by whoever owns them.
 void FastDiagonalisation::factorise_modes(double step, std::size_t begin, std::size_t end,
                                           bool keep_off_diagonals) {
   const std::size_t columns = grid_.columns(), top = grid_.levels - 1;
-  std::vector<double> w00(end - begin, 0.0), w01(w00), w10(w00), w11(w00);
+  std::vector<double> w00(end - begin, 0.0), w01(w00), w10(w00), w11(w00), metal(w00);
   FluxDerivatives below;
   double u00 = 0.0, u01 = 0.0, u10 = 0.0, u11 = 0.0; // upper block of the level below
   for (std::size_t k = 0; k <= top; ++k) {
@@ -109,7 +149,7 @@ void FastDiagonalisation::factorise_modes(double step, std::size_t begin, std::s
         above = with_excess(above, slope_[k], slope_[k + 1]);
       }
     }
-    const bool wall = k == 0 || k == top;
+    const bool wall = (k == 0 || k == top) && sheets_ == nullptr;
     const double height = grid_.height[k], concentration = mean_concentration_[k];
     const double up = k < top ? 1.0 / grid_.spacing[k] : 0.0;
     const double down = k > 0 ? 1.0 / grid_.spacing[k - 1] : 0.0;
@@ -122,6 +162,14 @@ void FastDiagonalisation::factorise_modes(double step, std::size_t begin, std::s
     const double flux_potential = -above.by_difference - below.by_difference;
     const double* lambda = transform_.eigenvalues().data() + begin;
     const std::size_t offset = k * columns + begin;
+    std::fill(metal.begin(), metal.end(), 0.0); // what charge moves along the walls
+    if (sheets_ != nullptr && (k == 0 || k == top)) {
+      const double sheet_step = SheetElectrodes::implicit_step(step);
+      for (std::size_t i = 0; i < end - begin; ++i) {
+        metal[i] = sheet_step * sheets_->conductance(k == 0 ? bottom_wall : top_wall) * lambda[i];
+      }
+      metal[0] += k == 0 && begin == 0 ? contact_->hold(sheet_step) : 0.0;
+    }
     std::vector<double> by_ions, by_wall; // the charge of the top wall
     if (electrodes_ != nullptr && k == top) {
       const ChargeWeights ions = charge_weights(grid_, k);
@@ -144,7 +192,7 @@ void FastDiagonalisation::factorise_modes(double step, std::size_t begin, std::s
           height + step * (flux_diagonal + lateral * diffusion) - x00 * u00 - x01 * u10;
       const double d01 = step * (flux_potential + lateral * concentration) - x00 * u01 - x01 * u11;
       const double d10 = -charge.here - x10 * u00 - x11 * u10;
-      const double d11 = (wall ? 1.0 : up + down + lateral) - x10 * u01 - x11 * u11;
+      const double d11 = (wall ? 1.0 : up + down + lateral + metal[i]) - x10 * u01 - x11 * u11;
       const double inverse_determinant = 1.0 / (d00 * d11 - d01 * d10);
       w00[i] = d11 * inverse_determinant;
       w01[i] = -d01 * inverse_determinant;
@@ -205,6 +253,9 @@ void FastDiagonalisation::apply(std::span<const double> residual, std::span<doub
                        scratch);
   });
   for_modes([&](std::size_t begin, std::size_t end) { solve_modes(begin, end); });
+  if (contact_) {
+    add_contact();
+  }
   backward(out);
 }
 

@@ -4,6 +4,7 @@
 #include "ionskin/electrochemistry/equations/steric_excess.hpp"
 #include "ionskin/electrochemistry/grid/scaled_grid.hpp"
 #include "ionskin/electrochemistry/output/ion_state.hpp"
+#include "ionskin/electrochemistry/solver/contact_coupling.hpp"
 #include "ionskin/electrochemistry/solver/cosine_transform.hpp"
 #include "ionskin/electrochemistry/solver/electrode_coupling.hpp"
 #include "ionskin/parallel/worker_team.hpp"
@@ -24,9 +25,12 @@ class FastDiagonalisation {
 public:
   /// @param excess nothing for dilute ions
   /// @param electrodes of the top face where it is cut; must outlive this, nullptr otherwise
+  /// @param sheets electrodes with sheet resistances; must outlive this, nullptr for none. The
+  ///   residual then has the charges of both walls in the place of their potentials.
   FastDiagonalisation(const ScaledGrid& grid, parallel::WorkerTeam& team,
                       std::optional<StericExcess> excess = std::nullopt,
-                      const TopElectrodes* electrodes = nullptr);
+                      const TopElectrodes* electrodes = nullptr,
+                      const SheetElectrodes* sheets = nullptr);
 
   /// Factorises for the lateral average of a state and the implicit part of a step.
   void factorise(const IonState& state, double step);
@@ -66,6 +70,10 @@ private:
   void substitute(std::size_t begin, std::size_t end);
   /// Leaves on the top level the residual of the ion balance and the charge of the wall at 0.
   void eliminate_wall(std::size_t begin, std::size_t end);
+  /// Finds what a unit charge on either wall does to each mode, and with it what the leads do.
+  void factorise_contact(double step);
+  /// Adds to the modes what the leads bring.
+  void add_contact();
   void sum_levels(std::span<const double> weights, std::size_t row, std::size_t begin,
                   std::size_t end);
 
@@ -93,6 +101,11 @@ private:
   std::vector<double> wall_admittance_;
   std::vector<float> charge_by_balance_;
   OffDiagonal wall_lower_;
+  const SheetElectrodes* sheets_;
+  std::optional<ContactCoupling> contact_;
+  /// Answer of the modes to a unit charge on the bottom and on the top wall, as `balance_` and
+  /// `poisson_` have it.
+  std::array<std::vector<float>, 2> balance_answer_, poisson_answer_;
 };
 
 } // namespace ionskin::electrochemistry

@@ -33,6 +33,13 @@ double mean_voltage(const IonState& state, std::size_t columns) {
   return last - bottom + departures / static_cast<double>(columns);
 }
 
+/// The larger of the differences in potential along the metals.
+double metal_drop(const IonState& state, std::size_t columns) {
+  const auto [low_b, high_b] = std::ranges::minmax(state.potential().first(columns));
+  const auto [low_t, high_t] = std::ranges::minmax(state.potential().last(columns));
+  return std::max(high_b - low_b, high_t - low_t);
+}
+
 std::vector<double> scaled_copy(std::span<const double> values, double unit) {
   std::vector<double> copy(values.begin(), values.end());
   for (double& value : copy) {
@@ -69,7 +76,8 @@ SolutionRows::SolutionRows(const Case& input, const DerivedScales& scales,
 
 void SolutionRows::append(double time, const IonState& state, const Relaxation& relaxation,
                           const std::vector<ElectrodeRow>& electrodes,
-                          std::optional<std::size_t> row, IonSolution& solution) {
+                          std::optional<std::size_t> row, std::optional<double> lead_voltage,
+                          IonSolution& solution) {
   wall_charges(scaled_, state, fixed_charge_.ratio(), charges_);
   mirror_.complete(charges_);
   const auto c = state.concentration();
@@ -86,7 +94,11 @@ void SolutionRows::append(double time, const IonState& state, const Relaxation& 
                                      ramo_charge_top(scaled_, state, fixed_charge_.ratio()));
   solution.relaxation_charge.push_back(mean_unit_ * relaxation.charge);
   solution.relaxation_current.push_back(mean_unit_ / time_unit_ * relaxation.rate);
-  solution.voltage.push_back(potential_unit_ * mean_voltage(state, scaled_.columns()));
+  solution.voltage.push_back(potential_unit_ *
+                             lead_voltage.value_or(mean_voltage(state, scaled_.columns())));
+  if (lead_voltage) {
+    solution.metal_drop.push_back(potential_unit_ * metal_drop(state, scaled_.columns()));
+  }
   solution.ion_amount.push_back(mirror_.copies() * volume_unit_ * concentration_unit_ *
                                 ExactAverage::total(scaled_, c));
   solution.min_concentration.push_back(concentration_unit_ * std::ranges::min(c));

@@ -42,9 +42,10 @@ public:
 
   /// @param electrodes the conductors of a cut top face
   /// @param row that a scan has read until this instant; nothing without one
+  /// @param lead_voltage of metal with sheet resistances; nothing without
   void append(double time, const IonState& state, const Relaxation& relaxation,
               const std::vector<ElectrodeRow>& electrodes, std::optional<std::size_t> row,
-              IonSolution& solution);
+              std::optional<double> lead_voltage, IonSolution& solution);
   /// Adds what is kept for the last row only.
   void finish(const IonState& state, IonSolution& solution);
 

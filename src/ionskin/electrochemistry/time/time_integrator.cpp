@@ -37,7 +37,7 @@ TimeIntegrator::TimeIntegrator(const ScaledGrid& grid, const DerivedScales& scal
                                FixedCharge& fixed_charge, ElectrodePotentials potentials,
                                NewtonKrylov& solver, parallel::WorkerTeam& team,
                                std::optional<ScaledAdmittance> admittance,
-                               const TopElectrodes* electrodes)
+                               const TopElectrodes* electrodes, const SheetElectrodes* sheets)
     : grid_(grid), scales_(scales), fixed_charge_(fixed_charge), potentials_(std::move(potentials)),
       solver_(solver), team_(team), admittance_(admittance), terminals_(grid), charge_norm_(grid),
       resting_amount_(ExactAverage::total(grid, std::vector<double>(grid.nodes(), 1.0))),
@@ -45,6 +45,9 @@ TimeIntegrator::TimeIntegrator(const ScaledGrid& grid, const DerivedScales& scal
       end_rate_(grid.nodes()), stage_(grid.nodes()), end_(grid.nodes()) {
   if (electrodes != nullptr) {
     electrodes_.emplace(*electrodes);
+  }
+  if (sheets != nullptr) {
+    sheets_.emplace(grid, *sheets);
   }
 }
 
@@ -85,7 +88,7 @@ std::vector<double> TimeIntegrator::potentials(const IonState& ions) const {
   return electrodes_->electrodes().potentials(ions.potential().last(grid_.columns()));
 }
 
-std::vector<double> TimeIntegrator::net_charges() const {
+std::vector<double> TimeIntegrator::net_of_columns() const {
   const std::size_t columns = grid_.columns();
   std::vector<double> net(columns, 0.0);
   if (fixed_charge_.makes_net_charge()) {
@@ -93,7 +96,11 @@ std::vector<double> TimeIntegrator::net_charges() const {
       net[i % columns] += 0.5 * grid_.height[i / columns] * (fixed_charge_.ratio()[i] - 1.0);
     }
   }
-  return electrodes_->electrodes().sums(net);
+  return net;
+}
+
+std::vector<double> TimeIntegrator::net_charges() const {
+  return electrodes_->electrodes().sums(net_of_columns());
 }
 
 double TimeIntegrator::largest_of_conductors(const std::vector<double>& charges) const {
@@ -130,6 +137,9 @@ StageProblem TimeIntegrator::problem_at(double time) {
   if (electrodes_) {
     electrode_stage_ = electrodes_->stage(start_charges_, implicit_, net_charges());
   }
+  if (sheets_) {
+    sheet_stage_ = sheets_->stage(implicit_, net_of_columns());
+  }
   return {start_,
           implicit_,
           fixed_charge_.ratio(),
@@ -141,7 +151,8 @@ StageProblem TimeIntegrator::problem_at(double time) {
                                                               admittance_->capacitance})
               : std::nullopt,
           fixed_charge_.drive(),
-          electrodes_ ? &electrode_stage_ : nullptr};
+          electrodes_ ? &electrode_stage_ : nullptr,
+          sheets_ ? &sheet_stage_ : nullptr};
 }
 
 void TimeIntegrator::initialise(double time, TransportState& state) {
@@ -154,6 +165,10 @@ void TimeIntegrator::initialise(double time, TransportState& state) {
     start_charges_.assign(electrodes_->electrodes().size(), 0.0);
     state.electrode_charge = start_charges_;
   }
+  if (sheets_) {
+    sheets_->begin(SheetState(grid_.columns()).packed());
+    sheets_->start(0.0, 0.0);
+  }
   const StageProblem problem = problem_at(time);
   std::ranges::copy(start_, state.ions.values.begin());
   solver_.prepare(state.ions, 0.0);
@@ -162,6 +177,10 @@ void TimeIntegrator::initialise(double time, TransportState& state) {
                       "check the shear and the electrode potentials at the first instant");
   }
   solver_.rate(problem, state.ions, std::span(state.rate).first(grid_.nodes()));
+  if (sheets_) {
+    sheets_->reach_end(sheet_stage_, state.ions, fixed_charge_.ratio(), net_of_columns());
+    state.electrode_charge = sheets_->end().packed();
+  }
   state.memory = fixed_charge_.memory();
   settle(state.ions);
   note_charge(state);
@@ -216,10 +235,18 @@ std::optional<double> TimeIntegrator::try_step(double begin, double end,
     begin_rates = electrodes_->rates(potentials(state.ions));
     start_charges_ = sum(state.electrode_charge, implicit_, begin_rates);
   }
+  if (sheets_) {
+    sheets_->begin(state.electrode_charge);
+    sheets_->start(implicit_, 0.0);
+  }
   const StageProblem at_stage = problem_at(begin + stage_fraction * (end - begin));
   guess_stage(state);
   if (!solver_.solve(at_stage, stage_)) {
     return std::nullopt;
+  }
+  if (sheets_) {
+    sheets_->reach_middle(sheet_stage_, stage_, fixed_charge_.ratio(), net_of_columns());
+    sheets_->start(weight * length_, weight * length_);
   }
   for_nodes([&](std::size_t i, double) {
     stage_rate_[i] = (stage_.values[i] - start_[i]) / implicit_;
@@ -236,6 +263,9 @@ std::optional<double> TimeIntegrator::try_step(double begin, double end,
   guess_end(state);
   if (!solver_.solve(at_end, end_)) {
     return std::nullopt;
+  }
+  if (sheets_) {
+    sheets_->reach_end(sheet_stage_, end_, fixed_charge_.ratio(), net_of_columns());
   }
   for_nodes(
       [&](std::size_t i, double) { end_rate_[i] = (end_.values[i] - start_[i]) / implicit_; });
@@ -321,7 +351,11 @@ double TimeIntegrator::charge_error(const TransportState& state, double column_s
   const double passed =
       length_ * (error_of_begin * charge_rate(state.ions) + error_of_stage * charge_rate(stage_) +
                  error_of_end * charge_rate(end_));
-  const auto charges = solver_.damped_sums(start_, charge_norm_.weights());
+  const auto charges =
+      sheets_ ? solver_.damped_charges(start_, sheets_->weighed(length_ * error_of_begin,
+                                                                length_ * error_of_stage,
+                                                                length_ * error_of_end))
+              : solver_.damped_sums(start_, charge_norm_.weights());
   const double moved =
       base::larger(base::larger(charge_norm_.of_change(charges, column_share), std::abs(passed)),
                    column_share * passed_by_conductors);
@@ -345,6 +379,9 @@ void TimeIntegrator::accept(TransportState& state) {
   std::swap(state.ions.values, end_.values);
   if (electrodes_) {
     state.electrode_charge = end_charges_;
+  }
+  if (sheets_) {
+    state.electrode_charge = sheets_->end().packed();
   }
   fixed_charge_.accept(state.ions.concentration());
   state.memory = fixed_charge_.memory();
@@ -371,9 +408,18 @@ std::vector<ElectrodeRow> TimeIntegrator::electrode_rows(const TransportState& s
   return rows;
 }
 
+std::optional<double> TimeIntegrator::lead_voltage(const TransportState& state) const {
+  return sheets_ ? std::optional(SheetState::unpacked(state.electrode_charge).voltage)
+                 : std::nullopt;
+}
+
 Relaxation TimeIntegrator::relaxation(const TransportState& state) const {
   if (electrodes_) {
     return {}; // conductors whose potentials follow the shear leave no smooth part
+  }
+  if (sheets_) {
+    const SheetState metal = SheetState::unpacked(state.electrode_charge);
+    return {metal.difference(metal.charge), metal.difference(metal.rate)};
   }
   const Relaxation of_ions{terminals_.of_ions(settled_, 1.0),
                            terminals_.of_ions(std::span(state.rate).first(settled_.size()), 0.0)};

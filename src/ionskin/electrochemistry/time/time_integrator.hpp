@@ -3,6 +3,7 @@
 
 #include "ionskin/electrochemistry/circuit/electrode_charges.hpp"
 #include "ionskin/electrochemistry/circuit/external_circuit.hpp"
+#include "ionskin/electrochemistry/circuit/sheet_charges.hpp"
 #include "ionskin/electrochemistry/equations/space_charge.hpp"
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "ionskin/electrochemistry/output/electrode_potentials.hpp"
@@ -38,10 +39,13 @@ class TimeIntegrator {
 public:
   /// @param admittance of the circuit between the electrodes; without it the potentials are given
   /// @param electrodes of the top face where it is cut, instead; those of the solver
+  /// @param sheets electrodes with sheet resistances and their circuit, instead; those of the
+  /// solver
   TimeIntegrator(const ScaledGrid& grid, const DerivedScales& scales, FixedCharge& fixed_charge,
                  ElectrodePotentials potentials, NewtonKrylov& solver, parallel::WorkerTeam& team,
                  std::optional<ScaledAdmittance> admittance = std::nullopt,
-                 const TopElectrodes* electrodes = nullptr);
+                 const TopElectrodes* electrodes = nullptr,
+                 const SheetElectrodes* sheets = nullptr);
 
   /// The response at the first instant: ions where they were, phi from Poisson's equation.
   /// Throws SolverError.
@@ -71,6 +75,9 @@ public:
   /// for one conductor.
   std::vector<ElectrodeRow> electrode_rows(const TransportState& state) const;
 
+  /// Between the leads of metal with sheet resistances; nothing without.
+  std::optional<double> lead_voltage(const TransportState& state) const;
+
   /// Of the state that was accepted or taken up last.
   Relaxation relaxation(const TransportState& state) const;
 
@@ -78,8 +85,9 @@ private:
   void note_charge(TransportState& state);
   double voltage(const IonState& ions) const;
   std::vector<double> potentials(const IonState& ions) const;
-  /// Half of the net charge below every conductor that the law has made until the instant evaluated
-  /// last.
+  /// Half of the net charge below every column, and below every conductor, that the law has made
+  /// until the instant evaluated last.
+  std::vector<double> net_of_columns() const;
   std::vector<double> net_charges() const;
   /// The largest of some charges of conductors, per area.
   double largest_of_conductors(const std::vector<double>& charges) const;
@@ -120,6 +128,8 @@ private:
   double start_charge_ = 0;                    ///< the same that a stage starts from
   std::optional<ElectrodeCharges> electrodes_; ///< of a cut top face
   ElectrodeStage electrode_stage_;
+  std::optional<SheetCharges> sheets_; ///< of metal with sheet resistances
+  SheetStage sheet_stage_;
   std::vector<double> start_charges_, end_charges_; ///< of its conductors
   std::vector<double> stage_rate_, end_rate_;       ///< of concentration minus released ions
   IonState stage_, end_;

@@ -167,6 +167,11 @@ void check_trainable(const Case& input, const TrainingOptions& options) {
                     "  = set readout.taxel_circuit = \"shared\", and remove the circuits of single "
                     "taxels");
   }
+  if (input.has_sheet_resistance()) {
+    throw UserError("skin.layers[].sheet_resistance: a live skin knows electrodes at one potential "
+                    "each\n"
+                    "  = remove it, or set readout.contact = \"everywhere\"");
+  }
   if (options.friction) {
     const auto [low, high] = *options.friction;
     if (!(low >= 0 && low < high && high <= most_friction)) {

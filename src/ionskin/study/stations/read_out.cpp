@@ -375,6 +375,9 @@ Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonS
   const bool moves_water = ionskin::moves_water(input);
   const circuits::Circuit circuit =
       circuits::circuit(input.readout.circuit, input.readout.parameters);
+  if (!ions.metal_drop.empty()) {
+    signals.metrics.push_back({"peak_metal_drop", std::ranges::max(ions.metal_drop), "V"});
+  }
   add_taxels(ions, moves_water, signals);
   add_circuits_of_taxels(input.readout, ions, signals);
   if (moves_water) {
