@@ -43,7 +43,7 @@ SkinData small_skin() {
       channel.strain.values.push_back(i % 3 == 1 + row % 2 && i / 6 == row / 2 ? 1e-3f : 0.0f);
     }
   }
-  channel.fit = {1, 0, 0, 1};
+  channel.fit = {{3e-3}, {1e-3}, {}, {1, 0, 0, 1}};
   channel.field = {1, 0, 0.5, 0, 0, 1, 0, 0.5}; // [mode][level][column]
   channel.x_edges = {-1e-3, 0, 1e-3};
   channel.y_edges = {-1e-3, 1e-3};
