@@ -169,8 +169,7 @@ struct Wanted {
   std::vector<std::size_t> points;
 };
 
-std::vector<double> about_middle(std::vector<double> lines) {
-  const double middle = (lines.front() + lines.back()) / 2;
+std::vector<double> about(double middle, std::vector<double> lines) {
   for (double& line : lines) {
     line -= middle;
   }
@@ -188,8 +187,10 @@ bool is_mirrored(const std::vector<double>& lines) {
   return true;
 }
 
-bool are_mirrored(const PlaceNodes& places) {
-  return is_mirrored(about_middle(places.x)) && is_mirrored(about_middle(places.y));
+/// Whether the mirror image of every node on the skin is a node.
+bool are_mirrored(const PlaceNodes& places, const SkinData& data) {
+  return is_mirrored(about(data.length / 2, places.x)) &&
+         is_mirrored(about(data.width / 2, places.y));
 }
 
 /// Of the columns of a grid that rides with the slider, what lies within the core [y][x] [m2].
@@ -344,15 +345,16 @@ std::vector<ChannelSamples> recovered(const std::vector<std::vector<double>>& sa
 
 /// Strains at the points under unit forces on every cell, at every node. Of nodes that are mirror
 /// images of each other one is solved.
-void add_unit_strains(const mechanics::SkinModel& model, const mechanics::StrainRecovery& recovery,
-                      const PlaceNodes& places, const Reflections& reflections, int threads,
+void add_unit_strains(const mechanics::SkinModel& model, const SkinData& data,
+                      const mechanics::StrainRecovery& recovery, const PlaceNodes& places,
+                      const Reflections& reflections, int threads,
                       const std::vector<Wanted>& wanted, std::vector<ChannelMap>& maps) {
   const std::size_t size = 3 * model.cells.count(), columns = places.x.size();
   const std::array<std::size_t, 3> cells{model.cells.columns(), model.cells.rows(), 1},
       nodes{columns, places.y.size(), 1};
   // [node][channel]: values [load][point][row]
   std::vector<std::vector<std::vector<float>>> at_nodes(nodes[0] * nodes[1]);
-  const bool mirror_places = are_mirrored(places);
+  const bool mirror_places = are_mirrored(places, data);
   for (std::size_t node = 0; node < at_nodes.size(); ++node) {
     if (!at_nodes[node].empty()) {
       continue;
@@ -508,7 +510,7 @@ std::vector<ChannelMap> reduce_channels(const Case& input, const SkinData& data,
   const std::vector<std::vector<double>> fewer(
       samples.begin(),
       samples.begin() + static_cast<std::ptrdiff_t>(std::min(samples.size(), samples_at_node)));
-  const bool mirror_places = are_mirrored(places);
+  const bool mirror_places = are_mirrored(places, data);
   for (std::size_t node = 0; node < nodes[0] * nodes[1]; ++node) {
     if (!fits.front()[node].empty()) {
       continue;
@@ -531,7 +533,7 @@ std::vector<ChannelMap> reduce_channels(const Case& input, const SkinData& data,
   for (std::size_t c = 0; c < channels.size(); ++c) {
     maps[c].fit = place_map(places, fits[c], negligible_fit_mode);
   }
-  add_unit_strains(*model, recovery, places, reflections, threads, wanted, maps);
+  add_unit_strains(*model, data, recovery, places, reflections, threads, wanted, maps);
   return maps;
 }
 
