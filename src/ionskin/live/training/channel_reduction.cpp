@@ -284,7 +284,9 @@ Matrix level_measure(const ChannelMap& map, const SkinData& data, bool drives) {
     add(form, rows(data.spread.weights), signal_share);
   }
   const Eigen::SelfAdjointEigenSolver<Matrix> eigen(form);
-  return eigen.operatorSqrt();
+  // Where fewer combinations than levels count, an eigenvalue may round to below 0.
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() *
+         eigen.eigenvectors().transpose();
 }
 
 /// The strain of the samples at the Gauss points, and the fields of the channels.
