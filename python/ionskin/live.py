@@ -18,7 +18,7 @@ import numpy
 
 from .errors import CaseError
 
-OUTSIDE_PLACE, OUTSIDE_LOAD, OUTSIDE_SPEED, UNCONVERGED = 1, 2, 4, 8
+OUTSIDE_PLACE, OUTSIDE_LOAD, OUTSIDE_SPEED, UNCONVERGED, PULLED = 1, 2, 4, 8, 32
 _INTERFACE = 1
 _HEIGHT, _FORCE = 0, 1
 _NUMBERS = ctypes.POINTER(ctypes.c_double)
@@ -80,7 +80,7 @@ class Range:
 
 class Signals(Mapping):
     """Signals by name, SI units. `flags` is 0 where all is well, else the sum of OUTSIDE_PLACE, OUTSIDE_LOAD,
-    OUTSIDE_SPEED and UNCONVERGED; of `Skin.run` an array."""
+    OUTSIDE_SPEED, UNCONVERGED and PULLED; of `Skin.run` an array."""
 
     def __init__(self, columns: dict[str, int], values: numpy.ndarray, flags) -> None:
         self._columns, self._values, self.flags = columns, values, flags

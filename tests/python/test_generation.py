@@ -11,7 +11,7 @@ import numpy
 import ionskin
 from ionskin.evaluation import Outcome
 from ionskin.generation import Touches
-from ionskin.generation.store import COLUMNS, SIGNALS, tables, taxel_signals
+from ionskin.generation.store import COLUMNS, SIGNALS, tables, taxel_signals, unit_of
 from package import CASES, PackageTest, small_case
 
 
@@ -48,6 +48,20 @@ class Generation(PackageTest):
         self.assertTrue((area[touching > 0] > 0).all() and (stick >= 0).all() and (stick <= 1).all())
         self.assertAlmostEqual(slip.max() / case["motion.stroke"], 1, delta=0.1)
 
+    def test_taxels(self):
+        case = small_case()
+        case["readout.sample_interval"] = 1e-3
+        case["readout.taxels"] = {"rows": 1, "columns": 2}
+        outcome = Outcome.of(ionskin.run(case))
+        names = taxel_signals(outcome)
+        self.assertEqual(names, ("current_top_r1c1", "current_top_r1c2", "charge_top_r1c1", "charge_top_r1c2"))
+        _, signals, _ = tables(outcome, 1000.0)
+        self.assertEqual(signals.shape[1], len(SIGNALS) + 4)
+        self.assertEqual([unit_of(name) for name in names], ["A", "A", "C", "C"])
+        whole, parts = signals[:, SIGNALS.index("current_top")], signals[:, len(SIGNALS):len(SIGNALS) + 2].sum(axis=1)
+        self.assertGreater(numpy.abs(whole).max(), 0)
+        numpy.testing.assert_allclose(parts, whole, atol=1e-3 * numpy.abs(whole).max())
+
     def test_taxels_with_circuits_of_their_own(self):
         case = small_case()
         case["readout.sample_interval"] = 1e-3
@@ -55,9 +69,9 @@ class Generation(PackageTest):
         case["readout.taxel_circuit"] = "open"
         outcome = Outcome.of(ionskin.run(case))
         names = taxel_signals(outcome)
-        self.assertEqual(names, ("voltage_r1c1", "voltage_r1c2", "current_circuit_r1c1", "current_circuit_r1c2"))
+        self.assertEqual(names[:4], ("voltage_r1c1", "voltage_r1c2", "current_circuit_r1c1", "current_circuit_r1c2"))
         _, signals, _ = tables(outcome, 1000.0)
-        self.assertEqual(signals.shape[1], len(SIGNALS) + 4)
+        self.assertEqual(signals.shape[1], len(SIGNALS) + 8)
         self.assertGreater(numpy.abs(signals[:, len(SIGNALS)]).max(), 0)
         self.assertFalse(signals[:, len(SIGNALS) + 2].any())
 

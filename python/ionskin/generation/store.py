@@ -11,7 +11,8 @@ from ..evaluation import Outcome
 from ..libraries import need
 
 SIGNALS = ("current_top", "current_bottom", "current_difference", "charge_top", "charge_bottom")
-OF_TAXELS = tuple(f"sampled_taxels/{kind}" for kind in ("voltage_", "current_circuit_"))  # with circuits of their own
+# Voltages and currents of circuits where taxels have their own, then currents and charges of all.
+OF_TAXELS = ("voltage_", "current_circuit_", "current_top_", "current_bottom_", "charge_top_", "charge_bottom_")
 LABELS = ("slider_x", "slider_z", "normal_force", "tangential_force", "mean_shear", "p99_shear", "slider_y",
           "contact_area", "stick_share", "slip")
 CONTACT_METRICS = ("stick_fraction_touchdown", "contact_area_slide", "mean_pressure_slide")
@@ -19,8 +20,9 @@ TOUCHING = 1e-9  # of the largest normal force
 
 
 def taxel_signals(outcome: Outcome):
-    """Names of what taxels with circuits of their own read; none otherwise."""
-    return tuple(name.removeprefix("sampled_taxels/") for name in outcome.columns if name.startswith(OF_TAXELS))
+    """Names of what taxels read, one kind after the other."""
+    names = [name.removeprefix("sampled_taxels/") for name in outcome.columns if name.startswith("sampled_taxels/")]
+    return tuple(name for kind in OF_TAXELS for name in names if name.startswith(kind))
 
 
 def tables(outcome: Outcome, rate: float):
@@ -51,7 +53,7 @@ UNITS = {"slider_x": "m", "slider_y": "m", "contact_area": "m2", "slip": "m", "s
 
 def unit_of(name):
     """Of a column that is not in UNITS."""
-    return "A" if name.startswith("current") else "V" if name.startswith("voltage") else "1"
+    return {"current": "A", "voltage": "V", "charge": "C"}.get(name.partition("_")[0], "1")
 
 
 def finished(touches, points: pathlib.Path):

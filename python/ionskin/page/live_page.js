@@ -4,7 +4,7 @@
   const PREFIX = [[1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"], [1e-12, "p"], [1e-15, "f"]];
   const COLOURS = ["blue", "orange", "green", "purple"];
   const FLAGS = [[1, "outside the trained places"], [2, "heavier or deeper than trained"], [4, "faster than trained"],
-    [8, "the contact is a rough one"], [16, "a step was refused"]];
+    [8, "the contact is a rough one"], [16, "a step was refused"], [32, "a negative force: detached"]];
   const TIME = DATA.time, LAST = TIME.length - 1;
   const at = (id) => document.getElementById(id);
   const state = { frame: 0, playing: false, begun: 0, from: 0 };

@@ -3,9 +3,9 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/case/coupling.hpp"
+#include "ionskin/handover/field_projection.hpp"
 #include "ionskin/handover/measures/compressive_dilation.hpp"
 #include "ionskin/handover/strain_grid.hpp"
-#include "ionskin/history/line_operators.hpp"
 #include "ionskin/laws/shear/shear_measure.hpp"
 
 #include <fmt/format.h>
@@ -18,22 +18,6 @@
 
 namespace ionskin::handover {
 namespace {
-
-history::StrainField reflected_field(const history::StrainField& half, std::size_t levels,
-                                     std::size_t rows, std::size_t columns) {
-  history::StrainField full(2 * half.size());
-  for (std::size_t k = 0; k < levels; ++k) {
-    for (std::size_t j = 0; j < rows; ++j) {
-      const auto from = half.begin() + static_cast<std::ptrdiff_t>((k * rows + j) * columns);
-      const std::size_t mirror = 2 * rows - 1 - j;
-      std::copy_n(from, columns,
-                  full.begin() + static_cast<std::ptrdiff_t>((2 * k * rows + j) * columns));
-      std::copy_n(from, columns,
-                  full.begin() + static_cast<std::ptrdiff_t>((2 * k * rows + mirror) * columns));
-    }
-  }
-  return full;
-}
 
 /// Six components of the strain at the Gauss points of a combination of states, each [z][y][x].
 std::array<std::vector<double>, 6> gauss_strain(const StateCombination& combination) {
@@ -130,40 +114,17 @@ history::CoreHistory build_strain_history(const Case& input,
   const ContactTimeline timeline(input, contact);
   const mesh::SkinMesh& mesh = contact.mesh;
   const MotionBox box = box_of_path(input, contact);
-  const CoreGrid core = core_grid(input, mesh, box);
-  const auto& [x_edges, y_edges, z_lines] = core;
+  const FieldProjection projection(input, mesh, box);
 
   history::CoreHistory history;
   history.frame = history::Frame::slider;
   history.measure = input.coupling.measure;
   history.length = input.skin.length;
   history.width = input.skin.width;
-  history.grid = strain_grid(input, mesh, core);
-  const std::vector<double>& z_nodes = history.grid.z_nodes;
-
-  const history::LineOperator along_z = moves_water(input) ? history::halved_projection(z_lines)
-                                                           : history::linear_projection(z_lines);
+  history.grid = projection.grid();
   const auto field_at = [&](const ChannelRule& rule, const StateCombination& combination) {
-    const auto& centre = combination.centre;
-    const auto lines = mesh.lines(centre);
-    const auto along = [](const std::vector<double>& line, std::vector<double> edges,
-                          double shift) {
-      for (double& edge : edges) {
-        edge += shift;
-      }
-      return history::compose(history::cell_averages(line, edges),
-                              history::linear_projection(line));
-    };
-    const history::LineOperator along_x = along(lines.x, x_edges, centre[0]);
-    const history::LineOperator along_y = along(lines.y, y_edges, centre[1]);
-    const auto points = core_strain(*combination.terms.front().state).points;
-    history::StrainField a = rule.at_points(combination);
-    history::StrainField b;
-    history::apply_along(along_z, 1, points[1] * points[0], a, b);
-    history::apply_along(along_x, z_nodes.size() * points[1], 1, b, a);
-    history::apply_along(along_y, z_nodes.size(), along_x.rows(), a, b);
-    return mesh.half_model() ? reflected_field(b, z_nodes.size(), along_y.rows(), along_x.rows())
-                             : b;
+    return projection.at(rule.at_points(combination),
+                         core_strain(*combination.terms.front().state).points, combination.centre);
   };
 
   const std::vector<ChannelRule> rules = channel_rules(input);

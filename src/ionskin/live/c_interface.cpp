@@ -15,6 +15,7 @@ static_assert(IONSKIN_LIVE_OUTSIDE_LOAD == ionskin::live::flag::outside_load);
 static_assert(IONSKIN_LIVE_OUTSIDE_SPEED == ionskin::live::flag::outside_speed);
 static_assert(IONSKIN_LIVE_UNCONVERGED == ionskin::live::flag::unconverged);
 static_assert(IONSKIN_LIVE_REFUSED == ionskin::live::flag::refused);
+static_assert(IONSKIN_LIVE_PULLED == ionskin::live::flag::pulled);
 
 struct ionskin_live_skin {
   explicit ionskin_live_skin(std::shared_ptr<const ionskin::live::SkinData> shared)

@@ -43,6 +43,7 @@ ChannelField::ChannelField(const ChannelMap& channel, std::size_t cells) : chann
   integral_ = std::make_shared<const std::vector<float>>(integrals(channel, modes));
   strain_.resize(rows);
   place_amplitude_.resize(channel.strain.modes());
+  fit_amplitude_.resize(channel.fit.modes());
   point_.resize(points);
   amplitude_.resize(modes);
   sum_.resize(levels() * modes);
@@ -77,20 +78,25 @@ void ChannelField::set(const std::array<double, 2>& place, std::span<const doubl
     }
     point_[point] = per == 1 ? static_cast<double>(strain[0]) : std::sqrt(square);
   }
-  const float* fit = channel_.fit.data();
-  for (double& amplitude : amplitude_) {
-    std::array<double, 4> part{}; // sums that do not wait for each other
-    std::size_t point = 0;
-    for (; point + part.size() <= point_.size(); point += part.size()) {
-      for (std::size_t i = 0; i < part.size(); ++i) {
-        part[i] += static_cast<double>(fit[point + i]) * point_[point + i];
+  place_amplitudes(channel_.fit, place, fit_amplitude_);
+  std::ranges::fill(amplitude_, 0.0);
+  const float* fit = channel_.fit.values.data();
+  for (std::size_t mode = 0; mode <= fit_amplitude_.size(); ++mode) {
+    const double scale = mode == 0 ? 1 : fit_amplitude_[mode - 1];
+    for (double& amplitude : amplitude_) {
+      std::array<double, 4> part{}; // sums that do not wait for each other
+      std::size_t point = 0;
+      for (; point + part.size() <= point_.size(); point += part.size()) {
+        for (std::size_t i = 0; i < part.size(); ++i) {
+          part[i] += static_cast<double>(fit[point + i]) * point_[point + i];
+        }
       }
+      for (; point < point_.size(); ++point) {
+        part[0] += static_cast<double>(fit[point]) * point_[point];
+      }
+      amplitude += scale * ((part[0] + part[1]) + (part[2] + part[3]));
+      fit += point_.size();
     }
-    for (; point < point_.size(); ++point) {
-      part[0] += static_cast<double>(fit[point]) * point_[point];
-    }
-    amplitude = (part[0] + part[1]) + (part[2] + part[3]);
-    fit += point_.size();
   }
 }
 

@@ -35,7 +35,7 @@ private:
   /// edges, between which it is bilinear: [x edge][y edge][level][mode].
   std::shared_ptr<const std::vector<float>> integral_;
   std::vector<float> strain_;
-  std::vector<double> place_amplitude_, point_, amplitude_, sum_;
+  std::vector<double> place_amplitude_, fit_amplitude_, point_, amplitude_, sum_;
 };
 
 } // namespace ionskin::live

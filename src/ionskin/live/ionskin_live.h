@@ -2,9 +2,10 @@
 #ifndef IONSKIN_LIVE_H
 #define IONSKIN_LIVE_H
 
-/* The reduced skin for programs in C and whatever calls it. SI units. Within one number of the interface functions are
-   only added. A skin belongs to one thread at a time; skins of one file share its data. `step`, `run`, `save`,
-   `restore` and `reset` allocate nothing and always return. */
+/* The reduced skin for programs in C and whatever calls it. SI units. Within one number of the
+   interface functions are only added. A skin belongs to one thread at a time; skins of one file
+   share its data. `step`, `run`, `save`, `restore` and `reset` allocate nothing and always return.
+ */
 
 #include <stddef.h>
 #include <stdint.h>
@@ -17,10 +18,12 @@ extern "C" {
 
 /* Bits of what a step returns; 0 where all is well. */
 #define IONSKIN_LIVE_OUTSIDE_PLACE 1u /* taken to the nearest trained place */
-#define IONSKIN_LIVE_OUTSIDE_LOAD 2u  /* heavier or deeper than trained */
+#define IONSKIN_LIVE_OUTSIDE_LOAD                                                                  \
+  2u /* heavier or deeper than trained: the heaviest or deepest was taken */
 #define IONSKIN_LIVE_OUTSIDE_SPEED 4u /* faster than trained */
 #define IONSKIN_LIVE_UNCONVERGED 8u   /* residual above 1e-3 */
 #define IONSKIN_LIVE_REFUSED 16u      /* NaN, infinity or a time before the last: nothing moved */
+#define IONSKIN_LIVE_PULLED 32u       /* a negative force: detached, as with none */
 
 enum { IONSKIN_LIVE_HEIGHT = 0, IONSKIN_LIVE_FORCE = 1 };
 
@@ -39,24 +42,26 @@ size_t ionskin_live_signal_count(const ionskin_live_skin* skin);
 /* As in signals.csv and taxels.csv; NULL behind the last. */
 const char* ionskin_live_signal_name(const ionskin_live_skin* skin, size_t signal);
 
-/* time [s]; x, y of the slider's centre [m]; `value` is the height of the underside above the undeformed top face [m],
-   negative when it indents, or the normal force [N], as `kind` says. `signals` takes signal_count values. */
-uint32_t ionskin_live_step(ionskin_live_skin* skin, double time, double x, double y, int kind, double value,
-                           double* signals);
+/* time [s]; x, y of the slider's centre [m]; `value` is the height of the underside above the
+   undeformed top face [m], negative when it indents, or the normal force [N], as `kind` says.
+   `signals` takes signal_count values. */
+uint32_t ionskin_live_step(ionskin_live_skin* skin, double time, double x, double y, int kind,
+                           double value, double* signals);
 /* Many steps: positions [count][2], signals [count][signal_count], flags [count]. */
-void ionskin_live_run(ionskin_live_skin* skin, size_t count, const double* times, const double* positions, int kind,
-                      const double* values, double* signals, uint32_t* flags);
+void ionskin_live_run(ionskin_live_skin* skin, size_t count, const double* times,
+                      const double* positions, int kind, const double* values, double* signals,
+                      uint32_t* flags);
 
 size_t ionskin_live_state_size(const ionskin_live_skin* skin); /* numbers */
 void ionskin_live_save(const ionskin_live_skin* skin, double* state);
-/* 1, or 0 when it is no state of this skin: the size is another, or a number is not finite or beyond what a step can
-   leave; nothing changes then. */
+/* 1, or 0 when it is no state of this skin: the size is another, or a number is not finite or
+   beyond what a step can leave; nothing changes then. */
 int ionskin_live_restore(ionskin_live_skin* skin, const double* state, size_t size);
 /* Back to a detached skin at rest. */
 void ionskin_live_reset(ionskin_live_skin* skin);
 
-/* Another coefficient of friction, which is no part of the state; takes memory. 1, or 0 when it is outside the trained
-   range; nothing changes then. */
+/* Another coefficient of friction, which is no part of the state; takes memory. 1, or 0 when it is
+   outside the trained range; nothing changes then. */
 int ionskin_live_set_friction(ionskin_live_skin* skin, double coefficient);
 /* The present coefficient of friction, the lowest and the highest that were trained. */
 void ionskin_live_friction(const ionskin_live_skin* skin, double friction[3]);
@@ -68,10 +73,11 @@ void ionskin_live_range(const ionskin_live_skin* skin, double range[7]);
 /* Length and width of the skin [m]. */
 void ionskin_live_size(const ionskin_live_skin* skin, double size[2]);
 /* Lowest x, y, highest x, y of a taxel [m]; 0 behind the last. */
-int ionskin_live_taxel(const ionskin_live_skin* skin, size_t index, const char** name, double corners[4]);
+int ionskin_live_taxel(const ionskin_live_skin* skin, size_t index, const char** name,
+                       double corners[4]);
 /* Error of a signal on touches that it was not trained on; 0 behind the last. */
-int ionskin_live_error(const ionskin_live_skin* skin, size_t index, const char** name, double* rms, double* worst,
-                       double* largest);
+int ionskin_live_error(const ionskin_live_skin* skin, size_t index, const char** name, double* rms,
+                       double* worst, double* largest);
 
 #ifdef __cplusplus
 }

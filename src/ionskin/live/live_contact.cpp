@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/live/live_contact.hpp"
 
-#include "ionskin/laws/friction/return_mapping.hpp"
 #include "ionskin/live/place_amplitudes.hpp"
+
+#include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 namespace ionskin::live {
@@ -20,6 +22,9 @@ constexpr double assembly_distance = 5e-6;
 constexpr double softest = 0.1;
 /// Of a step that takes no time, since some laws take 0 for steady sliding [s].
 constexpr double shortest_step = 1e-9;
+/// A residual above this calls for the search.
+constexpr double searched = 1e-4;
+constexpr int most_doublings = 30, most_searches = 60;
 /// A traction nearer to its limit slips.
 constexpr double slipping = 1e-9;
 
@@ -47,7 +52,7 @@ LiveContact::LiveContact(const SkinData& data)
       first_touch_(*std::min_element(data.gap.begin(), data.gap.end())), compliance_(size_ * size_),
       assembled_(size_), own_(size_), before_(size_), amplitude_(data.compliance.modes()),
       drag_(data.area.size()), slips_(data.area.size()), correction_(data.area.size()),
-      touching_(data.area.size()), from_gaps_(data.area.size()),
+      tangential_(data.area.size()), touching_(data.area.size()), from_gaps_(data.area.size()),
       from_indentation_(data.area.size()) {}
 
 void LiveContact::set_friction(double coefficient) {
@@ -95,11 +100,27 @@ void LiveContact::add(std::size_t cell, const std::array<double, 3>& force, Stat
   }
 }
 
+/// What the law makes of a cell's friction under a normal force [N], at the surfaces of now.
+laws::FrictionResponse LiveContact::friction_at(std::size_t cell, double normal, double time_step,
+                                                const std::array<double, 2>& travel,
+                                                const State& state) const noexcept {
+  const std::size_t at = 3 * cell;
+  const double own = std::max(own_[at + 1], own_[at + 2]), area = data_.area[cell];
+  const double slip_x = travel[0] - (state.surface[at + 1] - before_[at + 1]),
+               slip_y = travel[1] - (state.surface[at + 2] - before_[at + 2]);
+  return laws::return_mapping(friction_, {normal / area,
+                                          {(state.force[at + 1] + slip_x / own) / area,
+                                           (state.force[at + 2] + slip_y / own) / area},
+                                          own * area,
+                                          time_step,
+                                          friction_.lag > 0 ? state.memory[cell] : 0.0,
+                                          elastic_slip(cell, state)});
+}
+
 LiveContact::Sweep LiveContact::sweep(double time_step, const std::array<double, 2>& travel,
                                       State& state) noexcept {
   Sweep result;
   for (std::size_t cell = 0, at = 0; at < size_; ++cell, at += 3) {
-    const double own_tangential = std::max(own_[at + 1], own_[at + 2]);
     const double normal =
         std::max(0.0, state.force[at] +
                           (state.indentation - data_.gap[cell] - state.surface[at]) / own_[at]);
@@ -107,17 +128,8 @@ LiveContact::Sweep LiveContact::sweep(double time_step, const std::array<double,
     if (normal == 0 && force[0] == 0 && force[1] == 0 && force[2] == 0) {
       continue; // open as it was
     }
-    const double slip_x = travel[0] - (state.surface[at + 1] - before_[at + 1]),
-                 slip_y = travel[1] - (state.surface[at + 2] - before_[at + 2]);
     const double area = data_.area[cell];
-    const laws::FrictionResponse response =
-        laws::return_mapping(friction_, {normal / area,
-                                         {(state.force[at + 1] + slip_x / own_tangential) / area,
-                                          (state.force[at + 2] + slip_y / own_tangential) / area},
-                                         own_tangential * area,
-                                         time_step,
-                                         friction_.lag > 0 ? state.memory[cell] : 0.0,
-                                         elastic_slip(cell, state)});
+    const laws::FrictionResponse response = friction_at(cell, normal, time_step, travel, state);
     drag_[cell] = response.by_normal;
     const std::array<double, 3> next{normal, area * response.traction[0],
                                      area * response.traction[1]};
@@ -137,9 +149,8 @@ LiveContact::Sweep LiveContact::sweep(double time_step, const std::array<double,
 
 /// Newton's step for the normal forces of the cells that touch, while friction follows them where a
 /// cell slips; under a force the indentation follows too.
-/// @param total of the normal forces [N]
 /// @returns false when nothing has changed
-bool LiveContact::correct(const Load& load, double total, State& state) noexcept {
+bool LiveContact::correct(const Load& load, State& state) noexcept {
   std::size_t count = 0;
   for (std::size_t cell = 0; cell < data_.area.size(); ++cell) {
     if (state.force[3 * cell] > 0) {
@@ -182,7 +193,7 @@ bool LiveContact::correct(const Load& load, double total, State& state) noexcept
     const auto sum = [](std::span<const float> values) {
       return std::accumulate(values.begin(), values.end(), 0.0);
     };
-    const double left = load.value - total - sum(from_gaps);
+    const double left = load.value - total_ - sum(from_gaps);
     deeper = left / std::max(sum(from_indentation), softest * data_.stiffness);
     state.indentation += deeper;
   }
@@ -198,6 +209,32 @@ bool LiveContact::correct(const Load& load, double total, State& state) noexcept
     add(cell, force, state);
   }
   return true;
+}
+
+/// Newton's step for the tangential forces, while the normal ones stay.
+/// @returns false when nothing has changed
+bool LiveContact::correct_friction(double time_step, const std::array<double, 2>& travel,
+                                   State& state) noexcept {
+  tangential_.clear();
+  for (std::size_t cell = 0, at = 0; at < size_; ++cell, at += 3) {
+    if (state.force[at] > 0) {
+      const laws::FrictionResponse response =
+          friction_at(cell, state.force[at], time_step, travel, state);
+      tangential_.add(cell, std::max(own_[at + 1], own_[at + 2]), response.by_trial,
+                      {data_.area[cell] * response.traction[0] - state.force[at + 1],
+                       data_.area[cell] * response.traction[1] - state.force[at + 2]});
+    }
+  }
+  tangential_.take([&](std::size_t at) { return column(at); });
+  tangential_.solve();
+  for (std::size_t i = 0; i < tangential_.count(); ++i) {
+    const std::array<double, 2> change = tangential_.change(i);
+    const std::size_t cell = tangential_.cell(i);
+    state.force[3 * cell + 1] += change[0];
+    state.force[3 * cell + 2] += change[1];
+    add(cell, {0, change[0], change[1]}, state);
+  }
+  return tangential_.count() > 0;
 }
 
 /// At the begin of the step, until it is remembered.
@@ -262,22 +299,34 @@ double LiveContact::step(double time_step, const std::array<double, 2>& place,
   time_step = std::max(time_step, shortest_step);
   std::copy(state.surface.begin(), state.surface.end(), before_.begin());
   std::fill(state.surface.begin(), state.surface.end(), 0.0);
-  double largest = 0, total = 0;
-  const auto add_up = [&] {
-    largest = total = 0;
-    for (std::size_t at = 0; at < size_; at += 3) {
-      largest = std::max(largest, state.force[at]);
-      total += state.force[at];
-    }
-  };
   for (std::size_t cell = 0, at = 0; at < size_; ++cell, at += 3) {
     if (state.force[at] != 0) {
       add(cell, {state.force[at], state.force[at + 1], state.force[at + 2]}, state);
     }
   }
-  add_up();
-  const bool landing = largest == 0;
-  int factors = landing ? most_landing_factors : most_factors;
+  double residual = settle(time_step, travel, load, state);
+  if (load.is_force && residual > searched) {
+    residual = search(time_step, travel, load, state);
+  }
+  remember(time_step, travel, state);
+  return residual;
+}
+
+void LiveContact::add_up(const State& state) noexcept {
+  largest_ = total_ = 0;
+  for (std::size_t at = 0; at < size_; at += 3) {
+    largest_ = std::max(largest_, state.force[at]);
+    total_ += state.force[at];
+  }
+}
+
+/// Sweeps and Newton's steps until nothing changes, or too many.
+/// @returns what the last sweep still changed, or what misses the given force, relative
+double LiveContact::settle(double time_step, const std::array<double, 2>& travel, const Load& load,
+                           State& state) noexcept {
+  add_up(state);
+  const bool landing = largest_ == 0;
+  int factors = landing ? most_landing_factors : most_factors, frictions = factors;
   if (!load.is_force) {
     state.indentation = load.value;
   }
@@ -285,24 +334,62 @@ double LiveContact::step(double time_step, const std::array<double, 2>& place,
   double residual = 1;
   for (int i = 0; i < (landing ? most_landing_sweeps : most_sweeps); ++i) {
     const Sweep changed = sweep(time_step, travel, state);
-    add_up();
+    add_up(state);
     // A slider that is lifted may leave no cell loaded for one sweep, before those that it still
     // reaches rise.
-    const double scale = largest > 0 ? 1 / largest : changed.change > 0 ? 1 / changed.change : 0;
-    const double left = load.is_force ? std::abs(load.value - total) / load.value : 0;
+    const double scale = largest_ > 0 ? 1 / largest_ : changed.change > 0 ? 1 / changed.change : 0;
+    const double left = load.is_force ? std::abs(load.value - total_) / load.value : 0;
     residual = std::max(changed.change * scale, left);
     if (residual <= tolerance) {
       break;
     }
     const bool rough = changed.normal_change * scale > tolerance || left > tolerance;
-    if (rough && factors > 0 && correct(load, total, state)) {
+    if (rough && factors > 0 && correct(load, state)) {
       --factors;
     } else if (left > tolerance) {
-      state.indentation += (load.value - total) / data_.stiffness;
+      state.indentation += (load.value - total_) / data_.stiffness;
+    }
+    if (frictions > 0 && changed.change * scale > tolerance &&
+        correct_friction(time_step, travel, state)) {
+      --frictions;
     }
   }
-  remember(time_step, travel, state);
   return residual;
+}
+
+/// Where Newton's steps miss a force, which they may from far away: the indentation that carries it
+/// lies between none and one that carries more.
+double LiveContact::search(double time_step, const std::array<double, 2>& travel, const Load& load,
+                           State& state) noexcept {
+  double residual = 1;
+  const auto excess = [&](double indentation) {
+    residual = settle(time_step, travel, {false, indentation}, state);
+    return total_ / load.value - 1;
+  };
+  double low = first_touch_, low_excess = -1, high = std::max(state.indentation, first_touch_),
+         high_excess = -1;
+  for (int i = 0; i < most_doublings && high_excess < 0; ++i) {
+    low = i == 0 ? low : high;
+    low_excess = i == 0 ? low_excess : high_excess;
+    high += i == 0 ? 0 : load.value / data_.stiffness * std::exp2(i - 1);
+    high_excess = excess(high);
+  }
+  if (high_excess < 0) {
+    return std::max(residual, -high_excess);
+  }
+  double missed = high_excess;
+  if (high_excess > tolerance) {
+    std::uintmax_t most = most_searches;
+    double at = high;
+    const auto close = [&](double, double) { return std::abs(missed) <= tolerance; };
+    boost::math::tools::toms748_solve(
+        [&](double indentation) {
+          at = indentation;
+          return missed = excess(at);
+        },
+        low, high, low_excess, high_excess, close, most);
+  }
+  return std::max(residual, std::abs(missed));
 }
 
 } // namespace ionskin::live

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "ionskin/laws/friction/elastic_slip.hpp"
+#include "ionskin/laws/friction/return_mapping.hpp"
 #include "ionskin/live/normal_correction.hpp"
 #include "ionskin/live/skin_data.hpp"
+#include "ionskin/live/tangential_correction.hpp"
 
 #include <array>
 #include <span>
@@ -12,8 +14,9 @@
 namespace ionskin::live {
 
 /// One increment of contact and friction by at most so many sweeps of projected Gauss-Seidel, which
-/// start from the forces of the step before, with Newton's steps for the normal forces between
-/// them. Never fails; what is left is told. Nothing is allocated after construction.
+/// start from the forces of the step before, with Newton's steps for the normal and for the
+/// tangential forces between them; where they miss a given force, a bracketed search over the
+/// indentation. Never fails; what is left is told. Nothing is allocated after construction.
 class LiveContact {
 public:
   /// What passes from step to step; memory of the owner.
@@ -55,7 +58,17 @@ private:
   Sweep sweep(double time_step, const std::array<double, 2>& travel, State& state) noexcept;
   void remember(double time_step, const std::array<double, 2>& travel, State& state) noexcept;
   laws::ElasticSlip elastic_slip(std::size_t cell, const State& state) const noexcept;
-  bool correct(const Load& load, double total, State& state) noexcept;
+  laws::FrictionResponse friction_at(std::size_t cell, double normal, double time_step,
+                                     const std::array<double, 2>& travel,
+                                     const State& state) const noexcept;
+  void add_up(const State& state) noexcept;
+  bool correct(const Load& load, State& state) noexcept;
+  bool correct_friction(double time_step, const std::array<double, 2>& travel,
+                        State& state) noexcept;
+  double settle(double time_step, const std::array<double, 2>& travel, const Load& load,
+                State& state) noexcept;
+  double search(double time_step, const std::array<double, 2>& travel, const Load& load,
+                State& state) noexcept;
 
   const SkinData& data_;
   laws::Friction friction_;
@@ -69,6 +82,8 @@ private:
   std::vector<std::array<double, 2>> drag_; ///< derivative of the friction by the normal force
   std::vector<char> slips_;
   NormalCorrection correction_;
+  TangentialCorrection tangential_;
+  double largest_ = 0, total_ = 0; ///< normal force of a cell, and of all [N]
   std::vector<std::size_t> touching_;
   std::vector<float> from_gaps_, from_indentation_;
 };

@@ -32,9 +32,10 @@ enum : std::size_t {
   common
 };
 
-constexpr double rough = 1e-3;    // residual
-constexpr double margin = 1e-2;   // of the trained range
-constexpr double most_load = 100; // times the trained one: more would overflow
+constexpr double rough = 1e-3;  // residual
+constexpr double margin = 1e-2; // of what follows from a place and a load within the trained range
+constexpr double rounding = 1e-9;      // of a place [m]
+constexpr double load_rounding = 1e-6; // of a load over the trained one
 
 } // namespace
 
@@ -137,7 +138,7 @@ std::uint32_t Skin::step(double time, const std::array<double, 2>& place, bool i
   std::array<double, 2> at = place, travel{};
   for (std::size_t d = 0; d < 2; ++d) {
     at[d] = std::clamp(place[d], data_.lowest_place[d], data_.highest_place[d]);
-    outside = outside || std::abs(at[d] - place[d]) > 1e-9;
+    outside = outside || std::abs(at[d] - place[d]) > rounding;
     travel[d] = first ? 0 : at[d] - state_[last_x + d];
   }
   const bool fast =
@@ -147,10 +148,11 @@ std::uint32_t Skin::step(double time, const std::array<double, 2>& place, bool i
   state_[last_time] = time;
   state_[last_x] = at[0];
   state_[last_y] = at[1];
-  const double load = std::min(is_force ? value * data_.meshed_share : -value,
-                               most_load * (is_force ? data_.heaviest_force * data_.meshed_share
-                                                     : data_.deepest_indentation));
-  const double left = contact_.step(time_step, at, travel, {is_force, load}, contact_state());
+  const double trained = is_force ? data_.heaviest_force : data_.deepest_indentation,
+               load = std::min(is_force ? value : -value, trained);
+  const double left =
+      contact_.step(time_step, at, travel, {is_force, is_force ? load * data_.meshed_share : load},
+                    contact_state());
   add_contact(signals);
   signals[slider_x] = at[0];
   signals[slider_y] = at[1];
@@ -162,12 +164,11 @@ std::uint32_t Skin::step(double time, const std::array<double, 2>& place, bool i
   const bool touches = signals[normal_force] > 0;
   flags |= touches && outside ? flag::outside_place : 0;
   flags |= touches && touched && fast ? flag::outside_speed : 0;
-  const bool heavy = signals[normal_force] > (1 + margin) * data_.heaviest_force ||
-                     (is_force && value > (1 + margin) * data_.heaviest_force) ||
-                     state_[indentation] > (1 + margin) * data_.deepest_indentation;
-  if (heavy) {
-    flags |= flag::outside_load;
-  }
+  // A height within the range may press heavier than trained elsewhere; a force is met.
+  const bool heavy = (is_force ? value : -value) > (1 + load_rounding) * trained ||
+                     (!is_force && signals[normal_force] > (1 + margin) * data_.heaviest_force);
+  flags |= heavy ? flag::outside_load : 0;
+  flags |= is_force && value < 0 ? flag::pulled : 0;
   signals[mean_shear] = signals[shear_first_moment] = 0;
   for (ChannelField& field : fields_) {
     const std::size_t levels = field.levels();

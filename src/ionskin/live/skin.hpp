@@ -20,11 +20,13 @@ namespace ionskin::live {
 namespace flag {
 inline constexpr std::uint32_t outside_place = 1; ///< taken to the nearest trained place
 inline constexpr std::uint32_t outside_load =
-    2; ///< heavier or deeper than trained, and no more than 100 times
+    2; ///< heavier or deeper than trained: the heaviest or deepest trained one was taken
 inline constexpr std::uint32_t outside_speed = 4; ///< faster than trained
 inline constexpr std::uint32_t unconverged = 8;   ///< residual above 1e-3: the step is a rough one
 /// NaN, infinity, or a time before the last: nothing has moved, the signals are the last ones.
 inline constexpr std::uint32_t refused = 16;
+inline constexpr std::uint32_t pulled = 32; ///< a negative force: no skin pulls, it is detached
+inline constexpr std::uint32_t all = 2 * pulled - 1;
 } // namespace flag
 
 /// The reduced skin: asked step by step where the slider is and how it presses, it tells forces,

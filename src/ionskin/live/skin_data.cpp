@@ -17,7 +17,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the file is little-endian");
 
-constexpr std::string_view magic = "ionskin live skin, format 3\n";
+constexpr std::string_view magic = "ionskin live skin, format 4\n";
 constexpr std::size_t most_waves = 1000, most_columns = 5000;
 constexpr std::size_t largest_file = 256u << 20u;
 
@@ -65,7 +65,8 @@ template <class Archive, class Data> void visit(Archive& archive, Data& data) {
     archive.entry("channel.rows_per_point", channel.rows_per_point);
     visit_nodes(archive, "channel.strain", channel.strain);
     archive.entry("channel.strain.values", channel.strain.values);
-    archive.entry("channel.fit", channel.fit);
+    visit_nodes(archive, "channel.fit", channel.fit);
+    archive.entry("channel.fit.values", channel.fit.values);
     archive.entry("channel.field", channel.field);
     archive.entry("channel.x_edges", channel.x_edges);
     archive.entry("channel.y_edges", channel.y_edges);
@@ -138,7 +139,9 @@ void check(const Reader& reader, const SkinData& data) {
     reader.require(nodes > 0 && channel.strain.size() % row == 0, "channel.strain");
     const std::size_t points = channel.strain.size() / row;
     check_map(reader, "channel.strain", channel.strain, points * row);
-    reader.require(points > 0 && channel.fit.size() % points == 0, "channel.fit");
+    const std::size_t fits = channel.fit.lines_x.size() * channel.fit.lines_y.size();
+    reader.require(points > 0 && fits > 0 && channel.fit.size() % points == 0, "channel.fit");
+    check_map(reader, "channel.fit", channel.fit, channel.fit.size());
     reader.require(channel.field.size() == channel.fit.size() / points * channel.mean.size() *
                                                (channel.x_edges.size() - 1) *
                                                (channel.y_edges.size() - 1),

@@ -30,7 +30,7 @@ struct PlaceMap {
 struct ChannelMap {
   std::uint64_t rows_per_point = 0; ///< strains whose norm is the channel; 1: the strain itself
   PlaceMap strain;                  ///< [3 cells][point][row] [1/N]
-  std::vector<float> fit;           ///< [mode][point]
+  PlaceMap fit;                     ///< [mode][point]
   std::vector<float> field;         ///< [mode][z][y][x]: values on the cells of the slider's frame
   std::vector<double> x_edges, y_edges; ///< of the cells, from the slider's centre [m]
   std::vector<double> mean, moment;     ///< [z] weights of the integral and of the first moment [m]

@@ -25,8 +25,9 @@ ChannelMap uneven_map() {
   map.y_edges = {-1, -0.5, 0.4, 1};
   map.mean = {1, 1};
   map.moment = {-1, 1};
-  for (int i = 0; i < 3 * 2; ++i) {
-    map.fit.push_back(static_cast<float>(std::cos(2.0 + i)));
+  map.fit = {{0, 2}, {0}, {-0.5, 0.5}, {}};
+  for (int i = 0; i < 2 * 3 * 2; ++i) {
+    map.fit.values.push_back(static_cast<float>(std::cos(2.0 + i)));
   }
   for (int i = 0; i < 3 * 2 * 3 * 4; ++i) {
     map.field.push_back(static_cast<float>(std::sin(5.0 + 7 * i)));
@@ -52,8 +53,12 @@ std::array<double, 2> by_cells(const ChannelMap& map, const std::array<double, 2
     point[p] = std::hypot(strain[0], strain[1]);
   }
   for (std::size_t mode = 0, at = 0; mode < 3; ++mode) {
-    const double of_mode = static_cast<double>(map.fit[2 * mode]) * point[0] +
-                           static_cast<double>(map.fit[2 * mode + 1]) * point[1];
+    const auto fit = [&](std::size_t p) {
+      const std::size_t weight = 2 * mode + p;
+      return static_cast<double>(map.fit.values[weight]) +
+             amplitude * static_cast<double>(map.fit.values[6 + weight]);
+    };
+    const double of_mode = fit(0) * point[0] + fit(1) * point[1];
     for (std::size_t level = 0; level < 2; ++level) {
       for (std::size_t j = 0; j < 3; ++j) {
         for (std::size_t i = 0; i < 4; ++i, ++at) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "small_skin.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ionskin::live {
@@ -41,7 +43,7 @@ SkinData small_skin() {
       channel.strain.values.push_back(i % 3 == 1 + row % 2 && i / 6 == row / 2 ? 1e-3f : 0.0f);
     }
   }
-  channel.fit = {1, 0, 0, 1};
+  channel.fit = {{3e-3}, {1e-3}, {}, {1, 0, 0, 1}};
   channel.field = {1, 0, 0.5, 0, 0, 1, 0, 0.5}; // [mode][level][column]
   channel.x_edges = {-1e-3, 0, 1e-3};
   channel.y_edges = {-1e-3, 1e-3};
@@ -59,6 +61,51 @@ SkinData small_skin() {
   data.deepest_indentation = 1e-6;
   data.fastest = 0.1;
   data.errors = {{"charge_top", 1e-9, 2e-9, 1e-7}};
+  return data;
+}
+
+SkinData sphere_on_many_cells(std::size_t across) {
+  constexpr double width = 1e-4, radius = 8e-3, softness = 1e-10; // displacement [m2/N] by 1/r
+  constexpr double heave = 0.3;
+  const std::size_t cells = across * across;
+  SkinData data = small_skin();
+  data.area.assign(cells, width * width);
+  data.gap.clear();
+  data.cell_lines_x.clear();
+  for (std::size_t i = 0; i <= across; ++i) {
+    data.cell_lines_x.push_back(width * (static_cast<double>(i) - static_cast<double>(across) / 2));
+  }
+  data.cell_lines_y = data.cell_lines_x;
+  data.stiffness = 1e6;
+  data.compliance = {};
+  data.compliance.lines_x = {3e-3};
+  data.compliance.lines_y = {1e-3};
+  data.compliance.values.assign(9 * cells * cells, 0.0f);
+  const auto place = [&](std::size_t cell, std::size_t axis) {
+    const std::size_t index = axis == 0 ? cell % across : cell / across;
+    return width * (static_cast<double>(index) - static_cast<double>(across / 2));
+  };
+  for (std::size_t i = 0; i < cells; ++i) {
+    const double x = place(i, 0), y = place(i, 1);
+    data.gap.push_back((x * x + y * y) / (2 * radius));
+    for (std::size_t j = 0; j < cells; ++j) {
+      const double r = std::hypot(x - place(j, 0), y - place(j, 1));
+      const auto at = [&](std::size_t row, std::size_t column) -> float& {
+        return data.compliance.values[(3 * i + column) * 3 * cells + 3 * j + row];
+      };
+      for (std::size_t c = 0; c < 3; ++c) {
+        at(c, c) = static_cast<float>(softness / std::max(r, 0.28 * width));
+      }
+      const std::array<double, 2> away{x - place(j, 0), y - place(j, 1)};
+      // A push to the side heaves what lies before it.
+      for (std::size_t c = 0; c < 2 && i != j; ++c) {
+        at(0, c + 1) = static_cast<float>(heave * softness * away[c] / (r * r));
+        at(c + 1, 0) = -at(0, c + 1);
+      }
+    }
+  }
+  ChannelMap& channel = data.channels.front();
+  channel.strain = {{3e-3}, {1e-3}, {}, std::vector<float>(3 * cells * 4, 0.0f)};
   return data;
 }
 

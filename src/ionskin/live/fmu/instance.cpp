@@ -111,7 +111,7 @@ bool Instance::restore(std::span<const double> state) {
   };
   const auto own = state.first(singles + inputs_.size() + signals_.size());
   if (!is_count(place_of_mode, static_cast<double>(Mode::terminated) + 1) ||
-      !is_count(place_of_control, 2) || !is_count(place_of_flags, 2 * flag::refused) ||
+      !is_count(place_of_control, 2) || !is_count(place_of_flags, flag::all + 1) ||
       !std::ranges::all_of(own, [](double value) { return std::isfinite(value); }) ||
       !skin_.restore(state.subspan(own.size()))) {
     return false;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/base/progress.hpp"
+#include "ionskin/case/case.hpp"
 #include "ionskin/live/skin_data.hpp"
-#include "ionskin/live/training/full_run.hpp"
 #include "ionskin/live/training/place_nodes.hpp"
 #include "ionskin/mechanics/skin/skin_model.hpp"
 
@@ -19,13 +20,16 @@ PlaceMap place_map(const PlaceNodes& places, const std::vector<std::vector<float
 /// The compliance of the contact cells over the nodes.
 PlaceMap reduce_compliance(const mechanics::SkinModel& model, const PlaceNodes& places);
 
-/// Reduces channels of runs on one mesh: proper orthogonal decomposition of each at the Gauss
-/// points, weighted with their volumes, then the points from which its modes are told best (QR with
-/// pivoting, Drmac and Gugercin 2016, doi 10.1137/15M1019271).
-/// @param channels of the history, by name
-std::vector<ChannelMap> reduce_channels(const std::vector<FullRun>& runs,
+/// Reduces channels of the core to modes, over samples of the contact, docs/live.md.
+/// @param data with its contact, its charges and the range of its places
+/// @param samples forces of the cells; their strain is that of the middle of the range, since the
+/// lines of the mesh outside the footprint are elsewhere with each place, and their sums with them
+/// @param channels of the history, by name; the last one drives the charges
+std::vector<ChannelMap> reduce_channels(const Case& input, const SkinData& data,
                                         const std::shared_ptr<const mechanics::SkinModel>& model,
-                                        const PlaceNodes& places, int threads,
-                                        const std::vector<std::string>& channels);
+                                        const PlaceNodes& places,
+                                        const std::vector<std::vector<double>>& samples,
+                                        int threads, const std::vector<std::string>& channels,
+                                        const base::ProgressCallback& progress);
 
 } // namespace ionskin::live

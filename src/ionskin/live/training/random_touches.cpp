@@ -2,11 +2,11 @@
 #include "ionskin/live/training/random_touches.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/live/training/random_numbers.hpp"
 #include "ionskin/mechanics/path/contact_box.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace ionskin::live {
 namespace {
@@ -21,19 +21,6 @@ constexpr double pause = 0.2;           // between touches [s]
 constexpr double usual_speed = 3e-3;    // of a case whose slider never slides [m/s]
 constexpr double rest_share = 0.25;     // of the pieces
 constexpr int most_pieces = 4;
-
-/// The same numbers on every machine, which the distributions of the library need not give.
-class Random {
-public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  double between(double low, double high) {
-    constexpr double range = 0x1p-53;
-    return low + (high - low) * static_cast<double>(engine_() >> 11u) * range;
-  }
-
-private:
-  std::mt19937_64 engine_;
-};
 
 class Path {
 public:

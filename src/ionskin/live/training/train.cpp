@@ -11,6 +11,7 @@
 #include "ionskin/live/live_contact.hpp"
 #include "ionskin/live/training/channel_reduction.hpp"
 #include "ionskin/live/training/charge_spread_fit.hpp"
+#include "ionskin/live/training/contact_samples.hpp"
 #include "ionskin/live/training/full_run.hpp"
 #include "ionskin/live/training/random_touches.hpp"
 #include "ionskin/live/training/stated_errors.hpp"
@@ -33,7 +34,7 @@ namespace {
 
 constexpr std::size_t least_rates = 3, most_rates = 12;
 constexpr std::size_t candidate_rates = 20;
-constexpr std::size_t least_validation = 12;  // touches that tell the errors
+constexpr std::size_t sampled_states = 600;   // of the contact
 constexpr std::size_t runs_over_friction = 3; // from its lowest to its highest
 constexpr double most_friction = 2;           // as in a case
 constexpr std::uint64_t validation_seed_shift = 0x9e3779b97f4a7c15; // apart from every small seed
@@ -242,10 +243,12 @@ SkinData train_skin(const Case& input, const TrainingOptions& options) {
       channels.emplace_back(electrochemistry::driving_channel(run.input, run.history).name);
     }
     set_contact(runs, *model, places, data);
-    data.channels = reduce_channels(runs, model, places, options.threads, channels);
+    set_charges(runs, data);
+    data.channels = reduce_channels(run.input, data, model, places,
+                                    contact_samples(data, range, sampled_states, options.seed),
+                                    options.threads, channels, own.progress);
     own.progress("places", 1.0);
   }
-  set_charges(runs, data);
 
   own.progress = part_of(options.progress, "validation");
   data.errors = stated_errors(errors_on_touches(data, input, range, options.validation,

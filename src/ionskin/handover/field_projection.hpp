@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ionskin/case/case.hpp"
+#include "ionskin/case/slider_motion.hpp"
+#include "ionskin/handover/strain_grid.hpp"
+#include "ionskin/history/core_history.hpp"
+#include "ionskin/history/line_operators.hpp"
+#include "ionskin/mesh/skin_mesh.hpp"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace ionskin::handover {
+
+/// From values at the Gauss points of the core to a field on the grid that rides with the slider:
+/// means over its cells, linear through the thickness.
+class FieldProjection {
+public:
+  /// @param mesh outlives this
+  /// @param box of the slider's centre
+  FieldProjection(const Case& input, const mesh::SkinMesh& mesh, const MotionBox& box);
+
+  const history::StrainGrid& grid() const { return grid_; }
+  /// @param at_points [z][y][x], of the half model where the mesh is one
+  /// @param points along x, y, z
+  history::StrainField at(std::vector<double> at_points, const std::array<std::size_t, 3>& points,
+                          const std::array<double, 2>& centre) const;
+
+private:
+  const mesh::SkinMesh& mesh_;
+  CoreGrid core_;
+  history::StrainGrid grid_;
+  history::LineOperator along_z_;
+};
+
+} // namespace ionskin::handover

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/live/training/contact_samples.hpp"
+
+#include "ionskin/base/system/interrupt.hpp"
+#include "ionskin/live/live_contact.hpp"
+#include "ionskin/live/training/random_numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace ionskin::live {
+namespace {
+
+constexpr double step = 1e-3; // [s]
+constexpr double least_load = 0.1, least_speed = 0.1;
+constexpr double rest_share = 0.3, same_load_share = 0.5, reversal_share = 0.3;
+constexpr double fewest_steps = 10, most_landing_steps = 80, most_steps = 150;
+constexpr double most_pieces = 5;
+constexpr int frictions = 5;       // of a range
+constexpr int steps_a_sample = 24; // on average: neighbours tell little more
+
+} // namespace
+
+std::vector<std::vector<double>> contact_samples(const SkinData& data, const TouchRange& range,
+                                                 std::size_t count, std::uint64_t seed) {
+  Random random(seed);
+  LiveContact contact(data);
+  const std::size_t size = 3 * data.area.size();
+  std::vector<double> force(size), surface(size), memory(contact.memory_size());
+  const double nowhere = std::numeric_limits<double>::quiet_NaN();
+  double indentation = 0, assembled_x = nowhere, assembled_y = nowhere;
+  const auto& [low, high] = range.box;
+  std::array<double, 2> at{}, direction{};
+  std::vector<std::vector<double>> samples;
+  const auto press = [&](const std::array<double, 2>& place, double load) {
+    contact.step(step, place, {place[0] - at[0], place[1] - at[1]}, {range.is_force, load},
+                 {force, surface, memory, indentation, assembled_x, assembled_y});
+    at = place;
+    if (load > 0 && samples.size() < count && random.between(0, steps_a_sample) < 1) {
+      samples.push_back(force);
+    }
+  };
+  const auto load = [&] {
+    return range.heaviest * (range.is_force ? data.meshed_share : 1) *
+           random.between(least_load, 1);
+  };
+  for (int touch = 0; samples.size() < count; ++touch) {
+    base::check_interrupt();
+    contact.set_friction(std::lerp(data.lowest_friction, data.highest_friction,
+                                   static_cast<double>(touch % frictions) / (frictions - 1)));
+    for (std::size_t d = 0; d < 2; ++d) {
+      at[d] = random.between(low[d], high[d]);
+    }
+    press(at, 0);
+    double now = load();
+    const auto steps = [&](double most) { return std::floor(random.between(fewest_steps, most)); };
+    const double landing = steps(most_landing_steps);
+    for (double i = 1; i <= landing; ++i) {
+      press(at, now * i / landing);
+    }
+    const double pieces = std::floor(random.between(1, most_pieces + 1));
+    for (double piece = 0; piece < pieces; ++piece) {
+      const double from = now, length = steps(most_steps);
+      const bool rests = random.between(0, 1) < rest_share;
+      if (random.between(0, 1) < reversal_share) {
+        direction = {-direction[0], -direction[1]};
+      } else {
+        const double angle = random.between(0, 2 * std::numbers::pi);
+        direction = {std::cos(angle), std::sin(angle)};
+      }
+      const double way = rests ? 0 : step * range.fastest * random.between(least_speed, 1);
+      now = random.between(0, 1) < same_load_share ? now : load();
+      for (double i = 1; i <= length; ++i) {
+        std::array<double, 2> to{};
+        for (std::size_t d = 0; d < 2; ++d) {
+          to[d] = std::clamp(at[d] + way * direction[d], low[d], high[d]);
+        }
+        press(to, std::lerp(from, now, i / length));
+      }
+    }
+  }
+  return samples;
+}
+
+} // namespace ionskin::live
