@@ -284,11 +284,19 @@ void add_limit_rows(const Options& options, std::vector<Row>& rows) {
 
 /// Two taxels that are read in turns, each by its load while the other is open, are by and by two
 /// behind twice the resistance: what they lag behind goes with the dwell.
+/// A strip whose bulk relaxes within seconds (permittivity over conductivity), which a dwell must
+/// not outlast: else a taxel that is read sees the core's resistance whole, not half of the time.
+Case dilute_strip(double load_a, double load_b) {
+  Case input = strip(load_a, load_b);
+  input.electrochemistry.fixed_charge_concentration = 1;
+  return input;
+}
+
 void add_scan_rows(const Options& options, std::vector<Row>& rows) {
   const double resistance =
-      LinearCell(strip(1, 1)).resistance() / (0.5 * strip_length * strip_width);
-  const IonSolution steady = run_strip(strip(2.0 * resistance, 6.0 * resistance), options);
-  Case input = strip(resistance, 3.0 * resistance);
+      LinearCell(dilute_strip(1, 1)).resistance() / (0.5 * strip_length * strip_width);
+  const IonSolution steady = run_strip(dilute_strip(2.0 * resistance, 6.0 * resistance), options);
+  Case input = dilute_strip(resistance, 3.0 * resistance);
   input.readout.scan.grounds_others = false;
   constexpr double instant = 1.0;
   const auto charge = [](const IonSolution& solution, std::size_t taxel) {

@@ -31,7 +31,7 @@ double Layer::integral(const std::vector<double>& values) const {
   return std::inner_product(lengths.begin(), lengths.end(), values.begin(), 0.0);
 }
 
-double observed_order(const std::function<double(std::size_t elements)>& error) {
+double order_in_elements(const std::function<double(std::size_t elements)>& error) {
   const double coarse = std::abs(error(6)), middle = std::abs(error(12)),
                fine = std::abs(error(24));
   return std::min(std::log2(coarse / middle), std::log2(middle / fine));

@@ -21,6 +21,6 @@ struct Layer {
 };
 
 /// Least observed order between errors of layers of 6, 12 and 24 elements.
-double observed_order(const std::function<double(std::size_t elements)>& error);
+double order_in_elements(const std::function<double(std::size_t elements)>& error);
 
 } // namespace ionskin::verification

@@ -107,7 +107,7 @@ std::vector<Row> permeation_rows(const Options& options) {
         permeated(12, time), permeated(time), 1e-5));
   }
   rows.push_back(at_least("P11", "observed order of it in the elements",
-                          observed_order([](std::size_t elements) {
+                          order_in_elements([](std::size_t elements) {
                             return permeated(elements, 0.1) - permeated(0.1);
                           }),
                           3.8));
@@ -138,7 +138,7 @@ std::vector<Row> conductance_rows() {
                 left_by_exchange(12, exchange, 0.2), left_by_exchange(exchange, 0.2), 1e-5));
   }
   rows.push_back(at_least(
-      "P12", "observed order of it in the elements", observed_order([](std::size_t elements) {
+      "P12", "observed order of it in the elements", order_in_elements([](std::size_t elements) {
         return left_by_exchange(elements, 1.0, 0.2) - left_by_exchange(1.0, 0.2);
       }),
       3.8));
@@ -167,7 +167,7 @@ std::vector<Row> compression_rows() {
         1e-4 * left_under_compression(stiffness, 0.1)));
   }
   rows.push_back(at_least(
-      "P13", "observed order of it in the elements", observed_order([](std::size_t elements) {
+      "P13", "observed order of it in the elements", order_in_elements([](std::size_t elements) {
         return left_under_compression(elements, 1.0, 0.1) - left_under_compression(1.0, 0.1);
       }),
       3.8));

@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         LoadRefusal{"NoLoad", "duration = \"3 s\"\n", "no load is prescribed", "strain.curvature"},
         LoadRefusal{"TwoLoads", "duration = \"3 s\"\npressure = \"1 kPa\"\ncurvature = \"1 1/m\"\n",
-                    "are both given", "give one of them"},
+                    "more than one load is prescribed", "give one of"},
         LoadRefusal{"NoDuration", "pressure = \"1 kPa\"\n", "missing key strain.duration",
                     "a time"},
         LoadRefusal{"BentTooFar", "duration = \"3 s\"\ncurvature = \"9000 1/m\"\n",
