@@ -28,7 +28,7 @@ constexpr std::size_t fewest_points = 120, more_points = 80, most_points = 600;
 constexpr double good = 5e-3; // error in unseen samples, of their norm
 /// Of a point in what one place has beside the middle, which is smooth.
 constexpr double departure = 1e-2;
-constexpr double regularisation = 1e-6; // of the square of a point
+constexpr double ridge = 1e-6; // of the square of a point
 
 /// What samples and their reflections have of one parity.
 struct Parity {
@@ -139,7 +139,7 @@ Matrix regression(const Parity& parity, const std::vector<std::size_t>& order, s
   const Eigen::VectorXd scale = values.rowwise().norm().cwiseMax(1e-30).cwiseInverse();
   values = scale.asDiagonal() * values;
   Matrix gram = values * values.transpose();
-  gram.diagonal().array() += regularisation;
+  gram.diagonal().array() += ridge;
   return gram.ldlt().solve(values * parity.amplitude.leftCols(samples).transpose()).transpose() *
          scale.asDiagonal();
 }
@@ -257,7 +257,7 @@ Matrix fit_at_place(const ChannelBasis& basis, const ChannelSamples& samples,
   const Matrix modes = measured(basis.field.cast<float>(), measure).cast<double>(),
                fields = measured(samples.fields, measure).cast<double>();
   Matrix gram = modes.transpose() * modes;
-  gram.diagonal().array() += regularisation * gram.diagonal().mean();
+  gram.diagonal().array() += ridge * gram.diagonal().mean();
   const Matrix amplitude = gram.ldlt().solve(modes.transpose() * fields);
   Matrix values(static_cast<Index>(basis.points.size()), samples.at_points.cols());
   for (std::size_t i = 0; i < basis.points.size(); ++i) {

@@ -14,10 +14,10 @@ namespace ionskin::live {
 namespace {
 
 constexpr double step = 1e-3; // [s]
-constexpr double least_load = 0.1, least_speed = 0.1;
-constexpr double rest_share = 0.3, same_load_share = 0.5, reversal_share = 0.3;
+constexpr double lightest_share = 0.1, slowest_share = 0.1;
+constexpr double resting_share = 0.3, same_load_share = 0.5, reversal_share = 0.3;
 constexpr double fewest_steps = 10, most_landing_steps = 80, most_steps = 150;
-constexpr double most_pieces = 5;
+constexpr double most_legs = 5;
 constexpr int frictions = 5;       // of a range
 constexpr int steps_a_sample = 24; // on average: neighbours tell little more
 
@@ -44,7 +44,7 @@ std::vector<std::vector<double>> contact_samples(const SkinData& data, const Tou
   };
   const auto load = [&] {
     return range.heaviest * (range.is_force ? data.meshed_share : 1) *
-           random.between(least_load, 1);
+           random.between(lightest_share, 1);
   };
   for (int touch = 0; samples.size() < count; ++touch) {
     base::check_interrupt();
@@ -60,17 +60,17 @@ std::vector<std::vector<double>> contact_samples(const SkinData& data, const Tou
     for (double i = 1; i <= landing; ++i) {
       press(at, now * i / landing);
     }
-    const double pieces = std::floor(random.between(1, most_pieces + 1));
+    const double pieces = std::floor(random.between(1, most_legs + 1));
     for (double piece = 0; piece < pieces; ++piece) {
       const double from = now, length = steps(most_steps);
-      const bool rests = random.between(0, 1) < rest_share;
+      const bool rests = random.between(0, 1) < resting_share;
       if (random.between(0, 1) < reversal_share) {
         direction = {-direction[0], -direction[1]};
       } else {
         const double angle = random.between(0, 2 * std::numbers::pi);
         direction = {std::cos(angle), std::sin(angle)};
       }
-      const double way = rests ? 0 : step * range.fastest * random.between(least_speed, 1);
+      const double way = rests ? 0 : step * range.fastest * random.between(slowest_share, 1);
       now = random.between(0, 1) < same_load_share ? now : load();
       for (double i = 1; i <= length; ++i) {
         std::array<double, 2> to{};
