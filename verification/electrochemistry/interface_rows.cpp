@@ -29,7 +29,7 @@ Case cell(double permittivity, double capacitance) {
 }
 
 /// docs/model.md (73), or (33) without a capacitance of its own, in the limit of thin layers.
-Complex closed_form(const Case& input, double frequency) {
+Complex blocking_impedance(const Case& input, double frequency) {
   const auto scales =
       electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness());
   const Complex s(0.0, 2.0 * std::numbers::pi * frequency), p = s * scales.relaxation_time;
@@ -46,7 +46,8 @@ void add_spectrum_rows(double capacitance, const std::string& name, std::vector<
   double real = 0.0, imaginary = 0.0;
   for (int i = 0; i <= 50; ++i) {
     const double frequency = 1e-4 * std::pow(10.0, 0.2 * i);
-    const Complex expected = closed_form(input, frequency), value = found.area_impedance(frequency);
+    const Complex expected = blocking_impedance(input, frequency),
+                  value = found.area_impedance(frequency);
     real = std::max(real, std::abs(value.real() / expected.real() - 1.0));
     imaginary = std::max(imaginary, std::abs(value.imag() / expected.imag() - 1.0));
   }

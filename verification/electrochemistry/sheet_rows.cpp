@@ -23,7 +23,7 @@ using electrochemistry::IonSolution;
 
 constexpr double squares = 4.0;                 // [ohm], of both metals together
 constexpr double amplitude = 1e-4, rise = 0.05; // of the voltage at the leads [V], [s]
-constexpr std::array compared_instants{0.1, 0.3, 1.0, 3.0};
+constexpr std::array sheet_instants{0.1, 0.3, 1.0, 3.0};
 
 /// A strip many cores long whose electrodes have a sheet resistance.
 Case strip(ElectrodeContact contact) {
@@ -38,7 +38,7 @@ Case strip(ElectrodeContact contact) {
 
 history::CoreHistory at_rest(const Case& input, double shear) {
   std::vector<double> times{0.0};
-  times.insert(times.end(), compared_instants.begin(), compared_instants.end());
+  times.insert(times.end(), sheet_instants.begin(), sheet_instants.end());
   history::CoreHistory history = linear_step_history(-shear, shear, times);
   history.width = input.skin.width;
   history.grid.y_edges = {0.0, input.skin.width};
@@ -51,7 +51,7 @@ IonSolution charge_by_leads(const Case& input, const Options& options) {
   ion_options.threads = options.threads;
   ion_options.progress = options.progress;
   ion_options.potentials.top = [](double time) { return -amplitude * std::expm1(-time / rise); };
-  ion_options.snapshot_times.assign(compared_instants.begin(), compared_instants.end());
+  ion_options.snapshot_times.assign(sheet_instants.begin(), sheet_instants.end());
   base::Timers timers;
   return electrochemistry::solve_ion_transport(input, at_rest(input, 0.0), ion_options, timers);
 }
@@ -105,18 +105,18 @@ void add_line_rows(ElectrodeContact contact, const std::string& name, const Opti
   const std::size_t count = solution.grid.x_edges.size() - 1;
   const std::size_t column = contact == ElectrodeContact::both_ends ? count / 2 : count - 1;
   const double distance = 0.5 * (solution.grid.x_edges[column] + solution.grid.x_edges[column + 1]);
-  for (std::size_t i = 0; i < compared_instants.size(); ++i) {
-    const double time = compared_instants[i];
+  for (std::size_t i = 0; i < sheet_instants.size(); ++i) {
+    const double time = sheet_instants[i];
     rows.push_back(compare("E11", fmt::format("charge by {} at t = {} s [C]", name, time),
                            charge_difference(solution, row_at(solution, time)), line.charge(time),
-                           1e-3 * line.charge(compared_instants.back())));
+                           1e-3 * line.charge(sheet_instants.back())));
     rows.push_back(
         compare("E11", fmt::format("voltage farthest from {} at t = {} s [V]", name, time),
                 far_voltage(solution, i, column), line.voltage(time, distance), 1e-3 * amplitude));
   }
 }
 
-void add_order_row(const Options& options, std::vector<Row>& rows) {
+void add_sheet_order_row(const Options& options, std::vector<Row>& rows) {
   constexpr double instant = 0.1;
   std::array<double, 3> charge{};
   for (std::size_t i = 0; i < charge.size(); ++i) {
@@ -154,13 +154,13 @@ void add_corner_rows(const Options& options, std::vector<Row>& rows) {
         },
         time);
   };
-  const double scale = expected(compared_instants.back());
-  for (const double time : compared_instants) {
+  const double scale = expected(sheet_instants.back());
+  for (const double time : sheet_instants) {
     rows.push_back(compare("E11", fmt::format("charge by leads at a corner at t = {} s [C]", time),
                            charge_difference(solution, row_at(solution, time)), expected(time),
                            1e-2 * scale));
   }
-  const double instant = compared_instants[1];
+  const double instant = sheet_instants[1];
   const auto error = [&](const IonSolution& found) {
     return std::abs(charge_difference(found, row_at(found, instant)) - expected(instant));
   };
@@ -206,7 +206,7 @@ void add_impedance_rows(std::vector<Row>& rows) {
   }
 }
 
-double largest_magnitude(const std::vector<double>& values) {
+double largest_of(const std::vector<double>& values) {
   double largest = 0.0;
   for (const double value : values) {
     largest = std::max(largest, std::abs(value));
@@ -226,7 +226,7 @@ Case touched(double resistance, const char* circuit, const char* law) {
   return input;
 }
 
-void add_limit_rows(const Options& options, std::vector<Row>& rows) {
+void add_sheet_limit_rows(const Options& options, std::vector<Row>& rows) {
   const history::CoreHistory touch = sliding_contact_history(1);
   for (const char* circuit : {"short", "load"}) {
     const IonSolution none = run_model(touched(0.0, circuit, "fixed-charge"), touch, options),
@@ -244,7 +244,7 @@ void add_limit_rows(const Options& options, std::vector<Row>& rows) {
   }
 }
 
-void add_conservation_rows(const Options& options, std::vector<Row>& rows) {
+void add_sheet_conservation_rows(const Options& options, std::vector<Row>& rows) {
   const IonSolution open = run_model(touched(1.0, "open", "column-neutral"),
                                      sliding_contact_history(1), options),
                     shorted = run_model(touched(1.0, "short", "column-neutral"),
@@ -253,11 +253,11 @@ void add_conservation_rows(const Options& options, std::vector<Row>& rows) {
   for (std::size_t row = 0; row < shorted.time.size(); ++row) {
     walls = std::max(walls, std::abs(shorted.charge_top[row] + shorted.charge_bottom[row]));
   }
-  const double scale = largest_magnitude(shorted.charge_top);
+  const double scale = largest_of(shorted.charge_top);
   rows.push_back(at_most("E11", "charge of both electrodes at 1 ohm a square, relative",
                          walls / scale, 1e-10));
   rows.push_back(at_most("E11", "charge that passes open leads at 1 ohm a square, relative",
-                         largest_magnitude(open.charge_top) / scale, 1e-10));
+                         largest_of(open.charge_top) / scale, 1e-10));
 }
 
 } // namespace
@@ -266,11 +266,11 @@ std::vector<Row> sheet_rows(const Options& options) {
   std::vector<Row> rows;
   add_line_rows(ElectrodeContact::one_end, "a lead at one end", options, rows);
   add_line_rows(ElectrodeContact::both_ends, "leads at both ends", options, rows);
-  add_order_row(options, rows);
+  add_sheet_order_row(options, rows);
   add_corner_rows(options, rows);
   add_impedance_rows(rows);
-  add_limit_rows(options, rows);
-  add_conservation_rows(options, rows);
+  add_sheet_limit_rows(options, rows);
+  add_sheet_conservation_rows(options, rows);
   return rows;
 }
 

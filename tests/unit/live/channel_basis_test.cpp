@@ -9,7 +9,7 @@
 namespace ionskin::live {
 namespace {
 
-constexpr std::size_t columns = 12, levels = 2;
+constexpr std::size_t cells_along = 12, heights = 2;
 
 /// The norm of a strain of a few random waves at two points a cell, and its mean over each cell.
 ChannelSamples random_samples(std::size_t count, std::uint64_t seed) {
@@ -18,18 +18,18 @@ ChannelSamples random_samples(std::size_t count, std::uint64_t seed) {
     return low + (high - low) * static_cast<double>(random() >> 11u) * 0x1p-53;
   };
   ChannelSamples samples;
-  samples.points = {2 * columns, 1, levels};
-  samples.cells = {columns, 1, levels};
-  samples.at_points.resize(2 * columns * levels, static_cast<Eigen::Index>(count));
-  samples.fields.resize(columns * levels, static_cast<Eigen::Index>(count));
+  samples.points = {2 * cells_along, 1, heights};
+  samples.cells = {cells_along, 1, heights};
+  samples.at_points.resize(2 * cells_along * heights, static_cast<Eigen::Index>(count));
+  samples.fields.resize(cells_along * heights, static_cast<Eigen::Index>(count));
   for (Eigen::Index sample = 0; sample < samples.fields.cols(); ++sample) {
     std::array<double, 8> wave{};
     for (double& amplitude : wave) {
       amplitude = between(-1, 1);
     }
-    for (std::size_t at = 0; at < 2 * columns * levels; ++at) {
-      const double x = (static_cast<double>(at % (2 * columns)) + 0.5) / columns - 1,
-                   z = static_cast<double>(at / (2 * columns));
+    for (std::size_t at = 0; at < 2 * cells_along * heights; ++at) {
+      const double x = (static_cast<double>(at % (2 * cells_along)) + 0.5) / cells_along - 1,
+                   z = static_cast<double>(at / (2 * cells_along));
       double first = 0, second = 0;
       for (std::size_t i = 0; i < 4; ++i) {
         first += wave[i] * std::cos(static_cast<double>(i) * x + 0.3 * z);
@@ -47,8 +47,8 @@ ChannelSamples random_samples(std::size_t count, std::uint64_t seed) {
 }
 
 ChannelMeasure even_measure() {
-  return {std::vector<double>(2 * columns * levels, 1.0), std::vector<double>(columns, 1.0),
-          Eigen::MatrixXd::Identity(levels, levels)};
+  return {std::vector<double>(2 * cells_along * heights, 1.0),
+          std::vector<double>(cells_along, 1.0), Eigen::MatrixXd::Identity(heights, heights)};
 }
 
 Eigen::VectorXd told(const ChannelBasis& basis, const Eigen::VectorXf& at_points) {

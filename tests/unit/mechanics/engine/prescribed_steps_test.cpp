@@ -28,15 +28,15 @@ struct ShortStepper {
                                    {1e-8}, {0.0}, laws::friction("coulomb", 0.3, {})) {}
 };
 
-constexpr MotionLeg slide{Phase::slide, 0, 1, {0, 0}, {1e-3, 0}, {false, -1e-6}, {false, -1e-6}};
+constexpr MotionLeg along_x{Phase::slide, 0, 1, {0, 0}, {1e-3, 0}, {false, -1e-6}, {false, -1e-6}};
 
 TEST(PrescribedSteps, are_halved_where_the_contact_has_no_solution) {
   ShortStepper at(0.3e-3);
-  at.contact.step(1, slide.from, {LoadKind::indentation, 1e-6});
+  at.contact.step(1, along_x.from, {LoadKind::indentation, 1e-6});
   PrescribedSteps steps(at.contact);
   std::vector<double> told;
-  const LegLevels levels = leg_levels(slide, at.contact, slide.to, 1);
-  EXPECT_EQ(steps.advance(slide, levels, 0, 1,
+  const LegLevels levels = leg_levels(along_x, at.contact, along_x.to, 1);
+  EXPECT_EQ(steps.advance(along_x, levels, 0, 1,
                           [&](const PassedStep& step) {
                             told.push_back(step.fraction);
                             return 0.0;
@@ -49,10 +49,10 @@ TEST(PrescribedSteps, are_halved_where_the_contact_has_no_solution) {
 
 TEST(PrescribedSteps, are_given_up_where_halving_does_not_help) {
   ShortStepper at(1e-6);
-  at.contact.step(1, slide.from, {LoadKind::indentation, 1e-6});
+  at.contact.step(1, along_x.from, {LoadKind::indentation, 1e-6});
   PrescribedSteps steps(at.contact);
-  const LegLevels levels = leg_levels(slide, at.contact, slide.to, 1);
-  EXPECT_THROW(steps.advance(slide, levels, 0, 1, [](const PassedStep&) { return 0.0; }),
+  const LegLevels levels = leg_levels(along_x, at.contact, along_x.to, 1);
+  EXPECT_THROW(steps.advance(along_x, levels, 0, 1, [](const PassedStep&) { return 0.0; }),
                SolverError);
 }
 
