@@ -7,21 +7,21 @@
 namespace ionskin::mechanics {
 namespace {
 
-constexpr std::array<double, 2> place{2e-3, 1e-3};
+constexpr std::array<double, 2> spot{2e-3, 1e-3};
 
 MotionLeg leg(const SliderLevel& from, const SliderLevel& to) {
-  return {Phase::touchdown, 0, 1, place, place, from, to};
+  return {Phase::touchdown, 0, 1, spot, spot, from, to};
 }
 
 TEST(LegLevels, of_heights_touch_where_the_slider_is_below_the_skin) {
   const SlidingContact above = line().slider();
-  const LegLevels down = leg_levels(leg({false, 3e-6}, {false, -1e-6}), above, place, 1);
+  const LegLevels down = leg_levels(leg({false, 3e-6}, {false, -1e-6}), above, spot, 1);
   EXPECT_DOUBLE_EQ(down.begin, 0.75);
   EXPECT_EQ(down.end, 1);
   EXPECT_TRUE(down.presses());
   EXPECT_EQ(down.load(1).kind, LoadKind::indentation);
   EXPECT_DOUBLE_EQ(down.load(1).value, 1e-6);
-  const LegLevels up = leg_levels(leg({false, -1e-6}, {false, 3e-6}), above, place, 1);
+  const LegLevels up = leg_levels(leg({false, -1e-6}, {false, 3e-6}), above, spot, 1);
   EXPECT_DOUBLE_EQ(up.end, 0.25);
   EXPECT_TRUE(up.leaves());
   EXPECT_EQ(up.load(up.end).value, 0);
@@ -29,7 +29,7 @@ TEST(LegLevels, of_heights_touch_where_the_slider_is_below_the_skin) {
 }
 
 TEST(LegLevels, of_forces_have_no_heights_and_are_those_of_the_meshed_part) {
-  const LegLevels pulled = leg_levels(leg({true, 4}, {true, 2}), line().slider(), place, 0.5);
+  const LegLevels pulled = leg_levels(leg({true, 4}, {true, 2}), line().slider(), spot, 0.5);
   EXPECT_FALSE(pulled.presses());
   EXPECT_FALSE(pulled.height(0.5));
   EXPECT_EQ(pulled.load(0.5).kind, LoadKind::force);
@@ -38,12 +38,12 @@ TEST(LegLevels, of_forces_have_no_heights_and_are_those_of_the_meshed_part) {
 
 TEST(LegLevels, from_a_height_to_a_force_go_to_where_it_is_carried) {
   const SlidingContact above = line().slider();
-  const LegLevels landing = leg_levels(leg({false, 1e-6}, {true, 5}), above, place, 1);
+  const LegLevels landing = leg_levels(leg({false, 1e-6}, {true, 5}), above, spot, 1);
   EXPECT_FALSE(above.in_contact()) << "only tried out";
   EXPECT_EQ(landing.load(1).kind, LoadKind::force);
   EXPECT_EQ(landing.load(1).value, 5);
   SlidingContact pressed = line().slider();
-  pressed.step(1, place, {LoadKind::indentation, -landing.to});
+  pressed.step(1, spot, {LoadKind::indentation, -landing.to});
   EXPECT_NEAR(total_normal_force(pressed.state().force), 5, 1e-7);
 }
 
