@@ -107,7 +107,7 @@ TEST_P(LeftOut, IsWhatGoesWithTheChoiceBefore) {
   EXPECT_THAT(input.notes.front(), HasSubstr("left out of the case: " + row.left_out + "."));
 }
 
-const std::string water = R"text([coupling]
+const std::string wet_lines = R"text([coupling]
 law = "poroelastic"
 [water]
 drag_number = 2
@@ -130,7 +130,7 @@ INSTANTIATE_TEST_SUITE_P(
                     {"slider.shape=sphere", "slider.radius=4 mm"},
                     "slider.edge_radius"},
         OtherChoice{"[coupling]\ncoefficient = 0.1",
-                    water,
+                    wet_lines,
                     {"coupling.law=column-neutral", "coupling.coefficient=0.1"},
                     "water.drag_number, water.drained_poissons_ratio, water.mobility"},
         OtherChoice{"[coupling]\ncoefficient = 0.1",
