@@ -198,10 +198,9 @@ class Draw:
     def load(self):
         """A prescribed load in the place of a contact."""
         strain = {"source": "prescribed", "duration": self.quantity(0.5, 5, "s")}
-        if self.maybe(0.5):
-            strain["pressure"] = self.quantity(1e3, 1e6, "Pa")
-        else:
-            strain["curvature"] = self.quantity(0.1, 20, "1/m")
+        kind = self.rng.choice(("pressure", "compression", "curvature"))
+        strain[kind] = {"pressure": self.quantity(1e3, 1e6, "Pa"), "compression": self.quantity(0.001, 0.1, "um"),
+                        "curvature": self.quantity(0.1, 20, "1/m")}[kind]
         strain["waveform"] = self.rng.choice(("step", "ramp", "sine"))
         if strain["waveform"] == "ramp":
             strain["rise"] = self.quantity(0.01, 0.4, "s")
@@ -239,12 +238,13 @@ class Draw:
 
     def water(self):
         """Keys of [water] beside those of the material."""
-        water = {"dilution": self.rng.choice(("mixture", "pore-water")),
-                 "bottom_wall": self.rng.choice(("sealed", "open", "permeable")), "top_wall": "sealed"}
-        if water["bottom_wall"] == "permeable":
-            water["bottom_conductance"] = self.quantity(1e-15, 1e-11, "m/(Pa s)")
-        if water["bottom_wall"] != "sealed" and self.maybe(0.3):
-            water["bottom_pressure"] = self.quantity(10, 10000, "Pa")
+        water = {"dilution": self.rng.choice(("mixture", "pore-water"))}
+        for side in ("bottom", "top"):
+            wall = water[f"{side}_wall"] = self.rng.choice(("sealed", "open", "permeable"))
+            if wall == "permeable":
+                water[f"{side}_conductance"] = self.quantity(1e-15, 1e-11, "m/(Pa s)")
+            if wall != "sealed" and "compression" not in self.case.get("strain", {}) and self.maybe(0.3):
+                water[f"{side}_pressure"] = self.quantity(10, 10000, "Pa")
         if self.maybe(0.5):
             water["drained_poissons_ratio"] = self.between(0.1, 0.3)
         else:
