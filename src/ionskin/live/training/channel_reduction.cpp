@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/live/training/channel_reduction.hpp"
 
-#include "ionskin/base/error.hpp"
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/handover/field_projection.hpp"
-#include "ionskin/laws/shear/shear_measure.hpp"
 #include "ionskin/live/training/channel_basis.hpp"
+#include "ionskin/live/training/measure_rows.hpp"
+#include "ionskin/live/training/place_map.hpp"
+#include "ionskin/live/training/place_symmetry.hpp"
 #include "ionskin/live/training/reflections.hpp"
+#include "ionskin/live/training/row_major.hpp"
+#include "ionskin/live/training/unit_strains.hpp"
 #include "ionskin/mechanics/output/core_strain.hpp"
 #include "ionskin/mechanics/skin/strain_recovery.hpp"
 #include "ionskin/parallel/task_pool.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <mutex>
-#include <numeric>
 #include <string>
 #include <utility>
 
@@ -29,92 +29,10 @@ namespace {
 using mechanics::CoreStrain;
 using Matrix = Eigen::MatrixXd;
 
-constexpr std::size_t loads_at_once = 8; // that are recovered together
-constexpr double negligible_place_mode = 1e-5, negligible_fit_mode = 1e-3;
+constexpr double negligible_fit_mode = 1e-3;
 constexpr std::size_t samples_at_node = 240;
 /// What counts of a channel beside the charges: its mean and its first moment, so much of them.
 constexpr double signal_share = 1e-2;
-constexpr double symmetric = 1e-9; // of a length, over the largest
-
-/// Rows whose norm is the channel, or the one row that it is.
-using Rows = std::vector<std::array<double, 6>>; ///< weights of xx, yy, zz, yz, xz, xy
-
-double value_of(const Rows& rows, const std::array<double, 6>& strain) {
-  double square = 0, value = 0;
-  for (const auto& row : rows) {
-    value = std::inner_product(row.begin(), row.end(), strain.begin(), 0.0);
-    square += value * value;
-  }
-  return rows.size() == 1 ? value : std::sqrt(square);
-}
-
-std::array<double, 6> strain_at(const CoreStrain& strain, std::size_t point) {
-  std::array<double, 6> at{};
-  for (std::size_t c = 0; c < at.size(); ++c) {
-    at[c] = strain.component[c].empty() ? 0.0 : strain.component[c][point]; // no channel reads it
-  }
-  return at;
-}
-
-/// Rows whose norm, or whose one value, is a shear measure: of one linear in the strain its own
-/// coefficients, else those of the quadratic form that its square must be.
-/// Throws UserError for a measure that is neither.
-Rows rows_of(const laws::ShearMeasure& measure) {
-  constexpr std::size_t components = 6;
-  const auto unit = [&](std::size_t i, std::size_t j) {
-    std::array<double, components> strain{};
-    strain[i] += 1;
-    strain[j] += 1;
-    return measure.at(strain);
-  };
-  constexpr std::array<double, components> probe{0.3, -0.7, 0.2, 0.5, -0.4, 0.9};
-  std::array<double, components> opposite{};
-  std::ranges::transform(probe, opposite.begin(), std::negate<>{});
-  const double expected = measure.at(probe);
-  Rows rows;
-  if (measure.at(opposite) == -expected) {
-    rows.emplace_back();
-    for (std::size_t i = 0; i < components; ++i) {
-      rows[0][i] = unit(i, i) / 2;
-    }
-  } else {
-    Eigen::Matrix<double, components, components> form;
-    for (std::size_t i = 0; i < components; ++i) {
-      for (std::size_t j = 0; j < components; ++j) {
-        const double own = std::pow(unit(i, i) / 2, 2), other = std::pow(unit(j, j) / 2, 2);
-        form(static_cast<int>(i), static_cast<int>(j)) =
-            i == j ? own : (std::pow(unit(i, j), 2) - own - other) / 2;
-      }
-    }
-    const Eigen::SelfAdjointEigenSolver<decltype(form)> modes(form);
-    for (int mode = 0; mode < static_cast<int>(components); ++mode) {
-      const double value = modes.eigenvalues()[mode];
-      if (value > 1e-12 * modes.eigenvalues().maxCoeff()) {
-        rows.emplace_back();
-        for (std::size_t i = 0; i < components; ++i) {
-          rows.back()[i] = std::sqrt(value) * modes.eigenvectors()(static_cast<int>(i), mode);
-        }
-      }
-    }
-    if (rows.size() == 1) {
-      rows.emplace_back(); // a single row has a sign, a norm of two has none
-    }
-  }
-  if (!(std::abs(value_of(rows, probe) - expected) <= 1e-9 * std::abs(expected))) {
-    throw UserError(fmt::format(
-        "coupling.measure = \"{}\": a live skin knows measures that are linear in the strain, or "
-        "the root of a quadratic form of it\n  = choose another measure",
-        measure.name));
-  }
-  return rows;
-}
-
-Rows rows_of(const Case& input, const std::string& channel) {
-  if (channel == history::channel_name::dilation) {
-    return {{-1, -1, -1, 0, 0, 0}};
-  }
-  return rows_of(laws::shear_measure(input.coupling.measure));
-}
 
 /// Roots of the volumes of the Gauss points with the slider in the middle of its range; 0 of those
 /// outside the lines that ride with it, which are elsewhere with each of its places.
@@ -140,14 +58,6 @@ std::vector<double> point_weights(const mesh::SkinMesh& mesh, const std::array<d
   return weights;
 }
 
-void append(std::vector<float>& values, const Matrix& rows) {
-  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-    for (Eigen::Index j = 0; j < rows.cols(); ++j) {
-      values.push_back(static_cast<float>(rows(i, j)));
-    }
-  }
-}
-
 /// Weights of the integral over z of a function that is linear between nodes, and of its moment.
 void set_level_weights(const std::vector<double>& z, ChannelMap& map) {
   map.mean.assign(z.size(), 0);
@@ -161,36 +71,6 @@ void set_level_weights(const std::vector<double>& z, ChannelMap& map) {
     map.moment[i] += length / 6 * (2 * arm(z[i]) + arm(z[i + 1]));
     map.moment[i + 1] += length / 6 * (arm(z[i]) + 2 * arm(z[i + 1]));
   }
-}
-
-/// Points at which the strain under unit forces is wanted, of one channel.
-struct Wanted {
-  Rows rows;
-  std::vector<std::size_t> points;
-};
-
-std::vector<double> about(double middle, std::vector<double> lines) {
-  for (double& line : lines) {
-    line -= middle;
-  }
-  return lines;
-}
-
-/// Whether values on the lines of a grid of cells are the same seen from its other end.
-bool is_mirrored(const std::vector<double>& lines) {
-  const double most = std::max(std::abs(lines.front()), std::abs(lines.back()));
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (std::abs(lines[i] + lines[lines.size() - 1 - i]) > symmetric * most) {
-      return false;
-    }
-  }
-  return true;
-}
-
-/// Whether the mirror image of every node on the skin is a node.
-bool are_mirrored(const PlaceNodes& places, const SkinData& data) {
-  return is_mirrored(about(data.length / 2, places.x)) &&
-         is_mirrored(about(data.width / 2, places.y));
 }
 
 /// Of the columns of a grid that rides with the slider, what lies within the core [y][x] [m2].
@@ -231,35 +111,8 @@ Matrix mirrored_fit(const Matrix& fit, const ChannelBasis& basis, std::size_t g,
   return result;
 }
 
-/// Those of the slider; the skin has both.
-Reflections reflections_of(const mechanics::SkinModel& model) {
-  const std::array<std::size_t, 3> size{model.cells.columns(), model.cells.rows(), 1};
-  const double deepest = *std::ranges::max_element(model.gap);
-  std::array<bool, 2> along{is_mirrored(model.cells.lines_x),
-                            !model.mesh.half_model() && is_mirrored(model.cells.lines_y)};
-  for (std::size_t d = 0; d < 2; ++d) {
-    const Reflections alone(d == 0, d == 1);
-    for (std::size_t cell = 0; along[d] && cell < model.gap.size(); ++cell) {
-      along[d] =
-          std::abs(model.gap[cell] - model.gap[alone.image(1, cell, size)]) <= symmetric * deepest;
-    }
-  }
-  return {along[0], along[1]};
-}
-
-/// A box of places that is its own mirror image on the skin.
-MotionBox mirrored_box(const MotionBox& box, const SkinData& data) {
-  const std::array<double, 2> extent{data.length, data.width};
-  MotionBox both = box;
-  for (std::size_t d = 0; d < 2; ++d) {
-    both.low[d] = std::min(box.low[d], extent[d] - box.high[d]);
-    both.high[d] = extent[d] - both.low[d];
-  }
-  return both;
-}
-
-/// Rows of which each counts alike: what drives the charges, and a little of the signals of the
-/// core themselves.
+/// MeasureRows of which each counts alike: what drives the charges, and a little of the signals of
+/// the core themselves.
 Matrix level_measure(const ChannelMap& map, const SkinData& data, bool drives) {
   const auto levels = static_cast<Eigen::Index>(map.mean.size());
   const auto add = [](Matrix& form, const Matrix& rows, double share) {
@@ -292,7 +145,7 @@ Matrix level_measure(const ChannelMap& map, const SkinData& data, bool drives) {
 /// The strain of the samples at the Gauss points, and the fields of the channels.
 std::vector<ChannelSamples> recovered(const std::vector<std::vector<double>>& samples,
                                       const std::array<double, 2>& place,
-                                      const std::vector<Rows>& rows,
+                                      const std::vector<MeasureRows>& rows,
                                       const mechanics::StrainRecovery& recovery,
                                       const handover::FieldProjection& projection, int threads,
                                       const base::ProgressCallback& progress) {
@@ -345,128 +198,7 @@ std::vector<ChannelSamples> recovered(const std::vector<std::vector<double>>& sa
   return result;
 }
 
-/// Strains at the points under unit forces on every cell, at every node. Of nodes that are mirror
-/// images of each other one is solved.
-void add_unit_strains(const mechanics::SkinModel& model, const SkinData& data,
-                      const mechanics::StrainRecovery& recovery, const PlaceNodes& places,
-                      const Reflections& reflections, int threads,
-                      const std::vector<Wanted>& wanted, std::vector<ChannelMap>& maps) {
-  const std::size_t size = 3 * model.cells.count(), columns = places.x.size();
-  const std::array<std::size_t, 3> cells{model.cells.columns(), model.cells.rows(), 1},
-      nodes{columns, places.y.size(), 1};
-  // [node][channel]: values [load][point][row]
-  std::vector<std::vector<std::vector<float>>> at_nodes(nodes[0] * nodes[1]);
-  const bool mirror_places = are_mirrored(places, data);
-  for (std::size_t node = 0; node < at_nodes.size(); ++node) {
-    if (!at_nodes[node].empty()) {
-      continue;
-    }
-    std::vector<std::size_t> images; // of the node, that of no reflection first
-    for (std::size_t g = 0; g < reflections.count(); ++g) {
-      images.push_back(reflections.image(g, node, nodes));
-    }
-    const auto is_new = [&](std::size_t g) {
-      return g == 0 || (mirror_places &&
-                        std::find(images.begin(), images.begin() + static_cast<std::ptrdiff_t>(g),
-                                  images[g]) == images.begin() + static_cast<std::ptrdiff_t>(g));
-    };
-    std::size_t per_load = 0;
-    for (std::size_t g = 0; g < images.size(); ++g) {
-      if (is_new(g)) {
-        at_nodes[images[g]].resize(wanted.size());
-        for (std::size_t c = 0; c < wanted.size(); ++c) {
-          per_load = wanted[c].points.size() * wanted[c].rows.size();
-          at_nodes[images[g]][c].resize(size * per_load);
-        }
-      }
-    }
-    const std::array<double, 2> place{places.x[node % columns], places.y[node / columns]};
-    parallel::run_tasks((size + loads_at_once - 1) / loads_at_once, threads, [&](std::size_t i) {
-      base::check_interrupt();
-      const std::size_t first = i * loads_at_once, count = std::min(loads_at_once, size - first);
-      std::vector<mechanics::CellVector> loads(count, mechanics::CellVector(size, 0.0));
-      for (std::size_t own = 0; own < count; ++own) {
-        loads[own][first + own] = 1;
-      }
-      const std::vector<std::array<double, 2>> centres(count, place);
-      const auto strains = recovery.at(centres, loads);
-      for (std::size_t own = 0; own < count; ++own) {
-        const std::size_t load = first + own, component = load % 3;
-        for (std::size_t g = 0; g < images.size(); ++g) {
-          if (!is_new(g)) {
-            continue;
-          }
-          const auto& [x, y] = reflections.element(g);
-          const CoreStrain strain = mechanics::mirrored(strains[own].core, {x, y});
-          const double sign = (component == 1 && x) || (component == 2 && y) ? -1 : 1;
-          const std::size_t image = 3 * reflections.image(g, load / 3, cells) + component;
-          for (std::size_t c = 0; c < wanted.size(); ++c) {
-            const std::size_t rows = wanted[c].rows.size();
-            float* into = at_nodes[images[g]][c].data() + image * wanted[c].points.size() * rows;
-            for (const std::size_t point : wanted[c].points) {
-              const auto at = strain_at(strain, point);
-              for (const auto& row : wanted[c].rows) {
-                *into++ = static_cast<float>(sign * value_of({row}, at));
-              }
-            }
-          }
-        }
-      }
-    });
-  }
-  for (std::size_t c = 0; c < wanted.size(); ++c) {
-    std::vector<std::vector<float>> of_channel;
-    for (auto& node : at_nodes) {
-      of_channel.push_back(std::move(node[c]));
-    }
-    maps[c].rows_per_point = wanted[c].rows.size();
-    maps[c].strain = place_map(places, of_channel, negligible_place_mode);
-  }
-}
-
 } // namespace
-
-PlaceMap place_map(const PlaceNodes& places, const std::vector<std::vector<float>>& nodes,
-                   double negligible) {
-  const auto count = static_cast<Eigen::Index>(nodes.size()),
-             size = static_cast<Eigen::Index>(nodes.front().size());
-  Matrix values(size, count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    values.col(i) = Eigen::Map<const Eigen::VectorXf>(nodes[i].data(), size).cast<double>();
-  }
-  const Eigen::VectorXd mean = values.rowwise().mean();
-  values.colwise() -= mean;
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(values.transpose() * values);
-  std::vector<Eigen::Index> large;
-  for (Eigen::Index i = count; i-- > 0;) {
-    if (eigen.eigenvalues()[i] > std::pow(negligible * mean.norm(), 2)) {
-      large.push_back(i);
-    }
-  }
-  const Matrix amplitude = eigen.eigenvectors()(Eigen::indexing::all, large);
-  PlaceMap map{places.x, places.y, {}, {}};
-  append(map.values, mean.transpose());
-  append(map.values, (values * amplitude).transpose());
-  for (Eigen::Index i = 0; i < count; ++i) {
-    for (Eigen::Index k = 0; k < amplitude.cols(); ++k) {
-      map.amplitude.push_back(amplitude(i, k));
-    }
-  }
-  return map;
-}
-
-PlaceMap reduce_compliance(const mechanics::SkinModel& model, const PlaceNodes& places) {
-  mechanics::ContactCompliance compliance(model);
-  std::vector<std::vector<float>> values;
-  for (const double y : places.y) {
-    for (const double x : places.x) {
-      Matrix matrix;
-      compliance.at({x, y}, matrix);
-      values.emplace_back(matrix.data(), matrix.data() + matrix.size());
-    }
-  }
-  return place_map(places, values, negligible_place_mode);
-}
 
 std::vector<ChannelMap> reduce_channels(const Case& input, const SkinData& data,
                                         const std::shared_ptr<const mechanics::SkinModel>& model,
@@ -479,9 +211,9 @@ std::vector<ChannelMap> reduce_channels(const Case& input, const SkinData& data,
   const handover::FieldProjection projection(
       input, model->mesh, mirrored_box({data.lowest_place, data.highest_place}, data));
   const history::StrainGrid& grid = projection.grid();
-  std::vector<Rows> rows;
+  std::vector<MeasureRows> rows;
   for (const std::string& channel : channels) {
-    rows.push_back(rows_of(input, channel));
+    rows.push_back(measure_rows(input, channel));
   }
   const std::array<double, 2> middle{(places.x.front() + places.x.back()) / 2,
                                      (places.y.front() + places.y.back()) / 2};
@@ -492,7 +224,7 @@ std::vector<ChannelMap> reduce_channels(const Case& input, const SkinData& data,
   measure.cell_area = areas_within(grid, middle, {data.length, data.width});
   std::vector<ChannelMap> maps;
   std::vector<ChannelBasis> bases;
-  std::vector<Wanted> wanted;
+  std::vector<WantedStrain> wanted;
   for (std::size_t c = 0; c < channels.size(); ++c) {
     ChannelMap& map = maps.emplace_back();
     map.x_edges = grid.x_edges;

@@ -13,13 +13,6 @@
 
 namespace ionskin::live {
 
-/// Values at the nodes as a mean and the modes that are larger than a part of it.
-PlaceMap place_map(const PlaceNodes& places, const std::vector<std::vector<float>>& nodes,
-                   double negligible);
-
-/// The compliance of the contact cells over the nodes.
-PlaceMap reduce_compliance(const mechanics::SkinModel& model, const PlaceNodes& places);
-
 /// Reduces channels of the core to modes, over samples of the contact, docs/live.md.
 /// @param data with its contact, its charges and the range of its places
 /// @param samples forces of the cells; their strain is that of the middle of the range, since the

@@ -13,6 +13,7 @@
 #include "ionskin/live/training/charge_spread_fit.hpp"
 #include "ionskin/live/training/contact_samples.hpp"
 #include "ionskin/live/training/full_run.hpp"
+#include "ionskin/live/training/place_map.hpp"
 #include "ionskin/live/training/random_touches.hpp"
 #include "ionskin/live/training/stated_errors.hpp"
 #include "ionskin/mechanics/skin/skin_model.hpp"
