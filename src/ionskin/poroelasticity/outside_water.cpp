@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/poroelasticity/outside_water.hpp"
 
-#include "ionskin/poroelasticity/prescribed_load.hpp"
+#include "ionskin/base/value_at.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,26 +9,15 @@
 namespace ionskin::poroelasticity {
 namespace {
 
-using Samples = std::vector<std::pair<double, double>>;
-
-/// The value at a time of what is linear between samples and constant beyond them.
-double value_at(const Samples& samples, double time) {
-  const auto next = std::ranges::upper_bound(samples, time, {}, &Samples::value_type::first);
-  if (next == samples.begin() || next == samples.end()) {
-    return next == samples.begin() ? samples.front().second : samples.back().second;
-  }
-  const auto& [begin, from] = *(next - 1);
-  return from + (next->second - from) * (time - begin) / (next->first - begin);
-}
-
-/// The integral of it from the first sample on.
-double integral_to(const Samples& samples, double time) {
+/// The integral of a load's share from the first instant on.
+double integral_to(const LoadShares& load, double time) {
   double sum = 0;
-  for (std::size_t i = 0; i + 1 < samples.size() && samples[i].first < time; ++i) {
-    const double end = std::min(time, samples[i + 1].first);
-    sum += 0.5 * (samples[i].second + value_at(samples, end)) * (end - samples[i].first);
+  for (std::size_t i = 0; i + 1 < load.time.size() && load.time[i] < time; ++i) {
+    const double end = std::min(time, load.time[i + 1]);
+    sum +=
+        0.5 * (load.share[i] + base::value_at(load.time, load.share, end)) * (end - load.time[i]);
   }
-  return sum + samples.back().second * std::max(0.0, time - samples.back().first);
+  return sum + load.share.back() * std::max(0.0, time - load.time.back());
 }
 
 } // namespace
@@ -37,19 +26,19 @@ OutsideWater::OutsideWater(const Case& input, const WaterWalls& walls, double mo
     : pressure_{input.water.bottom_pressure, input.water.top_pressure}, walls_(walls),
       thickness_(input.skin.core_thickness()), mobility_(mobility) {
   if (input.strain.kind == StrainSourceKind::prescribed) {
-    share_ = load_shares(input.strain);
+    load_ = load_shares(input.strain);
   }
 }
 
 double OutsideWater::steady(double height, double time) const {
   const double top = walls_.share_of_top(height, thickness_);
-  return (share_.empty() ? 1.0 : value_at(share_, time)) *
+  return (load_ ? base::value_at(load_->time, load_->share, time) : 1.0) *
          (pressure_[0] * (1 - top) + pressure_[1] * top);
 }
 
 double OutsideWater::passed(double time) const {
   return mobility_ * walls_.slope_of_share(thickness_) * (pressure_[0] - pressure_[1]) *
-         (share_.empty() ? time : integral_to(share_, time));
+         (load_ ? integral_to(*load_, time) : time);
 }
 
 double OutsideWater::largest() const {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/poroelasticity/prescribed_load.hpp"
 #include "ionskin/poroelasticity/water_walls.hpp"
 
 #include <array>
-#include <utility>
-#include <vector>
+#include <optional>
 
 namespace ionskin::poroelasticity {
 
@@ -27,8 +27,8 @@ public:
   double largest() const;
 
 private:
-  std::vector<std::pair<double, double>> share_; ///< of the pressures over time; empty: constant
-  std::array<double, 2> pressure_;               ///< outside the bottom and the top wall [Pa]
+  std::optional<LoadShares> load_; ///< that the pressures follow; without one they are constant
+  std::array<double, 2> pressure_; ///< outside the bottom and the top wall [Pa]
   WaterWalls walls_;
   double thickness_, mobility_;
 };

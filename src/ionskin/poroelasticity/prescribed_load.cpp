@@ -3,12 +3,12 @@
 
 #include "ionskin/case/elastic_constants.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <numbers>
-#include <utility>
-#include <vector>
 
 namespace ionskin::poroelasticity {
 namespace {
@@ -16,19 +16,18 @@ namespace {
 /// Of a sine, which is linear between them: 1e-3 of its amplitude is lost.
 constexpr int samples_per_period = 64;
 
-using Samples = std::vector<std::pair<double, double>>; ///< time [s], share of the load [1]
-
-Samples sine(const StrainSource& strain) {
-  Samples samples;
+LoadShares sine(const StrainSource& strain) {
+  LoadShares load;
   const double interval = 1 / (samples_per_period * strain.frequency);
   const auto share = [&](double time) {
     return std::sin(2 * std::numbers::pi * strain.frequency * time);
   };
   for (int i = 0; i * interval < strain.duration * (1 - 1e-9); ++i) {
-    samples.emplace_back(i * interval, share(i * interval));
+    load.time.push_back(i * interval);
   }
-  samples.emplace_back(strain.duration, share(strain.duration));
-  return samples;
+  load.time.push_back(strain.duration);
+  std::ranges::transform(load.time, std::back_inserter(load.share), share);
+  return load;
 }
 
 /// Of the whole load, at the bottom and at the top of the core [Pa].
@@ -51,15 +50,15 @@ std::array<double, 2> undrained_pressure(const Case& input) {
 
 } // namespace
 
-std::vector<std::pair<double, double>> load_shares(const StrainSource& strain) {
+LoadShares load_shares(const StrainSource& strain) {
   switch (strain.waveform) {
   case LoadWaveform::step:
-    return {{0.0, 1.0}, {strain.duration, 1.0}};
+    return {{0.0, strain.duration}, {1.0, 1.0}};
   case LoadWaveform::ramp:
     if (strain.rise < strain.duration) {
-      return {{0.0, 0.0}, {strain.rise, 1.0}, {strain.duration, 1.0}};
+      return {{0.0, strain.rise, strain.duration}, {0.0, 1.0, 1.0}};
     }
-    return {{0.0, 0.0}, {strain.duration, 1.0}};
+    return {{0.0, strain.duration}, {0.0, 1.0}};
   case LoadWaveform::sine:
     break;
   }
@@ -74,8 +73,9 @@ history::CoreHistory prescribed_history(const Case& input) {
   history.grid = {{0.0, history.length}, {0.0, history.width}, {0.0, input.skin.core_thickness()}};
   const std::array<double, 2> whole = undrained_pressure(input);
   auto& channel = history.add_channel(history::channel_name::undrained_pressure, "Pa");
-  for (const auto& [time, share] : load_shares(input.strain)) {
-    history.time.push_back(time);
+  const LoadShares load = load_shares(input.strain);
+  history.time = load.time;
+  for (const double share : load.share) {
     channel.samples.push_back(std::make_shared<const history::StrainField>(
         history::StrainField{share * whole[0], share * whole[1]}));
   }

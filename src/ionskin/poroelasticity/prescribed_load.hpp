@@ -4,7 +4,6 @@
 #include "ionskin/case/case.hpp"
 #include "ionskin/history/core_history.hpp"
 
-#include <utility>
 #include <vector>
 
 namespace ionskin::poroelasticity {
@@ -20,7 +19,11 @@ namespace ionskin::poroelasticity {
 ///   1 - nu_u between symmetry planes (nu_u: Poisson's ratio of the core, the undrained one).
 history::CoreHistory prescribed_history(const Case& input);
 
-/// Times [s] and shares [1] of a prescribed load, linear in between.
-std::vector<std::pair<double, double>> load_shares(const StrainSource& strain);
+/// How a prescribed load goes over time, linear between the samples.
+struct LoadShares {
+  std::vector<double> time;  ///< [s]
+  std::vector<double> share; ///< of the whole load [1]
+};
+LoadShares load_shares(const StrainSource& strain);
 
 } // namespace ionskin::poroelasticity

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/readout/metrics.hpp"
 
-#include "ionskin/readout/sampling.hpp"
+#include "ionskin/base/value_at.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ public:
 
   void at(const std::string& signal, const std::string& suffix, double instant) {
     const Signal& column = signals_.column(signal);
-    add(signal + "_" + suffix, value_at(time(), column.values, instant), column.unit);
+    add(signal + "_" + suffix, base::value_at(time(), column.values, instant), column.unit);
   }
   void peak(const std::string& prefix, const SignalTable& table, const std::string& signal) {
     const Signal& column = table.column(signal);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/readout/sampling.hpp"
 
+#include "ionskin/base/value_at.hpp"
+
 #include "ionskin/readout/electrode_current.hpp"
 
 #include <algorithm>
@@ -20,7 +22,7 @@ std::vector<double> values_at(const std::vector<double>& time, const std::vector
   std::vector<double> values;
   values.reserve(instants.size());
   for (double instant : instants) {
-    values.push_back(value_at(time, quantity, instant));
+    values.push_back(base::value_at(time, quantity, instant));
   }
   return values;
 }
@@ -49,7 +51,7 @@ std::vector<double> integral_at(const std::vector<double>& time,
       whole += (time[row + 1] - time[row]) * (quantity[row + 1] + quantity[row]) / 2;
       ++row;
     }
-    const double at = value_at(time, quantity, instant);
+    const double at = base::value_at(time, quantity, instant);
     result.push_back(whole + std::max(0.0, instant - time[row]) * (quantity[row] + at) / 2);
   }
   return result;
@@ -69,21 +71,6 @@ Signal interval_means(const std::string& name, const std::vector<double>& curren
 }
 
 } // namespace
-
-double value_at(const std::vector<double>& time, const std::vector<double>& quantity,
-                double instant) {
-  const auto after = std::upper_bound(time.begin(), time.end(), instant);
-  if (after == time.begin()) {
-    return quantity.front();
-  }
-  if (after == time.end()) {
-    return quantity.back();
-  }
-  const auto i = static_cast<std::size_t>(after - time.begin());
-  const double weight = (instant - time[i - 1]) / (time[i] - time[i - 1]);
-  // A row that is hit exactly must not be spoilt by an empty neighbour.
-  return weight == 0 ? quantity[i - 1] : quantity[i - 1] + weight * (quantity[i] - quantity[i - 1]);
-}
 
 SignalTable sample_currents(const SignalTable& signals, double interval,
                             const ChargeRelaxation& relaxation) {

@@ -8,11 +8,6 @@
 
 namespace ionskin::readout {
 
-/// Piecewise-linear value of a quantity at an instant; clamped to the first and last row.
-/// @param time [s], strictly ascending
-double value_at(const std::vector<double>& time, const std::vector<double>& quantity,
-                double instant);
-
 /// What an integrating instrument sees, docs/model.md (30): the charge gained over each readout
 /// interval divided by it.
 /// Between the rows half the difference of the charges relaxes by a cubic and the rest is linear.

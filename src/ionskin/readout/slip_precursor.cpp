@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/readout/slip_precursor.hpp"
 
-#include "ionskin/readout/sampling.hpp"
+#include "ionskin/base/value_at.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,8 +46,8 @@ private:
 struct Rows {
   const std::vector<double>&time, &charge, &share;
 
-  double charge_at(double instant) const { return value_at(time, charge, instant); }
-  double share_at(double instant) const { return value_at(time, share, instant); }
+  double charge_at(double instant) const { return base::value_at(time, charge, instant); }
+  double share_at(double instant) const { return base::value_at(time, share, instant); }
 };
 
 void correlate(const Rows& rows, const SlipOnset& onset, SlipPrecursor& result) {

@@ -66,13 +66,5 @@ TEST(Sampling, OfATableTakesMeansOfVoltagesAndGainsOfCharges) {
   EXPECT_EQ(sampled.column("current_top_r1c1").values, (std::vector<double>{3, 0}));
 }
 
-TEST(Sampling, ValueAtARowIgnoresItsEmptyNeighbours) {
-  EXPECT_EQ(value_at({0, 1, 2}, {NAN, 4, NAN}, 1.0), 4);
-  EXPECT_TRUE(std::isnan(value_at({0, 1, 2}, {NAN, 4, NAN}, 1.5)));
-  EXPECT_EQ(value_at({0, 1}, {2, 4}, 0.25), 2.5);
-  EXPECT_EQ(value_at({0, 1}, {2, 4}, -1), 2);
-  EXPECT_EQ(value_at({0, 1}, {2, 4}, 9), 4);
-}
-
 } // namespace
 } // namespace ionskin::readout

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/live/training/validation.hpp"
 
+#include "ionskin/base/value_at.hpp"
 #include "ionskin/handover/contact_timeline.hpp"
 #include "ionskin/live/skin.hpp"
 #include "ionskin/live/training/random_touches.hpp"
 #include "ionskin/readout/charge_relaxation.hpp"
-#include "ionskin/readout/sampling.hpp"
 
 #include <algorithm>
 #include <array>
@@ -129,12 +129,11 @@ std::vector<TouchErrors> validate(const SkinData& data, const FullRun& run) {
                                     const std::string& reported, double share) {
       const double value = signals[column("charge_" + of)];
       if (tells_charge) {
-        comparison.add("charge_" + reported, value, readout::value_at(ions.time, full, time),
-                       since);
+        comparison.add("charge_" + reported, value, base::value_at(ions.time, full, time), since);
       }
       if (samples) {
         const double reference =
-            readout::value_at(ions.time, full, time) +
+            base::value_at(ions.time, full, time) +
             2 * share * readout::departure_from_line(ions.time, relaxation, time);
         difference[0] += share * value;
         difference[1] += share * reference;

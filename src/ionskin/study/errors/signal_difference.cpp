@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/errors/signal_difference.hpp"
 
+#include "ionskin/base/value_at.hpp"
 #include "ionskin/readout/electrode_current.hpp"
-#include "ionskin/readout/sampling.hpp"
 
 #include <cmath>
 #include <utility>
@@ -20,7 +20,7 @@ std::vector<double> at_instants(const SignalTable& table, const std::string& col
   const std::vector<double>& quantity = table.column(column).values;
   std::vector<double> values;
   for (const double instant : instants) {
-    values.push_back(readout::value_at(time, quantity, instant));
+    values.push_back(base::value_at(time, quantity, instant));
   }
   return values;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/fit/alignment.hpp"
 
-#include "ionskin/readout/sampling.hpp"
+#include "ionskin/base/value_at.hpp"
 #include "ionskin/study/fit/data_adjustment.hpp"
 
 #include <boost/math/tools/minima.hpp>
@@ -38,7 +38,7 @@ Cells data_cells(const FitData& data, double begin, double length) {
     cells.weights.assign(count, 1.0);
     for (std::size_t i = 0; i < count; ++i) {
       const double middle = static_cast<double>(cells.first) + static_cast<double>(i) + 0.5;
-      cells.values.push_back(readout::value_at(data.time, data.values, begin + middle * length));
+      cells.values.push_back(base::value_at(data.time, data.values, begin + middle * length));
     }
     return cells;
   }

@@ -2,6 +2,7 @@
 #include "ionskin/study/stations/read_out.hpp"
 
 #include "ionskin/base/largest.hpp"
+#include "ionskin/base/value_at.hpp"
 #include "ionskin/case/coupling.hpp"
 #include "ionskin/circuits/circuit.hpp"
 #include "ionskin/electrochemistry/coupling/driving_channel.hpp"
@@ -60,7 +61,7 @@ readout::SignalInputs mechanical_inputs(const Case& input, const MechanicsRecord
       std::vector<double> values;
       values.reserve(time.size());
       for (const double t : time) {
-        values.push_back(readout::value_at(mechanics.history.time, samples, t));
+        values.push_back(base::value_at(mechanics.history.time, samples, t));
       }
       return values;
     };
@@ -261,7 +262,7 @@ void add_water(const Case& input, const circuits::Circuit& circuit,
   if (mechanics.has_contact()) {
     signals.metrics.push_back(
         {"charge_difference_slide_end",
-         readout::value_at(ions.time, charge, readout::end_of_slide(input.motion, input.slider)),
+         base::value_at(ions.time, charge, readout::end_of_slide(input.motion, input.slider)),
          "C"});
   }
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/stations/slip_metrics.hpp"
 
+#include "ionskin/base/value_at.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/readout/circuit.hpp"
 #include "ionskin/readout/phases.hpp"
-#include "ionskin/readout/sampling.hpp"
 #include "ionskin/readout/slip_precursor.hpp"
 #include "ionskin/study/stations/charge_rounding.hpp"
 
@@ -93,7 +93,7 @@ std::vector<Metric> slip_metrics(const Case& input, const MechanicsRecord& mecha
     return {};
   }
   const auto force = [&](const std::vector<double>& of) {
-    return readout::value_at(mechanics.history.time, of, onset->micro_slip);
+    return base::value_at(mechanics.history.time, of, onset->micro_slip);
   };
   const double normal = force(mechanics.normal_force);
   std::vector<Metric> metrics{

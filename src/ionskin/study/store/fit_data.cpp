@@ -4,9 +4,9 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/nearest_name.hpp"
 #include "ionskin/base/text.hpp"
+#include "ionskin/base/value_at.hpp"
 #include "ionskin/case/text/csv_table.hpp"
 #include "ionskin/readout/charge_relaxation.hpp"
-#include "ionskin/readout/sampling.hpp"
 #include "ionskin/units/unit_system.hpp"
 
 #include <fmt/format.h>
@@ -195,14 +195,13 @@ Weights weights(const std::string& column) {
 double value_at(const std::string& column, const electrochemistry::IonSolution& ions,
                 double instant) {
   if (column == "voltage") {
-    return readout::value_at(ions.time, ions.voltage, instant);
+    return base::value_at(ions.time, ions.voltage, instant);
   }
   const auto [top, bottom] = weights(column);
   const double relaxed = readout::departure_from_line(
       ions.time, {ions.relaxation_charge, ions.relaxation_current}, instant);
-  return top * readout::value_at(ions.time, ions.charge_top, instant) +
-         bottom * readout::value_at(ions.time, ions.charge_bottom, instant) +
-         (top - bottom) * relaxed;
+  return top * base::value_at(ions.time, ions.charge_top, instant) +
+         bottom * base::value_at(ions.time, ions.charge_bottom, instant) + (top - bottom) * relaxed;
 }
 
 } // namespace
