@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/live/training/channel_basis.hpp"
+#include "ionskin/live/reduction/channel_basis.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/live/training/place_nodes.hpp"
+#include "ionskin/live/reduction/place_nodes.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/live/training/reflections.hpp"
+#include "ionskin/live/reduction/reflections.hpp"
 
 namespace ionskin::live {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/live/training/unit_strains.hpp"
+#include "ionskin/live/reduction/unit_strains.hpp"
 
 #include "ionskin/base/system/interrupt.hpp"
-#include "ionskin/live/training/place_map.hpp"
-#include "ionskin/live/training/place_symmetry.hpp"
+#include "ionskin/live/reduction/place_map.hpp"
+#include "ionskin/live/reduction/place_symmetry.hpp"
 #include "ionskin/mechanics/output/core_strain.hpp"
 #include "ionskin/parallel/task_pool.hpp"
 

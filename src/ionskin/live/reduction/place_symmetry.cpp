@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/live/training/place_symmetry.hpp"
+#include "ionskin/live/reduction/place_symmetry.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/live/training/place_map.hpp"
+#include "ionskin/live/reduction/place_map.hpp"
 
-#include "ionskin/live/training/row_major.hpp"
+#include "ionskin/live/reduction/row_major.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

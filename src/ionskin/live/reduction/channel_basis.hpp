@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/live/training/reflections.hpp"
+#include "ionskin/live/reduction/reflections.hpp"
 
 #include <Eigen/Core>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/live/training/measure_rows.hpp"
+#include "ionskin/live/reduction/measure_rows.hpp"
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/history/core_history.hpp"
