@@ -18,6 +18,8 @@ def voltage(results):
     if water is None:
         return None
     time = water["time"]
+    held = [("Pressure that holds the compression", Axis("pressure", "Pa"), [Curve(time, water[name], "", PURPLE)], 0.9)
+            for name in ("holding_pressure",) if water.has(name)]
     return with_events(results, [
         ("Open-circuit voltage", Axis("voltage", "V"),
          [Curve(time, water["streaming_voltage"], "streaming", BLUE, width=0.9),
@@ -27,7 +29,8 @@ def voltage(results):
          [Curve(time, water["pore_pressure_top"], "top wall"),
           Curve(time, water["pore_pressure_bottom"], "bottom wall", ORANGE, width=0.8)], 0.9),
         ("Top minus bottom: what the whole electrode sees", Axis("difference", "Pa"),
-         [Curve(time, water["pressure_difference"], "", PURPLE)], 0.9)])
+         [Curve(time, water["pressure_difference"], "", PURPLE)], 0.9),
+        *held])
 
 
 def water_fields(results):

@@ -2,11 +2,13 @@
 """The words and numbers of the report, taken from the results."""
 
 from ..analysis.derived import common_is_noise
+from ..charts.readout import is_open
 from ..words import percent, quantity, readable_units
 from . import quantities
 
 HEADLINE = ["normal_force_slide", "mean_shear_slide", "peak_sampled_current_top", "peak_sampled_current_difference",
             "rms_current_difference", "rms_current_common"]
+HEADLINE_OPEN = ["normal_force_slide", "mean_shear_slide", "peak_voltage", "rms_voltage"]  # between the electrodes no current flows
 DIGITS = 3
 
 CASE_GROUPS = {"skin": "Skin", "slider": "Slider", "motion": "Motion", "contact": "Contact",
@@ -55,7 +57,8 @@ LAW_LIMITS = {
 def headline(results):
     """Label, value and error for the top of the page."""
     noise = {"rms_current_common"} if "current_common" in results.sampled and common_is_noise(results) else set()
-    return [(quantities.words(name), value(results, name), error(results, name)) for name in HEADLINE
+    names = HEADLINE_OPEN if is_open(results) else HEADLINE
+    return [(quantities.words(name), value(results, name), error(results, name)) for name in names
             if name in results.metrics and name not in noise]
 
 
@@ -108,6 +111,12 @@ def layers(case):
             for layer in reversed(case.get("skin", {}).get("layers", []))]
 
 
+def sheet_resistances(case):
+    """Entries of the layers whose metal has a resistance, top layer first."""
+    return [(f"sheet resistance, {layer.get('name', '')}", readable(layer["sheet_resistance"]))
+            for layer in reversed(case.get("skin", {}).get("layers", [])) if "sheet_resistance" in layer]
+
+
 def taxels(value):
     """A grid of taxels by its size, single ones by their number."""
     return f"{value['rows']} rows × {value['columns']} columns" if isinstance(value, dict) else str(len(value))
@@ -121,6 +130,10 @@ def case_groups(case):
                    if not isinstance(value, dict) and name not in ("layers", "taxels")]
         if key == "readout" and "taxels" in case.get(key, {}):
             entries.append(("taxels", taxels(case[key]["taxels"])))
+        if key == "skin":
+            entries += sheet_resistances(case)
+        if key == "readout" and sheet_resistances(case) and "contact" not in case.get(key, {}):
+            entries.append(("contact", "one end"))
         if entries:
             groups.append((heading, entries))
     for name, material in case.get("materials", {}).items():

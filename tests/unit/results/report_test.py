@@ -93,6 +93,27 @@ class Report(unittest.TestCase):
         single = {"readout": {"taxels": [{"name": "a"}, {"name": "b"}]}}
         self.assertEqual(dict(report_text.case_groups(single))["Readout"], [("taxels", "2")])
 
+    def test_metal_with_a_resistance_is_told_with_its_lead(self):
+        case = {"skin": {"layers": [{"name": "bottom", "sheet_resistance": "2 ohm"}, {"name": "ionomer"}, {"name": "top"}]},
+                "readout": {"sample_interval": "10 ms"}}
+        groups = dict(report_text.case_groups(case))
+        self.assertEqual(groups["Skin"], [("sheet resistance, bottom", "2 Ω")])
+        self.assertIn(("contact", "one end"), groups["Readout"])
+        case["skin"]["layers"][0].pop("sheet_resistance")
+        self.assertNotIn("contact", dict(dict(report_text.case_groups(case))["Readout"]))
+
+    def test_an_open_circuit_opens_with_voltages(self):
+        with tempfile.TemporaryDirectory() as folder:
+            write_run(pathlib.Path(folder))
+            (pathlib.Path(folder) / "summary.json").write_text(json.dumps({
+                "metrics": {name: {"value": 1e-3, "unit": unit} for name, unit in
+                            (("peak_voltage", "V"), ("rms_voltage", "V"), ("peak_sampled_current_top", "A"))}}))
+            words = [word for word, _, _ in report_text.headline(Results(pathlib.Path(folder)))]
+            self.assertEqual(words, ["Peak sampled current, top"])
+            (pathlib.Path(folder) / "case.toml").write_text('[readout]\ncircuit = "open"\n')
+            words = [word for word, _, _ in report_text.headline(Results(pathlib.Path(folder)))]
+            self.assertEqual(words, ["Peak voltage", "Rms of the voltage"])
+
     def test_stands_alone(self):
         self.assertEqual(re.findall(r'(?:src|href)="(?!#)[^"]*"', self.page), [])
         self.assertNotIn("@import", self.page)
