@@ -3,6 +3,7 @@
 #include "electrochemistry/model_run.hpp"
 #include "electrochemistry/rows.hpp"
 #include "ionskin/base/constants.hpp"
+#include "ionskin/base/largest.hpp"
 #include "ionskin/history/shear_statistics.hpp"
 
 #include <algorithm>
@@ -13,14 +14,6 @@ namespace ionskin::verification {
 namespace {
 
 using electrochemistry::IonSolution;
-
-double largest(const std::vector<double>& values) {
-  double result = 0.0;
-  for (const double value : values) {
-    result = std::max(result, std::abs(value));
-  }
-  return result;
-}
 
 /// F c0 k integral(gamma) per row, the integral as the strain folder has it [C].
 std::vector<double> strain_charge(const Case& input, const history::CoreHistory& history,
@@ -41,7 +34,7 @@ double gauss_error(const IonSolution& solution, const std::vector<double>& charg
     error =
         std::max(error, std::abs(solution.charge_top[i] + solution.charge_bottom[i] - expected));
   }
-  return error / largest(charge);
+  return error / base::largest_magnitude(charge);
 }
 
 double ramo_error(const IonSolution& solution) {
@@ -49,7 +42,7 @@ double ramo_error(const IonSolution& solution) {
   for (std::size_t i = 0; i < solution.time.size(); ++i) {
     error = std::max(error, std::abs(solution.charge_top[i] - solution.ramo_charge_top[i]));
   }
-  return error / largest(solution.charge_top);
+  return error / base::largest_magnitude(solution.charge_top);
 }
 
 /// Largest |amount of ions - initial amount - released ions|, relative to the initial amount.

@@ -4,6 +4,7 @@
 #include "electrochemistry/model_run.hpp"
 #include "electrochemistry/rows.hpp"
 
+#include "ionskin/base/largest.hpp"
 #include "ionskin/electrochemistry/sheet_impedance.hpp"
 #include "ionskin/electrochemistry/small_signal.hpp"
 
@@ -206,14 +207,6 @@ void add_impedance_rows(std::vector<Row>& rows) {
   }
 }
 
-double largest_of(const std::vector<double>& values) {
-  double largest = 0.0;
-  for (const double value : values) {
-    largest = std::max(largest, std::abs(value));
-  }
-  return largest;
-}
-
 /// Of the slider's touch.
 Case touched(double resistance, const char* circuit, const char* law) {
   Case input = model_case();
@@ -253,11 +246,11 @@ void add_sheet_conservation_rows(const Options& options, std::vector<Row>& rows)
   for (std::size_t row = 0; row < shorted.time.size(); ++row) {
     walls = std::max(walls, std::abs(shorted.charge_top[row] + shorted.charge_bottom[row]));
   }
-  const double scale = largest_of(shorted.charge_top);
+  const double scale = base::largest_magnitude(shorted.charge_top);
   rows.push_back(at_most("E11", "charge of both electrodes at 1 ohm a square, relative",
                          walls / scale, 1e-10));
   rows.push_back(at_most("E11", "charge that passes open leads at 1 ohm a square, relative",
-                         largest_of(open.charge_top) / scale, 1e-10));
+                         base::largest_magnitude(open.charge_top) / scale, 1e-10));
 }
 
 } // namespace

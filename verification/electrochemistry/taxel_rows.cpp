@@ -3,6 +3,7 @@
 #include "electrochemistry/model_cases.hpp"
 #include "electrochemistry/model_run.hpp"
 #include "electrochemistry/rows.hpp"
+#include "ionskin/base/largest.hpp"
 
 #include <algorithm>
 #include <array>
@@ -154,14 +155,6 @@ void add_order_row(const Options& options, std::vector<Row>& rows) {
                           std::log2(errors[0] / errors[1]), 1.0));
 }
 
-double largest_magnitude(const std::vector<double>& values) {
-  double largest = 0.0;
-  for (const double value : values) {
-    largest = std::max(largest, std::abs(value));
-  }
-  return largest;
-}
-
 /// Of the baseline's skin, on five taxels.
 Case five_taxels(const char* circuit) {
   Case input = model_case();
@@ -193,7 +186,7 @@ void add_conservation_rows(const Options& options, std::vector<Row>& rows) {
     }
     sum = std::max(sum, std::abs(charge));
   }
-  const double scale = largest_magnitude(solution.charge_top);
+  const double scale = base::largest_magnitude(solution.charge_top);
   rows.push_back(at_most("E10", "charge of top and bottom of five loaded taxels, relative",
                          walls / scale, 1e-10));
   rows.push_back(at_most("E10", "charge of the top less what five loads passed, relative",
@@ -258,7 +251,7 @@ void add_limit_rows(const Options& options, std::vector<Row>& rows) {
     nearly = std::max(nearly, std::abs(loaded.top_segments[taxel].charge[row_at(loaded, 2.5)] -
                                        expected_charge[row_at(one, 2.5)]));
   }
-  const double scale = largest_magnitude(one.charge_top);
+  const double scale = base::largest_magnitude(one.charge_top);
   rows.push_back(at_most("E10", "charge of five grounded taxels against one electrode, relative",
                          held / scale, 1e-10));
   rows.push_back(at_most("E10", "charge of five taxels behind 1 mOhm against it, relative",
@@ -279,7 +272,7 @@ void add_limit_rows(const Options& options, std::vector<Row>& rows) {
     }
   }
   rows.push_back(at_most("E10", "voltage of five open taxels against the open cell, relative",
-                         difference / largest_magnitude(whole.voltage), 1e-8));
+                         difference / base::largest_magnitude(whole.voltage), 1e-8));
 }
 
 /// Two taxels that are read in turns, each by its load while the other is open, are by and by two

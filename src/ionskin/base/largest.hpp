@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+#include <span>
+
 namespace ionskin::base {
 
 /// The larger of two numbers, or NaN where one is NaN. std::max drops it, so that what has broken
 /// down passes for converged.
 constexpr double larger(double a, double b) {
   return a < b || b != b ? b : a; // a comparison with NaN is false: a NaN stays
+}
+
+/// The largest magnitude of some numbers, or NaN where one is NaN; 0 of none.
+inline double largest_magnitude(std::span<const double> values) {
+  double largest = 0;
+  for (const double value : values) {
+    largest = larger(largest, std::abs(value));
+  }
+  return largest;
 }
 
 } // namespace ionskin::base

@@ -22,14 +22,6 @@ double mean(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-double largest_of(const std::vector<double>& values) {
-  double largest = 0;
-  for (const double value : values) {
-    largest = base::larger(largest, std::abs(value));
-  }
-  return largest;
-}
-
 double width_of(const std::vector<double>& edges) {
   return (edges.back() - edges.front()) / static_cast<double>(edges.size() - 1);
 }
@@ -189,11 +181,11 @@ std::vector<double> StreamingDrive::swelling_at_levels() const {
 }
 
 double StreamingDrive::largest_pressure() const {
-  return largest_of(pressure_);
+  return base::largest_magnitude(pressure_);
 }
 
 double StreamingDrive::largest_drive() const {
-  return largest_of(drive_);
+  return base::largest_magnitude(drive_);
 }
 
 } // namespace ionskin::poroelasticity

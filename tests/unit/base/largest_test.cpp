@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace ionskin::base {
 namespace {
@@ -16,6 +17,13 @@ TEST(Larger, KeepsNaNOnEitherSide) {
   EXPECT_TRUE(std::isnan(larger(nan, 1)));
   EXPECT_TRUE(std::isnan(larger(1, nan)));
   EXPECT_TRUE(std::isnan(larger(larger(nan, 1), 5)));
+}
+
+TEST(LargestMagnitude, IsOfEitherSignAndKeepsNaN) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(largest_magnitude(std::vector<double>{1, -3, 2}), 3);
+  EXPECT_EQ(largest_magnitude({}), 0);
+  EXPECT_TRUE(std::isnan(largest_magnitude(std::vector<double>{nan, 1})));
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "ionskin/base/largest.hpp"
 #include "ionskin/handover/skin_deformation.hpp"
 
 #include "ionskin/handover/contact_timeline.hpp"
@@ -49,11 +50,6 @@ double force_through(const SkinDeformation& skin, std::size_t component, std::si
     }
   }
   return sum;
-}
-
-double largest(const std::vector<double>& values) {
-  return std::abs(
-      *std::ranges::max_element(values, {}, [](double value) { return std::abs(value); }));
 }
 
 TEST(SkinDeformation, TheTopFaceMovesAsTheContactSays) {
@@ -114,7 +110,7 @@ TEST(SkinDeformation, HalfASkinAndAWholeOneAreTheSame) {
       for (std::size_t i = 0; i < these[c].size(); ++i) {
         difference = std::max(difference, std::abs(these[c][i] - others[c][i]));
       }
-      EXPECT_LT(difference, 2e-3 * largest(these[2])) << c; // beside what goes down
+      EXPECT_LT(difference, 2e-3 * base::largest_magnitude(these[2])) << c; // beside what goes down
     }
   };
   expect_same(a.displacement, b.displacement);
@@ -129,8 +125,8 @@ TEST(SkinDeformation, NothingMovesUnderADetachedSlider) {
   EXPECT_NEAR(skin.z.back(), input.skin.thickness(), 1e-12);
   EXPECT_EQ(skin.displacement[2].size(), skin.x.size() * skin.y.size() * skin.z.size());
   EXPECT_EQ(skin.stress[2].size(), (skin.x.size() - 1) * (skin.y.size() - 1) * (skin.z.size() - 1));
-  EXPECT_EQ(largest(skin.displacement[2]), 0);
-  EXPECT_EQ(largest(skin.stress[4]), 0);
+  EXPECT_EQ(base::largest_magnitude(skin.displacement[2]), 0);
+  EXPECT_EQ(base::largest_magnitude(skin.stress[4]), 0);
 }
 
 } // namespace

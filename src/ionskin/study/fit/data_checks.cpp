@@ -2,6 +2,7 @@
 #include "ionskin/study/fit/data_checks.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/largest.hpp"
 #include "ionskin/study/fit/alignment.hpp"
 
 #include <fmt/format.h>
@@ -24,11 +25,6 @@ constexpr double level_share = 1e-9; // of the largest value: values that differ
 bool frees_motion(const FitModel& model) {
   return std::ranges::any_of(model.parameters(),
                              [](const auto& one) { return one.key.starts_with("motion."); });
-}
-
-double largest(const std::vector<double>& values) {
-  const auto [least, most] = std::ranges::minmax(values);
-  return std::max(std::abs(least), std::abs(most));
 }
 
 void require_kept_sign(const Alignment& kept, const Alignment& turned, double correlation) {
@@ -72,7 +68,7 @@ void require_signal(const FitData& data) {
                                 "column, the range of the instrument and its cables",
                                 data.values.size(), data.column));
   }
-  if (most - least <= level_share * largest(data.values)) {
+  if (most - least <= level_share * base::largest_magnitude(data.values)) {
     throw UserError(
         fmt::format("the data are constant: all {} values of {} are {:.6g} {}\n  = check "
                     "the column, and whether the instrument is saturated",

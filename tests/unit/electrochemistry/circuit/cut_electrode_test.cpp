@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "ionskin/base/largest.hpp"
 #include "ionskin/electrochemistry/circuit/cut_electrode.hpp"
 
 #include "ionskin/electrochemistry/ion_transport.hpp"
@@ -47,18 +48,10 @@ Case without_taxels(const char* circuit) {
   return input;
 }
 
-double largest(const std::vector<double>& values) {
-  double result = 0;
-  for (const double value : values) {
-    result = std::max(result, std::abs(value));
-  }
-  return result;
-}
-
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> difference(a.size());
   std::ranges::transform(a, b, difference.begin(), std::minus<>());
-  return largest(difference);
+  return base::largest_magnitude(difference);
 }
 
 TEST(CutElectrode, GroundedTaxelsAreOneElectrodeCutAfterwards) {
@@ -68,8 +61,8 @@ TEST(CutElectrode, GroundedTaxelsAreOneElectrodeCutAfterwards) {
   ASSERT_EQ(one.time, cut.time);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_LT(largest_difference(one.top_segments[i].charge, cut.top_segments[i].charge),
-              1e-10 * largest(one.charge_top));
-    EXPECT_EQ(largest(cut.top_segments[i].voltage), 0);
+              1e-10 * base::largest_magnitude(one.charge_top));
+    EXPECT_EQ(base::largest_magnitude(cut.top_segments[i].voltage), 0);
   }
 }
 
@@ -79,7 +72,7 @@ TEST(CutElectrode, TaxelsBehindNoLoadAreNearlyGrounded) {
                     cut = solve(with_taxels(4, "load", 4e-3), slide_onset_history());
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(one.top_segments[i].charge.back(), cut.top_segments[i].charge.back(),
-                5e-3 * largest(one.charge_top));
+                5e-3 * base::largest_magnitude(one.charge_top));
   }
 }
 
@@ -93,7 +86,8 @@ TEST(CutElectrode, OpenTaxelsUnderAnEvenLoadAreTheOpenCell) {
                                       solution.time.begin());
     };
     for (const SegmentCharge& taxel : cut.top_segments) {
-      EXPECT_NEAR(taxel.voltage[row(cut)], one.voltage[row(one)], 1e-4 * largest(one.voltage));
+      EXPECT_NEAR(taxel.voltage[row(cut)], one.voltage[row(one)],
+                  1e-4 * base::largest_magnitude(one.voltage));
       EXPECT_EQ(taxel.passed[row(cut)], 0);
     }
   }
@@ -105,7 +99,8 @@ TEST(CutElectrode, ChargeIsConserved) {
     input.coupling.law = "column-neutral";
     Case grounded = input;
     grounded.readout.taxel_circuit = "short";
-    const double scale = largest(solve(grounded, slide_onset_history()).top_segments[1].charge);
+    const double scale =
+        base::largest_magnitude(solve(grounded, slide_onset_history()).top_segments[1].charge);
     const IonSolution cut = solve(input, slide_onset_history());
     for (std::size_t row = 0; row < cut.time.size(); ++row) {
       EXPECT_NEAR(cut.charge_top[row], -cut.charge_bottom[row], 1e-10 * scale);
@@ -151,9 +146,9 @@ TEST(CutElectrode, HalfTheSkinIsSolvedWhereTheTaxelsAreMirrored) {
   ASSERT_EQ(half.top_segments.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(half.top_segments[i].voltage.back(), whole.top_segments[i].voltage.back(),
-                1e-4 * largest(whole.top_segments[0].voltage));
+                1e-4 * base::largest_magnitude(whole.top_segments[0].voltage));
     EXPECT_NEAR(half.top_segments[i].passed.back(), whole.top_segments[i].passed.back(),
-                1e-4 * largest(whole.top_segments[0].passed));
+                1e-4 * base::largest_magnitude(whole.top_segments[0].passed));
   }
 }
 
@@ -164,19 +159,19 @@ TEST(CutElectrode, TheGroundStaysTheGround) {
   input.readout.taxels[1].upper[0] = 9.3e-3;
   const IonSolution cut = solve(input, slide_onset_history());
   ASSERT_EQ(cut.top_segments[2].name, "rest");
-  EXPECT_EQ(largest(cut.top_segments[2].voltage), 0);
-  EXPECT_GT(largest(cut.top_segments[1].voltage), 0);
+  EXPECT_EQ(base::largest_magnitude(cut.top_segments[2].voltage), 0);
+  EXPECT_GT(base::largest_magnitude(cut.top_segments[1].voltage), 0);
 }
 
 TEST(CutElectrode, WhatHasNoCircuitOfItsOwnIsTheElectrode) {
   Case input = with_taxels(3, "shared");
   input.readout.taxels[1].circuit = "open";
   const IonSolution cut = solve(input, slide_onset_history());
-  EXPECT_EQ(largest(cut.top_segments[0].voltage), 0);
-  EXPECT_EQ(largest(cut.top_segments[2].voltage), 0);
-  EXPECT_GT(largest(cut.top_segments[1].voltage), 0);
+  EXPECT_EQ(base::largest_magnitude(cut.top_segments[0].voltage), 0);
+  EXPECT_EQ(base::largest_magnitude(cut.top_segments[2].voltage), 0);
+  EXPECT_GT(base::largest_magnitude(cut.top_segments[1].voltage), 0);
   EXPECT_TRUE(cut.top_segments[0].passed.empty());
-  EXPECT_EQ(largest(cut.top_segments[1].passed), 0);
+  EXPECT_EQ(base::largest_magnitude(cut.top_segments[1].passed), 0);
 }
 
 /// A run that is stopped after some steps and resumed is the one that was not, to the bit.
@@ -250,7 +245,7 @@ TEST(Scan, ReadsChargeOfOneRowAtATime) {
       }
     }
   }
-  EXPECT_GT(largest(solution.top_segments[1].passed), 0);
+  EXPECT_GT(base::largest_magnitude(solution.top_segments[1].passed), 0);
 }
 
 /// What is grounded between its turns, and in them, is never anything else.
@@ -259,9 +254,10 @@ TEST(Scan, OfGroundedTaxelsChangesNothing) {
                     read = solve(scanned("short", true), slide_onset_history());
   for (std::size_t i = 0; i < 4; ++i) {
     const SegmentCharge &one = plain.top_segments[i], &other = read.top_segments[i];
-    EXPECT_NEAR(one.charge.back(), other.charge.back(), 1e-3 * largest(plain.charge_top));
+    EXPECT_NEAR(one.charge.back(), other.charge.back(),
+                1e-3 * base::largest_magnitude(plain.charge_top));
     EXPECT_NEAR(other.passed.back() + other.bypassed.back(), one.passed.back(),
-                1e-3 * largest(plain.charge_top));
+                1e-3 * base::largest_magnitude(plain.charge_top));
   }
 }
 
@@ -276,7 +272,7 @@ TEST(Scan, OpenTaxelsDischargeInTheirTurn) {
     for (std::size_t row = 1; row < solution.time.size(); ++row) {
       const auto read =
           static_cast<std::size_t>(0.5 * (solution.time[row - 1] + solution.time[row]) / 0.1);
-      EXPECT_NEAR(taxel.bypassed[row], 0.0, 1e-12 * largest(taxel.charge));
+      EXPECT_NEAR(taxel.bypassed[row], 0.0, 1e-12 * base::largest_magnitude(taxel.charge));
       if (read < i) {
         EXPECT_EQ(taxel.passed[row], 0);
         EXPECT_NE(taxel.voltage[row], 0);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "ionskin/base/largest.hpp"
 #include "ionskin/electrochemistry/circuit/sheet_electrodes.hpp"
 
 #include "ionskin/electrochemistry/equations/transport_equations.hpp"
@@ -34,14 +35,6 @@ Case with_metal(double bottom, double top, const char* circuit = "short") {
   input.readout.circuit = circuit;
   input.readout.parameters = {{"load_resistance", 300.0}, {"load_capacitance", 1e-4}};
   return input;
-}
-
-double largest(const std::vector<double>& values) {
-  double result = 0;
-  for (const double value : values) {
-    result = std::max(result, std::abs(value));
-  }
-  return result;
 }
 
 const SheetElectrodes::Contact at_both_ends{{0, 4}, {0, 1, 2}, {1, 1, 1}};
@@ -117,9 +110,11 @@ TEST(SheetElectrodes, NextToNoResistanceIsNone) {
   for (const char* circuit : {"short", "load", "parallel-rc"}) {
     const IonSolution none = solve(with_metal(0.0, 0.0, circuit)),
                       little = solve(with_metal(1e-5, 0.0, circuit));
-    EXPECT_NEAR(little.charge_top.back(), none.charge_top.back(), 1e-3 * largest(none.charge_top))
+    EXPECT_NEAR(little.charge_top.back(), none.charge_top.back(),
+                1e-3 * base::largest_magnitude(none.charge_top))
         << circuit;
-    EXPECT_NEAR(little.voltage.back(), none.voltage.back(), 2e-3 * largest(none.voltage))
+    EXPECT_NEAR(little.voltage.back(), none.voltage.back(),
+                2e-3 * base::largest_magnitude(none.voltage))
         << circuit;
   }
 }
@@ -130,17 +125,17 @@ TEST(SheetElectrodes, ResistanceDelaysTheChargeAndConservesIt) {
   const IonSolution slow = solve(input);
   input.skin.layers.front().sheet_resistance = input.skin.layers.back().sheet_resistance = 0.0;
   const IonSolution fast = solve(input);
-  const double scale = largest(fast.charge_top);
-  EXPECT_LT(largest(slow.charge_top), 0.7 * scale);
-  EXPECT_GT(largest(slow.metal_drop), 0.0);
+  const double scale = base::largest_magnitude(fast.charge_top);
+  EXPECT_LT(base::largest_magnitude(slow.charge_top), 0.7 * scale);
+  EXPECT_GT(base::largest_magnitude(slow.metal_drop), 0.0);
   for (std::size_t row = 0; row < slow.time.size(); ++row) {
     EXPECT_NEAR(slow.charge_top[row] + slow.charge_bottom[row], 0.0, 1e-10 * scale);
   }
   input = with_metal(5.0, 5.0, "open");
   input.coupling.law = "column-neutral";
   const IonSolution open = solve(input);
-  EXPECT_LT(largest(open.charge_top), 1e-10 * scale);
-  EXPECT_GT(largest(open.voltage), 0.0);
+  EXPECT_LT(base::largest_magnitude(open.charge_top), 1e-10 * scale);
+  EXPECT_GT(base::largest_magnitude(open.voltage), 0.0);
 }
 
 TEST(SheetElectrodes, AResumedRunHasTheSameBits) {
