@@ -30,7 +30,7 @@ AFTER = """
   the resistance of the cell stands before the instrument: an impedance of the same strip would tell.
 - **No effect of thickness.** The law says that voltage goes with thickness, and water's time with its square; relaxation of the polymer
   has a time without thickness. One strip in two thicknesses, bent and held, decides.
-- **Pressed sensors give more than the law.** By a factor of five at least, if the pad is small and the cation lithium. Bending on a soft support comes first
+- **Pressed sensors give more than the law.** By a factor of PRESSED at least, if the pad is small and the cation lithium. Bending on a soft support comes first
   among what may be missing.
 - **Thin gels answer faster than the square.** An indenter's pressure spreads with thickness; a contact of `cases/finger.toml`'s kind with a soft core would say how much of it that is.
 
@@ -130,4 +130,6 @@ def evidence(path, folder):
     count = (f"Of {len(rows)} rows {counts['agrees']} agree, {counts['disagrees']} disagree, and {counts['cannot be had']} cannot be had. "
              f"Runs state an error of {100 * found['largest_error']:.2g} % at most of the peaks that are compared.\n\n")
     picture = "\n## Row by row\n\n![Computed over measured values](evidence.svg)\n"
-    return HEAD + count + summary(rows) + picture + sections(rows) + AFTER
+    pressed = next(row for row in rows if row["case"] == "pressed_pad")
+    after = AFTER.replace("PRESSED", f"{pressed['measured_low'] / pressed['high']:.1f}")
+    return HEAD + count + summary(rows) + picture + sections(rows) + after
