@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Sweeps on a cluster of this machine: killed workers, lost schedulers, who may connect, what cannot be done."""
 
+import contextlib
 import json
 import os
 import pathlib
@@ -48,11 +49,10 @@ def children(process):
 def listening(process):
     """Addresses, in hexadecimal, at which a process waits for connections of IPv4."""
     sockets = set()
-    for link in pathlib.Path(f"/proc/{process}/fd").iterdir():
-        try:
-            sockets.add(os.readlink(link))
-        except OSError:  # closed meanwhile
-            continue
+    with contextlib.suppress(FileNotFoundError):  # the process has ended meanwhile
+        for link in pathlib.Path(f"/proc/{process}/fd").iterdir():
+            with contextlib.suppress(OSError):  # closed meanwhile
+                sockets.add(os.readlink(link))
     rows = [row.split() for row in pathlib.Path("/proc/net/tcp").read_text().splitlines()[1:]]
     return [row[1].split(":")[0] for row in rows if row[3] == "0A" and f"socket:[{row[9]}]" in sockets]
 
@@ -144,12 +144,17 @@ class Cluster(ProgramTest):
     def test_nobody_else_is_served(self):
         """Scheduler, workers, and the pages /info and /metrics of all of them wait on 127.0.0.1."""
         scheduler = self.start(workers=1)
-        nannies = processes("ionskin.cluster", "worker", "cluster")
-        wait_until(lambda: [one for nanny in nannies for one in children(nanny) if listening(one)])
-        served = [json.loads(scheduler.read_text())["pid"], *nannies, *(one for nanny in nannies for one in children(nanny))]
-        addresses = [address for process in served for address in listening(process)]
-        self.assertGreaterEqual(len(addresses), 5)
-        self.assertEqual(set(addresses), {"0100007F"})
+        served = 5  # the scheduler, the nanny and its worker, and a page of scheduler and worker each
+
+        def addresses():
+            """Where all of them listen, once each does: a worker opens its page after it has told the scheduler that it is there."""
+            nannies = processes("ionskin.cluster", "worker", "cluster")
+            workers = [one for nanny in nannies for one in children(nanny)]
+            found = [address for process in [json.loads(scheduler.read_text())["pid"], *nannies, *workers]
+                     for address in listening(process)]
+            return found if len(found) >= served else []
+
+        self.assertEqual(set(wait_until(addresses)), {"0100007F"})
 
     @long_test
     def test_studies(self):
