@@ -2,14 +2,13 @@
 #include "studio/jobs/job_keeper.hpp"
 
 #include "ionskin/base/files/atomic_file.hpp"
+#include "ionskin/base/system/processes.hpp"
 #include "studio/jobs/confinement.hpp"
 #include "studio/jobs/job.hpp"
 
-#include <cerrno>
 #include <csignal>
 #include <ctime>
 #include <fcntl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 namespace ionskin::apps::studio {
@@ -20,11 +19,7 @@ namespace {
 int run(const std::vector<std::string>& words) {
   std::vector<std::string> all{program().string()};
   all.insert(all.end(), words.begin(), words.end());
-  std::vector<char*> pointers;
-  for (std::string& word : all) {
-    pointers.push_back(word.data());
-  }
-  pointers.push_back(nullptr);
+  const std::vector<char*> pointers = base::argument_pointers(all);
   const Confinement confinement(
       base::FileDescriptor(::open(".", O_PATH | O_DIRECTORY | O_CLOEXEC)));
   const pid_t child = fork();
@@ -36,10 +31,8 @@ int run(const std::vector<std::string>& words) {
     }
     _exit(127);
   }
-  int status = 0;
-  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return child < 0 ? 127 : WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  const int status = child < 0 ? 127 : base::wait_for_end(child);
+  return status < 0 ? 128 - status : status;
 }
 
 } // namespace

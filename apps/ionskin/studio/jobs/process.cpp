@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/jobs/process.hpp"
 
+#include "ionskin/base/system/processes.hpp"
 #include "studio/jobs/confinement.hpp"
 #include "studio/server/limits.hpp"
 
@@ -14,7 +15,6 @@
 #include <poll.h>
 #include <sstream>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -66,11 +66,7 @@ std::string start_ticks(pid_t pid) {
 pid_t start(const std::vector<std::string>& words, int folder, int output, int errors,
             std::size_t memory, const Confinement* confinement) {
   std::vector<std::string> copies = words;
-  std::vector<char*> pointers;
-  for (std::string& word : copies) {
-    pointers.push_back(word.data());
-  }
-  pointers.push_back(nullptr);
+  const std::vector<char*> pointers = base::argument_pointers(copies);
   const int input = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   const pid_t child = fork();
   if (child == 0) {
@@ -187,10 +183,7 @@ Outcome run_to_end(const std::vector<std::string>& words, const base::FileDescri
   }
   ::close(out[0]);
   ::close(err[0]);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  outcome.exit_code = base::wait_for_end(child);
   return outcome;
 }
 

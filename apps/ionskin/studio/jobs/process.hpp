@@ -37,7 +37,7 @@ pid_t start_detached(const std::vector<std::string>& words, const base::FileDesc
 
 /// What a program printed until its end.
 struct Outcome {
-  int exit_code = -1; ///< -1 when it was ended from outside
+  int exit_code = -1; ///< negative when it was ended from outside
   bool timed_out = false;
   std::string output, errors;
 

@@ -3,6 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/system/interrupt.hpp"
+#include "ionskin/base/system/processes.hpp"
 
 #include <fmt/format.h>
 
@@ -125,17 +126,12 @@ ChildProgram::ChildProgram(std::string_view image, const std::string& name,
   give_signals(settings);
   std::vector<std::string> texts{name};
   texts.insert(texts.end(), arguments.begin(), arguments.end());
-  std::vector<char*> argv;
-  for (std::string& text : texts) {
-    argv.push_back(text.data());
-  }
-  argv.push_back(nullptr);
   const char* libraries = std::getenv("LD_LIBRARY_PATH");
   std::string search = fmt::format("LD_LIBRARY_PATH={}", libraries == nullptr ? "" : libraries);
   char* environment[] = {libraries == nullptr ? nullptr : search.data(), nullptr};
   const std::string path = fmt::format("/proc/self/fd/{}", child_image);
   const int error = posix_spawn(&process_, path.c_str(), &settings.actions, &settings.attributes,
-                                argv.data(), environment);
+                                argument_pointers(texts).data(), environment);
   if (error != 0) {
     process_ = -1;
     refuse(name, error);

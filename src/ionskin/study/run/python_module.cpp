@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/run/python_module.hpp"
 
+#include "ionskin/base/system/file_descriptor.hpp"
 #include "ionskin/base/system/installation.hpp"
+#include "ionskin/base/system/processes.hpp"
 
 #include <array>
 #include <cerrno>
 #include <charconv>
 #include <cstdlib>
 #include <fcntl.h>
-#include <spawn.h>
 #include <sstream>
 #include <string_view>
-#include <sys/wait.h>
 #include <unistd.h>
 
 namespace ionskin::study {
@@ -24,15 +24,6 @@ std::string launcher() {
   const bool given = package != nullptr && *package != '\0';
   return (given ? package : base::installation().python.string()) +
          std::string("/ionskin/isolated.py");
-}
-
-std::vector<char*> pointers(std::vector<std::string>& texts) {
-  std::vector<char*> result;
-  for (std::string& text : texts) {
-    result.push_back(text.data());
-  }
-  result.push_back(nullptr);
-  return result;
 }
 
 /// What stands behind the last "error: " at the begin of a line, or else the last line; as one
@@ -94,36 +85,6 @@ std::string read_end(int descriptor, const PythonProgress& progress) {
   }
 }
 
-/// Standard error of a child, on its way here.
-class ErrorPipe {
-public:
-  ErrorPipe(PythonErrors errors, posix_spawn_file_actions_t& actions) {
-    if (errors == PythonErrors::captured && ::pipe2(ends_.data(), O_CLOEXEC) == 0) {
-      posix_spawn_file_actions_adddup2(&actions, ends_[1], STDERR_FILENO);
-    }
-  }
-  ~ErrorPipe() {
-    close_end(0);
-    close_end(1);
-  }
-  ErrorPipe(const ErrorPipe&) = delete;
-  ErrorPipe& operator=(const ErrorPipe&) = delete;
-
-  std::string message(const PythonProgress& progress) {
-    close_end(1);
-    return ends_[0] >= 0 ? last_message(read_end(ends_[0], progress)) : "";
-  }
-
-private:
-  void close_end(std::size_t i) {
-    if (ends_[i] >= 0) {
-      ::close(ends_[i]);
-      ends_[i] = -1;
-    }
-  }
-  std::array<int, 2> ends_{-1, -1};
-};
-
 } // namespace
 
 std::string python_interpreter() {
@@ -147,31 +108,28 @@ std::vector<std::string> command_of(const std::string& module,
 
 void become_python_module(const std::string& module, const std::vector<std::string>& arguments) {
   std::vector<std::string> words = command_of(module, arguments);
-  execv(IONSKIN_PYTHON, pointers(words).data());
+  execv(IONSKIN_PYTHON, base::argument_pointers(words).data());
 }
 
 PythonOutcome run_python_module(const std::string& module,
                                 const std::vector<std::string>& arguments, PythonErrors errors,
                                 const PythonProgress& progress) {
-  std::vector<std::string> words = command_of(module, arguments);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  PythonOutcome outcome;
-  {
-    ErrorPipe pipe(errors, actions);
-    pid_t child = 0;
-    const int failure =
-        posix_spawn(&child, IONSKIN_PYTHON, &actions, nullptr, pointers(words).data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (failure != 0) {
-      return {-1, ""};
-    }
-    outcome.message = pipe.message(progress);
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  std::array<int, 2> ends{-1, -1};
+  if (errors == PythonErrors::captured && ::pipe2(ends.data(), O_CLOEXEC) != 0) {
+    ends = {-1, -1};
   }
+  const base::FileDescriptor reading(ends[0]);
+  base::FileDescriptor writing(ends[1]);
+  const pid_t child = base::start_program(command_of(module, arguments), {.errors = writing});
+  writing = base::FileDescriptor(); // so that reading ends with the child
+  if (child < 0) {
+    return {-1, ""};
+  }
+  PythonOutcome outcome;
+  if (reading >= 0) {
+    outcome.message = last_message(read_end(reading, progress));
+  }
+  outcome.exit_code = base::wait_for_end(child);
   return outcome;
 }
 

@@ -12,7 +12,7 @@ std::string python_interpreter();
 
 /// How a module of the Python package ended.
 struct PythonOutcome {
-  int exit_code = 0;   ///< -1 when the interpreter cannot be started or is killed
+  int exit_code = 0;   ///< negative when the interpreter cannot be started or is killed
   std::string message; ///< its last one on standard error, where that was captured
 
   /// Whether a library that the module imports is not there.
