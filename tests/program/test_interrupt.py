@@ -11,10 +11,10 @@ import unittest
 import h5py
 import numpy
 
-from program import PROGRAM, QUICK, ProgramTest, signals, summary
+from program import PROGRAM, QUICK, ROLLERS, ProgramTest, signals, summary
 
 # A mesh that serves to test the bookkeeping, not the physics.
-SMALL = (QUICK, "--set", "numerics.mesh_refinement=0.3")
+SMALL = (QUICK, "--set", "numerics.mesh_refinement=0.3", *ROLLERS)
 
 
 class Interrupt(ProgramTest):
