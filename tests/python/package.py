@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Shared by the tests of the Python package: a small case and a scratch folder."""
 
+import os
 import pathlib
 import shutil
 import tempfile
@@ -8,7 +9,9 @@ import unittest
 
 import ionskin
 
-CASES = pathlib.Path(__file__).resolve().parent.parent.parent / "cases"
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+CASES = ROOT / "cases"
+PROGRAM = pathlib.Path(os.environ.get("IONSKIN_PROGRAM", ROOT / "build" / "ionskin"))
 
 
 def small_case():

@@ -9,7 +9,7 @@ import unittest
 import numpy
 
 import ionskin
-from package import CASES, PackageTest
+from package import CASES, PROGRAM, PackageTest
 
 
 class KnownOptimum(unittest.TestCase):
@@ -36,7 +36,7 @@ class KnownOptimum(unittest.TestCase):
 
 class OfACase(PackageTest):
     def command(self, *more):
-        words = [sys.executable, "-m", "ionskin.design", self.folder / "case.toml", "--output", self.folder / "out",
+        words = [PROGRAM, "design", self.folder / "case.toml", "--output", self.folder / "out",
                  "--set=numerics.preset=coarse", "--free=coupling.coefficient=0.05:0.15", "--maximise=rms_current_difference",
                  "--budget=12", *more]
         return subprocess.run(words, capture_output=True, text=True, check=False)

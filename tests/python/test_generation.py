@@ -12,7 +12,7 @@ import ionskin
 from ionskin.evaluation import Outcome
 from ionskin.generation import Touches
 from ionskin.generation.store import COLUMNS, SIGNALS, tables, taxel_signals, unit_of
-from package import CASES, PackageTest, small_case
+from package import CASES, PROGRAM, PackageTest, small_case
 
 
 class Generation(PackageTest):
@@ -80,7 +80,7 @@ class Generation(PackageTest):
         (self.folder / "case.toml").write_text((CASES / "strain_file.toml").read_text())
 
         def generate(folder, *more):
-            words = [sys.executable, "-m", "ionskin.generation", self.folder / "case.toml", "--output", self.folder / folder,
+            words = [PROGRAM, "generate", self.folder / "case.toml", "--output", self.folder / folder,
                      "--set=numerics.preset=coarse", "--vary=coupling.coefficient=uniform(0.05, 0.15)", *more]
             return subprocess.run(words, capture_output=True, text=True, check=False)
 

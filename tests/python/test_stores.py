@@ -27,10 +27,11 @@ from package import CASES, PackageTest
 
 K, D = "coupling.coefficient", "electrochemistry.diffusivity"
 STUDIES = {
-    "uncertainty": (uncertainty, ["--samples=16", f"--vary={K}=uniform(0.05, 0.15)", f"--vary={D}=uniform(6e-11 m2/s, 8e-11 m2/s)"]),
-    "design": (design, ["--budget=10", f"--free={K}=0.05:0.15", "--maximise=peak_mean_shear",
-                        "--subject-to=normal_force_slide < 30 N"]),
-    "generate": (generation, ["--touches=3", f"--vary={K}=uniform(0.05, 0.15)"]),
+    "uncertainty": (uncertainty, {"samples": 16, "design": "sobol", "metrics": [], "least_q2": 0.95,
+                                  "vary": [f"{K}=uniform(0.05, 0.15)", f"{D}=uniform(6e-11 m2/s, 8e-11 m2/s)"]}),
+    "design": (design, {"budget": 10, "free": [f"{K}=0.05:0.15"], "maximise": "peak_mean_shear", "minimise": "",
+                        "subject_to": ["normal_force_slide < 30 N"]}),
+    "generate": (generation, {"touches": 3, "vary": [f"{K}=uniform(0.05, 0.15)"]}),
 }
 DEEP = "[" * 100_000 + "]" * 100_000
 TEXTS = {"empty": "", "a bracket": "[", "deep": DEEP, "deep within": '{"study": ' + DEEP + "}", "without end": "[" * 100_000, "a number": "3", "null": "null",
@@ -108,8 +109,9 @@ class Stores(PackageTest):
                 super()._lock()
                 locks.append(self)
 
-        words = [study, f"--output={self.out}", *arguments, *more, "--quiet", "--", os.fspath(self.case)]
-        with mock.patch.object(sys, "argv", words), mock.patch.object(module, "engine", lambda *_, **__: Instant()), \
+        options = {"case_path": os.fspath(self.case), "output": os.fspath(self.out), "set_edits": [], "threads": 0, "on": "", "seed": 1,
+                   "quiet": True, **{flag: flag in more for flag in ("resume", "overwrite")}, **arguments}
+        with mock.patch.object(sys, "argv", [study, json.dumps(options)]), mock.patch.object(module, "engine", lambda *_, **__: Instant()), \
                 mock.patch.object(module, "StudyFolder", Kept), contextlib.redirect_stderr(said), \
                 contextlib.redirect_stdout(io.StringIO()):
             try:
@@ -157,9 +159,9 @@ class Stores(PackageTest):
         self.addCleanup(shutil.rmtree, self.out, ignore_errors=True)
         damage(self.out / name, way, self.victim)
         with mock.patch.object(uncertainty.output, "write"):
-            self.assert_answered(study, "--resume")
+            self.assert_answered(study, "resume")
             if way in SHAPES:
-                self.assert_answered(study, "--overwrite")
+                self.assert_answered(study, "overwrite")
         shutil.rmtree(self.out)
 
     def test_outcomes_that_are_none(self):
@@ -202,7 +204,7 @@ class Stores(PackageTest):
         with open(path, "wb") as file:
             numpy.savez(file, head=numpy.array([{"metrics": {}}], dtype=object))  # a pickle
         self.assertIsNone(Outcome.read(path))
-        self.assertEqual(self.main("uncertainty", "--resume")[0], 0)
+        self.assertEqual(self.main("uncertainty", "resume")[0], 0)
         self.assertEqual((self.out / "uncertainty.json").read_text(), wanted)
 
     def test_what_a_list_names_outside_stays(self):
@@ -213,10 +215,10 @@ class Stores(PackageTest):
         with open(self.out / ".ionskin-files", "a", encoding="utf-8") as file:
             file.write("../victim\nfigures/mine.png\nfigures/../../victim\n..\n")
         (self.out / "figures").symlink_to(outside)
-        self.assertEqual(self.main("generate", "--overwrite")[0], 2)
+        self.assertEqual(self.main("generate", "overwrite")[0], 2)
         self.assertEqual((self.victim.read_text(), (outside / "mine.png").read_text()), ("untouched", "mine"))
         (self.out / "figures").unlink()
-        self.assertEqual(self.main("generate", "--overwrite")[0], 0)
+        self.assertEqual(self.main("generate", "overwrite")[0], 0)
         self.assertEqual(self.victim.read_text(), "untouched")
 
     def test_a_pipe_as_case_is_refused(self):

@@ -17,7 +17,7 @@ import page_faults
 from browser import browser_page
 from ionskin.evaluation import LocalEngine, StudyFolder
 from ionskin.uncertainty.distributions import parse
-from package import CASES, PackageTest
+from package import CASES, PROGRAM, PackageTest
 
 K, D = "coupling.coefficient", "electrochemistry.diffusivity"
 PI = numpy.pi
@@ -123,7 +123,7 @@ class OfACase(PackageTest):
         self.vary = {D: "lognormal(7e-11 m2/s, 20 %)", K: "uniform(0.05, 0.15)"}
 
     def command(self, *more, folder="out"):
-        words = [sys.executable, "-m", "ionskin.uncertainty", self.path, "--output", self.folder / folder, "--samples", "16",
+        words = [PROGRAM, "uncertainty", self.path, "--output", self.folder / folder, "--samples", "16",
                  "--metrics", "rms_current_difference", *more]
         words += [f"--vary={key}={text}" for key, text in self.vary.items()]
         return subprocess.run(words, capture_output=True, text=True, check=False)

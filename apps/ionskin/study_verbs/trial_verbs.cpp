@@ -5,45 +5,35 @@
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/study/run/python_module.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+#include <string>
 
 namespace ionskin::apps {
+
+// Python takes the options under these names.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TrialOptions, case_path, output, on, set_edits, threads,
+                                   overwrite, resume, quiet)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(UncertaintyOptions, vary, samples, design, seed, metrics,
+                                   least_q2)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DesignOptions, free, subject_to, maximise, minimise, budget,
+                                   seed)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GenerateOptions, vary, touches, seed)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MotionOptions, recordings, output, columns, origin, x_axis,
+                                   y_axis, tool, force_in, level, contact_force, gap, rate, filter,
+                                   tare, overwrite, quiet)
+
 namespace {
 
-using Words = std::vector<std::string>;
-
-/// "--name=value", which holds for values that begin with a dash too.
-std::string word(const std::string& name, const std::string& value) {
-  return fmt::format("--{}={}", name, value);
-}
-
-void add_all(Words& words, const std::string& name, const std::vector<std::string>& values) {
-  for (const std::string& value : values) {
-    words.push_back(word(name, value));
+int run_with(const std::string& module, const nlohmann::json& options) {
+  std::string text;
+  try {
+    text = options.dump();
+  } catch (const nlohmann::json::type_error&) {
+    throw UserError("an option is not UTF-8 text\n  = write options and names of files in UTF-8");
   }
-}
-
-Words common(const TrialOptions& options) {
-  Words words{word("output", options.output), fmt::format("--threads={}", options.threads)};
-  add_all(words, "set", options.set_edits);
-  if (!options.on.empty()) {
-    words.push_back(word("on", options.on));
-  }
-  for (const auto& [given, flag] :
-       {std::pair{options.overwrite, "--overwrite"}, std::pair{options.resume, "--resume"},
-        std::pair{options.quiet, "--quiet"}}) {
-    if (given) {
-      words.emplace_back(flag);
-    }
-  }
-  return words;
-}
-
-int run_words(const std::string& module, const Words& words) {
   // The script handles an interrupt and ends with its code; this process waits for it.
   base::install_interrupt_handler();
-  const int code = study::run_python_module(module, words, study::PythonErrors::shown).exit_code;
+  const int code = study::run_python_module(module, {text}, study::PythonErrors::shown).exit_code;
   if (code < 0) {
     throw UserError(study::python_interpreter() +
                     " cannot be started or was killed\n  = ionskin doctor says what is missing");
@@ -51,71 +41,31 @@ int run_words(const std::string& module, const Words& words) {
   return code;
 }
 
-int run_trials(const std::string& module, Words words, const TrialOptions& options) {
-  words.insert(words.end(), {"--", options.case_path});
-  return run_words(module, words);
+template <class Options> int run_trials(const std::string& module, const Options& options) {
+  nlohmann::json all = static_cast<const TrialOptions&>(options);
+  all.update(nlohmann::json(options));
+  return run_with(module, all);
 }
 
 } // namespace
 
 int uncertainty(const UncertaintyOptions& options) {
-  Words words = common(options);
-  add_all(words, "vary", options.vary);
-  words.insert(words.end(), {fmt::format("--samples={}", options.samples),
-                             word("design", options.design), fmt::format("--seed={}", options.seed),
-                             word("metrics", fmt::format("{}", fmt::join(options.metrics, ","))),
-                             fmt::format("--least-q2={}", options.least_q2)});
-  return run_trials("ionskin.uncertainty", words, options);
+  return run_trials("ionskin.uncertainty", options);
 }
 
 int design(const DesignOptions& options) {
   if (options.maximise.empty() == options.minimise.empty()) {
     throw UserError("nothing to optimise\n  = give --maximise METRIC or --minimise METRIC");
   }
-  Words words = common(options);
-  add_all(words, "free", options.free);
-  add_all(words, "subject-to", options.subject_to);
-  words.insert(words.end(), {options.maximise.empty() ? word("minimise", options.minimise)
-                                                      : word("maximise", options.maximise),
-                             fmt::format("--budget={}", options.budget),
-                             fmt::format("--seed={}", options.seed)});
-  return run_trials("ionskin.design", words, options);
+  return run_trials("ionskin.design", options);
 }
 
 int generate(const GenerateOptions& options) {
-  Words words = common(options);
-  add_all(words, "vary", options.vary);
-  words.insert(words.end(), {fmt::format("--touches={}", options.touches),
-                             fmt::format("--seed={}", options.seed)});
-  return run_trials("ionskin.generation", words, options);
+  return run_trials("ionskin.generation", options);
 }
 
 int motion(const MotionOptions& options) {
-  Words words{word("output", options.output), word("force-in", options.force_in),
-              word("level", options.level)};
-  add_all(words, "column", options.columns);
-  for (const auto& [name, value] : {std::pair{"origin", options.origin},
-                                    {"x-axis", options.x_axis},
-                                    {"y-axis", options.y_axis},
-                                    {"tool", options.tool},
-                                    {"contact-force", options.contact_force},
-                                    {"gap", options.gap},
-                                    {"rate", options.rate},
-                                    {"filter", options.filter}}) {
-    if (!value.empty()) {
-      words.push_back(word(name, value));
-    }
-  }
-  for (const auto& [given, flag] :
-       {std::pair{options.tare, "--tare"}, std::pair{options.overwrite, "--overwrite"},
-        std::pair{options.quiet, "--quiet"}}) {
-    if (given) {
-      words.emplace_back(flag);
-    }
-  }
-  words.emplace_back("--");
-  words.insert(words.end(), options.recordings.begin(), options.recordings.end());
-  return run_words("ionskin.reading.recording", words);
+  return run_with("ionskin.reading.recording", options);
 }
 
 } // namespace ionskin::apps

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""ionskin design: python3 -m ionskin.design CASE --output DIR --free KEY=LOWEST:HIGHEST --maximise METRIC"""
+"""What `ionskin design` does."""
 
 import csv
 import io
@@ -8,7 +8,7 @@ import sys
 
 from ..errors import CaseError
 from ..evaluation import StudyFolder
-from ..evaluation.command import SOLVER_GAVE_UP, Progress, base_case, engine, guarded, parser, require_disk
+from ..evaluation.command import SOLVER_GAVE_UP, Progress, base_case, engine, given_options, guarded, require_disk
 from .search import Design
 
 RANGE = re.compile(r"\s*([^=]+?)\s*=\s*([^:]+):\s*([-+.\deE]+)\s*(.*?)\s*")
@@ -23,19 +23,6 @@ def free_range(text: str) -> tuple[str, tuple[str, str]]:
     key, low, high, unit = (part.strip() for part in match.groups())
     low = low if re.search(r"[^\d.eE+-]", low) else f"{low} {unit}"
     return key, (low.strip(), f"{high} {unit}".strip())
-
-
-def options():
-    """As the front hands them on."""
-    result = parser("ionskin design")
-    result.add_argument("--free", action="append", default=[])
-    result.add_argument("--subject-to", action="append", default=[])
-    goal = result.add_mutually_exclusive_group(required=True)
-    goal.add_argument("--maximise")
-    goal.add_argument("--minimise")
-    result.add_argument("--budget", type=int, default=60)
-    result.add_argument("--seed", type=int, default=1)
-    return result.parse_args()
 
 
 def evaluations(study: Design) -> str:
@@ -55,7 +42,7 @@ def evaluations(study: Design) -> str:
 
 def main() -> int:
     """The exit code."""
-    arguments = options()
+    arguments = given_options()
     case = base_case(arguments)
     study = Design(case, dict(free_range(text) for text in arguments.free), arguments.maximise or arguments.minimise,
                    maximise=bool(arguments.maximise), subject_to=arguments.subject_to, budget=arguments.budget,

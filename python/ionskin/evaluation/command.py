@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the commands that run many trials share: options, the base case, progress, exit codes."""
 
-import argparse
 import contextlib
+import json
 import os
 import pathlib
 import sys
 import tempfile
 import time
+import types
 
 from .. import solver
 from ..case import Case
@@ -21,23 +22,15 @@ EVERY = 60  # seconds
 REPRESENTATIVE = 16  # trials
 
 
-def parser(prog: str) -> argparse.ArgumentParser:
-    """With the options that the front hands on for each of these commands."""
-    result = argparse.ArgumentParser(prog=prog)
-    result.add_argument("case")
-    result.add_argument("--output", required=True)
-    result.add_argument("--set", action="append", default=[], dest="edits")
-    result.add_argument("--threads", type=int, default=0)
-    result.add_argument("--on", default="")
-    for flag in ("--overwrite", "--resume", "--quiet"):
-        result.add_argument(flag, action="store_true")
-    return result
+def given_options() -> types.SimpleNamespace:
+    """Options of the command line, as the program hands them on: one JSON object, with the names of its options.hpp."""
+    return types.SimpleNamespace(**json.loads(sys.argv[1]))
 
 
 def base_case(arguments) -> Case:
     """The case with the edits of --set. Raises CaseError."""
-    case = Case.from_file(arguments.case)
-    for edit in arguments.edits:
+    case = Case.from_file(arguments.case_path)
+    for edit in arguments.set_edits:
         key, _, text = edit.partition("=")
         case._edits[key.strip()] = text
     return case.check()

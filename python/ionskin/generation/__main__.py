@@ -1,22 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""ionskin generate: python3 -m ionskin.generation CASE --output DIR --touches N"""
+"""What `ionskin generate` does."""
 
 import sys
 import time
 
 from ..evaluation import StudyFolder
-from ..evaluation.command import SOLVER_GAVE_UP, Progress, base_case, engine, guarded, parser, require_disk
+from ..evaluation.command import SOLVER_GAVE_UP, Progress, base_case, engine, given_options, guarded, require_disk
 from . import store
 from .touches import Touches
 
 
 def main() -> int:
     """The exit code."""
-    options = parser("ionskin generate")
-    options.add_argument("--vary", action="append", default=[])
-    options.add_argument("--touches", type=int, required=True)
-    options.add_argument("--seed", type=int, default=1)
-    arguments = options.parse_args()
+    arguments = given_options()
     case = base_case(arguments)
     touches = Touches(case, arguments.touches, seed=arguments.seed, vary=arguments.vary)
     runner = engine(arguments)

@@ -1,24 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""ionskin uncertainty: python3 -m ionskin.uncertainty CASE --output DIR --vary KEY=DISTRIBUTION"""
+"""What `ionskin uncertainty` does."""
 
 import sys
 
 from ..evaluation import StudyFolder
-from ..evaluation.command import SOLVER_GAVE_UP, Progress, base_case, engine, guarded, parser, require_disk
+from ..evaluation.command import SOLVER_GAVE_UP, Progress, base_case, engine, given_options, guarded, require_disk
 from . import output
-from .study import LEAST_Q2, Uncertainty
-
-
-def options():
-    """As the front hands them on."""
-    result = parser("ionskin uncertainty")
-    result.add_argument("--vary", action="append", default=[])
-    result.add_argument("--samples", type=int, default=64)
-    result.add_argument("--design", default="sobol")
-    result.add_argument("--seed", type=int, default=1)
-    result.add_argument("--metrics", default="")
-    result.add_argument("--least-q2", type=float, default=LEAST_Q2)
-    return result.parse_args()
+from .study import Uncertainty
 
 
 def tell(study, analyses, arguments) -> None:
@@ -36,10 +24,10 @@ def tell(study, analyses, arguments) -> None:
 
 def main() -> int:
     """The exit code."""
-    arguments = options()
+    arguments = given_options()
     case = base_case(arguments)
     study = Uncertainty(case, arguments.vary, samples=arguments.samples, design=arguments.design, seed=arguments.seed,
-                        metrics=[name for name in arguments.metrics.split(",") if name], least_q2=arguments.least_q2)
+                        metrics=arguments.metrics, least_q2=arguments.least_q2)
     runner = engine(arguments)
     require_disk(study.trials, len(study.trials), arguments.output, runner)
     question = {"study": "uncertainty", "case": case.text, "vary": {one.key: one.written for one in study.parameters},

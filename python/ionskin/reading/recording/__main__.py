@@ -1,26 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""ionskin motion: python3 -m ionskin.reading.recording RECORDING... --output PATH"""
+"""What `ionskin motion` does."""
 
-import argparse
 import sys
 
-from ...evaluation.command import guarded
+from ...evaluation.command import given_options, guarded
 from . import motion
 
 
 def main() -> int:
     """The exit code."""
-    parser = argparse.ArgumentParser(prog="ionskin motion")
-    parser.add_argument("recordings", nargs="+")
-    parser.add_argument("--output", required=True)
-    parser.add_argument("--column", action="append", default=[], dest="columns")
-    for name, default in (("origin", (0, 0, 0)), ("x-axis", (1, 0, 0)), ("y-axis", (0, 1, 0)), ("tool", None),
-                          ("force-in", "skin"), ("level", "auto"), ("contact-force", None), ("gap", "1 mm"), ("rate", None),
-                          ("filter", None)):
-        parser.add_argument(f"--{name}", default=default)
-    for flag in ("--tare", "--overwrite", "--quiet"):
-        parser.add_argument(flag, action="store_true")
-    options = vars(parser.parse_args())
+    options = {name: value for name, value in vars(given_options()).items() if value != ""}  # else what the recording tells
     output, overwrite, quiet = (options.pop(name) for name in ("output", "overwrite", "quiet"))
     path = motion(options.pop("recordings"), **options)
     path.write(output, overwrite)
