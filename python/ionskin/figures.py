@@ -7,7 +7,7 @@ from typing import Callable, NamedTuple
 import numpy
 
 from .analysis import derived
-from .charts import contact, ions, onset, readout, skin, water
+from .charts import contact, ions, metal, onset, readout, skin, water
 from .charts.chart import Axis, Cell, Chart, Curve, Mark, Note, current_axis, over_time, phase_spans, telling_coincidence, with_events
 from .charts.colours import BLUE, GREEN, ORANGE, PALE, PURPLE, QUIET
 from .charts.spans import rows_within, sampled_label, slide_start
@@ -206,6 +206,7 @@ FIGURES = [
           readout.taxel_map),
     Entry("taxels", "Taxel signals", "Charge of each taxel over time on common axes; taxels.csv holds the currents too.",
           readout.taxel_charges),
+    Entry("metal", "Potential along the metal", report_text.metal_caption, metal.potential),
     Entry("ions", "Ions through the thickness", "Concentration and potential in one column of the core at the instants of "
           "output.fields; the outer panels enlarge the double layers.", ions.ions),
     Entry("forces", "Forces", "Contact forces; under full slip the tangential force is the friction coefficient times "

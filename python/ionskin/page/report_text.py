@@ -225,6 +225,13 @@ def contact_caption(results):
             "99 % of the section lie below.")
 
 
+def metal_caption(results):
+    """Of the potential along the metal, with its largest difference during the run."""
+    drop = results.metrics["peak_metal_drop"]
+    return ("Against the lead of the bottom electrode, at instants of output.fields. During the run it differs by up to "
+            f"{quantity(drop.value, drop.unit, 3)} along one metal.")
+
+
 def shear_caption(results):
     """Of the shear over time."""
     text = "Scalar shear γ in the ion-conducting layer."

@@ -14,6 +14,7 @@ import tomllib
 import types
 import unittest
 
+import h5py
 import numpy
 from PIL import Image
 
@@ -101,6 +102,33 @@ class Report(unittest.TestCase):
         self.assertIn(("contact", "one end"), groups["Readout"])
         case["skin"]["layers"][0].pop("sheet_resistance")
         self.assertNotIn("contact", dict(dict(report_text.case_groups(case))["Readout"]))
+
+    def test_the_potential_along_metal_is_drawn_with_its_largest_difference(self):
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            write_run(folder)
+            drawn = lambda: {entry.name: (entry.words(results), chart) for entry, chart in charts(results) if entry.name == "metal"}
+            results = Results(folder)
+            self.assertEqual(drawn(), {})
+            (folder / "summary.json").write_text(json.dumps({"metrics": {"peak_metal_drop": {"value": 0.0232, "unit": "V"}}}))
+            results = Results(folder)
+            self.assertIn("set output.fields", drawn()["metal"][1])
+            for rows, middle in ((3, [10.0, 11.0]), (2, [5.0, 6.0])):
+                with h5py.File(folder / "results.h5", "w") as file:
+                    for name, edges in (("x", [0, 1e-3, 3e-3]), ("y", numpy.linspace(0, 2e-3, rows + 1)), ("z", [0, 1e-4])):
+                        file[f"ions/grid/{name}"] = edges
+                    top = numpy.array([[10.0 * row + column for column in range(2)] for row in range(rows)])
+                    for instant, factor in (("0.5", 1.0), ("1.5", 2.0)):
+                        file[f"ions/{instant}/potential"] = numpy.array([[-factor * top, factor * top]])
+                        file[f"ions/{instant}/concentration"] = numpy.ones((1, 2, rows, 2))
+                words, chart = drawn()["metal"]
+                self.assertIn("23.2 mV", words)
+                (above,), (below,), (seen,) = chart.rows
+                for cell, sign in ((above, 1), (below, -1)):
+                    self.assertEqual([curve.label for curve in cell.curves], ["0.5 s", "1.5 s"])
+                    numpy.testing.assert_allclose(cell.curves[0].y, sign * numpy.array(middle))
+                numpy.testing.assert_allclose(above.curves[0].x, [5e-4, 2e-3])
+                numpy.testing.assert_allclose(seen.map.values, 2 * top)
 
     def test_an_open_circuit_opens_with_voltages(self):
         with tempfile.TemporaryDirectory() as folder:
