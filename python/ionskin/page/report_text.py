@@ -2,7 +2,7 @@
 """The words and numbers of the report, taken from the results."""
 
 from ..analysis.derived import common_is_noise
-from ..charts.readout import is_open
+from ..charts.readout import is_open, passes_nothing
 from ..words import percent, quantity, readable_units
 from . import quantities
 
@@ -245,4 +245,4 @@ def charge_caption(results):
     text = "Charge on the metal."
     if law(results) == "fixed-charge":
         text += " The common part follows the net fixed charge that the shear creates."
-    return text + " The difference relaxes as the ions redistribute."
+    return text + " The difference relaxes as the ions redistribute." * (not passes_nothing(results))

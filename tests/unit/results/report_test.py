@@ -366,7 +366,19 @@ taxels = {rows = 1, columns = 2}
         self.assertEqual(len(cell.shapes), 2)
         self.assertEqual([each.title for each in readout.taxel_voltages(results).rows[0]], ["r1c1", "r1c2"])
         self.assertEqual(readout.taxel_map(results), "no charge passes into a taxel")
+        low, high = cell.shapes[0].outlines[0][0], cell.shapes[0].outlines[0][2]
+        self.assertEqual(cell.notes[0].room, tuple(high - low))  # a page leaves words out that a taxel has no place for
         self.assertTrue(answer.sentences(results)[0].startswith("A voltmeter between the taxel r1c2 and the bottom electrode reads up to 4 mV"))
+
+    def test_what_open_taxels_do_not_pass_is_no_figure(self):
+        found = dict((entry.name, chart) for entry, chart in charts(self.results("0,0,0,0,1e-3,-4e-3,0,0,0,0")))
+        self.assertEqual(found["relaxation"], figures.OPEN)
+        if not isinstance(found["charge"], str):  # the law made net charge
+            self.assertNotIn("Difference (top − bottom)/2", [row[0].title for row in found["charge"].rows])
+            self.assertNotIn("Difference (top − bottom)/2", [row[0].title for row in found["currents"].rows])
+        found = dict((entry.name, chart) for entry, chart in charts(self.results("1e-9,2e-9,3e-9,4e-9,0,1e-3,0,2e-9,0,4e-9")))
+        self.assertIn("Difference (top − bottom)/2", [row[0].title for row in found["charge"].rows])
+        self.assertEqual(found["relaxation"].rows[0][0].title, "Difference charge")
 
     def test_grounded_taxels_have_currents_alone(self):
         results = self.results("1e-9,2e-9,3e-9,4e-9,0,0,1e-9,2e-9,3e-9,4e-9")
@@ -432,9 +444,9 @@ class Words(unittest.TestCase):
         self.assertEqual(sketches.wall_potentials(shorted)["top"], "φ = 0")
 
     def test_captions_and_limits_follow_slider_and_law(self):
-        sharp = types.SimpleNamespace(case={"slider": {"size": []}, "coupling": {"law": "fixed-charge"}})
-        finger = types.SimpleNamespace(case={"slider": {"shape": "sphere"}, "coupling": {"law": "column-neutral"}})
-        water = types.SimpleNamespace(case={"slider": {"size": []}, "coupling": {"law": "poroelastic"}})
+        sharp = types.SimpleNamespace(case={"slider": {"size": []}, "coupling": {"law": "fixed-charge"}}, taxels=None, circuit_words={})
+        finger = types.SimpleNamespace(case={"slider": {"shape": "sphere"}, "coupling": {"law": "column-neutral"}}, taxels=None, circuit_words={})
+        water = types.SimpleNamespace(case={"slider": {"size": []}, "coupling": {"law": "poroelastic"}}, taxels=None, circuit_words={})
         for caption, word in ((report_text.contact_caption, "sharp"), (report_text.shear_caption, "sharp"),
                               (report_text.charge_caption, "common part")):
             self.assertIn(word, caption(sharp))
