@@ -9,7 +9,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const ionskin::fuzz::ScratchFile file(data, size);
   try {
-    ionskin::study::read_fit_data(file.path());
+    ionskin::study::read_fit_data(file.path(), ionskin::study::fit_columns({}));
   } catch (const ionskin::UserError&) {
   }
   return 0;

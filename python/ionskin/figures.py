@@ -7,11 +7,13 @@ from typing import Callable, NamedTuple
 import numpy
 
 from .analysis import derived
-from .charts import contact, ions, onset, readout, skin, water
+from .charts import contact, ions, metal, onset, readout, skin, water
 from .charts.chart import Axis, Cell, Chart, Curve, Mark, Note, current_axis, over_time, phase_spans, telling_coincidence, with_events
 from .charts.colours import BLUE, GREEN, ORANGE, PALE, PURPLE, QUIET
 from .charts.spans import rows_within, sampled_label, slide_start
 from .page import report_text
+
+OPEN = "no current passes between open electrodes"
 
 
 def motion(results):
@@ -62,13 +64,16 @@ def currents(results):
     signals, sampled = results.signals, results.sampled
     if not signals.has("current_top"):
         return None
+    nothing = readout.passes_nothing(results)
+    if nothing and derived.common_is_noise(results):
+        return OPEN
     time = signals["time"]
     noise = ": not above the noise of the solver" if derived.common_is_noise(results) else ""
     panels = [("Electrodes, resolved", current_axis(signals["current_top"], signals["current_bottom"]),
                [Curve(time, signals["current_top"], "top", BLUE, "over"),
                 Curve(time, signals["current_bottom"], "bottom", ORANGE, "over", 0.8)], 1.1)]
     for name, title, colour in (("difference", "Difference (top − bottom)/2", GREEN),
-                                ("common", f"Common (top + bottom)/2{noise}", PURPLE)):
+                                ("common", f"Common (top + bottom)/2{noise}", PURPLE))[nothing:]:
         column = f"current_{name}"
         # Wide and pale below the resolved current, which it equals wherever nothing is fast.
         panels.append((title, current_axis(signals[column]),
@@ -93,10 +98,12 @@ def charge(results):
     signals = results.signals
     if not signals.has("charge_top"):
         return None
+    if readout.passes_nothing(results) and derived.common_is_noise(results):
+        return OPEN
     time, top, bottom = (signals[name] for name in ("time", "charge_top", "charge_bottom"))
-    return over_time(results, [
-        ("Charge on the electrodes", Axis("charge", "C"), [Curve(time, top, "top"), Curve(time, bottom, "bottom", ORANGE)], 0.9),
-        ("Difference (top − bottom)/2", Axis("charge", "C"), [Curve(time, (top - bottom) / 2, "", GREEN)], 0.9)])
+    panels = [("Charge on the electrodes", Axis("charge", "C"), [Curve(time, top, "top"), Curve(time, bottom, "bottom", ORANGE)], 0.9),
+              ("Difference (top − bottom)/2", Axis("charge", "C"), [Curve(time, (top - bottom) / 2, "", GREEN)], 0.9)]
+    return over_time(results, panels[:1] if readout.passes_nothing(results) else panels)
 
 
 def join_time(results):
@@ -115,6 +122,8 @@ def join(results):
     start, joined = slide_start(results), join_time(results)
     if joined is None or not signals.has("current_difference"):
         return None
+    if readout.passes_nothing(results):
+        return OPEN
     time, width = signals["time"] - start, joined - start
     cells = []
     for title, low, high, words in (("Onset of sliding, first cycle", 0.0, 4 * width, "steady sliding begins"),
@@ -132,6 +141,8 @@ def relaxation(results):
     spans = results.phases()
     if not spans or not signals.has("charge_top"):
         return None
+    if readout.passes_nothing(results):
+        return OPEN
     time, half = signals["time"], (signals["charge_top"] - signals["charge_bottom"]) / 2
     within, detached, length = [], [], 0.0
     for cycle, (colour, look) in cycle_looks(spans):
@@ -206,6 +217,7 @@ FIGURES = [
           readout.taxel_map),
     Entry("taxels", "Taxel signals", "Charge of each taxel over time on common axes; taxels.csv holds the currents too.",
           readout.taxel_charges),
+    Entry("metal", "Potential along the metal", report_text.metal_caption, metal.potential),
     Entry("ions", "Ions through the thickness", "Concentration and potential in one column of the core at the instants of "
           "output.fields; the outer panels enlarge the double layers.", ions.ions),
     Entry("forces", "Forces", "Contact forces; under full slip the tangential force is the friction coefficient times "

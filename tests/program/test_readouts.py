@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """One strain history read out in every circuit, and the impedance spectrum."""
 
+import json
 import unittest
 
 import h5py
 import numpy
 
-from program import QUICK, ProgramTest, metric, signals, summary, write_strain_file
+from program import QUICK, SMALL, ProgramTest, metric, signals, summary, write_strain_file
 
 TAXELS = ('[{name="a", lower=["0 mm", "0 mm"], upper=["4 mm", "2 mm"]},'
           ' {name="b", lower=["4 mm", "0 mm"], upper=["9.3 mm", "0.7 mm"]}]')
@@ -74,14 +75,25 @@ class Readouts(ProgramTest):
         self.assertFalse(taxels["voltage_b"].any())
         self.assertIn("reading_b", taxels)
 
-    def test_fits_and_live_skins_refuse_taxels_with_circuits_of_their_own(self):
-        data = self.write("data.csv", "time [s],current_difference [A]\n1,1e-6\n2,1e-6\n3,2e-6\n")
+    def test_fits_take_the_signals_of_a_taxel(self):
+        own = [word for edit in ("readout.taxels.rows=1", "readout.taxels.columns=2", "readout.taxel_circuit=load",
+                                 "readout.load_resistance=300 Ohm") for word in ("--set", edit)]
+        self.run_case(QUICK, "-o", "truth", *SMALL, *own)
+        for column, table in (("voltage_r1c1", "taxels"), ("current_circuit_r1c2", "sampled_taxels"), ("current_top", "sampled")):
+            self.run_program("fit", QUICK, *SMALL, *own, "--set", "coupling.coefficient=0.12", "--data", self.folder / "truth" / f"{table}.csv",
+                             "--column", column, "--free", "coupling.coefficient", "-o", "fit", "--overwrite", "--threads", "1")
+            fit = json.loads((self.folder / "fit" / "fit.json").read_text())
+            self.assertAlmostEqual(fit["parameters"]["coupling.coefficient"]["value"] / 0.1, 1, delta=2e-3, msg=column)
+            self.assertEqual(fit["column"], column)
+
+    def test_fits_name_the_voltages_of_taxels_and_live_skins_refuse_them(self):
+        data = self.write("data.csv", "time [s],voltage [V]\n1,1e-6\n2,1e-6\n3,2e-6\n")
         own = [word for edit in ("readout.taxels.rows=1", "readout.taxels.columns=2", "readout.taxel_circuit=open")
                for word in ("--set", edit)]
-        for words in (("fit", QUICK, "--data", data, "--free", "coupling.coefficient", "-o", "fit"), ("live", QUICK, "-o", "skin.live")):
-            error = self.run_program(*words, *own, expect=2).stderr
-            self.assertIn("here", error)
-            self.assertIn('set readout.taxel_circuit = "shared"', error)
+        error = self.run_program("fit", QUICK, "--data", data, "--free", "coupling.coefficient", "-o", "fit", *own, expect=2).stderr
+        self.assertIn("such as voltage_r1c1", error)
+        error = self.run_program("live", QUICK, "-o", "skin.live", *own, expect=2).stderr
+        self.assertIn('set readout.taxel_circuit = "shared"', error)
 
     def test_grid_of_taxels_and_sampled_tables(self):
         whole, out = self.read_out("grid", "readout.circuit=load", "readout.load_resistance=20 Ohm",

@@ -207,7 +207,7 @@ void add_space_rows(const Problem& problem, const Options& options, std::vector<
     return error_of(run(problem.filling, refinement, steps, options),
                     ExactSolution(problem.filling));
   };
-  const Error coarse = error_at(1.0), fine = error_at(2.0);
+  const Error coarse = error_at(0.75), fine = error_at(1.5);
   const auto& [set, name, _] = problem;
   rows.push_back(at_most(set, name + ": error of phi / V_T, rms", fine.potential, 5e-4));
   rows.push_back(at_most(set, name + ": error of c / c0, rms", fine.concentration, 2e-4));

@@ -38,4 +38,8 @@ std::vector<Row> sheet_rows(const Options& options);
 /// E12: the blocking cell with and without a capacitance of its interfaces, in frequency and time.
 std::vector<Row> interface_rows(const Options& options);
 
+/// E13: thermal noise of a resistor, and of the cell beside a capacitor, against Johnson and
+/// Nyquist.
+std::vector<Row> noise_rows();
+
 } // namespace ionskin::verification

@@ -163,12 +163,14 @@ void add_steric_limit_rows(const Options& options, std::vector<Row>& rows) {
   rows.push_back(at_most("E9", "relative error of Z, 0.01 Hz to 1 kHz, fine, c_max = 2 c0",
                          impedance_error(), 1e-3));
   Case linear = steric_case(0.5, Preset::coarse);
+  linear.numerics.mesh_refinement = 0.5; // both runs of a comparison have one mesh
   linear.coupling.coefficient = 1e-4;
   const history::CoreHistory history = sliding_contact_history(1);
   rows.push_back(
       at_most("E9", "sliding in 3D at k = 0.0001: deviation from the equivalent dilute ions",
               largest_deviation(linear, equivalent_dilute_case(linear), history, options), 1e-2));
   Case roomy = steric_case(1e-9, Preset::coarse);
+  roomy.numerics.mesh_refinement = 0.5;
   // Steps that only landings, growth and the longest step set are the same in both runs.
   roomy.numerics.time_tolerance = 1.0;
   Case dilute = roomy;
@@ -180,6 +182,7 @@ void add_steric_limit_rows(const Options& options, std::vector<Row>& rows) {
 void add_crowded_sliding_rows(const Options& options, std::vector<Row>& rows) {
   for (const char* law : {"fixed-charge", "pair-generation"}) {
     Case input = steric_case(0.7, Preset::coarse);
+    input.numerics.mesh_refinement = 0.5; // what must hold holds on any mesh
     input.coupling.law = law;
     input.coupling.coefficient = 1.0;
     const IonSolution solution = run_model(input, sliding_contact_history(1), options);

@@ -9,7 +9,7 @@ std::vector<Row> verify_electrochemistry(const Options& options) {
        {linear_step_rows(options), impedance_rows(), circuit_rows(options),
         double_layer_rows(options), manufactured_rows(options), lateral_average_rows(options),
         steric_rows(options), taxel_rows(options), sheet_rows(options), interface_rows(options),
-        error_estimate_rows(options)}) {
+        noise_rows(), error_estimate_rows(options)}) {
     rows.insert(rows.end(), more.begin(), more.end());
   }
   return rows;

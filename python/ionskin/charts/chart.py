@@ -109,7 +109,8 @@ class Shape(NamedTuple):
 
 
 class Note(NamedTuple):
-    """Words at a place. anchor: "start", "middle" or "end" of the text lies there; lines are centred about it."""
+    """Words at a place. anchor: "start", "middle" or "end" of the text lies there; lines are centred about it. room: width and height,
+    as on the axes, that a page keeps the words within: of lines that do not fit the first ones go; (0, 0) for any."""
 
     x: float
     y: float
@@ -118,6 +119,7 @@ class Note(NamedTuple):
     colour: str = INK
     size: float = 7.5
     boxed: bool = False
+    room: tuple[float, float] = (0.0, 0.0)
 
 
 class Cell(NamedTuple):

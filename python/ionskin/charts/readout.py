@@ -33,6 +33,14 @@ def is_open(results):
     return results.circuit_words.get("name", results.case.get("readout", {}).get("circuit")) == "open"
 
 
+def passes_nothing(results):
+    """True where open terminals alone are around: rounding is all that passes between top and bottom."""
+    if not has_own_circuits(results):
+        return is_open(results)
+    return "current_top_rest" not in results.taxels and all(
+        peak_of(results.taxels[name]) == 0 for name in results.taxels if name.startswith("current_circuit_"))
+
+
 def circuit_panel(results):
     """Title, vertical axis, curves and height of the cell's voltage, or of the amplifier's reading, over time."""
     table = results.circuit
@@ -130,7 +138,7 @@ def map_of(results, column, title, quantity_name, unit):
         shapes.append(Shape([outline], mixed(SEQUENCE, moved[name] / top), "#ffffff", 1.0))
         if len(drawn) <= MOST_TAXELS:
             notes.append(Note(*(low + high) / 2, f"{short(name, 12)}\n{moved[name] / divisor:.3g}", "middle",
-                              "#ffffff" if moved[name] < 0.6 * top else "#000000", 6.5))
+                              "#ffffff" if moved[name] < 0.6 * top else "#000000", 6.5, room=tuple((high - low).tolist())))
     bar = Map(numpy.empty(0), numpy.empty(0), numpy.empty((0, 0)), 0.0, top, quantity_name, unit)
     return Chart([[Cell(title, Axis("x", "m", 0.0, extent[0]), Axis("y", "m", 0.0, extent[1]), map=bar,
                         shapes=(*shapes, *slider_path(results)), notes=tuple(notes), equal=True)]])

@@ -181,6 +181,15 @@
     if (words) within(svg, { transform: `translate(${wide - 3} ${(frame.top + frame.bottom) / 2}) rotate(-90)`, "text-anchor": "middle" }, words.trim(), tall);
   }
 
+  /** The lines of a note, from the last one on, that the room it is given has place for. */
+  function fitting(note, frame) {
+    const lines = note.words.split("\n"), [width, height] = note.room;
+    if (!width && !height) return lines;
+    const wide = frame.px(width) - frame.px(0), count = Math.floor((frame.py(0) - frame.py(height)) / 9.5);
+    const narrow = lines.map((line) => 0.6 * 1.4 * note.size * line.length <= wide);
+    return lines.filter((line, i) => i >= lines.length - count && narrow[i]);
+  }
+
   function drawShapes(svg, cell, frame) {
     for (const shape of cell.shapes) {
       let path = "";
@@ -191,10 +200,10 @@
       make(svg, "path", { d: path, style: `fill: ${shape.fill || "none"}; stroke: ${shape.edge || "none"}; stroke-width: ${1.4 * shape.width}; stroke-dasharray: ${DASHES[shape.look]}; stroke-linejoin: round` });
     }
     for (const note of cell.notes) {
-      const relative = !cell.shapes.length, lines = note.words.split("\n");
+      const relative = !cell.shapes.length;
       const x = relative ? frame.left + note.x * (frame.right - frame.left) : frame.px(note.x);
       const y = relative ? frame.top + note.y * (frame.bottom - frame.top) : frame.py(note.y);
-      const group = make(svg, "g");
+      const group = make(svg, "g"), lines = fitting(note, frame);
       lines.forEach((line, i) => make(group, "text", { x, y: y + 4 + 12 * (i - (lines.length - 1) / 2), "text-anchor": note.anchor,
                                                        style: `fill: ${note.colour}; font-size: ${1.4 * note.size}px` }, line));
       if (note.boxed) {

@@ -2,7 +2,7 @@
 """The words and numbers of the report, taken from the results."""
 
 from ..analysis.derived import common_is_noise
-from ..charts.readout import is_open
+from ..charts.readout import is_open, passes_nothing
 from ..words import percent, quantity, readable_units
 from . import quantities
 
@@ -225,6 +225,13 @@ def contact_caption(results):
             "99 % of the section lie below.")
 
 
+def metal_caption(results):
+    """Of the potential along the metal, with its largest difference during the run."""
+    drop = results.metrics["peak_metal_drop"]
+    return ("Against the lead of the bottom electrode, at instants of output.fields. During the run it differs by up to "
+            f"{quantity(drop.value, drop.unit, 3)} along one metal.")
+
+
 def shear_caption(results):
     """Of the shear over time."""
     text = "Scalar shear γ in the ion-conducting layer."
@@ -238,4 +245,4 @@ def charge_caption(results):
     text = "Charge on the metal."
     if law(results) == "fixed-charge":
         text += " The common part follows the net fixed charge that the shear creates."
-    return text + " The difference relaxes as the ions redistribute."
+    return text + " The difference relaxes as the ions redistribute." * (not passes_nothing(results))

@@ -14,6 +14,7 @@ import tomllib
 import types
 import unittest
 
+import h5py
 import numpy
 from PIL import Image
 
@@ -101,6 +102,33 @@ class Report(unittest.TestCase):
         self.assertIn(("contact", "one end"), groups["Readout"])
         case["skin"]["layers"][0].pop("sheet_resistance")
         self.assertNotIn("contact", dict(dict(report_text.case_groups(case))["Readout"]))
+
+    def test_the_potential_along_metal_is_drawn_with_its_largest_difference(self):
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            write_run(folder)
+            drawn = lambda: {entry.name: (entry.words(results), chart) for entry, chart in charts(results) if entry.name == "metal"}
+            results = Results(folder)
+            self.assertEqual(drawn(), {})
+            (folder / "summary.json").write_text(json.dumps({"metrics": {"peak_metal_drop": {"value": 0.0232, "unit": "V"}}}))
+            results = Results(folder)
+            self.assertIn("set output.fields", drawn()["metal"][1])
+            for rows, middle in ((3, [10.0, 11.0]), (2, [5.0, 6.0])):
+                with h5py.File(folder / "results.h5", "w") as file:
+                    for name, edges in (("x", [0, 1e-3, 3e-3]), ("y", numpy.linspace(0, 2e-3, rows + 1)), ("z", [0, 1e-4])):
+                        file[f"ions/grid/{name}"] = edges
+                    top = numpy.array([[10.0 * row + column for column in range(2)] for row in range(rows)])
+                    for instant, factor in (("0.5", 1.0), ("1.5", 2.0)):
+                        file[f"ions/{instant}/potential"] = numpy.array([[-factor * top, factor * top]])
+                        file[f"ions/{instant}/concentration"] = numpy.ones((1, 2, rows, 2))
+                words, chart = drawn()["metal"]
+                self.assertIn("23.2 mV", words)
+                (above,), (below,), (seen,) = chart.rows
+                for cell, sign in ((above, 1), (below, -1)):
+                    self.assertEqual([curve.label for curve in cell.curves], ["0.5 s", "1.5 s"])
+                    numpy.testing.assert_allclose(cell.curves[0].y, sign * numpy.array(middle))
+                numpy.testing.assert_allclose(above.curves[0].x, [5e-4, 2e-3])
+                numpy.testing.assert_allclose(seen.map.values, 2 * top)
 
     def test_an_open_circuit_opens_with_voltages(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -338,7 +366,19 @@ taxels = {rows = 1, columns = 2}
         self.assertEqual(len(cell.shapes), 2)
         self.assertEqual([each.title for each in readout.taxel_voltages(results).rows[0]], ["r1c1", "r1c2"])
         self.assertEqual(readout.taxel_map(results), "no charge passes into a taxel")
+        low, high = cell.shapes[0].outlines[0][0], cell.shapes[0].outlines[0][2]
+        self.assertEqual(cell.notes[0].room, tuple(high - low))  # a page leaves words out that a taxel has no place for
         self.assertTrue(answer.sentences(results)[0].startswith("A voltmeter between the taxel r1c2 and the bottom electrode reads up to 4 mV"))
+
+    def test_what_open_taxels_do_not_pass_is_no_figure(self):
+        found = dict((entry.name, chart) for entry, chart in charts(self.results("0,0,0,0,1e-3,-4e-3,0,0,0,0")))
+        self.assertEqual(found["relaxation"], figures.OPEN)
+        if not isinstance(found["charge"], str):  # the law made net charge
+            self.assertNotIn("Difference (top − bottom)/2", [row[0].title for row in found["charge"].rows])
+            self.assertNotIn("Difference (top − bottom)/2", [row[0].title for row in found["currents"].rows])
+        found = dict((entry.name, chart) for entry, chart in charts(self.results("1e-9,2e-9,3e-9,4e-9,0,1e-3,0,2e-9,0,4e-9")))
+        self.assertIn("Difference (top − bottom)/2", [row[0].title for row in found["charge"].rows])
+        self.assertEqual(found["relaxation"].rows[0][0].title, "Difference charge")
 
     def test_grounded_taxels_have_currents_alone(self):
         results = self.results("1e-9,2e-9,3e-9,4e-9,0,0,1e-9,2e-9,3e-9,4e-9")
@@ -404,9 +444,9 @@ class Words(unittest.TestCase):
         self.assertEqual(sketches.wall_potentials(shorted)["top"], "φ = 0")
 
     def test_captions_and_limits_follow_slider_and_law(self):
-        sharp = types.SimpleNamespace(case={"slider": {"size": []}, "coupling": {"law": "fixed-charge"}})
-        finger = types.SimpleNamespace(case={"slider": {"shape": "sphere"}, "coupling": {"law": "column-neutral"}})
-        water = types.SimpleNamespace(case={"slider": {"size": []}, "coupling": {"law": "poroelastic"}})
+        sharp = types.SimpleNamespace(case={"slider": {"size": []}, "coupling": {"law": "fixed-charge"}}, taxels=None, circuit_words={})
+        finger = types.SimpleNamespace(case={"slider": {"shape": "sphere"}, "coupling": {"law": "column-neutral"}}, taxels=None, circuit_words={})
+        water = types.SimpleNamespace(case={"slider": {"size": []}, "coupling": {"law": "poroelastic"}}, taxels=None, circuit_words={})
         for caption, word in ((report_text.contact_caption, "sharp"), (report_text.shear_caption, "sharp"),
                               (report_text.charge_caption, "common part")):
             self.assertIn(word, caption(sharp))

@@ -107,8 +107,19 @@ void drop_late_rows(FitData& data, double end, std::vector<std::string>& warning
 }
 
 void require_voltage(const FitModel& model, const FitData& data) {
-  if (data.column != "voltage" ||
-      !circuits::circuit_row(model.start_case().readout.circuit).holds_potential) {
+  if (data.column != "voltage") {
+    return;
+  }
+  const Readout& readout = model.start_case().readout;
+  for (std::size_t i = 0; i < readout.taxels.size(); ++i) {
+    if (readout.has_own_circuit(i)) {
+      throw UserError(
+          "the data hold a voltage of the electrode, but taxels have circuits and "
+          "voltages of their own\n  = name the column after its taxel, such as voltage_" +
+          readout.taxels[i].name);
+    }
+  }
+  if (!circuits::circuit_row(readout.circuit).holds_potential) {
     return;
   }
   std::string with_voltage;
@@ -120,15 +131,6 @@ void require_voltage(const FitModel& model, const FitData& data) {
   throw UserError("the data hold a voltage, but this circuit keeps the electrodes at one "
                   "potential\n  = set readout.circuit = " +
                   with_voltage);
-}
-
-void require_one_electrode(const FitModel& model) {
-  if (model.start_case().readout.is_cut()) {
-    throw UserError("readout.taxel_circuit: a fit compares the signals of the whole top electrode, "
-                    "and here taxels have circuits of their own\n"
-                    "  = set readout.taxel_circuit = \"shared\", and remove the circuits of single "
-                    "taxels");
-  }
 }
 
 void require_rows(const FitModel& model, const FitData& data) {
@@ -196,7 +198,6 @@ FitResult summarise(FitModel& model, const FitData& data, const Misfit& misfit,
 } // namespace
 
 void prepare(FitData& data, FitModel& model) {
-  require_one_electrode(model);
   require_voltage(model, data);
   const auto [begin, end] = model.span();
   if (!model.frees("data.time_shift")) {
@@ -204,6 +205,7 @@ void prepare(FitData& data, FitModel& model) {
   }
   require_rows(model, data);
   require_signal(data);
+  model.keep_taxel(taxel_of(data.column));
 }
 
 FitResult fit(FitModel& model, FitData& data, const base::ProgressCallback& progress,

@@ -149,7 +149,7 @@ FitResult run_fit(const FitRequest& request, const FitOptions& options) {
   const double start = base::wall_time();
   FitModel model(request.case_text, request.case_path, request.set_edits, request.free,
                  {options.threads, options.progress});
-  FitData data = read_fit_data(request.data_path, request.column);
+  FitData data = read_fit_data(request.data_path, fit_columns(model.start_case()), request.column);
   prepare(data, model);
   const std::string hash = fit_hash(model, data);
   results::OutputFolder folder(options.folder, existing_folder(options));

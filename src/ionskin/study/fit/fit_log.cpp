@@ -35,6 +35,20 @@ constexpr std::array<Column, 6> columns = {{{"/time", &Ions::time},
                                             {"/relaxation_current", &Ions::relaxation_current},
                                             {"/voltage", &Ions::voltage}}};
 
+using Segment = electrochemistry::SegmentCharge;
+
+constexpr const char* taxel_name = "taxel";
+
+struct TaxelSeries {
+  const char* name;
+  std::vector<double> Segment::*values;
+};
+
+constexpr std::array<TaxelSeries, 4> taxel_series = {{{"/taxel_charge", &Segment::charge},
+                                                      {"/taxel_bottom", &Segment::bottom_charge},
+                                                      {"/taxel_voltage", &Segment::voltage},
+                                                      {"/taxel_passed", &Segment::passed}}};
+
 FitAnswer read_answer(const results::ForeignHdf5File& file) {
   if (const auto failure = file.text_attribute("/", failure_name)) {
     return {nullptr, *failure};
@@ -45,15 +59,31 @@ FitAnswer read_answer(const results::ForeignHdf5File& file) {
       ions.*column.values = file.read(column.name);
     }
   }
-  return fit_answer(ions);
+  const std::string taxel = file.text_attribute("/", taxel_name).value_or("");
+  if (!taxel.empty()) {
+    Segment& segment = ions.top_segments.emplace_back();
+    segment.name = taxel;
+    for (const TaxelSeries& one : taxel_series) {
+      if (file.has(one.name)) {
+        segment.*one.values = file.read(one.name);
+      }
+    }
+  }
+  return fit_answer(ions, taxel);
 }
 
 } // namespace
 
-FitAnswer fit_answer(const electrochemistry::IonSolution& ions) {
+FitAnswer fit_answer(const electrochemistry::IonSolution& ions, const std::string& taxel) {
   Ions part;
   for (const Column& column : columns) {
     part.*column.values = ions.*column.values;
+  }
+  for (const Segment& segment : ions.top_segments) {
+    if (!taxel.empty() && segment.name == taxel) {
+      part.top_segments.push_back(segment);
+      part.top_segments.back().bypassed.clear();
+    }
   }
   return {std::make_shared<const Ions>(std::move(part)), ""};
 }
@@ -98,6 +128,14 @@ void FitLog::add(const std::vector<double>& point, const FitAnswer& answer) {
     for (const Column& column : columns) {
       if (const auto& values = (*answer.ions).*column.values; !values.empty()) {
         file.write(column.name, values);
+      }
+    }
+    for (const Segment& taxel : answer.ions->top_segments) {
+      file.set_attribute("/", taxel_name, taxel.name);
+      for (const TaxelSeries& one : taxel_series) {
+        if (!(taxel.*one.values).empty()) {
+          file.write(one.name, taxel.*one.values);
+        }
       }
     }
   } else {

@@ -15,14 +15,15 @@
 namespace ionskin::study {
 
 /// What the model said at one point: time, charges and voltage of the solution, which every column
-/// of data follows from, or why there is none.
+/// of data follows from, of one taxel where the data are its, or why there is none.
 struct FitAnswer {
   std::shared_ptr<const electrochemistry::IonSolution> ions;
   std::string failure; ///< empty when there is a solution
 };
 
 /// The part of a solution that a `FitAnswer` holds.
-FitAnswer fit_answer(const electrochemistry::IonSolution& ions);
+/// @param taxel that the data are of; empty for none
+FitAnswer fit_answer(const electrochemistry::IonSolution& ions, const std::string& taxel = "");
 
 /// The finished evaluations of a fit in a folder, a file each, written when it ends. A fit is
 /// deterministic: one that finds its evaluations again goes the same way without solving them. Safe

@@ -216,7 +216,7 @@ std::optional<FitAnswer> FitModel::known_answer(const std::vector<double>& of_ca
 void FitModel::find_answer(const std::vector<double>& point, int threads) {
   FitAnswer answer;
   try {
-    answer = fit_answer(solve(point, threads));
+    answer = fit_answer(solve(point, threads), taxel_);
   } catch (const SolverError& error) {
     answer.failure = fmt::format("{}; {}", error.what(), error.remedy());
   } catch (const UserError& error) { // the start was checked: these values do not fit together

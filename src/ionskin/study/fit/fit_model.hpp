@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ionskin::study {
@@ -50,6 +51,10 @@ public:
   /// The case at other values of the parameters.
   Case case_at(const std::vector<double>& values) const;
 
+  /// What data are of decides what is kept of a solution: the electrodes alone, or a taxel too.
+  /// @param taxel empty for none
+  void keep_taxel(std::string taxel) { taxel_ = std::move(taxel); }
+
   /// First and last instant of the run [s].
   std::pair<double, double> span();
 
@@ -84,7 +89,7 @@ private:
   std::optional<FitAnswer> known_answer(const std::vector<double>& of_case) const;
   void find_answer(const std::vector<double>& point, int threads);
 
-  std::string path_, text_;
+  std::string path_, text_, taxel_;
   std::vector<std::string> set_edits_;
   FitModelOptions options_;
   Case start_case_;

@@ -5,6 +5,7 @@
 #include "ionskin/base/nearest_name.hpp"
 #include "ionskin/base/text.hpp"
 #include "ionskin/base/value_at.hpp"
+#include "ionskin/case/coupling.hpp"
 #include "ionskin/case/text/csv_table.hpp"
 #include "ionskin/readout/charge_relaxation.hpp"
 #include "ionskin/units/unit_system.hpp"
@@ -13,35 +14,99 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string_view>
 
 namespace ionskin::study {
 
-const std::map<std::string, std::string>& fit_columns() {
-  static const std::map<std::string, std::string> columns = {
-      {"charge_bottom", "C"},  {"charge_top", "C"},         {"current_bottom", "A"},
-      {"current_common", "A"}, {"current_difference", "A"}, {"current_top", "A"},
-      {"voltage", "V"}};
-  return columns;
-}
-
 namespace {
 
-std::vector<std::string> known_names() {
+/// Parts of the charges of the two electrodes that a column is made of.
+struct Weights {
+  double top = 0, bottom = 0;
+};
+
+/// What taxels.csv has of a taxel, by what its name follows.
+struct TaxelColumn {
+  const char* prefix;
+  const char* unit;
+  std::vector<double> electrochemistry::SegmentCharge::*values;
+  double bottom = 0; ///< part of the charge of the bottom electrode below the taxel, added
+  double factor = 1;
+  bool of_circuit = false, of_water = false; ///< needs a circuit of its own, a law that moves water
+};
+
+using Segment = electrochemistry::SegmentCharge;
+constexpr std::array<TaxelColumn, 9> taxel_columns{
+    {{"voltage_", "V", &Segment::voltage, 0, 1, true},
+     {"current_circuit_", "A", &Segment::passed, 0, 1, true},
+     {"charge_circuit_", "C", &Segment::passed, 0, 1, true},
+     {"current_top_", "A", &Segment::charge},
+     {"charge_top_", "C", &Segment::charge},
+     {"current_odd_", "A", &Segment::charge, -1, 0.5, false, true},
+     {"charge_odd_", "C", &Segment::charge, -1, 0.5, false, true},
+     {"current_even_", "A", &Segment::charge, 1, 0.5, false, true},
+     {"charge_even_", "C", &Segment::charge, 1, 0.5, false, true}}};
+
+const TaxelColumn* taxel_column(const std::string& column) {
+  const auto found = std::ranges::find_if(
+      taxel_columns, [&](const TaxelColumn& one) { return column.starts_with(one.prefix); });
+  return found == taxel_columns.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> names_of(const FitColumns& columns) {
   std::vector<std::string> names;
-  for (const auto& [name, unit] : fit_columns()) {
+  for (const auto& [name, unit] : columns) {
     names.push_back(name);
   }
   return names;
 }
 
+/// The names of some columns, and how many more there are.
+std::string told(const FitColumns& columns) {
+  constexpr std::size_t most = 24;
+  std::vector<std::string> names = names_of(columns);
+  const std::size_t more = names.size() > most ? names.size() - most : 0;
+  names.resize(names.size() - more);
+  return fmt::format("known: {}{}", fmt::join(names, ", "),
+                     more > 0 ? fmt::format(" and {} more of taxels", more) : "");
+}
+
+} // namespace
+
+FitColumns fit_columns(const Case& input) {
+  FitColumns columns = {
+      {"charge_bottom", "C"},  {"charge_top", "C"},         {"current_bottom", "A"},
+      {"current_common", "A"}, {"current_difference", "A"}, {"current_top", "A"},
+      {"voltage", "V"}};
+  const Readout& readout = input.readout;
+  for (std::size_t i = 0; i < readout.taxels.size(); ++i) {
+    for (const TaxelColumn& one : taxel_columns) {
+      if ((!one.of_circuit || readout.has_own_circuit(i)) &&
+          (!one.of_water || moves_water(input))) {
+        columns[one.prefix + readout.taxels[i].name] = one.unit;
+      }
+    }
+  }
+  return columns;
+}
+
+std::string taxel_of(const std::string& column) {
+  const TaxelColumn* found = taxel_column(column);
+  return found == nullptr ? "" : column.substr(std::string_view(found->prefix).size());
+}
+
+namespace {
+
 /// Reads one file, knowing where it stands in it.
 class Reader {
 public:
-  explicit Reader(const std::filesystem::path& path) : table_(path.string(), "data") {
+  Reader(const std::filesystem::path& path, const FitColumns& known)
+      : table_(path.string(), "data"), known_(known) {
     for (const CsvTitle& title : table_.titles()) {
       titles_.push_back({title.name, title.unit.value_or("")});
     }
@@ -49,7 +114,7 @@ public:
 
   FitData read(const std::string& column) {
     const std::size_t time = find("time"), value = find(choose(column));
-    FitData data{titles_[value].name, fit_columns().at(titles_[value].name), {}, {}};
+    FitData data{titles_[value].name, known_.at(titles_[value].name), {}, {}};
     require_unit(titles_[time], "s");
     require_unit(titles_[value], data.unit);
     while (const auto row = table_.next()) {
@@ -77,10 +142,10 @@ private:
   }
 
   std::string choose(const std::string& column) const {
-    const std::string known = fmt::format("known: {}", fmt::join(known_names(), ", "));
+    const std::string known = told(known_);
     if (!column.empty()) {
-      if (fit_columns().count(column) == 0) {
-        const std::string nearest = base::nearest_name(column, known_names());
+      if (known_.count(column) == 0) {
+        const std::string nearest = base::nearest_name(column, names_of(known_));
         throw UserError(
             fmt::format("--column {} is no signal to fit\n  = {}{}", base::shown(column),
                         nearest.empty() ? "" : "did you mean " + nearest + "? ", known));
@@ -89,7 +154,7 @@ private:
     }
     std::vector<std::string> found;
     for (const Title& one : titles_) {
-      if (fit_columns().count(one.name) > 0 && std::ranges::find(found, one.name) == found.end()) {
+      if (known_.count(one.name) > 0 && std::ranges::find(found, one.name) == found.end()) {
         found.push_back(one.name);
       }
     }
@@ -152,6 +217,7 @@ private:
   }
 
   CsvTable table_;
+  const FitColumns& known_;
   std::vector<Title> titles_;
   std::string last_; ///< value, as written
 };
@@ -176,11 +242,6 @@ double rate_interval(const FitData& data) {
              : std::numeric_limits<double>::infinity();
 }
 
-/// Parts of the charges of the two electrodes that a column is made of.
-struct Weights {
-  double top = 0, bottom = 0;
-};
-
 Weights weights(const std::string& column) {
   if (column == "current_difference") {
     return {0.5, -0.5};
@@ -191,9 +252,26 @@ Weights weights(const std::string& column) {
   return column.ends_with("_bottom") ? Weights{0, 1} : Weights{1, 0};
 }
 
+double value_of_taxel(const std::string& column, const electrochemistry::IonSolution& ions,
+                      double instant) {
+  const TaxelColumn& kind = *taxel_column(column);
+  const auto taxel = std::ranges::find(ions.top_segments, taxel_of(column), &Segment::name);
+  if (taxel == ions.top_segments.end()) {
+    throw InternalError("the solution has no taxel of the column " + column);
+  }
+  double value = base::value_at(ions.time, (*taxel).*kind.values, instant);
+  if (kind.bottom != 0) {
+    value += kind.bottom * base::value_at(ions.time, taxel->bottom_charge, instant);
+  }
+  return kind.factor * value;
+}
+
 /// The charge behind a column, or the voltage, at an instant.
 double value_at(const std::string& column, const electrochemistry::IonSolution& ions,
                 double instant) {
+  if (!taxel_of(column).empty()) {
+    return value_of_taxel(column, ions, instant);
+  }
   if (column == "voltage") {
     return base::value_at(ions.time, ions.voltage, instant);
   }
@@ -206,8 +284,9 @@ double value_at(const std::string& column, const electrochemistry::IonSolution& 
 
 } // namespace
 
-FitData read_fit_data(const std::filesystem::path& path, const std::string& column) {
-  return Reader(path).read(column);
+FitData read_fit_data(const std::filesystem::path& path, const FitColumns& known,
+                      const std::string& column) {
+  return Reader(path, known).read(column);
 }
 
 bool is_current(const FitData& data) {

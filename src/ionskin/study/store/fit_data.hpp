@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/case/case.hpp"
 #include "ionskin/electrochemistry/output/ion_solution.hpp"
 
 #include <filesystem>
@@ -12,23 +13,30 @@ namespace ionskin::study {
 
 /// A measured signal over time.
 struct FitData {
-  std::string column;         ///< as in signals.csv: "current_difference"
-  std::string unit;           ///< SI: "A"
+  std::string column; ///< as in signals.csv or taxels.csv: "current_difference", "voltage_left"
+  std::string unit;   ///< SI: "A"
   std::vector<double> time;   ///< [s], strictly ascending
   std::vector<double> values; ///< in `unit`
 };
 
-/// Columns that a fit can take, with their SI units.
-const std::map<std::string, std::string>& fit_columns();
+/// Columns that a fit of a case can take, with their SI units: those of the electrodes, and of each
+/// taxel those that taxels.csv has of it.
+using FitColumns = std::map<std::string, std::string>;
+FitColumns fit_columns(const Case& input);
+
+/// The taxel that a column is of; empty for one of the whole electrodes.
+std::string taxel_of(const std::string& column);
 
 /// Reads a CSV file with units in its header, such as our own signals.csv and sampled.csv:
 /// `time [s],current_difference [uA]`. Other columns are passed over, and so are rows without a
 /// value, or that repeat the one before. What is read of spreadsheets and instruments tells
 /// `CsvTable`.
-/// @param column which one to take; may be empty when the file holds one that a fit can take
+/// @param known columns that the case can be compared with
+/// @param column which one to take; may be empty when the file holds one that is known
 /// Throws UserError with the line when the file cannot be read, a column or a unit is missing or
 /// unknown, an entry is no number, or the time does not ascend.
-FitData read_fit_data(const std::filesystem::path& path, const std::string& column = "");
+FitData read_fit_data(const std::filesystem::path& path, const FitColumns& known,
+                      const std::string& column = "");
 
 /// Whether the values are means over an interval.
 bool is_current(const FitData& data);
@@ -44,8 +52,8 @@ std::vector<double> interval_starts(const FitData& data, double start);
 void restrict_to_run(FitData& data, double start, double end);
 
 /// What a run says to the data: a charge or a voltage at the instants; a current as the charge
-/// gained over the row's interval, divided by it, which is what both our tables hold. Before its
-/// beginning and behind its end charges stay.
+/// gained over the row's interval, divided by it, which is what our tables hold. Before its
+/// beginning and behind its end charges stay. Between steps those of taxels are linear.
 std::vector<double> predict(const FitData& data, const electrochemistry::IonSolution& ions);
 
 } // namespace ionskin::study

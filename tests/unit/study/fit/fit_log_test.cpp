@@ -40,6 +40,28 @@ TEST(FitLog, GivesBackEveryBitOfWhatAnEarlierFitFound) {
   EXPECT_EQ(log.find(hopeless)->failure, "no solution");
 }
 
+TEST(FitLog, KeepsTheTaxelThatTheDataAreOf) {
+  const results::ScratchFolder scratch;
+  results::OutputFolder folder(scratch.path() / "out", results::ExistingFolder::refuse);
+  electrochemistry::IonSolution ions;
+  ions.time = {1, 2};
+  ions.top_segments = {{"a", {1, 2}, {3, 4}, {}, {}, {}},
+                       {"b", {5, 6}, {}, {0.1, 0.2}, {7, 8}, {9}}};
+  {
+    FitLog log(folder);
+    log.add({1.0}, fit_answer(ions, "b"));
+    log.add({2.0}, fit_answer(ions));
+  }
+  FitLog log(folder);
+  EXPECT_TRUE(log.find({2.0})->ions->top_segments.empty());
+  const auto& kept = log.find({1.0})->ions->top_segments;
+  ASSERT_EQ(kept.size(), 1u);
+  EXPECT_EQ(kept[0].name, "b");
+  EXPECT_EQ(kept[0].charge, (std::vector<double>{5, 6}));
+  EXPECT_EQ(kept[0].voltage, (std::vector<double>{0.1, 0.2}));
+  EXPECT_EQ(kept[0].passed, (std::vector<double>{7, 8}));
+}
+
 TEST(FitLog, PassesOverDamagedFilesAndLeavesForeignOnes) {
   const results::ScratchFolder scratch;
   results::OutputFolder folder(scratch.path() / "out", results::ExistingFolder::refuse);

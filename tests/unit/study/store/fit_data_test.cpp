@@ -20,12 +20,14 @@ protected:
   }
   std::string refusal(const std::string& text, const std::string& column = "") {
     try {
-      read_fit_data(write(text), column);
+      read_fit_data(write(text), known_, column);
     } catch (const UserError& error) {
       return error.what();
     }
     return "accepted";
   }
+
+  FitColumns known_ = fit_columns({});
 
 private:
   results::ScratchFolder folder_;
@@ -33,7 +35,8 @@ private:
 
 TEST_F(FitDataFile, UnitsConvertAndEmptyEntriesArePassedOver) {
   const FitData data = read_fit_data(
-      write("time [ms],note,current_difference [uA]\r\n1,a,2\r\n2,b,\r\n3,c,-4e-1\r\n\r\n"));
+      write("time [ms],note,current_difference [uA]\r\n1,a,2\r\n2,b,\r\n3,c,-4e-1\r\n\r\n"),
+      known_);
   EXPECT_EQ(data.column, "current_difference");
   EXPECT_EQ(data.unit, "A");
   ASSERT_EQ(data.time.size(), 2u);
@@ -58,7 +61,7 @@ TEST_F(FitDataFile, MistakesAreNamedWithTheirLine) {
   EXPECT_NE(refusal(two).find("--column"), std::string::npos);
   EXPECT_NE(refusal(two, "charge_tip").find("charge_top"), std::string::npos);
   EXPECT_EQ(refusal(two, "charge_top"), "accepted");
-  EXPECT_THROW(read_fit_data("no/such/file.csv"), UserError);
+  EXPECT_THROW(read_fit_data("no/such/file.csv", known_), UserError);
 }
 
 TEST_F(FitDataFile, AsProgramsLeaveThem) {
@@ -68,7 +71,7 @@ TEST_F(FitDataFile, AsProgramsLeaveThem) {
         ",time [s],current_top [A]\n0,1,2\n1,3,4\n", "time [s],current_top [A],\n+1,2,\n3,4,\n",
         "\"time [s]\",\"current_top [A]\"\n\"1\",\"2\"\n\"3\",\"4\"\n",
         "Time (s)\tcurrent_top (A)\n1\t2\n3\t4\n"}) {
-    const FitData data = read_fit_data(write(text));
+    const FitData data = read_fit_data(write(text), known_);
     EXPECT_EQ(data.time, (std::vector<double>{1, 3})) << text;
     EXPECT_EQ(data.values, (std::vector<double>{2, 4})) << text;
   }
@@ -78,6 +81,32 @@ TEST_F(FitDataFile, AsProgramsLeaveThem) {
   EXPECT_NE(twice.find("average"), std::string::npos) << twice;
   EXPECT_NE(refusal("time [s],current_top [A],current_top [A]\n1,2,3\n").find("stands twice"),
             std::string::npos);
+}
+
+/// Two taxels, of which the left one has a circuit of its own.
+Case cut_case() {
+  Case input;
+  input.readout.taxels = {{"left", {0, 0}, {1e-3, 1e-3}, "load", {}},
+                          {"right", {1e-3, 0}, {2e-3, 1e-3}, "", {}}};
+  return input;
+}
+
+TEST_F(FitDataFile, ColumnsOfTaxelsAreThoseOfTheCase) {
+  const std::string text = "time [s],voltage_left [mV],voltage_supply [V]\n1,2,3\n2,4,3\n";
+  EXPECT_NE(refusal(text).find("known: charge_bottom"), std::string::npos);
+  known_ = fit_columns(cut_case());
+  const FitData data = read_fit_data(write(text), known_);
+  EXPECT_EQ(data.column, "voltage_left");
+  EXPECT_EQ(data.values, (std::vector<double>{2e-3, 4e-3}));
+  EXPECT_EQ(taxel_of(data.column), "left");
+  EXPECT_EQ(taxel_of("current_top"), "");
+  EXPECT_NE(refusal(text, "voltage_lefft").find("did you mean voltage_left?"), std::string::npos);
+  EXPECT_EQ(known_.count("current_top_right"), 1u);
+  EXPECT_EQ(known_.count("voltage_right"), 0u); // it shares that of the electrode
+  EXPECT_EQ(known_.count("charge_odd_right"), 0u);
+  Case wet = cut_case();
+  wet.coupling.law = "poroelastic";
+  EXPECT_EQ(fit_columns(wet).count("charge_odd_right"), 1u);
 }
 
 electrochemistry::IonSolution solution() {
@@ -97,6 +126,18 @@ TEST(FitPrediction, CurrentsAreMeansSinceTheRowBefore) {
   // The first interval is as long as the second: from 1.5 s on.
   EXPECT_EQ(predict({"current_top", "A", {2, 2.5}, {}}, ions), (std::vector<double>{-2, -2}));
   EXPECT_EQ(predict({"charge_top", "C", {0, 2}, {}}, ions), (std::vector<double>{5, 5}));
+}
+
+TEST(FitPrediction, TaxelsHaveWhatTheirColumnsSay) {
+  auto ions = solution();
+  ions.top_segments = {{"left", {0, 2, 6}, {0, -4, 2}, {1, 2, 0}, {0, -1, -3}, {}}};
+  EXPECT_EQ(predict({"voltage_left", "V", {0.5, 3}, {}}, ions), (std::vector<double>{1.5, 0}));
+  EXPECT_EQ(predict({"current_top_left", "A", {1, 3}, {}}, ions), (std::vector<double>{2, 2}));
+  EXPECT_EQ(predict({"current_circuit_left", "A", {1, 3}, {}}, ions),
+            (std::vector<double>{-1, -1}));
+  EXPECT_EQ(predict({"charge_circuit_left", "C", {3}, {}}, ions), (std::vector<double>{-3}));
+  EXPECT_EQ(predict({"charge_odd_left", "C", {1, 3}, {}}, ions), (std::vector<double>{3, 2}));
+  EXPECT_EQ(predict({"current_even_left", "A", {1, 3}, {}}, ions), (std::vector<double>{-1, 2.5}));
 }
 
 TEST(FitPrediction, ARowBehindAGapStandsForOneInterval) {
