@@ -39,6 +39,14 @@ void add_skin(SchemaRows& rows) {
                   .set = into<Skin, SideCondition>(
                       &Case::skin, &Skin::sides,
                       {{"free", SideCondition::free}, {"symmetry", SideCondition::symmetry}})});
+  rows.push_back({.key = "skin.humidity",
+                  .type = ValueType::number,
+                  .range = {0.0, 1.0, false, true},
+                  .need = Need::where_known,
+                  .help = "Relative humidity of the air with which the skin is in equilibrium. It "
+                          "chooses the constants of materials that give them as lists over "
+                          "materials.NAME.humidity.",
+                  .set = into(&Case::skin, &Skin::humidity)});
 }
 
 void add_layers(SchemaRows& rows) {
@@ -82,11 +90,20 @@ void add_layers(SchemaRows& rows) {
 }
 
 void add_materials(SchemaRows& rows) {
+  rows.push_back({.key = "materials.NAME.humidity",
+                  .type = ValueType::number_list,
+                  .range = {0.0, 1.0, true, true},
+                  .need = Need::where_known,
+                  .help = "Relative humidities, ascending, for which other numbers of the material "
+                          "are given as lists of as many entries. Between them they are linear in "
+                          "skin.humidity, beyond them it is refused.",
+                  .set = [](CaseDraft&, const KeyIndex&, const Value&) {}});
   rows.push_back({.key = "materials.NAME.youngs_modulus",
                   .type = ValueType::quantity,
                   .dimension = Dimension::stress,
                   .range = {1.0, 1e13, true, true},
                   .need = Need::with_contact,
+                  .over_humidity = true,
                   .help = "Young's modulus.",
                   .set = into_material(&Material::youngs_modulus)});
   rows.push_back({.key = "materials.NAME.poissons_ratio",
@@ -95,6 +112,7 @@ void add_materials(SchemaRows& rows) {
                   .range_reason = "0.5 is incompressible, which needs a mixed formulation with the "
                                   "pressure as an unknown; 0.4999 works",
                   .need = Need::with_contact,
+                  .over_humidity = true,
                   .help = "Poisson's ratio.",
                   .set = into_material(&Material::poissons_ratio)});
 }

@@ -63,11 +63,14 @@ const std::set<std::string> leaves_study_one{"title",
                                              "skin.layers[].name",
                                              "skin.layers[].material", // by what it is made of
                                              "skin.layers[].sheet_resistance",
+                                             "skin.humidity", // by the numbers that it chooses
+                                             "materials.NAME.humidity",
                                              "materials.NAME.diffusivity",
                                              "materials.NAME.fixed_charge_concentration",
                                              "materials.NAME.valence",
                                              "materials.NAME.drag_number",
                                              "materials.NAME.volume_fraction",
+                                             "materials.NAME.mobility",
                                              "slider.profile", // by the heights, below
                                              "motion.file",    // by the waypoints
                                              "electrochemistry.temperature",
