@@ -21,6 +21,12 @@ struct Material {
   std::string name;
   double youngs_modulus = 0; ///< [Pa]
   double poissons_ratio = 0; ///< [1]
+  /// Prony series of the shear modulus, which `youngs_modulus` tells of the first instant: the
+  /// share of it that each time takes away. Empty where nothing relaxes.
+  std::vector<double> relaxation_times;  ///< [s]
+  std::vector<double> relaxation_shares; ///< [1]
+
+  bool relaxes() const { return !relaxation_times.empty(); }
 };
 
 /// What a layer is to the ions: they move in the core alone.
