@@ -50,7 +50,7 @@ struct Skin {
   double length = 0; ///< along x [m]
   double width = 0;  ///< along y [m]
   SideCondition sides = SideCondition::free;
-  double humidity = 0; ///< relative, of the air around; 0 is not given
+  double humidity = 0;       ///< relative, of the air around; 0 is not given
   std::vector<Layer> layers; ///< bottom to top; exactly one core
 
   double thickness() const;       ///< of all layers [m]
