@@ -219,6 +219,10 @@ class Draw:
             polymer = self.case["materials"]["polymer"]
             polymer |= {key: ions.pop(key) for key in ("diffusivity", "fixed_charge_concentration", "valence")}
             polymer |= {key: water.pop(key) for key in list(water) if self.poroelastic}
+            if self.poroelastic and self.maybe(0.5):
+                polymer["mobility"] = self.quantity(1e-17, 1e-14, "m2/(Pa s)")
+            if self.maybe(0.5):
+                self.over_humidity(polymer)
         model = self.rng.choice(("dilute", "dilute", "steric", "thin-layers") if self.poroelastic else ("dilute", "dilute", "steric"))
         ions["ion_model"] = model
         if model == "steric":
@@ -227,6 +231,9 @@ class Draw:
         if self.poroelastic:
             self.case["coupling"] = {"law": "poroelastic"}
             self.case["water"] = water | self.water()
+            outside = any(key.endswith("_pressure") for key in self.case["water"])
+            if self.prescribed and "materials" in self.case and not outside and "compression" not in self.case["strain"] and self.maybe(0.5):
+                self.relaxation(self.case["materials"]["polymer"])
             return
         self.case["coupling"] = {"law": self.rng.choice(COUPLINGS[:-1]),
                                  "coefficient": self.rng.choice((1, -1)) * self.between(0.01, 1),
@@ -235,6 +242,20 @@ class Draw:
             ions["permittivity"] = self.quantity(1e-10, 1e-9, "F/m")
             place = self.case["materials"]["polymer"] if "materials" in self.case and self.maybe(0.3) else ions
             place["interface_capacitance"] = self.quantity(10, 200, "F/m2")
+
+    def relaxation(self, material):
+        """A Prony series of its shear modulus."""
+        count = self.rng.randint(1, 3)
+        material["relaxation_times"] = [f"{self.between(low, 10 * low):.4g} s" for low in (1e-3, 0.1, 10)[:count]]
+        material["relaxation_shares"] = [self.between(0.01, 0.3) for _ in range(count)]
+
+    def over_humidity(self, material):
+        """Its modulus and diffusivity as lists over the humidity, one of which is the skin's."""
+        material["humidity"] = sorted({round(self.rng.uniform(0.05, 1), 3) for _ in range(5)})
+        for key in ("youngs_modulus", "diffusivity"):
+            number, unit = material[key].split(" ", 1)
+            material[key] = [f"{float(number) * self.between(0.8, 1.2):.4g} {unit}" for _ in material["humidity"]]
+        self.case["skin"]["humidity"] = round(self.rng.uniform(material["humidity"][0], material["humidity"][-1]), 4)
 
     def water(self):
         """Keys of [water] beside those of the material."""
@@ -249,6 +270,8 @@ class Draw:
             water["drained_poissons_ratio"] = self.between(0.1, 0.3)
         else:
             water["drained_modulus"] = self.quantity(50, 500, "MPa")
+        if "mobility" in self.case.get("materials", {}).get("polymer", {}) and self.maybe(0.5):
+            return water
         way = self.rng.choice(("permeability", "mobility", "consolidation_coefficient"))
         water[way] = {"permeability": self.quantity(1e-20, 1e-17, "m2"), "mobility": self.quantity(1e-17, 1e-14, "m2/(Pa s)"),
                       "consolidation_coefficient": self.quantity(1e-11, 1e-8, "m2/s")}[way]

@@ -36,6 +36,8 @@ std::string type_name(ValueType type) {
     return "quantity";
   case ValueType::quantity_pair:
     return "pair of quantities";
+  case ValueType::number_list:
+    return "list of numbers";
   case ValueType::quantity_list:
     return "list of quantities";
   }

@@ -35,7 +35,8 @@ TEST(CaseFiles, QuickIsTheSameSkinAtThePresetCoarse) {
 
 TEST(CaseFiles, PresetsAreInstalled) {
   EXPECT_EQ(installed_materials(),
-            (std::vector<std::string>{"gold", "nafion", "nafion_sodium", "nafion_wet",
+            (std::vector<std::string>{"gold", "nafion", "nafion_air", "nafion_lithium",
+                                      "nafion_potassium", "nafion_sodium", "nafion_wet",
                                       "nafion_wet_100c", "palladium", "platinum", "silver"}));
 }
 

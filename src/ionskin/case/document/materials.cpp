@@ -5,6 +5,7 @@
 #include "ionskin/base/nearest_name.hpp"
 #include "ionskin/base/text.hpp"
 #include "ionskin/case/coupling.hpp"
+#include "ionskin/case/document/over_humidity.hpp"
 #include "ionskin/case/text/data_folder.hpp"
 #include "ionskin/case/text/toml_text.hpp"
 
@@ -47,11 +48,19 @@ void complete_from_preset(const std::string& name, TomlWalk& walk, Problems& pro
   }
 }
 
+// Whether the case has a key that stands in for this one.
+bool is_told_otherwise(const SchemaRow& row, const TomlWalk& walk) {
+  return !row.purpose.empty() && std::ranges::any_of(schema(), [&](const SchemaRow& other) {
+    const auto seen = walk.seen.find(other.key);
+    return other.purpose == row.purpose && seen != walk.seen.end() && seen->second;
+  });
+}
+
 // What the case does not say of its ions and the material of the core does.
 void take_ions(const std::string& material, TomlWalk& walk) {
   for (const SchemaRow& row : schema()) {
     const bool applies = !row.applies || row.applies(walk.draft.input);
-    if (!row.of_material || !applies || walk.seen[row.key])
+    if (!row.of_material || !applies || walk.seen[row.key] || is_told_otherwise(row, walk))
       continue;
     const std::string source = key_of(material, row.key.substr(row.key.find('.') + 1));
     walk.seen[row.key] = walk.seen[source];
@@ -133,13 +142,19 @@ std::vector<std::string> installed_materials() {
 void complete_materials(TomlWalk& walk, Problems& problems) {
   const std::vector<std::string> presets = installed_materials();
   std::set<std::string> done;
+  bool follows_humidity = false;
   for (const Layer& layer : walk.draft.input.skin.layers) {
     const std::string& name = layer.material.name;
-    if (std::ranges::find(presets, name) != presets.end() && done.insert(name).second)
-      complete_from_preset(name, walk, problems);
+    if (done.insert(name).second) {
+      if (std::ranges::find(presets, name) != presets.end())
+        complete_from_preset(name, walk, problems);
+      follows_humidity = settle_humidity(name, walk, problems) || follows_humidity;
+    }
     if (layer.role == LayerRole::core)
       take_ions(name, walk);
   }
+  if (!follows_humidity)
+    refuse_humidity(walk, problems);
 }
 
 void resolve_materials(TomlWalk& walk, Problems& problems) {

@@ -23,6 +23,8 @@ public:
   ValueReader(const SchemaRow& row, const std::string& key) : row_(row), key_(key) {}
 
   Value read(const toml::value& value) const {
+    if (row_.over_humidity && value.is_array())
+      return over_humidity(value);
     switch (row_.type) {
     case ValueType::text:
       return {text(value), {}};
@@ -38,6 +40,8 @@ public:
       return {{}, pair(value, &ValueReader::number)};
     case ValueType::quantity_pair:
       return {{}, pair(value, &ValueReader::quantity), row_.dimension};
+    case ValueType::number_list:
+      return {{}, list(value, &ValueReader::number)};
     case ValueType::quantity_list:
       return {{}, list(value, &ValueReader::quantity), row_.dimension};
     }
@@ -188,11 +192,23 @@ private:
   std::vector<double> list(const toml::value& value, Read read_entry) const {
     if (!value.is_array())
       refuse(value, fmt::format("{} = {} is not a list", key_, written(value)),
-             fmt::format("write a list in brackets, such as [\"1 {}\"]", example()));
+             row_.type == ValueType::number_list
+                 ? "write a list in brackets, such as [0.5, 1]"
+                 : fmt::format("write a list in brackets, such as [\"1 {}\"]", example()));
     std::vector<double> numbers;
     for (const toml::value& entry : value.as_array())
       numbers.push_back((this->*read_entry)(entry));
     return numbers;
+  }
+
+  Value over_humidity(const toml::value& value) const {
+    if (value.as_array().size() < 2)
+      refuse(value,
+             fmt::format("{} = {} is a list of fewer than two entries", key_, written(value)),
+             "write one value, or one for each humidity of the material");
+    const Read entry =
+        row_.type == ValueType::number ? &ValueReader::number : &ValueReader::quantity;
+    return {{}, list(value, entry), row_.dimension};
   }
 
   std::vector<double> pair(const toml::value& value, Read read_entry) const {
@@ -228,7 +244,7 @@ std::string format_value(const SchemaRow& row, const Value& value) {
     list += (list.empty() ? "" : ", ") + units::format_si(number, value.dimension);
   const bool scalar = row.type == ValueType::integer || row.type == ValueType::number ||
                       row.type == ValueType::quantity;
-  return scalar ? list : "[" + list + "]";
+  return scalar && value.numbers.size() == 1 ? list : "[" + list + "]";
 }
 
 } // namespace ionskin

@@ -62,7 +62,7 @@ const SchemaRow* find_row(const std::string& pattern) {
 
 bool is_list(ValueType type) {
   return type == ValueType::number_pair || type == ValueType::quantity_pair ||
-         type == ValueType::quantity_list;
+         type == ValueType::number_list || type == ValueType::quantity_list;
 }
 
 std::optional<ListEntry> list_entry(const std::string& key) {

@@ -21,6 +21,7 @@ enum class ValueType {
   number_pair,
   quantity,
   quantity_pair,
+  number_list,
   quantity_list
 };
 
@@ -103,6 +104,8 @@ struct SchemaRow {
   bool has_effect = true;
   /// Comes from the key of the same name of the core's material where the case is silent.
   bool of_material = false;
+  /// A number of a material that may also be a list, one entry for each of its humidities.
+  bool over_humidity = false;
   std::string help{};   ///< one sentence
   std::string source{}; ///< where the default comes from
   std::function<void(CaseDraft&, const KeyIndex&, const Value&)> set{};

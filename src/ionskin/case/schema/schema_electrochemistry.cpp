@@ -117,7 +117,9 @@ void add_ions_of_materials(SchemaRows& rows) {
     const std::string own_key = row.key;
     row.key.replace(0, row.key.find('.'), "materials.NAME");
     row.need = Need::where_known;
+    row.purpose = "";
     row.of_material = false;
+    row.over_humidity = row.type == ValueType::number || row.type == ValueType::quantity;
     row.default_value = row.source = "";
     row.help = "Of a core made of this material: " + own_key + " where the case does not give it.";
     row.set = [](CaseDraft&, const KeyIndex&, const Value&) {}; // handed on by complete_materials

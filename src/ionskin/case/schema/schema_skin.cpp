@@ -39,6 +39,14 @@ void add_skin(SchemaRows& rows) {
                   .set = into<Skin, SideCondition>(
                       &Case::skin, &Skin::sides,
                       {{"free", SideCondition::free}, {"symmetry", SideCondition::symmetry}})});
+  rows.push_back({.key = "skin.humidity",
+                  .type = ValueType::number,
+                  .range = {0.0, 1.0, false, true},
+                  .need = Need::where_known,
+                  .help = "Relative humidity of the air with which the skin is in equilibrium. It "
+                          "chooses the constants of materials that give them as lists over "
+                          "materials.NAME.humidity.",
+                  .set = into(&Case::skin, &Skin::humidity)});
 }
 
 void add_layers(SchemaRows& rows) {
@@ -82,11 +90,20 @@ void add_layers(SchemaRows& rows) {
 }
 
 void add_materials(SchemaRows& rows) {
+  rows.push_back({.key = "materials.NAME.humidity",
+                  .type = ValueType::number_list,
+                  .range = {0.0, 1.0, true, true},
+                  .need = Need::where_known,
+                  .help = "Relative humidities, ascending, for which other numbers of the material "
+                          "are given as lists of as many entries. Between them they are linear in "
+                          "skin.humidity, beyond them it is refused.",
+                  .set = [](CaseDraft&, const KeyIndex&, const Value&) {}});
   rows.push_back({.key = "materials.NAME.youngs_modulus",
                   .type = ValueType::quantity,
                   .dimension = Dimension::stress,
                   .range = {1.0, 1e13, true, true},
                   .need = Need::with_contact,
+                  .over_humidity = true,
                   .help = "Young's modulus.",
                   .set = into_material(&Material::youngs_modulus)});
   rows.push_back({.key = "materials.NAME.poissons_ratio",
@@ -95,8 +112,25 @@ void add_materials(SchemaRows& rows) {
                   .range_reason = "0.5 is incompressible, which needs a mixed formulation with the "
                                   "pressure as an unknown; 0.4999 works",
                   .need = Need::with_contact,
+                  .over_humidity = true,
                   .help = "Poisson's ratio.",
                   .set = into_material(&Material::poissons_ratio)});
+  rows.push_back({.key = "materials.NAME.relaxation_times",
+                  .type = ValueType::quantity_list,
+                  .dimension = Dimension::time,
+                  .range = {1e-6, 1e9, true, true},
+                  .need = Need::where_known,
+                  .help = "Times of the Prony series of the core's shear modulus, ascending, under "
+                          "a prescribed pressure or curvature. The elastic constants are those "
+                          "of the first instant; the bulk moduli do not relax.",
+                  .set = into_material(&Material::relaxation_times)});
+  rows.push_back({.key = "materials.NAME.relaxation_shares",
+                  .type = ValueType::number_list,
+                  .range = {0.0, 1.0, false, false},
+                  .need = Need::where_known,
+                  .help = "Share of the shear modulus that is gone after each of "
+                          "materials.NAME.relaxation_times; together less than 1.",
+                  .set = into_material(&Material::relaxation_shares)});
 }
 
 } // namespace ionskin

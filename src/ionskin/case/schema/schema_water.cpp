@@ -114,7 +114,9 @@ void add_water(SchemaRows& rows) {
   rows.push_back(quantity("water.mobility", Dimension::hydraulic_mobility,
                           {1e-27, 1e-6, true, true}, speed, &Water::mobility,
                           "Hydraulic mobility of the core at zero current, permeability over "
-                          "viscosity."));
+                          "viscosity; where no key tells the speed of the water, the one of the "
+                          "material of the core."));
+  rows.back().of_material = true;
   rows.push_back(quantity("water.consolidation_coefficient", Dimension::diffusivity,
                           {1e-20, 1e-2, true, true}, speed, &Water::consolidation_coefficient,
                           "Diffusivity of water pressure in the core, instead of "
