@@ -3,12 +3,17 @@
 
 #include "ionskin/live/edge_interpolation.hpp"
 #include "ionskin/live/place_amplitudes.hpp"
+#include "ionskin/live/products/low_rank.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace ionskin::live {
 namespace {
+
+/// Of the strains that the place changes, over the largest strain; stated errors begin at 1e-4.
+constexpr double smoothness = 1e-6;
 
 std::vector<float> integrals(const ChannelMap& channel, std::size_t modes) {
   const std::size_t columns = channel.x_edges.size() - 1, rows = channel.y_edges.size() - 1,
@@ -37,75 +42,159 @@ std::vector<float> integrals(const ChannelMap& channel, std::size_t modes) {
 
 } // namespace
 
+ChannelField::Tables ChannelField::tables(const ChannelMap& channel, std::size_t cells,
+                                          std::size_t modes) {
+  Tables result;
+  const std::size_t size = 3 * cells, rows = channel.strain.size() / size,
+                    strain_modes = channel.strain.modes(), points = channel.fit.size() / modes,
+                    fit_modes = channel.fit.modes();
+  const float* values = channel.strain.values.data();
+  double largest = 0;
+  for (std::size_t i = 0; i < size * rows; ++i) {
+    largest = std::max(largest, std::abs(static_cast<double>(values[i])));
+  }
+  // Each mode as large as it becomes at a node.
+  std::vector<double> scale(strain_modes), changes(strain_modes * size * rows);
+  for (std::size_t i = 0; i < channel.strain.amplitude.size(); ++i) {
+    double& own = scale[i % strain_modes];
+    own = std::max(own, std::abs(channel.strain.amplitude[i]));
+  }
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    changes[i] = scale[i / (size * rows)] * static_cast<double>(values[size * rows + i]);
+  }
+  const LowRank smooth = low_rank(std::move(changes), rows, smoothness * largest);
+  result.directions = smooth.rank;
+  result.strain = LaneProduct(rows, size + smooth.rank);
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t row = 0; row < rows; ++row) {
+      result.strain.at(row, i) = values[i * rows + row];
+    }
+  }
+  result.reach = LaneProduct(strain_modes * smooth.rank, size);
+  for (std::size_t q = 0; q < smooth.rank; ++q) {
+    for (std::size_t row = 0; row < rows; ++row) {
+      result.strain.at(row, size + q) = smooth.columns[q * rows + row];
+    }
+    for (std::size_t k = 0; k < strain_modes; ++k) {
+      for (std::size_t i = 0; i < size && scale[k] > 0; ++i) {
+        result.reach.at(k * smooth.rank + q, i) = static_cast<float>(
+            static_cast<double>(smooth.rows[(q * strain_modes + k) * size + i]) / scale[k]);
+      }
+    }
+  }
+  result.fit = LaneProduct(modes, (1 + fit_modes) * points);
+  for (std::size_t k = 0; k <= fit_modes; ++k) {
+    for (std::size_t mode = 0; mode < modes; ++mode) {
+      for (std::size_t point = 0; point < points; ++point) {
+        result.fit.at(mode, k * points + point) =
+            channel.fit.values[(k * modes + mode) * points + point];
+      }
+    }
+  }
+  result.integral = integrals(channel, modes);
+  return result;
+}
+
 ChannelField::ChannelField(const ChannelMap& channel, std::size_t cells) : channel_(channel) {
   const std::size_t rows = channel.strain.size() / (3 * cells),
-                    points = rows / channel.rows_per_point, modes = channel.fit.size() / points;
-  integral_ = std::make_shared<const std::vector<float>>(integrals(channel, modes));
-  strain_.resize(rows);
-  place_amplitude_.resize(channel.strain.modes());
-  fit_amplitude_.resize(channel.fit.modes());
+                    points = rows / channel.rows_per_point;
+  modes_ = channel.fit.size() / points;
+  tables_ = std::make_shared<const Tables>(tables(channel, cells, modes_));
+  columns_.resize(tables_->strain.columns());
+  all_points_.resize(tables_->fit.columns());
+  std::iota(all_points_.begin(), all_points_.end(), 0u);
+  factors_.resize(most_lanes * std::max(tables_->strain.columns(), tables_->fit.columns()));
+  reached_.resize(most_lanes * tables_->reach.stride());
+  strain_.resize(most_lanes * tables_->strain.stride());
+  fitted_.resize(most_lanes * tables_->fit.stride());
+  place_amplitude_.resize(std::max(channel.strain.modes(), channel.fit.modes()));
   point_.resize(points);
-  amplitude_.resize(modes);
-  sum_.resize(levels() * modes);
+  amplitude_.resize(most_lanes * modes_);
 }
 
-void ChannelField::set(const std::array<double, 2>& place, std::span<const double> force) noexcept {
-  const std::size_t rows = strain_.size(), per = channel_.rows_per_point;
-  place_amplitudes(channel_.strain, place, place_amplitude_);
-  std::ranges::fill(strain_, 0.0f);
-  for (std::size_t mode = 0; mode <= place_amplitude_.size(); ++mode) {
-    const double scale = mode == 0 ? 1 : place_amplitude_[mode - 1];
-    // [3 cells][row]: sums along the rows vectorise, those of a cell together
-    const float* column = channel_.strain.values.data() + mode * rows * force.size();
-    for (std::size_t at = 0; at < force.size(); at += 3, column += 3 * rows) {
-      if (force[at] == 0 && force[at + 1] == 0 && force[at + 2] == 0) {
-        continue;
+void ChannelField::set(std::span<const Touch> touches) noexcept {
+  const std::size_t lanes = touches.size() == 1 ? 1 : most_lanes;
+  set_strain(lanes, touches);
+  set_amplitude(lanes, touches);
+}
+
+void ChannelField::set_strain(std::size_t lanes, std::span<const Touch> touches) noexcept {
+  const std::size_t size = tables_->strain.columns() - tables_->directions,
+                    strain_modes = channel_.strain.modes();
+  std::ranges::fill(factors_, 0.0f);
+  std::size_t count = 0;
+  for (std::size_t at = 0; at < size; at += 3) {
+    bool loaded = false;
+    for (std::size_t lane = 0; lane < touches.size(); ++lane) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double force = touches[lane].force[at + c];
+        loaded = loaded || force != 0;
+        factors_[(count + c) * lanes + lane] = static_cast<float>(force);
       }
-      const auto x = static_cast<float>(scale * force[at]),
-                 y = static_cast<float>(scale * force[at + 1]),
-                 z = static_cast<float>(scale * force[at + 2]);
-      float* strain = strain_.data();
-      for (std::size_t row = 0; row < rows; ++row) {
-        strain[row] += x * column[row] + y * column[rows + row] + z * column[2 * rows + row];
+    }
+    if (loaded) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        columns_[count++] = static_cast<std::uint32_t>(at + c);
       }
     }
   }
-  for (std::size_t point = 0; point < point_.size(); ++point) {
-    const float* strain = strain_.data() + per * point;
-    double square = 0;
-    for (std::size_t row = 0; row < per; ++row) {
-      square += static_cast<double>(strain[row]) * static_cast<double>(strain[row]);
-    }
-    point_[point] = per == 1 ? static_cast<double>(strain[0]) : std::sqrt(square);
-  }
-  place_amplitudes(channel_.fit, place, fit_amplitude_);
-  std::ranges::fill(amplitude_, 0.0);
-  const float* fit = channel_.fit.values.data();
-  for (std::size_t mode = 0; mode <= fit_amplitude_.size(); ++mode) {
-    const double scale = mode == 0 ? 1 : fit_amplitude_[mode - 1];
-    for (double& amplitude : amplitude_) {
-      std::array<double, 4> part{}; // sums that do not wait for each other
-      std::size_t point = 0;
-      for (; point + part.size() <= point_.size(); point += part.size()) {
-        for (std::size_t i = 0; i < part.size(); ++i) {
-          part[i] += static_cast<double>(fit[point + i]) * point_[point + i];
+  if (tables_->directions > 0) {
+    tables_->reach.times(lanes, std::span(columns_).first(count), factors_.data(), reached_.data());
+    for (std::size_t lane = 0; lane < touches.size(); ++lane) {
+      place_amplitudes(channel_.strain, touches[lane].place,
+                       std::span(place_amplitude_).first(strain_modes));
+      const float* reached = reached_.data() + lane * tables_->reach.stride();
+      for (std::size_t q = 0; q < tables_->directions; ++q) {
+        double sum = 0;
+        for (std::size_t k = 0; k < strain_modes; ++k) {
+          sum += place_amplitude_[k] * static_cast<double>(reached[k * tables_->directions + q]);
         }
+        factors_[(count + q) * lanes + lane] = static_cast<float>(sum);
       }
-      for (; point < point_.size(); ++point) {
-        part[0] += static_cast<double>(fit[point]) * point_[point];
-      }
-      amplitude += scale * ((part[0] + part[1]) + (part[2] + part[3]));
-      fit += point_.size();
     }
+    for (std::size_t q = 0; q < tables_->directions; ++q) {
+      columns_[count++] = static_cast<std::uint32_t>(size + q);
+    }
+  }
+  tables_->strain.times(lanes, std::span(columns_).first(count), factors_.data(), strain_.data());
+}
+
+void ChannelField::set_amplitude(std::size_t lanes, std::span<const Touch> touches) noexcept {
+  const std::size_t per = channel_.rows_per_point, points = point_.size(),
+                    fit_modes = channel_.fit.modes();
+  std::ranges::fill(factors_, 0.0f);
+  for (std::size_t lane = 0; lane < touches.size(); ++lane) {
+    const float* strain = strain_.data() + lane * tables_->strain.stride();
+    for (double& point : point_) {
+      double square = 0;
+      for (std::size_t row = 0; row < per; ++row) {
+        square += static_cast<double>(strain[row]) * static_cast<double>(strain[row]);
+      }
+      point = per == 1 ? static_cast<double>(*strain) : std::sqrt(square);
+      strain += per;
+    }
+    place_amplitudes(channel_.fit, touches[lane].place,
+                     std::span(place_amplitude_).first(fit_modes));
+    for (std::size_t k = 0; k <= fit_modes; ++k) {
+      const double scale = k == 0 ? 1 : place_amplitude_[k - 1];
+      for (std::size_t point = 0; point < points; ++point) {
+        factors_[(k * points + point) * lanes + lane] = static_cast<float>(scale * point_[point]);
+      }
+    }
+  }
+  tables_->fit.times(lanes, all_points_, factors_.data(), fitted_.data());
+  for (std::size_t lane = 0; lane < touches.size(); ++lane) {
+    std::copy_n(fitted_.data() + lane * tables_->fit.stride(), modes_,
+                amplitude_.data() + lane * modes_);
   }
 }
 
-void ChannelField::integrate_to(const std::array<double, 2>& place,
+void ChannelField::integrate_to(std::size_t lane, const std::array<double, 2>& place,
                                 const std::array<double, 2>& corner,
-                                std::span<double> levels) noexcept {
-  const std::size_t size = sum_.size(), modes = amplitude_.size(),
-                    y_edges = channel_.y_edges.size();
-  std::ranges::fill(sum_, 0.0);
+                                std::span<double> levels) const noexcept {
+  const std::size_t size = levels.size() * modes_, y_edges = channel_.y_edges.size();
+  const double* amplitude = amplitude_.data() + lane * modes_;
+  std::fill(levels.begin(), levels.end(), 0.0);
   const Between x = between(channel_.x_edges, corner[0] - place[0]),
                 y = between(channel_.y_edges, corner[1] - place[1]);
   for (std::size_t node = 0; node < 4; ++node) {
@@ -114,17 +203,21 @@ void ChannelField::integrate_to(const std::array<double, 2>& place,
     if (weight == 0 || i == 0 || j == 0) {
       continue;
     }
-    const float* integral = integral_->data() + (i * y_edges + j) * size;
-    for (std::size_t k = 0; k < size; ++k) {
-      sum_[k] += weight * static_cast<double>(integral[k]);
+    const float* integral = tables_->integral.data() + (i * y_edges + j) * size;
+    for (double& level : levels) {
+      std::array<double, 16> part{}; // sums that do not wait for each other
+      std::size_t mode = 0;
+      for (; mode + part.size() <= modes_; mode += part.size()) {
+        for (std::size_t k = 0; k < part.size(); ++k) {
+          part[k] += amplitude[mode + k] * static_cast<double>(integral[mode + k]);
+        }
+      }
+      for (; mode < modes_; ++mode) {
+        part[0] += amplitude[mode] * static_cast<double>(integral[mode]);
+      }
+      level += weight * std::accumulate(part.begin(), part.end(), 0.0);
+      integral += modes_;
     }
-  }
-  for (std::size_t level = 0; level < levels.size(); ++level) {
-    double sum = 0;
-    for (std::size_t mode = 0; mode < modes; ++mode) {
-      sum += amplitude_[mode] * sum_[level * modes + mode];
-    }
-    levels[level] = sum;
   }
 }
 

@@ -79,6 +79,45 @@ int ionskin_live_taxel(const ionskin_live_skin* skin, size_t index, const char**
 int ionskin_live_error(const ionskin_live_skin* skin, size_t index, const char** name, double* rms,
                        double* worst, double* largest);
 
+/* Many skins of one file, the environments of a learner, stepped together. What one of them does
+   depends neither on the others nor on which worker steps it. */
+typedef struct ionskin_live_skins ionskin_live_skins;
+
+/* What a step takes and gives, for all environments. `single` says that positions, values and
+   signals are floats; else they are doubles. */
+typedef struct ionskin_live_batch {
+  const double* times;     /* [environment] */
+  const void* positions;   /* [environment][x, y] */
+  const void* values;      /* [environment] */
+  void* signals;           /* [environment][column] */
+  uint32_t* flags;         /* [environment] */
+  const uint32_t* columns; /* signals that are told [column_count] */
+  size_t column_count;
+  int kind; /* IONSKIN_LIVE_HEIGHT or IONSKIN_LIVE_FORCE */
+  int single;
+} ionskin_live_batch;
+
+/* All in the state and with the friction of `like`, without noise; NULL without memory. */
+ionskin_live_skins* ionskin_live_skins_open(const ionskin_live_skin* like, size_t environments,
+                                            size_t workers);
+void ionskin_live_skins_close(ionskin_live_skins* skins);
+/* Environments from `first` to before `last`. Threads may step at once what does not overlap, each
+   with a worker of its own, below the number of `open`. Allocates nothing and always returns. */
+void ionskin_live_skins_step(ionskin_live_skins* skins, size_t worker, size_t first, size_t last,
+                             const ionskin_live_batch* batch);
+/* The following are those of a single skin, while no thread steps. Friction and noise stay. */
+void ionskin_live_skins_reset(ionskin_live_skins* skins, size_t environment);
+void ionskin_live_skins_save(const ionskin_live_skins* skins, size_t environment, double* state);
+int ionskin_live_skins_restore(ionskin_live_skins* skins, size_t environment, const double* state,
+                               size_t size);
+int ionskin_live_skins_set_friction(ionskin_live_skins* skins, size_t environment,
+                                    double coefficient);
+double ionskin_live_skins_friction(const ionskin_live_skins* skins, size_t environment);
+/* White noise of so many amperes on every current, which follows from seed and steps alone. */
+void ionskin_live_skins_set_noise(ionskin_live_skins* skins, size_t environment, double deviation,
+                                  uint64_t seed, uint64_t steps);
+uint64_t ionskin_live_skins_noise_steps(ionskin_live_skins* skins, size_t environment);
+
 #ifdef __cplusplus
 }
 #endif

@@ -40,6 +40,8 @@ public:
               const std::array<double, 2>& travel, const Load& load, State state) noexcept;
   /// Takes the compliance of the state's assembled place, after a restore.
   void assemble(const State& state) noexcept;
+  /// Goes over to another skin of the same file, with a friction of its own.
+  void exchange(laws::Friction& friction, const State& state) noexcept;
   bool slips(std::size_t cell) const { return slips_[cell] != 0; } ///< of the last step
   /// Numbers that the friction law keeps from step to step: of each cell its elastic slip along x
   /// and y [m] and the limit under which it was made [Pa], or the speed that it follows with a lag
@@ -77,6 +79,7 @@ private:
   std::vector<float> compliance_;           ///< [column][row], where `assembled_` says so
   std::vector<char> assembled_;             ///< columns
   std::vector<double> own_;                 ///< [3 cells] diagonal
+  std::vector<float> diagonals_;            ///< of the mean and of each mode [1 + modes][3 cells]
   std::vector<double> before_;              ///< [3 cells] surface of the step before
   std::vector<double> amplitude_;           ///< of the modes at the assembled place
   std::vector<std::array<double, 2>> drag_; ///< derivative of the friction by the normal force

@@ -124,25 +124,44 @@ void Skin::add_contact(std::span<double> signals) noexcept {
 
 std::uint32_t Skin::step(double time, const std::array<double, 2>& place, bool is_force,
                          double value, std::span<double> signals) noexcept {
+  const Pressed pressed = press(time, place, is_force, value, signals);
+  if ((pressed.flags & flag::refused) == 0) {
+    if (pressed.touches) {
+      const ChannelField::Touch own = touch(pressed);
+      for (ChannelField& field : fields_) {
+        field.set({&own, 1});
+      }
+    }
+    tell(pressed, fields_, 0, signals);
+  }
+  return pressed.flags;
+}
+
+ChannelField::Touch Skin::touch(const Pressed& pressed) const noexcept {
+  return {pressed.place, std::span(state_).subspan(force_, 3 * data_.area.size())};
+}
+
+Skin::Pressed Skin::press(double time, const std::array<double, 2>& place, bool is_force,
+                          double value, std::span<double> signals) noexcept {
   const bool first = state_[started] == 0;
   if (!(std::isfinite(time) && std::isfinite(place[0]) && std::isfinite(place[1]) &&
         std::isfinite(value)) ||
       (!first && time < state_[last_time])) {
     std::copy_n(state_.begin() + static_cast<std::ptrdiff_t>(signals_), names_.size(),
                 signals.begin());
-    return flag::refused;
+    return {flag::refused};
   }
-  std::uint32_t flags = 0;
-  const double time_step = first ? 0 : time - state_[last_time];
+  Pressed pressed{0, place, first ? 0 : time - state_[last_time], first, false};
   bool outside = false;
-  std::array<double, 2> at = place, travel{};
+  std::array<double, 2>& at = pressed.place;
+  std::array<double, 2> travel{};
   for (std::size_t d = 0; d < 2; ++d) {
     at[d] = std::clamp(place[d], data_.lowest_place[d], data_.highest_place[d]);
     outside = outside || std::abs(at[d] - place[d]) > rounding;
     travel[d] = first ? 0 : at[d] - state_[last_x + d];
   }
   const bool fast =
-      std::hypot(travel[0], travel[1]) > (1 + margin) * data_.fastest * time_step + 1e-9;
+      std::hypot(travel[0], travel[1]) > (1 + margin) * data_.fastest * pressed.time_step + 1e-9;
   const bool touched = state_[started] != 0 && state_[signals_ + normal_force] > 0;
   state_[started] = 1;
   state_[last_time] = time;
@@ -151,17 +170,18 @@ std::uint32_t Skin::step(double time, const std::array<double, 2>& place, bool i
   const double trained = is_force ? data_.heaviest_force : data_.deepest_indentation,
                load = std::min(is_force ? value : -value, trained);
   const double left =
-      contact_.step(time_step, at, travel, {is_force, is_force ? load * data_.meshed_share : load},
-                    contact_state());
+      contact_.step(pressed.time_step, at, travel,
+                    {is_force, is_force ? load * data_.meshed_share : load}, contact_state());
   add_contact(signals);
   signals[slider_x] = at[0];
   signals[slider_y] = at[1];
   signals[slider_z] = -state_[indentation];
   signals[residual] = left;
+  std::uint32_t& flags = pressed.flags;
   if (!(left <= rough)) {
     flags |= flag::unconverged;
   }
-  const bool touches = signals[normal_force] > 0;
+  const bool touches = pressed.touches = signals[normal_force] > 0;
   flags |= touches && outside ? flag::outside_place : 0;
   flags |= touches && touched && fast ? flag::outside_speed : 0;
   // A height within the range may press heavier than trained elsewhere; a force is met.
@@ -169,16 +189,20 @@ std::uint32_t Skin::step(double time, const std::array<double, 2>& place, bool i
                      (!is_force && signals[normal_force] > (1 + margin) * data_.heaviest_force);
   flags |= heavy ? flag::outside_load : 0;
   flags |= is_force && value < 0 ? flag::pulled : 0;
+  return pressed;
+}
+
+void Skin::tell(const Pressed& pressed, std::span<const ChannelField> fields, std::size_t lane,
+                std::span<double> signals) noexcept {
   signals[mean_shear] = signals[shear_first_moment] = 0;
-  for (ChannelField& field : fields_) {
+  for (const ChannelField& field : fields) {
     const std::size_t levels = field.levels();
-    if (!touches) {
+    if (!pressed.touches) {
       std::fill(levels_.begin(), levels_.end(), 0.0);
       continue;
     }
-    field.set(at, std::span(state_).subspan(force_, 3 * data_.area.size()));
-    set_levels(field, at);
-    if (&field == fields_.data()) {
+    set_levels(field, lane, pressed.place);
+    if (&field == fields.data()) {
       const double volume = data_.length * data_.width * data_.thickness;
       for (std::size_t i = 0; i < levels; ++i) {
         signals[mean_shear] += field.map().mean[i] * levels_[i] / volume;
@@ -186,11 +210,12 @@ std::uint32_t Skin::step(double time, const std::array<double, 2>& place, bool i
       }
     }
   }
-  add_charges(time_step, first);
-  add_spread(at, time_step, first, touches);
+  add_charges(pressed.time_step, pressed.first);
+  add_spread(pressed, fields.back().amplitude(lane));
   const auto current = [&](std::size_t output) {
-    return first || time_step == 0 ? 0.0
-                                   : (charge_[output] - state_[charges_ + output]) / time_step;
+    return pressed.first || pressed.time_step == 0
+               ? 0.0
+               : (charge_[output] - state_[charges_ + output]) / pressed.time_step;
   };
   signals[charge_top] = charge_[0];
   signals[charge_bottom] = charge_[1];
@@ -205,7 +230,6 @@ std::uint32_t Skin::step(double time, const std::array<double, 2>& place, bool i
   std::copy(charge_.begin(), charge_.end(), state_.begin() + static_cast<std::ptrdiff_t>(charges_));
   std::copy_n(signals.begin(), names_.size(),
               state_.begin() + static_cast<std::ptrdiff_t>(signals_));
-  return flags;
 }
 
 } // namespace ionskin::live

@@ -59,6 +59,23 @@ public:
   void reset() noexcept;
   /// All that passes from step to step.
   std::span<const double> state() const { return state_; }
+  /// A step in two parts, between which others set the fields of several skins at once: `press`
+  /// settles the contact, and `tell` takes a lane of the fields unless nothing touches.
+  struct Pressed {
+    std::uint32_t flags = 0;
+    std::array<double, 2> place{}; ///< as used [m]
+    double time_step = 0;          ///< [s]
+    bool first = false, touches = false;
+  };
+  Pressed press(double time, const std::array<double, 2>& place, bool is_force, double value,
+                std::span<double> signals) noexcept;
+  void tell(const Pressed& pressed, std::span<const ChannelField> fields, std::size_t lane,
+            std::span<double> signals) noexcept;
+  /// For `ChannelField::set`.
+  ChannelField::Touch touch(const Pressed& pressed) const noexcept;
+  std::span<const ChannelField> fields() const { return fields_; }
+  /// Exchanges state and friction with those of another skin of the same file, without memory.
+  void exchange(std::vector<double>& state, laws::Friction& friction) noexcept;
   /// Takes up a state of a skin of the same file.
   /// @returns whether it is one that steps can leave: its size fits, every number is finite and in
   /// its range; if not nothing changes
@@ -84,10 +101,10 @@ private:
   bool is_place(double x, double y) const noexcept;
   void add_contact(std::span<double> signals) noexcept;
   // From the strain to the charges: skin_charges.cpp.
-  void set_levels(ChannelField& field, const std::array<double, 2>& place) noexcept;
+  void set_levels(const ChannelField& field, std::size_t lane,
+                  const std::array<double, 2>& place) noexcept;
   void add_charges(double time_step, bool first) noexcept;
-  void add_spread(const std::array<double, 2>& place, double time_step, bool first,
-                  bool touches) noexcept;
+  void add_spread(const Pressed& pressed, std::span<const double> amplitude) noexcept;
 
   const SkinData& data_;
   LiveContact contact_;

@@ -41,21 +41,20 @@ void Skin::add_charges(double time_step, bool first) noexcept {
   }
 }
 
-void Skin::add_spread(const std::array<double, 2>& place, double time_step, bool first,
-                      bool touches) noexcept {
+void Skin::add_spread(const Pressed& pressed, std::span<const double> amplitude) noexcept {
   const std::size_t waves = spread_.waves();
   if (waves == 0) {
     return;
   }
   std::ranges::fill(wave_drive_, 0.0);
-  if (touches) {
-    spread_.drive(place, fields_.back().amplitude(), wave_drive_);
+  if (pressed.touches) {
+    spread_.drive(pressed.place, amplitude, wave_drive_);
   }
   const auto relaxed = std::span(state_).subspan(waves_, waves);
   double* before = state_.data() + waves_ + waves;
   for (std::size_t wave = 0; wave < waves; ++wave) {
-    if (!first) {
-      relaxed[wave] = LowPass::over(data_.spread.rates[wave], time_step)
+    if (!pressed.first) {
+      relaxed[wave] = LowPass::over(data_.spread.rates[wave], pressed.time_step)
                           .next(relaxed[wave], before[wave], wave_drive_[wave]);
     }
     before[wave] = wave_drive_[wave];
@@ -68,13 +67,14 @@ void Skin::add_spread(const std::array<double, 2>& place, double time_step, bool
   }
 }
 
-void Skin::set_levels(ChannelField& field, const std::array<double, 2>& place) noexcept {
+void Skin::set_levels(const ChannelField& field, std::size_t lane,
+                      const std::array<double, 2>& place) noexcept {
   const std::size_t levels = field.levels();
   const auto at = [&](std::size_t corner) {
     return std::span(corner_levels_).subspan(corner * levels, levels);
   };
   for (std::size_t corner = 0; corner < corners_.size(); ++corner) {
-    field.integrate_to(place, corners_[corner], at(corner));
+    field.integrate_to(lane, place, corners_[corner], at(corner));
   }
   for (std::size_t region = 0; region < regions_; ++region) {
     const auto& own = region_corners_[region];

@@ -34,6 +34,11 @@ bool Skin::restore(std::span<const double> state) noexcept {
   return true;
 }
 
+void Skin::exchange(std::vector<double>& state, laws::Friction& friction) noexcept {
+  state_.swap(state);
+  contact_.exchange(friction, contact_state());
+}
+
 bool Skin::is_place(double x, double y) const noexcept {
   return x >= data_.lowest_place[0] && x <= data_.highest_place[0] && y >= data_.lowest_place[1] &&
          y <= data_.highest_place[1];

@@ -30,11 +30,11 @@ public:
       const Direction& from = directions_[j];
       const float *x = column(3 * from.cell + 1), *y = column(3 * from.cell + 2);
       float* into = matrix_.data() + j * count_;
-      for (std::size_t i = 0; i < count_; ++i) {
+      for (std::size_t i = j; i < count_; ++i) {
         const Direction& to = directions_[i];
         const std::size_t row = 3 * to.cell;
-        into[i] = to.x * (from.x * x[row + 1] + from.y * y[row + 1]) +
-                  to.y * (from.x * x[row + 2] + from.y * y[row + 2]);
+        into[i] = matrix_[i * count_ + j] = to.x * (from.x * x[row + 1] + from.y * y[row + 1]) +
+                                            to.y * (from.x * x[row + 2] + from.y * y[row + 2]);
       }
       into[j] += from.stiffening;
     }

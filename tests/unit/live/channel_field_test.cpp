@@ -80,7 +80,8 @@ TEST(ChannelField, IntegratesOverAnyRectangle) {
   ChannelField field(map, 2);
   const std::array<double, 2> place{1.7, 0.2};
   const std::array<double, 6> force{1, 0.3, -0.2, 2, 0.6, 0.1};
-  field.set(place, force);
+  const ChannelField::Touch touch{place, force};
+  field.set({&touch, 1});
   ChannelField copy = field;
   for (const std::array<double, 4>& corners : {std::array<double, 4>{-9, -9, 9, 9},
                                                {1, 0, 1.1, 0.1},
@@ -94,7 +95,7 @@ TEST(ChannelField, IntegratesOverAnyRectangle) {
       for (const std::size_t side : {0u, 1u, 2u, 3u}) {
         const std::size_t right = side % 2, upper = side / 2;
         std::array<double, 2> own{};
-        of.integrate_to(place, {corners[2 * right], corners[2 * upper + 1]}, own);
+        of.integrate_to(0, place, {corners[2 * right], corners[2 * upper + 1]}, own);
         for (std::size_t level = 0; level < 2; ++level) {
           sum[level] += right == upper ? own[level] : -own[level];
         }

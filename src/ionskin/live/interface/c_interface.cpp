@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/live/ionskin_live.h"
-
-#include "ionskin/live/skin.hpp"
+#include "ionskin/live/interface/c_skin.hpp"
 
 #include <algorithm>
 #include <cstring>
 #include <exception>
-#include <memory>
 #include <new>
 #include <string_view>
 
@@ -16,13 +13,6 @@ static_assert(IONSKIN_LIVE_OUTSIDE_SPEED == ionskin::live::flag::outside_speed);
 static_assert(IONSKIN_LIVE_UNCONVERGED == ionskin::live::flag::unconverged);
 static_assert(IONSKIN_LIVE_REFUSED == ionskin::live::flag::refused);
 static_assert(IONSKIN_LIVE_PULLED == ionskin::live::flag::pulled);
-
-struct ionskin_live_skin {
-  explicit ionskin_live_skin(std::shared_ptr<const ionskin::live::SkinData> shared)
-      : data(std::move(shared)), skin(*data) {}
-  std::shared_ptr<const ionskin::live::SkinData> data;
-  ionskin::live::Skin skin;
-};
 
 extern "C" {
 

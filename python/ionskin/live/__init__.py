@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The reduced skin, stepped in a loop: what `ionskin live CASE.toml -o skin.live` trained.
+
+    import ionskin.live
+    skin = ionskin.live.Skin("skin.live")
+    signals = skin.step(0.001, (6e-3, 1e-3), height=-0.5e-6)
+    signals["normal_force"], signals["charge_top"]
+
+`Skins` steps many of them together, for a learner.
+"""
+
+from .signals import OUTSIDE_LOAD, OUTSIDE_PLACE, OUTSIDE_SPEED, PULLED, REFUSED, UNCONVERGED, Range, SignalError, Signals
+from .skin import Skin
+from .skins import Skins
+
+__all__ = ["OUTSIDE_LOAD", "OUTSIDE_PLACE", "OUTSIDE_SPEED", "PULLED", "REFUSED", "UNCONVERGED", "Range", "SignalError",
+           "Signals", "Skin", "Skins"]

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Arguments of steps."""
+
+import numpy
+
+HEIGHT, FORCE = 0, 1
+
+
+def finite(name: str, values, shape: tuple) -> numpy.ndarray:
+    """Doubles of a shape. ValueError: they are none, or not finite."""
+    try:
+        array = numpy.asarray(values, dtype=float, order="C")
+    except (TypeError, ValueError) as wrong:
+        raise ValueError(f"{name}: numbers are wanted, not {values!r}") from wrong
+    if array.shape != shape:
+        raise ValueError(f"{name}: the shape is {array.shape}, and must be {shape}")
+    if not numpy.isfinite(array).all():
+        raise ValueError(f"{name}: holds NaN or infinity")
+    return array
+
+
+def one_load(height, force, plural: str) -> tuple[int, object]:
+    """Which of both loads is given, and that. TypeError: both or neither."""
+    if (height is None) == (force is None):
+        raise TypeError(f"give either height{plural} or force{plural}, " +
+                        ("not both" if height is not None else "one of both is missing"))
+    return (HEIGHT, height) if force is None else (FORCE, force)

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a live skin tells, and what its file says of itself."""
+
+import dataclasses
+from collections.abc import Mapping
+
+import numpy
+
+OUTSIDE_PLACE, OUTSIDE_LOAD, OUTSIDE_SPEED, UNCONVERGED, REFUSED, PULLED = 1, 2, 4, 8, 16, 32
+
+
+@dataclasses.dataclass(frozen=True)
+class SignalError:
+    """Error of a signal on touches that the skin was not trained on, and the signal's largest value, in its unit."""
+
+    rms: float
+    worst: float
+    largest: float
+
+
+@dataclasses.dataclass(frozen=True)
+class Range:
+    """What the skin was trained for: places of the slider's centre [m], force [N], indentation [m], speed [m/s],
+    lowest and highest coefficient of friction."""
+
+    lowest: tuple[float, float]
+    highest: tuple[float, float]
+    force: float
+    indentation: float
+    speed: float
+    friction: tuple[float, float]
+
+
+class Signals(Mapping):
+    """Signals by name, SI units. `flags` is 0 where all is well, else the sum of OUTSIDE_PLACE, OUTSIDE_LOAD,
+    OUTSIDE_SPEED, UNCONVERGED and PULLED; of `Skin.run` an array."""
+
+    def __init__(self, columns: dict[str, int], values: numpy.ndarray, flags) -> None:
+        self._columns, self._values, self.flags = columns, values, flags
+
+    def __getitem__(self, name: str):
+        value = self._values[..., self._columns[name]]
+        return float(value) if value.ndim == 0 else value
+
+    def __iter__(self):
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        return len(self._columns)
+
+    @property
+    def array(self) -> numpy.ndarray:
+        """All signals, of which the last axis is that of the names."""
+        return self._values
+
+    @property
+    def outside(self):
+        """Whether a step lies outside the trained range, in place, load or speed."""
+        return (self.flags & (OUTSIDE_PLACE | OUTSIDE_LOAD | OUTSIDE_SPEED)) != 0
+
+    def __repr__(self) -> str:
+        return f"Signals({', '.join(f'{name}={self[name]!r}' for name in self)})"

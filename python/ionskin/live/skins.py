@@ -1,0 +1,244 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Many reduced skins, stepped together: the environments of a learner."""
+
+import ctypes
+import os
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy
+
+from .checks import finite, one_load
+from .library import Batch, load, pointer
+from .signals import Signals
+from .skin import Skin
+
+_LARGEST_SEED = 2**32 - 1
+_BLOCK = 64  # environments that a thread takes at a time
+
+
+class Skins:
+    """So many environments, each a skin of its own with a state, a friction and a noise of its own. What one does depends
+    neither on the others nor on the number of threads.
+
+    skin     a Skin, whose state and friction all take, or the path of a file
+    signals  names of those that are told, all without it
+    dtype    of positions, loads and signals: float32 or float64; times are float64
+    threads  that step, one for each processor without it
+    friction, noise, seed  as `set_friction` and `set_noise` take them
+    """
+
+    def __init__(self, skin: Skin | str | os.PathLike, environments: int, *, signals: Sequence[str] | None = None,
+                 dtype=numpy.float64, threads: int | None = None, friction=None, noise=0.0, seed: int = 0) -> None:
+        self._skin = skin.copy() if isinstance(skin, Skin) else Skin(skin)
+        self._count = _count("environments", environments)
+        self._threads = _count("threads", threads if threads is not None else len(os.sched_getaffinity(0)))
+        self._dtype = numpy.dtype(dtype)
+        if self._dtype not in (numpy.float32, numpy.float64):
+            raise ValueError(f"dtype: float32 or float64 is wanted, not {self._dtype}")
+        self._names = tuple(self._skin.names if signals is None else signals)
+        unknown = [name for name in self._names if name not in self._skin.names]
+        if unknown:
+            raise ValueError(f"signals: the skin has no {unknown[0]}; it has {', '.join(self._skin.names)}")
+        self._columns = {name: i for i, name in enumerate(self._names)}
+        self._told = numpy.array([self._skin.names.index(name) for name in self._names], dtype=numpy.uint32)
+        self._library = load()
+        self._handle = self._library.ionskin_live_skins_open(self._skin._handle, self._count, self._threads)
+        if not self._handle:
+            raise MemoryError(f"no memory for {self._count} skins")
+        self._pool, self._process = None, None
+        self.set_noise(noise, seed)
+        if friction is not None:
+            self.set_friction(friction)
+
+    def __del__(self) -> None:
+        if getattr(self, "_handle", None):
+            self._library.ionskin_live_skins_close(self._handle)
+            self._handle = None
+
+    def __len__(self) -> int:
+        """Number of environments."""
+        return self._count
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of the signals that are told, in their order."""
+        return self._names
+
+    @property
+    def skin(self) -> Skin:
+        """A skin of the same file: its range, taxels and errors."""
+        return self._skin
+
+    def step(self, times, positions, *, heights=None, forces=None, out: numpy.ndarray | None = None) -> Signals:
+        """The signals of all environments, of which `array` is [environment, signal]. Of an environment whose numbers are not
+        finite or whose time goes back nothing moves: REFUSED, with the signals of its step before.
+
+        times      one [s], or [environment]
+        positions  [environment, 2] of the slider's centre [m]
+        heights, forces  one of both [environment] [m], [N], as `Skin.step` takes them
+        out        takes the signals instead of a new array: [environment, signal] of the dtype, contiguous
+
+        Arrays of numpy, torch or jax in the memory of the processor are read in place where they are contiguous and of the
+        dtype. ValueError: another shape, or what is no array of numbers."""
+        kind, loads = one_load(heights, forces, "s")
+        times = self._array("times", times, (self._count,), numpy.dtype(numpy.float64))
+        positions = self._array("positions", positions, (self._count, 2), self._dtype)
+        loads = self._array("forces" if kind else "heights", loads, (self._count,), self._dtype)
+        shape = (self._count, len(self._names))
+        if out is None:
+            out = numpy.empty(shape, dtype=self._dtype)
+        elif not (isinstance(out, numpy.ndarray) and out.shape == shape and out.dtype == self._dtype
+                  and out.flags.c_contiguous and out.flags.writeable):
+            raise ValueError(f"out: a contiguous array of {self._dtype} with the shape {shape} is wanted")
+        flags = numpy.empty(self._count, dtype=numpy.uint32)
+        batch = Batch(times.ctypes.data, positions.ctypes.data, loads.ctypes.data, out.ctypes.data, flags.ctypes.data,
+                      self._told.ctypes.data, len(self._told), kind, self._dtype == numpy.float32)
+        self._step(batch)
+        return Signals(self._columns, out, flags)
+
+    def _step(self, batch: Batch) -> None:
+        share = -(-self._count // (4 * self._threads))
+        block = min(_BLOCK, -(-share // 4) * 4)  # four share what is read
+        begins = iter(range(0, self._count, block))
+
+        def work(worker: int) -> None:
+            for begin in begins:  # each thread takes the next
+                self._library.ionskin_live_skins_step(self._handle, worker, begin, min(begin + block, self._count),
+                                                      ctypes.byref(batch))
+
+        workers = min(self._threads, -(-self._count // block))
+        others = [self._threads_of_process().submit(work, worker) for worker in range(1, workers)]
+        work(0)
+        for other in others:
+            other.result()
+
+    def _threads_of_process(self) -> ThreadPoolExecutor:
+        if self._process != os.getpid():  # the threads of another process did not follow a fork
+            self._pool, self._process = ThreadPoolExecutor(self._threads), os.getpid()
+        return self._pool
+
+    def _array(self, name: str, values, shape: tuple, dtype: numpy.dtype) -> numpy.ndarray:
+        if not isinstance(values, numpy.ndarray) and hasattr(values, "__dlpack__"):
+            try:
+                values = numpy.from_dlpack(values)
+            except (BufferError, RuntimeError, TypeError) as wrong:
+                raise ValueError(f"{name}: the array cannot be read in place: {wrong}; detach it, and move it to the "
+                                 "memory of the processor") from wrong
+        try:
+            array = numpy.ascontiguousarray(values, dtype=dtype)
+        except (TypeError, ValueError) as wrong:
+            raise ValueError(f"{name}: numbers are wanted, not {values!r}") from wrong
+        if numpy.ndim(values) == 0 and len(shape) == 1:
+            array = numpy.full(shape, array.reshape(())[()], dtype=dtype)
+        if array.shape != shape:
+            raise ValueError(f"{name}: the shape is {array.shape}, and must be {shape}")
+        return array
+
+    def _chosen(self, environments) -> numpy.ndarray:
+        if environments is None:
+            return numpy.arange(self._count)
+        chosen = numpy.atleast_1d(numpy.asarray(environments))
+        if chosen.dtype == bool:
+            if chosen.shape != (self._count,):
+                raise ValueError(f"environments: the mask has the shape {chosen.shape}, and must have {(self._count,)}")
+            return numpy.flatnonzero(chosen)
+        if chosen.size == 0:
+            return numpy.empty(0, dtype=int)
+        if chosen.ndim != 1 or chosen.dtype.kind not in "iu":
+            raise ValueError("environments: indices or a mask are wanted")
+        outside = chosen[(chosen < 0) | (chosen >= self._count)]
+        if outside.size:
+            raise ValueError(f"environments: {outside[0]} is outside 0 to {self._count - 1}")
+        return chosen
+
+    def reset(self, environments=None) -> None:
+        """Back to detached skins at rest; friction and noise stay. All, or those of a mask or of indices."""
+        for environment in self._chosen(environments):
+            self._library.ionskin_live_skins_reset(self._handle, int(environment))
+
+    @property
+    def friction(self) -> numpy.ndarray:
+        """Coefficients of friction [environment]."""
+        return numpy.array([self._library.ionskin_live_skins_friction(self._handle, i) for i in range(self._count)])
+
+    def set_friction(self, coefficients, environments=None) -> None:
+        """One coefficient, or one for each of the environments. ValueError outside the trained range; nothing changes
+        then."""
+        chosen = self._chosen(environments)
+        values = finite("friction", numpy.broadcast_to(coefficients, chosen.shape), chosen.shape)
+        low, high = self._skin.range.friction
+        outside = values[(values < low) | (values > high)]
+        if outside.size:
+            raise ValueError(f"friction: {outside[0]:g} is outside the trained range, {low:g} to {high:g}; train a wider "
+                             "one by ionskin live --friction LOW HIGH")
+        for environment, value in zip(chosen.tolist(), values.tolist(), strict=True):
+            if not self._library.ionskin_live_skins_set_friction(self._handle, environment, value):
+                raise MemoryError("no memory for another friction")
+
+    def set_noise(self, deviations, seed: int = 0) -> None:
+        """White noise on every current, each step: one standard deviation [A], or one for each environment; 0 for none.
+        Charges have none. It begins anew with the seed, which gives each environment a sequence of its own."""
+        shape = (self._count,)
+        deviations = finite("noise", numpy.broadcast_to(deviations, shape), shape)
+        if (deviations < 0).any():
+            raise ValueError(f"noise: {deviations.min():g} A is below 0")
+        if isinstance(seed, bool) or not isinstance(seed, (int, numpy.integer)) or not 0 <= seed <= _LARGEST_SEED:
+            raise ValueError(f"seed: an integer from 0 to {_LARGEST_SEED} is wanted, not {seed!r}")
+        self._noise, self._seed = deviations.copy(), int(seed)
+        self._take_noise(numpy.zeros(shape, dtype=numpy.uint64))
+
+    def _take_noise(self, steps: numpy.ndarray) -> None:
+        for i, (deviation, step) in enumerate(zip(self._noise.tolist(), steps.tolist(), strict=True)):
+            self._library.ionskin_live_skins_set_noise(self._handle, i, deviation, (self._seed << 32) + i, step)
+
+    def save(self, environments=None) -> numpy.ndarray:
+        """States [environment, number], to be restored by skins of the same file."""
+        chosen = self._chosen(environments)
+        states = numpy.empty((len(chosen), self._library.ionskin_live_state_size(self._skin._handle)))
+        for state, environment in zip(states, chosen.tolist(), strict=True):
+            self._library.ionskin_live_skins_save(self._handle, environment, pointer(state))
+        return states
+
+    def restore(self, states, environments=None) -> None:
+        """Takes up states, one for each of the environments; times may go back by it. ValueError when one is of another skin
+        or damaged; the environments before it have taken theirs then."""
+        chosen = self._chosen(environments)
+        states = numpy.ascontiguousarray(states, dtype=float)
+        if states.ndim != 2 or len(states) != len(chosen):
+            raise ValueError(f"states: the shape is {states.shape}, and must be ({len(chosen)}, size of a state)")
+        for state, environment in zip(states, chosen.tolist(), strict=True):
+            if not self._library.ionskin_live_skins_restore(self._handle, environment, pointer(state), len(state)):
+                raise ValueError(f"states: that for environment {environment} is of a skin from another file, or damaged")
+
+    def copy(self) -> "Skins":
+        """Others in the same states, with the same friction and noise."""
+        other = Skins(self._skin, self._count, signals=self._names, dtype=self._dtype, threads=self._threads)
+        other.__setstate__({**self.__getstate__(), "made": True})
+        return other
+
+    __copy__ = copy
+
+    def __deepcopy__(self, memo) -> "Skins":
+        return self.copy()
+
+    def __getstate__(self) -> dict:
+        steps = [self._library.ionskin_live_skins_noise_steps(self._handle, i) for i in range(self._count)]
+        return {"made": False, "skin": self._skin, "environments": self._count, "signals": self._names,
+                "dtype": self._dtype, "threads": self._threads, "states": self.save(), "friction": self.friction,
+                "noise": self._noise, "seed": self._seed, "steps": numpy.array(steps, dtype=numpy.uint64)}
+
+    def __setstate__(self, kept: dict) -> None:
+        if not kept["made"]:
+            self.__init__(kept["skin"], kept["environments"], signals=kept["signals"], dtype=kept["dtype"],
+                          threads=kept["threads"])
+        self.restore(kept["states"])
+        self.set_friction(kept["friction"])
+        self._noise, self._seed = kept["noise"].copy(), kept["seed"]
+        self._take_noise(kept["steps"])
+
+
+def _count(name: str, value) -> int:
+    if isinstance(value, bool) or not isinstance(value, (int, numpy.integer)) or value < 1:
+        raise ValueError(f"{name}: a whole number from 1 is wanted, not {value!r}")
+    return int(value)
