@@ -426,7 +426,7 @@ class Words(unittest.TestCase):
             self.assertEqual(readout.rectangles(types.SimpleNamespace(case={**case, "readout": {"taxels": odd}})), {})
 
     def test_the_articles_claims_stand_with_its_own_case(self):
-        for name, own in (("paper.toml", True), ("quick.toml", True), ("finger.toml", False)):
+        for name, own in (("paper.toml", True), ("paper/coarse.toml", True), ("quick.toml", False), ("finger.toml", False)):
             case = tomllib.loads((pathlib.Path(__file__).parents[3] / "cases" / name).read_text())
             self.assertEqual(paper.is_own_case(case), own, name)
         folder = pathlib.Path(tempfile.mkdtemp(prefix="ionskin-report-"))
