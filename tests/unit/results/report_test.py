@@ -108,10 +108,10 @@ class Report(unittest.TestCase):
             (pathlib.Path(folder) / "summary.json").write_text(json.dumps({
                 "metrics": {name: {"value": 1e-3, "unit": unit} for name, unit in
                             (("peak_voltage", "V"), ("rms_voltage", "V"), ("peak_sampled_current_top", "A"))}}))
-            words = [word for word, _, _ in report_text.headline(Results(pathlib.Path(folder)))]
+            words = [word for word, _, _ in report_text.headline(Results(pathlib.Path(folder))).values()]
             self.assertEqual(words, ["Peak sampled current, top"])
             (pathlib.Path(folder) / "case.toml").write_text('[readout]\ncircuit = "open"\n')
-            words = [word for word, _, _ in report_text.headline(Results(pathlib.Path(folder)))]
+            words = [word for word, _, _ in report_text.headline(Results(pathlib.Path(folder))).values()]
             self.assertEqual(words, ["Peak voltage", "Rms of the voltage"])
 
     def test_stands_alone(self):
