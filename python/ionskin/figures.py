@@ -62,6 +62,8 @@ def currents(results):
     signals, sampled = results.signals, results.sampled
     if not signals.has("current_top"):
         return None
+    if readout.carries_nothing(results):
+        return "the circuit is open and no current flows"
     time = signals["time"]
     noise = ": not above the noise of the solver" if derived.common_is_noise(results) else ""
     panels = [("Electrodes, resolved", current_axis(signals["current_top"], signals["current_bottom"]),
@@ -93,6 +95,8 @@ def charge(results):
     signals = results.signals
     if not signals.has("charge_top"):
         return None
+    if readout.carries_nothing(results):
+        return "the circuit is open and the electrodes keep their charge"
     time, top, bottom = (signals[name] for name in ("time", "charge_top", "charge_bottom"))
     return over_time(results, [
         ("Charge on the electrodes", Axis("charge", "C"), [Curve(time, top, "top"), Curve(time, bottom, "bottom", ORANGE)], 0.9),

@@ -64,7 +64,7 @@ def page(results, with_claims=False):
     title = results.case.get("title", results.folder.resolve().name)
     study = Study(results.folder, results)
     sections = [
-        pages.Section("warnings", "Warnings", "warnings", {"texts": results.warnings}),
+        pages.Section("warnings", "Warnings", "warnings", {"texts": [quantities.in_words(text) for text in results.warnings]}),
         pages.Section("case", "What was simulated", "case", case_summary(results)),
         *[picture for picture in drawn if picture.identifier in FIRST],
         pages.Section("explore", "Explore", "explore", sweep_page.explore(study)),

@@ -5,6 +5,7 @@ import re
 
 import numpy
 
+from ..analysis import derived
 from ..quantity import si
 from ..words import quantity, short, si_scale
 from .chart import Axis, Cell, Chart, Curve, Map, Note, Shape, current_axis, limits, phase_spans, with_events
@@ -31,6 +32,11 @@ def circuit_words(results):
 def is_open(results):
     """True for an open circuit, through which rounding alone flows."""
     return results.circuit_words.get("name", results.case.get("readout", {}).get("circuit")) == "open"
+
+
+def carries_nothing(results):
+    """True where neither electrode takes up a current above rounding: of an open cell whose law makes no net charge."""
+    return is_open(results) and results.sampled.has("current_common") and derived.common_is_noise(results)
 
 
 def circuit_panel(results):
