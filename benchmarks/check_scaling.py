@@ -13,7 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-QUICK = pathlib.Path(__file__).parent.parent / "cases" / "quick.toml"
+QUICK = pathlib.Path(__file__).parent.parent / "cases" / "paper" / "coarse.toml"
 
 
 def with_motion(text: str, motion: str) -> str:

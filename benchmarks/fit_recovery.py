@@ -3,7 +3,7 @@
 
     PYTHONPATH=build/python /usr/bin/python3 benchmarks/fit_recovery.py --seeds 100
 
-Synthetic data: the sampled current_difference of cases/quick.toml (coarse preset) with white normal noise of 2 % of its
+Synthetic data: the sampled current_difference of cases/paper/coarse.toml (coarse preset) with white normal noise of 2 % of its
 rms, or of its peak with --of peak. The fit starts from 1.5 times the coupling coefficient and 0.6 times the
 diffusivity. One model serves all seeds: solutions at the same parameters (the start and its differences) are reused.
 """
@@ -18,7 +18,7 @@ import ionskin
 
 KEYS = ("coupling.coefficient", "electrochemistry.diffusivity")
 OFF = (1.5, 0.6)
-CASE = pathlib.Path(__file__).resolve().parent.parent / "cases" / "quick.toml"
+CASE = pathlib.Path(__file__).resolve().parent.parent / "cases" / "paper" / "coarse.toml"
 
 
 def true_data():

@@ -69,7 +69,7 @@ int main(int argc, char** argv) {
   for (const std::string& preset :
        presets_of("What the law poroelastic adds to Study 2.", argc, argv)) {
     const Case input =
-        read_case(std::string(IONSKIN_CASES) + "/poroelastic.toml", {"numerics.preset=" + preset});
+        read_case(std::string(IONSKIN_CASES) + "/paper/water.toml", {"numerics.preset=" + preset});
     mechanics::ContactOptions options;
     options.threads = static_cast<int>(std::thread::hardware_concurrency());
     base::Timers timers;

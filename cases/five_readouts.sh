@@ -3,7 +3,7 @@
 # One strain history read out five ways: short circuit, open circuit, a load of 1 MOhm, an amplifier of
 # 1 kHz, and four taxels. Run it from the repository:
 #
-#     cases/five_readouts.sh cases/quick.toml out/readouts
+#     cases/five_readouts.sh cases/paper/coarse.toml out/readouts
 #
 # The contact is solved once; the other runs take its strain history from results.h5.
 set -eu

@@ -13,7 +13,8 @@
 #include <vector>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const std::string path = (ionskin::data_folder() / "cases" / "quick.toml").string();
+  static const std::string path =
+      (ionskin::data_folder() / "cases" / "paper" / "coarse.toml").string();
   static const std::string original = ionskin::base::read_text_file(path, "case");
   std::istringstream arguments(std::string(reinterpret_cast<const char*>(data), size));
   std::vector<std::string> edits;

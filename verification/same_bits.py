@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Solve one small sweep in every way that must not matter; print whether the results are the same bits.
 
-    verification/same_bits.py build/ionskin [--case cases/quick.toml] [--set KEY=VALUE ...] [--seed N]
+    verification/same_bits.py build/ionskin [--case cases/paper/coarse.toml] [--set KEY=VALUE ...] [--seed N]
 
 The reference is a sweep on one thread. Against it: more threads, kills at random instants, a lost
 point, other points beside a point, and each point as a run by itself. Compared are all
@@ -116,7 +116,7 @@ class Ways:
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
-    parser.add_argument("--case", default=ROOT / "cases" / "quick.toml", type=Path)
+    parser.add_argument("--case", default=ROOT / "cases" / "paper" / "coarse.toml", type=Path)
     parser.add_argument("--set", dest="edits", action="append", default=[])
     parser.add_argument("--shape", choices=SHAPES, action="append")
     parser.add_argument("--seed", type=int, default=int(time.time()))

@@ -35,7 +35,7 @@ def make_material(program, material):
         subprocess.run([sys.executable, DOCS.parent / "benchmarks" / "evidence.py", program, "--json", material / "evidence.json"], check=True)
     sweep = material / "sweep"
     if not list(sweep.glob("figures/fig*.png")):
-        subprocess.run([program, "sweep", DOCS.parent / "cases" / "quick.toml", "-o", sweep, "--overwrite", "--no-report",
+        subprocess.run([program, "sweep", DOCS.parent / "cases" / "paper" / "coarse.toml", "-o", sweep, "--overwrite", "--no-report",
                         "--over", "contact.friction=0.05:0.05:0.5"], check=True)
         subprocess.run([program, "report", sweep, "--figures"], check=True)
 

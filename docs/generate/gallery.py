@@ -9,7 +9,7 @@ What `ionskin report --figures` draws. Figures 1 to 16 are those of the paper (*
 2930), 17 to 20 and 23 what it lacks; figures 21 and 22, of sampled sweeps, are not in this one. These are of the coarse
 sweep
 
-    ionskin sweep cases/quick.toml --over contact.friction=0.05:0.05:0.5 -o sweep
+    ionskin sweep cases/paper/coarse.toml --over contact.friction=0.05:0.05:0.5 -o sweep
     ionskin report sweep --figures
 
 and show layout, not reference numbers. Every figure is there as PNG, SVG and PDF.

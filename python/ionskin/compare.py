@@ -12,7 +12,7 @@ import numpy
 from .errors import exit_on
 from .page import quantities, report_text
 from .results import Results
-from .words import percent, quantity, short
+from .words import aligned, percent, quantity, short
 
 LONGEST_TITLE = 24
 
@@ -124,13 +124,6 @@ def signal_lines(first, second, tolerance):
 
     return [(quantities.column_words(table, name), quantity(gap, getattr(first, table).units[name], report_text.DIGITS), percent(part),
              remark(share), f"{table}/{name}") for table, name, gap, part, share in signals(first, second, tolerance)]
-
-
-def aligned(rows):
-    """Rows of texts as lines, every column as wide as its longest text; columns without any text are left out."""
-    rows = [row for row in zip(*(column for column in zip(*rows) if any(column[1:])))]
-    widths = [max(map(len, column)) for column in zip(*rows)]
-    return ["  ".join(text.ljust(width) for text, width in zip(row, widths)).rstrip() for row in rows]
 
 
 def report(first, second, tolerance, defaults=None):

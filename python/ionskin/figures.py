@@ -65,7 +65,7 @@ def currents(results):
     if not signals.has("current_top"):
         return None
     nothing = readout.passes_nothing(results)
-    if nothing and derived.common_is_noise(results):
+    if readout.carries_nothing(results):
         return OPEN
     time = signals["time"]
     noise = ": not above the noise of the solver" if derived.common_is_noise(results) else ""
@@ -98,8 +98,8 @@ def charge(results):
     signals = results.signals
     if not signals.has("charge_top"):
         return None
-    if readout.passes_nothing(results) and derived.common_is_noise(results):
-        return OPEN
+    if readout.carries_nothing(results):
+        return "open electrodes keep their charge"
     time, top, bottom = (signals[name] for name in ("time", "charge_top", "charge_bottom"))
     panels = [("Charge on the electrodes", Axis("charge", "C"), [Curve(time, top, "top"), Curve(time, bottom, "bottom", ORANGE)], 0.9),
               ("Difference (top − bottom)/2", Axis("charge", "C"), [Curve(time, (top - bottom) / 2, "", GREEN)], 0.9)]

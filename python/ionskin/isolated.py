@@ -35,6 +35,7 @@ def import_matplotlib(package):
 def main():
     """Command line."""
     package = os.path.dirname(os.path.abspath(__file__))
+    sys.stdout.reconfigure(errors="backslashreplace")  # a terminal of Latin-1 has no superscripts
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # no matrix here is large: threads that wait cost more than they give
     sys.path.insert(0, os.path.dirname(package))
     module, sys.argv = sys.argv[1], sys.argv[1:]

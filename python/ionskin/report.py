@@ -64,7 +64,7 @@ def page(results, with_claims=False):
     title = results.case.get("title", results.folder.resolve().name)
     study = Study(results.folder, results)
     sections = [
-        pages.Section("warnings", "Warnings", "warnings", {"texts": results.warnings}),
+        pages.Section("warnings", "Warnings", "warnings", {"texts": [quantities.in_words(text) for text in results.warnings]}),
         pages.Section("case", "What was simulated", "case", case_summary(results)),
         *[picture for picture in drawn if picture.identifier in FIRST],
         pages.Section("explore", "Explore", "explore", sweep_page.explore(study)),
@@ -79,7 +79,7 @@ def page(results, with_claims=False):
     shown = chart_data.chart_data({entry.name: chart for entry, chart in charts if not isinstance(chart, str)})
     shown_first = chart_section(results, *top) if top else None
     opening = (answer.sentences(results), shown_first.data if shown_first and shown_first.part == "chart" else None)
-    return pages.page(title, report_text.subtitle(results), sections, cards=report_text.headline(results), answer=opening,
+    return pages.page(title, report_text.subtitle(results), sections, cards=list(report_text.headline(results).values()), answer=opening,
                       script=pages.chart_script({**sweep_page.script(study), "FIGURES": ("chart_cells.js", shown)}))
 
 

@@ -63,6 +63,13 @@ def short(text, longest=LONGEST_LABEL):
     return plain if len(plain) <= longest else f"{plain[:longest - 1]}…"
 
 
+def aligned(rows):
+    """Rows of texts as lines, every column as wide as its longest text; columns without any text below the first row are left out."""
+    rows = [row for row in zip(*(column for column in zip(*rows) if any(column[1:])))]
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    return ["  ".join(text.ljust(width) for text, width in zip(row, widths)).rstrip() for row in rows]
+
+
 def readable_units(text):
     """A quantity of a case file as it is printed: "10 um" is "10 µm", "7e-11 m2/s" is "7e-11 m²/s"."""
     for found, sign in SIGNS:

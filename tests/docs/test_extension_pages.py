@@ -128,8 +128,8 @@ class Built(Steps):
         self.assertLess(voltage, open_voltage)
         self.assertGreater(voltage, 0.9 * open_voltage)
         self.assertIn("missing key readout.cable_length",
-                      self.shell("build/ionskin check cases/quick.toml --set readout.circuit=voltmeter", expect=2).stderr)
-        refused = self.shell("build/ionskin check cases/quick.toml --set readout.cable_length='\"2 m\"'", expect=2).stderr
+                      self.shell("build/ionskin check cases/paper/coarse.toml --set readout.circuit=voltmeter", expect=2).stderr)
+        refused = self.shell("build/ionskin check cases/paper/coarse.toml --set readout.cable_length='\"2 m\"'", expect=2).stderr
         self.assertIn("readout.cable_length is given, but the circuit has none", refused)
         self.assertIn('set readout.circuit = "voltmeter"', refused)
 
@@ -139,8 +139,8 @@ class Built(Steps):
         self.assertGreater(sphere, 0)
         self.assertAlmostEqual(paraboloid / sphere, 1, delta=1e-3)
         self.assertIn("missing key slider.radius_x",
-                      self.shell("build/ionskin check cases/quick.toml --set slider.shape=paraboloid", expect=2).stderr)
-        refused = self.shell("build/ionskin check cases/quick.toml --set slider.radius_x='\"8 mm\"'", expect=2).stderr
+                      self.shell("build/ionskin check cases/paper/coarse.toml --set slider.shape=paraboloid", expect=2).stderr)
+        refused = self.shell("build/ionskin check cases/paper/coarse.toml --set slider.radius_x='\"8 mm\"'", expect=2).stderr
         self.assertIn("slider.radius_x does not belong to this shape of slider", refused)
         self.assertIn('choose slider.shape = "paraboloid"', refused)
 
@@ -153,7 +153,7 @@ class Built(Steps):
                                 (["contact.law=softening"], "missing key contact.pressure_scale"),
                                 (["contact.law=softening", "contact.pressure_scale='\"4 MPa\"'",
                                   "contact.high_pressure_friction=3"], "must be")):
-            command = " ".join(["build/ionskin check cases/quick.toml", *(f"--set {edit}" for edit in edits)])
+            command = " ".join(["build/ionskin check cases/paper/coarse.toml", *(f"--set {edit}" for edit in edits)])
             self.assertIn(expected, self.shell(command, expect=2).stderr)
 
     def laws_act(self):

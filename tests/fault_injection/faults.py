@@ -20,7 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 PROGRAM = os.environ.get("IONSKIN_PROGRAM", str(ROOT / "build" / "ionskin"))
 FAULTS = os.environ.get("IONSKIN_FAULTS",
                         str(ROOT / "build" / "tests" / "fault_injection" / "libionskin_fault_injection.so"))
-SMALL = [str(ROOT / "cases" / "quick.toml"), "--no-report", "--quiet", "--threads", "1", "--set",
+SMALL = [str(ROOT / "cases" / "paper" / "coarse.toml"), "--no-report", "--quiet", "--threads", "1", "--set",
          "numerics.mesh_refinement=0.3", "--set", "skin.sides=symmetry"]
 VERBS = {"run": ["run", *SMALL], "sweep": ["sweep", *SMALL, "--over", "coupling.coefficient=0.05,0.1"]}
 SHORT = ["--set", "numerics.error_estimate=off", "--set", "numerics.time_refinement=0.3"]

@@ -17,11 +17,11 @@ import numpy
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 PROGRAM = pathlib.Path(os.environ.get("IONSKIN_PROGRAM", ROOT / "build" / "ionskin"))
-QUICK = ROOT / "cases" / "quick.toml"
+QUICK = ROOT / "cases" / "paper" / "coarse.toml"
 FAULTS = PROGRAM.parent / "tests" / "fault_injection" / "libionskin_fault_injection.so"
 PAPER = ROOT / "cases" / "paper.toml"
-# Mesh and time steps that serve to test the bookkeeping, not the physics, at a tenth of the work of cases/quick.toml; to
-# free the sides of the skin costs as much as all the rest.
+# Mesh and time steps that serve to test the bookkeeping, not the physics, at a tenth of the work of cases/paper/coarse.toml;
+# to free the sides of the skin costs as much as all the rest.
 # Companions, which state the errors, double it: test_stated_errors.py, test_interrupt.py and test_sweep.py have them.
 ROLLERS = ("--set", "skin.sides=symmetry")
 SMALL = ROLLERS + tuple(word for edit in ("mesh_refinement=0.3", "time_refinement=0.3", "error_estimate=off")

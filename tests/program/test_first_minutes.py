@@ -12,6 +12,7 @@ import h5py
 import numpy
 
 from program import PAPER, QUICK, ROOT, ProgramTest, signals, summary
+from tiers import long_test
 
 # A mesh that serves where no figure is compared.
 SMALL = (QUICK, "--set", "numerics.mesh_refinement=0.5")
@@ -157,14 +158,36 @@ class FirstMinutes(ProgramTest):
         self.assertIn("biot1941", wet)
         self.assertIn("no case.toml", self.run_program("cite", ".", expect=2).stderr)
 
-    def test_the_first_case_presses_as_a_finger_does(self):
+    def starter(self, name):
+        """A starter case as `ionskin init` writes it, with what it says has to be done first; its text."""
+        wrote = self.run_program("init", f"{name}.toml", "--from", name).stdout
+        for command in re.findall("First: (.*)", wrote):
+            subprocess.run(command.split(), cwd=self.folder, check=True)
+        return (self.folder / f"{name}.toml").read_text()
+
+    def test_starters_press_as_a_finger_does(self):
         self.run_program("init", "first.toml")
-        text = (self.folder / "first.toml").read_text()
-        self.assertRegex(text, r"preload = \"1 N\"")
-        for path in (ROOT / "cases").glob("*.toml"):
-            if "preload =" in path.read_text():
-                self.assertRegex(path.read_text(), r"65 N|preload = \"\d+ N\"", path)
-                self.assertIn("1 to 10 N", path.read_text(), path)
+        self.assertRegex((self.folder / "first.toml").read_text(), r"preload = \"1 N\"")
+        for name in ("quick", "finger", "taxels", "reciprocating", "waypoints", "poroelastic"):
+            text = self.starter(name)
+            pressed = [float(newtons) for newtons in re.findall(r'^(?:preload|force) = "(.*) N"', text, re.MULTILINE)]
+            self.assertTrue(pressed and all(1 <= newtons <= 10 for newtons in pressed), name)
+            self.assertIn("a finger presses with 1 to 10 N", text, name)
+        self.assertIn("it takes 65 N, where a finger presses with 1 to 10 N", self.starter("paper"))  # what the article states
+
+    def ends_without_avoidable_warning(self, *names):
+        for name in names:
+            with self.subTest(name):
+                self.starter(name)
+                self.run_case(f"{name}.toml", "-o", name)
+                self.assertEqual([text for text in summary(self.folder / name)["warnings"] if "not calibrated" not in text], [])
+
+    def test_a_starter_ends_without_a_warning_that_its_author_could_have_avoided(self):
+        self.ends_without_avoidable_warning("quick", "taxels", "poroelastic", "bending", "strain_file")
+
+    @long_test
+    def test_so_do_those_of_a_fingertip(self):
+        self.ends_without_avoidable_warning("finger", "reciprocating", "waypoints")
 
     def test_an_edit_of_the_shape_does_not_silently_keep_the_plan_of_another(self):
         ball = ("check", QUICK, "--set", "slider.shape=sphere", "--set", "slider.radius=8 mm")

@@ -37,7 +37,7 @@ class LiveTest(ProgramTest):
     def setUpClass(cls):
         super().setUpClass()
         cls.trained = pathlib.Path(os.environ.get("TMPDIR", "/tmp")) / f"ionskin-live-{os.getpid()}.live"
-        subprocess.run([PROGRAM, "live", ROOT / "cases" / "taxels.toml", *SMALL, "--validation", "6", "--seed", "5",
+        subprocess.run([PROGRAM, "live", ROOT / "cases" / "paper" / "taxels.toml", *SMALL, "--validation", "6", "--seed", "5",
                         "-o", cls.trained, "--overwrite", "--quiet"], check=True)
         cls.addClassCleanup(cls.trained.unlink)
 
@@ -55,7 +55,7 @@ class LiveTest(ProgramTest):
                       header=TOUCH.splitlines()[0], comments="")
         case = self.folder / "touch.toml"
         motion = '[motion]\nkind = "waypoints"\nfile = "touch.csv"\n'
-        text = (ROOT / "cases" / "taxels.toml").read_text()
+        text = (ROOT / "cases" / "paper" / "taxels.toml").read_text()
         begin = text.index("[motion]")
         text = text[:begin] + motion + text[text.index("[contact]"):]
         case.write_text("\n".join(line for line in text.splitlines() if not line.startswith("start =")))
@@ -163,7 +163,7 @@ class LiveTest(ProgramTest):
     @long_test
     def test_friction_is_chosen_within_its_range(self):
         """Of a law that remembers slip, trained over a range of coefficients."""
-        trained = self.live(ROOT / "cases" / "taxels.toml", *SMALL, "--set", "contact.law=regularised", "--set",
+        trained = self.live(ROOT / "cases" / "paper" / "taxels.toml", *SMALL, "--set", "contact.law=regularised", "--set",
                             "contact.slip_length=0.1 um", "--friction", "0.1", "0.4", "--trajectories", "4",
                             "--validation", "7", "-o", "range.live")
         self.assertEqual(trained.returncode, 0, trained.stderr)
@@ -227,7 +227,7 @@ class LiveTest(ProgramTest):
     @long_test
     def test_of_water(self):
         """Under the law poroelastic, where the mean over the core moves ions in every taxel."""
-        trained = self.live(ROOT / "cases" / "poroelastic.toml", *SMALL[:2], "--set", "readout.taxels={rows = 2, columns = 3}",
+        trained = self.live(ROOT / "cases" / "paper" / "water.toml", *SMALL[:2], "--set", "readout.taxels={rows = 2, columns = 3}",
                             "--validation", "3", "--seed", "5", "-o", "water.live")
         self.assertEqual(trained.returncode, 0, trained.stderr)
         skin = ionskin.live.Skin(self.folder / "water.live")
@@ -320,12 +320,12 @@ class LiveTest(ProgramTest):
         return ["scene.ppm"]
 
     def test_an_interrupt_leaves_no_file(self):
-        errors = self.end_at_progress("training: mechanics", "live", ROOT / "cases" / "quick.toml", "-o", "skin.live")
+        errors = self.end_at_progress("training: mechanics", "live", ROOT / "cases" / "paper" / "coarse.toml", "-o", "skin.live")
         self.assertIn("skin.live was not written", errors)
         self.assertEqual(list(self.folder.glob("*.live*")), [])
 
     def test_mistakes_end_before_any_work(self):
-        quick = ROOT / "cases" / "quick.toml"
+        quick = ROOT / "cases" / "paper" / "coarse.toml"
         (self.folder / "taken.live").write_text("mine")
         for arguments, part in (((quick, "-o", "taken.live"), "--overwrite"),
                                 ((quick, "-o", "nowhere/skin.live"), "no folder"),

@@ -31,7 +31,7 @@ class FmuTest(ProgramTest):
         cls.addClassCleanup(shutil.rmtree, cls.made)
         # A name and a folder that a URI must escape.
         cls.skin_file, cls.fmu_file = cls.made / "skin.live", cls.made / "a skin & 100 %.fmu"
-        subprocess.run([PROGRAM, "live", ROOT / "cases" / "taxels.toml", *SMALL, "-o", cls.skin_file, "--fmu",
+        subprocess.run([PROGRAM, "live", ROOT / "cases" / "paper" / "taxels.toml", *SMALL, "-o", cls.skin_file, "--fmu",
                         cls.fmu_file, "--quiet"], check=True)
         cls.fmu = Fmu(cls.fmu_file, cls.made / "unpacked %41")
 
@@ -208,7 +208,7 @@ class FmuTest(ProgramTest):
         damaged = self.folder / "damaged.live"
         damaged.write_bytes(self.skin_file.read_bytes()[:-100])
         self.assertIn("damaged", self.run_program("live", damaged, "--fmu", "a.fmu", expect=2).stderr)
-        self.assertIn("same file", self.run_program("live", ROOT / "cases" / "quick.toml", "-o", "b.fmu", "--fmu",
+        self.assertIn("same file", self.run_program("live", ROOT / "cases" / "paper" / "coarse.toml", "-o", "b.fmu", "--fmu",
                                                     "./b.fmu", expect=2).stderr)
 
 

@@ -5,7 +5,7 @@ import unittest
 
 from program import ROOT, ProgramTest, metric
 
-CASE = ROOT / "cases" / "poroelastic.toml"
+CASE = ROOT / "cases" / "paper" / "water.toml"
 
 
 class Touch(ProgramTest):

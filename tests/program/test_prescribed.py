@@ -89,7 +89,7 @@ class Prescribed(ProgramTest):
         self.assertIn('strain.source = "prescribed"', process.stderr)
 
     def test_check_says_which_poissons_ratio_is_which_and_what_is_unsound(self):
-        process = self.run_program("check", ROOT / "cases" / "poroelastic.toml", "--explain",
+        process = self.run_program("check", ROOT / "cases" / "paper" / "water.toml", "--explain",
                                    "--set", "water.mobility=1.3e-17 m2/(Pa s)")
         for words in ("undrained Poisson's ratio          0.49", "drained Poisson's ratio            0.4",
                       "holds an indentation", "motion.preload_force"):

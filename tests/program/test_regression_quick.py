@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Named figures of cases/quick.toml. A change here is a change of the numbers that users get: explain it."""
+"""Named figures of cases/paper/coarse.toml. A change here is a change of the numbers that users get: explain it."""
 
 import unittest
 

@@ -14,7 +14,7 @@ PARTS = {"mechanics_mesh", "path", "handover", "transport_grid", "time_steps"}
 
 class StatedErrors(ProgramTest):
     def summary(self, folder, *edits):
-        """summary.json of cases/quick.toml with --set edits."""
+        """summary.json of cases/paper/coarse.toml with --set edits."""
         self.run_case(QUICK, "-o", folder, *(word for edit in edits for word in ("--set", edit)))
         return json.loads((self.folder / folder / "summary.json").read_text(encoding="utf-8"))
 

@@ -2,6 +2,7 @@
 """What stands on the terminal while a case runs: the progress, whatever the width and where it goes."""
 
 import fcntl
+import html
 import json
 import os
 import pty
@@ -9,10 +10,14 @@ import re
 import shlex
 import struct
 import subprocess
+import sys
 import termios
 import unittest
 
 from program import PROGRAM, QUICK, ROOT, SMALL, ProgramTest, summary
+
+sys.path.insert(0, str(ROOT / "python"))
+from ionskin.page import quantities  # noqa: E402
 
 FINGER = ROOT / "cases" / "finger.toml"
 # A sphere, whose contact is looked for first.
@@ -108,6 +113,23 @@ class Terminal(ProgramTest):
         shown = text[text.index("warning: "):].splitlines()[:-2]
         self.assertLessEqual(max(map(len, shown)), 60)
         self.assertEqual(" ".join(line.strip() for line in shown), " ".join(lines))
+
+    def test_results_are_told_as_the_page_tells_them(self):
+        said = self.run_program("run", QUICK, "-o", "out", "--progress", "none", "--set", "numerics.mesh_refinement=0.3").stdout
+        lead = re.search(r'<p class="lead">(.*?)</p>', (self.folder / "out" / "report.html").read_text())[1]
+        self.assertEqual(said.splitlines()[0], html.unescape(re.sub("<[^>]*>", "", lead)))
+        self.assertRegex(said, r"\nNormal force, mid-slide +6\d(\.\d)? N ± [\d.]+ % +normal_force_slide\n")
+        self.assertRegex(said, r"\nPeak sampled difference current +\d{3} µA ± [\d.]+ % +peak_sampled_current_difference\n")
+        rows = said[said.index("Normal force"):said.index("warning:")].splitlines()
+        self.assertTrue(all(quantities.known_words(row.split()[-1]) == row.split("  ")[0] for row in rows), rows)
+        digits = [number.replace(".", "").lstrip("0") for number in re.findall(r"[\d.]+", " ".join(rows))]
+        self.assertLessEqual(max(map(len, digits)), 3, rows)
+        for edits, words in ((("--only", "mechanics"), "Mean shear, mid-slide"), (("--set", "readout.circuit=open"), "Peak voltage")):
+            self.assertIn(words, self.run_program("run", QUICK, *SMALL, "-o", "out", "--overwrite", "--no-report", *edits).stdout)
+
+    def test_without_python_the_file_of_the_numbers_is_named(self):
+        said = self.run_program("run", QUICK, *SMALL, "-o", "out", "--no-report", env={**os.environ, "IONSKIN_PYTHON_PATH": "/nowhere"})
+        self.assertIn("numbers: out/summary.json\n", said.stdout)
 
     def test_instants_of_a_long_path_are_summarised(self):
         rows = [f"{1 + i}, {4 + i % 2}, 1, , 1" for i in range(1000)]

@@ -16,7 +16,7 @@ PROGRAM = pathlib.Path(os.environ.get("IONSKIN_PROGRAM", ROOT / "build" / "ionsk
 
 def small_case():
     """A mesh and time steps that serve to test the bookkeeping, not the physics."""
-    case = ionskin.Case.from_file(CASES / "quick.toml")
+    case = ionskin.Case.from_file(CASES / "paper" / "coarse.toml")
     case["numerics.mesh_refinement"] = 0.5
     case["numerics.time_refinement"] = 0.3
     return case

@@ -14,7 +14,7 @@ from package import CASES, PackageTest
 class Case(PackageTest):
     def setUp(self):
         super().setUp()
-        self.case = ionskin.Case.from_file(CASES / "quick.toml")
+        self.case = ionskin.Case.from_file(CASES / "paper" / "coarse.toml")
 
     def test_reads_back_in_si(self):
         self.assertEqual(self.case["contact.friction"], 0.3)
@@ -78,7 +78,7 @@ class Case(PackageTest):
                 self.assertIn(words, str(raised.exception))
         with self.assertRaises(TypeError):
             self.case["contact.friction"] = None
-        self.assertEqual(self.case.text, (CASES / "quick.toml").read_text())
+        self.assertEqual(self.case.text, (CASES / "paper" / "coarse.toml").read_text())
         for key, words in (("contact.fricton", "contact.friction"), ("strain.file", "no value")):
             with self.assertRaises(ionskin.CaseError) as raised:
                 self.case[key]

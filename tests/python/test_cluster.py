@@ -28,8 +28,8 @@ class ClusterTasks(PackageTest):
 
     def test_points_travel_as_an_archive(self):
         out, serial = self.folder / "out", self.folder / "serial"
-        self.run_program("sweep", CASES / "quick.toml", *SWEEP, "-o", serial)
-        self.run_program("sweep", CASES / "quick.toml", *SWEEP, "-o", out, "--plan")
+        self.run_program("sweep", CASES / "paper" / "coarse.toml", *SWEEP, "-o", serial)
+        self.run_program("sweep", CASES / "paper" / "coarse.toml", *SWEEP, "-o", out, "--plan")
         with mock.patch.object(cluster_task, "_local_folder", lambda: self.folder), \
                 mock.patch.dict(os.environ, {"IONSKIN_FRONT": cluster_running.program()}):
             result = cluster_task.do_batch(0, str(out), "absent", (out / "plan.json").read_bytes(), 1)
@@ -53,13 +53,13 @@ class ClusterTasks(PackageTest):
                          "batches: 1 of 3 done, 1 running, 1 failed; 1 worker; about 40 s left\n")
 
     def test_no_cluster(self):
-        case = ionskin.Case.from_file(CASES / "quick.toml")
+        case = ionskin.Case.from_file(CASES / "paper" / "coarse.toml")
         with self.assertRaisesRegex(ionskin.CaseError, "no file of a scheduler"):
             ionskin.sweep(case, {"contact.friction": [0.1, 0.2]}, self.folder / "out", on=self.folder / "scheduler.json")
 
     def sweep_refused(self, scheduler):
         """What is said of a scheduler's file that serves for nothing."""
-        case = ionskin.Case.from_file(CASES / "quick.toml")
+        case = ionskin.Case.from_file(CASES / "paper" / "coarse.toml")
         with self.assertRaises(ionskin.CaseError) as refused:
             ionskin.sweep(case, {"contact.friction": [0.1, 0.2]}, self.folder / "out", on=scheduler, overwrite=True)
         self.assertIn("\n  = ", str(refused.exception))

@@ -25,7 +25,7 @@ class Locale(PackageTest):
         made = subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", self.folder / "de_DE.UTF-8"], check=False,
                               capture_output=True, text=True)
         self.assertTrue((self.folder / "de_DE.UTF-8" / "LC_NUMERIC").exists(), made.stderr)
-        host = subprocess.run([sys.executable, "-c", HOST, CASES / "quick.toml"], check=False, capture_output=True, text=True,
+        host = subprocess.run([sys.executable, "-c", HOST, CASES / "paper" / "coarse.toml"], check=False, capture_output=True, text=True,
                               env=os.environ | {"LOCPATH": str(self.folder)})
         self.assertEqual(host.stderr, "")
         self.assertEqual(host.stdout.splitlines()[0], "1.5e-06 0.25 293.15")

@@ -15,7 +15,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 PROGRAM = pathlib.Path(os.environ.get("IONSKIN_PROGRAM", ROOT / "build" / "ionskin"))
-QUICK = (ROOT / "cases" / "quick.toml").read_text()
+QUICK = (ROOT / "cases" / "paper" / "coarse.toml").read_text()
 
 
 def resident_bytes(process):

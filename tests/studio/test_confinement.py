@@ -43,7 +43,7 @@ class Confinement(StudioTest):
         return self.studio.wait(folder, lambda job: job["state"] not in ("queued", "running"))
 
     def result(self, name):
-        subprocess.run([FRONT, "run", ROOT / "cases" / "quick.toml", "-o", self.folder / name, "--only", "mechanics", "--no-report",
+        subprocess.run([FRONT, "run", ROOT / "cases" / "paper" / "coarse.toml", "-o", self.folder / name, "--only", "mechanics", "--no-report",
                         "--set", "numerics.mesh_refinement=0.3", "--set", "numerics.error_estimate=off"], check=True, capture_output=True)
         return self.folder / name
 

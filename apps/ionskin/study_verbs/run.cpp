@@ -3,30 +3,22 @@
 
 #include "command_line/study_settings.hpp"
 #include "ionskin/base/error.hpp"
-#include "ionskin/base/percent.hpp"
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/case/reading/read_case.hpp"
 #include "ionskin/planning/cost_estimate.hpp"
 #include "ionskin/planning/output_size.hpp"
 #include "ionskin/results/output_folder.hpp"
+#include "ionskin/study/run/python_module.hpp"
 #include "ionskin/study/run/run_case.hpp"
 #include "terminal/terminal.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
-#include <string_view>
+#include <cstdio>
 
 namespace ionskin::apps {
 namespace {
-
-constexpr std::array<std::string_view, 10> headline{
-    "normal_force_slide",        "mean_shear_slide",
-    "peak_sampled_current_top",  "peak_sampled_current_difference",
-    "rms_current_difference",    "tail_current_difference",
-    "charge_identity_error",     "peak_voltage",
-    "peak_open_circuit_voltage", "open_circuit_voltage_per_newton"};
 
 study::Studies studies(const std::string& only) {
   if (only == "mechanics") {
@@ -60,15 +52,11 @@ void print_warnings(const study::RunOutcome& outcome) {
 }
 
 void print_outcome(const study::RunOutcome& outcome) {
-  for (const auto& metric : outcome.metrics) {
-    if (std::find(headline.begin(), headline.end(), metric.name) != headline.end()) {
-      const auto error = outcome.errors.relative.find(metric.name);
-      fmt::print("{:<34} {:.6g} {}{}\n", metric.name, metric.value,
-                 metric.unit == "1" ? "" : metric.unit,
-                 error == outcome.errors.relative.end()
-                     ? ""
-                     : fmt::format("  (estimated error {})", base::percent(error->second)));
-    }
+  std::fflush(stdout); // the names and units of numbers are those of the page
+  if (study::run_python_module("ionskin.page.terminal", {outcome.folder.string()},
+                               study::PythonErrors::captured)
+          .exit_code != 0) {
+    fmt::print("numbers: {}\n", (outcome.folder / results::file_names::summary).string());
   }
   print_warnings(outcome);
   fmt::print("{:.1f} s in all\n", outcome.seconds);

@@ -48,7 +48,7 @@ def rate_correlations(results):
     return found
 
 
-NEUTRAL_LAWS = ("volume-neutral", "column-neutral")  # the core as a whole keeps its charge: exact physics has no common part
+NEUTRAL_LAWS = ("volume-neutral", "column-neutral", "poroelastic")  # the core as a whole keeps its charge: exact physics has no common part
 
 SOUND_AUDIT = 1e-6  # charge identity error up to which a common charge of a neutral law is the solver's rounding
 

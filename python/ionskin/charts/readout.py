@@ -5,6 +5,7 @@ import re
 
 import numpy
 
+from ..analysis import derived
 from ..quantity import si
 from ..words import quantity, short, si_scale
 from .chart import Axis, Cell, Chart, Curve, Map, Note, Shape, current_axis, limits, phase_spans, with_events
@@ -39,6 +40,11 @@ def passes_nothing(results):
         return is_open(results)
     return "current_top_rest" not in results.taxels and all(
         peak_of(results.taxels[name]) == 0 for name in results.taxels if name.startswith("current_circuit_"))
+
+
+def carries_nothing(results):
+    """True where neither electrode takes up a current above rounding: of open terminals, under a law that makes no net charge."""
+    return passes_nothing(results) and results.sampled.has("current_common") and derived.common_is_noise(results)
 
 
 def circuit_panel(results):

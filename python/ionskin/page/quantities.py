@@ -96,6 +96,15 @@ def known_words(name):
     return ""
 
 
+def in_words(text):
+    """A sentence of the program with the names of metrics in words: "mean_shear_slide (30 %)" is "mean shear, mid-slide (30 %)"."""
+    def word(found):
+        known = known_words(found[0])
+        return known[:1].lower() + known[1:] if known else found[0]
+
+    return re.sub(r"(?<![\w.])[a-z0-9]+(?:_[a-z0-9]+)+(?![\w.]*=)", word, text)
+
+
 def column_words(table, name):
     """The name of a column of a table of signals in words; one that is not known here keeps its own."""
     if name.startswith("current_") and name.removeprefix("current_") in SIDES:

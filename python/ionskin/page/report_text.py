@@ -7,8 +7,9 @@ from ..words import percent, quantity, readable_units
 from . import quantities
 
 HEADLINE = ["normal_force_slide", "mean_shear_slide", "peak_sampled_current_top", "peak_sampled_current_difference",
-            "rms_current_difference", "rms_current_common"]
-HEADLINE_OPEN = ["normal_force_slide", "mean_shear_slide", "peak_voltage", "rms_voltage"]  # between the electrodes no current flows
+            "rms_current_difference", "rms_current_common", "peak_open_circuit_voltage", "open_circuit_voltage_per_newton"]
+HEADLINE_OPEN = ["normal_force_slide", "mean_shear_slide", "peak_voltage", "rms_voltage",  # between the electrodes no current flows
+                 "peak_open_circuit_voltage"]
 DIGITS = 3
 
 CASE_GROUPS = {"skin": "Skin", "slider": "Slider", "motion": "Motion", "contact": "Contact",
@@ -55,11 +56,11 @@ LAW_LIMITS = {
 
 
 def headline(results):
-    """Label, value and error for the top of the page."""
+    """Label, value and error of what stands at the top of the page and on the terminal, by name."""
     noise = {"rms_current_common"} if "current_common" in results.sampled and common_is_noise(results) else set()
     names = HEADLINE_OPEN if is_open(results) else HEADLINE
-    return [(quantities.words(name), value(results, name), error(results, name)) for name in names
-            if name in results.metrics and name not in noise]
+    return {name: (quantities.words(name), value(results, name), error(results, name)) for name in names
+            if name in results.metrics and name not in noise}
 
 
 def value(results, name):

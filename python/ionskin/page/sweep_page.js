@@ -5,6 +5,7 @@
   const PANELS = [
     { title: "Motion", height: 146, curves: ["slider_x", "slider_z", "slider_y"], colours: ["--blue", "--orange", "--purple"] },
     { title: "Mean shear γ of the core", height: 156, curves: ["mean_shear"], colours: ["--blue"] },
+    { title: "Voltage between the electrodes, sampled", height: 186, curves: ["voltage"], colours: ["--green"] },
     { title: "Electrode currents, sampled", height: 186, curves: ["current_top", "current_bottom", "current_common"],
       colours: ["--blue", "--orange", "--purple"] },
     { title: "Difference current (top − bottom)/2, sampled", height: 186, curves: ["current_difference"],

@@ -6,6 +6,7 @@ import re
 import numpy
 
 from ..charts import numbered, skin, trends
+from ..charts.readout import carries_nothing, is_open
 from ..charts.spans import contact_spans
 from ..sweep_results import value_text
 from ..words import quantity, without_folders
@@ -18,7 +19,7 @@ TOLD_BY = 40  # letters from its beginning that tell a warning from another
 MOST_NAMED = 3  # points of a warning
 TREND_NOTE = "A click on a mark shows its run in the charts above."
 CURVES = [("slider_x", "position x", "m"), ("slider_z", "height z", "m"), ("slider_y", "position y", "m"),
-          ("mean_shear", "mean shear γ", "1"), ("current_top", "top", "A"), ("current_bottom", "bottom", "A"), ("current_difference", "difference", "A"),
+          ("mean_shear", "mean shear γ", "1"), ("voltage", "voltage", "V"), ("current_top", "top", "A"), ("current_bottom", "bottom", "A"), ("current_difference", "difference", "A"),
           ("current_common", "common", "A")]
 AGAINST = ["peak_mean_shear", "time_mean_shear", "peak_sampled_current_top", "peak_sampled_current_difference",
            "peak_current_top", "rms_current_top", "rms_current_difference", "normal_force_slide"]
@@ -29,11 +30,14 @@ def member_data(study, member):
     """What the charts need of one run: signals at the sampled rows, sampled currents, phases."""
     results = member.results
     time = results.sampled["time"]
+    rounding = ("current_",) if carries_nothing(results) else ("current_difference",) if is_open(results) else ()  # columns of nothing else
     series = {}
     for name, _, _ in CURVES:
-        if name == "slider_y" and not skin.moves_across(results):
+        if name == "slider_y" and not skin.moves_across(results) or name.startswith(rounding):
             continue
-        if name in results.sampled and results.sampled.has(name):
+        if name == "voltage" and results.sampled_circuit is not None and results.sampled_circuit.has(name):
+            series[name] = rounded(results.sampled_circuit.at(name, time))
+        elif name in results.sampled and results.sampled.has(name):
             series[name] = rounded(results.sampled[name])
         elif results.signals.has(name):
             series[name] = rounded(results.signals.at(name, time))
@@ -78,7 +82,7 @@ def warnings(study):
     """Warnings of all points that are shown, each once, with the points that it is of."""
     found = {}
     for member in study.members:
-        for text in member.results.warnings:
+        for text in map(quantities.in_words, member.results.warnings):
             found.setdefault(NUMBER.sub("#", text)[:TOLD_BY], []).append((member, text))
     texts = []
     for same in found.values():

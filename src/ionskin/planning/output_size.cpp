@@ -10,7 +10,7 @@
 namespace ionskin::planning {
 namespace {
 
-// Measured on cases/paper.toml, finger.toml and quick.toml.
+// Measured on cases/paper.toml, finger.toml and paper/coarse.toml.
 constexpr double field_bytes = 17.5;  // by unknown and instant, compressed
 constexpr double history_bytes = 1.0; // by unknown and time step: strain of the run and companions
 constexpr double signal_row = 700;    // of signals.csv and the like, errors included

@@ -21,7 +21,7 @@ TEST(CaseFiles, PaperIsTheBaseline) {
 }
 
 TEST(CaseFiles, QuickIsTheSameSkinAtThePresetCoarse) {
-  const Case quick = read_case(cases + "/quick.toml");
+  const Case quick = read_case(cases + "/paper/coarse.toml");
   const Case paper = read_case(cases + "/paper.toml");
   EXPECT_EQ(quick.numerics.preset, Preset::coarse);
   EXPECT_EQ(quick.motion.cycles, 1);

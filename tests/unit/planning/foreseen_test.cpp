@@ -17,7 +17,7 @@ using testing::Contains;
 using testing::HasSubstr;
 
 Case quick_case(const std::vector<std::string>& edits = {}) {
-  return read_case(IONSKIN_CASES "/quick.toml", edits);
+  return read_case(IONSKIN_CASES "/paper/coarse.toml", edits);
 }
 
 std::vector<std::string> of(const std::vector<std::string>& edits) {

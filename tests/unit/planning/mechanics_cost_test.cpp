@@ -16,11 +16,11 @@ namespace ionskin::planning {
 namespace {
 
 MechanicsCost cost(const std::vector<std::string>& edits, int threads = 1) {
-  return estimate_mechanics_cost(read_case(IONSKIN_CASES "/quick.toml", edits), threads, {});
+  return estimate_mechanics_cost(read_case(IONSKIN_CASES "/paper/coarse.toml", edits), threads, {});
 }
 
 TEST(MechanicsCost, CountsTheCellsBelowTheSlider) {
-  const Case input = read_case(IONSKIN_CASES "/quick.toml", {"numerics.error_estimate=off"});
+  const Case input = read_case(IONSKIN_CASES "/paper/coarse.toml", {"numerics.error_estimate=off"});
   const MechanicsCost told = estimate_mechanics_cost(input, 1, {});
   const mesh::SkinMesh mesh(input, mesh::expected_footprint(input));
   EXPECT_EQ(told.contact_cells, mechanics::contact_cells(mesh).count());
@@ -111,7 +111,7 @@ TEST(MechanicsCost, ExpectsTheContactThatIsFoundUnderAForce) {
            {"slider.shape=cylinder", "slider.radius=8 mm", "motion.preload=1 N"}}) {
     std::vector<std::string> edits{"numerics.mesh_refinement=0.5", "numerics.error_estimate=off"};
     edits.insert(edits.end(), slider.begin(), slider.end());
-    const Case input = read_case(IONSKIN_CASES "/quick.toml", edits);
+    const Case input = read_case(IONSKIN_CASES "/paper/coarse.toml", edits);
     const MechanicsCost expected = estimate_mechanics_cost(input, 1, {});
     const MechanicsCost found =
         estimate_mechanics_cost(input, 1, mechanics::find_footprint(input, 0.3, 1).footprint);

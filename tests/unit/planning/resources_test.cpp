@@ -17,7 +17,7 @@ namespace ionskin::planning {
 namespace {
 
 Case quick(const std::vector<std::string>& edits = {}) {
-  return read_case(IONSKIN_CASES "/quick.toml", edits);
+  return read_case(IONSKIN_CASES "/paper/coarse.toml", edits);
 }
 
 TEST(Resources, OfAQuickCaseAreThere) {
@@ -57,7 +57,7 @@ TEST(Resources, AreNotThereForFilesThatTheDiskDoesNotHold) {
 TEST(OutputSize, GrowsWithFieldsReadingsAndTaxels) {
   Case input = quick();
   const double plain = estimate_cost(input, 2).output;
-  EXPECT_GT(plain, 1e6); // cases/quick.toml writes 6 MB at coarse
+  EXPECT_GT(plain, 1e6); // cases/paper/coarse.toml writes 6 MB at coarse
   EXPECT_LT(plain, 20e6);
   EXPECT_EQ(announced_output(input, plain), "");
   input.output.fields.assign(10'000, 0.6);

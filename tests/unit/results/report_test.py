@@ -23,7 +23,7 @@ from ionskin.analysis import paper
 from ionskin.charts import readout, sketches, spans
 from ionskin.charts.chart import Curve, Map
 from ionskin.figures import charts, draw_all
-from ionskin.page import answer, chart_data, report_text, sweep_page
+from ionskin.page import answer, chart_data, quantities, report_text, sweep_page
 from ionskin.report import make_gallery, make_report
 from ionskin.words import percent, quantity, si_scale
 
@@ -57,6 +57,11 @@ def write_run(folder, cycles=2, contact=True, ions=True):
     (folder / "manifest.json").write_text(json.dumps({
         "program": {"name": "ionskin", "version": "9.9"}, "stages": {"mechanics": {
             "state": "finished", "wall_time_s": 7.5, "peak_memory_bytes": 2.5e9}}, "counters": {"time_steps": 321}}))
+
+
+def explored(page):
+    """What the charts to explore of a page draw."""
+    return json.JSONDecoder().raw_decode(page, page.index("const DATA=") + len("const DATA="))[0]
 
 
 class Report(unittest.TestCase):
@@ -136,11 +141,38 @@ class Report(unittest.TestCase):
             (pathlib.Path(folder) / "summary.json").write_text(json.dumps({
                 "metrics": {name: {"value": 1e-3, "unit": unit} for name, unit in
                             (("peak_voltage", "V"), ("rms_voltage", "V"), ("peak_sampled_current_top", "A"))}}))
-            words = [word for word, _, _ in report_text.headline(Results(pathlib.Path(folder)))]
+            words = [word for word, _, _ in report_text.headline(Results(pathlib.Path(folder))).values()]
             self.assertEqual(words, ["Peak sampled current, top"])
             (pathlib.Path(folder) / "case.toml").write_text('[readout]\ncircuit = "open"\n')
-            words = [word for word, _, _ in report_text.headline(Results(pathlib.Path(folder)))]
+            words = [word for word, _, _ in report_text.headline(Results(pathlib.Path(folder))).values()]
             self.assertEqual(words, ["Peak voltage", "Rms of the voltage"])
+
+    def test_an_open_circuit_draws_its_voltage_and_no_rounding(self):
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            write_run(folder)
+            (folder / "summary.json").write_text(json.dumps({"metrics": {"charge_identity_error": {"value": 1e-12, "unit": "1"}}}))
+            (folder / "case.toml").write_text('[readout]\ncircuit = "open"\n[coupling]\nlaw = "poroelastic"\n')
+            (folder / "sampled.csv").write_text("time [s],current_top [A],current_bottom [A],current_difference [A],current_common [A]\n"
+                                                + "".join(f"{second},1e-14,1e-14,1e-19,1e-14\n" for second in (1, 2, 3)))
+            table = "time [s],voltage [V],current [A],charge [C]\n" + "".join(f"{second},5e-5,1e-19,1e-19\n" for second in (1, 2, 3))
+            for name in ("circuit", "sampled_circuit"):
+                (folder / f"{name}.csv").write_text(table)
+            page = make_report(folder).read_text()
+            data = explored(page)
+            self.assertIn("voltage", data["members"][0]["series"])
+            self.assertEqual([name for name in data["members"][0]["series"] if "current" in name], [])
+            for reason in ("no current passes between open electrodes", "open electrodes keep their charge"):
+                self.assertIn(f"Not drawn: {reason}" if "flows" in reason else reason, page)
+            (folder / "case.toml").write_text('[readout]\ncircuit = "open"\n[coupling]\nlaw = "fixed-charge"\n')  # whose common current is one
+            data = explored(make_report(folder).read_text())
+            self.assertEqual([name for name in data["members"][0]["series"] if "current" in name], ["current_top", "current_bottom", "current_common"])
+
+    def test_warnings_name_numbers_in_words(self):
+        self.assertEqual(quantities.in_words("The stated error exceeds 20 % for tail_current_difference (32 %). Raise numerics.mesh_refinement."),
+                         "The stated error exceeds 20 % for difference current between the events (32 %). Raise numerics.mesh_refinement.")
+        self.assertEqual(quantities.in_words("in current_circuit_NAME of taxels.csv, set slider.edge_radius"),
+                         "in current_circuit_NAME of taxels.csv, set slider.edge_radius")
 
     def test_stands_alone(self):
         self.assertEqual(re.findall(r'(?:src|href)="(?!#)[^"]*"', self.page), [])
@@ -466,7 +498,7 @@ class Words(unittest.TestCase):
             self.assertEqual(readout.rectangles(types.SimpleNamespace(case={**case, "readout": {"taxels": odd}})), {})
 
     def test_the_articles_claims_stand_with_its_own_case(self):
-        for name, own in (("paper.toml", True), ("quick.toml", True), ("finger.toml", False)):
+        for name, own in (("paper.toml", True), ("paper/coarse.toml", True), ("quick.toml", False), ("finger.toml", False)):
             case = tomllib.loads((pathlib.Path(__file__).parents[3] / "cases" / name).read_text())
             self.assertEqual(paper.is_own_case(case), own, name)
         folder = pathlib.Path(tempfile.mkdtemp(prefix="ionskin-report-"))

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -21,8 +22,7 @@ namespace {
 // Above these the reader must be told.
 constexpr double linear_limit = 0.3;    // k gamma h / (2 lambda)
 constexpr double depletion_limit = 0.1; // min c / c0
-constexpr double error_limit = 0.05;    // estimated, of the current between the spikes
-constexpr double large_error = 0.2;     // stated, of any metric
+constexpr double large_error = 0.2;     // stated, of a number that is read
 constexpr std::size_t most_named = 3;   // of them in the warning, the largest
 constexpr double pressure_limit = 1e6;  // [Pa]; a fingertip presses with some 10 kPa
 constexpr double cut_limit = 0.01;      // of a taxel, beside the border of a column
@@ -48,26 +48,6 @@ void warn_about_common_current(const Case& input, const readout::SignalTable& si
         "ammeter between the electrodes reads current_difference only. Compare that one with a "
         "measurement, or take a neutral law (coupling.law = \"column-neutral\").",
         common / difference));
-  }
-}
-
-/// The difference current during onset is a small remainder of large terms.
-void warn_about_onset_peak(const MechanicsRecord& mechanics, const readout::SignalTable& signals,
-                           const Motion& motion, std::vector<std::string>& warnings) {
-  const auto& time = signals.column("time").values;
-  const auto& current = signals.column("current_difference").values;
-  const auto peak = std::max_element(current.begin(), current.end(),
-                                     [](double a, double b) { return std::abs(a) < std::abs(b); });
-  const double at = time[static_cast<std::size_t>(peak - current.begin())];
-  const double local = std::fmod(at, motion.cycle_duration());
-  const bool in_onset =
-      std::any_of(mechanics.onsets.begin(), mechanics.onsets.end(),
-                  [local](const auto& onset) { return local > onset[0] && local <= onset[1]; });
-  if (*peak != 0 && in_onset) {
-    warnings.push_back(fmt::format(
-        "The resolved peak of current_difference, {:.3g} A at {:.6g} s, falls within the onset of "
-        "sliding, where it is 5 to 30 % uncertain. Use the sampled one.",
-        std::abs(*peak), at));
   }
 }
 
@@ -123,18 +103,28 @@ void warn_about_cut_columns(const std::vector<Taxel>& taxels,
   }
 }
 
-/// A common current that the law does not drive is the solver's noise, whose error says nothing.
-bool is_noise(const Case& input, const std::string& metric) {
-  return metric.ends_with("_current_common") &&
-         !laws::coupling_law(input.coupling.law).traits.makes_net_charge;
+// What a scale and an instrument between the electrodes read. The errors of all other numbers stand
+// beside them, in the page and in `ionskin compare`.
+constexpr std::array always_read{
+    "normal_force_slide",        "tangential_force_slide", "mean_shear_slide",
+    "peak_mean_shear",           "peak_voltage",           "rms_voltage",
+    "peak_open_circuit_voltage", "peak_taxel_voltage",     "peak_sampled_taxel_current",
+    "peak_amplifier_current"};
+// Likewise while the circuit keeps the electrodes at one potential; else little current flows.
+constexpr std::array read_as_current{"peak_sampled_current_difference", "rms_current_difference",
+                                     "tail_current_difference"};
+
+bool is_read(const Case& input, const std::string& metric) {
+  return std::ranges::find(always_read, metric) != always_read.end() ||
+         (circuits::circuit_row(input.readout.circuit).holds_potential &&
+          std::ranges::find(read_as_current, metric) != read_as_current.end());
 }
 
 void warn_about_large_errors(const Case& input, const ErrorEstimate& errors,
                              std::vector<std::string>& warnings) {
   std::vector<std::pair<double, std::string>> large;
   for (const auto& [name, error] : errors.relative) {
-    if (error > large_error && name != "tail_current_difference" &&
-        !errors.not_converging.contains(name) && !is_noise(input, name)) {
+    if (error > large_error && is_read(input, name) && !errors.not_converging.contains(name)) {
       large.emplace_back(error, name);
     }
   }
@@ -149,7 +139,7 @@ void warn_about_large_errors(const Case& input, const ErrorEstimate& errors,
   }
   warnings.push_back(fmt::format(
       "The stated error exceeds {:.0f} % for {}{}. Choose a finer numerics.preset, or raise "
-      "numerics.mesh_refinement, where you use them.",
+      "numerics.mesh_refinement.",
       100 * large_error, named,
       large.size() > most_named ? fmt::format(" and {} more", large.size() - most_named) : ""));
 }
@@ -223,9 +213,6 @@ std::vector<std::string> collect_warnings(const Case& input, const MechanicsReco
   warn_about_strong_coupling(input, ions, signals, warnings);
   warn_about_water(input, ions, warnings);
   warn_about_common_current(input, signals, warnings);
-  if (mechanics.has_contact()) {
-    warn_about_onset_peak(mechanics, signals, input.motion, warnings);
-  }
   for (std::string& warning : mechanics_warnings(input, mechanics)) {
     warnings.push_back(std::move(warning));
   }
@@ -241,14 +228,6 @@ std::vector<std::string> collect_warnings(const Case& input, const MechanicsReco
 
 std::vector<std::string> error_warnings(const Case& input, const ErrorEstimate& errors) {
   std::vector<std::string> warnings;
-  const auto tail = errors.relative.find("tail_current_difference");
-  if (circuits::circuit_row(input.readout.circuit).holds_potential && !input.readout.is_cut() &&
-      tail != errors.relative.end() && tail->second > error_limit) {
-    warnings.push_back(fmt::format(
-        "The error of the difference current between the contact spikes is estimated at {}. "
-        "Choose a finer numerics.preset, or raise numerics.mesh_refinement.",
-        base::percent(tail->second)));
-  }
   warn_about_large_errors(input, errors, warnings);
   warn_about_missing_errors(errors, warnings);
   return warnings;

@@ -20,9 +20,8 @@ std::vector<std::string> collect_warnings(const Case& input, const MechanicsReco
 /// The part of them that Study 1 alone allows.
 std::vector<std::string> mechanics_warnings(const Case& input, const MechanicsRecord& mechanics);
 
-/// Sentences where stated errors are large, or missing for another reason than rounding. The
-/// current between the contact spikes is named by itself, but behind a circuit that leaves the
-/// potentials free, where little current flows.
+/// Sentences where the stated error of what an instrument reads is large, or an error is missing
+/// for another reason than rounding.
 std::vector<std::string> error_warnings(const Case& input, const ErrorEstimate& errors);
 
 } // namespace ionskin::study

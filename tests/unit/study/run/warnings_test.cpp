@@ -91,27 +91,34 @@ TEST_F(WarningsTest, SaysThatCationsAreDepleted) {
   EXPECT_TRUE(any_holds(collect_warnings(input, mechanics, ions, signals), "depleted"));
 }
 
-TEST_F(WarningsTest, SaysThatTheCurrentIsUncertain) {
+TEST_F(WarningsTest, SaysThatTheReadingIsUncertain) {
   ErrorEstimate errors;
   EXPECT_TRUE(error_warnings(input, errors).empty());
-  errors.relative = {{"tail_current_difference", 0.01}};
+  errors.relative = {{"tail_current_difference", 0.19}};
   EXPECT_TRUE(error_warnings(input, errors).empty());
-  errors.relative = {{"tail_current_difference", 0.12}};
-  EXPECT_TRUE(any_holds(error_warnings(input, errors), "12 %"));
+  errors.relative = {{"tail_current_difference", 0.22},
+                     {"peak_sampled_current_difference", 0.36},
+                     {"mean_shear_slide", 0.01}};
+  EXPECT_TRUE(any_holds(error_warnings(input, errors),
+                        "20 % for peak_sampled_current_difference (36 %), "
+                        "tail_current_difference (22 %). Choose"));
   input.readout.circuit = "open";
+  EXPECT_TRUE(error_warnings(input, errors).empty());
+  errors.relative["peak_voltage"] = 0.3;
+  EXPECT_TRUE(any_holds(error_warnings(input, errors), "peak_voltage (30 %)"));
+  errors.not_converging = {{"peak_voltage", "a reason"}};
   EXPECT_TRUE(error_warnings(input, errors).empty());
 }
 
-TEST_F(WarningsTest, NamesLargeAndMissingErrors) {
+TEST_F(WarningsTest, LeavesErrorsOfWhatIsNotReadToTheTableOfNumbers) {
   ErrorEstimate errors;
-  errors.relative = {{"stick_fraction_touchdown", 4.81}, {"mean_shear_slide", 0.01}};
-  EXPECT_TRUE(any_holds(error_warnings(input, errors), "stick_fraction_touchdown (480 %)"));
-  errors.relative["rms_current_common"] = 9.1;
-  EXPECT_TRUE(any_holds(error_warnings(input, errors), "rms_current_common (910 %)"));
-  input.coupling.law = "column-neutral";
-  EXPECT_FALSE(any_holds(error_warnings(input, errors), "rms_current_common"));
-  errors.not_converging = {{"stick_fraction_touchdown", "a reason"}};
+  errors.relative = {
+      {"stick_fraction_touchdown", 4.81}, {"p99_shear_slide", 0.4}, {"rms_current_common", 9.1}};
   EXPECT_TRUE(error_warnings(input, errors).empty());
+}
+
+TEST_F(WarningsTest, NamesMissingErrors) {
+  ErrorEstimate errors;
   errors.not_estimated = {{"max_potential", not_a_number}, {"energy_balance_error", "an audit"}};
   ASSERT_EQ(error_warnings(input, errors).size(), 1u);
   EXPECT_TRUE(any_holds(error_warnings(input, errors), "max_potential is not estimated"));

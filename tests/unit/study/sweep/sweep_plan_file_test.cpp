@@ -30,7 +30,7 @@ namespace {
 class SweepPlanFile : public testing::Test {
 protected:
   void SetUp() override {
-    plan_ = plan_sweep({.case_path = IONSKIN_CASES "/quick.toml",
+    plan_ = plan_sweep({.case_path = IONSKIN_CASES "/paper/coarse.toml",
                         .set_edits = {"motion.preload=1.1 um"},
                         .over = {"contact.friction=0.1,0.3", "coupling.coefficient=0.07,0.1"}});
     batches_ = plan_batches(plan_.points, Studies::both, 1);

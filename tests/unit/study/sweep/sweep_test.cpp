@@ -28,7 +28,7 @@ struct LimitedMemory {
 
 TEST(Sweep, does_not_refuse_points_whose_contact_is_solved_when_memory_has_become_scarce) {
   const SweepPlan plan =
-      plan_sweep({.case_path = IONSKIN_CASES "/quick.toml",
+      plan_sweep({.case_path = IONSKIN_CASES "/paper/coarse.toml",
                   .set_edits = {"numerics.mesh_refinement=0.5", "numerics.error_estimate=off",
                                 "motion.cycles=1"},
                   .over = {"contact.friction=0.1,0.3"}});
@@ -46,8 +46,8 @@ TEST(Sweep, does_not_refuse_points_whose_contact_is_solved_when_memory_has_becom
 }
 
 TEST(Sweep, is_refused_before_any_work_where_its_files_find_no_room_together) {
-  const SweepPlan plan =
-      plan_sweep({.case_path = IONSKIN_CASES "/quick.toml", .over = {"contact.friction=0.1,0.3"}});
+  const SweepPlan plan = plan_sweep(
+      {.case_path = IONSKIN_CASES "/paper/coarse.toml", .over = {"contact.friction=0.1,0.3"}});
   const results::ScratchFolder scratch;
   const SweepOptions options{.folder = scratch / "out", .report = false};
   const double one = planning::expected_output(plan.points.front().input, true);

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a run gives as the terminal shows it, in the words and digits of its page: /usr/bin/python3 -m ionskin.page.terminal FOLDER"""
+
+import argparse
+
+from ..errors import exit_on
+from ..results import Results
+from ..words import aligned
+from . import answer, report_text
+
+
+def lines(results):
+    """The sentence that the page opens with and its headline: words, values with their errors, names in files."""
+    return [*answer.sentences(results)[:1],
+            *aligned([(words, f"{value} {error}".rstrip(), name) for name, (words, value, error) in report_text.headline(results).items()])]
+
+
+def main():
+    """Command line."""
+    parser = argparse.ArgumentParser(prog="ionskin.page.terminal", description=__doc__)
+    parser.add_argument("folder", help="output folder of a run")
+    with exit_on(OSError):
+        print("\n".join(lines(Results(parser.parse_args().folder, unfinished=True))))
+
+
+if __name__ == "__main__":
+    main()
