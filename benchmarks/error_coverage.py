@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether stated errors hold: runs cases at a preset and at the next finer one and compares what the first states with
-how far the second is from it. The table of docs/errors-of-results.md.
+"""Comparison of stated errors with true ones: runs cases at a preset and at the next finer one and compares what the
+first states with how far the second is from it. The table of docs/errors-of-results.md.
 
     benchmarks/error_coverage.py build/ionskin [--presets coarse standard] [--cases WORD ...] [--keep FOLDER] [--least SHARE]
 
@@ -121,7 +121,8 @@ def compare(stating, finer):
 
 
 def covered_share(pairs, slack):
-    """Of stated and true errors. What is below the resolution of a double sum is met by any error."""
+    """Share of true errors that the stated ones cover. What is below the resolution of a double sum is met by any
+    error."""
     return sum(true <= stated + slack for stated, true in pairs) / len(pairs)
 
 

@@ -29,7 +29,7 @@ def single_tests(suite):
 
 
 def is_long(test):
-    """Whether the test or its class is marked."""
+    """True if the test or its class is marked."""
     method = getattr(test, getattr(test, "_testMethodName", ""), None)
     return getattr(method, "is_long", False) or getattr(type(test), "is_long", False)
 
@@ -42,7 +42,7 @@ def selected(module, part, pattern):
 
 
 def processor_seconds():
-    """Of this process and of those that it waited for."""
+    """Processor time of this process and of those that it waited for [s]."""
     usage = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
     return sum(one.ru_utime + one.ru_stime for one in usage)
 

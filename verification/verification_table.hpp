@@ -34,7 +34,7 @@ Row at_least(std::string id, std::string quantity, double value, double bound);
 std::vector<Row> verify_mechanics(const Options& options);
 std::vector<Row> verify_electrochemistry(const Options& options);
 std::vector<Row> verify_poroelasticity(const Options& options);
-/// What the two physics must hold together.
+/// Rows of the chain of both physics together.
 std::vector<Row> verify_chain(const Options& options);
 
 } // namespace ionskin::verification

@@ -69,7 +69,7 @@ def plot_orders(rows, path):
 
 
 def plot_margins(rows, path):
-    """How much of its tolerance every figure uses, one dot a row."""
+    """Plots the share of its tolerance that every figure uses, one dot a row."""
     names = list(dict.fromkeys(row["id"] for row in rows if is_error(row)))
     figure, axes = pyplot.subplots(figsize=(8, 0.9 + 0.3 * len(names)), layout="constrained")
     rows = list(filter(is_error, rows))

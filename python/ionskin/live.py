@@ -67,8 +67,8 @@ class SignalError:
 
 @dataclasses.dataclass(frozen=True)
 class Range:
-    """What the skin was trained for: places of the slider's centre [m], force [N], indentation [m], speed [m/s],
-    lowest and highest coefficient of friction."""
+    """The range that the skin was trained for: places of the slider's centre [m], force [N], indentation [m], speed
+    [m/s], lowest and highest coefficient of friction."""
 
     lowest: tuple[float, float]
     highest: tuple[float, float]
@@ -97,7 +97,7 @@ class Signals(Mapping):
 
     @property
     def outside(self):
-        """Whether a step lies outside the trained range, in place, load or speed."""
+        """True where a step lies outside the trained range, in place, load or speed."""
         return (self.flags & (OUTSIDE_PLACE | OUTSIDE_LOAD | OUTSIDE_SPEED)) != 0
 
     def __repr__(self) -> str:
@@ -153,7 +153,7 @@ class Skin:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Of the signals."""
+        """Names of the signals."""
         return tuple(self._columns)
 
     @property
@@ -163,12 +163,12 @@ class Skin:
 
     @property
     def version(self) -> str:
-        """Of ionskin that trained it."""
+        """Version of ionskin that trained the skin."""
         return self._library.ionskin_live_text(self._handle, b"version").decode()
 
     @property
     def command(self) -> str:
-        """That trained it."""
+        """Command that trained the skin."""
         return self._library.ionskin_live_text(self._handle, b"command").decode()
 
     @property
@@ -213,7 +213,7 @@ class Skin:
 
     @property
     def errors(self) -> dict[str, SignalError]:
-        """By signal; those of currents over the sampling interval of the case are named sampled_NAME."""
+        """Errors by signal; those of currents over the sampling interval of the case are named sampled_NAME."""
         errors, name, values = {}, ctypes.c_char_p(), numpy.empty(3)
         places = [_pointer(values[i:]) for i in range(3)]
         while self._library.ionskin_live_error(self._handle, len(errors), ctypes.byref(name), *places):
@@ -272,7 +272,7 @@ class Skin:
             return list(pool.map(one, trajectories))
 
     def copy(self) -> "Skin":
-        """Another skin in the same state."""
+        """A second skin in the same state."""
         other = object.__new__(Skin)
         other._library = self._library
         other._handle = self._library.ionskin_live_copy(self._handle)

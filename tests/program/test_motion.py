@@ -49,7 +49,7 @@ class Recording(ProgramTest):
         return [EPOCH + 10_000_000 * row for row in range(len(self.time))]
 
     def path(self, *arguments):
-        """What the program said, and time, x, y, height and force of the path."""
+        """Output of the program, and time, x, y, height and force of the path."""
         process = self.run_program("motion", *arguments, "-o", "path.csv", "--overwrite")
         lines = (self.folder / "path.csv").read_text().splitlines()
         self.assertEqual(lines[0], "time [s],x [mm],y [mm],height [mm],force [N]")

@@ -26,7 +26,7 @@ class SweepParts(ProgramTest):
         return self.run_program("sweep", "--collect", "-o", "parts", "--no-report", expect=expect)
 
     def assert_same_tables(self):
-        """Of the sweep in parts and the serial one, to the last bit."""
+        """Asserts that the tables of the sweep in parts and of the serial one are the same to the last bit."""
         for name in ("sweep.csv", "case.toml"):
             self.assertEqual(*((self.folder / out / name).read_text() for out in ("parts", "serial")))
 

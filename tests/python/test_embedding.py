@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a host program may do around a run: call it from a callback, fork, name files in any encoding, damage them."""
+"""Acts of a host program around a run: call it from a callback, fork, name files in any encoding, damage them."""
 
 import os
 import shutil
@@ -16,7 +16,7 @@ from package import PackageTest, small_case
 
 
 def exit_code(process):
-    """Of a forked process; it is killed when it has not ended within a minute."""
+    """Exit code of a forked process; it is killed when it has not ended within a minute."""
     timer = threading.Timer(60, os.kill, (process, signal.SIGKILL))
     timer.start()
     code = os.waitstatus_to_exitcode(os.waitpid(process, 0)[1])

@@ -47,7 +47,7 @@ class Instant:
     workers = 1
 
     def evaluate(self, case, trials, folder, told):
-        """As LocalEngine.evaluate."""
+        """Evaluates as LocalEngine.evaluate does."""
         for trial in trials:
             path = folder / f"{trial.number:06}.npz"
             outcome_of(trial).write(path)
@@ -102,7 +102,7 @@ class Stores(PackageTest):
         said, locks = io.StringIO(), []
 
         class Kept(StudyFolder):
-            """Whose lock goes with this call, as it goes with a process."""
+            """A study folder whose lock goes with this call, as it goes with a process."""
 
             def _lock(self):
                 super()._lock()
@@ -132,7 +132,7 @@ class Stores(PackageTest):
         self.assertEqual(self.victim.read_text(), "untouched")
 
     def test_every_file_in_every_way(self):
-        """Of `generate` every file in every way; of the others what they read of their own."""
+        """Every file of `generate` is tried in every way; of the others, those that they alone read."""
         for study in STUDIES:
             self.assertEqual(self.main(study)[0], 0)
             whole = self.folder / f"whole-{study}"
@@ -147,7 +147,7 @@ class Stores(PackageTest):
 
     @staticmethod
     def texts(path):
-        """What may stand in the place of a file."""
+        """Texts that may stand in the place of a file."""
         content = path.read_bytes()
         return {**TEXTS, "half": content[:len(content) // 2], "changed": content[::-1]}
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What lies in a workspace: damaged results, names that several pages ask for, links that are swapped while they are read."""
+"""Contents of a workspace: damaged results, names that several pages ask for, links that are swapped while they are
+read."""
 
 import concurrent.futures
 import json

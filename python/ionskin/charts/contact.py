@@ -71,7 +71,7 @@ def contact_maps(results):
 
 
 def resolution(file, state):
-    """What the map of a round contact does not resolve, in words."""
+    """Sentence that says what the map of a round contact does not resolve."""
     pressure = mirrored(file, file["contact"][state]["pressure"][...])[1]
     touching = pressure > 0
     inner = within(touching)
@@ -137,7 +137,7 @@ def onset_state(file, friction):
 
 
 def stick_map(file, state, words, friction):
-    """What sticks and what slips, in two colours."""
+    """Map of the sticking and the slipping cells, in two colours."""
     touching, slipping = touching_and_slipping(file, state, friction)
     return from_above(file, f"Contact, {words}", numpy.where(touching, slipping.astype(float), numpy.nan), classes=CLASSES)
 

@@ -19,7 +19,7 @@ class Entry(NamedTuple):
 
     @property
     def number(self):
-        """As papers cite it: 7 of "fig07_peaks"."""
+        """Number by which papers cite the figure: 7 of "fig07_peaks"."""
         return int(self.name[3:5])
 
     def chart(self, study):
@@ -42,12 +42,12 @@ def of_run(build, lacks, named=True):
 
 
 def no_slider(_):
-    """Why a run has no figure of its slider."""
+    """Reason why a run has no figure of its slider."""
     return sketches.NO_CONTACT
 
 
 def no_fields(results):
-    """Why a run has no figure of what results.h5 holds."""
+    """Reason why a run has no figure of the contents of results.h5."""
     return fields.NO_CONTACT if (results.folder / "results.h5").exists() else fields.NO_FIELDS
 
 

@@ -39,7 +39,7 @@ def metric(study, name, label="", colour=BLUE, look=""):
 
 
 def reading(study, name):
-    """What can be read against the swept key: a metric with its stated errors."""
+    """Chart of a metric, with its stated errors, against the swept key."""
     curve, unit = metric(study, name, "", GREEN), study.typical.results.metrics[name].unit
     top = float(numpy.nanmax(curve.band[1] if curve.band else curve.y))
     return Chart([[Cell(words(name), along(study), Axis("value", unit, min(0.0, float(numpy.nanmin(curve.y))), 1.08 * top or 1.0), (curve,),
@@ -175,7 +175,7 @@ def floored(values, errors):
 
 
 def lead_cell(study, leads, told):
-    """From the first micro-slip, and from where each current is seen, to full slip."""
+    """Times from the first micro-slip, and from where each current is seen, to full slip."""
     errors = numpy.array([slip.error(member.results, "slip_lead_time") for member in study.members])
     curves = [trend(study, leads, "from micro-slip", BLUE, "", floored(leads, errors))]
     for current, colour in (("difference", GREEN), ("common", PURPLE)):
@@ -206,7 +206,7 @@ def departure_cell(study, told):
 
 
 def inside(told):
-    """Per member whether any current tells."""
+    """For each member, True where any current shows the onset beforehand."""
     return [any(each.told for each in pair) for pair in zip(*told.values())]
 
 

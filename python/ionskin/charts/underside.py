@@ -56,7 +56,7 @@ class Underside:
         return numpy.sqrt(numpy.maximum(0.0, half**2 - y**2)) if self.shape == "sphere" else numpy.full_like(y, half)
 
     def height(self, x, y):
-        """Of the underside above its lowest point [m], at most that of the drawn part."""
+        """Height of the underside above its lowest point [m], at most that of the drawn part."""
         if self.shape == "sphere":
             rise = arc(self.radius, numpy.hypot(x, y))
         elif self.shape == "cylinder":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Who may connect to a cluster: this machine alone, or holders of the cluster's certificate.
+"""Access to a cluster: this machine alone, or holders of the cluster's certificate.
 
 The protocol of Dask carries pickles: whoever can connect can run code.
 """
@@ -30,7 +30,7 @@ def require_distributed():
 
 
 def is_loopback(host):
-    """Whether an address or a name stands for this machine alone. Raises CaseError for an unknown name."""
+    """True where an address or a name stands for this machine alone. Raises CaseError for an unknown name."""
     try:
         found = {entry[4][0] for entry in socket.getaddrinfo(host, None)}
     except OSError as error:

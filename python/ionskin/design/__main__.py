@@ -26,7 +26,7 @@ def free_range(text: str) -> tuple[str, tuple[str, str]]:
 
 
 def options():
-    """As the front hands them on."""
+    """Parser of the options as the front hands them on."""
     result = parser("ionskin design")
     result.add_argument("--free", action="append", default=[])
     result.add_argument("--subject-to", action="append", default=[])

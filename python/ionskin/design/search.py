@@ -31,7 +31,7 @@ class Constraint(NamedTuple):
 
     @property
     def equal(self) -> bool:
-        """Whether the metric must have the value."""
+        """True where the metric must have the value."""
         return self.sign.startswith("=")
 
     def margin(self, metrics: dict) -> float:

@@ -28,7 +28,7 @@ class Job(NamedTuple):
 
 
 class Made(NamedTuple):
-    """What became of a job: the reason for which it was left out, or ""."""
+    """Outcome of a job: the reason for which it was left out, or ""."""
 
     name: str
     reason: str

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the commands that run many trials share: options, the base case, progress, exit codes."""
+"""Parts that the commands that run many trials share: options, the base case, progress, exit codes."""
 
 import argparse
 import contextlib
@@ -22,7 +22,7 @@ REPRESENTATIVE = 16  # trials
 
 
 def parser(prog: str) -> argparse.ArgumentParser:
-    """With the options that the front hands on for each of these commands."""
+    """Parser of the options that the front hands on for each of these commands."""
     result = argparse.ArgumentParser(prog=prog)
     result.add_argument("case")
     result.add_argument("--output", required=True)

@@ -62,7 +62,7 @@ class StudyFolder:
 
     @property
     def points(self) -> pathlib.Path:
-        """Where an engine writes outcomes."""
+        """Folder into which an engine writes outcomes."""
         return self._points
 
     def finished(self) -> dict[int, Outcome]:

@@ -62,7 +62,7 @@ class LocalEngine:
 
 
 def task_of(trial) -> dict:
-    """What a TrialProcess needs to know of a trial."""
+    """Description of a trial for a TrialProcess."""
     return {"text": trial.case._original, "path": os.path.abspath(trial.case._path), "edits": trial.case._edits | NO_ERRORS,
             "build": solver.load().build()}
 

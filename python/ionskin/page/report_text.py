@@ -182,7 +182,7 @@ def counter_rows(results):
 
 
 def origin_rows(results):
-    """Where the result comes from."""
+    """Rows that say where the result comes from."""
     manifest = results.manifest
     program = manifest.get("program", {})
     rows = [("program", f"{program.get('name', 'ionskin')} {program.get('version', '')}".strip()),
@@ -199,7 +199,7 @@ def has_sharp_edges(slider):
 
 
 def limits(results):
-    """What the model leaves out, as far as it concerns this case."""
+    """Statements on what the model leaves out, as far as it concerns this case."""
     texts = list(LIMITS)
     slider = results.case.get("slider")
     if slider:
@@ -217,7 +217,7 @@ def law(results):
 
 
 def contact_caption(results):
-    """Of the contact maps; what it says of their colours follows the slider."""
+    """Caption of the contact maps; what it says of their colours follows the slider."""
     where = "Under the slider and in its frame, seen from above; last row: section through the core at mid-width."
     if not has_sharp_edges(results.case.get("slider", {})):
         return where
@@ -226,7 +226,7 @@ def contact_caption(results):
 
 
 def shear_caption(results):
-    """Of the shear over time."""
+    """Caption of the shear over time."""
     text = "Scalar shear γ in the ion-conducting layer."
     if has_sharp_edges(results.case.get("slider", {})):
         text += " The pointwise maximum depends on the mesh under the slider's sharp edges and is not shown."
@@ -234,7 +234,7 @@ def shear_caption(results):
 
 
 def charge_caption(results):
-    """Of the electrodes' charge; its common part exists under some laws alone."""
+    """Caption of the electrodes' charge; its common part exists under some laws alone."""
     text = "Charge on the metal."
     if law(results) == "fixed-charge":
         text += " The common part follows the net fixed charge that the shear creates."

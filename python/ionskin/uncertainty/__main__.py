@@ -10,7 +10,7 @@ from .study import LEAST_Q2, Uncertainty
 
 
 def options():
-    """As the front hands them on."""
+    """Parser of the options as the front hands them on."""
     result = parser("ionskin uncertainty")
     result.add_argument("--vary", action="append", default=[])
     result.add_argument("--samples", type=int, default=64)

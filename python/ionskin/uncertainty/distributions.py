@@ -56,7 +56,7 @@ class Parameter(NamedTuple):
 
 
 def parse_all(texts, case: Case | None) -> list[Parameter]:
-    """Of texts KEY=DISTRIBUTION, or of a dictionary. Raises CaseError."""
+    """Parameters from texts KEY=DISTRIBUTION, or from a dictionary. Raises CaseError."""
     pairs = list(texts.items()) if isinstance(texts, dict) else [_split(text) for text in texts]
     if not pairs:
         raise CaseError('nothing varies\n  = give at least one --vary "KEY=DISTRIBUTION"; ' + KNOWN)
@@ -67,7 +67,8 @@ def parse_all(texts, case: Case | None) -> list[Parameter]:
 
 
 def parse(key: str, written: str, case: Case | None) -> Parameter:
-    """Of one key; its units and range are those of the case's, or pure numbers without a case. Raises CaseError."""
+    """Parameter of one key; its units and range are those of the case's, or pure numbers without a case. Raises
+    CaseError."""
     match = CALL.fullmatch(written)
     if not match or match[1].lower() not in FORMS:
         raise CaseError(f"{key}={written}: no distribution\n  = {KNOWN}")

@@ -27,7 +27,7 @@ std::string printable(std::string_view message);
 /// formula gets an apostrophe before it, which makes it a text there.
 std::string csv_cell(std::string_view text);
 
-/// Whether all of it is UTF-8.
+/// True if all of the text is UTF-8.
 bool is_utf8(std::string_view text);
 
 } // namespace ionskin::base

@@ -34,7 +34,7 @@ struct MeshResolution {
 /// sharp edge, from which a narrower rim can then not be told.
 MeshResolution mesh_resolution(const Case& input, const Footprint& footprint);
 
-/// Through the thickness of the core; even.
+/// Number of elements through the thickness of the core; even.
 std::size_t core_elements(const Numerics& numerics);
 
 } // namespace ionskin::mesh

@@ -19,7 +19,8 @@ struct MechanicsCost {
   double histories = 0;       ///< strain of run and companions, in memory to the end [bytes]
 };
 
-/// Of the run and, where it estimates its errors, of the companions that it solves before.
+/// Cost of the run and, where it estimates its errors, of the coarser solutions that it solves
+/// before.
 /// @param found see `estimate_cost`
 /// Throws UserError when no cells fit beside the slider.
 MechanicsCost estimate_mechanics_cost(const Case& input, int threads,

@@ -17,7 +17,7 @@ struct StageRecord {
                           ///< where worked here
 };
 
-/// What stands in manifest.json: where a result comes from and how far its run came. Nothing in it
+/// Contents of manifest.json: where a result comes from and how far its run came. Nothing in it
 /// names the machine.
 struct Manifest {
   std::string command;

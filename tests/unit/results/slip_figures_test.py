@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How a slide begins, read from hand-made runs and sweeps, and what is drawn of it."""
+"""Figures of the onset of a slide, read from hand-made runs and sweeps."""
 
 import json
 import pathlib

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From the frame of a recording to that of the skin: origin, axes, quaternions."""
+"""Transformation from the frame of a recording to that of the skin: origin, axes, quaternions."""
 
 import numpy
 

@@ -17,7 +17,7 @@ public:
   /// is not waited for), is larger than half of the available memory or changes while it is copied.
   explicit FileCopy(const std::filesystem::path& path);
 
-  /// At its beginning; closed on exec.
+  /// Descriptor of the copy, at its beginning; closed on exec.
   int descriptor() const { return descriptor_; }
   std::uint64_t bytes() const { return bytes_; }
   const Digest& digest() const { return digest_; }

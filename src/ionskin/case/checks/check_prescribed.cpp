@@ -19,7 +19,7 @@ namespace {
 /// the radius is the strain of the core's faces.
 constexpr double least_radius = 1.0;
 
-/// Of the thickness of the core.
+/// Largest compression, as a share of the thickness of the core.
 constexpr double largest_compression = 0.1;
 
 /// A sine has 64 samples a period, of which each takes a time step or more.

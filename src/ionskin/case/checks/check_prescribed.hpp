@@ -10,7 +10,8 @@ namespace ionskin {
 /// material, so that it is told with all that is missing.
 void check_prescribed_keys(const CaseDocument& document, Problems& problems);
 
-/// What strain.source = "prescribed" needs: one load, and the keys of its waveform and no others.
+/// Checks the needs of strain.source = "prescribed": one load, and the keys of its waveform and no
+/// others.
 void check_prescribed_load(const CaseDocument& document, Problems& problems);
 
 } // namespace ionskin

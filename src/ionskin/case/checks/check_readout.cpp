@@ -111,7 +111,7 @@ struct IdleKey {
   std::string key, circuits;
 };
 
-/// Whether the circuit of the electrode, or one of a taxel, has a parameter.
+/// True if the circuit of the electrode, or one of a taxel, has the parameter.
 bool is_used(const Readout& readout, std::string_view parameter) {
   const auto table = circuits::circuits();
   bool used = laws::has_parameter(table, readout.circuit, parameter);
@@ -120,7 +120,7 @@ bool is_used(const Readout& readout, std::string_view parameter) {
   return used;
 }
 
-/// Those that are given and not used.
+/// Keys of circuits that are given and not used.
 std::vector<IdleKey> idle_keys(const CaseDocument& document) {
   const auto table = circuits::circuits();
   std::vector<IdleKey> idle;
@@ -175,7 +175,7 @@ void check_size(const CaseDocument& document, std::size_t index, Problems& probl
   }
 }
 
-/// Of taxels that are conductors of their own.
+/// Checks taxels that are conductors of their own.
 void check_conductors(const CaseDocument& document, Problems& problems) {
   const Readout& readout = document.input.readout;
   std::size_t count = 0;

@@ -16,7 +16,7 @@ namespace ionskin {
 
 namespace {
 
-/// How far two figures for the same quantity may be apart.
+/// Largest relative difference between two figures for the same quantity.
 constexpr double agreement = 0.01;
 
 /// Places of the keys that the user gave.

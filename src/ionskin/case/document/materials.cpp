@@ -47,7 +47,7 @@ void complete_from_preset(const std::string& name, TomlWalk& walk, Problems& pro
   }
 }
 
-// What the case does not say of its ions and the material of the core does.
+// Takes the ions from the material of the core where the case does not give them.
 void take_ions(const std::string& material, TomlWalk& walk) {
   for (const SchemaRow& row : schema()) {
     const bool applies = !row.applies || row.applies(walk.draft.input);

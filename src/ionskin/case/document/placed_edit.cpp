@@ -257,7 +257,7 @@ std::string toml_value_text(const std::string& typed) {
 
 namespace {
 
-/// Before anything of an edit is read.
+/// Checks the limits of an edit before anything of it is read.
 void check_limits(const std::string& argument) {
   if (argument.size() > toml_limits::text_bytes)
     refuse(argument, fmt::format("the edit has {} bytes", argument.size()), false,

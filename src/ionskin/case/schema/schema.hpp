@@ -27,10 +27,10 @@ enum class ValueType {
 /// True for types whose value is several numbers.
 bool is_list(ValueType type);
 
-/// When a key must be given.
-/// `always`: where `SchemaRow::applies`. `when_it_applies`: so with contact only. `one_of_several`:
-/// the checks of the case see to it that one of the keys with the same purpose is there.
-/// `where_known`: never, and nothing stands in for it.
+/// Condition under which a key must be given. `always`: where `SchemaRow::applies`.
+/// `when_it_applies`: so with contact only. `one_of_several`: the checks of the case see to it that
+/// one of the keys with the same purpose is there. `where_known`: never, and nothing stands in for
+/// it.
 enum class Need {
   optional,
   always,
@@ -67,14 +67,14 @@ struct Value {
   units::Dimension dimension = units::Dimension::number; ///< that the numbers were written in
 };
 
-/// Where the values of a case go while it is read: materials are known by name until layers take
-/// them.
+/// Destination of the values of a case while it is read: materials are known by name until layers
+/// take them.
 struct CaseDraft {
   Case input;
   std::map<std::string, Material> materials;
 };
 
-/// What the wildcards of a row's key stand for.
+/// Meaning of the wildcards of a row's key.
 struct KeyIndex {
   std::size_t entry = 0; ///< of a list of tables, from 0
   std::string material;
@@ -91,9 +91,9 @@ struct SchemaRow {
   Range range{};
   std::string range_reason{}; ///< why the range ends where it does, when that is not plain
   Need need = Need::optional;
-  /// What the keys of `one_of_several` that stand in for one another tell, for messages.
+  /// Purpose of the keys of `one_of_several` that stand in for one another, for messages.
   std::string purpose{};
-  /// Whether the key has a meaning in a case; empty for always.
+  /// True where the key has a meaning in a case; empty for always.
   std::function<bool(const Case&)> applies{};
   /// Has a meaning where `applies` is false, too, though it is not asked for there.
   bool may_stand = false;

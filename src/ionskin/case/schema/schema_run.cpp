@@ -9,8 +9,8 @@ using units::Dimension;
 
 namespace {
 
-/// Of cases that older versions could let share what they solved; the skin of every case is now
-/// set up by itself.
+/// Row of a key for cases that older versions could let share what they solved; the skin of every
+/// case is now set up by itself.
 SchemaRow of_shared_positions(const std::string& name, const Range& range) {
   return {.key = "numerics.shared_positions." + name,
           .type = ValueType::quantity_pair,

@@ -27,7 +27,7 @@ public:
   CaseText(std::string file, std::string text);
 
   const std::string& file() const { return file_; }
-  /// With all edits so far.
+  /// Text with all edits so far.
   const std::string& text() const { return text_; }
 
   /// Makes several edits at once.

@@ -37,7 +37,7 @@ public:
            const std::string& remedy);
 
   bool empty() const { return texts_.empty(); }
-  /// Whether further problems are only counted: what costs work need not be made for them.
+  /// True if further problems are only counted: what costs work need not be made for them.
   bool full() const;
   /// Throws UserError with all problems when there are any.
   /// @param file the case, for the heading of several problems

@@ -152,7 +152,7 @@ private:
            "shorten it");
   }
 
-  // What stands before = or within a header is a key, as is a part of one.
+  // Text before = or within a header is a key, as is a part of one.
   bool is_key(std::size_t end) const {
     const std::size_t next = text_.find_first_not_of(" \t", end);
     return next != std::string::npos && (text_[next] == '=' || text_[next] == '.');

@@ -52,7 +52,7 @@ std::string with_breaks(const std::string& text, const std::vector<std::size_t>&
   return parsed.append(text, begin);
 }
 
-// Its source_location would count the lines before the value and copy its own.
+// The region's own source_location would count the lines before the value and copy its own.
 const toml::detail::region* region_of(const toml::value& value) {
   return dynamic_cast<const toml::detail::region*>(toml::detail::get_region(value));
 }

@@ -29,7 +29,7 @@ public:
   const std::string& text() const { return text_; }
   const toml::value& root() const { return root_; }
 
-  /// Of a value of this text.
+  /// Span of a value of this text.
   TextSpan span(const toml::value& value) const;
   /// The key that stands before a value ("length" of `length = "15 mm"`), or the value's own span
   /// for table headers and array elements.

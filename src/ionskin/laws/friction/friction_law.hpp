@@ -12,9 +12,9 @@
 
 namespace ionskin::laws {
 
-/// What a friction law may depend on at one cell over one step. In steady sliding, the limit of
-/// long sliding, slip increment and time step are both 0: a law in their quotient must say there
-/// what it tends to.
+/// Arguments on which a friction law may depend at one cell over one step. In steady sliding, the
+/// limit of long sliding, slip increment and time step are both 0: a law in their quotient must say
+/// there what it tends to.
 struct FrictionArguments {
   double normal_traction = 0; ///< compression positive [Pa]
   /// Length of the relative sliding in the step [m]; where the law has an elastic slip, with what

@@ -60,7 +60,7 @@ public:
   /// @param shape of row-major `values`; empty for one dimension
   void write(const std::string& dataset, const std::vector<double>& values, Shape shape = {});
   void write(const std::string& dataset, const std::vector<int>& values);
-  /// As `write`; the attribute "unit" tells the unit of the values.
+  /// Writes as `write` does; the attribute "unit" tells the unit of the values.
   void write_with_unit(const std::string& dataset, const std::vector<double>& values,
                        const std::string& unit, const Shape& shape = {});
   void write_text(const std::string& dataset, const std::string& text);

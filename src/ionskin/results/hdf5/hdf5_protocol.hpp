@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-// What ForeignHdf5File and the process that reads for it say to each other: a question, its two
-// texts, and an answer with its content. Numbers stand as in memory, both ends being one machine.
+// Protocol between ForeignHdf5File and the process that reads for it: a question, its two texts,
+// and an answer with its content. Numbers stand as in memory, both ends being one machine.
 
 namespace ionskin::results {
 

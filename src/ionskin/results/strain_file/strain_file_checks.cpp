@@ -16,7 +16,7 @@ namespace {
 // Lengths that users compute in another order than we do may differ by rounding.
 constexpr double relative_rounding = 1e-9;
 
-// What lies beyond was meant in another unit or is damage.
+// Bounds of times and lengths: values beyond them were meant in another unit or are damage.
 constexpr double longest_time = 1e7, shortest_time = 1e-15;     // [s]
 constexpr double longest_length = 100, shortest_length = 1e-15; // [m]
 

@@ -18,7 +18,7 @@ namespace ionskin::results {
 namespace {
 
 constexpr const char* format_name = "ionskin-strain";
-/// Of the available memory, for the history; ion transport takes more.
+/// Share of the available memory for the history; ion transport takes more.
 constexpr double free_share = 0.5;
 
 // Hands out one shared field for all equal ones.

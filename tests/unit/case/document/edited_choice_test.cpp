@@ -31,7 +31,7 @@ std::string message_of(const std::string& text, const Edits& edits) {
   return "";
 }
 
-/// What a run writes down is read again as the same case, by itself.
+/// The case that a run writes down is read again as the same case, by itself.
 Case read_twice(const std::string& text, const Edits& edits) {
   const TemporaryCase file(text);
   Case input = read_case(file.path(), edits);
