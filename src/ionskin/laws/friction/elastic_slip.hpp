@@ -20,8 +20,8 @@ struct ElasticSlip {
 /// `taken` times the second. Where the limit rises, what begins to bear is not strained yet, and
 /// the traction stays; where it falls, the slip stays, and what lets go takes its share of the
 /// traction along. Neither adds to the energy stored. The slip of the step comes while the limit
-/// rises, and half of what begins to bear takes it up: no step creates energy, docs/model.md (46),
-/// (47).
+/// rises, and half of what begins to bear takes it up: no step creates energy:
+/// docs/model.md (46), (47).
 struct ElasticStep {
   double limit = 0;          ///< of full slip behind the step [Pa]
   double kept = 1;           ///< [1]

@@ -1,0 +1,92 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Checks that comments say what a thing is, and that each room of src/ionskin has a page.
+
+A comment is a sentence with a subject, or a noun phrase. It begins neither with a word that leaves the subject out, such
+as "Of" or "Whether", nor with a preposition unless a comma divides it from the subject: "In a sweep, the points share
+their mechanics."
+"""
+
+import ast
+import pathlib
+import re
+import sys
+
+SOURCES = ("apps", "benchmarks", "cases", "docs", "examples", "fuzz", "python", "scripts", "src", "tests", "verification")
+# Folders whose comments are not reworded yet.
+EXEMPT = tuple(f"src/ionskin/{room}/" for room in ("electrochemistry", "finite_layers", "live", "mechanics", "poroelasticity",
+                                                   "readout", "study")) + ("apps/",)
+WITHOUT_SUBJECT = set("""also and another as because but by from how into its of or out per since so than that their those to
+                         what whether which who whose why""".split())
+PREPOSITIONS = set("""above after against along among at before behind below beside between beyond during for if in on over
+                      through under until when where while with within without""".split())
+LINE = re.compile(r"^\s*///?(?!<) ?(.*)$")
+SENTENCE = re.compile(r".*?[.:;](?=\s|$)|.*", re.DOTALL)
+PAGE_PARTS = ("**In:**", "**Out:**", "**Equations:**", "**Begin with:**")
+
+
+def cpp_comments(text):
+    """Yields line number and text of each comment of a C++ source that stands on lines of its own, before what it is about.
+
+    A comment behind a declaration, `double length; ///< along x [m]`, goes on from the name and is free.
+    """
+    first, parts = 0, []
+    for number, line in enumerate([*text.splitlines(), ""], 1):
+        own = LINE.match(line)
+        if own and "SPDX" not in line:
+            first, parts = (first, [*parts, own[1]]) if parts else (number, [own[1]])
+            continue
+        if parts:
+            yield first, " ".join(parts)
+            parts = []
+
+
+def docstrings(text):
+    """Yields line number and text of each docstring of a Python source."""
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)) and ast.get_docstring(node):
+            yield node.body[0].lineno, ast.get_docstring(node)
+
+
+def lacks_subject(comment):
+    """True where the first sentence of a comment leaves its subject out."""
+    word = re.match(r"[A-Za-z]*", comment)[0].lower()
+    return word in WITHOUT_SUBJECT or (word in PREPOSITIONS and "," not in SENTENCE.match(comment)[0])
+
+
+def mistakes(name, text):
+    """Yields one message for each comment of a source that leaves its subject out."""
+    for line, comment in docstrings(text) if name.endswith(".py") else cpp_comments(text):
+        if lacks_subject(comment):
+            yield f"{name}:{line}: say what this is, as a sentence with a subject or a noun phrase: {comment.split(chr(10))[0][:60]}"
+
+
+def page_mistakes(room, page):
+    """Yields one message for each part that the page of a room lacks; `page` is None where there is no page."""
+    if page is None:
+        yield f"{room}/README.md: missing; it says {', '.join(PAGE_PARTS)}"
+        return
+    for part in PAGE_PARTS:
+        if part not in page:
+            yield f"{room}/README.md: lacks {part}"
+
+
+def main():
+    root = pathlib.Path(__file__).resolve().parent.parent
+    found = []
+    for source in SOURCES:
+        for path in sorted((root / source).rglob("*")):
+            name = path.relative_to(root).as_posix()
+            if path.suffix in (".cpp", ".hpp", ".h", ".py") and not name.startswith(EXEMPT) and "/_build/" not in name:
+                found += mistakes(name, path.read_text(encoding="utf-8"))
+    for room in sorted(path for path in (root / "src" / "ionskin").iterdir() if path.is_dir()):
+        page = room / "README.md"
+        found += page_mistakes(room.relative_to(root).as_posix(), page.read_text(encoding="utf-8") if page.exists() else None)
+    for message in found:
+        print(message)
+    print(f"comments: {len(found)} mistakes")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
