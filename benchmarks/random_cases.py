@@ -120,7 +120,7 @@ def impossible_currents(case, signals):
     """Numbers that are none, and charge that moves before the first touch, through an open circuit, or to ground under neutral laws."""
     for name, values in signals.items():
         if name.startswith(("current", "charge", "mean_shear", "time")) and not numpy.all(numpy.isfinite(values)):
-            yield f"{name} is no number"
+            yield f"{name} is not a number"
     top, bottom = signals["charge_top"], signals["charge_bottom"]
     least = max(LEAST_SHARE * max(largest(top), largest(bottom)), rounding_charge(case))
     if case["readout"]["circuit"] == "open" and "taxel_circuit" not in case["readout"] and largest(top - bottom) > least:

@@ -224,7 +224,7 @@ class Skin:
              force: float | None = None) -> Signals:
         """The signals at a time [s] with the slider's centre at (x, y) [m] and its underside at a height above the
         undeformed top face [m], negative when it indents, or pressed by a force [N]. Currents are means since the
-        step before. ValueError: a value that is no number, or a time before the last."""
+        step before. ValueError: a value that is not a number, or a time before the last."""
         kind, value = _one_load(height, force, "")
         time = float(_finite("time", time, ()))
         self._require_ascending(time)

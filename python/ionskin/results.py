@@ -111,14 +111,14 @@ def read_json(path):
     except FileNotFoundError:
         return {}
     if not isinstance(found, dict):
-        raise CaseError(f"{path} is damaged: it is no JSON object\n  = run the case again")
+        raise CaseError(f"{path} is damaged: it is not a JSON object\n  = run the case again")
     return found
 
 
 def _object(parent, name):
     found = parent.get(name, {}) if isinstance(parent, dict) else None
     if not isinstance(found, dict):
-        raise ValueError(f"{name} is no object")
+        raise ValueError(f"{name} is not an object")
     return found
 
 

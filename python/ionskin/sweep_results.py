@@ -72,7 +72,7 @@ class Sweep:
     def metric(self, name):
         """One metric as an array [points]; NaN where a point has none."""
         if name not in self.units:
-            raise KeyError(f"{name} is no metric of this sweep; it has {', '.join(self.units) or 'none yet'}")
+            raise KeyError(f"{name} is not a metric of this sweep; it has {', '.join(self.units) or 'none yet'}")
         return numpy.array([point.metrics.get(name, numpy.nan) for point in self.points])
 
     def result(self, index):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """An importer of FMUs for co-simulation (FMI 2.0), just large enough for the tests: unpacks, reads the description, and
-calls the library. `mistakes` holds the description against rules written from the text of the standard; it is no schema
+calls the library. `mistakes` holds the description against rules written from the text of the standard; it is not a schema
 of the standard's authors. To check by that too, name its fmi2ModelDescription.xsd in IONSKIN_FMI2_SCHEMA."""
 
 import ctypes

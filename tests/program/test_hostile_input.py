@@ -113,7 +113,7 @@ class HostileInput(ProgramTest):
         self.run_program("sweep", *sweep, "--plan")
         self.assertIn("IONSKIN_DISK_LIMIT", self.answer("sweep", "--do-batch", 0, "-o", "out", env=small))
         self.assertFalse((self.folder / "out" / "points").exists())
-        self.assertIn("is no size", self.answer("run", QUICK, "-o", "no", env={**os.environ, "IONSKIN_DISK_LIMIT": "some"}))
+        self.assertIn("is not a size", self.answer("run", QUICK, "-o", "no", env={**os.environ, "IONSKIN_DISK_LIMIT": "some"}))
 
     def test_slider_that_touches_no_cell(self):
         case = self.profile_case(BUMPS, "-0.2 nm")

@@ -83,7 +83,7 @@ class SweepParts(ProgramTest):
         self.assertIn("no plan.json", self.collect(expect=2).stderr)
         self.plan(*MECHANICS)
         self.assertIn("its batches are 0 to 1", self.do_batch(2, expect=2).stderr)
-        self.assertIn("-1 is no whole number", self.do_batch(-1, expect=2).stderr)
+        self.assertIn("-1 is not a whole number", self.do_batch(-1, expect=2).stderr)
         self.run_program("sweep", QUICK, "--do-batch", 0, "-o", "parts", expect=2)
         self.run_program("sweep", "-o", "parts", expect=2)
         path = self.folder / "parts" / "plan.json"

@@ -152,7 +152,7 @@ class DamagedResults(PackageTest):
                 result.open_fields()
         path.unlink()
         os.mkfifo(path)
-        with self.assertRaisesRegex(ionskin.CaseError, "is no regular file"):
+        with self.assertRaisesRegex(ionskin.CaseError, "is not a regular file"):
             result.open_fields()
 
     def test_links_to_other_files_are_not_followed(self):

@@ -66,7 +66,7 @@ def outcome_of(trial):
 
 
 def damage(path, way, victim):
-    """Puts a text, bytes, or something that is no ordinary file in the place of a file."""
+    """Puts a text, bytes, or something that is not an ordinary file in the place of a file."""
     if path.is_dir() and not path.is_symlink():
         shutil.rmtree(path)
     elif os.path.lexists(path):

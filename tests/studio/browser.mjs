@@ -178,7 +178,7 @@ const main = async (page, link) => {
   await click("Add a taxel");
   await wait(() => document.querySelector('[data-key="readout.taxels[1].name"]') && document.querySelector(".verdict.good"));
   assert.match(await page.$eval("textarea", (one) => one.value), /\[\[readout\.taxels\]\]\nname = "t2"\n/);
-  assert.ok(!(await page.$eval('[data-key="readout.taxels.rows"]', (one) => one.checkVisibility())), "a list of taxels is no grid");
+  assert.ok(!(await page.$eval('[data-key="readout.taxels.rows"]', (one) => one.checkVisibility())), "a list of taxels is not a grid");
   // Of a list and a pair each number has an input.
   await click("Output", ".form");
   const instants = await page.$$eval('[data-key^="output.fields["]', (all) => all.length);

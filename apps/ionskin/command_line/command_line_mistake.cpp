@@ -78,18 +78,18 @@ std::string unknown_verb(const CLI::App& app, const std::string& word) {
   const auto names = verb_names(app);
   const std::string nearest = nearest_choice(word, names);
   if (nearest.empty() && word.ends_with(".toml")) {
-    return message(fmt::format("\"{}\" is no verb of {}", word, app.get_name()),
+    return message(fmt::format("\"{}\" is not a verb of {}", word, app.get_name()),
                    fmt::format("to run a case: {} run {} --output DIR", app.get_name(), word));
   }
   if (word == "help") {
-    return message(fmt::format("\"help\" is no verb of {}", app.get_name()),
+    return message(fmt::format("\"help\" is not a verb of {}", app.get_name()),
                    fmt::format("write {0} --help, or {0} VERB --help", app.get_name()));
   }
-  return message(fmt::format("\"{}\" is no verb of {}", word, app.get_name()),
+  return message(fmt::format("\"{}\" is not a verb of {}", word, app.get_name()),
                  fmt::format("{}verbs: {}", did_you_mean(nearest), fmt::join(names, ", ")));
 }
 
-/// The word that follows an option on the command line, where it is no option.
+/// The word that follows an option on the command line, where it is not an option.
 std::string value_after(const std::vector<std::string>& words, const std::string& option) {
   const auto place = std::ranges::find(words, option);
   if (const std::size_t equals = option.find('='); equals != std::string::npos) {

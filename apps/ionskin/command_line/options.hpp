@@ -133,7 +133,7 @@ struct ReportOptions {
 
 struct CompareOptions {
   std::string first, second; ///< run folders
-  double tolerance = 1e-9;   ///< relative differences up to here are no differences
+  double tolerance = 1e-9;   ///< relative differences up to here are not differences
 };
 
 struct StudioOptions {

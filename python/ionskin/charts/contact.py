@@ -100,7 +100,7 @@ def traction_maps(file, state, words, share):
     pressure, shear = group["pressure"][...], numpy.hypot(group["shear_x"][...], group["shear_y"][...])
     touching, cells = pressure > 0, []
     for values, name in ((pressure, "Pressure"), (shear, "Shear traction")):
-        # The half model ends at the middle of the width, which is no rim.
+        # The half model ends at the middle of the width, which is not a rim.
         whole, all_areas = (mirrored(file, part)[1] for part in (values, areas))
         top = top_of_scale(whole, mirrored(file, touching)[1], all_areas, share)
         cells.append(from_above(file, f"{name}, {words}", numpy.where(touching, values, numpy.nan), high=top, unit="Pa",

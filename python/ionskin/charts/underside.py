@@ -6,7 +6,7 @@ import numpy
 from ..quantity import si
 
 CAP = 0.7e-3  # height of the drawn part of a round slider [m]
-BLOCK = 1.0e-3  # of any other [m]; a slider's height is no part of the model
+BLOCK = 1.0e-3  # of any other [m]; a slider's height is not part of the model
 CLOSED_FORMS = ("flat", "cylinder", "sphere")  # any other shape is drawn by the heights that its run states
 
 

@@ -77,10 +77,10 @@ def _address(path):
         if parts.scheme not in ("tcp", "tls") or not parts.hostname or not parts.port:
             raise ValueError("its address is none")
     except CaseError as error:
-        raise CaseError(f"{path} is no file of a scheduler: {error}") from error
+        raise CaseError(f"{path} is not a file of a scheduler: {error}") from error
     except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
         what = error.strerror if isinstance(error, OSError) else f"address {error}" if isinstance(error, KeyError) else error
-        raise CaseError(f"{path} is no file of a scheduler: {what}\n  = {remedy}") from error
+        raise CaseError(f"{path} is not a file of a scheduler: {what}\n  = {remedy}") from error
     return address, parts.hostname
 
 

@@ -79,7 +79,7 @@ class Design:
     def _constraint(text: str) -> Constraint:
         match = CONSTRAINT.fullmatch(text)
         if not match or not math.isfinite(float(match[3])):
-            raise CaseError(f'"{text}" is no constraint\n  = write \"METRIC < NUMBER UNIT\"; > and == too')
+            raise CaseError(f'"{text}" is not a constraint\n  = write \"METRIC < NUMBER UNIT\"; > and == too')
         return Constraint(match[1], match[2], float(match[3]), match[4] or "")
 
     def _trial(self, number, place) -> Trial:

@@ -42,7 +42,7 @@ def numbered_jobs(study, only=()):
 
 
 def of_page(results):
-    """Jobs for the files of a run's page that are no numbered figures."""
+    """Jobs for the files of a run's page that are not numbered figures."""
     return [Job(entry.name, {entry.name: OF_PAGE}, lambda entry=entry: entry.draw(results) or "") for entry in figures.FIGURES
             if entry.name not in SAME.values()]
 

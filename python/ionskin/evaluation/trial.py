@@ -77,12 +77,12 @@ class Outcome:
         raise CaseError(f"a result is the Results of a run, numbers by name, or an exception; not {type(told).__name__}")
 
     def require(self, names) -> None:
-        """Raises CaseError for a name that is no metric of a finished run."""
+        """Raises CaseError for a name that is not a metric of a finished run."""
         for name in () if self.reason else names:
             if name not in self.metrics:
                 near = difflib.get_close_matches(name, self.metrics, n=1)
                 remedy = f"did you mean {near[0]}? " if near else ""
-                raise CaseError(f"{name} is no metric of these runs\n  = {remedy}known: {', '.join(self.metrics)}")
+                raise CaseError(f"{name} is not a metric of these runs\n  = {remedy}known: {', '.join(self.metrics)}")
 
     def write(self, path: pathlib.Path) -> None:
         """Writes one file, which appears when it is whole."""

@@ -27,7 +27,7 @@ function ticks(low, high, count, factors = [1, 2, 5, 10]) {
 function scale(peak) {
   const found = PREFIX.find(([size]) => peak >= size);
   if (found || !(peak > 0)) return found || [1, ""];
-  return peak < 1e-17 ? [1, ""] : PREFIX[PREFIX.length - 1]; // rounding is no quantity
+  return peak < 1e-17 ? [1, ""] : PREFIX[PREFIX.length - 1]; // rounding is not a quantity
 }
 
 function withUnit(value, unit, digits = 4) {

@@ -35,7 +35,7 @@ UNCALIBRATED = ("No measurement calibrates the coupling coefficient k: while the
 RIGID = "The slider is rigid: what it touches gives way, it does not."
 SOFT = "The slider gives as a linear half-space, or a layer on a rigid body, under small strains."
 SHARP = ("{slider} Its edges are sharp: stress and shear at the edges grow as the mesh is refined. Mean, rms "
-         "and percentiles converge; a pointwise maximum does not, and the peak pressure is no result.")
+         "and percentiles converge; a pointwise maximum does not, and the peak pressure is not a result.")
 ROUND = ("{slider} Without sharp edges pressure and shear are finite, "
          "but the rim of the contact is known to one cell of the mesh only, and the pressure of that cell is uncertain.")
 

@@ -93,7 +93,7 @@ def _split(text: str) -> tuple[str, str]:
 def _require_number(key: str, case: Case) -> None:
     value = case[key]  # raises for unknown keys, with the nearest
     if not isinstance(value, float):
-        raise CaseError(f"{key} = {value!r} is no single real number, which alone can vary\n"
+        raise CaseError(f"{key} = {value!r} is not a single real number, which alone can vary\n"
                         "  = ionskin keys lists every key; of a list name one entry: slider.start[0]")
 
 
@@ -106,7 +106,7 @@ def quantity(key: str, text: str, case: Case | None) -> tuple[float, str]:
             raise CaseError(f"{key}: {error}") from error
     match = NUMBER.fullmatch(text)
     if not match or match[2] or not math.isfinite(float(match[1])):
-        raise CaseError(f"{key}: {text!r} is no number")
+        raise CaseError(f"{key}: {text!r} is not a number")
     return float(match[1]), "1"
 
 

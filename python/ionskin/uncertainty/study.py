@@ -91,7 +91,7 @@ class Uncertainty:
             return Trial(number, values, case.check())
         except CaseError as error:
             at = ", ".join(f"{one.key} = {values[one.key]:.6g}" for one in self.parameters)
-            raise CaseError(f"sample {number} is no valid case ({at})\n  = narrow the distributions so that all values go "
+            raise CaseError(f"sample {number} is not a valid case ({at})\n  = narrow the distributions so that all values go "
                             f"together\n{error}") from error
 
     def ask(self, count: int | None = None) -> list[Trial]:

@@ -14,7 +14,7 @@ std::string trimmed(std::string_view text, std::string_view blanks = " \t");
 std::vector<std::string> split(std::string_view text, char separator,
                                std::string_view blanks = " \t");
 
-/// A user's text for a message: one line, control bytes and bytes that are no UTF-8 escaped
+/// A user's text for a message: one line, control bytes and bytes that are not UTF-8 escaped
 /// ("\\x1b"), the middle of a long one left out.
 /// @param most bytes that are shown
 std::string shown(std::string_view text, std::size_t most = 120);

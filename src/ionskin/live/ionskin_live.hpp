@@ -94,7 +94,7 @@ public:
   /// Back to a detached skin at rest.
   void reset() noexcept { ionskin_live_reset(handle_.get()); }
 
-  /// Another coefficient of friction, which is no part of the state. Takes memory.
+  /// Another coefficient of friction, which is not part of the state. Takes memory.
   /// @returns whether it is within the trained range; if not nothing changes
   bool set_friction(double coefficient) noexcept {
     return ionskin_live_set_friction(handle_.get(), coefficient) != 0;

@@ -49,7 +49,7 @@ public:
   std::uint32_t step(double time, const std::array<double, 2>& place, bool is_force, double value,
                      std::span<double> signals) noexcept;
 
-  /// Another coefficient of friction, of the slider that touches now; it is no part of the state,
+  /// Another coefficient of friction, of the slider that touches now; it is not part of the state,
   /// and takes memory.
   /// @returns whether it is within the trained range; if not nothing changes
   bool set_friction(double coefficient);

@@ -100,8 +100,8 @@ std::string skin_bytes(const SkinData& data);
 /// Writes under a temporary name, then renames. Throws base::UnwritableFile.
 void write_skin(const std::filesystem::path& path, const SkinData& data);
 
-/// Throws UserError when the file cannot be read, is no such file, is damaged, or holds sizes that
-/// do not fit each other.
+/// Throws UserError when the file cannot be read, is not such a file, is damaged, or holds sizes
+/// that do not fit each other.
 SkinData read_skin(const std::filesystem::path& path);
 
 /// Whether a file calls itself a live skin, whole or not.

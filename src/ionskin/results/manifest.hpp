@@ -39,7 +39,7 @@ Manifest new_manifest(std::string command, int threads, std::string input_hash);
 std::string manifest_text(const Manifest& manifest);
 /// Writes the file atomically. Throws UserError when it cannot.
 void write_manifest(const std::filesystem::path& path, const Manifest& manifest);
-/// Throws UserError when the file is missing, is no manifest of ionskin, or was changed.
+/// Throws UserError when the file is missing, is not a manifest of ionskin, or was changed.
 Manifest read_manifest(const std::filesystem::path& path);
 bool is_ionskin_manifest(const std::filesystem::path& path);
 

@@ -184,7 +184,7 @@ void OutputFolder::make_ready(ExistingFolder existing, LockKind lock) {
 fs::path OutputFolder::own(const std::string& name) {
   const fs::path path = folder_ / name;
   if (!is_inner_name(name)) {
-    throw InternalError(name + " is no name of a result");
+    throw InternalError(name + " is not a name of a result");
   }
   const fs::path parent = path.parent_path();
   if (fs::path(name).has_parent_path()) {

@@ -22,7 +22,7 @@ constexpr std::size_t largest_text = 8u << 20;
 
 using base::FileDescriptor;
 
-/// What lies in the folder itself and is no link.
+/// What lies in the folder itself and is not a link.
 bool has(const FileDescriptor& folder, const std::string& name) {
   return is_file(open_below(folder, name));
 }

@@ -13,7 +13,7 @@ namespace ionskin::base {
 /// digest stands for, whatever happens to the file meanwhile.
 class FileCopy {
 public:
-  /// Throws UserError when the file cannot be read, is no regular file (a folder, pipe or device
+  /// Throws UserError when the file cannot be read, is not a regular file (a folder, pipe or device
   /// is not waited for), is larger than half of the available memory or changes while it is copied.
   explicit FileCopy(const std::filesystem::path& path);
 

@@ -24,7 +24,7 @@ enum class SealState {
 };
 SealState check_seal(const std::filesystem::path& path);
 
-/// Digest of a file's bytes; nothing when it cannot be read or is no regular file. A link is not
+/// Digest of a file's bytes; nothing when it cannot be read or is not a regular file. A link is not
 /// followed.
 std::optional<Digest> digest_if_readable(const std::filesystem::path& path);
 

@@ -14,7 +14,7 @@ struct AvailableDisk {
 
 /// Free disk space for this user in a folder, which need not exist yet; infinity where the system
 /// does not tell. $IONSKIN_DISK_LIMIT, such as "300 GB", takes its place. Throws UserError when
-/// that is no number of bytes.
+/// that is not a number of bytes.
 AvailableDisk available_disk(const std::filesystem::path& folder);
 
 } // namespace ionskin::base

@@ -15,8 +15,8 @@ namespace ionskin {
 
 namespace {
 
-/// Bends to a smaller radius than this many thicknesses are no small strain: half a thickness over
-/// the radius is the strain of the core's faces.
+/// Bends to a smaller radius than this many thicknesses do not make a small strain: half a
+/// thickness over the radius is the strain of the core's faces.
 constexpr double least_radius = 1.0;
 
 /// Largest compression, as a share of the thickness of the core.

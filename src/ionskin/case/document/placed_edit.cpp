@@ -101,7 +101,7 @@ const toml::value& element(const std::string& argument, const toml::value& array
     refuse(argument, fmt::format("{} has no entry {}", step.name, *step.index), false,
            array.is_array()
                ? fmt::format("it has {} entries, counted from 0", array.as_array().size())
-               : fmt::format("{} is no array", step.name));
+               : fmt::format("{} is not an array", step.name));
   return array.as_array()[*step.index];
 }
 
@@ -297,7 +297,7 @@ SetEdit parse_set_edit(const std::string& argument) {
            "write --set key=value; an empty text is \"\"");
   const std::string value = toml_value_text(typed);
   if (!is_toml_value(value))
-    refuse(argument, fmt::format("{} is not a TOML value", base::shown(typed)), true,
+    refuse(argument, fmt::format("{} is not TOML value", base::shown(typed)), true,
            "numbers, quantities such as 3 mm, words, \"texts\" and [lists] are");
   return {argument, parse_path(argument, key), value};
 }

@@ -71,7 +71,7 @@ CsvFile::CsvFile(const std::string& path, const std::string& kind)
   if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF") ||
       text_.find('\0') != text_.npos)
     throw UserError(fmt::format(
-        "the {} file {} is UTF-16, or no text\n  = save it as CSV in UTF-8, or convert it: iconv "
+        "the {} file {} is UTF-16, or not text\n  = save it as CSV in UTF-8, or convert it: iconv "
         "-f UTF-16 -t UTF-8 FILE > NEW",
         kind, base::shown(path)));
   at_ = text_.size() - without_mark(text_).size();

@@ -23,7 +23,7 @@ class TomlText {
 public:
   /// Parses a whole case.
   /// @param file name shown in messages
-  /// Throws UserError with an excerpt when the text is no TOML or beyond its limits.
+  /// Throws UserError with an excerpt when the text is not TOML or beyond its limits.
   TomlText(std::string text, const std::string& file);
 
   const std::string& text() const { return text_; }

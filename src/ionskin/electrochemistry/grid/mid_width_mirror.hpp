@@ -18,7 +18,7 @@ bool is_mirrored(const history::CoreHistory& history);
 /// where the history is mirrored about mid-width and the columns come in pairs, else all of it.
 class MidWidthMirror {
 public:
-  /// @param readout_is_mirrored false where the circuits of the top face are no mirror image
+  /// @param readout_is_mirrored false where the circuits of the top face are not mirror images
   MidWidthMirror(const TransportGrid& whole, const history::CoreHistory& history,
                  bool readout_is_mirrored = true);
 

@@ -145,7 +145,7 @@ bool SlidingContact::reaches(const SliderLoad& load) const {
       load.kind == LoadKind::force
           ? 0
           : *std::min_element(problem_.gap.begin(), problem_.gap.end()) - adhesion.range;
-  return !(load.value <= least); // what is no number is left to the solver to refuse
+  return !(load.value <= least); // what is not a number is left to the solver to refuse
 }
 
 SurfaceState SlidingContact::solve_adhesive(const ContactProblem& problem, const SliderStep& step) {

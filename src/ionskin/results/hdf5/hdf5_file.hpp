@@ -21,8 +21,8 @@ namespace ionskin::results {
 /// Files that this process has not written itself are read through ForeignHdf5File. What is read
 /// must be plain: see hdf5_plain.hpp.
 ///
-/// Errors: UserError when the file cannot be opened, is no HDF5 file, lacks what is read or cannot
-/// be written; the message names the file and the object.
+/// Errors: UserError when the file cannot be opened, is not an HDF5 file, lacks what is read or
+/// cannot be written; the message names the file and the object.
 class Hdf5File {
 public:
   enum class Access {

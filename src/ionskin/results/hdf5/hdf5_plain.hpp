@@ -15,7 +15,7 @@
 
 namespace ionskin::results {
 
-/// True if `object` exists. Throws when a link on the way is no hard link.
+/// True if `object` exists. Throws when a link on the way is not a hard link.
 bool has_plain(hid_t file, const std::filesystem::path& path, const std::string& object);
 
 Hdf5Handle open_plain_dataset(hid_t file, const std::filesystem::path& path,

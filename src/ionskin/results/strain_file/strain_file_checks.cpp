@@ -170,7 +170,7 @@ void StrainFileChecks::covers_core(const history::CoreHistory& history, const Sk
 void StrainFileChecks::events_are_samples(const history::CoreHistory& history) const {
   for (double event : history.event_time) {
     if (!std::binary_search(history.time.begin(), history.time.end(), event)) {
-      fail(fmt::format("event_time holds {} s, which is no entry of time", event),
+      fail(fmt::format("event_time holds {} s, which is not an entry of time", event),
            "write only instants of time into event_time, or leave it out");
     }
   }

@@ -87,7 +87,7 @@ struct Coarser {
   double time_refinement = 0.5;
 };
 
-/// Noise of an instrument is no error of the program.
+/// Noise of an instrument is not an error of the program.
 Case without_noise(const Case& input) {
   Case result = input;
   for (const circuits::CircuitRow& circuit : circuits::circuits()) {

@@ -34,7 +34,7 @@ inline constexpr const char* rounding = "rounding";
 double safety(const std::string& part, const std::string& quantity);
 
 /// Reason that a metric whose estimate is NaN or infinite has none.
-inline constexpr const char* not_a_number = "its estimate is no number";
+inline constexpr const char* not_a_number = "its estimate is not a number";
 /// Likewise of what few readings at the onset of sliding tell, of which a coarser solution may have
 /// fewer than it takes: no defect, and no warning.
 inline constexpr const char* too_few_readings =
@@ -73,7 +73,7 @@ std::vector<double> pair_band(const std::vector<double>& values, const std::stri
 
 /// Sums the pairs up. A part of a metric is the largest of its own difference, that of its
 /// neighbours and the norm of the difference of its signal over the run, so that a difference that
-/// happens to vanish is not taken for none. What is no number is not estimated.
+/// happens to vanish is not taken for none. What is not a number is not estimated.
 ErrorEstimate combine_errors(const Signals& base, const std::vector<ErrorPair>& pairs,
                              const ErrorFloors& floors);
 

@@ -33,7 +33,7 @@ FitStatistics fit_statistics(const std::vector<double>& values,
                              const std::vector<double>& residuals, const Jacobian& jacobian);
 
 /// What a reader must know before using the estimates: parameters that the data cannot tell apart
-/// or hardly fix, and residuals that are no noise.
+/// or hardly fix, and residuals that are not noise.
 std::vector<std::string> fit_warnings(const FitStatistics& statistics,
                                       const std::vector<std::string>& keys);
 

@@ -50,8 +50,8 @@ void keep_unfinished_contact(const Case& input, const RunOptions& options,
       kept = fmt::format("its signals end at {:.6g} s, where the contact gave up, and it has no "
                          "figures",
                          path->stepped.back().time);
-    } catch (const SolverError&) { // a strain that is no number
-      kept = "the contact gave up, and its strain is no number";
+    } catch (const SolverError&) { // a strain that is not a number
+      kept = "the contact gave up, and its strain is not a number";
     }
   }
   outputs.warnings.push_back(told(kept, error));

@@ -82,7 +82,7 @@ private:
       if (fit_columns().count(column) == 0) {
         const std::string nearest = base::nearest_name(column, known_names());
         throw UserError(
-            fmt::format("--column {} is no signal to fit\n  = {}{}", base::shown(column),
+            fmt::format("--column {} is not a signal to fit\n  = {}{}", base::shown(column),
                         nearest.empty() ? "" : "did you mean " + nearest + "? ", known));
       }
       return column;
@@ -116,8 +116,9 @@ private:
     const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
     const auto [end, status] = std::from_chars(begin, text.data() + text.size(), value);
     if (status != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
-      table_.refuse(fmt::format("\"{}\" in column {} is no number", base::shown(text), column.name),
-                    "leave the entry empty where nothing was measured");
+      table_.refuse(
+          fmt::format("\"{}\" in column {} is not a number", base::shown(text), column.name),
+          "leave the entry empty where nothing was measured");
     }
     const double converted = *units::convert_unit(value, column.unit, si);
     if (!std::isfinite(converted)) {

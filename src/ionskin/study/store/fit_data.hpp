@@ -27,7 +27,7 @@ const std::map<std::string, std::string>& fit_columns();
 /// `CsvTable`.
 /// @param column which one to take; may be empty when the file holds one that a fit can take
 /// Throws UserError with the line when the file cannot be read, a column or a unit is missing or
-/// unknown, an entry is no number, or the time does not ascend.
+/// unknown, an entry is not a number, or the time does not ascend.
 FitData read_fit_data(const std::filesystem::path& path, const std::string& column = "");
 
 /// Whether the values are means over an interval.

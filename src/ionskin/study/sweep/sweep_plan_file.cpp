@@ -35,7 +35,7 @@ constexpr const char* again = "plan again: ionskin sweep CASE.toml --over KEY=VA
                               "--overwrite -o DIR, or with --resume in place of --overwrite to "
                               "keep what is finished";
 
-/// A path may hold bytes that are no UTF-8.
+/// A path may hold bytes that are not UTF-8.
 std::string text_of(const Json& json) {
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -209,7 +209,7 @@ PlannedSweep parse(const fs::path& path) {
   } catch (const nlohmann::json::exception&) {
   }
   throw UserError(
-      fmt::format("{} is no plan of ionskin or is damaged\n  = {}", path.string(), again));
+      fmt::format("{} is not a plan of ionskin or is damaged\n  = {}", path.string(), again));
 }
 
 void read_case_of(const SweepRequest& request, SweepPoint& point) {

@@ -121,7 +121,7 @@ const std::vector<Mistake> mistakes{
        file.remove("/time");
        file.write_text("/time", "now");
      },
-     {"/time is no dataset of numbers"}},
+     {"/time is not a dataset of numbers"}},
     {"time in two dimensions",
      Frame::skin,
      keep,
