@@ -91,7 +91,7 @@ def case_text(slider, motion, control, law, circuit):
 
 
 def solve(program, name, text, preset, refinement, keep, states=True):
-    """summary.json of a case, run unless the folder to keep holds it; without companions where it states no errors."""
+    """summary.json of a case, run unless the folder to keep holds it; without coarser solutions where it states no errors."""
     folder = keep / f"{name}_{preset}" if refinement == 1 else keep / f"{name}_{preset}_{refinement:g}"
     summary = folder / "summary.json"
     if not summary.exists() or (states and not json.loads(summary.read_text(encoding="utf-8")).get("error_estimate")):

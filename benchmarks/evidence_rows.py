@@ -3,7 +3,7 @@
 
 No constant is chosen by the signal. One without a source is varied over its range. A number that was not read in its source is
 marked `from memory`. A row is `agrees` or `disagrees` by a rule that stands in the row; what cannot be computed, or has
-not a number that could be read, is `cannot be had`, with the reason.
+no number that could be read, is `cannot be had`, with the reason.
 """
 
 import dataclasses

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the tests of one file of unittest's: run_file.py [--part short|long] [--may-skip REASON] [-k PATTERN] FILE
 
-All of them, or those that are marked @long_test, or the others. A test that is skipped is told in a line of its own, which
+All of them, or those that are marked @long_test, or the others. A test that is skipped is named in a line of its own, which
 scripts/run_tests.py counts, and is a failure unless the regular expression REASON, or that in the environment variable
 IONSKIN_MAY_SKIP, matches why. So is a file without tests.
 """

@@ -25,7 +25,7 @@ TITLES = {
 HEAD = """# Verification results
 
 Every row compares a figure with a closed form, an identity or an independent code; what each set holds the program to
-is told in [Verification](verification.md). Made by `ionskin verify --csv FILE` on the machine that built these pages.
+is described in [Verification](verification.md). Made by `ionskin verify --csv FILE` on the machine that built these pages.
 
 """
 NOTHING = HEAD + """The table was not there when these pages were built. `make docs` makes it; `ionskin verify` prints it

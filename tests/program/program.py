@@ -21,7 +21,7 @@ QUICK = ROOT / "cases" / "quick.toml"
 FAULTS = PROGRAM.parent / "tests" / "fault_injection" / "libionskin_fault_injection.so"
 PAPER = ROOT / "cases" / "paper.toml"
 # Mesh and time steps that serve to test the bookkeeping, not the physics, at a tenth of the work of cases/quick.toml.
-# Companions, which state the errors, double it: test_stated_errors.py, test_interrupt.py and test_sweep.py have them.
+# Coarser solutions, which give the errors, double it: test_stated_errors.py, test_interrupt.py and test_sweep.py have them.
 SMALL = tuple(word for edit in ("mesh_refinement=0.3", "time_refinement=0.3", "error_estimate=off")
               for word in ("--set", f"numerics.{edit}"))
 

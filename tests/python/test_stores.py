@@ -235,7 +235,7 @@ class Stores(PackageTest):
 
 class Folders(PackageTest):
     def test_runs_whose_records_are_none(self):
-        """A run that has not ended is told by its manifest, whatever stands there."""
+        """A run that has not ended is recognised by its manifest, whatever stands there."""
         for text in ("[]", "3", "null", '{"state": 1, "stages": 3}', '{"state": 1, "stages": {"ions": 3}}', '{"state": NaN}', DEEP, ""):
             (self.folder / "manifest.json").write_text(text)
             for more in ({}, {"unfinished": True}):

@@ -98,7 +98,7 @@ ENTRIES = [
           "the share of the metric's variance that a parabola in this key alone explains, an estimate of the first-order "
           "index; what the shares of a row lack to 1 is due to interplay of keys, or to a course that no parabola follows.",
           design.sensitivity),
-    Entry("fig23_friction_window", "The window in which a slip is told before it happens", "Left: from the first micro-slip, and "
+    Entry("fig23_friction_window", "The window in which a slip is recognised before it happens", "Left: from the first micro-slip, and "
           "from where a current departs by three times the noise floor, to full slip. Right: how far a reading of each current "
           "departs in that time. Shaded: a reading falls between for certain, and stands above noise floor and stated error.",
           trends.friction_window),

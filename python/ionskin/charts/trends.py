@@ -211,7 +211,7 @@ def inside(told):
 
 
 def window_spans(study, told):
-    """Bands over the values whose slip is told, half way to their neighbours."""
+    """Bands over the values whose slip is recognised, half way to their neighbours."""
     if study.scattered:
         return ()
     values = numpy.array([member.value for member in study.members], float)
@@ -220,11 +220,11 @@ def window_spans(study, told):
 
 
 def window_words(study, told):
-    """The shaded values in words: "told at 0.1–0.3, 0.5"."""
+    """The shaded values in words: "recognised at 0.1–0.3, 0.5"."""
     runs = []
     for before, member, tells in zip([False, *inside(told)], study.members, inside(told)):
         if tells:
             value = quantity(member.value, study.unit, 3)
             runs = [*runs[:-1], (runs[-1][0], value)] if before else [*runs, (value, value)]
     texts = [first if first == last else f"{first}–{last}" for first, last in runs]
-    return "told at " + ", ".join(texts) if texts else "no window"
+    return "recognised at " + ", ".join(texts) if texts else "no window"

@@ -62,7 +62,7 @@ def connected(scheduler):
     address, security = read_scheduler(scheduler)
     require_listening(address, scheduler)
     from distributed import Client  # pylint: disable=import-outside-toplevel
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what is lost is told here
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what is lost is reported here
     try:
         with patience(f"the scheduler at {address}", CONNECT):
             client = Client(address, security=security, timeout=CONNECT, name="ionskin")

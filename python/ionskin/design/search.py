@@ -55,7 +55,7 @@ class Design:
                 study.tell(trial, ionskin.run(trial.case))
         study.best()
 
-    The first trials fill the ranges evenly; each further one is the optimum of interpolants of all that was told, within
+    The first trials fill the ranges evenly; each further one is the optimum of interpolants of all results so far, within
     a region that shrinks where they mislead. Raises CaseError before any work.
     """
 

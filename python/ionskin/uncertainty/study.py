@@ -50,7 +50,7 @@ class Uncertainty:
     vary      distribution by key, as text: {"contact.friction": "uniform(0.1, 0.4)"}
     samples   how many trials; with the design "sobol" it may be raised later
     design    "sobol" or "lhs"
-    metrics   names of metrics to analyse; empty: those told first
+    metrics   names of metrics to analyse; empty: those of the first result
 
         study = ionskin.Uncertainty(case, {"contact.friction": "uniform(0.1, 0.4)"}, samples=64)
         for trial in study.ask():
@@ -95,7 +95,7 @@ class Uncertainty:
                             f"together\n{error}") from error
 
     def ask(self, count: int | None = None) -> list[Trial]:
-        """Trials whose results are not told yet, the first `count` of them."""
+        """Trials whose results are not given yet, the first `count` of them."""
         return [trial for trial in self.trials if trial.number not in self.outcomes][:count]
 
     def tell(self, trial: Trial, told: Any) -> None:

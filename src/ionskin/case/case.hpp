@@ -275,10 +275,10 @@ struct Numerics {
   double mesh_refinement = 1; ///< divides every mesh size
   double time_refinement = 1; ///< divides every time step
   /// Multiplies the elements through core and top electrode's face beside `mesh_refinement`; no key
-  /// of a case, but for companions that tell errors.
+  /// of a case, but for the coarser solutions that give the errors.
   double thickness_refinement = 1;
   double time_tolerance = 0;  ///< relative error of the charge per time step; 0: the preset's
-  bool error_estimate = true; ///< solve coarser companions, which tell the errors of results
+  bool error_estimate = true; ///< solve coarser solutions, which give the errors of results
 };
 
 /// Output that a run keeps beside signals and metrics.

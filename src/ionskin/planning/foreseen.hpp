@@ -15,7 +15,7 @@ namespace ionskin::planning {
 /// slow for the contact, no coupling, a strain that is not small. Each a sentence with its remedy.
 /// Throws UserError where the run is bound to fail: where the least shear leaves no solution. Empty
 /// where no slider makes the strain.
-/// @param found the contact where a coarse solution has told it
+/// @param found the contact where a coarse solution has found it
 std::vector<std::string> foreseen(const Case& input,
                                   const std::optional<mesh::Footprint>& found = std::nullopt);
 

@@ -118,7 +118,7 @@ struct GridCost {
   double history_values = 0; ///< of one instant
 };
 
-/// Companions, by the name of `mechanics::companions`, that have cells of their own.
+/// Coarser solutions, by the name of `mechanics::companions`, that have cells of their own.
 std::vector<const char*> companions_of(const Case& input) {
   namespace names = mechanics::companions;
   if (!input.numerics.error_estimate) {
@@ -140,7 +140,8 @@ MechanicsCost estimate_mechanics_cost(const Case& input, int threads,
   cost.steps = steps.taken;
   cost.histories = own.history_memory(steps);
   double sought = 0, path = own.path_seconds(steps), strain = own.strain_seconds(steps);
-  double beside = 0, path_beside = 0; // of the companions, which a thread of their own solves
+  double beside = 0,
+         path_beside = 0; // of the coarser solutions, which a thread of their own solves
   for (const char* name : companions_of(input)) {
     const Case of_companion = mechanics::companion_case(input, name);
     try {

@@ -16,7 +16,7 @@ struct MechanicsCost {
   double seconds = 0;            ///< wall time, the handover of the strain included
   double further_seconds = 0; ///< more wall time for another friction coefficient on the same skin
   double memory = 0;          ///< largest, beside what the program takes at rest [bytes]
-  double histories = 0;       ///< strain of run and companions, in memory to the end [bytes]
+  double histories = 0;       ///< strain of run and coarser solutions, in memory to the end [bytes]
 };
 
 /// Cost of the run and, where it estimates its errors, of the coarser solutions that it solves

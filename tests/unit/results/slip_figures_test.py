@@ -129,7 +129,7 @@ class Window(SlipTest):
         return words
 
     def test_is_where_a_reading_falls_between_and_stands_out(self):
-        self.assertEqual(self.words(), "told at 0.3–0.5")
+        self.assertEqual(self.words(), "recognised at 0.3–0.5")
         self.assertEqual(self.words(lead_error=0.0401), "no window", "the lead may be shorter than the interval")
         self.assertEqual(self.words(lead=0.009), "no window", "shorter than the interval between readings")
         self.assertEqual(self.words(noise=1e-6), "no window", "within three times the noise")
@@ -138,7 +138,7 @@ class Window(SlipTest):
     def test_names_each_part_of_a_window(self):
         study = self.write()
         yes, no = (slip.Told(1.0, 0.0, 0.1, lead, 0.0, 0.5) for lead in (1.0, 0.1))
-        self.assertEqual(trends.window_words(study, {"difference": [yes, yes, no, no, yes]}), "told at 0.1–0.2, 0.5")
+        self.assertEqual(trends.window_words(study, {"difference": [yes, yes, no, no, yes]}), "recognised at 0.1–0.2, 0.5")
 
     def test_is_drawn_of_a_sweep_alone(self):
         chart = trends.friction_window(self.write())

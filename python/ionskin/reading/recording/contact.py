@@ -49,6 +49,6 @@ def touching(force, above):
 
 
 def parts(touches):
-    """(first, behind the last) of each stretch of rows that touches."""
+    """(first, behind the last) of each run of rows that touches."""
     edges = numpy.flatnonzero(numpy.diff(numpy.concatenate(([False], touches, [False])).astype(int)))
     return list(zip(edges[::2].tolist(), edges[1::2].tolist()))

@@ -7,7 +7,7 @@
 namespace ionskin {
 
 /// Keys of a prescribed load beside another strain.source, and laws that it cannot drive. Needs no
-/// material, so that it is told with all that is missing.
+/// material, so that it is reported with all that is missing.
 void check_prescribed_keys(const CaseDocument& document, Problems& problems);
 
 /// Checks the needs of strain.source = "prescribed": one load, and the keys of its waveform and no

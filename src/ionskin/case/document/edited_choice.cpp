@@ -45,7 +45,7 @@ const toml::value* value_of(const TomlText& values, std::string_view key) {
   return value;
 }
 
-/// The stretch of "key = value", or of the header of a table.
+/// The span of "key = value", or of the header of a table.
 TextSpan statement(const TomlText& values, const toml::value& value) {
   const TextSpan key = values.key_span(value), own = values.span(value);
   return {key.begin, own.begin + own.length - key.begin};
@@ -177,7 +177,7 @@ std::optional<EditedChoices> fit_to_edited_choices(CaseText& text, TomlText& val
                                                    const std::vector<std::string>& set_edits) {
   if (std::ranges::none_of(set_edits, may_choose))
     return std::nullopt;
-  Problems ignored; // told by the walk that reads the case
+  Problems ignored; // reported by the walk that reads the case
   TomlWalk edited(text, values, ignored);
   edited.visit();
   EditedChoices found;

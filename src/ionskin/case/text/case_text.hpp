@@ -9,7 +9,7 @@
 
 namespace ionskin {
 
-/// A stretch of the text that a `--set` edit replaces.
+/// A span of the text that a `--set` edit replaces.
 struct TextEdit {
   std::size_t begin = 0;       ///< in the text before the edits made with it
   std::size_t replaced = 0;    ///< bytes that stand there; 0 to insert
@@ -34,7 +34,7 @@ public:
   /// @param edits by ascending begin; they must not overlap
   void edit(const std::vector<TextEdit>& edits);
 
-  /// Where the user wrote the stretch [begin, begin + length) of the edited text.
+  /// Where the user wrote the span [begin, begin + length) of the edited text.
   Place place(std::size_t begin, std::size_t length) const;
   /// True when an edit wrote the text at this position.
   bool is_edited(std::size_t position) const { return piece_at(position).is_edit; }

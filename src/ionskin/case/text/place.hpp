@@ -7,7 +7,7 @@
 
 namespace ionskin {
 
-/// A stretch of one line of a case file or of a `--set` argument, to point at in a message.
+/// A span of one line of a case file or of a `--set` argument, to point at in a message.
 struct Place {
   std::string origin;     ///< file name, or "command line"
   std::size_t line = 0;   ///< from 1; 0 for a --set argument, which has no lines
