@@ -143,7 +143,7 @@ class Window(SlipTest):
     def test_is_drawn_of_a_sweep_alone(self):
         chart = trends.friction_window(self.write())
         self.assertEqual(crowded_words(draw_chart.draw(chart)), [])
-        self.assertEqual(chart.note, "Told at 0.3–0.5.")
+        self.assertEqual(chart.note, "Recognised at 0.3–0.5.")
         self.assertIn("sweep contact.friction", trends.friction_window(Study(self.folder / "points" / "0001")))
 
     def test_shows_a_departure_below_the_noise_or_says_that_there_is_none(self):
