@@ -10,7 +10,7 @@
 
 namespace ionskin::mechanics {
 
-/// How a slider on a drive is stepped.
+/// Options of a slider on a drive.
 struct DriveOptions {
   Drive drive;
   std::array<bool, 2> along{true, true}; ///< axes along which the slider yields

@@ -9,18 +9,18 @@
 
 namespace ionskin::mechanics {
 
-/// What a step of a leg ends with.
+/// State with which a step of a leg ends.
 struct PassedStep {
   double fraction = 0; ///< of the leg
-  /// Of a slider that touches nothing; empty where it stands as it was last told [m].
+  /// Height of a slider that touches nothing; empty where it stands as it was last reported [m].
   std::optional<double> height = {};
   bool required = false; ///< before and behind what may be a jump
 };
-/// @returns the height of the slider that was told [m]
+/// @returns the height of the slider that was reported [m]
 using PassedSink = std::function<double(const PassedStep&)>;
 
-/// How a contact is moved over a part of a leg: as its motion prescribes it, or on a drive, or held
-/// by adhesion.
+/// Steps by which a contact is moved over a part of a leg: as its motion prescribes it, or on a
+/// drive, or held by adhesion.
 class LegSteps {
 public:
   /// @param contact outlives this
@@ -43,7 +43,7 @@ public:
   virtual std::array<double, 2> drive_force(const MotionLeg& /*leg*/, double /*fraction*/) const {
     return {};
   }
-  /// Whether the place of the slider is that of its path; if not, steps find their length
+  /// True if the place of the slider is that of its path; if not, steps find their length
   /// themselves, and a slider that rests may still move.
   virtual bool follows_path() const { return true; }
 

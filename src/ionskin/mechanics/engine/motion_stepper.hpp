@@ -26,7 +26,7 @@ struct StepPoint {
   std::array<double, 2> drive_force{}; ///< of a drive on the slider; 0 without load [N]
 };
 
-/// How a motion is cut into steps.
+/// Options by which a motion is cut into steps.
 struct StepperOptions {
   PathSteps steps;
   double longest_travel = 0;         ///< of a step [m]
@@ -78,7 +78,7 @@ private:
   bool travels_ = false, loads_ = false; ///< whether the leg before moved, and changed its level
   std::vector<double> events_;
   std::vector<std::array<double, 2>> onsets_;
-  double last_height_ = 0; ///< of the slider, as it was last told [m]
+  double last_height_ = 0; ///< of the slider, as it was last reported [m]
 };
 
 } // namespace ionskin::mechanics

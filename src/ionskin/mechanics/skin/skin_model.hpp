@@ -21,7 +21,8 @@ struct SkinModel {
   mesh::SkinMesh mesh;
   ContactCells cells;
   std::vector<double> gap; ///< of the slider's underside over the cells [m]
-  /// Of a soft slider against forces on the cells, [3 cells, 3 cells]; empty of a rigid one [m/N].
+  /// Compliance of a soft slider against forces on the cells, [3 cells, 3 cells]; empty of a rigid
+  /// one [m/N].
   Eigen::MatrixXd slider_compliance;
   finite_layers::LayeredSkin layers;
   MotionBox places;  ///< where the slider's centre is expected [m]

@@ -10,13 +10,13 @@
 
 namespace ionskin::mechanics {
 
-/// Where an iteration stands.
+/// Values of an iteration.
 struct Iterate {
   CellVector force;       ///< [N]
   double indentation = 0; ///< [m]
 };
 
-/// Where the cells of an iterate stand.
+/// State of the cells of an iterate.
 struct Standing {
   std::vector<laws::CellTrial> trial;
   std::vector<laws::CellResponse> response;
