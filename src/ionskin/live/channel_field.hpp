@@ -26,7 +26,7 @@ public:
   /// Integrals over all that lies before a corner along x and y, one for each level.
   void integrate_to(const std::array<double, 2>& place, const std::array<double, 2>& corner,
                     std::span<double> levels) noexcept;
-  /// Of the modes.
+  /// Amplitudes of the modes.
   std::span<const double> amplitude() const { return amplitude_; }
 
 private:

@@ -19,7 +19,7 @@ struct ChannelSamples {
   Eigen::MatrixXf fields;    ///< [level][y][x], sample
 };
 
-/// What the modes of a channel are to tell.
+/// Measure by which the modes of a channel are chosen.
 struct ChannelMeasure {
   std::vector<double> point_weight; ///< of a Gauss point: root of its volume; 0: not to be chosen
   std::vector<double> cell_area;    ///< of a column of the grid, [y][x] [m2]
