@@ -14,8 +14,7 @@ import sys
 
 SOURCES = ("apps", "benchmarks", "cases", "docs", "examples", "fuzz", "python", "scripts", "src", "tests", "verification")
 # Folders whose comments are not reworded yet, such as "src/ionskin/live/".
-EXEMPT = ("src/ionskin/electrochemistry/",
-          "src/ionskin/readout/",
+EXEMPT = ("src/ionskin/readout/",
           "src/ionskin/poroelasticity/",
           "src/ionskin/study/",
           "apps/")

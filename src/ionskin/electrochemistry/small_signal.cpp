@@ -13,7 +13,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Of the preset `fine`.
+/// Refinement of the preset `fine`.
 constexpr double refinement = 3.0;
 
 ScaledGrid column_grid(const Case& input, const DerivedScales& scales) {
@@ -82,7 +82,7 @@ std::complex<double> SmallSignalCell::core_impedance(double frequency) const {
   const std::vector<Complex> taken = solve_tridiagonal(lower, diagonal, upper, 1.0);
   Complex voltage = 0.0;
   for (std::size_t k = 0; k < intervals; ++k) {
-    // Of the concentration from level k to k + 1, by the flux between them.
+    // The rise is that of the concentration from level k to k + 1, by the flux between them.
     const Complex rise = (1.0 - (1.0 + rate) * taken[k]) / exchange[k];
     voltage += grid_.spacing[k] * (1.0 - taken[k] + grid_.charge_exchange[k] * rise);
   }

@@ -52,7 +52,7 @@ public:
 private:
   void append_conductors(const std::vector<ElectrodeRow>& electrodes,
                          std::optional<std::size_t> read, IonSolution& solution) const;
-  /// Of conductors that the ground holds, which the solver takes for one.
+  /// Appends the rows of conductors that the ground holds, which the solver takes for one.
   void append_held(std::optional<std::size_t> read, IonSolution& solution) const;
   IonSnapshot snapshot(double time, const IonState& state) const;
 

@@ -71,14 +71,14 @@ public:
   /// Makes the end of the step tried last the new state.
   void accept(TransportState& state);
 
-  /// Of the conductors of a cut top face, in the state that was accepted or taken up last; empty
-  /// for one conductor.
+  /// Rows of the conductors of a cut top face, in the state that was accepted or taken up last;
+  /// empty for one conductor.
   std::vector<ElectrodeRow> electrode_rows(const TransportState& state) const;
 
-  /// Between the leads of metal with sheet resistances; nothing without.
+  /// Voltage between the leads of metal with sheet resistances; nothing without.
   std::optional<double> lead_voltage(const TransportState& state) const;
 
-  /// Of the state that was accepted or taken up last.
+  /// Relaxation of the state that was accepted or taken up last.
   Relaxation relaxation(const TransportState& state) const;
 
 private:
