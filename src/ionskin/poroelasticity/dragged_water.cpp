@@ -47,7 +47,7 @@ void DraggedWater::step(const PressureState& begin, double duration,
   }
   water_.step(begin, duration, load_, end);
   water_.pressure(end, pressure_);
-  // What P stores, less what the cations brought.
+  // The load is what P stores, less what the cations brought.
   const double back = held_share_ *
                       std::inner_product(lengths_.begin(), lengths_.end(), pressure_.begin(), 0.0) /
                       nodes_.back();

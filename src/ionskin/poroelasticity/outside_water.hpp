@@ -17,7 +17,7 @@ public:
   /// @param mobility of the core [m2/(Pa s)]
   OutsideWater(const Case& input, const WaterWalls& walls, double mobility);
 
-  /// Whether there is any.
+  /// True if there is any water under pressure outside.
   bool acts() const { return pressure_[0] != 0 || pressure_[1] != 0; }
   /// Steady pressure at a height in the core [Pa].
   double steady(double height, double time) const;

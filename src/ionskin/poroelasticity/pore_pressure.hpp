@@ -10,7 +10,7 @@
 
 namespace ionskin::poroelasticity {
 
-/// Where the water stands: amplitudes of the modes, [z][y][x] [Pa].
+/// State of the water: amplitudes of the modes, [z][y][x] [Pa].
 struct PressureState {
   std::vector<double> pressure;  ///< P, the water potential over the molar volume of water
   std::vector<double> undrained; ///< p_u, what it would be if no water moved
@@ -35,7 +35,7 @@ public:
   const std::vector<double>& nodes() const { return nodes_; }
   std::size_t values() const { return x_.size * y_.size * z_.size; }
 
-  /// At the first instant: the undrained response.
+  /// Starts at the first instant: the undrained response.
   /// @param undrained p_u at the nodes of every column [z][y][x] [Pa]
   void start(std::span<const double> undrained, PressureState& state);
 
