@@ -24,13 +24,13 @@ inline constexpr const char* thin_layers = "thin_layers"; ///< of the ion model 
 inline constexpr const char* rounding = "rounding";
 } // namespace error_parts
 
-/// What the differences of a part are multiplied with, for a metric or a signal. For meshes and
-/// time steps that is 0.8, twice what Richardson's extrapolation makes of a difference at the order
-/// of 1.8 that `ionskin verify` asserts (E3): a grid convergence index with a factor of safety of
-/// 2, between the 3 of two meshes and the 1.25 of three (Roache, Journal of Fluids Engineering 116,
-/// 1994, doi 10.1115/1.2910291). It covers every order of convergence from 1.2 on. What hangs on
-/// the edges of the contact converges in first order: there the mesh of the mechanics counts 1, as
-/// do all other parts.
+/// Factor with which the differences of a part are multiplied, for a metric or a signal. For meshes
+/// and time steps that is 0.8, twice what Richardson's extrapolation makes of a difference at the
+/// order of 1.8 that `ionskin verify` asserts (E3): a grid convergence index with a factor of
+/// safety of 2, between the 3 of two meshes and the 1.25 of three (Roache, Journal of Fluids
+/// Engineering 116, 1994, doi 10.1115/1.2910291). It covers every order of convergence from 1.2 on.
+/// What hangs on the edges of the contact converges in first order: there the mesh of the mechanics
+/// counts 1, as do all other parts.
 double safety(const std::string& part, const std::string& quantity);
 
 /// Reason that a metric whose estimate is NaN or infinite has none.
@@ -48,13 +48,13 @@ struct ErrorPair {
   const Signals* coarser = nullptr;
 };
 
-/// What beside the pairs decides the errors.
+/// Floors of the errors beside the pairs.
 struct ErrorFloors {
   double path = 0; ///< of interpolation and residuals of the contact, relative [1]
-  /// What the strain, which does not follow the water, leaves in signals that it makes, relative
-  /// [1]; 0 under other laws.
+  /// Error that the strain, which does not follow the water, leaves in signals that it makes,
+  /// relative [1]; 0 under other laws.
   double decoupling = 0;
-  /// What the limit of thin double layers leaves out of charges, currents and voltages, relative
+  /// Error that the limit of thin double layers leaves in charges, currents and voltages, relative
   /// [1]; 0 under other ion models.
   double thin_layers = 0;
   double charge = 0;          ///< what rounding may leave in a charge [C]; 0 without currents

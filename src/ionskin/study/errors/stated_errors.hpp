@@ -12,7 +12,7 @@ namespace ionskin::study {
 /// The stated errors of one run.
 struct ErrorEstimate {
   std::map<std::string, double> relative; ///< sum of the parts over the value, by metric [1]
-  /// By metric and part, in the unit of the metric.
+  /// Parts of the errors by metric and part, in the unit of the metric.
   std::map<std::string, std::map<std::string, double>> parts;
   std::map<std::string, std::string> not_converging; ///< why, by metric: finer meshes change it on
   std::map<std::string, std::string> not_estimated;  ///< why, by metric

@@ -14,7 +14,7 @@
 
 namespace ionskin::study {
 
-/// What the model said at one point: time, charges and voltage of the solution, which every column
+/// Answer of the model at one point: time, charges and voltage of the solution, which every column
 /// of data follows from, or why there is none.
 struct FitAnswer {
   std::shared_ptr<const electrochemistry::IonSolution> ions;
@@ -36,7 +36,7 @@ public:
   /// @param point values of the free keys [SI]
   std::optional<FitAnswer> find(const std::vector<double>& point) const;
   void add(const std::vector<double>& point, const FitAnswer& answer);
-  /// How many evaluations an earlier fit left.
+  /// Number of evaluations that an earlier fit left.
   std::size_t taken_up() const { return taken_up_; }
   /// Removes the files and the folder: the fit is finished.
   void remove();

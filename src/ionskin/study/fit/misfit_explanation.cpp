@@ -19,7 +19,7 @@ struct Ends {
   bool least = false, largest = false;
 };
 
-/// What the model says of the ends once it is fitted to the other rows.
+/// Model at the ends once it is fitted to the other rows.
 struct WithoutEnds {
   FitData rows;                                ///< the others
   std::vector<double> signal;                  ///< likewise

@@ -35,8 +35,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return result;
 }
 
-/// What stands behind the last "error: " at the begin of a line, or else the last line; as one
-/// line.
+/// Text behind the last "error: " at the begin of a line, or else the last line; as one line.
 std::string last_message(std::string text) {
   constexpr std::string_view mark = "error: ";
   const std::size_t found = text.rfind("\n" + std::string(mark));

@@ -13,10 +13,10 @@
 
 namespace ionskin::study {
 
-/// Which studies a run does.
+/// Studies that a run does.
 enum class Studies { both, mechanics, electrochemistry };
 
-/// How a case is run, and where its results go.
+/// Options of a run, and where its results go.
 struct RunOptions {
   std::filesystem::path folder; ///< of the results
   int threads = 1;
@@ -33,7 +33,7 @@ struct RunOptions {
   base::ProgressCallback progress = base::no_progress;
 };
 
-/// What a run found and warned of.
+/// Results and warnings of a run.
 struct RunOutcome {
   std::filesystem::path folder;
   std::filesystem::path report; ///< empty when no report was made

@@ -18,7 +18,7 @@
 namespace ionskin::study {
 namespace {
 
-// Above these the reader must be told.
+// Limits above which the reader must be warned.
 constexpr double linear_limit = 0.3;    // k gamma h / (2 lambda)
 constexpr double depletion_limit = 0.1; // min c / c0
 constexpr double error_limit = 0.05;    // estimated, of the current between the spikes

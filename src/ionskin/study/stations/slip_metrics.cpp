@@ -35,7 +35,7 @@ double way_between(const Case& input, double from, double to) {
   return way;
 }
 
-/// What a current is told from.
+/// Noise floor from which a current is distinguished.
 struct NoiseFloor {
   double charge = 0;  ///< that rounding leaves [C]
   double reading = 0; ///< rms [A]

@@ -157,7 +157,7 @@ private:
   std::string last_; ///< value, as written
 };
 
-/// Of a record at one rate its interval, else infinity [s].
+/// Interval of a record at one rate, else infinity [s].
 double rate_interval(const FitData& data) {
   constexpr double alike = 0.3, enough = 0.8;
   std::vector<double> steps;

@@ -30,12 +30,12 @@ const std::map<std::string, std::string>& fit_columns();
 /// unknown, an entry is not a number, or the time does not ascend.
 FitData read_fit_data(const std::filesystem::path& path, const std::string& column = "");
 
-/// Whether the values are means over an interval.
+/// True if the values are means over an interval.
 bool is_current(const FitData& data);
 
-/// Where the interval of each row of a current begins: at the row before. Of a record at one rate
-/// (four in five intervals are alike) with rows missing, a row behind a gap stands for an interval
-/// of that rate. The first interval is as long as the second, as far as the run has begun.
+/// Begin of the interval of each row of a current: at the row before. Of a record at one rate (four
+/// in five intervals are alike) with rows missing, a row behind a gap stands for an interval of
+/// that rate. The first interval is as long as the second, as far as the run has begun.
 /// @param start of the run [s]
 std::vector<double> interval_starts(const FitData& data, double start);
 
@@ -43,7 +43,7 @@ std::vector<double> interval_starts(const FitData& data, double start);
 /// Throws UserError when rows lie behind `end`, or none is left. [s]
 void restrict_to_run(FitData& data, double start, double end);
 
-/// What a run says to the data: a charge or a voltage at the instants; a current as the charge
+/// Prediction of the data by a run: a charge or a voltage at the instants; a current as the charge
 /// gained over the row's interval, divided by it, which is what both our tables hold. Before its
 /// beginning and behind its end charges stay.
 std::vector<double> predict(const FitData& data, const electrochemistry::IonSolution& ions);

@@ -12,7 +12,7 @@
 
 namespace ionskin::study {
 
-/// How a sweep is run, and where its results go.
+/// Options of a sweep, and where its results go.
 struct SweepOptions {
   std::filesystem::path folder;
   int threads = 1;
@@ -25,7 +25,7 @@ struct SweepOptions {
   base::ProgressCallback progress = base::no_progress; ///< called from one thread at a time
 };
 
-/// What a sweep did.
+/// Outcome of a sweep.
 struct SweepOutcome {
   std::size_t points = 0;
   std::map<std::string, std::string> failures; ///< reason by name of the point
@@ -42,7 +42,7 @@ struct SweepOutcome {
 /// points outlive an interruption, which leaves as Interrupted. Throws UserError before any work.
 SweepOutcome run_sweep(const SweepPlan& plan, const SweepOptions& options);
 
-/// What a planned sweep consists of.
+/// Contents of a planned sweep.
 struct PlannedFolder {
   std::vector<SweepBatch> batches;
   std::vector<std::size_t> unfinished; ///< numbers of the batches that have points to be solved

@@ -85,7 +85,7 @@ Json batch_json(const SweepPlan& plan, const SweepBatch& batch, std::size_t numb
           {"seconds", batch.seconds}};
 }
 
-/// What is wrong with a plan, which the user need not know more closely.
+/// Damage of a plan, which the user need not know more closely.
 class Damaged {};
 
 void require(bool holds) {
@@ -136,7 +136,7 @@ bool is_number(const std::string& text) {
   return status == std::errc() && rest == end && std::isfinite(value);
 }
 
-/// What only the point's case tells.
+/// Takes what only the point's case tells.
 void take_point(const Json& json, SweepPoint& point) {
   const Json& values = json.at("values");
   require(values.is_array() && values.size() == point.values.size());

@@ -45,7 +45,7 @@ std::vector<SweepAxis> parse_axes(const std::vector<std::string>& over) {
   return axes;
 }
 
-/// What of a text may stand in the name of a folder.
+/// Letters of a text that may stand in the name of a folder.
 std::string name_letters(std::string_view text, std::string_view others) {
   std::string result;
   for (const char letter : text) {

@@ -11,7 +11,7 @@
 
 namespace ionskin::study {
 
-/// What the user asks of a sweep: a base case and the keys to vary.
+/// Request of the user for a sweep: a base case and the keys to vary.
 struct SweepRequest {
   std::string case_path;
   std::optional<std::string> case_text; ///< instead of the file's

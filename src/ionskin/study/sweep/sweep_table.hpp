@@ -10,10 +10,10 @@
 
 namespace ionskin::study {
 
-/// How far a point is.
+/// Status of a point.
 enum class PointStatus { pending, finished, failed };
 
-/// How far one point of a sweep came.
+/// State of one point of a sweep.
 struct PointState {
   PointStatus status = PointStatus::pending;
   std::string reason;                   ///< why it failed
