@@ -14,7 +14,7 @@ import sys
 
 SOURCES = ("apps", "benchmarks", "cases", "docs", "examples", "fuzz", "python", "scripts", "src", "tests", "verification")
 # Folders whose comments are not reworded yet, such as "src/ionskin/live/".
-EXEMPT = ("apps/",)
+EXEMPT = ()
 WITHOUT_SUBJECT = set("""also and another as because but by from how into its of or out per since so than that their those to
                          what whether which who whose why""".split())
 PREPOSITIONS = set("""above after against along among at before behind below beside between beyond during for if in on over

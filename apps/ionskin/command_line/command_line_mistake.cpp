@@ -136,7 +136,7 @@ std::string missing(const CLI::App& app, const CLI::App& verb) {
                  fmt::format("write {}; more: {} --help", usage(app, verb), call(app, verb)));
 }
 
-/// Of "--only: mech not in {mechanics,electrochemistry}".
+/// Message on the unknown choice in "--only: mech not in {mechanics,electrochemistry}".
 std::optional<std::string> unknown_choice(const std::string& text) {
   const std::size_t colon = text.find(": "), open = text.find(" not in {");
   if (colon == std::string::npos || open == std::string::npos || open < colon ||
@@ -152,7 +152,7 @@ std::optional<std::string> unknown_choice(const std::string& text) {
                              fmt::join(choices, ", ")));
 }
 
-/// Of "--from: 1 required TEXT:{paper,quick} missing".
+/// Message on the missing value in "--from: 1 required TEXT:{paper,quick} missing".
 std::optional<std::string> missing_value(const std::string& text, const std::string& usage) {
   const std::size_t colon = text.find(": ");
   if (colon == std::string::npos || !text.ends_with(" missing")) {
@@ -177,7 +177,7 @@ std::string explain_mistake(const CLI::App& app, const CLI::ParseError& error,
   const CLI::App& verb = verbs.empty() ? app : *verbs.front();
   const auto first_word = std::ranges::find_if_not(words, is_option);
   const std::vector<std::string> extras = app.remaining(true);
-  // What nobody asked for explains more than what is missing.
+  // Options that nobody asked for explain more than what is missing.
   for (const std::string& word : words) {
     if (is_option(word) && std::ranges::find(extras, word) != extras.end()) {
       return unknown_option(app, verb, word, words);

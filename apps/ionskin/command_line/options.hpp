@@ -17,8 +17,8 @@
 
 namespace ionskin::apps {
 
-/// How progress is shown. `automatic`: a bar on a terminal and lines elsewhere. `quiet`: nothing,
-/// and no summary of the results either.
+/// Form in which progress is shown. `automatic`: a bar on a terminal and lines elsewhere. `quiet`:
+/// nothing, and no summary of the results either.
 enum class LogFormat { automatic, bar, lines, json, none, quiet };
 
 struct RunOptions {
@@ -77,7 +77,7 @@ struct FitOptions {
   LogFormat log = LogFormat::automatic;
 };
 
-/// Of uncertainty, design and generate, which ionskin's Python package carries out.
+/// Options of uncertainty, design and generate, which ionskin's Python package carries out.
 struct TrialOptions {
   std::string case_path, output;
   std::string on; ///< file of a cluster's scheduler; empty for this machine

@@ -20,7 +20,7 @@ struct Reference {
   int year;
   std::string_view doi;
   bool (*used)(const Case&);
-  /// Fields that no second source confirmed, in words; told above the entry.
+  /// Fields that no second source confirmed, in words; shown above the entry.
   std::string_view unconfirmed = "";
 };
 
