@@ -12,7 +12,9 @@ import pathlib
 import re
 import sys
 
-SOURCES = ("apps", "benchmarks", "cases", "docs", "examples", "fuzz", "python", "scripts", "src", "tests", "verification")
+SOURCES = ("apps", "benchmarks", "cases", "docs", "examples", "fuzz", "python", "scripts", "src", "studio", "tests",
+           "verification")
+SUFFIXES = (".cpp", ".hpp", ".h", ".py", ".ts", ".js")
 # Folders whose comments are not reworded yet, such as "src/ionskin/live/".
 EXEMPT = ()
 WITHOUT_SUBJECT = set("""also and another as because but by from how into its of or out per since so than that their those to
@@ -24,8 +26,8 @@ SENTENCE = re.compile(r".*?[.:;](?=\s|$)|.*", re.DOTALL)
 PAGE_PARTS = ("**In:**", "**Out:**", "**Equations:**", "**Begin with:**")
 
 
-def cpp_comments(text):
-    """Yields line number and text of each comment of a C++ source that stands on lines of its own, before what it is about.
+def line_comments(text):
+    """Yields line number and text of each comment of a C++ or TypeScript source that stands on lines of its own, before what it is about.
 
     A comment behind a declaration, `double length; ///< along x [m]`, goes on from the name and is free.
     """
@@ -55,7 +57,7 @@ def lacks_subject(comment):
 
 def mistakes(name, text):
     """Yields one message for each comment of a source that leaves its subject out."""
-    for line, comment in docstrings(text) if name.endswith(".py") else cpp_comments(text):
+    for line, comment in docstrings(text) if name.endswith(".py") else line_comments(text):
         if lacks_subject(comment):
             yield f"{name}:{line}: say what this is, as a sentence with a subject or a noun phrase: {comment.split(chr(10))[0][:60]}"
 
@@ -76,7 +78,7 @@ def main():
     for source in SOURCES:
         for path in sorted((root / source).rglob("*")):
             name = path.relative_to(root).as_posix()
-            if path.suffix in (".cpp", ".hpp", ".h", ".py") and not name.startswith(EXEMPT) and "/_build/" not in name:
+            if path.suffix in SUFFIXES and not name.startswith(EXEMPT) and "/_build/" not in name:
                 found += mistakes(name, path.read_text(encoding="utf-8"))
     for room in sorted(path for path in (root / "src" / "ionskin").iterdir() if path.is_dir()):
         page = room / "README.md"

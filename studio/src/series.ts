@@ -15,7 +15,7 @@ export interface Series {
   marked?: boolean;
 }
 
-/// What can be drawn together: a name to choose, the table and its columns.
+/// Columns that can be drawn together: a name to choose, the table and its columns.
 export interface Quantity { id: string; label: string; table: string; columns: string[]; unit: string; }
 
 const tables = new Map<string, Promise<Table>>();
