@@ -27,7 +27,7 @@ PAGE_PARTS = ("**In:**", "**Out:**", "**Equations:**", "**Begin with:**")
 
 
 def line_comments(text):
-    """Yields line number and text of each comment of a C++ or TypeScript source that stands on lines of its own, before what it is about.
+    """Yields line number and text of each comment that stands on lines of its own, before what it is about.
 
     A comment behind a declaration, `double length; ///< along x [m]`, goes on from the name and is free.
     """

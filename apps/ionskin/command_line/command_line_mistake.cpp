@@ -202,7 +202,7 @@ std::string explain_mistake(const CLI::App& app, const CLI::ParseError& error,
   if (const auto choice = unknown_choice(text)) {
     return *choice;
   }
-  const std::string help = fmt::format("{} --help tells its options", call(app, verb));
+  const std::string help = fmt::format("{} --help lists its options", call(app, verb));
   if (const auto lacking = missing_value(text, help)) {
     return *lacking;
   }

@@ -110,7 +110,7 @@ def of_noise(results):
         ("the skin's thermal noise", metric("sample_noise_thermal")), ("the amplifier", metric("sample_noise_amplifier")),
         ("the converter's steps", metric("sample_noise_quantisation"))) if value)
     verdict = (f"{float(f'{ratio:.2g}'):,g} times smaller than that peak" if ratio >= 3 else
-               "no smaller than a third of that peak: one reading does not tell it" if ratio >= 1 else "larger than that peak: it cannot be read")
+               "no smaller than a third of that peak: one reading does not show it" if ratio >= 1 else "larger than that peak: it cannot be read")
     return [f"The noise of one reading is {quantity(metric('sample_noise'), unit, 2)} rms ({told_parts}), {verdict}."]
 
 

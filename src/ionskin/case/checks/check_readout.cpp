@@ -296,7 +296,7 @@ std::vector<std::string> notes_on_readout(const CaseDocument& document) {
   if (circuit.admittance->passes_charge())
     notes.push_back(fmt::format(
         "All {} taxels share one {} and one voltage: with the circuit \"{}\" the top electrode is "
-        "one conductor, and taxels.csv tells the part of the current that enters each. Taxels read "
+        "one conductor, and taxels.csv has the part of the current that enters each. Taxels read "
         "one by one have circuits of their own: readout.taxel_circuit.",
         readout.taxels.size(), circuit.words, circuit.name));
   else

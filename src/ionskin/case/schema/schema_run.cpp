@@ -58,7 +58,7 @@ void add_run_control(SchemaRows& rows) {
                   .type = ValueType::choice,
                   .default_value = "\"on\"",
                   .choices = {{"on"}, {"off"}},
-                  .help = "Whether coarser solutions tell the errors of the results. Off, the "
+                  .help = "Whether coarser solutions estimate the errors of the results. Off, the "
                           "results are the same bits, without a stated error.",
                   .set = into<Numerics, bool>(&Case::numerics, &Numerics::error_estimate,
                                               {{"on", true}, {"off", false}})});
