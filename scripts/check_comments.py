@@ -21,16 +21,16 @@ WITHOUT_SUBJECT = set("""also and another as because but by from how into its of
                          what whether which who whose why""".split())
 PREPOSITIONS = set("""above after against along among at before behind below beside between beyond during for if in on over
                       through under until when where while with within without""".split())
+# Words with which even a comment behind a declaration, that goes on from the name, leaves its subject out.
+WITHOUT_NAME = set("how so that those what whether which why".split())
 LINE = re.compile(r"^\s*///?(?!<) ?(.*)$")
+BEHIND = re.compile(r"///< ?(.*)$")
 SENTENCE = re.compile(r".*?[.:;](?=\s|$)|.*", re.DOTALL)
 PAGE_PARTS = ("**In:**", "**Out:**", "**Equations:**", "**Begin with:**")
 
 
 def line_comments(text):
-    """Yields line number and text of each comment that stands on lines of its own, before what it is about.
-
-    A comment behind a declaration, `double length; ///< along x [m]`, goes on from the name and is free.
-    """
+    """Yields line number and text of each comment that stands on lines of its own, before what it is about."""
     first, parts = 0, []
     for number, line in enumerate([*text.splitlines(), ""], 1):
         own = LINE.match(line)
@@ -42,6 +42,13 @@ def line_comments(text):
             parts = []
 
 
+def comments_behind(text):
+    """Yields line number and text of each comment that goes on from a name: `double length; ///< along x [m]`."""
+    for number, line in enumerate(text.splitlines(), 1):
+        if behind := BEHIND.search(line):
+            yield number, behind[1]
+
+
 def docstrings(text):
     """Yields line number and text of each docstring of a Python source."""
     for node in ast.walk(ast.parse(text)):
@@ -49,17 +56,24 @@ def docstrings(text):
             yield node.body[0].lineno, ast.get_docstring(node)
 
 
+def first_word(comment):
+    """First word of a comment, in small letters."""
+    return re.match(r"[A-Za-z]*", comment)[0].lower()
+
+
 def lacks_subject(comment):
     """True where the first sentence of a comment leaves its subject out."""
-    word = re.match(r"[A-Za-z]*", comment)[0].lower()
+    word = first_word(comment)
     return word in WITHOUT_SUBJECT or (word in PREPOSITIONS and "," not in SENTENCE.match(comment)[0])
 
 
 def mistakes(name, text):
     """Yields one message for each comment of a source that leaves its subject out."""
-    for line, comment in docstrings(text) if name.endswith(".py") else line_comments(text):
-        if lacks_subject(comment):
-            yield f"{name}:{line}: say what this is, as a sentence with a subject or a noun phrase: {comment.split(chr(10))[0][:60]}"
+    python = name.endswith(".py")
+    found = [one for one in (docstrings(text) if python else line_comments(text)) if lacks_subject(one[1])]
+    found += [] if python else [one for one in comments_behind(text) if first_word(one[1]) in WITHOUT_NAME]
+    for line, comment in sorted(found):
+        yield f"{name}:{line}: say what this is, as a sentence with a subject or a noun phrase: {comment.split(chr(10))[0][:60]}"
 
 
 def page_mistakes(room, page):

@@ -12,7 +12,7 @@ namespace ionskin::verification {
 /// holds.
 struct Row {
   std::string id;       ///< such as "E3" or "M4", the numbering of the verification pages
-  std::string quantity; ///< what is compared, with its unit
+  std::string quantity; ///< quantity that is compared, with its unit
   double value = 0;
   double reference = 0;
   double tolerance = 0; ///< on |value - reference|, in the unit of `quantity`

@@ -35,6 +35,9 @@ class CheckComments(unittest.TestCase):
     def test_words_that_only_begin_alike(self):
         self.assertEqual(self.lines("/// Offset of a line.\nint a;\n/// Outline of the body.\nint b;\n/// Whole skin.\nint c;\n"), [])
 
+    def test_a_comment_behind_a_name_may_go_on_from_it(self):
+        self.assertEqual(self.lines("double length; ///< along x [m]\nbool cut; ///< whether it is\nint n; ///< that follow\n"), [2, 3])
+
     def test_docstrings(self):
         text = '"""Numbers of a run."""\n\n\nclass A:\n    """What it is."""\n\n    def f(self):\n        """A\n        sum."""\n'
         self.assertEqual(self.lines(text, "a.py"), [5])

@@ -169,7 +169,7 @@ struct LiveOptions {
   std::size_t validation = 90;
   std::uint64_t seed = 1;
   std::optional<std::array<double, 2>> friction;
-  bool trains = false; ///< whether an option is given that only a training has a use for
+  bool trains = false; ///< true if an option is given that only a training has a use for
   int threads = 0;
   bool overwrite = false;
   LogFormat log = LogFormat::automatic;

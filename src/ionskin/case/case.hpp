@@ -63,7 +63,7 @@ struct Slider {
   laws::LawValues parameters;        ///< of shapes, that of the chosen one among them
   std::array<double, 2> size{};      ///< plan of the underside along x and y [m]
   std::string profile;               ///< absolute path of the height map; empty without one
-  shapes::HeightMap profile_heights; ///< what stands in it
+  shapes::HeightMap profile_heights; ///< heights in that file
   std::array<double, 2> start{};     ///< centre at the start of a cycle, x and y [m]
   double youngs_modulus = 0;         ///< 0 for a rigid slider [Pa]
   double poissons_ratio = 0;         ///< of a soft one [1]
@@ -229,7 +229,7 @@ struct TaxelGrid {
 /// Taxels read one row after another, each row by the circuits of its taxels for a while.
 struct Scan {
   double dwell = 0;           ///< on a row [s]; 0 for no scan
-  bool grounds_others = true; ///< what is not read meanwhile; open otherwise
+  bool grounds_others = true; ///< true if taxels that are not read are grounded; open otherwise
 };
 
 /// Part of the metal of both electrodes that the leads touch: all over, or at the ends of the skin

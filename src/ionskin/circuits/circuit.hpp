@@ -35,7 +35,7 @@ struct InputNoise {
 /// A circuit with the values of its parameters.
 struct Circuit {
   std::string_view name{};
-  std::string words{}; ///< what it is, without an article: "resistor of 1000 ohm"
+  std::string words{}; ///< name without an article: "resistor of 1000 ohm"
   /// Admittance between the electrodes; nothing where the circuit holds both at one potential.
   std::optional<Admittance> admittance{};
   /// Reading of the circuit's instrument for the difference charge [C] over time [s]; empty without
@@ -49,8 +49,8 @@ struct Circuit {
 
 /// One row of the table of circuits.
 struct CircuitRow {
-  std::string_view name;    ///< that a case gives in `readout.circuit`
-  std::string_view meaning; ///< what it joins the electrodes by: "a load resistor"
+  std::string_view name;    ///< value of `readout.circuit`
+  std::string_view meaning; ///< part that joins the electrodes: "a load resistor"
   bool holds_potential;     ///< keeps both electrodes at one potential
   std::string_view noise;   ///< the parameter that is 0 without noise; empty for a quiet circuit
   std::span<const laws::LawParameter> parameters; ///< keys `readout.NAME`

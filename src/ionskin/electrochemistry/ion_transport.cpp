@@ -286,7 +286,7 @@ private:
 
   const IonOptions& options_;
   Readout readout_;
-  std::optional<std::size_t> row_; ///< that a scan reads
+  std::optional<std::size_t> row_; ///< row that a scan reads
   TransportGrid grid_;
   DerivedScales scales_;
   MidWidthMirror mirror_;

@@ -27,7 +27,8 @@ public:
   double largest() const;
 
 private:
-  std::optional<LoadShares> load_; ///< that the pressures follow; without one they are constant
+  std::optional<LoadShares>
+      load_; ///< shares that the pressures follow; without them they are constant
   std::array<double, 2> pressure_; ///< outside the bottom and the top wall [Pa]
   WaterWalls walls_;
   double thickness_, mobility_;

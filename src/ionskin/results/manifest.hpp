@@ -13,7 +13,7 @@ struct StageRecord {
   std::string state;      ///< "running", "finished", "interrupted" or "failed"
   double wall_time = 0;   ///< [s]
   double peak_memory = 0; ///< largest resident memory of the process when the stage ended [bytes]
-  std::string source;     ///< what it was taken from: "earlier run", "another point"; empty
+  std::string source;     ///< origin of what was taken over: "earlier run", "another point"; empty
                           ///< where worked here
 };
 
@@ -23,7 +23,7 @@ struct Manifest {
   std::string command;
   std::string input_hash;        ///< of everything that decides the result, see `content_hash`
   std::string state = "running"; ///< of the whole run, as for the stages
-  std::string reason;            ///< why the run gave up
+  std::string reason;            ///< reason why the run gave up
   std::string started;           ///< UTC, ISO 8601; filled by `new_manifest`
   int threads = 1;
   std::map<std::string, StageRecord> stages;

@@ -33,8 +33,8 @@ struct Summary {
   std::map<std::string, double> error_estimate; ///< relative, by metric [1]
   /// Parts of the errors by metric and part, in the unit of the metric; they add up to the error.
   std::map<std::string, std::map<std::string, double>> error_parts;
-  std::map<std::string, std::string> not_converging; ///< why, by metric
-  std::map<std::string, std::string> not_estimated;  ///< why, by metric
+  std::map<std::string, std::string> not_converging; ///< reasons, by metric
+  std::map<std::string, std::string> not_estimated;  ///< reasons, by metric
   std::vector<AuditEntry> audits;
   std::optional<CircuitEntry> circuit; ///< of a run with ions
 };

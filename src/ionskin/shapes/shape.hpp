@@ -74,10 +74,10 @@ public:
 
 /// One row of the table of shapes.
 struct ShapeRow {
-  std::string_view name;                          ///< that a case gives in `slider.shape`
+  std::string_view name;                          ///< value of `slider.shape`
   std::string_view meaning;                       ///< "a cylinder with its axis along y"
   bool takes_heights;                             ///< from the file `slider.profile`
-  bool has_whole_plan;                            ///< so that a case need not give `slider.size`
+  bool has_whole_plan;                            ///< true if a case need not give `slider.size`
   std::span<const laws::LawParameter> parameters; ///< keys `slider.NAME`
   std::unique_ptr<const Shape> (*with)(const laws::LawValues& values);
 };

@@ -72,7 +72,7 @@ std::string title_in(const std::string& text) {
 struct Contents {
   Json manifest = Json::object(), summary = Json::object();
   std::string case_text;
-  std::string damage; ///< why they are not shown
+  std::string damage; ///< reason why they are not shown
 };
 
 Contents read_contents(const FileDescriptor& folder, const std::string& kind) {

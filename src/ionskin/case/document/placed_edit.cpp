@@ -156,7 +156,7 @@ std::size_t line_end(const std::string& text, std::size_t position) {
 struct Slot {
   std::size_t position = 0;
   std::string before, key, after;
-  std::string claim; ///< what no other edit may add to beside this one
+  std::string claim; ///< name to which no other edit may add beside this one
   bool on_top = true;
 };
 

@@ -37,7 +37,7 @@ struct PlacedEdit {
   /// The key that it sets, or the table or part of a key that it makes: what another edit placed in
   /// the same text must neither set, nor lie in, nor hold.
   std::string claim;
-  bool on_top = false; ///< what is inserted at the same place by later edits stands before it
+  bool on_top = false; ///< true if later edits at the same place stand before it
 };
 
 /// A key that is not there yet is added to its table, a table that is not there yet to the end.

@@ -64,7 +64,7 @@ struct Choice {
 struct Value {
   std::string text;                                      ///< of `text` and `choice`
   std::vector<double> numbers;                           ///< one for scalars, two for pairs
-  units::Dimension dimension = units::Dimension::number; ///< that the numbers were written in
+  units::Dimension dimension = units::Dimension::number; ///< dimension of the numbers as written
 };
 
 /// Destination of the values of a case while it is read: materials are known by name until layers
@@ -89,7 +89,7 @@ struct SchemaRow {
   units::Dimension dimension = units::Dimension::number;
   std::optional<units::Dimension> other_dimension{}; ///< a quantity may have this one instead
   Range range{};
-  std::string range_reason{}; ///< why the range ends where it does, when that is not plain
+  std::string range_reason{}; ///< reason for the ends of the range, when it is not plain
   Need need = Need::optional;
   /// Purpose of the keys of `one_of_several` that stand in for one another, for messages.
   std::string purpose{};
@@ -104,7 +104,7 @@ struct SchemaRow {
   /// Comes from the key of the same name of the core's material where the case is silent.
   bool of_material = false;
   std::string help{};   ///< one sentence
-  std::string source{}; ///< where the default comes from
+  std::string source{}; ///< source of the default
   std::function<void(CaseDraft&, const KeyIndex&, const Value&)> set{};
 };
 

@@ -13,8 +13,8 @@ namespace ionskin {
 struct TextEdit {
   std::size_t begin = 0;       ///< in the text before the edits made with it
   std::size_t replaced = 0;    ///< bytes that stand there; 0 to insert
-  std::string text;            ///< what stands there instead
-  std::size_t value_begin = 0; ///< where the edit's value starts within `text`
+  std::string text;            ///< text that stands there instead
+  std::size_t value_begin = 0; ///< start of the edit's value within `text`
   std::string argument;        ///< the edit as the user wrote it, "contact.friction=0.3"
 };
 
@@ -45,7 +45,7 @@ private:
     std::size_t begin = 0; ///< in the edited text
     bool is_edit = false;
     std::size_t source =
-        0;                 ///< where it begins in the original, or the index of the edit's argument
+        0; ///< place where it begins in the original, or the index of the edit's argument
     bool is_value = false; ///< of an edit: the value, not the key
   };
   const Piece& piece_at(std::size_t position) const;

@@ -44,7 +44,8 @@ private:
                            const std::string& parsed) const;
 
   std::string text_, file_;
-  std::vector<std::size_t> breaks_; ///< where the text that is parsed has newlines of its own
+  std::vector<std::size_t>
+      breaks_; ///< places where the text that is parsed has newlines of its own
   toml::value root_;
 };
 

@@ -15,7 +15,7 @@ struct GridResolution {
   double wall_cell = 0;    ///< first spacing at each wall [Debye lengths]
   double layer_growth = 0; ///< ratio of neighbouring spacings within a Debye length of the walls
   double acceleration = 0; ///< factor on the excess of that ratio over 1 from level to level behind
-  double bulk_growth = 0;  ///< where the ratio stops to grow
+  double bulk_growth = 0;  ///< largest ratio of neighbouring spacings
   double column_width = 0; ///< lateral columns [core thicknesses]
 };
 

@@ -70,7 +70,7 @@ private:
   WallCharges charges_;
   ElectrodeSegments segments_;
   const CutElectrode* cut_;
-  std::vector<bool> is_own_; ///< whether a segment is a taxel with a circuit of its own
+  std::vector<bool> is_own_; ///< true where a segment is a taxel with a circuit of its own
   std::vector<std::size_t> row_of_taxel_; ///< of a scan
 };
 

@@ -119,7 +119,7 @@ private:
   ChargeNorm charge_norm_;
   double resting_amount_;       ///< ions in the core at rest, scaled
   double length_ = 0;           ///< of the step at hand [relaxation times]
-  double implicit_ = 0;         ///< its implicit part
+  double implicit_ = 0;         ///< implicit part of the step
   std::vector<double> settled_; ///< concentration minus released ions where the step begins
   std::vector<double> start_;   ///< concentration a stage starts from
   /// Half the difference of the electrodes' charges and the charge on the circuit's capacitor,

@@ -143,7 +143,7 @@ struct SkinFields::Parts {
   FieldTarget core, electrodes;
   /// Normal strains of the core, for their means over the whole plane.
   FaceFields core_normal;
-  double box_length, box_width; ///< that short waves do not leave
+  double box_length, box_width; ///< sizes of the box that short waves do not leave
   PlaneWaves long_waves, short_waves;
   std::optional<RowStrains> core_rows, electrode_rows; ///< of the short waves
   std::optional<double> rows_at;                       ///< for which they are made [m]

@@ -36,7 +36,7 @@ struct CouplingTraits {
 
 /// One row of the table of coupling laws.
 struct CouplingLaw {
-  std::string_view name; ///< that a case gives in `coupling.law`
+  std::string_view name; ///< value of `coupling.law`
   CouplingTraits traits;
   std::span<const LawParameter> parameters;
   Coupling (*with)(double coefficient, const LawValues& values);

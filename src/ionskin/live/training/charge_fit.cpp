@@ -66,7 +66,7 @@ Normal normal_equations(const std::vector<ChargeRecord>& records, std::size_t in
 }
 
 struct Fit {
-  std::vector<Eigen::Index> columns; ///< that were chosen
+  std::vector<Eigen::Index> columns; ///< columns that were chosen
   Eigen::MatrixXd weights;           ///< [columns][sum, difference]
 };
 

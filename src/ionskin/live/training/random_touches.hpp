@@ -13,7 +13,7 @@ namespace ionskin::live {
 /// Range within which random touches stay, as the motion of a case does.
 struct TouchRange {
   MotionBox box;         ///< of the slider's centre in contact [m]
-  bool is_force = false; ///< what presses
+  bool is_force = false; ///< true if a force presses, not a height
   double heaviest = 0;   ///< force of the whole skin [N] or indentation [m]
   double fastest = 0;    ///< in contact [m/s]
 };

@@ -47,7 +47,7 @@ public:
   /// themselves, and a slider that rests may still move.
   virtual bool follows_path() const { return true; }
 
-  int steps() const { return steps_; } ///< that were taken
+  int steps() const { return steps_; } ///< number of steps taken
   /// Energy that adhesion has lost in jumps [J].
   virtual double adhesion_loss() const { return 0; }
 

@@ -25,8 +25,8 @@ struct SkinModel {
   /// one [m/N].
   Eigen::MatrixXd slider_compliance;
   finite_layers::LayeredSkin layers;
-  MotionBox places;  ///< where the slider's centre is expected [m]
-  bool stays_across; ///< whether its place across the skin is the same throughout
+  MotionBox places;  ///< places at which the slider's centre is expected [m]
+  bool stays_across; ///< true if its place across the skin is the same throughout
 
   /// @param footprint in which the slider may touch
   SkinModel(const Case& input, const mesh::Footprint& footprint, const MotionBox& places_of_centre,

@@ -64,7 +64,7 @@ private:
   std::filesystem::path path_;
   base::FileCopy copy_;
   mutable base::ChildProgram reader_;
-  mutable double seconds_ = 0; ///< that the answer may take
+  mutable double seconds_ = 0; ///< time that the answer may take [s]
 };
 
 } // namespace ionskin::results

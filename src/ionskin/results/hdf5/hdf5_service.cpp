@@ -178,7 +178,7 @@ private:
   int socket_;
   std::span<std::byte> image_;
   std::string name_;
-  double bytes_; ///< that have been asked for
+  double bytes_; ///< bytes that have been asked for
   std::unique_ptr<Hdf5File> file_;
   std::vector<double> frame_;
 };

@@ -57,7 +57,7 @@ struct ErrorFloors {
   /// Error that the limit of thin double layers leaves in charges, currents and voltages, relative
   /// [1]; 0 under other ion models.
   double thin_layers = 0;
-  double charge = 0;          ///< what rounding may leave in a charge [C]; 0 without currents
+  double charge = 0;          ///< error that rounding may leave in a charge [C]; 0 without currents
   double sample_interval = 0; ///< of the readout [s]
   std::vector<readout::Metric> cells; ///< least error of the mesh, by the name of a metric
   std::vector<bool> tail;             ///< rows of the sampled table outside the contact spikes

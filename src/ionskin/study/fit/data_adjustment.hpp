@@ -13,7 +13,7 @@ namespace ionskin::study {
 /// Departure of the record of an instrument from the signal of a run: measured(t) = gain * signal(t
 /// - time_shift) + baseline + drift * (t - first t).
 struct DataAdjustment {
-  double time_shift = 0; ///< how late the record's clock is [s]
+  double time_shift = 0; ///< delay of the record's clock [s]
   double baseline = 0;   ///< [unit of the data]
   double drift = 0;      ///< [unit of the data / s]
   double gain = 1;       ///< negative where the electrodes are swapped [1]

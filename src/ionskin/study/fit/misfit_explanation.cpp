@@ -22,7 +22,7 @@ struct Ends {
 /// Model at the ends once it is fitted to the other rows.
 struct WithoutEnds {
   FitData rows;                                ///< the others
-  std::vector<double> signal;                  ///< likewise
+  std::vector<double> signal;                  ///< signal at the other rows
   double beyond_least = 0, beyond_largest = 0; ///< mean of the signal over the ends
   std::size_t least_rows = 0, largest_rows = 0;
 };

@@ -13,7 +13,7 @@ std::string python_interpreter();
 /// Outcome of a module of the Python package.
 struct PythonOutcome {
   int exit_code = 0;   ///< -1 when the interpreter cannot be started or is killed
-  std::string message; ///< its last one on standard error, where that was captured
+  std::string message; ///< last message on standard error, where that was captured
 
   /// True if a library that the module imports is not there.
   bool lacks_library() const;

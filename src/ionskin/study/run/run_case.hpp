@@ -26,7 +26,7 @@ struct RunOptions {
   /// `electrochemistry` alone takes up the finished mechanics in the folder.
   Studies studies = Studies::both;
   bool report = true;          ///< write the page
-  bool figures = false;        ///< and its figures as files
+  bool figures = false;        ///< true if the figures are written as files
   bool paraview = true;        ///< write the kept fields for ParaView, beside those in results.h5
   bool judge_resources = true; ///< before any work; off where that was done and Study 1 is solved
   std::string command;         ///< for the manifest
@@ -37,7 +37,8 @@ struct RunOptions {
 struct RunOutcome {
   std::filesystem::path folder;
   std::filesystem::path report; ///< empty when no report was made
-  std::string report_problem;   ///< why one that was wanted was not; among the warnings too
+  std::string
+      report_problem; ///< reason why one that was wanted was not made; among the warnings too
   std::vector<readout::Metric> metrics;
   ErrorEstimate errors;
   std::vector<std::string> warnings;

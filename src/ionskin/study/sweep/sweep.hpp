@@ -20,7 +20,7 @@ struct SweepOptions {
   bool resume = false;             ///< finish what an earlier sweep of the same points lacks
   Studies studies = Studies::both; ///< or `mechanics`
   bool report = true;              ///< write the page of the whole sweep
-  bool figures = false;            ///< and its figures as files
+  bool figures = false;            ///< true if the figures are written as files
   std::string command;             ///< for the manifests
   base::ProgressCallback progress = base::no_progress; ///< called from one thread at a time
 };
@@ -31,7 +31,7 @@ struct SweepOutcome {
   std::map<std::string, std::string> failures; ///< reason by name of the point
   std::vector<std::string> missing;            ///< names of the points that nobody solved yet
   std::filesystem::path report;                ///< empty when none was made
-  std::string report_problem;                  ///< why none was made
+  std::string report_problem;                  ///< reason why none was made
   double seconds = 0;
 };
 

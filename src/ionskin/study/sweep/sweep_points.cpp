@@ -21,7 +21,7 @@ namespace ionskin::study {
 namespace {
 
 constexpr std::size_t longest_name = 100;
-constexpr std::size_t most_keys = 1000;  ///< that vary
+constexpr std::size_t most_keys = 1000;  ///< largest number of keys that vary
 constexpr std::size_t most_edits = 1000; ///< of the base case; each reads the case anew
 
 std::vector<SweepAxis> parse_axes(const std::vector<std::string>& over) {

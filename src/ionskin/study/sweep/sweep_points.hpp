@@ -40,7 +40,7 @@ struct SweepPoint {
 /// All points of a sweep.
 struct SweepPlan {
   SweepRequest request; ///< with the text of the case
-  Case base;            ///< its text names the axes, so that it identifies the sweep
+  Case base;            ///< base case, whose text names the axes and so identifies the sweep
   std::vector<SweepPoint> points;
 };
 

@@ -16,7 +16,7 @@ enum class PointStatus { pending, finished, failed };
 /// State of one point of a sweep.
 struct PointState {
   PointStatus status = PointStatus::pending;
-  std::string reason;                   ///< why it failed
+  std::string reason;                   ///< reason why it failed
   std::vector<readout::Metric> metrics; ///< of a finished point
 };
 

@@ -93,7 +93,7 @@ TEST(EditedChoice, LeavesOutKeysOfInlineTables) {
 }
 
 struct OtherChoice {
-  std::string replace, with; ///< what the file has
+  std::string replace, with; ///< text that the file has
   Edits edits;
   std::string left_out;
 };
