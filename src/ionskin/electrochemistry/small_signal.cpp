@@ -66,7 +66,7 @@ std::complex<double> SmallSignalCell::area_impedance(double frequency) const {
 /// that the ions have taken away, the field is 1 - w, the current of the ions is p w, and the ions
 /// in a volume are the difference of w across it. The flux between levels then reads
 ///   (1 + p) w_k - g_k [(w_{k+1} - w_k) / height_{k+1} - (w_k - w_{k-1}) / height_k] = 1,
-/// with w = 0 on the metal. Real and imaginary part of w are told to rounding each, where those of
+/// with w = 0 on the metal. Real and imaginary part of w are exact to rounding each, where those of
 /// the potential are not: in the core it hardly differs from that of a capacitor.
 std::complex<double> SmallSignalCell::core_impedance(double frequency) const {
   const Complex rate(0.0, 2.0 * std::numbers::pi * frequency * scales_.relaxation_time);

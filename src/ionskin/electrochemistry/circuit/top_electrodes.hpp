@@ -25,7 +25,7 @@ struct TopConductor {
 class TopElectrodes {
 public:
   /// Every column must be covered to the whole of its area. Throws InternalError where the
-  /// conductors cannot be told apart: one of them smaller than a column.
+  /// conductors cannot be distinguished: one of them smaller than a column.
   explicit TopElectrodes(std::vector<TopConductor> conductors);
 
   std::size_t size() const { return conductors_.size(); }

@@ -40,7 +40,7 @@ struct ChannelBasis {
 /// Proper orthogonal decomposition of the fields, in the measure, together with their integrals
 /// over the core, which are charges; then the points whose values span those of all others best,
 /// one after the other, and as many as it takes; then a linear regression of the modes on them. As
-/// the samples are many, no mode is told by a few points alone.
+/// the samples are many, no mode is fixed by a few points alone.
 ChannelBasis channel_basis(const ChannelSamples& samples, const ChannelMeasure& measure,
                            const Reflections& reflections);
 

@@ -197,7 +197,7 @@ void check_trainable(const Case& input, const TrainingOptions& options) {
   }
   if (input.motion.drive.given()) {
     throw UserError(
-        "motion.drive: a live skin is told where the slider is, and knows no drive that "
+        "motion.drive: a live skin is given the place of the slider, and knows no drive that "
         "gives\n  = remove motion.drive, and give each step the place of the slider");
   }
   touch_range(input);

@@ -28,7 +28,7 @@ public:
   virtual ~LegSteps() = default;
 
   /// Moves the contact from a fraction of a leg towards another.
-  /// @param passed told of every step
+  /// @param passed called with every step
   /// @returns the fraction that it reached
   /// Throws SolverError when the contact has no solution.
   virtual double advance(const MotionLeg& leg, const LegLevels& levels, double from, double to,

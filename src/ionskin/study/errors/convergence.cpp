@@ -17,7 +17,7 @@ constexpr std::array extremes{"element_max_shear_slide", "electrode_membrane_str
                               "max_potential",           "min_concentration_ratio",
                               "peak_pore_pressure",      "peak_drive"};
 
-/// Stated relative error above which an extreme is not told from one that grows for ever.
+/// Stated relative error above which an extreme is not distinguished from one that grows for ever.
 constexpr double most_of_extreme = 1.0 / 3.0;
 
 /// Stated relative error above which not even the order of magnitude of a resolved peak is known.

@@ -11,7 +11,7 @@
 namespace ionskin::study {
 
 /// Record of the points of a sweep while they are solved: their states, the progress over those
-/// that are worked on, and the table on disk. May be told from several threads.
+/// that are worked on, and the table on disk. May be called from several threads.
 class SweepRecord {
 public:
   /// @param states of all points, as their folders tell them
