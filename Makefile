@@ -57,6 +57,7 @@ check-sources: setup-check
 	@scripts/check_format.sh
 	@/usr/bin/python3 scripts/check_includes.py
 	@/usr/bin/python3 scripts/check_equations.py
+	@/usr/bin/python3 scripts/check_comments.py
 	@/usr/bin/python3 scripts/check_packages.py
 
 quick: check-sources build

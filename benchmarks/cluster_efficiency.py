@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How well workers of a cluster are used: the table of docs/clusters.md.
+"""Use of the workers of a cluster: the table of docs/clusters.md.
 
     benchmarks/cluster_efficiency.py build/ionskin [--sweep] [--sleep] [--turns 3] [--batches 8] [--workers 2]
 
@@ -38,7 +38,8 @@ def cluster(program, folder, workers, threads=1):
 
 
 def processor_time(scheduler):
-    """Of the workers of a cluster and what they started [s]: Dask's worker process waits for the programs."""
+    """Processor time of the workers of a cluster and of what they started [s]: Dask's worker process waits for the
+    programs."""
     import distributed  # pylint: disable=import-outside-toplevel
     with distributed.Client(scheduler_file=str(scheduler), set_as_default=False) as client:
         return sum(client.run(lambda: sum(os.times()[:4])).values())

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// What four times the columns cost a step of Study 2: the paper's case and the same skin four times
-// as wide, one cycle each, in turns, so that what else the machine does falls on both.
+// Cost of four times the columns in a step of Study 2: the paper's case and the same skin four
+// times as wide, one cycle each, in turns, so that what else the machine does falls on both.
 
 #include "presets.hpp"
 

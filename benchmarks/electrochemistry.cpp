@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// What Study 2 of the paper's case costs: counters, cost per unknown and step, and the floor, the
+// Cost of Study 2 of the paper's case: counters, cost per unknown and step, and the floor, the
 // bytes that its vectors and factors are, each moved once per use, at this machine's measured rate.
 
 #include "presets.hpp"

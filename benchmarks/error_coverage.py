@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether stated errors hold: runs cases at a preset and at the next finer one and compares what the first states with
-how far the second is from it. The table of docs/errors-of-results.md.
+"""Comparison of stated errors with true ones: runs cases at a preset and at the next finer one and compares what the
+first states with how far the second is from it. The table of docs/errors-of-results.md.
 
     benchmarks/error_coverage.py build/ionskin [--presets coarse standard] [--cases WORD ...] [--keep FOLDER] [--least SHARE]
 
@@ -91,7 +91,7 @@ def case_text(slider, motion, control, law, circuit):
 
 
 def solve(program, name, text, preset, refinement, keep, states=True):
-    """summary.json of a case, run unless the folder to keep holds it; without companions where it states no errors."""
+    """summary.json of a case, run unless the folder to keep holds it; without coarser solutions where it states no errors."""
     folder = keep / f"{name}_{preset}" if refinement == 1 else keep / f"{name}_{preset}_{refinement:g}"
     summary = folder / "summary.json"
     if not summary.exists() or (states and not json.loads(summary.read_text(encoding="utf-8")).get("error_estimate")):
@@ -121,7 +121,8 @@ def compare(stating, finer):
 
 
 def covered_share(pairs, slack):
-    """Of stated and true errors. What is below the resolution of a double sum is met by any error."""
+    """Share of true errors that the stated ones cover. What is below the resolution of a double sum is met by any
+    error."""
     return sum(true <= stated + slack for stated, true in pairs) / len(pairs)
 
 

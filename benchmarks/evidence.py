@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""What has been measured on wet ionic polymers, beside what ionskin says of it: runs cases/evidence at `coarse` and prints the
+"""Measurements on wet ionic polymers beside what ionskin says of them: runs cases/evidence at `coarse` and prints the
 rows of the page "Model against measurement".
 
     /usr/bin/python3 benchmarks/evidence.py build/ionskin [--json FILE]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What has been measured, and what ionskin says of it: the rows of the page "Model against measurement".
+"""Measurements, and what ionskin says of them: the rows of the page "Model against measurement".
 
 No constant is chosen by the signal. One without a source is varied over its range. A number that was not read in its source is
 marked `from memory`. A row is `agrees` or `disagrees` by a rule that stands in the row; what cannot be computed, or has
@@ -199,7 +199,7 @@ def gel(runs):
 
 
 def not_comparable(_runs):
-    """What cannot be compared, and why."""
+    """Measurements that cannot be compared, each with the reason."""
     for name, source, measured, remark in (
             ("Shock pulses in compression and shear on a sealed film", "Gudarzi et al. 2019, doi 10.1177/1045389X19844000 (abstract)",
              "signals in compression, bending and shear; numbers inside the paper",

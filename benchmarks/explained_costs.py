@@ -112,7 +112,7 @@ def promised(program, case):
 
 
 def first_line(text):
-    """What a program said first."""
+    """First line that a program printed."""
     return (text.strip().splitlines() or [""])[0][:140]
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How often a fit's own 95 % intervals hold the truth.
+"""Share of a fit's own 95 % intervals that hold the truth.
 
     PYTHONPATH=build/python /usr/bin/python3 benchmarks/fit_recovery.py --seeds 100
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// How long a step of a reduced skin takes, by the clock and in processor time, over 100,000 steps
-// of random strokes within its range; how many touches of 1 s all threads step in a minute; and the
+// Time of a step of a reduced skin, by the clock and in processor time, over 100,000 steps of
+// random strokes within its range; how many touches of 1 s all threads step in a minute; and the
 // errors that its file states: build/benchmarks/live skin.live
 
 #include "ionskin/base/error.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// How far a reduced skin is from the full model of its own case on random touches that neither its
+// Distance of a reduced skin from the full model of its own case on random touches that neither its
 // training nor its validation had, and how many of them keep the errors that its file states:
 // build/benchmarks/live_accuracy skin.live [--touches 100]
 

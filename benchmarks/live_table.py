@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How exact and how fast reduced skins are: trains one for each of a list of cases, compares it with the full model on
+"""Accuracy and speed of reduced skins: trains one for each of a list of cases, compares it with the full model on
 touches that it has not seen, and times its steps. The tables of docs/live.md.
 
     benchmarks/live_table.py build [--preset coarse] [--refinement 1] [--only WORD ...] [--touches 100] [--keep FOLDER]
@@ -54,7 +54,7 @@ def case_file(keep, case):
 
 
 def output(keep, name, command):
-    """What a command prints, taken from the folder when it is there."""
+    """Output of a command, taken from the folder when it is there."""
     kept = keep / name
     if not kept.exists():
         ran = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What a path of many rows costs: rows a millisecond apart, over the skin and under the slider of cases/paper.toml.
+"""Cost of a path of many rows: rows a millisecond apart, over the skin and under the slider of cases/paper.toml.
 
     benchmarks/long_path.py build/ionskin [--rows 100000] [--preset coarse] [--threads 2]
 

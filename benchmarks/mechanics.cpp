@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// What Study 1 of the paper's case costs, by its parts.
+// Cost of Study 1 of the paper's case, by its parts.
 
 #include "presets.hpp"
 
@@ -51,7 +51,7 @@ void line(const std::string& name, const std::string& value) {
   fmt::print("  {:<52} {}\n", name, value);
 }
 
-/// What is made once for a skin and its cells, and a compliance, on one core.
+/// Measures, on one core, what is made once for a skin and its cells, and a compliance.
 void measure_skin(const Case& input) {
   const MotionBox box = *mechanics::contact_box(input);
   std::shared_ptr<const mechanics::SkinModel> model;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What the mesh leaves in the averages of Study 1 of cases/paper.toml, and what the program estimates: the table of
-docs/verification.md.
+"""Error that the mesh leaves in the averages of Study 1 of cases/paper.toml, and the program's estimate of it: the
+table of docs/verification.md.
 
     benchmarks/mechanics_accuracy.py build/ionskin [REFINEMENT]
 

@@ -25,7 +25,7 @@ HERE = Path(__file__).resolve().parent / "foreign"
 ONE_THREAD = {name: "1" for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")}
 PYTHON = "/usr/bin/python3"  # Debian's modules are seen by Debian's Python alone
 
-# name: Debian package, how its version is told
+# name: Debian package, how its version is found
 CODES = {
     "CalculiX": ("calculix-ccx", ["ccx", "-v"]),
     "GetFEM": ("python3-getfem", [PYTHON, "-c", "import getfem"]),

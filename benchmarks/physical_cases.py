@@ -76,7 +76,7 @@ class Draw:
         return float(f"{math.exp(self.rng.uniform(math.log(low), math.log(high))):.4g}")
 
     def quantity(self, low, high, unit):
-        """Its text with a unit."""
+        """A quantity drawn between two bounds, as text with its unit."""
         return f"{self.between(low, high):.4g} {unit}"
 
     def skin(self):
@@ -327,7 +327,7 @@ class Draw:
         self.case["output"] = {"fields": [f"{self.rng.uniform(0.1, 0.4):.3f} s"] if fields else []}
 
     def name(self):
-        """What is special about it, in words."""
+        """Name that says what is special about the case, in words."""
         if self.prescribed:
             said = f"prescribed {self.case['strain']['waveform']}"
         else:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// What the law `poroelastic` adds to Study 2 of the paper's case: processor time of the water's
-// part against that of the rest, and its memory.
+// Cost of the law `poroelastic` in Study 2 of the paper's case: processor time of the water's part
+// against that of the rest, and its memory.
 
 #include "presets.hpp"
 

@@ -109,7 +109,7 @@ def impossible_contact(case, signals, results):
 
 
 def rounding_charge(case):
-    """What rounding may leave of the charge of all ions of a core [C]."""
+    """Largest error that rounding may leave in the charge of all ions of a core [C]."""
     core = next(layer for layer in case["skin"]["layers"] if layer["role"] == "core")
     volume = 1e-12 * math.prod(float(text.split()[0]) for text in (case["skin"]["length"], case["skin"]["width"], core["thickness"]))
     held = {**case.get("materials", {}).get("polymer", {}), **case["electrochemistry"]}
@@ -120,7 +120,7 @@ def impossible_currents(case, signals):
     """Numbers that are none, and charge that moves before the first touch, through an open circuit, or to ground under neutral laws."""
     for name, values in signals.items():
         if name.startswith(("current", "charge", "mean_shear", "time")) and not numpy.all(numpy.isfinite(values)):
-            yield f"{name} is no number"
+            yield f"{name} is not a number"
     top, bottom = signals["charge_top"], signals["charge_bottom"]
     least = max(LEAST_SHARE * max(largest(top), largest(bottom)), rounding_charge(case))
     if case["readout"]["circuit"] == "open" and "taxel_circuit" not in case["readout"] and largest(top - bottom) > least:
@@ -135,7 +135,7 @@ def impossible_currents(case, signals):
 
 
 def judged(case, folder):
-    """What of a finished run cannot be, though its audits passed."""
+    """Results of a finished run that cannot be right, though its audits passed."""
     summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
     if any(audit["verdict"] == "failed" for audit in summary["audits"].values()):
         return ["ended with 0 though an audit failed"]

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What time tolerance and grid leave in the currents of a strain history: the tables of docs/electrochemistry.md.
+"""Error that time tolerance and grid leave in the currents of a strain history: the tables of docs/electrochemistry.md.
 
     build/ionskin run cases/paper.toml -o out/history --set motion.cycles=1 --only mechanics --no-report
     benchmarks/transport_accuracy.py build/ionskin out/history/results.h5 [PRESET ...]

@@ -6,14 +6,14 @@
 # scripts/run_tests.py refuses a test without a tier or without a time limit.
 
 # ionskin_tier(NAME quick|check|long [TIMEOUT SECONDS] [LABELS ...]): tier, further labels and time limit of a test. The
-# limit ends what hangs; it is no measure of speed: it is ten times what the slowest test of the tier takes.
+# limit ends what hangs; it is not a measure of speed: it is ten times what the slowest test of the tier takes.
 function(ionskin_tier name tier)
   cmake_parse_arguments(ARG "" "TIMEOUT" "LABELS" ${ARGN})
   set(limit_quick 600)
   set(limit_check 1500)
   set(limit_long 5400)
   if(NOT DEFINED limit_${tier})
-    message(FATAL_ERROR "${name}: ${tier} is no tier; quick, check and long are")
+    message(FATAL_ERROR "${name}: ${tier} is not a tier; quick, check and long are")
   endif()
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT ${limit_${tier}})

@@ -9,7 +9,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const ionskin::fuzz::ScratchFile file(data, size);
-  // That of cases/strain_file.toml.
+  // The skin is that of cases/strain_file.toml.
   ionskin::Skin skin;
   skin.length = 15e-3;
   skin.width = 2e-3;

@@ -34,7 +34,7 @@ std::size_t total(const Request::Pairs& pairs) {
   return bytes;
 }
 
-/// What becomes of a request that arrives in two parts: its status, or its words.
+/// Outcome of a request that arrives in two parts: its status, or its words.
 std::string outcome(std::string_view bytes, std::size_t cut, const RequestReader::Judge& judge) {
   RequestReader reader;
   try {

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Compares packages.txt with what the tree looks for: searches of CMake, headers in angle brackets, Python modules and
-programs. Each is told by a package of a tier that is there when it is looked for, no package is told for nothing, and
+programs. Each is named by a package of a tier that is there when it is looked for, no package is named for nothing, and
 where dpkg knows the files, they belong to the package that is named."""
 
 import functools
@@ -40,7 +40,7 @@ def read_packages(text):
             continue
         match = re.fullmatch(r"([a-z0-9.+-]+)((?:\s+(?:%s):\S+)+)\s+(\S.*\.)" % "|".join(KINDS), line)
         if not match or tier is None or match[1] in packages:
-            mistakes.append(f"packages.txt:{number}: not 'package kind:name ... A sentence.', or told twice: {line}")
+            mistakes.append(f"packages.txt:{number}: not 'package kind:name ... A sentence.', or named twice: {line}")
             continue
         packages[match[1]] = tier, [tuple(word.split(":", 1)) for word in match[2].split()]
     return packages, mistakes

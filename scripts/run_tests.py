@@ -30,7 +30,7 @@ def folder_of(preset):
 
 
 def complaints(tests):
-    """What tests lack of what every test has."""
+    """Complaints about tests that lack what every test has."""
     for test in tests:
         properties = {one["name"]: one["value"] for one in test["properties"]}
         if len(TIERS & set(properties.get("LABELS", []))) != 1:

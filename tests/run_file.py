@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the tests of one file of unittest's: run_file.py [--part short|long] [--may-skip REASON] [-k PATTERN] FILE
 
-All of them, or those that are marked @long_test, or the others. A test that is skipped is told in a line of its own, which
+All of them, or those that are marked @long_test, or the others. A test that is skipped is named in a line of its own, which
 scripts/run_tests.py counts, and is a failure unless the regular expression REASON, or that in the environment variable
 IONSKIN_MAY_SKIP, matches why. So is a file without tests.
 """
@@ -29,7 +29,7 @@ def single_tests(suite):
 
 
 def is_long(test):
-    """Whether the test or its class is marked."""
+    """True if the test or its class is marked."""
     method = getattr(test, getattr(test, "_testMethodName", ""), None)
     return getattr(method, "is_long", False) or getattr(type(test), "is_long", False)
 
@@ -42,7 +42,7 @@ def selected(module, part, pattern):
 
 
 def processor_seconds():
-    """Of this process and of those that it waited for."""
+    """Processor time of this process and of those that it waited for [s]."""
     usage = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
     return sum(one.ru_utime + one.ru_stime for one in usage)
 

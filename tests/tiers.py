@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which tests wait for `make check-long`."""
+"""Tests that wait for `make check-long`."""
 
 
 def long_test(test):

@@ -12,7 +12,7 @@ namespace ionskin::verification {
 /// holds.
 struct Row {
   std::string id;       ///< such as "E3" or "M4", the numbering of the verification pages
-  std::string quantity; ///< what is compared, with its unit
+  std::string quantity; ///< quantity that is compared, with its unit
   double value = 0;
   double reference = 0;
   double tolerance = 0; ///< on |value - reference|, in the unit of `quantity`
@@ -34,7 +34,7 @@ Row at_least(std::string id, std::string quantity, double value, double bound);
 std::vector<Row> verify_mechanics(const Options& options);
 std::vector<Row> verify_electrochemistry(const Options& options);
 std::vector<Row> verify_poroelasticity(const Options& options);
-/// What the two physics must hold together.
+/// Rows of the chain of both physics together.
 std::vector<Row> verify_chain(const Options& options);
 
 } // namespace ionskin::verification

@@ -36,6 +36,7 @@ def through(height):
 
 
 def figures(times, charges):
-    """What is compared: the difference charge when the patch is switched off, and the mean difference current before."""
+    """The two figures that are compared: the difference charge when the patch is switched off, and the mean difference
+    current before."""
     last, before = (float(numpy.interp(time, times, charges)) for time in (OFF, CURRENT_FROM))
     return {"charge": last, "current": (last - before) / (OFF - CURRENT_FROM)}

@@ -76,7 +76,7 @@ def main(size, core_elements):
     core = skin.LENGTH * skin.WIDTH / 2 * skin.CORE
     states, before = [], 0.0
     for indentation, travel in skin.schedule():
-        # The brick takes its normal from the gradient, so the gap is told as a distance to every height z.
+        # The brick takes its normal from the gradient, so the gap is given as a distance to every height z.
         gap = ((x - skin.START - travel)**2 + (y - skin.WIDTH / 2)**2) / (2 * skin.RADIUS) - indentation + skin.HEIGHT - z
         model.set_variable("obstacle", gap)
         anchor = model.variable("u").reshape(-1, 3).copy()

@@ -20,7 +20,7 @@ in a sweep. `[]` stands for an entry of a list of tables, `NAME` for a name of y
 
 
 def output_of(program, *arguments):
-    """What the program prints."""
+    """Text that the program prints."""
     return subprocess.run([program, *arguments], capture_output=True, text=True, check=True).stdout
 
 

@@ -25,7 +25,7 @@ def package(folder):
 
 
 def signature(name, value):
-    """How it is called, with its types where they are given."""
+    """Signature of a function, with its types where they are given."""
     try:
         return f"{name}{inspect.signature(value)}"
     except ValueError:

@@ -25,7 +25,7 @@ TITLES = {
 HEAD = """# Verification results
 
 Every row compares a figure with a closed form, an identity or an independent code; what each set holds the program to
-is told in [Verification](verification.md). Made by `ionskin verify --csv FILE` on the machine that built these pages.
+is described in [Verification](verification.md). Made by `ionskin verify --csv FILE` on the machine that built these pages.
 
 """
 NOTHING = HEAD + """The table was not there when these pages were built. `make docs` makes it; `ionskin verify` prints it
@@ -69,7 +69,7 @@ def plot_orders(rows, path):
 
 
 def plot_margins(rows, path):
-    """How much of its tolerance every figure uses, one dot a row."""
+    """Plots the share of its tolerance that every figure uses, one dot a row."""
     names = list(dict.fromkeys(row["id"] for row in rows if is_error(row)))
     figure, axes = pyplot.subplots(figsize=(8, 0.9 + 0.3 * len(names)), layout="constrained")
     rows = list(filter(is_error, rows))

@@ -11,7 +11,7 @@ from matplotlib import pyplot  # noqa: E402
 
 
 def trailing_means(values, count):
-    """In µA: of each value and those before it."""
+    """Means of each value and the `count` - 1 before it [µA]."""
     means = []
     for i in range(len(values)):
         last = values[max(0, i + 1 - count):i + 1]

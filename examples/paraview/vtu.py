@@ -39,7 +39,8 @@ def read_vtu(path):
 
 
 def read_collection(path):
-    """Of a .pvd: pairs of instant [s] and a dictionary of files by their names: core, layers, contact, slider."""
+    """Contents of a .pvd file: pairs of instant [s] and a dictionary of files by their names: core, layers, contact,
+    slider."""
     path = pathlib.Path(path)
     instants = {}
     for entry in ElementTree.parse(path).getroot().iter("DataSet"):

@@ -14,7 +14,7 @@ struct CaseSource {
   std::vector<std::string> edits;
 };
 
-/// Of an `ionskin.Case`.
+/// Source of an `ionskin.Case`.
 CaseSource case_source(const pybind11::handle& python_case);
 
 /// FitModel, fit_folder and fit_columns.

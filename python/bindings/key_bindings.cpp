@@ -19,7 +19,8 @@ py::tuple key_quantity(const std::string& key, const std::string& text) {
   const SchemaRow* row = find_row(key_pattern(entry ? entry->list : key));
   if (row == nullptr || row->type == ValueType::text || row->type == ValueType::choice ||
       row->type == ValueType::integer || (is_list(row->type) && !entry)) {
-    throw UserError(key + " is no single real number of a case\n  = ionskin keys lists every key");
+    throw UserError(key +
+                    " is not a single real number of a case\n  = ionskin keys lists every key");
   }
   const auto read = [&text](units::Dimension dimension) {
     return py::make_tuple(units::parse_quantity(text, dimension),

@@ -33,7 +33,7 @@ template <class... Arguments> void raise(const char* name, const Arguments&... a
 /// The process that solves now; 0 when none does.
 std::atomic<pid_t> solving = 0;
 std::timed_mutex one_at_a_time;
-/// Whether this thread is in a progress callable.
+/// True while this thread is in a progress callable.
 thread_local bool reporting = false;
 
 class Reporting {

@@ -86,7 +86,7 @@ study::Studies studies(const std::string& only) {
   return only == "electrochemistry" ? study::Studies::electrochemistry : study::Studies::both;
 }
 
-/// What run and sweep have in common.
+/// Options that run and sweep have in common.
 template <class Options>
 Options common(const py::dict& settings, python::PythonProgress& progress) {
   Options options;
@@ -156,7 +156,7 @@ namespace ionskin::python {
 
 CaseSource case_source(const py::handle& python_case) {
   return {python_case.attr("_original").cast<std::string>(),
-          // As bytes: names of files need not be UTF-8.
+          // Paths are handed over as bytes: names of files need not be UTF-8.
           py::module_::import("os").attr("fsencode")(python_case.attr("_path")).cast<std::string>(),
           python_case.attr("_edit_list")().cast<std::vector<std::string>>()};
 }

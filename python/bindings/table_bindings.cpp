@@ -12,8 +12,8 @@ namespace {
 
 namespace py = pybind11;
 
-/// Per column its name, unit or None, first value and the array of distances from it, or None where
-/// it holds no numbers.
+/// One tuple per column: its name, its unit or None, its first value, and the array of distances
+/// from it or None where it holds no numbers.
 py::list number_table(const std::string& path, const std::string& kind) {
   py::list result;
   for (const NumberColumn& column : read_number_table(path, kind)) {

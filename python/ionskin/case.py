@@ -46,7 +46,7 @@ def toml_text(value: Any, unit: str) -> str:
         return number if unit in ("", "1") else f'"{number} {unit}"'
     if isinstance(value, (list, tuple, numpy.ndarray)):
         return "[" + ", ".join(toml_text(entry, unit) for entry in value) + "]"
-    raise TypeError(f"{value!r} is no value of a case: give a number in SI units, a text such as '0.5 um', or a list")
+    raise TypeError(f"{value!r} is not a value of a case: give a number in SI units, a text such as '0.5 um', or a list")
 
 
 class Case:

@@ -64,7 +64,7 @@ def metrics(first, second, tolerance):
 
 
 def verdict(first, second, name):
-    """What the stated errors of both runs say about the difference of a metric; "" without any."""
+    """Verdict of the stated errors of both runs on the difference of a metric; "" without any."""
     if name in first.not_converging or name in second.not_converging:
         return "does not converge"
     errors = [run.stated_error(name) for run in (first, second)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What goes wrong, with the messages of the program. An interrupt is Python's own KeyboardInterrupt."""
+"""Errors of the package, with the messages of the program. An interrupt is Python's own KeyboardInterrupt."""
 
 import contextlib
 import os
@@ -31,7 +31,7 @@ def _restored_solver_error(message: str, remedy: str) -> SolverError:
 
 
 def in_words(error: Exception) -> str:
-    """What an error says; of the system's it names the file and the remedy."""
+    """Message of an error; of the system's it names the file and the remedy."""
     if isinstance(error, OSError) and error.strerror:
         place = error.filename2 or error.filename
         where = f"{os.fsdecode(place)}: " if isinstance(place, (str, bytes, os.PathLike)) else ""

@@ -84,8 +84,8 @@ def currents(results):
 
 
 def reading(results):
-    """What an ammeter between the shorted electrodes shows, enlarged at the first contact; None where a circuit joins them, or taxels
-    have circuits of their own."""
+    """Figure of the reading of an ammeter between the shorted electrodes, enlarged at the first contact; None where a
+    circuit joins them, or taxels have circuits of their own."""
     sampled = results.sampled
     if results.circuit is not None or readout.has_own_circuits(results) or not sampled.has("current_difference"):
         return None
@@ -136,7 +136,7 @@ def join(results):
 
 
 def relaxation(results):
-    """How much of the difference charge is left when the next cycle begins."""
+    """Share of the difference charge that is left when the next cycle begins."""
     signals = results.signals
     spans = results.phases()
     if not spans or not signals.has("charge_top"):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a fit found."""
+"""Results of a fit."""
 
 import json
 import pathlib
@@ -65,7 +65,7 @@ class Fit:
 
     @classmethod
     def from_text(cls, text: str, time, measured, fitted) -> "Fit":
-        """Of the text of fit.json and the fitted rows."""
+        """Fit made of the text of fit.json and the fitted rows."""
         return cls(json.loads(text), time, measured, fitted)
 
     def __getitem__(self, key: str) -> float:

@@ -40,11 +40,11 @@ class FitModel:
         time, values = (numpy.asarray(data, dtype=float) for data in (time, values))
         units = solver.load().fit_columns()
         if column not in units:
-            raise CaseError(f"{column} is no signal to fit\n  = known: {', '.join(units)}")
+            raise CaseError(f"{column} is not a signal to fit\n  = known: {', '.join(units)}")
         if time.ndim != 1 or time.shape != values.shape:
             raise CaseError("time and values must be of one length, each a single row")
         if not numpy.isfinite(time).all():
-            raise CaseError("a time is no number")
+            raise CaseError("a time is not a number")
         behind = numpy.flatnonzero(numpy.diff(time) <= 0)
         if len(behind):
             now, before = time[behind[0] + 1], time[behind[0]]

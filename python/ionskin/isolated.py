@@ -44,7 +44,7 @@ def main():
     except ImportError as error:
         print(f"error: {reason(error)}", file=sys.stderr)
         sys.exit(MISSING_LIBRARY)
-    except Exception as error:  # whatever cannot be drawn is told in one line, not in a trace
+    except Exception as error:  # whatever cannot be drawn is reported in one line, not in a trace
         print(f"error: {type(error).__name__}: {reason(error)}", file=sys.stderr)
         sys.exit(2)
 

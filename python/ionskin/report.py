@@ -38,7 +38,7 @@ def timing(results):
 
 
 def case_summary(results):
-    """What was simulated."""
+    """Summary of the case that was simulated."""
     layers = pages.Table(("layer, top first", "role", "material", "thickness"), report_text.layers(results.case))
     groups = report_text.case_groups(results.case)
     return {"layers": layers, "groups": groups} if groups or layers.rows else None
@@ -140,7 +140,7 @@ def main():
     parser.add_argument("--figure", action="append", default=[], metavar="NAME", help="this numbered figure as a file, no page")
     parser.add_argument("--claims", action="store_true", help="judge the article's claims whatever the case")
     parser.add_argument("--tell", action="store_true", help="print what was made, and the verdicts")
-    parser.add_argument("--progress", action="store_true", help="tell the finished part on standard error")
+    parser.add_argument("--progress", action="store_true", help="print the finished part on standard error")
     arguments = parser.parse_args()
     progress = tell_progress if arguments.progress else None
     left_out = []

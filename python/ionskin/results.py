@@ -111,14 +111,14 @@ def read_json(path):
     except FileNotFoundError:
         return {}
     if not isinstance(found, dict):
-        raise CaseError(f"{path} is damaged: it is no JSON object\n  = run the case again")
+        raise CaseError(f"{path} is damaged: it is not a JSON object\n  = run the case again")
     return found
 
 
 def _object(parent, name):
     found = parent.get(name, {}) if isinstance(parent, dict) else None
     if not isinstance(found, dict):
-        raise ValueError(f"{name} is no object")
+        raise ValueError(f"{name} is not an object")
     return found
 
 
@@ -134,7 +134,7 @@ def whole(path):
 
 
 class Results:
-    """What a run has written into its folder.
+    """The results that a run has written into its folder.
 
     signals, sampled  Table; see the documentation of the columns
     taxels, circuit   Table, or None in runs without; sampled_taxels and sampled_circuit likewise
@@ -188,7 +188,7 @@ class Results:
                 self.case = tomllib.loads(files.read_text(case, files.LARGEST_JSON))
 
     def _gave_up(self):
-        """Whether a study did not come to its end: the tables of such a run end where it gave up."""
+        """True where a study did not come to its end: the tables of such a run end where it gave up."""
         with whole(self.folder / "manifest.json"):
             stages = _object(self.manifest, "stages")
             return any(_object(stages, name).get("state", "finished") != "finished"
@@ -224,7 +224,7 @@ class Results:
 
     @property
     def warnings(self) -> list[str]:
-        """What a reader of the results must know."""
+        """Warnings that a reader of the results must know."""
         return self.summary.get("warnings", [])
 
     def to_xarray(self):

@@ -21,7 +21,7 @@ TYPICAL_FRICTION = 0.3  # the paper's representative curves are drawn at one coe
 
 
 def symbol(key):
-    """How a label names a key: "µ", "preload"."""
+    """Symbol of a key for labels: "µ", "preload"."""
     return "µ" if key == FRICTION else key.rsplit(".", maxsplit=1)[-1]
 
 
@@ -72,7 +72,7 @@ class Sweep:
     def metric(self, name):
         """One metric as an array [points]; NaN where a point has none."""
         if name not in self.units:
-            raise KeyError(f"{name} is no metric of this sweep; it has {', '.join(self.units) or 'none yet'}")
+            raise KeyError(f"{name} is not a metric of this sweep; it has {', '.join(self.units) or 'none yet'}")
         return numpy.array([point.metrics.get(name, numpy.nan) for point in self.points])
 
     def result(self, index):
@@ -108,7 +108,7 @@ class Member(NamedTuple):
 
 
 class Study:
-    """What figures are drawn from: the members of a sweep along one key, or the one run there is.
+    """The source of figures: the members of a sweep along one key, or the one run there is.
 
     key, name, unit  the swept key, its name in words, its unit; "point" where no key is a number
     members          in ascending order of the value

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be done with a case: run it, sweep a key, fit keys to a measurement.
+// Actions on a case: run it, sweep a key, fit keys to a measurement.
 import { CaseValue, get, post, upload } from "./api";
 import { attempt, button, el, labelled, say, select } from "./dom";
 import { key_words } from "./format";

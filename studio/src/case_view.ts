@@ -39,7 +39,7 @@ export function case_view(): HTMLElement {
   const rewrite = (change: (text: string) => string) => { edits = edits.then(() => attempt(async () => take(change(store.case_text)))); };
   const form = new CaseForm(store.keys, set, rewrite);
   const path = new WaypointEditor(set, rewrite);
-  /// Another choice takes away the keys that do not go with it; what it lacks gets a field.
+  /// The text fitted to another choice: keys that do not go with it are taken away, and what it lacks gets a field.
   async function fitted(key: string, text: string): Promise<string> {
     if (!store.keys.find((one) => one.key === key)?.choices.length) return text;
     if (key === "motion.kind" && !/^kind\s*=\s*"waypoints"/m.test(text)) text = without_waypoints(text);

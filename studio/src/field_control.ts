@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one types a value into: a choice, a text, or an input for each number of a list.
+// Controls to type a value into: a choice, a text, or an input for each number of a list.
 import { Key } from "./api";
 import { button, el, select } from "./dom";
 import { words } from "./format";
@@ -29,7 +29,7 @@ function list_control(key: string, row: Key, label: string, edit: (value: string
   const pair = row.type.startsWith("pair of");
   const element = el("div", { class: "list", role: "group", "aria-label": label });
   let inputs: HTMLInputElement[] = [];
-  // As a whole where it is no list, "auto" for one.
+  // A value that is not a list, "auto" for one, is written as a whole.
   const tell = () => edit(inputs.length === 1 && !pair && /^[a-z-]+$/.test(inputs[0].value) ? inputs[0].value
     : `[${inputs.map((one) => one.value.trim()).filter(Boolean).map((one) => (Number.isFinite(Number(one)) ? one : JSON.stringify(one))).join(", ")}]`);
   const input = (value: string, i: number) => {
@@ -61,7 +61,7 @@ function list_control(key: string, row: Key, label: string, edit: (value: string
   };
 }
 
-/// Entries of a list as one types them; of what is no list, itself.
+/// Entries of a list as one types them; of what is not a list, itself.
 export function entries(written: string): string[] {
   const inside = /^\[([^]*)\]$/.exec(written.trim())?.[1];
   if (inside === undefined) return written.trim() ? [plain(written)] : [];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which keys go with a choice, as the check says: those without effect leave the text, a path of waypoints begins as the
+// Keys that go with a choice, as the check says: those without effect leave the text, a path of waypoints begins as the
 // motion that it replaces.
 import { CaseError, CaseValue } from "./api";
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the scene and the small pictures need of a case, in mm.
+// Geometry of a case for the scene and the small pictures, in mm.
 import { CaseValue, Fields } from "./api";
 
 export interface Layer { name: string; role: string; thickness: number; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a result says in numbers and words: figures, warnings, parameters of a fit, differences between two runs.
+// Facts of a result in numbers and words: figures, warnings, parameters of a fit, differences between two runs.
 import { Result, get, post } from "./api";
 import { attempt, button, el, say } from "./dom";
 import { number, quantity, shell_word, words } from "./format";

@@ -11,7 +11,7 @@ import { store } from "./store";
 import { sweep_panel } from "./sweep_panel";
 import { TimeBar } from "./time_bar";
 
-/// Where there is something to see: the middle of the first slide, or the beginning.
+/// Instant at which there is something to see: the middle of the first slide, or the beginning.
 async function middle_of_slide(result: Result): Promise<number> {
   if (!result.tables.includes("signals")) return 0;
   const data = await table_of(result, "signals");

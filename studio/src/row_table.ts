@@ -8,7 +8,7 @@ import { blocks, with_block, with_block_before, without_block, written_in } from
 
 export interface RowList {
   list: string; title: string; one: string; ordered: boolean;
-  /// Another table, to add. @param count how many there are
+  /// Text of one more table, to add. @param count how many there are
   another(rows: string[], count: number, valid: CaseValue[]): string;
 }
 
@@ -46,7 +46,7 @@ export class RowTable {
     this.columns = keys.filter((one) => one.key.startsWith(begin)).map((one) => [one.key.slice(begin.length), one]);
   }
 
-  /// Whether there are any in the text; then the other ways to write the list have no fields.
+  /// True if there are any in the text; then the other ways to write the list have no fields.
   get stands(): boolean { return this.count > 0; }
 
   /// @param valid of the case when it was last valid

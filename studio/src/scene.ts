@@ -115,7 +115,7 @@ export class Scene {
     });
   }
 
-  /// Without a graphics processor smooth edges cost most of a frame: they come when nothing moves.
+  /// Smooth edges without a graphics processor cost most of a frame: they come when nothing moves.
   private smooth_when_still(): void {
     if (this.renderer.getPixelRatio() !== 1) this.renderer.setPixelRatio(1);
     clearTimeout(this.still);
@@ -222,7 +222,7 @@ export class Scene {
   }
 }
 
-/// Whether WebGL is computed by the processor, as in virtual machines and on servers.
+/// True if WebGL is computed by the processor, as in virtual machines and on servers.
 function drawn_in_software(): boolean {
   const probe = document.createElement("canvas").getContext("webgl2");
   const info = probe?.getExtension("WEBGL_debug_renderer_info");

@@ -113,7 +113,7 @@ export class ScenePanel {
       this.contact && touches ? stored.contact(time) : undefined]);
     if (stored !== this.stored) return;
     this.note.textContent = shown && Math.abs(shown.time - time) > 0.02 ? `This field is stored at ${quantity(shown.time, "s")}, the nearest instant; output.fields stores more.` : "";
-    // Between two stored instants only the slider moves: nothing else is made anew for a frame.
+    // The slider alone moves between two stored instants: nothing else is made anew for a frame.
     const drawn = [shown?.volume.field, shown?.time, this.cut, this.place, this.walls.checked, pressed?.pressure, this.contact];
     if (drawn.every((one, i) => one === this.drawn[i]) && this.drawn.length) return;
     this.drawn = drawn;

@@ -15,7 +15,7 @@ export interface Series {
   marked?: boolean;
 }
 
-/// What can be drawn together: a name to choose, the table and its columns.
+/// Columns that can be drawn together: a name to choose, the table and its columns.
 export interface Quantity { id: string; label: string; table: string; columns: string[]; unit: string; }
 
 const tables = new Map<string, Promise<Table>>();
@@ -103,7 +103,7 @@ export async function series_of(result: Result, quantity: Quantity, label: strin
 const factors: Record<string, number> = { "": 1, f: 1e-15, p: 1e-12, n: 1e-9, u: 1e-6, "µ": 1e-6, m: 1e-3, k: 1e3, M: 1e6 };
 
 /// A measured CSV file: its columns in SI units, as the header says: `time [s],current_difference [uA]`.
-/// Throws Error when it is no such file.
+/// Throws Error when it is not such a file.
 export function read_measurement(text: string, name: string): Series[] {
   const [header, ...rows] = text.trim().split(/\r?\n/);
   const titles = header.split(",").map((title) => /^\s*"?\s*(.*?)\s*\[\s*(.*?)\s*\]/.exec(title));

@@ -53,7 +53,7 @@ function card(starter: Starter): HTMLElement {
     const verdict: Verdict = await check(starter.text);
     if (verdict.values) picture.append(case_picture(geometry_of(verdict.values)));
     time.textContent = verdict.cost ? `about ${duration(verdict.cost.seconds)} to run` : "seconds to run";
-    // Its strain file is written when it is opened.
+    // The strain file of this starter is written when it is opened.
     if (starter.id === "strain_file" && !verdict.values) picture.append(case_picture(given_strain()));
   });
   return el("article", { class: "card" }, picture, el("h2", {}, starter.name), el("p", {}, starter.summary), time,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the views share: keys, jobs, the case that is worked on, the results that are looked at.
+// State that the views share: keys, jobs, the case that is worked on, the results that are looked at.
 import { Job, Key, get } from "./api";
 
 type Listener = () => void;

@@ -9,7 +9,7 @@ export function blocks(text: string, list: string): string[] {
   return text.match(pattern(list)) ?? [];
 }
 
-/// What a block says of a name, as it stands there; empty where it says nothing.
+/// Value that a block gives to a name, as it stands there; empty where it says nothing.
 export function written_in(block: string, name: string): string {
   return new RegExp(`^\\s*${name}\\s*=\\s*("(?:[^"\\\\\\n]|\\\\.)*"|'[^'\\n]*'|\\[[^\\]]*\\]|[^#\\n]*)`, "m").exec(block)?.[1].trim() ?? "";
 }

@@ -68,7 +68,7 @@ def move_build(folder, old, new):
     dependencies.write_bytes(moved_dependencies(dependencies.read_bytes(), bytes(old), bytes(new)))
     commands = json.loads(subprocess.run(["ninja", "-C", folder, "-t", "compdb"], capture_output=True, text=True,
                                          check=True).stdout)
-    # By the old hash: a command may have several outputs, of which only the first is told.
+    # By the old hash: a command may have several outputs, of which only the first is named.
     hashes = {f"{command_hash(entry['command'].replace(str(new), str(old))):x}": f"{command_hash(entry['command']):x}"
               for entry in commands}
     log = folder / ".ninja_log"

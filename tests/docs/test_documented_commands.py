@@ -164,7 +164,7 @@ class Words(DocumentedTest):
         version = re.search(r"^version: (.+)$", citation, re.MULTILINE)[1]
         self.assertIn(f"version = {{{version}}}", cited)
         self.assertIn(version, self.run_program("--version").stdout)
-        for pattern in (r'name: "(.+)"', r'title: "ionskin: (.+)"'):
+        for pattern in (r'name: "(.+)"', r'title: "ionskin: (.+)"', r"date-released: (\d{4})-"):
             self.assertIn(re.search(pattern, citation)[1], cited)
 
 

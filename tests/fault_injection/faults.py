@@ -55,7 +55,7 @@ class Driver:
         return {str(path.relative_to(out)): path.read_bytes() for path in sorted(out.rglob("*.csv")) if path.name in RESULTS}
 
     def count(self, call):
-        """How many such calls an undisturbed run makes; its results are what is expected."""
+        """Number of such calls that an undisturbed run makes; its results are what is expected."""
         self.clear()
         counter = self.folder / "count"
         process = self.run("out", call=call, number=0, count=counter)
@@ -65,7 +65,7 @@ class Driver:
         return int(counter.read_text())
 
     def complaint(self, call, number, stays):
-        """What is wrong with the answer to a fault; empty when nothing is."""
+        """Complaint about the answer to a fault; empty when nothing is."""
         self.clear()
         process = self.run("out", call=call, number=number, stays=stays)
         last = process.stderr.strip().splitlines()[-1:] or [""]

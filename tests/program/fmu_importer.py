@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """An importer of FMUs for co-simulation (FMI 2.0), just large enough for the tests: unpacks, reads the description, and
-calls the library. `mistakes` holds the description against rules written from the text of the standard; it is no schema
+calls the library. `mistakes` holds the description against rules written from the text of the standard; it is not a schema
 of the standard's authors. To check by that too, name its fmi2ModelDescription.xsd in IONSKIN_FMI2_SCHEMA."""
 
 import ctypes
@@ -37,7 +37,7 @@ class Callbacks(ctypes.Structure):
 
 
 def mistakes(text):
-    """What the standard does not allow in a modelDescription.xml."""
+    """Mistakes in a modelDescription.xml by the standard."""
     root = xml.etree.ElementTree.fromstring(text)
     found = []
 
@@ -78,7 +78,7 @@ def mistakes(text):
 
 
 def schema_mistakes(path):
-    """What the standard's own schema finds in a modelDescription.xml; None where no schema is named."""
+    """Mistakes in a modelDescription.xml by the standard's own schema; None where no schema is named."""
     schema = os.environ.get("IONSKIN_FMI2_SCHEMA")
     if not schema:
         return None
@@ -124,7 +124,7 @@ class Instance:
         return getattr(self.library, "fmi2" + name)(ctypes.c_void_p(self.handle), *arguments)
 
     def begin(self, start=0.0, **inputs):
-        """Through the initialization mode."""
+        """Takes the unit through the initialization mode."""
         return (self.call("SetupExperiment", 0, ctypes.c_double(0), ctypes.c_double(start), 0, ctypes.c_double(0)),
                 self.call("EnterInitializationMode"), *self.set(**inputs), self.call("ExitInitializationMode"))
 

@@ -44,12 +44,12 @@ KillWait=2
 
 
 def path_of(program):
-    """Of a program, also where only root looks."""
+    """Path of a program, also where only root looks."""
     return shutil.which(program, path=os.environ.get("PATH", "") + ":/usr/sbin:/sbin")
 
 
 def available():
-    """Whether this process can run a Slurm of its own."""
+    """True if this process can run a Slurm of its own."""
     return os.getuid() == 0 and all(path_of(program) for program in PROGRAMS)
 
 

@@ -12,7 +12,7 @@ SMALL = ("--only", "mechanics", "--set", "numerics.mesh_refinement=0.5", "--set"
 
 class Audits(ProgramTest):
     def run_pressed(self, preload, expect):
-        """A touch so deep that its shear is no small strain; the finished process."""
+        """A touch so deep that its shear is not a small strain; the finished process."""
         return self.run_case(QUICK, *SMALL, "--set", f"motion.preload={preload}", "-o", "out", expect=expect)
 
     def state(self):

@@ -12,11 +12,11 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "benchmarks
 import physical_cases  # noqa: E402
 
 MISTAKES = (
-    (("runn", "x"), '"runn" is no verb of ionskin', "did you mean run?"),
-    (("nonsense",), '"nonsense" is no verb of ionskin', "verbs: init, check, run"),
-    (("help",), '"help" is no verb of ionskin', "write ionskin --help"),
+    (("runn", "x"), '"runn" is not a verb of ionskin', "did you mean run?"),
+    (("nonsense",), '"nonsense" is not a verb of ionskin', "verbs: init, check, run"),
+    (("help",), '"help" is not a verb of ionskin', "write ionskin --help"),
     (("init", "x.toml", "--from"), "--from lacks its value", "choose one of paper, quick, finger"),
-    (("my.toml",), '"my.toml" is no verb of ionskin', "ionskin run my.toml --output DIR"),
+    (("my.toml",), '"my.toml" is not a verb of ionskin', "ionskin run my.toml --output DIR"),
     (("--verson",), "ionskin has no option --verson", "did you mean --version?"),
     (("run", QUICK, "--friction", "0.2", "-o", "out"), "ionskin run has no option --friction",
      "write --set contact.friction=0.2"),
@@ -27,7 +27,7 @@ MISTAKES = (
     (("run",), "ionskin run lacks CASE.toml and --output DIR", "write ionskin run CASE.toml --output DIR"),
     (("run", QUICK, "--set", "motion.stroke=3", "mm", "-o", "out"), '"mm" is one word too many for ionskin run', "quotes"),
     (("run", QUICK, "-o", "out", "--only", "mech"), "--only mech is unknown", "did you mean mechanics?"),
-    (("run", QUICK, "-o", "out", "--threads", "two"), "--threads: two is no whole number of at least 1", "--help"),
+    (("run", QUICK, "-o", "out", "--threads", "two"), "--threads: two is not a whole number of at least 1", "--help"),
     (("fit", QUICK, "--data", "semicolons.csv", "--free", "k", "-o", "out"), "--free k: unknown key",
      "did you mean coupling.coefficient?"),
     (("fit", QUICK, "--data", "semicolons.csv", "--free", "friction", "-o", "out"), "unknown key", "contact.friction?"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a newcomer types first: help, init, check, run; and the files a run leaves."""
+"""First commands of a newcomer: help, init, check, run; and the files a run leaves."""
 
 import json
 import os

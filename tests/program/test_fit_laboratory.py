@@ -36,7 +36,7 @@ class LaboratoryData(ProgramTest):
         cls.noise = numpy.random.default_rng(1).normal(0, 0.005 * cls.size, len(cls.time))
 
     def data(self, time, values, unit="s"):
-        """A file of a record; values that are no number stay empty."""
+        """A file of a record; values that are not numbers stay empty."""
         rows = [f"{t!r},{'' if numpy.isnan(v) else repr(v)}" for t, v in zip(map(float, time), map(float, values))]
         return self.write("data.csv", "\n".join([f"time [{unit}],current_difference [A]", *rows]) + "\n")
 

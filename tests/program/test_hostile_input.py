@@ -96,7 +96,8 @@ class HostileInput(ProgramTest):
         self.assertRegex(message, "memory|unknowns|elements")
 
     def test_files_that_find_no_room_before_any_work(self):
-        """By the disk's own free room, and by a limit in its place; run, sweep, plan and batch."""
+        """The disk's own free room, and a limit in its place, refuse runs before any work: run, sweep, plan and
+        batch."""
         fields = ", ".join(f'"{0.6 + 1e-4 * i:.4f} s"' for i in range(2500))
         case = self.write("fields.toml", QUICK.read_text().replace('fields = ["0.5 s", "1.5 s"]', f"fields = [{fields}]"))
         for limit, room in (("1 GB", "1.0 GB are allowed by IONSKIN_DISK_LIMIT"), ("1 kB", "0.0 MB are allowed")):
@@ -112,7 +113,7 @@ class HostileInput(ProgramTest):
         self.run_program("sweep", *sweep, "--plan")
         self.assertIn("IONSKIN_DISK_LIMIT", self.answer("sweep", "--do-batch", 0, "-o", "out", env=small))
         self.assertFalse((self.folder / "out" / "points").exists())
-        self.assertIn("is no size", self.answer("run", QUICK, "-o", "no", env={**os.environ, "IONSKIN_DISK_LIMIT": "some"}))
+        self.assertIn("is not a size", self.answer("run", QUICK, "-o", "no", env={**os.environ, "IONSKIN_DISK_LIMIT": "some"}))
 
     def test_slider_that_touches_no_cell(self):
         case = self.profile_case(BUMPS, "-0.2 nm")

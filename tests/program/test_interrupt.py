@@ -19,7 +19,7 @@ SMALL = (QUICK, "--set", "numerics.mesh_refinement=0.3", *ROLLERS)
 
 class Interrupt(ProgramTest):
     def stages(self):
-        """What the manifest in `out` tells of each stage."""
+        """Statement of the manifest in `out` on each stage."""
         try:
             manifest = json.loads((self.folder / "out" / "manifest.json").read_text())
         except (OSError, ValueError):

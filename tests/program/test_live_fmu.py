@@ -194,7 +194,7 @@ class FmuTest(ProgramTest):
         instance.call("FreeInstance")
 
     def test_is_made_from_a_skin_that_is_there(self):
-        """And is the same to the last byte, but for its name."""
+        """The unit is the same to the last byte, but for its name."""
         self.run_program("live", self.skin_file, "--fmu", self.fmu_file.name)
         self.assertEqual((self.folder / self.fmu_file.name).read_bytes(), self.fmu_file.read_bytes())
         for arguments, part in ((("--fmu", self.fmu_file.name), "--overwrite"), (("--fmu", "skin"), ".fmu"),

@@ -49,7 +49,7 @@ class Recording(ProgramTest):
         return [EPOCH + 10_000_000 * row for row in range(len(self.time))]
 
     def path(self, *arguments):
-        """What the program said, and time, x, y, height and force of the path."""
+        """Output of the program, and time, x, y, height and force of the path."""
         process = self.run_program("motion", *arguments, "-o", "path.csv", "--overwrite")
         lines = (self.folder / "path.csv").read_text().splitlines()
         self.assertEqual(lines[0], "time [s],x [mm],y [mm],height [mm],force [N]")
@@ -199,11 +199,11 @@ class Recording(ProgramTest):
         words = {
             (good,): "no columns of x and y",
             (good, "--column", "x=c"): "no column is named 'c'",
-            (good, "--column", "speed=a"): "is no role",
+            (good, "--column", "speed=a"): "is not a role",
             (good, "--column", "x=a [kg]", "--column", "y=b"): "does not convert to m",
             (good, "--column", "x=a", "--column", "y=b", "--tool", "0,0,1 mm"): "needs a quaternion",
             (good, "--column", "x=a", "--column", "y=b", "--x-axis", "1,1,0"): "right angle",
-            (good, "--column", "x=a", "--column", "y=b", "--rate", "20 kg"): "is no quantity in Hz",
+            (good, "--column", "x=a", "--column", "y=b", "--rate", "20 kg"): "is not a quantity in Hz",
             (good, "--column", "x=a", "--column", "y=b", "--rate", "10 MHz"): "a path may have 1000000",
             (good, "--column", "x=a", "--column", "y=b", "--contact-force", "50 N"): "never rises above 50 N",
             (self.table("empty.csv", "t,x,y,z"),): "no row stands below the header",

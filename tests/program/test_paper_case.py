@@ -47,7 +47,7 @@ class PaperCase(ProgramTest):
                 self.assert_reference_values(friction)
 
     def assert_no_spike_behind_the_onset(self, result, friction):
-        """Behind the onset of slip the difference current stays below the slow tail that follows: no spike."""
+        """The difference current behind the onset of slip stays below the slow tail that follows: no spike."""
         end = 0.5 + 0.9 * friction * 45e-6 / 3e-3
         current = numpy.abs(result["current_difference"])
         near = (result["time"] > end) & (result["time"] <= end + 0.02)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a run writes for ParaView, read back by examples/paraview, which shares no code with the writer, and by ParaView's library."""
+"""Fields that a run writes for ParaView, read back by examples/paraview, which shares no code with the writer, and by
+ParaView's library."""
 
 import subprocess
 import sys
@@ -16,7 +17,7 @@ from vtu import read_collection, read_vtu  # noqa: E402
 
 
 def areas(grid):
-    """Of quadrilaterals along x and y [m2]."""
+    """Areas of quadrilaterals along x and y [m2]."""
     corners = grid["Points"][grid["connectivity"]]
     return numpy.prod(corners[:, 2, :2] - corners[:, 0, :2], axis=1)
 

@@ -36,8 +36,8 @@ class Processors(ProgramTest):
                     self.compare(name, reference, row)
 
     def test_what_uses_eigen_is_compiled_alike(self):
-        """Of a template that two sources compile the linker keeps one, which must serve both: otherwise the program multiplies
-        without vector instructions, and not as the library does."""
+        """The linker keeps one copy of a template that two sources compile, which must serve both: otherwise the
+        program multiplies without vector instructions, and not as the library does."""
         build = PROGRAM.parent
         told = [entry["command"] for entry in json.loads((build / "compile_commands.json").read_text())]
         commands = {re.search(r" -o (\S+)", command)[1]: command for command in told}

@@ -16,7 +16,7 @@ GRID = ("--set", "numerics.mesh_refinement=0.5", "--only", "mechanics", "--no-re
 
 
 def environment(process):
-    """Of a process; empty once it is gone, and for a moment while it becomes another program."""
+    """Environment of a process; empty once it is gone, and for a moment while it becomes another program."""
     try:
         return pathlib.Path(f"/proc/{process}/environ").read_bytes()
     except OSError:

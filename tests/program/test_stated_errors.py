@@ -40,7 +40,7 @@ class StatedErrors(ProgramTest):
         self.without_errors_the_results_are_the_same(stating)
 
     def without_errors_the_results_are_the_same(self, stating):
-        """To the last bit, and every metric says why it has no error."""
+        """The results are the same to the last bit, and every metric says why it has no error."""
         silent = self.summary("silent", "numerics.mesh_refinement=0.7", "numerics.error_estimate=off")
         self.assertEqual(silent["metrics"], stating["metrics"])
         self.assertEqual((silent["error_estimate"], silent["error_parts"]), ({}, {}))
@@ -50,7 +50,7 @@ class StatedErrors(ProgramTest):
         self.assertFalse(list((self.folder / "silent").glob("*_error.csv")))
 
     def bands_stand_beside_the_signals(self):
-        """Same rows and columns as the signals; widths are no negative numbers."""
+        """Same rows and columns as the signals; widths are not negative numbers."""
         for table in ("signals", "sampled"):
             with (open(self.folder / "out" / f"{table}.csv", encoding="utf-8") as values,
                   open(self.folder / "out" / f"{table}_error.csv", encoding="utf-8") as errors):

@@ -26,7 +26,7 @@ def rows(folder):
 
 class Sweep(ProgramTest):
     def assert_same_tables(self, first, second):
-        """To the last digit."""
+        """Asserts that two tables are the same to the last digit."""
         self.assertEqual(len(rows(first)), len(rows(second)))
         for one, two in zip(rows(first), rows(second)):
             self.assertEqual(one, two)
@@ -105,7 +105,7 @@ class Sweep(ProgramTest):
         self.assertIn("out of memory", large["reason"])
 
     def test_a_contact_off_the_skin_leaves_the_other_points(self):
-        """Whether the contact of a cylinder stays on the skin shows once it is solved: too late to end the sweep."""
+        """The contact of a cylinder is known to leave the skin only once it is solved: too late to end the sweep."""
         near_edge = ("--set", "slider.shape=cylinder", "--set", "slider.radius=3 mm", "--set", 'slider.size=["6 mm", "1.5 mm"]',
                      "--set", 'slider.start=["0.2 mm", "1 mm"]', "--set", "motion.stroke=1 mm")
         sweep = ("sweep", QUICK, "--no-report", *SMALL, "--set", "numerics.error_estimate=off", *near_edge, "--only", "mechanics", "--over", "contact.friction=0.1,0.3")
@@ -129,7 +129,7 @@ class Sweep(ProgramTest):
                 self.assertFalse((self.folder / "out").exists())
 
     def test_tells_its_cost_beforehand(self):
-        """What is asked for by --explain does no work."""
+        """Answering --explain does no work."""
         shared = self.run_program("sweep", QUICK, "-o", "out", *SMALL, "--over", "contact.friction=0.1:0.1:0.5", "--explain")
         self.assertRegex(shared.stdout, r"^5 points, 5 contact solutions that share 1 skin; about .* s with ")
         seconds = []

@@ -26,7 +26,7 @@ class SweepParts(ProgramTest):
         return self.run_program("sweep", "--collect", "-o", "parts", "--no-report", expect=expect)
 
     def assert_same_tables(self):
-        """Of the sweep in parts and the serial one, to the last bit."""
+        """Asserts that the tables of the sweep in parts and of the serial one are the same to the last bit."""
         for name in ("sweep.csv", "case.toml"):
             self.assertEqual(*((self.folder / out / name).read_text() for out in ("parts", "serial")))
 
@@ -83,7 +83,7 @@ class SweepParts(ProgramTest):
         self.assertIn("no plan.json", self.collect(expect=2).stderr)
         self.plan(*MECHANICS)
         self.assertIn("its batches are 0 to 1", self.do_batch(2, expect=2).stderr)
-        self.assertIn("-1 is no whole number", self.do_batch(-1, expect=2).stderr)
+        self.assertIn("-1 is not a whole number", self.do_batch(-1, expect=2).stderr)
         self.run_program("sweep", QUICK, "--do-batch", 0, "-o", "parts", expect=2)
         self.run_program("sweep", "-o", "parts", expect=2)
         path = self.folder / "parts" / "plan.json"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What stands on the terminal while a case runs: the progress, whatever the width and where it goes."""
+"""Text on the terminal while a case runs: the progress, whatever the width and where it goes."""
 
 import fcntl
 import html
@@ -27,7 +27,7 @@ SPHERE = ("run", FINGER, "-o", "out", "--no-report", "--set", "numerics.preset=c
 
 class Terminal(ProgramTest):
     def on_terminal(self, columns, *arguments, expect=0):
-        """What the program writes on a terminal of so many columns, as text."""
+        """Text that the program writes on a terminal of so many columns."""
         first, second = pty.openpty()
         fcntl.ioctl(second, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
         process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdin=second, stdout=second, stderr=second,

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the program does to files: it removes its own only, follows no link, and survives disks that are full."""
+"""Treatment of the user's files by the program: it removes its own only, follows no link, and survives disks that are
+full."""
 
 import json
 import os

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a host program may do around a run: call it from a callback, fork, name files in any encoding, damage them."""
+"""Acts of a host program around a run: call it from a callback, fork, name files in any encoding, damage them."""
 
 import os
 import shutil
@@ -16,7 +16,7 @@ from package import PackageTest, small_case
 
 
 def exit_code(process):
-    """Of a forked process; it is killed when it has not ended within a minute."""
+    """Exit code of a forked process; it is killed when it has not ended within a minute."""
     timer = threading.Timer(60, os.kill, (process, signal.SIGKILL))
     timer.start()
     code = os.waitstatus_to_exitcode(os.waitpid(process, 0)[1])
@@ -152,7 +152,7 @@ class DamagedResults(PackageTest):
                 result.open_fields()
         path.unlink()
         os.mkfifo(path)
-        with self.assertRaisesRegex(ionskin.CaseError, "is no regular file"):
+        with self.assertRaisesRegex(ionskin.CaseError, "is not a regular file"):
             result.open_fields()
 
     def test_links_to_other_files_are_not_followed(self):

@@ -15,7 +15,7 @@ NOISE = 0.02  # of the rms
 
 
 class Fit(PackageTest):
-    """On a step of shear from a file: ion transport alone, within a fraction of a second."""
+    """Fits on a step of shear from a file: ion transport alone, within a fraction of a second."""
 
     def setUp(self):
         super().setUp()

@@ -48,7 +48,7 @@ class Instant:
     workers = 1
 
     def evaluate(self, case, trials, folder, told):
-        """As LocalEngine.evaluate."""
+        """Evaluates as LocalEngine.evaluate does."""
         for trial in trials:
             path = folder / f"{trial.number:06}.npz"
             outcome_of(trial).write(path)
@@ -67,7 +67,7 @@ def outcome_of(trial):
 
 
 def damage(path, way, victim):
-    """Puts a text, bytes, or something that is no ordinary file in the place of a file."""
+    """Puts a text, bytes, or something that is not an ordinary file in the place of a file."""
     if path.is_dir() and not path.is_symlink():
         shutil.rmtree(path)
     elif os.path.lexists(path):
@@ -103,7 +103,7 @@ class Stores(PackageTest):
         said, locks = io.StringIO(), []
 
         class Kept(StudyFolder):
-            """Whose lock goes with this call, as it goes with a process."""
+            """A study folder whose lock goes with this call, as it goes with a process."""
 
             def _lock(self):
                 super()._lock()
@@ -134,7 +134,7 @@ class Stores(PackageTest):
         self.assertEqual(self.victim.read_text(), "untouched")
 
     def test_every_file_in_every_way(self):
-        """Of `generate` every file in every way; of the others what they read of their own."""
+        """Every file of `generate` is tried in every way; of the others, those that they alone read."""
         for study in STUDIES:
             self.assertEqual(self.main(study)[0], 0)
             whole = self.folder / f"whole-{study}"
@@ -149,7 +149,7 @@ class Stores(PackageTest):
 
     @staticmethod
     def texts(path):
-        """What may stand in the place of a file."""
+        """Texts that may stand in the place of a file."""
         content = path.read_bytes()
         return {**TEXTS, "half": content[:len(content) // 2], "changed": content[::-1]}
 
@@ -237,7 +237,7 @@ class Stores(PackageTest):
 
 class Folders(PackageTest):
     def test_runs_whose_records_are_none(self):
-        """A run that has not ended is told by its manifest, whatever stands there."""
+        """A run that has not ended is recognised by its manifest, whatever stands there."""
         for text in ("[]", "3", "null", '{"state": 1, "stages": 3}', '{"state": 1, "stages": {"ions": 3}}', '{"state": NaN}', DEEP, ""):
             (self.folder / "manifest.json").write_text(text)
             for more in ({}, {"unfinished": True}):

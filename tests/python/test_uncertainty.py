@@ -110,7 +110,7 @@ class KnownFunctions(unittest.TestCase):
 
 
 class OfACase(PackageTest):
-    """On a step of shear from a file: ion transport alone."""
+    """Uncertainty on a step of shear from a file: ion transport alone."""
 
     def setUp(self):
         super().setUp()

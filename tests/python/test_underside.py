@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the figures draw of a slider's underside."""
+"""Drawings of a slider's underside in the figures."""
 
 import unittest
 

@@ -148,7 +148,7 @@ const main = async (page, link) => {
   await wait(() => document.querySelectorAll(".waypoints tbody tr").length === 5 && document.querySelector(".verdict.good"));
   await field("motion.kind", "touch-slide-lift");
   await wait(() => document.querySelector('[data-key="motion.stroke"]')?.value === "6 mm" && document.querySelector(".verdict.good"));
-  // Layers and taxels are rows; a mistake is told at its cell, and rows stand beside it.
+  // Layers and taxels are rows; a mistake is shown at its cell, and rows stand beside it.
   const good = () => wait(() => document.querySelector(".verdict.good"));
   const rows = (list) => page.$$eval(`[data-key^="${list}["][data-key$="].name"]`, (all) => all.length);
   const name_of = (i) => page.$eval(`[data-key="skin.layers[${i}].name"]`, (one) => one.value);
@@ -178,7 +178,7 @@ const main = async (page, link) => {
   await click("Add a taxel");
   await wait(() => document.querySelector('[data-key="readout.taxels[1].name"]') && document.querySelector(".verdict.good"));
   assert.match(await page.$eval("textarea", (one) => one.value), /\[\[readout\.taxels\]\]\nname = "t2"\n/);
-  assert.ok(!(await page.$eval('[data-key="readout.taxels.rows"]', (one) => one.checkVisibility())), "a list of taxels is no grid");
+  assert.ok(!(await page.$eval('[data-key="readout.taxels.rows"]', (one) => one.checkVisibility())), "a list of taxels is not a grid");
   // Of a list and a pair each number has an input.
   await click("Output", ".form");
   const instants = await page.$$eval('[data-key^="output.fields["]', (all) => all.length);

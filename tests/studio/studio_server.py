@@ -107,7 +107,7 @@ class StudioTest(unittest.TestCase):
         self.studio = self.start()
 
     def more_environment(self):
-        """Of the Studio."""
+        """Further variables of the environment of the Studio."""
         return {}
 
     def start(self):

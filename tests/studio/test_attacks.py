@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a stranger may try against the Studio: other hosts and pages, paths out, scripts, floods."""
+"""Attacks that a stranger may try on the Studio: other hosts and pages, paths out, scripts, floods."""
 
 import concurrent.futures
 import json

@@ -35,7 +35,7 @@ class Brought(StudioTest):
         return [job for job in self.studio.json("GET", "/api/jobs") if job["state"] == "found"]
 
     def reach_the_end_of_the_queue(self):
-        """What waited before it has run, then, or never will."""
+        """Waits until the jobs that waited before have run, or never will."""
         self.studio.run("last", QUICK.replace("friction = 0.3", "friction = 0.32"))
         self.studio.wait("last", lambda job: job["state"] in ("finished", "failed"))
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the Studio starts stays in the workspace, though names may have become links since the Studio looked at them."""
+"""Confinement: files that the Studio starts to write stay in the workspace, though names may have become links since
+the Studio looked at them."""
 
 import ctypes
 import json

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What lies in a workspace: damaged results, names that several pages ask for, links that are swapped while they are read."""
+"""Contents of a workspace: damaged results, names that several pages ask for, links that are swapped while they are
+read."""
 
 import concurrent.futures
 import json
@@ -14,7 +15,7 @@ DEEP = "[" * 1_000_000 + "]" * 1_000_000
 
 
 def special(path):
-    """Makes what is no ordinary file under each of the names that it gives."""
+    """Makes what is not an ordinary file under each of the names that it gives."""
     return {"a pipe": lambda: os.mkfifo(path), "a folder": lambda: os.mkdir(path), "a device": lambda: os.symlink("/dev/zero", path),
             "a link to itself": lambda: os.symlink(path, path), "a link to a pipe": lambda: (os.mkfifo(f"{path}.pipe"), os.symlink(f"{path}.pipe", path))}
 

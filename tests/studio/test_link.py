@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How the one-time link reaches the browser: no other user of the computer sees it."""
+"""Delivery of the one-time link to the browser: no other user of the computer sees it."""
 
 import pathlib
 import stat

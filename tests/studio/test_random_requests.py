@@ -81,7 +81,7 @@ def some_request(chance, port, cookie):
 
 class RandomRequests(StudioTest):
     def exchange(self, request, chance):
-        """What came back until the server closed the line, or the beginning of a stream."""
+        """Bytes that came back until the server closed the line, or the beginning of a stream."""
         answer = b""
         with socket.create_connection(("127.0.0.1", self.studio.port), timeout=120) as line:
             try:

@@ -18,7 +18,7 @@ RANGES = ("0-200000", "0-", "-200000", "5-200000", "200000-300000", "0-0", "0-18
 
 class Requests(StudioTest):
     def exchange(self, request):
-        """What the server sends until it closes the line."""
+        """Bytes that the server sends until it closes the line."""
         with socket.create_connection(("127.0.0.1", self.studio.port), timeout=60) as line:
             line.sendall(request)
             answer = b""

@@ -18,7 +18,7 @@ struct Chain {
   history::CoreHistory history;
 };
 
-/// C3: steady sliding at positions that are no interpolation nodes, and its smoothness on the
+/// C3: steady sliding at positions that are not interpolation nodes, and its smoothness on the
 /// transport grid.
 std::vector<Row> smooth_sliding_rows(const Chain& chain, const Options& options);
 /// C4: charge jumps of touchdown and lift-off against the scalars that predict them.

@@ -19,7 +19,7 @@ constexpr int fresh_positions = 20;
 /// The trend follows the shear's magnitude, which bends where the shear passes near zero, but not
 /// the slider's passing from column to column, 18 times in the interval.
 constexpr int trend_degree = 16;
-/// Of the instants that are kept: 80 a slide at least, four between two columns.
+/// Refinement of the instants that are kept: 80 a slide at least, four between two columns.
 constexpr double sampling_refinement = 4.0;
 
 /// Arc lengths spread over the stroke, none of them a node of the interpolation.

@@ -80,7 +80,7 @@ std::vector<Row> error_estimate_rows(const Options& options) {
     const auto estimate = study::estimate_errors(
         input, given, solution, study::read_out(input, given, solution, options.threads),
         options.threads, timers);
-    // Between 1 and 5.
+    // The ratio must lie between 1 and 5.
     rows.push_back(compare("C5", law + ": estimated over true error of the tail current",
                            estimate.relative.at("tail_current_difference") /
                                true_tail_error(input, history, solution, options),

@@ -34,7 +34,7 @@ Complex closed_form(const Case& input, double frequency) {
   const Long p(0.0L, 2.0L * std::numbers::pi_v<long double> * frequency * scales.relaxation_time);
   const long double a = scales.half_thickness;
   const Long q = std::sqrt(1.0L + p);
-  // Of what is above 1 - 1e-40 nothing but 1 is left.
+  // The tanh of a larger real part is above 1 - 1e-40, of which nothing but 1 is left.
   const Long tanh = (q * a).real() > 50 ? Long(1.0L) : std::tanh(q * a);
   const Long scaled = tanh / (p * q * q * q) + a / (q * q);
   return static_cast<Complex>(scaled) *

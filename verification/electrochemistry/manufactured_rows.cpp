@@ -65,7 +65,7 @@ private:
         (std::exp(power) + growth * (std::expm1(power) + filling_)) / full; // no cancellation
     return above / (1.0 + filling_ * (above + growth));
   }
-  /// Its limit for f = 0 with f'/f phi = `rise`.
+  /// Limit of the concentration for f = 0 with f'/f phi = `rise`.
   double initial_concentration(double rise) const {
     return filling_ > 0.0 ? (1.0 - (1.0 - filling_) * std::exp(filling_ * rise)) / filling_
                           : 1.0 - rise;
@@ -201,7 +201,7 @@ struct Problem {
 };
 
 void add_space_rows(const Problem& problem, const Options& options, std::vector<Row>& rows) {
-  // So many samples that linear interpolation between them does not count.
+  // The samples are so many that linear interpolation between them does not count.
   constexpr Steps steps{1.0, 3e-6, 48};
   const auto error_at = [&](double refinement) {
     return error_of(run(problem.filling, refinement, steps, options),

@@ -217,7 +217,7 @@ void add_impedance_rows(std::vector<Row>& rows) {
   }
 }
 
-/// Of the slider's touch.
+/// Case of the slider's touch.
 Case touched(double resistance, const char* circuit, const char* law) {
   Case input = model_case();
   input.numerics.preset = Preset::coarse;

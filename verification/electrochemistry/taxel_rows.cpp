@@ -155,7 +155,7 @@ void add_order_row(const Options& options, std::vector<Row>& rows) {
                           std::log2(errors[0] / errors[1]), 1.0));
 }
 
-/// Of the baseline's skin, on five taxels.
+/// Case of the baseline's skin, on five taxels.
 Case five_taxels(const char* circuit) {
   Case input = model_case();
   input.numerics.preset = Preset::coarse;
@@ -171,7 +171,7 @@ Case five_taxels(const char* circuit) {
   return input;
 }
 
-/// Of the slider's touch on five taxels behind loads.
+/// Adds the conservation of charge in the slider's touch on five taxels behind loads.
 void add_conservation_rows(const Options& options, std::vector<Row>& rows) {
   Case input = five_taxels("load");
   input.coupling.law = "column-neutral";
@@ -214,8 +214,8 @@ history::CoreHistory local_history(bool at_the_left, double length) {
   return history;
 }
 
-/// What the same shear at the far end of one taxel makes of the voltage of the other is the same
-/// both ways, though the taxels differ in size and load.
+/// Adds the reciprocity of two taxels: the same shear at the far end of one gives the other the
+/// same voltage both ways, though the taxels differ in size and load.
 void add_reciprocity_row(const Options& options, std::vector<Row>& rows) {
   constexpr double length = 2e-3, cut = 0.8e-3;
   const double resistance = LinearCell(strip(1, 1)).resistance() / (0.5 * length * strip_width);

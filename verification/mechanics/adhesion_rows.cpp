@@ -25,13 +25,14 @@ constexpr double block_modulus = 1e6, block_ratio = 0.3; // [Pa], [1]
 constexpr double sphere_radius = 10e-3;                  // [m]
 constexpr double pull_off_radius = 200e-6;               // of the contact, by JKR [m]
 constexpr double plane = block_modulus / (1 - block_ratio * block_ratio); // [Pa]
-/// Of that radius a = (9 pi w R^2 / (8 E*))^(1/3).
+/// Work of adhesion for that radius, a = (9 pi w R^2 / (8 E*))^(1/3).
 const double work_of_adhesion =
     8 * plane * std::pow(pull_off_radius, 3) / (9 * pi * sphere_radius * sphere_radius);
-/// Of heights: a^2 / R [m]. By JKR the force has its least at -1/3 of it, and the contact under a
-/// given height comes off at -0.69.
+/// Unit of heights: a^2 / R [m]. By JKR the force has its least at -1/3 of it, and the contact
+/// under a given height comes off at -0.69.
 constexpr double height_unit = pull_off_radius * pull_off_radius / sphere_radius;
-/// Where it begins; the contact is then a quarter wider than at pull-off.
+/// Indentation from which the slider is pulled off, in units of `height_unit`; the contact is then
+/// a quarter wider than at pull-off.
 constexpr double pressed = 0.1;
 
 /// Strength of the transition parameter of Maugis 1992, doi 10.1016/0021-9797(92)90285-T:

@@ -38,7 +38,7 @@ constexpr double coarse_tolerance = 0.02;
 
 using Instants = std::vector<const mechanics::SteppedInstant*>;
 
-/// Those at which the slider touches between two times, the first excluded.
+/// Instants at which the slider touches between two times, the first excluded.
 Instants touching(const ContactSolution& solution, double from, double to) {
   Instants instants;
   for (const mechanics::SteppedInstant& instant : solution.stepped) {
@@ -140,7 +140,7 @@ void add_condition_rows(const Case& input, double friction, const ContactSolutio
                          solution.worst_complementarity_residual, 1e-8));
 }
 
-/// Of the tractions in two states.
+/// Relative difference of the tractions in two states.
 double difference(const ContactState& one, const ContactState& other) {
   double largest = 0, scale = 0;
   for (std::size_t c = 0; c < one.normal_traction.size(); ++c) {

@@ -45,15 +45,15 @@ double observed_order(const std::array<Averages, 3>& at, double Averages::*value
   return (low + high) / 2;
 }
 
-/// From the last two of four averages, with errors in proportion to the mesh size.
+/// Limit of the last two of four averages, with errors in proportion to the mesh size.
 double limit(const std::array<Averages, 4>& at, double Averages::*value) {
   return at[3].*value +
          (at[3].*value - at[2].*value) * at[3].edge_size / (at[2].edge_size - at[3].edge_size);
 }
 
-/// What the error of the second of four averages is told to be, over what it is: by its difference
-/// to the first, on twice the mesh sizes, as runs state it; and by Richardson's extrapolation, with
-/// the order at which the last follows on half the sizes.
+/// Effectivity of an estimate: the error that the second of four averages is stated to have, over
+/// the true one: by its difference to the first, on twice the mesh sizes, as runs state it; and by
+/// Richardson's extrapolation, with the order at which the last follows on half the sizes.
 struct Effectivity {
   double stated = 0, extrapolated = 0;
 

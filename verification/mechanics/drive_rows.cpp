@@ -56,7 +56,7 @@ public:
   void add(double time, double force) {
     if (time >= block::settled) {
       lowest_ = std::min(lowest_, force);
-      // Where the block catches the damper's force has small peaks of its own.
+      // The damper's force has small peaks of its own where the block catches.
       constexpr double low =
           0.5 * (block::static_friction + block::kinetic_friction) * block::normal_force;
       if (count_ >= 2 && last_ > low && last_ > before_ && last_ >= force) {
@@ -75,7 +75,7 @@ public:
   }
 
 private:
-  /// Of the parabola through the last three instants.
+  /// Peak of the parabola through the last three instants.
   void add_peak(double time, double force) {
     const double left = last_time_ - time_before_, right = time - last_time_;
     const double rise = (last_ - before_) / left, fall = (force - last_) / right;

@@ -95,7 +95,7 @@ void add_direction_rows(const Options& options, std::vector<Row>& rows) {
 /// back.
 struct Loop {
   double half_way = 0, turn = 0;
-  double back = 0; ///< where it began
+  double back = 0; ///< place where it began
 };
 
 Loop loop_of(const std::string& law, const laws::LawValues& parameters, double travel,

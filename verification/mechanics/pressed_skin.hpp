@@ -19,7 +19,7 @@ public:
   const mechanics::ContactCells& cells() const { return model_.cells; }
   const mechanics::ContactProblem& problem() const { return problem_; }
   const mechanics::SurfaceState& state() const { return state_; }
-  /// Of the full skin: normal, along x [N].
+  /// Force on the full skin: normal, along x [N].
   double force(std::size_t component) const;
   double contact_area() const; ///< [m2]
   double stick_area() const;   ///< [m2]

@@ -17,7 +17,7 @@ public:
   struct Lines {
     std::array<std::vector<double>, 3> of; ///< x, y, z
   };
-  /// By element row along z [Pa].
+  /// Lame constants by element row along z [Pa].
   struct Lame {
     double lambda = 0, mu = 0;
   };
@@ -35,7 +35,7 @@ public:
   /// xx, yy, zz, yz, xz, xy.
   using Strain = std::array<double, 6>;
   Strain strain(const std::array<double, 3>& place) const;
-  /// Between lines along each direction.
+  /// Mean strain between lines along each direction.
   Strain mean_strain(const std::array<std::array<double, 2>, 3>& box) const;
 
 private:

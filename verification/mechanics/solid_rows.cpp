@@ -18,7 +18,7 @@ using Interval = std::array<double, 2>;
 constexpr double length = 1e-3, width = 0.6e-3;
 constexpr std::array<Interval, 2> columns{{{0.3e-3, 0.4e-3}, {0.4e-3, 0.5e-3}}};
 constexpr Interval row{0.15e-3, 0.3e-3};
-/// On each cell of the half that is meshed: downwards, along x, along y [N].
+/// Forces on each cell of the half that is meshed: downwards, along x, along y [N].
 constexpr std::array<std::array<double, 3>, 2> forces{{{1.0, 0.2, 0.1}, {0.7, 0.4, -0.1}}};
 /// In the core, not on lines of any mesh [m].
 constexpr std::array<std::array<double, 3>, 4> places{{{0.06e-3, 0.21e-3, 0.11e-3},
@@ -26,7 +26,7 @@ constexpr std::array<std::array<double, 3>, 4> places{{{0.06e-3, 0.21e-3, 0.11e-
                                                        {0.56e-3, 0.06e-3, 0.11e-3},
                                                        {0.71e-3, 0.21e-3, 0.06e-3}}};
 
-/// What both methods are asked for, one after another.
+/// Answer of each method to one question.
 struct Answer {
   std::vector<double> surface; ///< mean displacement of each cell: downwards, x, y [m]
   std::vector<double> core;    ///< strain at the places

@@ -20,7 +20,7 @@ double degree_of_consolidation(double time) {
   return 1.0 - layer.integral(layer.after_step([](double) { return 1.0; }, time));
 }
 
-/// Of p_u = z - 1/2 between sealed walls, by its Fourier series.
+/// Difference of p_u = z - 1/2 between sealed walls, by its Fourier series.
 double expected_difference(double time) {
   constexpr double pi = 3.14159265358979323846;
   double sum = 0;

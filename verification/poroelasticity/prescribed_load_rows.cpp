@@ -38,7 +38,8 @@ double first_voltage(Case input, const Options& options) {
   return final_voltage(input, 1.0, options);
 }
 
-/// Of a layer drained at one face, at a height from the sealed one, over the first pressure.
+/// Pressure of a layer drained at one face, at a height from the sealed one, over the first
+/// pressure.
 double drained_profile(double height, double consolidation) {
   constexpr double pi = std::numbers::pi;
   double sum = 0;

@@ -61,7 +61,7 @@ double charge(const IonSolution& solution, double time) {
   return per_megapascal * charge_difference(solution, row_at(solution, time)) / electrode_area;
 }
 
-/// Of the electrodes left open, a time after the step [V].
+/// Voltage of the electrodes left open, a time after the step [V].
 double open_voltage(Case input, double time, const Options& options) {
   input.readout.circuit = "open";
   const IonSolution solution = run_model(

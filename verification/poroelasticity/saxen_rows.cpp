@@ -68,7 +68,7 @@ private:
   Complex spread(Complex s, Complex q) const {
     return s / (s - water_.consolidation_coefficient * q * q);
   }
-  /// Of sinh(q y) about the middle over the thickness, over cosh(q h/2).
+  /// Moment of sinh(q y) about the middle over the thickness, over cosh(q h/2).
   Complex moment(Complex q) const { return (half_ / q - std::tanh(q * half_) / (q * q)) / half_; }
 
   electrochemistry::DerivedScales ions_;
@@ -99,7 +99,8 @@ ElectrodePotentials step() {
   return potentials;
 }
 
-/// By `small_voltage` a second: a steady current once the double layers follow.
+/// Ramp of the potential by `small_voltage` a second: a steady current once the double layers
+/// follow.
 ElectrodePotentials ramp() {
   ElectrodePotentials potentials;
   potentials.top = [](double time) { return small_voltage * time; };
@@ -140,7 +141,7 @@ void add_settled_rows(const Case& input, const std::string& name, const Options&
       solution.water.dragged_bottom.back() / solution.water.dragged_top.back(), -1.0, 1e-9));
 }
 
-/// While the double layers charge.
+/// Adds the rows of the time while the double layers charge.
 void add_transient_rows(const Case& input, const std::string& name, const Options& options,
                         std::vector<Row>& rows) {
   const ChargedCell cell(input);

@@ -38,7 +38,7 @@ IonSolution sheared(const Options& options) {
   return run_model(wet_case(), history, options);
 }
 
-/// Under loads that are large enough for the charge to stand far above rounding.
+/// Antisymmetry under loads that are large enough for the charge to stand far above rounding.
 double antisymmetry(const Options& options) {
   const IonSolution a = pressed(wet_case(), 1e6, 4e6, options);
   const IonSolution b = pressed(wet_case(), 4e6, 1e6, options);

@@ -126,7 +126,7 @@ void add_live(CLI::App& app, Command& command) {
   CLI::Option* validation =
       verb->add_option(
               "--validation", options->validation,
-              "Other random touches that tell the errors; 90 give 99 % confidence that 95 % "
+              "Other random touches that measure the errors; 90 give 99 % confidence that 95 % "
               "of all touches keep them")
           ->check(CLI::Range(1, 1000))
           ->capture_default_str();

@@ -6,7 +6,7 @@
 namespace ionskin::apps {
 
 void add_help_verbs(CLI::App& app, Command& command) {
-  app.add_subcommand("doctor", "Tell what this machine lacks for ionskin and how to get it")
+  app.add_subcommand("doctor", "List what this machine lacks for ionskin and how to get it")
       ->callback([&command] { command = DoctorOptions{}; });
   auto cache_options = std::make_shared<CacheOptions>();
   CLI::App* cache_verb = app.add_subcommand(

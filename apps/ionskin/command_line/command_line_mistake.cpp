@@ -78,18 +78,18 @@ std::string unknown_verb(const CLI::App& app, const std::string& word) {
   const auto names = verb_names(app);
   const std::string nearest = nearest_choice(word, names);
   if (nearest.empty() && word.ends_with(".toml")) {
-    return message(fmt::format("\"{}\" is no verb of {}", word, app.get_name()),
+    return message(fmt::format("\"{}\" is not a verb of {}", word, app.get_name()),
                    fmt::format("to run a case: {} run {} --output DIR", app.get_name(), word));
   }
   if (word == "help") {
-    return message(fmt::format("\"help\" is no verb of {}", app.get_name()),
+    return message(fmt::format("\"help\" is not a verb of {}", app.get_name()),
                    fmt::format("write {0} --help, or {0} VERB --help", app.get_name()));
   }
-  return message(fmt::format("\"{}\" is no verb of {}", word, app.get_name()),
+  return message(fmt::format("\"{}\" is not a verb of {}", word, app.get_name()),
                  fmt::format("{}verbs: {}", did_you_mean(nearest), fmt::join(names, ", ")));
 }
 
-/// The word that follows an option on the command line, where it is no option.
+/// The word that follows an option on the command line, where it is not an option.
 std::string value_after(const std::vector<std::string>& words, const std::string& option) {
   const auto place = std::ranges::find(words, option);
   if (const std::size_t equals = option.find('='); equals != std::string::npos) {
@@ -136,7 +136,7 @@ std::string missing(const CLI::App& app, const CLI::App& verb) {
                  fmt::format("write {}; more: {} --help", usage(app, verb), call(app, verb)));
 }
 
-/// Of "--only: mech not in {mechanics,electrochemistry}".
+/// Message on the unknown choice in "--only: mech not in {mechanics,electrochemistry}".
 std::optional<std::string> unknown_choice(const std::string& text) {
   const std::size_t colon = text.find(": "), open = text.find(" not in {");
   if (colon == std::string::npos || open == std::string::npos || open < colon ||
@@ -152,7 +152,7 @@ std::optional<std::string> unknown_choice(const std::string& text) {
                              fmt::join(choices, ", ")));
 }
 
-/// Of "--from: 1 required TEXT:{paper,quick} missing".
+/// Message on the missing value in "--from: 1 required TEXT:{paper,quick} missing".
 std::optional<std::string> missing_value(const std::string& text, const std::string& usage) {
   const std::size_t colon = text.find(": ");
   if (colon == std::string::npos || !text.ends_with(" missing")) {
@@ -177,7 +177,7 @@ std::string explain_mistake(const CLI::App& app, const CLI::ParseError& error,
   const CLI::App& verb = verbs.empty() ? app : *verbs.front();
   const auto first_word = std::ranges::find_if_not(words, is_option);
   const std::vector<std::string> extras = app.remaining(true);
-  // What nobody asked for explains more than what is missing.
+  // Options that nobody asked for explain more than what is missing.
   for (const std::string& word : words) {
     if (is_option(word) && std::ranges::find(extras, word) != extras.end()) {
       return unknown_option(app, verb, word, words);
@@ -202,7 +202,7 @@ std::string explain_mistake(const CLI::App& app, const CLI::ParseError& error,
   if (const auto choice = unknown_choice(text)) {
     return *choice;
   }
-  const std::string help = fmt::format("{} --help tells its options", call(app, verb));
+  const std::string help = fmt::format("{} --help lists its options", call(app, verb));
   if (const auto lacking = missing_value(text, help)) {
     return *lacking;
   }

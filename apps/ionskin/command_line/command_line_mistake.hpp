@@ -8,7 +8,8 @@
 
 namespace ionskin::apps {
 
-/// What is wrong with a command line, and what would be right: "error: ..." and a line "  = ...".
+/// Explanation of what is wrong with a command line, and of what would be right: "error: ..." and a
+/// line " = ...".
 /// @param app as it stood when parsing failed
 /// @param words of the command line, without the program's name
 std::string explain_mistake(const CLI::App& app, const CLI::ParseError& error,

@@ -26,7 +26,7 @@ std::string whole_number_from(int least, const std::string& text) {
   int value = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool good = status == std::errc() && end == text.data() + text.size() && value >= least;
-  return good ? "" : text + " is no whole number of at least " + std::to_string(least);
+  return good ? "" : text + " is not a whole number of at least " + std::to_string(least);
 }
 
 } // namespace

@@ -174,7 +174,7 @@ void add_report(CLI::App& app, Command& command) {
 void add_compare(CLI::App& app, Command& command) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* verb = app.add_subcommand(
-      "compare", "Tell the parameters, metrics and signals in which two runs differ");
+      "compare", "List the parameters, metrics and signals in which two runs differ");
   verb->add_option("first", options->first, "Folder of a run")->required()->type_name("A");
   verb->add_option("second", options->second, "Folder of a run")->required()->type_name("B");
   verb->add_option("--tolerance", options->tolerance, "Relative difference that counts as none")

@@ -9,7 +9,7 @@ namespace ionskin::apps {
 /// One option or positional of a verb, as the parser itself knows it.
 struct OptionReference {
   std::vector<std::string> names;   ///< "-o", "--output"; one bare word for a positional
-  std::string value;                ///< what it takes, such as "DIR"; empty for a flag
+  std::string value;                ///< value that it takes, such as "DIR"; empty for a flag
   std::vector<std::string> choices; ///< when it takes one of a few words
   std::string help;
   bool positional = false;

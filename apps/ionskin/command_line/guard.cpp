@@ -16,7 +16,7 @@
 namespace ionskin::apps {
 namespace {
 
-/// Whether the message arrives or not, the code does.
+/// The code tells the failure, whether the message arrives or not.
 int fail(ExitCode code, const std::string& message) {
   std::fputs((base::printable(message) + "\n").c_str(), stderr);
   return static_cast<int>(code);
@@ -30,7 +30,7 @@ int fail_at_output() {
                           reason));
 }
 
-/// What was printed may still be in a buffer.
+/// Flushes the output, which may still be in a buffer.
 int flushed(int exit_code) {
   return exit_code == 0 && (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) ? fail_at_output()
                                                                                   : exit_code;

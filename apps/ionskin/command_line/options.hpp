@@ -17,8 +17,8 @@
 
 namespace ionskin::apps {
 
-/// How progress is shown. `automatic`: a bar on a terminal and lines elsewhere. `quiet`: nothing,
-/// and no summary of the results either.
+/// Form in which progress is shown. `automatic`: a bar on a terminal and lines elsewhere. `quiet`:
+/// nothing, and no summary of the results either.
 enum class LogFormat { automatic, bar, lines, json, none, quiet };
 
 struct RunOptions {
@@ -77,7 +77,7 @@ struct FitOptions {
   LogFormat log = LogFormat::automatic;
 };
 
-/// Of uncertainty, design and generate, which ionskin's Python package carries out.
+/// Options of uncertainty, design and generate, which ionskin's Python package carries out.
 struct TrialOptions {
   std::string case_path, output;
   std::string on; ///< file of a cluster's scheduler; empty for this machine
@@ -133,7 +133,7 @@ struct ReportOptions {
 
 struct CompareOptions {
   std::string first, second; ///< run folders
-  double tolerance = 1e-9;   ///< relative differences up to here are no differences
+  double tolerance = 1e-9;   ///< relative differences up to here are not differences
 };
 
 struct StudioOptions {
@@ -169,7 +169,7 @@ struct LiveOptions {
   std::size_t validation = 90;
   std::uint64_t seed = 1;
   std::optional<std::array<double, 2>> friction;
-  bool trains = false; ///< whether an option is given that only a training has a use for
+  bool trains = false; ///< true if an option is given that only a training has a use for
   int threads = 0;
   bool overwrite = false;
   LogFormat log = LogFormat::automatic;

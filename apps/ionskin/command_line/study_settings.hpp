@@ -8,7 +8,7 @@
 
 namespace ionskin::apps {
 
-/// What the settings of a run, a sweep and a fit take from the command line alike.
+/// Settings that a run, a sweep and a fit take from the command line alike.
 /// @param display must outlive the settings
 template <class Settings, class Options>
 Settings study_settings(const Options& options, const std::string& command,

@@ -32,8 +32,8 @@ std::string warning_of_strain(const Case& input, const history::CoreHistory& his
   return "";
 }
 
-/// Of a slider that is not sharp, as a run finds it; empty where the coarse solution fails, which a
-/// run will tell. Throws UserError where the contact reaches the edge of the skin.
+/// Footprint of a slider that is not sharp, as a run finds it; empty where the coarse solution
+/// fails, which a run will tell. Throws UserError where the contact reaches the edge of the skin.
 std::optional<mesh::Footprint> found_footprint(const Case& input) {
   ProgressDisplay display(isatty(STDERR_FILENO) != 0 ? LogFormat::bar : LogFormat::none);
   try {

@@ -15,7 +15,7 @@
 namespace ionskin::apps {
 namespace {
 
-/// So many digits that the ends of the interval differ.
+/// Number of digits at which the ends of the interval differ.
 int digits(const study::FittedParameter& fitted) {
   const double width = std::abs(fitted.upper_95 - fitted.lower_95);
   const double ratio = std::abs(fitted.value) / width;
@@ -31,7 +31,7 @@ void print_result(const study::FitResult& result, const FitOptions& options) {
     const std::string interval =
         std::isfinite(fitted.lower_95)
             ? fmt::format("{:.{}g} to {:.{}g}", fitted.lower_95, places, fitted.upper_95, places)
-            : "not told by the data";
+            : "not fixed by the data";
     fmt::print("{:<34} {:.{}g}{}  (95 %: {}; start {:.6g})\n", fitted.parameter.key, fitted.value,
                places, unit, interval, fitted.parameter.start);
   }

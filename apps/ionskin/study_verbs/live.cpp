@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char *output_option = "--output", *fmu_option = "--fmu";
 
-/// Before hours of work.
+/// Requires, before hours of work, that a file can be written.
 void require_writable(const char* option, const std::filesystem::path& file, bool overwrite) {
   std::error_code failure;
   if (std::filesystem::is_directory(file, failure)) {
@@ -81,7 +81,7 @@ void write_files(const LiveOptions& options, const ionskin::live::SkinData& data
   }
 }
 
-/// Of a skin that is there, nothing but an FMU is made.
+/// Makes nothing but an FMU, of a skin that is there.
 int export_skin(const LiveOptions& options) {
   if (options.trains) {
     throw UserError(fmt::format(

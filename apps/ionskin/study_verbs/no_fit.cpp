@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// In the place of fit.cpp where the packages that a fit needs are missing.
+// This source stands in the place of fit.cpp where the packages that a fit needs are missing.
 
 #include "study_verbs/fit.hpp"
 

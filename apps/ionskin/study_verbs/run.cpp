@@ -27,7 +27,8 @@ study::Studies studies(const std::string& only) {
   return only == "electrochemistry" ? study::Studies::electrochemistry : study::Studies::both;
 }
 
-/// Of gigabytes, before they are written; those under a strain file follow from the file.
+/// Announces gigabytes of output before they are written; those under a strain file follow from the
+/// file.
 void announce_output(const Case& input, int threads) {
   if (input.strain.kind != StrainSourceKind::file) {
     const double bytes = planning::estimate_cost(input, threads).output;

@@ -47,7 +47,7 @@ void print_outcome(const SweepOptions& options, const study::SweepOutcome& outco
   }
 }
 
-/// Of the batches, for those who start them.
+/// Prints the batches, for those who start them.
 void print_plan(const SweepOptions& options, const study::PlannedFolder& folder) {
   double longest = 0, largest = 0;
   for (const study::SweepBatch& batch : folder.batches) {
@@ -90,7 +90,7 @@ ExitCode exit_code(const study::SweepOutcome& outcome) {
   return outcome.failures.size() < outcome.points ? ExitCode::success : ExitCode::solver_gave_up;
 }
 
-/// Whether the points are solved by this process.
+/// True if the points are solved by this process.
 bool here(const SweepOptions& options) {
   return !options.plan && options.on.empty();
 }
@@ -117,7 +117,7 @@ double report_seconds(const SweepOptions& options, int threads) {
   return options.no_report ? 0.0 : (page + (options.figures ? files : 0.0)) / threads;
 }
 
-/// What the whole sweep and --plan begin with; nothing where that is all.
+/// Plan with which the whole sweep and --plan begin; nothing where that is all.
 std::optional<study::SweepPlan> planned(const SweepOptions& options) {
   study::SweepPlan plan = study::plan_sweep(request(options));
   if (options.explain || options.log == LogFormat::automatic) {

@@ -6,7 +6,7 @@
 
 namespace ionskin::apps {
 
-/// How far an activity is.
+/// Progress of an activity.
 struct ProgressState {
   std::string activity;
   double fraction = 0; ///< finished, in [0, 1]

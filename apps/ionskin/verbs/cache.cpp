@@ -34,7 +34,7 @@ std::optional<fs::path> cache_folder() {
   return std::nullopt;
 }
 
-/// Whether a name begins with a key and ends as that of an entry, or of one whose writer was
+/// True if a name begins with a key and ends as that of an entry, or of one whose writer was
 /// killed; that of an entry holds nothing else.
 bool is_own_name(const std::string& name) {
   constexpr std::size_t digits = 32;

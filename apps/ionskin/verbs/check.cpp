@@ -22,7 +22,7 @@ namespace ionskin::apps {
 
 namespace {
 
-/// Whether the contact must be solved for before it is known to stay on the skin: the bound
+/// True if the contact must be solved for before it is known to stay on the skin: the bound
 /// `mesh::largest_footprint` is that of sliders that nothing pulls.
 bool may_leave_skin(const Case& input) {
   const mesh::Footprint bound = mesh::largest_footprint(input);

@@ -27,7 +27,7 @@ bool check(const CheckOptions& options);
 void check_case(const CheckOptions& options, const CaseDocument& document,
                 const std::optional<mesh::Footprint>& footprint);
 
-/// What `check` prints of a case without mistakes.
+/// Prints the answer of `check` on a case without mistakes.
 /// @param warning a sentence or nothing
 void print_valid(const CheckOptions& options, const CaseDocument& document,
                  const std::string& warning, const planning::CostEstimate& cost);

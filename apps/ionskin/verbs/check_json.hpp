@@ -8,7 +8,7 @@
 
 namespace ionskin::apps {
 
-/// What `check --explain` says of a valid case, for programs: every value as written, in SI units
+/// Answer of `check --explain` on a valid case, for programs: every value as written, in SI units
 /// and where it stands, the explanation, and the cost of a run.
 /// @param warning a sentence or nothing
 /// Throws UserError when the mesh cannot be built.

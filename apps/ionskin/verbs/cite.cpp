@@ -49,7 +49,8 @@ void print_program() {
              version, release_year);
 }
 
-/// Its authors and title do not come with ionskin; the registry of its DOI tells them.
+/// Prints the article, whose authors and title do not come with ionskin; the registry of its DOI
+/// tells them.
 void print_article() {
   fmt::print(
       "% The article whose case is cases/paper.toml, with the figures 1 to 16 and the claims that "

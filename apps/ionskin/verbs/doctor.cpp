@@ -100,7 +100,7 @@ void check_python(Findings& findings) {
   }
 }
 
-/// What some commands need; the rest works without.
+/// Checks the modules that some commands need; the rest works without.
 void check_optional_modules(Findings& findings) {
   const std::string python = IONSKIN_PYTHON;
   constexpr std::array modules{

@@ -31,7 +31,7 @@ namespace ionskin::apps {
 
 namespace {
 
-// Of a path of many waypoints the first and the last are told.
+// Numbers of the first and the last instants that are shown of a path of many waypoints.
 constexpr std::size_t most_instants = 16, last_instants = 4;
 
 std::string row(const std::string& name, const std::string& value, const std::string& note = "") {
@@ -108,7 +108,7 @@ std::string scales_of_water(const Case& input) {
   return text;
 }
 
-/// Of the first taxel with each circuit that passes charge.
+/// Time constants of the first taxel with each circuit that passes charge.
 std::string time_constants_of_taxels(const Readout& readout, double capacitance_per_area) {
   std::string text, last;
   for (std::size_t i = 0; i < readout.taxels.size(); ++i) {
@@ -142,7 +142,7 @@ double time_of_touch(const Case& input) {
   return longest;
 }
 
-/// What metal of a usual sheet resistance would do where none is given.
+/// Effect that metal of a usual sheet resistance would have where none is given.
 std::string metal(const Case& input, const electrochemistry::CellCircuit& cell) {
   constexpr double usual = 1.0;       // of either metal [ohm]
   constexpr double comparable = 0.05; // of a touch
@@ -172,7 +172,8 @@ std::string metal(const Case& input, const electrochemistry::CellCircuit& cell) 
   return text;
 }
 
-/// What charges and discharges, and through what; the circuit decides which of it is read.
+/// Scales of what charges and discharges, and through what; the circuit decides which of it is
+/// read.
 std::string scales_of_readout(const Case& input) {
   const electrochemistry::CellCircuit cell = electrochemistry::cell_circuit(input);
   const double face = input.skin.length * input.skin.width, per_area = cell.layers / face;
@@ -246,7 +247,7 @@ std::string scales_of_contact(const Case& input) {
   return text;
 }
 
-// What begins at each instant of a cycle.
+// Names of what begins at each instant of a cycle.
 std::vector<std::pair<std::string, double>> instants(const std::vector<MotionLeg>& legs) {
   std::vector<std::pair<std::string, double>> result;
   for (const MotionLeg& leg : legs) {

@@ -8,7 +8,7 @@
 
 namespace ionskin::apps {
 
-/// What a case means before it runs: its values in SI units and where they come from, the scales
+/// Meaning of a case before it runs: its values in SI units and where they come from, the scales
 /// that follow, the instants of contact, and the size and cost of both studies. Throws UserError
 /// when the mesh cannot be built.
 std::string explain(const CaseDocument& document, const planning::CostEstimate& cost);

@@ -12,7 +12,7 @@ namespace ionskin::apps {
 /// A publication of a method, and the cases that use the method.
 struct Reference {
   std::string_view key;     ///< of BibTeX
-  std::string_view purpose; ///< what it is used for
+  std::string_view purpose; ///< use of the method
   std::string_view type;    ///< of BibTeX: "article" or "book"
   std::string_view author;
   std::string_view title;
@@ -20,7 +20,7 @@ struct Reference {
   int year;
   std::string_view doi;
   bool (*used)(const Case&);
-  /// Fields that no second source confirmed, in words; told above the entry.
+  /// Fields that no second source confirmed, in words; shown above the entry.
   std::string_view unconfirmed = "";
 };
 

@@ -63,7 +63,7 @@ def sampled_rms(results, name):
 
 
 def common_noise(results):
-    """What the solver's error of the common charge can make of the sampled common current [A].
+    """Noise of the sampled common current that the solver's error of the common charge can make [A].
 
     The run's own audit tells that error, `charge_identity_error`; of a neutral law all common charge is it. Without the audit,
     or where it fails, nothing counts as noise.

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy
 
-FEWEST = 5  # points that two slopes and a break can be told from
+FEWEST = 5  # points that two slopes and a break can be found from
 
 
 class Fit(NamedTuple):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which swept key a metric depends on, from the points of a sampled sweep."""
+"""Dependence of a metric on the swept keys, from the points of a sampled sweep."""
 
 from typing import NamedTuple
 
@@ -51,7 +51,8 @@ class Sensitivity(NamedTuple):
 
 
 def of_study(study, metrics):
-    """Of the metrics that every member has, to every swept key that is a number; None for too few points."""
+    """Sensitivities of the metrics that every member has, to every swept key that is a number; None for too few
+    points."""
     keys = study.numeric_keys
     present = [name for name in metrics if numpy.isfinite(study.metric(name)).all()]
     if not keys or not present or len(study.members) < FEWEST:

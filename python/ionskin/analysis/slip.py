@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How a slide begins: where and when each place under the slider slips, and whether the currents tell before all slips."""
+"""Onset of a slide: where and when each place under the slider slips, and whether the currents tell before all
+slips."""
 
 from typing import NamedTuple
 
@@ -25,7 +26,7 @@ def value(results, name):
 
 
 def onset(results):
-    """How the first slide of a run begins; None without a slide, or where nothing sticks."""
+    """Onset of the first slide of a run; None without a slide, or where nothing sticks."""
     begin = next((span.start for span in results.phases() if span.phase == "slide"), None)
     micro, full = value(results, "micro_slip_time"), value(results, "full_slip_time")
     if begin is None or micro is None:
@@ -40,7 +41,8 @@ def onset_states(file):
 
 
 def release_times(file, begin):
-    """Per cell [y][x] when it slips for good, since the slide began [s]: 0 where it never stuck, NaN without contact.
+    """Instants [y][x] at which each cell slips for good, since the slide began [s]: 0 where it never stuck, NaN without
+    contact.
 
     Raises ValueError where the file holds no state of an onset.
     """
@@ -65,7 +67,7 @@ def error(results, name):
 
 
 class Told(NamedTuple):
-    """Whether a current tells a slip before it happens.
+    """A current's answer to whether it shows a slip before the slip happens.
 
     departure, error, noise  of a reading, its stated error, and the noise floor [A]; NaN where there are none
     lead, lead_error         from where it is seen to full slip [s]; NaN where it is not
@@ -86,7 +88,7 @@ class Told(NamedTuple):
 
 
 def told(results, current):
-    """What a current, "difference" or "common", tells of the onset of a run."""
+    """Answer of a current, "difference" or "common", to whether it shows the onset of slip of a run beforehand."""
     def number(name):
         found = value(results, name)
         return numpy.nan if found is None else found

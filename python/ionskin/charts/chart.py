@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a figure of a run shows, as plain data in SI units: the page draws it by its script, files by draw_chart.py."""
+"""Contents of one figure of a run, as plain data in SI units: the page draws it by its script, files by
+draw_chart.py."""
 
 from typing import NamedTuple
 

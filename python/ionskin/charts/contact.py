@@ -71,7 +71,7 @@ def contact_maps(results):
 
 
 def resolution(file, state):
-    """What the map of a round contact does not resolve, in words."""
+    """Sentence that says what the map of a round contact does not resolve."""
     pressure = mirrored(file, file["contact"][state]["pressure"][...])[1]
     touching = pressure > 0
     inner = within(touching)
@@ -100,7 +100,7 @@ def traction_maps(file, state, words, share):
     pressure, shear = group["pressure"][...], numpy.hypot(group["shear_x"][...], group["shear_y"][...])
     touching, cells = pressure > 0, []
     for values, name in ((pressure, "Pressure"), (shear, "Shear traction")):
-        # The half model ends at the middle of the width, which is no rim.
+        # The half model ends at the middle of the width, which is not a rim.
         whole, all_areas = (mirrored(file, part)[1] for part in (values, areas))
         top = top_of_scale(whole, mirrored(file, touching)[1], all_areas, share)
         cells.append(from_above(file, f"{name}, {words}", numpy.where(touching, values, numpy.nan), high=top, unit="Pa",
@@ -137,7 +137,7 @@ def onset_state(file, friction):
 
 
 def stick_map(file, state, words, friction):
-    """What sticks and what slips, in two colours."""
+    """Map of the sticking and the slipping cells, in two colours."""
     touching, slipping = touching_and_slipping(file, state, friction)
     return from_above(file, f"Contact, {words}", numpy.where(touching, slipping.astype(float), numpy.nan), classes=CLASSES)
 

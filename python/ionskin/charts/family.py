@@ -63,7 +63,7 @@ def value_edges(values):
 
 
 def no_map(study):
-    """Why a study has no map over time and its key, or ""."""
+    """Reason why a study has no map over time and its key, or ""."""
     return NEEDS_SEVERAL if study.single else SEVERAL_KEYS if study.scattered else ""
 
 
@@ -101,7 +101,7 @@ def key_axis(study, edges):
 
 
 def compressed(values, peak):
-    """Between -1 and 1: logarithmic beyond a thousandth of the peak, linear within."""
+    """Values scaled to lie between -1 and 1: logarithmic beyond a thousandth of the peak, linear within."""
     share = numpy.abs(values) / peak
     with numpy.errstate(divide="ignore"):
         size = numpy.where(share < LINEAR, share / LINEAR, 1 + numpy.log10(numpy.maximum(share, LINEAR) / LINEAR))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What figures read of results.h5."""
+"""Reader of the parts of results.h5 that figures show."""
 
 import numpy
 

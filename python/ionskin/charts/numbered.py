@@ -19,7 +19,7 @@ class Entry(NamedTuple):
 
     @property
     def number(self):
-        """As papers cite it: 7 of "fig07_peaks"."""
+        """Number by which papers cite the figure: 7 of "fig07_peaks"."""
         return int(self.name[3:5])
 
     def chart(self, study):
@@ -42,12 +42,12 @@ def of_run(build, lacks, named=True):
 
 
 def no_slider(_):
-    """Why a run has no figure of its slider."""
+    """Reason why a run has no figure of its slider."""
     return sketches.NO_CONTACT
 
 
 def no_fields(results):
-    """Why a run has no figure of what results.h5 holds."""
+    """Reason why a run has no figure of the contents of results.h5."""
     return fields.NO_CONTACT if (results.folder / "results.h5").exists() else fields.NO_FIELDS
 
 
@@ -98,7 +98,7 @@ ENTRIES = [
           "the share of the metric's variance that a parabola in this key alone explains, an estimate of the first-order "
           "index; what the shares of a row lack to 1 is due to interplay of keys, or to a course that no parabola follows.",
           design.sensitivity),
-    Entry("fig23_friction_window", "The window in which a slip is told before it happens", "Left: from the first micro-slip, and "
+    Entry("fig23_friction_window", "The window in which a slip is recognised before it happens", "Left: from the first micro-slip, and "
           "from where a current departs by three times the noise floor, to full slip. Right: how far a reading of each current "
           "departs in that time. Shaded: a reading falls between for certain, and stands above noise floor and stated error.",
           trends.friction_window),

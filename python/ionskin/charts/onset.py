@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How the slide of one run begins: where and when the contact slips, the stuck share, and the currents."""
+"""Figure of the onset of the slide of one run: where and when the contact slips, the stuck share, and the currents."""
 
 import numpy
 

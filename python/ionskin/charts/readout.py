@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the readout of a run shows: voltage or reading of its circuit, map and signals of its taxels."""
+"""Figures of the readout of a run: voltage or reading of its circuit, map and signals of its taxels."""
 
 import re
 
@@ -113,7 +113,7 @@ def has_charges(results):
 
 
 def taxel_map(results):
-    """Where the taxels lie on the skin; coloured by the charge that each moved during the run."""
+    """Map of the taxels on the skin; coloured by the charge that each moved during the run."""
     if results.taxels is None:
         return None
     if not has_charges(results):
@@ -122,7 +122,7 @@ def taxel_map(results):
 
 
 def taxel_voltage_map(results):
-    """Where the taxels lie on the skin; coloured by the largest voltage of each."""
+    """Map of the taxels on the skin; coloured by the largest voltage of each."""
     return map_of(results, VOLTAGE, "Largest voltage of each taxel", "voltage", "V") if has_voltages(results) else None
 
 
@@ -201,7 +201,7 @@ def panels_of(results, column, quantity_name, unit):
 
 
 def taxel_columns(results, names):
-    """As many panels in a row as taxels lie side by side, where that is known and fits."""
+    """Number of panels in a row: as many as taxels lie side by side, where that is known and fits."""
     places = rectangles(results)
     lefts = {round(float(places[name][0][0]), 9) for name in names if name in places}
     if 1 < len(lefts) <= 8 and len(names) % len(lefts) == 0:

@@ -17,7 +17,7 @@ LIFTED, BODY, SHEET, FOIL = 0.30, 0.26, 0.16, 0.03  # heights of a stage over th
 
 
 def wall_potentials(results):
-    """What holds for the potential at both walls of the core, as the run says it of its circuit."""
+    """Condition on the potential at both walls of the core, as the run states it of its circuit."""
     floating = results.circuit is not None and results.circuit.has("voltage")
     top = results.circuit_words.get("top_potential", "φ = U" if floating else "φ = 0")
     return {"bottom": "φ = 0", "top": top}

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What figures show of a run: its phases and contacts, what is enlarged, sizes and labels of axes. Draws nothing."""
+"""Spans and labels that figures share: phases and contacts of a run, what is enlarged, sizes and labels of axes. Draws
+nothing."""
 
 import numpy
 
@@ -80,7 +81,7 @@ def scaled_label(name, unit, peak):
 
 
 def sampling_interval(results):
-    """Over which sampled currents are means [s]; 0 where nothing is sampled."""
+    """Interval over which sampled currents are means [s]; 0 where nothing is sampled."""
     time = results.sampled["time"] if "time" in results.sampled else ()
     return float(time[1] - time[0]) if len(time) > 1 else 0.0
 

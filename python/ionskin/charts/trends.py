@@ -39,7 +39,7 @@ def metric(study, name, label="", colour=BLUE, look=""):
 
 
 def reading(study, name):
-    """What can be read against the swept key: a metric with its stated errors."""
+    """Chart of a metric, with its stated errors, against the swept key."""
     curve, unit = metric(study, name, "", GREEN), study.typical.results.metrics[name].unit
     top = float(numpy.nanmax(curve.band[1] if curve.band else curve.y))
     return Chart([[Cell(words(name), along(study), Axis("value", unit, min(0.0, float(numpy.nanmin(curve.y))), 1.08 * top or 1.0), (curve,),
@@ -175,7 +175,7 @@ def floored(values, errors):
 
 
 def lead_cell(study, leads, told):
-    """From the first micro-slip, and from where each current is seen, to full slip."""
+    """Times from the first micro-slip, and from where each current is seen, to full slip."""
     errors = numpy.array([slip.error(member.results, "slip_lead_time") for member in study.members])
     curves = [trend(study, leads, "from micro-slip", BLUE, "", floored(leads, errors))]
     for current, colour in (("difference", GREEN), ("common", PURPLE)):
@@ -206,12 +206,12 @@ def departure_cell(study, told):
 
 
 def inside(told):
-    """Per member whether any current tells."""
+    """For each member, True where any current shows the onset beforehand."""
     return [any(each.told for each in pair) for pair in zip(*told.values())]
 
 
 def window_spans(study, told):
-    """Bands over the values whose slip is told, half way to their neighbours."""
+    """Bands over the values whose slip is recognised, half way to their neighbours."""
     if study.scattered:
         return ()
     values = numpy.array([member.value for member in study.members], float)
@@ -220,11 +220,11 @@ def window_spans(study, told):
 
 
 def window_words(study, told):
-    """The shaded values in words: "told at 0.1–0.3, 0.5"."""
+    """The shaded values in words: "recognised at 0.1–0.3, 0.5"."""
     runs = []
     for before, member, tells in zip([False, *inside(told)], study.members, inside(told)):
         if tells:
             value = quantity(member.value, study.unit, 3)
             runs = [*runs[:-1], (runs[-1][0], value)] if before else [*runs, (value, value)]
     texts = [first if first == last else f"{first}–{last}" for first, last in runs]
-    return "told at " + ", ".join(texts) if texts else "no window"
+    return "recognised at " + ", ".join(texts) if texts else "no window"

@@ -6,7 +6,7 @@ import numpy
 from ..quantity import si
 
 CAP = 0.7e-3  # height of the drawn part of a round slider [m]
-BLOCK = 1.0e-3  # of any other [m]; a slider's height is no part of the model
+BLOCK = 1.0e-3  # of any other [m]; a slider's height is not part of the model
 CLOSED_FORMS = ("flat", "cylinder", "sphere")  # any other shape is drawn by the heights that its run states
 
 
@@ -56,7 +56,7 @@ class Underside:
         return numpy.sqrt(numpy.maximum(0.0, half**2 - y**2)) if self.shape == "sphere" else numpy.full_like(y, half)
 
     def height(self, x, y):
-        """Of the underside above its lowest point [m], at most that of the drawn part."""
+        """Height of the underside above its lowest point [m], at most that of the drawn part."""
         if self.shape == "sphere":
             rise = arc(self.radius, numpy.hypot(x, y))
         elif self.shape == "cylinder":

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the water of the law poroelastic does: voltage and its parts, pressure through the core and between its walls."""
+"""Figures of the water of the law poroelastic: voltage and its parts, pressure through the core and between its
+walls."""
 
 import numpy
 

@@ -47,7 +47,7 @@ def answering(path):
 
 
 def wait_for_scheduler(folder, process):
-    """Until it has written its file. Raises CaseError with what it said when it ends."""
+    """Waits until the scheduler has written its file. Raises CaseError with what it said when it ends."""
     deadline = time.monotonic() + START
     while not (folder / SCHEDULER).exists():
         if process.poll() is not None or time.monotonic() > deadline:

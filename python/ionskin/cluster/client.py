@@ -23,7 +23,7 @@ class SchedulerLost(Exception):
 
 
 class Job(NamedTuple):
-    """What a worker is to do.
+    """A piece of work for a worker.
 
     name     for messages: "batch 3"
     key      a client that comes back with the same finds what is under way
@@ -62,7 +62,7 @@ def connected(scheduler):
     address, security = read_scheduler(scheduler)
     require_listening(address, scheduler)
     from distributed import Client  # pylint: disable=import-outside-toplevel
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what is lost is told here
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what is lost is reported here
     try:
         with patience(f"the scheduler at {address}", CONNECT):
             client = Client(address, security=security, timeout=CONNECT, name="ionskin")
@@ -93,7 +93,7 @@ def workers_of(client):
 
 
 def places(workers, job):
-    """How many jobs of this kind the workers can do at once."""
+    """Number of jobs of this kind that the workers can do at once."""
     return sum(min(worker["resources"].get("THREADS", 0) // job.threads,
                    worker["resources"].get("MEMORY", 0) // max(1, job.memory)) for worker in workers.values())
 

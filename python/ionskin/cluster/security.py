@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Who may connect to a cluster: this machine alone, or holders of the cluster's certificate.
+"""Access to a cluster: this machine alone, or holders of the cluster's certificate.
 
 The protocol of Dask carries pickles: whoever can connect can run code.
 """
@@ -30,7 +30,7 @@ def require_distributed():
 
 
 def is_loopback(host):
-    """Whether an address or a name stands for this machine alone. Raises CaseError for an unknown name."""
+    """True where an address or a name stands for this machine alone. Raises CaseError for an unknown name."""
     try:
         found = {entry[4][0] for entry in socket.getaddrinfo(host, None)}
     except OSError as error:
@@ -77,10 +77,10 @@ def _address(path):
         if parts.scheme not in ("tcp", "tls") or not parts.hostname or not parts.port:
             raise ValueError("its address is none")
     except CaseError as error:
-        raise CaseError(f"{path} is no file of a scheduler: {error}") from error
+        raise CaseError(f"{path} is not a file of a scheduler: {error}") from error
     except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
         what = error.strerror if isinstance(error, OSError) else f"address {error}" if isinstance(error, KeyError) else error
-        raise CaseError(f"{path} is no file of a scheduler: {what}\n  = {remedy}") from error
+        raise CaseError(f"{path} is not a file of a scheduler: {what}\n  = {remedy}") from error
     return address, parts.hostname
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a worker of a cluster does: one batch of a sweep, by the program as a process of its own."""
+"""Task of a worker of a cluster: one batch of a sweep, by the program as a process of its own."""
 
 import io
 import os

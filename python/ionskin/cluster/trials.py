@@ -42,7 +42,7 @@ class ClusterEngine:
         self.on, self.workers = on, 0
 
     def evaluate(self, case, trials, folder, told) -> None:
-        """As LocalEngine.evaluate. Raises SchedulerLost too."""
+        """Evaluates the trials as LocalEngine.evaluate does. Raises SchedulerLost too."""
         del case  # every trial holds its own
         if not trials:
             return

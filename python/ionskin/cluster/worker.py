@@ -13,7 +13,7 @@ MEMORY_SHARE = 0.9  # of what is free, by default
 
 
 def default_threads():
-    """What a job of Slurm was given, or else the processors of this process."""
+    """Number of processors that Slurm gave the job, or else those of this process."""
     return int(os.environ.get("SLURM_CPUS_PER_TASK") or len(os.sched_getaffinity(0)))
 
 

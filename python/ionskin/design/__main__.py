@@ -18,7 +18,7 @@ def free_range(text: str) -> tuple[str, tuple[str, str]]:
     """Key and both ends of "KEY=50:500 um"; the unit behind the second serves both."""
     match = RANGE.fullmatch(text)
     if not match:
-        raise CaseError(f'"{text}" is no range\n  = write KEY=LOWEST:HIGHEST UNIT, such as '
+        raise CaseError(f'"{text}" is not a range\n  = write KEY=LOWEST:HIGHEST UNIT, such as '
                         '"skin.layers[1].thickness=50:500 um"')
     key, low, high, unit = (part.strip() for part in match.groups())
     low = low if re.search(r"[^\d.eE+-]", low) else f"{low} {unit}"

@@ -31,7 +31,7 @@ class Constraint(NamedTuple):
 
     @property
     def equal(self) -> bool:
-        """Whether the metric must have the value."""
+        """True where the metric must have the value."""
         return self.sign.startswith("=")
 
     def margin(self, metrics: dict) -> float:
@@ -55,7 +55,7 @@ class Design:
                 study.tell(trial, ionskin.run(trial.case))
         study.best()
 
-    The first trials fill the ranges evenly; each further one is the optimum of interpolants of all that was told, within
+    The first trials fill the ranges evenly; each further one is the optimum of interpolants of all results so far, within
     a region that shrinks where they mislead. Raises CaseError before any work.
     """
 
@@ -79,7 +79,7 @@ class Design:
     def _constraint(text: str) -> Constraint:
         match = CONSTRAINT.fullmatch(text)
         if not match or not math.isfinite(float(match[3])):
-            raise CaseError(f'"{text}" is no constraint\n  = write \"METRIC < NUMBER UNIT\"; > and == too')
+            raise CaseError(f'"{text}" is not a constraint\n  = write \"METRIC < NUMBER UNIT\"; > and == too')
         return Constraint(match[1], match[2], float(match[3]), match[4] or "")
 
     def _trial(self, number, place) -> Trial:

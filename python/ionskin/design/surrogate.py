@@ -12,7 +12,7 @@ TRUSTED = 1e-6  # how far a constraint may be missed by the interpolants, in its
 
 
 def next_place(places, objective, constraints, equal, centre, radius, generator):
-    """Where the interpolated objective is least and the interpolated constraints are >= 0 (= 0 where `equal`).
+    """Place at which the interpolated objective is least and the interpolated constraints are >= 0 (= 0 where `equal`).
 
     places [n, keys] within the unit cube; objective [n]; constraints [n, m]. Searched by SLSQP (Kraft, 1988) within
     `radius` of `centre`, from several starts.

@@ -52,7 +52,8 @@ def draw(chart):
 
 
 class Heading(NamedTuple):
-    """What stands above a cell. title: lines; columns: of the legend; rows: of it, 0 where it stands beside the title"""
+    """The heading above a cell. title: lines; columns: of the legend; rows: of it, 0 where it stands beside the
+    title"""
 
     title: list
     columns: int
@@ -61,7 +62,7 @@ class Heading(NamedTuple):
 
 
 def heading(cell, width):
-    """Of a cell that is so wide [inch]."""
+    """Heading of a cell of the given width [inch]."""
     title = textwrap.wrap(cell.title, max(8, int(width / BOLD)))
     names = [each.label for each in (*cell.spans, *cell.curves, *cell.marks, *cell.shapes) if each.label] if cell.legend else []
     widths = [HANDLE + LETTER * len(name) for name in names]
@@ -88,7 +89,7 @@ def places(chart, row):
 
 
 def height_of(cell, width):
-    """Of the axes of a cell [inch]."""
+    """Height of the axes of a cell [inch]."""
     if not cell.equal:
         return style.ROW * cell.height
     return min(TALLEST, width * (cell.y.high - cell.y.low) / (cell.x.high - cell.x.low))

@@ -28,7 +28,7 @@ class Job(NamedTuple):
 
 
 class Made(NamedTuple):
-    """What became of a job: the reason for which it was left out, or ""."""
+    """Outcome of a job: the reason for which it was left out, or ""."""
 
     name: str
     reason: str
@@ -42,7 +42,7 @@ def numbered_jobs(study, only=()):
 
 
 def of_page(results):
-    """Jobs for the files of a run's page that are no numbered figures."""
+    """Jobs for the files of a run's page that are not numbered figures."""
     return [Job(entry.name, {entry.name: OF_PAGE}, lambda entry=entry: entry.draw(results) or "") for entry in figures.FIGURES
             if entry.name not in SAME.values()]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the commands that run many trials share: options, the base case, progress, exit codes."""
+"""Parts that the commands that run many trials share: options, the base case, progress, exit codes."""
 
 import contextlib
 import json

@@ -33,12 +33,12 @@ class StudyFolder:
             raise CaseError("overwrite and resume exclude each other")
         self.folder, self._points = pathlib.Path(folder), pathlib.Path(folder) / "points"
         if os.path.lexists(self.folder) and not self.folder.is_dir():
-            raise CaseError(f"{folder} is no folder\n  = give another one to --output")
+            raise CaseError(f"{folder} is not a folder\n  = give another one to --output")
         for inner in (self._points, self.folder / "figures"):
             if inner.is_symlink():
                 raise CaseError(f"{inner} is a link, and ionskin writes nothing through a link\n  = remove the link")
             if inner.exists() and not inner.is_dir():
-                raise CaseError(f"{inner} is no folder, which a study keeps there\n  = move it away")
+                raise CaseError(f"{inner} is not a folder, which a study keeps there\n  = move it away")
         former = {} if overwrite else _former(self.folder / QUESTION)
         if overwrite:
             self._remove()
@@ -62,13 +62,13 @@ class StudyFolder:
 
     @property
     def points(self) -> pathlib.Path:
-        """Where an engine writes outcomes."""
+        """Folder into which an engine writes outcomes."""
         return self._points
 
     def finished(self) -> dict[int, Outcome]:
         """Outcomes by number of the trial. Trials whose solver gave up, and those whose file is damaged, are tried again.
 
-        Raises CaseError where an outcome is no ordinary file.
+        Raises CaseError where an outcome is not an ordinary file.
         """
         found = {}
         for path in sorted(path for path in self._points.iterdir() if OUTCOME.fullmatch(path.name)):
@@ -121,14 +121,14 @@ def _former(path) -> dict:
     except FileNotFoundError:
         return {}
     if not isinstance(found, dict):
-        raise CaseError(f"{path} is damaged: it is no JSON object\n  = {remedy}")
+        raise CaseError(f"{path} is damaged: it is not a JSON object\n  = {remedy}")
     return found
 
 
 def _require_ordinary(path) -> None:
     """A link counts as what it is: it leads elsewhere."""
     if not stat.S_ISREG(os.lstat(path).st_mode):
-        raise CaseError(f"{path} is no ordinary file, where ionskin writes one\n  = move it away")
+        raise CaseError(f"{path} is not an ordinary file, where ionskin writes one\n  = move it away")
 
 
 def _require_same(former: dict, question: dict, free, folder) -> None:

@@ -62,7 +62,7 @@ class LocalEngine:
 
 
 def task_of(trial) -> dict:
-    """What a TrialProcess needs to know of a trial."""
+    """Description of a trial for a TrialProcess."""
     return {"text": trial.case._original, "path": os.path.abspath(trial.case._path), "edits": trial.case._edits | NO_ERRORS,
             "build": solver.load().build()}
 
@@ -77,7 +77,7 @@ class TrialProcess:
         """Writes the outcome of a task and returns it. Raises CaseError."""
         with tempfile.TemporaryDirectory(prefix="ionskin-trial-", ignore_cleanup_errors=True) as scratch:
             line = json.dumps(task | {"scratch": scratch, "file": os.fspath(path)})
-            for _ in range(2):  # a killed process is no fault of the trial
+            for _ in range(2):  # a killed process is not a fault of the trial
                 answer = self._ask(line)
                 if answer == "done":
                     return Outcome.read_back(path)

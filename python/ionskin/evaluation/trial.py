@@ -22,7 +22,7 @@ LARGEST_NUMBER = 1e30  # in SI units; squares of larger ones, and single precisi
 
 
 class Trial(NamedTuple):
-    """What is asked for.
+    """A trial that is asked for.
 
     number  place in the design, from 0
     values  SI number by key
@@ -46,7 +46,7 @@ def _pending(path: pathlib.Path):
 
 
 class Outcome:
-    """What a trial gave.
+    """The outcome of a trial.
 
     reason   why there is no result; "" for a finished one
     metrics  SI number by name; units likewise
@@ -58,7 +58,8 @@ class Outcome:
 
     @classmethod
     def of(cls, told: Any) -> "Outcome":
-        """Of the Results of a run, of numbers by name of a metric, or of the exception that a run ended with."""
+        """Outcome made of the Results of a run, of numbers by name of a metric, or of the exception that a run ended
+        with."""
         if isinstance(told, Outcome):
             return told
         if isinstance(told, Exception):
@@ -76,12 +77,12 @@ class Outcome:
         raise CaseError(f"a result is the Results of a run, numbers by name, or an exception; not {type(told).__name__}")
 
     def require(self, names) -> None:
-        """Raises CaseError for a name that is no metric of a finished run."""
+        """Raises CaseError for a name that is not a metric of a finished run."""
         for name in () if self.reason else names:
             if name not in self.metrics:
                 near = difflib.get_close_matches(name, self.metrics, n=1)
                 remedy = f"did you mean {near[0]}? " if near else ""
-                raise CaseError(f"{name} is no metric of these runs\n  = {remedy}known: {', '.join(self.metrics)}")
+                raise CaseError(f"{name} is not a metric of these runs\n  = {remedy}known: {', '.join(self.metrics)}")
 
     def write(self, path: pathlib.Path) -> None:
         """Writes one file, which appears when it is whole."""
@@ -97,7 +98,7 @@ class Outcome:
 
     @classmethod
     def read(cls, path: pathlib.Path) -> "Outcome | None":
-        """What stands in a file; None where it is damaged, so that the trial is run again."""
+        """Outcome read from a file; None where it is damaged, so that the trial is run again."""
         try:
             with files.open_ordinary(path, LARGEST) as content:
                 with zipfile.ZipFile(content) as archive:
@@ -113,11 +114,11 @@ class Outcome:
 
     @classmethod
     def read_back(cls, path: pathlib.Path) -> "Outcome":
-        """What a run has just written: a failure where it is damaged."""
+        """Outcome that a run has just written: a failure where it is damaged."""
         return cls.read(path) or cls({}, {}, reason="what it wrote cannot be read back: is the disk full?")
 
     def _is_sound(self) -> bool:
-        """Whether it has the shape of what `of` makes of a run, and numbers that can be reckoned with."""
+        """True where the outcome has the shape of what `of` makes of a run, and finite numbers."""
         metrics, units, columns = self.metrics, self.units, self.columns
         if not (isinstance(metrics, dict) and isinstance(units, dict) and isinstance(self.reason, str)):
             return False

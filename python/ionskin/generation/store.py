@@ -52,7 +52,7 @@ UNITS = {"slider_x": "m", "slider_y": "m", "contact_area": "m2", "slip": "m", "s
 
 
 def unit_of(name):
-    """Of a column that is not in UNITS."""
+    """Unit of a column that is not in UNITS."""
     return {"current": "A", "voltage": "V", "charge": "C"}.get(name.partition("_")[0], "1")
 
 

@@ -42,7 +42,7 @@ class Skin:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Of the signals."""
+        """Names of the signals."""
         return tuple(self._columns)
 
     @property
@@ -52,12 +52,12 @@ class Skin:
 
     @property
     def version(self) -> str:
-        """Of ionskin that trained it."""
+        """Version of ionskin that trained the skin."""
         return self._library.ionskin_live_text(self._handle, b"version").decode()
 
     @property
     def command(self) -> str:
-        """That trained it."""
+        """Command that trained the skin."""
         return self._library.ionskin_live_text(self._handle, b"command").decode()
 
     @property
@@ -102,7 +102,7 @@ class Skin:
 
     @property
     def errors(self) -> dict[str, SignalError]:
-        """By signal; those of currents over the sampling interval of the case are named sampled_NAME."""
+        """Errors by signal; those of currents over the sampling interval of the case are named sampled_NAME."""
         errors, name, values = {}, ctypes.c_char_p(), numpy.empty(3)
         places = [pointer(values[i:]) for i in range(3)]
         while self._library.ionskin_live_error(self._handle, len(errors), ctypes.byref(name), *places):
@@ -161,7 +161,7 @@ class Skin:
             return list(pool.map(one, trajectories))
 
     def copy(self) -> "Skin":
-        """Another skin in the same state."""
+        """A second skin in the same state."""
         other = object.__new__(Skin)
         other._library, other._path, other._digest = self._library, self._path, self._digest
         other._handle = self._library.ionskin_live_copy(self._handle)

@@ -28,7 +28,7 @@ def told(results, metric, fallback, unit):
 
 
 def event(results, instant):
-    """What happens about an instant, " at 0.5 s, as contact begins"."""
+    """Words for what happens about an instant, " at 0.5 s, as contact begins"."""
     words = f" at {instant:.4g} s"
     spans = contact_spans(results)
     if not spans:
@@ -43,7 +43,7 @@ def event(results, instant):
 
 
 def of_circuit(results):
-    """What a run with a load, an open circuit or an amplifier reads; None for any other."""
+    """Reading of a run with a load, an open circuit or an amplifier; None for any other."""
     table = results.circuit
     if table is None:
         return None
@@ -60,7 +60,8 @@ def of_circuit(results):
 
 
 def of_own_taxel(results):
-    """What the instrument at the taxel with the strongest signal reads; None unless taxels have circuits of their own."""
+    """Reading of the instrument at the taxel with the strongest signal; None unless taxels have circuits of their
+    own."""
     if results.sampled_taxels is None or not has_own_circuits(results):
         return None
     prefix, unit, words = (VOLTAGE, "V", "A voltmeter") if has_voltages(results) else ("current_circuit_", "A", "An ammeter")
@@ -74,7 +75,7 @@ def of_own_taxel(results):
 
 
 def of_current(results):
-    """What an ammeter between the shorted electrodes reads; None without currents."""
+    """Reading of an ammeter between the shorted electrodes; None without currents."""
     sampled = results.sampled
     if not sampled.has("current_difference"):
         return None
@@ -88,7 +89,7 @@ def of_current(results):
 
 
 def of_mechanics(results):
-    """What a run without ions has to tell: force and shear."""
+    """Answer of a run without ions: force and shear."""
     parts = [f"{words} {told(results, name, 0.0, '1')}" for name, words in (
         ("normal_force_slide", "the slider presses with"), ("mean_shear_slide", "the core's mean shear is")) if name in results.metrics]
     text = " and ".join(parts)
@@ -109,7 +110,7 @@ def of_noise(results):
         ("the skin's thermal noise", metric("sample_noise_thermal")), ("the amplifier", metric("sample_noise_amplifier")),
         ("the converter's steps", metric("sample_noise_quantisation"))) if value)
     verdict = (f"{float(f'{ratio:.2g}'):,g} times smaller than that peak" if ratio >= 3 else
-               "no smaller than a third of that peak: one reading does not tell it" if ratio >= 1 else "larger than that peak: it cannot be read")
+               "no smaller than a third of that peak: one reading does not show it" if ratio >= 1 else "larger than that peak: it cannot be read")
     return [f"The noise of one reading is {quantity(metric('sample_noise'), unit, 2)} rms ({told_parts}), {verdict}."]
 
 
@@ -128,7 +129,7 @@ def sentences(results):
 
 
 def taxels(results):
-    """Which taxel moves most charge, and how much of a signal another one shows."""
+    """Sentences on the taxel that moves most charge, and on the share of a signal that another one shows."""
     if results.taxels is None:
         return []
     crosstalk = results.metrics.get("taxel_crosstalk")
@@ -138,7 +139,7 @@ def taxels(results):
 
 
 def most_charge(results):
-    """Which taxel moves most charge; nothing where none does."""
+    """Sentence on the taxel that moves most charge; nothing where none does."""
     moved = {name.removeprefix("charge_top_"): largest(results.taxels, name)[1] for name in results.taxels if name.startswith("charge_top_")}
     moved.pop("rest", None)  # of the electrode, between the taxels
     if not moved or not max(moved.values()):

@@ -14,7 +14,7 @@
     return { at, ends: [-1.3 * 10 ** top, 1.3 * 10 ** top], ticks: [...powers.map((power) => -power), 0, ...powers] };
   }
 
-  // Of positive values; its ticks are a factor of ten apart, or less where it is short.
+  // Logarithmic axis of positive values; its ticks are a factor of ten apart, or less where it is short.
   function logAxis(axis, values) {
     let low = Infinity, high = 0;
     for (const value of values) if (value > 0) { low = Math.min(low, value); high = Math.max(high, value); }

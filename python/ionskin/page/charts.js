@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the charts of all pages are drawn with; pages.chart_script() puts it before a page's own scripts.
+// Drawing of the charts of all pages; pages.chart_script() puts it before a page's own scripts.
 "use strict";
 const SVG = "http://www.w3.org/2000/svg";
 const PREFIX = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"], [1e-12, "p"], [1e-15, "f"]];
@@ -27,7 +27,7 @@ function ticks(low, high, count, factors = [1, 2, 5, 10]) {
 function scale(peak) {
   const found = PREFIX.find(([size]) => peak >= size);
   if (found || !(peak > 0)) return found || [1, ""];
-  return peak < 1e-17 ? [1, ""] : PREFIX[PREFIX.length - 1]; // rounding is no quantity
+  return peak < 1e-17 ? [1, ""] : PREFIX[PREFIX.length - 1]; // rounding is not a quantity
 }
 
 function withUnit(value, unit, digits = 4) {

@@ -33,7 +33,7 @@ def mean_current(times, charge, window):
 
 
 def sample_interval(case):
-    """That of the case's instrument [s]; 0 where it gives none that is known."""
+    """Sampling interval of the case's instrument [s]; 0 where it gives none that is known."""
     try:
         return si(case.get("readout", {}).get("sample_interval", "0 s"))
     except ValueError:  # another unit

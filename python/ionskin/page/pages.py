@@ -66,8 +66,8 @@ def page(title, subtitle, sections, *, cards=(), script=None, answer=None):
 
 
 def chart_script(scripts):
-    """What all charts are drawn with, and the scripts of a page behind it. scripts: {constant: (file of this folder, data)};
-    a script finds its data, which JSON can hold, in the constant"""
+    """The script that draws all charts, and the scripts of a page behind it. scripts: {constant: (file of this folder,
+    data)}; a script finds its data, which JSON can hold, in the constant"""
     texts = [(FOLDER / "charts.js").read_text(encoding="utf-8")]
     for constant, (name, data) in scripts.items():
         payload = json.dumps(data, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")

@@ -67,7 +67,7 @@ GLOSSARY = [
      "apart are shifted by 1 µm against each other. The mean shear is the mean over the core's volume."),
     ("slip", "slip|stick|precursor", "Stick and slip", "A part of the contact sticks while friction holds it and slips once it does not. Slip grows "
      "inwards from the rim until everything slips."),
-    ("audit", "_error|residual", "Audits", "What exact numbers would make 0. They tell how well the equations are solved, not how fine the mesh is."),
+    ("audit", "_error|residual", "Audits", "What exact numbers would make 0. They say how well the equations are solved, not how fine the mesh is."),
     ("touchdown", "touchdown", "Touchdown, slide, lift, return", "The four phases of a cycle: down to the preload, along the skin, up, and back "
      "through the air. Numbers are of the first cycle."),
     ("slide", "_slide", "Mid-slide", "The middle of the slide of the first cycle."),

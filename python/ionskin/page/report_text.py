@@ -36,7 +36,7 @@ UNCALIBRATED = ("No measurement calibrates the coupling coefficient k: while the
 RIGID = "The slider is rigid: what it touches gives way, it does not."
 SOFT = "The slider gives as a linear half-space, or a layer on a rigid body, under small strains."
 SHARP = ("{slider} Its edges are sharp: stress and shear at the edges grow as the mesh is refined. Mean, rms "
-         "and percentiles converge; a pointwise maximum does not, and the peak pressure is no result.")
+         "and percentiles converge; a pointwise maximum does not, and the peak pressure is not a result.")
 ROUND = ("{slider} Without sharp edges pressure and shear are finite, "
          "but the rim of the contact is known to one cell of the mesh only, and the pressure of that cell is uncertain.")
 
@@ -183,7 +183,7 @@ def counter_rows(results):
 
 
 def origin_rows(results):
-    """Where the result comes from."""
+    """Rows that say where the result comes from."""
     manifest = results.manifest
     program = manifest.get("program", {})
     rows = [("program", f"{program.get('name', 'ionskin')} {program.get('version', '')}".strip()),
@@ -200,7 +200,7 @@ def has_sharp_edges(slider):
 
 
 def limits(results):
-    """What the model leaves out, as far as it concerns this case."""
+    """Statements on what the model leaves out, as far as it concerns this case."""
     texts = list(LIMITS)
     slider = results.case.get("slider")
     if slider:
@@ -218,7 +218,7 @@ def law(results):
 
 
 def contact_caption(results):
-    """Of the contact maps; what it says of their colours follows the slider."""
+    """Caption of the contact maps; what it says of their colours follows the slider."""
     where = "Under the slider and in its frame, seen from above; last row: section through the core at mid-width."
     if not has_sharp_edges(results.case.get("slider", {})):
         return where
@@ -234,7 +234,7 @@ def metal_caption(results):
 
 
 def shear_caption(results):
-    """Of the shear over time."""
+    """Caption of the shear over time."""
     text = "Scalar shear γ in the ion-conducting layer."
     if has_sharp_edges(results.case.get("slider", {})):
         text += " The pointwise maximum depends on the mesh under the slider's sharp edges and is not shown."
@@ -242,7 +242,7 @@ def shear_caption(results):
 
 
 def charge_caption(results):
-    """Of the electrodes' charge; its common part exists under some laws alone."""
+    """Caption of the electrodes' charge; its common part exists under some laws alone."""
     text = "Charge on the metal."
     if law(results) == "fixed-charge":
         text += " The common part follows the net fixed charge that the shear creates."

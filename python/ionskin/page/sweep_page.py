@@ -27,7 +27,7 @@ COLUMNS = ["peak_sampled_current_difference", "peak_voltage", "peak_mean_shear",
 
 
 def member_data(study, member):
-    """What the charts need of one run: signals at the sampled rows, sampled currents, phases."""
+    """Data of one run for the charts: signals at the sampled rows, sampled currents, phases."""
     results = member.results
     time = results.sampled["time"]
     rounding = ("current_",) if carries_nothing(results) else ("current_difference",) if is_open(results) else ()  # columns of nothing else
@@ -48,7 +48,7 @@ def member_data(study, member):
 
 
 def axes(study):
-    """What the charts of metrics can run along: the study's key first, of a scattered one every swept number."""
+    """Axes that the charts of metrics can run along: the study's key first, of a scattered one every swept number."""
     keys = [study.key, *(key for key in study.numeric_keys if key != study.key)] if study.scattered else [study.key]
     return [{"name": study.axis_label(key).split(" [")[0], "axis": study.axis_label(key),
              "unit": study.sweep.keys.get(key, "1") if study.sweep else "1",
@@ -176,7 +176,7 @@ def page(study, verdicts):
 
 
 def solving_time(study):
-    """How long the sweep took, by what and when."""
+    """Sentence on how long the sweep took, by what and when."""
     manifest = study.sweep.manifest
     stages = manifest.get("stages", {})
     parts = [f"{name} {stages[name]['wall_time_s']:.3g} s" for name in ("mechanics", "points") if name in stages]

@@ -45,13 +45,13 @@ def open_ordinary(path, most):
 
 
 def read_text(path, most=LARGEST_TABLE) -> str:
-    """The text of an ordinary file. Raises as `open_ordinary`, and CaseError for what is no UTF-8."""
+    """The text of an ordinary file. Raises as `open_ordinary`, and CaseError for what is not UTF-8."""
     with open_ordinary(path, most) as file:
         content = file.read(most + 1)[:most]
     try:
         return content.decode("utf-8")
     except UnicodeDecodeError as error:
-        raise CaseError(f"{path} is damaged: it is no UTF-8 text (byte {error.start})\n  = make it anew") from error
+        raise CaseError(f"{path} is damaged: it is not UTF-8 text (byte {error.start})\n  = make it anew") from error
 
 
 def parse_json(text: str):
@@ -80,7 +80,7 @@ def read_json(path, most=LARGEST_JSON, remedy="run the case again"):
 
 
 def _refuse_constant(word):
-    raise ValueError(f"{word} is no number of JSON")
+    raise ValueError(f"{word} is not a number of JSON")
 
 
 def _finite(text):

@@ -25,7 +25,7 @@ def open_hdf5(path):
     except OSError as error:  # a link to itself
         raise CaseError(f"{path} cannot be read: {error.strerror}\n  = name the folder of a run") from error
     if not stat.S_ISREG(about.st_mode):
-        raise CaseError(f"{path} is no regular file\n  = name the folder of a run")
+        raise CaseError(f"{path} is not a regular file\n  = name the folder of a run")
     try:
         file = h5py.File(path, "r")
     except OSError as error:

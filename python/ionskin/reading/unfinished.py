@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What can be read of a run that has not ended: its mechanics, which stands in results.h5 once Study 1 is finished."""
+"""Results of a run that has not ended: its mechanics, which stands in results.h5 once Study 1 is finished."""
 
 import contextlib
 
@@ -25,7 +25,7 @@ def mechanics(path):
 
 
 def reason(folder, manifest):
-    """Why a folder without signals.csv cannot be read, as its manifest tells."""
+    """Reason why a folder without signals.csv cannot be read, as its manifest states it."""
     state = manifest.get("state")
     if state is None:
         return f"{folder} holds no signals.csv: name the folder of a finished run"

@@ -56,7 +56,7 @@ class Parameter(NamedTuple):
 
 
 def parse_all(texts, case: Case | None) -> list[Parameter]:
-    """Of texts KEY=DISTRIBUTION, or of a dictionary. Raises CaseError."""
+    """Parameters from texts KEY=DISTRIBUTION, or from a dictionary. Raises CaseError."""
     pairs = list(texts.items()) if isinstance(texts, dict) else [_split(text) for text in texts]
     if not pairs:
         raise CaseError('nothing varies\n  = give at least one --vary "KEY=DISTRIBUTION"; ' + KNOWN)
@@ -67,7 +67,8 @@ def parse_all(texts, case: Case | None) -> list[Parameter]:
 
 
 def parse(key: str, written: str, case: Case | None) -> Parameter:
-    """Of one key; its units and range are those of the case's, or pure numbers without a case. Raises CaseError."""
+    """Parameter of one key; its units and range are those of the case's, or pure numbers without a case. Raises
+    CaseError."""
     match = CALL.fullmatch(written)
     if not match or match[1].lower() not in FORMS:
         raise CaseError(f"{key}={written}: no distribution\n  = {KNOWN}")
@@ -92,7 +93,7 @@ def _split(text: str) -> tuple[str, str]:
 def _require_number(key: str, case: Case) -> None:
     value = case[key]  # raises for unknown keys, with the nearest
     if not isinstance(value, float):
-        raise CaseError(f"{key} = {value!r} is no single real number, which alone can vary\n"
+        raise CaseError(f"{key} = {value!r} is not a single real number, which alone can vary\n"
                         "  = ionskin keys lists every key; of a list name one entry: slider.start[0]")
 
 
@@ -105,7 +106,7 @@ def quantity(key: str, text: str, case: Case | None) -> tuple[float, str]:
             raise CaseError(f"{key}: {error}") from error
     match = NUMBER.fullmatch(text)
     if not match or match[2] or not math.isfinite(float(match[1])):
-        raise CaseError(f"{key}: {text!r} is no number")
+        raise CaseError(f"{key}: {text!r} is not a number")
     return float(match[1]), "1"
 
 

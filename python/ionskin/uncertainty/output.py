@@ -60,7 +60,7 @@ def bands_table(found) -> str:
 
 
 def summary(study, analyses) -> dict:
-    """Of uncertainty.json."""
+    """Contents of uncertainty.json."""
     known = units(study)
     return {
         "keys": {one.key: {"distribution": one.written, "unit": one.unit} for one in study.parameters},
@@ -164,7 +164,7 @@ def write(study, analyses, kept) -> None:
 
 
 def warnings(study, analyses) -> list[str]:
-    """What a reader must know."""
+    """Warnings that a reader must know."""
     failed = [outcome.reason for outcome in study.outcomes.values() if outcome.reason]
     texts = [f"{name}: {one.refusal}" for name, one in analyses.items() if one.refusal]
     if failed:

@@ -19,7 +19,7 @@ SURROGATE_SAMPLES = 20000
 
 
 class Analysis(NamedTuple):
-    """What the samples say of one metric.
+    """Statistics of one metric over the samples.
 
     mean, deviation   of the samples
     quantiles         by probability: of the surrogate where it is valid, else of the samples
@@ -44,13 +44,13 @@ class Analysis(NamedTuple):
 
 
 class Uncertainty:
-    """Which results follow from uncertain keys, and which key matters most.
+    """Spread of the results that follows from uncertain keys, and which key matters most.
 
     case      an ionskin.Case; None for a function of one's own, whose keys are any names
     vary      distribution by key, as text: {"contact.friction": "uniform(0.1, 0.4)"}
     samples   how many trials; with the design "sobol" it may be raised later
     design    "sobol" or "lhs"
-    metrics   names of metrics to analyse; empty: those told first
+    metrics   names of metrics to analyse; empty: those of the first result
 
         study = ionskin.Uncertainty(case, {"contact.friction": "uniform(0.1, 0.4)"}, samples=64)
         for trial in study.ask():
@@ -91,11 +91,11 @@ class Uncertainty:
             return Trial(number, values, case.check())
         except CaseError as error:
             at = ", ".join(f"{one.key} = {values[one.key]:.6g}" for one in self.parameters)
-            raise CaseError(f"sample {number} is no valid case ({at})\n  = narrow the distributions so that all values go "
+            raise CaseError(f"sample {number} is not a valid case ({at})\n  = narrow the distributions so that all values go "
                             f"together\n{error}") from error
 
     def ask(self, count: int | None = None) -> list[Trial]:
-        """Trials whose results are not told yet, the first `count` of them."""
+        """Trials whose results are not given yet, the first `count` of them."""
         return [trial for trial in self.trials if trial.number not in self.outcomes][:count]
 
     def tell(self, trial: Trial, told: Any) -> None:
@@ -115,7 +115,7 @@ class Uncertainty:
         return [number for number in sorted(self.outcomes) if not self.outcomes[number].reason]
 
     def chosen_metrics(self) -> list[str]:
-        """Those asked for, or the usual ones, or all that were told."""
+        """Names of the metrics asked for, or of the usual ones, or of all that were given."""
         rows = self.finished()
         if not rows:
             raise CaseError("no sample has a result yet\n  = tell the results of what was asked")
@@ -128,7 +128,7 @@ class Uncertainty:
         return rows, numpy.array([self.outcomes[number].metrics[name] for number in rows])
 
     def analyse(self) -> dict[str, Analysis]:
-        """By metric, of the results told so far."""
+        """Analysis by metric, of the results given so far."""
         return {name: self._analysis(*self.data(name)) for name in self.chosen_metrics()}
 
     def _analysis(self, rows, data) -> Analysis:
@@ -161,8 +161,8 @@ class Uncertainty:
         return Analysis(*moments, quantiles, *about, first, total, "", 0)
 
     def _samples_needed(self, germs, data, laws, error) -> int:
-        """By how the error fell from half of the samples to all; 0 where it hardly did. Too few samples to tell a quadratic
-        function of the keys say nothing of more."""
+        """Number of samples needed, by how the error fell from half of the samples to all; 0 where it hardly did. Too
+        few samples to tell a quadratic function of the keys say nothing of more."""
         half, keys = len(data) // 2, len(laws)
         if half < max(FEWEST // 2, (keys + 1) * (keys + 2) // 2):
             return 4 * len(data)

@@ -25,9 +25,10 @@ std::uintmax_t byte_count(const std::string& name, const std::string& text) {
   const auto known = std::find_if(units.begin(), units.end(),
                                   [&](const auto& candidate) { return unit == candidate.first; });
   if (!(amount >= 0) || known == units.end() || amount * known->second > 1e18 || stream >> rest) {
-    throw UserError(fmt::format("{} = \"{}\" is no size: give a number and kB, MB, GB or TB, such "
-                                "as \"5 GB\"",
-                                name, shown(text)));
+    throw UserError(
+        fmt::format("{} = \"{}\" is not a size: give a number and kB, MB, GB or TB, such "
+                    "as \"5 GB\"",
+                    name, shown(text)));
   }
   return static_cast<std::uintmax_t>(amount * known->second);
 }

@@ -6,11 +6,11 @@
 
 namespace ionskin::base {
 
-/// How the physics tells how far it is: the name of the activity and the finished fraction in [0,
-/// 1]. May be called from several threads at once only where a function says so.
+/// Receiver of the progress of the physics: the name of the activity and the finished fraction in
+/// [0, 1]. May be called from several threads at once only where a function says so.
 using ProgressCallback = std::function<void(std::string_view activity, double fraction)>;
 
-/// For callers who do not want to know.
+/// Progress callback that ignores what it is given.
 inline void no_progress(std::string_view, double) {}
 
 /// A part of an activity, which takes it from `first` to `first + share`.

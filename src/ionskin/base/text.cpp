@@ -32,8 +32,8 @@ std::size_t sequence_length(std::string_view text) {
   return overlong || surrogate || beyond ? 0 : length;
 }
 
-/// Whether a terminal acts on it: controls of ASCII and Latin-1, line and paragraph ends, and what
-/// turns the direction of writing.
+/// True for a sequence on which a terminal acts: controls of ASCII and Latin-1, line and paragraph
+/// ends, and what turns the direction of writing.
 bool acts_on_terminal(std::string_view sequence) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(sequence[i]); };
   if (sequence.size() == 1)

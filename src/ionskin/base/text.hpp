@@ -14,7 +14,7 @@ std::string trimmed(std::string_view text, std::string_view blanks = " \t");
 std::vector<std::string> split(std::string_view text, char separator,
                                std::string_view blanks = " \t");
 
-/// A user's text for a message: one line, control bytes and bytes that are no UTF-8 escaped
+/// A user's text for a message: one line, control bytes and bytes that are not UTF-8 escaped
 /// ("\\x1b"), the middle of a long one left out.
 /// @param most bytes that are shown
 std::string shown(std::string_view text, std::size_t most = 120);
@@ -27,7 +27,7 @@ std::string printable(std::string_view message);
 /// formula gets an apostrophe before it, which makes it a text there.
 std::string csv_cell(std::string_view text);
 
-/// Whether all of it is UTF-8.
+/// True if all of the text is UTF-8.
 bool is_utf8(std::string_view text);
 
 } // namespace ionskin::base

@@ -29,7 +29,7 @@ struct Material {
   bool relaxes() const { return !relaxation_times.empty(); }
 };
 
-/// What a layer is to the ions: they move in the core alone.
+/// Role of a layer for the ions: they move in the core alone.
 enum class LayerRole { electrode, core };
 
 /// One layer of the skin.
@@ -38,7 +38,8 @@ struct Layer {
   LayerRole role = LayerRole::core;
   Material material;
   double thickness = 0; ///< [m]
-  /// Of an electrode: of a square of its metal, along it [ohm]; 0 is a perfect conductor.
+  /// Sheet resistance of an electrode's metal, of a square along it [ohm]; 0 is a perfect
+  /// conductor.
   double sheet_resistance = 0;
 };
 
@@ -58,8 +59,8 @@ struct Skin {
   double core_bottom() const;     ///< height of the core's lower face [m]
   double core_thickness() const;  ///< [m]
   double core_volume() const;     ///< [m3]
-  /// Of the bottom and of the top electrode [ohm]: layers that have one are in parallel; 0 where
-  /// none has.
+  /// Sheet resistances of the bottom and of the top electrode [ohm]: layers that have one are in
+  /// parallel; 0 where none has.
   std::array<double, 2> sheet_resistances() const;
 };
 
@@ -69,7 +70,7 @@ struct Slider {
   laws::LawValues parameters;        ///< of shapes, that of the chosen one among them
   std::array<double, 2> size{};      ///< plan of the underside along x and y [m]
   std::string profile;               ///< absolute path of the height map; empty without one
-  shapes::HeightMap profile_heights; ///< what stands in it
+  shapes::HeightMap profile_heights; ///< heights in that file
   std::array<double, 2> start{};     ///< centre at the start of a cycle, x and y [m]
   double youngs_modulus = 0;         ///< 0 for a rigid slider [Pa]
   double poissons_ratio = 0;         ///< of a soft one [1]
@@ -82,7 +83,8 @@ struct Slider {
   bool sharp() const;
   /// Half sizes of the part that touches at once; 0 along a round direction [m].
   std::array<double, 2> flat_half_size() const;
-  /// Whether the underside is its own mirror image under x -> -x and under y -> -y.
+  /// True, along x and along y, where the underside is its own mirror image under x -> -x and under
+  /// y -> -y.
   std::array<bool, 2> symmetric() const;
 };
 
@@ -99,8 +101,8 @@ struct Waypoint {
   std::size_t line = 0;             ///< in the file it was read from, from 1; 0 in a case
 };
 
-/// What the slider hangs on along the skin while it touches: a spring and a damper from the path of
-/// the motion, which the drive's end follows, to the mass of the slider.
+/// Drive that holds the slider along the skin while it touches: a spring and a damper from the path
+/// of the motion, which the drive's end follows, to the mass of the slider.
 struct Drive {
   double stiffness = 0; ///< 0 where nothing gives [N/m]
   double damping = 0;   ///< [N s/m]
@@ -110,7 +112,7 @@ struct Drive {
   double natural_period() const; ///< of the mass on the spring [s]; 0 without mass
 };
 
-/// How the slider moves, repeated `cycles` times. What it does in one cycle, whatever the kind, is
+/// Motion of the slider, repeated `cycles` times. What it does in one cycle, whatever the kind, is
 /// said by motion_legs (case/slider_motion.hpp).
 struct Motion {
   MotionKind kind = MotionKind::touch_slide_lift;
@@ -155,15 +157,15 @@ struct Electrochemistry {
   int valence = 1;                       ///< of the mobile cation
   IonModel ion_model = IonModel::dilute;
   double largest_concentration = 0; ///< of the mobile cation, of ion model `steric` [mol/m3]
-  /// Of one electrode's double layer at rest, per projected area [F/m2]; 0 for that which the
-  /// permittivity makes of the projected area.
+  /// Capacitance of one electrode's double layer at rest, per projected area [F/m2]; 0 for that
+  /// which the permittivity makes of the projected area.
   double interface_capacitance = 0;
 
-  /// Of the mobile cation at rest, c0 / v [mol/m3].
+  /// Concentration of the mobile cation at rest, c0 / v [mol/m3].
   double resting_concentration() const { return fixed_charge_concentration / valence; }
 };
 
-/// What strain does to the charge of the core: a law and its values.
+/// Coupling of strain to the charge of the core: a law and its values.
 struct Coupling {
   std::string law = "fixed-charge";     ///< a name from the table in laws/coupling/coupling_law.cpp
   double coefficient = 0;               ///< k [1]
@@ -171,11 +173,11 @@ struct Coupling {
   std::string measure = "off-diagonal"; ///< a name from the table in laws/shear/shear_measure.cpp
 };
 
-/// What a wall of the core does to water: lets none through, lets it through freely, or lets
-/// through in proportion to what the potentials on both sides differ by.
+/// Permeability of a wall of the core to water: it lets none through, lets it through freely, or
+/// lets through in proportion to what the potentials on both sides differ by.
 enum class WaterWall { sealed, open, permeable };
 
-/// Whether swelling dilutes the cations in the volume of the mixture or in that of the pore water.
+/// Volume in which swelling dilutes the cations: that of the mixture or that of the pore water.
 enum class WaterDilution { mixture, pore_water };
 
 /// Water in the core, of coupling laws that move it. What is 0 was not given.
@@ -194,10 +196,10 @@ struct Water {
   double bottom_pressure = 0, top_pressure = 0; ///< of the water outside, above that at rest [Pa]
 };
 
-/// Where the strain of Study 2 comes from.
+/// Source of the strain of Study 2.
 enum class StrainSourceKind { contact, file, prescribed };
 
-/// How a prescribed load goes over time: from the first instant on, growing evenly, or swinging.
+/// Waveform of a prescribed load over time: from the first instant on, growing evenly, or swinging.
 enum class LoadWaveform { step, ramp, sine };
 
 /// The strain of Study 2: that of the contact, of a file, or prescribed.
@@ -234,17 +236,17 @@ struct TaxelGrid {
 /// Taxels read one row after another, each row by the circuits of its taxels for a while.
 struct Scan {
   double dwell = 0;           ///< on a row [s]; 0 for no scan
-  bool grounds_others = true; ///< what is not read meanwhile; open otherwise
+  bool grounds_others = true; ///< true if taxels that are not read are grounded; open otherwise
 };
 
-/// Where the leads touch the metal of both electrodes: all over, or at the ends of the skin along
-/// x, or at a part of the end at x = 0 that begins at y = 0.
+/// Part of the metal of both electrodes that the leads touch: all over, or at the ends of the skin
+/// along x, or at a part of the end at x = 0 that begins at y = 0.
 enum class ElectrodeContact { everywhere, one_end, both_ends, corner };
 
 /// Length of a contact at a corner over the width of the skin.
 inline constexpr double corner_share = 0.25;
 
-/// What the electrodes are connected to, and how signals are sampled.
+/// Readout: what the electrodes are connected to, and how signals are sampled.
 struct Readout {
   double sample_interval = 0;        ///< [s]
   std::string circuit = "short";     ///< a name from the table in circuits/circuit.cpp
@@ -253,12 +255,12 @@ struct Readout {
   ElectrodeContact contact = ElectrodeContact::one_end; ///< matters with sheet resistances only
   TaxelGrid taxel_grid;                                 ///< as written
   std::vector<Taxel> taxels; ///< disjoint, those of a grid too; empty for one whole electrode
-  /// Of the taxels: `shared_circuit`, or a name from the table of circuits.
+  /// Circuit of the taxels: `shared_circuit`, or a name from the table of circuits.
   std::string taxel_circuit = shared_circuit;
 
-  /// Whether a taxel is a conductor with a circuit of its own, apart from the electrode.
+  /// True if a taxel is a conductor with a circuit of its own, apart from the electrode.
   bool has_own_circuit(std::size_t taxel) const;
-  /// Whether any taxel is.
+  /// True if any taxel is a conductor with a circuit of its own.
   bool is_cut() const;
   /// The circuit of a taxel and all its parameters.
   const std::string& circuit_of(std::size_t taxel) const;
@@ -280,13 +282,13 @@ struct Numerics {
   double mesh_refinement = 1; ///< divides every mesh size
   double time_refinement = 1; ///< divides every time step
   /// Multiplies the elements through core and top electrode's face beside `mesh_refinement`; no key
-  /// of a case, but for companions that tell errors.
+  /// of a case, but for the coarser solutions that give the errors.
   double thickness_refinement = 1;
   double time_tolerance = 0;  ///< relative error of the charge per time step; 0: the preset's
-  bool error_estimate = true; ///< solve coarser companions, which tell the errors of results
+  bool error_estimate = true; ///< solve coarser solutions, which give the errors of results
 };
 
-/// What a run keeps beside signals and metrics.
+/// Output that a run keeps beside signals and metrics.
 struct Output {
   std::vector<double> fields; ///< instants at which fields are written [s]
 };
@@ -305,14 +307,13 @@ struct Case {
   Readout readout;
   Numerics numerics;
   Output output;
-  /// What a reader of the results should know of the case as it is written; nothing is computed
-  /// from it.
+  /// Notes on the case as it is written, for a reader of the results; nothing is computed from it.
   std::vector<std::string> notes;
   std::string text; ///< the TOML text with all `--set` edits applied, as written to case.toml
   /// Every key with its value in SI units, those of defaults and of material presets included.
   std::string values;
 
-  /// Whether the potential varies along the metal of an electrode.
+  /// True if the potential varies along the metal of an electrode.
   bool has_sheet_resistance() const;
 };
 

@@ -6,8 +6,8 @@
 
 namespace ionskin {
 
-/// Whether the coupling law of a case moves water, by the constants of [water], instead of having
-/// a coefficient k and a measure of shear.
+/// True if the coupling law of a case moves water, by the constants of [water], instead of having a
+/// coefficient k and a measure of shear.
 inline bool moves_water(const Case& input) {
   return laws::coupling_law(input.coupling.law).traits.moves_water;
 }

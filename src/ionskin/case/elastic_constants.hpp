@@ -15,7 +15,7 @@ inline double shear_modulus(const Material& material) {
 inline double bulk_modulus(const Material& material) {
   return material.youngs_modulus / (3 * (1 - 2 * material.poissons_ratio));
 }
-/// Of uniaxial strain, 2 G (1 - nu)/(1 - 2 nu).
+/// Modulus of uniaxial strain, 2 G (1 - nu)/(1 - 2 nu) [Pa].
 inline double oedometric_modulus(double shear, double poissons_ratio) {
   return 2 * shear * (1 - poissons_ratio) / (1 - 2 * poissons_ratio);
 }
@@ -27,7 +27,7 @@ inline double drained_oedometric_modulus(const Case& input) {
              ? input.water.drained_modulus
              : oedometric_modulus(shear_modulus(core), input.water.drained_poissons_ratio);
 }
-/// Whether a prescribed curvature bends a strip that is free to curve across: its sides then carry
+/// True if a prescribed curvature bends a strip that is free to curve across: its sides then carry
 /// no stress, where a wide one, between symmetry planes, keeps its width.
 inline bool bends_freely(const Case& input) {
   return input.strain.kind == StrainSourceKind::prescribed && input.strain.curvature != 0 &&

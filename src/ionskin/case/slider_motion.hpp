@@ -9,7 +9,7 @@
 
 namespace ionskin {
 
-/// How high the slider stands, or how hard it presses.
+/// Height at which the slider stands, or force with which it presses.
 struct SliderLevel {
   bool is_force = false;
   double value = 0; ///< underside above the undeformed top face [m], or normal force [N]
@@ -38,9 +38,9 @@ struct MotionLeg {
   bool touches() const { return from_level.touches() || to_level.touches(); }
   bool lands() const { return touches() && !from_level.touches(); }
   bool leaves() const { return touches() && !to_level.touches(); }
-  /// Whether it moves along the skin in contact.
+  /// True if the slider moves along the skin in contact.
   bool slides() const { return touches() && length() > 0; }
-  /// Whether another leg does the same at another time.
+  /// True if another leg does the same at another time.
   bool repeats(const MotionLeg& other) const;
 };
 

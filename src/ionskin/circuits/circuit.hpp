@@ -22,7 +22,7 @@ struct Admittance {
   double resistance = std::numeric_limits<double>::infinity(); ///< R [ohm]
   double capacitance = 0;                                      ///< C [F]
 
-  /// Whether a charge can pass at all.
+  /// True if a charge can pass at all.
   bool passes_charge() const;
 };
 
@@ -35,21 +35,22 @@ struct InputNoise {
 /// A circuit with the values of its parameters.
 struct Circuit {
   std::string_view name{};
-  std::string words{}; ///< what it is, without an article: "resistor of 1000 ohm"
-  /// Between the electrodes; nothing where the circuit holds both at one potential.
+  std::string words{}; ///< name without an article: "resistor of 1000 ohm"
+  /// Admittance between the electrodes; nothing where the circuit holds both at one potential.
   std::optional<Admittance> admittance{};
-  /// What its instrument shows of the difference charge over time [s], [C]; empty without one.
+  /// Reading of the circuit's instrument for the difference charge [C] over time [s]; empty without
+  /// one.
   std::function<InstrumentReading(const std::vector<double>& time,
                                   const std::vector<double>& charge)>
       read{};
-  /// Of its own instrument; nothing where `readout.instrument` reads.
+  /// Noise of the circuit's own instrument; nothing where `readout.instrument` reads.
   std::optional<InputNoise> input_noise{};
 };
 
 /// One row of the table of circuits.
 struct CircuitRow {
-  std::string_view name;    ///< that a case gives in `readout.circuit`
-  std::string_view meaning; ///< what it joins the electrodes by: "a load resistor"
+  std::string_view name;    ///< value of `readout.circuit`
+  std::string_view meaning; ///< part that joins the electrodes: "a load resistor"
   bool holds_potential;     ///< keeps both electrodes at one potential
   std::string_view noise;   ///< the parameter that is 0 without noise; empty for a quiet circuit
   std::span<const laws::LawParameter> parameters; ///< keys `readout.NAME`
@@ -66,8 +67,8 @@ const CircuitRow& circuit_row(std::string_view name);
 /// parameters is missing.
 Circuit circuit(std::string_view name, const laws::LawValues& values);
 
-/// What holds for the potential of the top electrode above the bottom one, for drawings:
-/// "φ = U = R I".
+/// Condition on the potential of the top electrode above the bottom one, for drawings: "φ = U = R
+/// I".
 std::string_view top_potential(const Circuit& circuit);
 
 } // namespace ionskin::circuits

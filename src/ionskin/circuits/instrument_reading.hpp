@@ -13,10 +13,10 @@ struct InstrumentFigure {
   std::string unit;
 };
 
-/// What an instrument shows, with one entry per row of the run.
+/// Reading of an instrument, with one entry per row of the run.
 struct InstrumentReading {
   std::vector<double> current; ///< at the rows [A]
-  std::vector<double> charge;  ///< its integral since the start [C]
+  std::vector<double> charge;  ///< integral of the current since the start [C]
   std::vector<InstrumentFigure> figures;
   std::vector<std::string> warnings; ///< sentences that a reader must know
 };

@@ -6,11 +6,11 @@
 
 namespace ionskin::circuits {
 
-/// What reads the electrodes: an amplifier, that holds a current input at one potential or follows
-/// a voltage, and a converter of so many bits over the least range, 1, 2 or 5 times a power of ten
-/// to either side, that the signal fits in.
+/// Instrument that reads the electrodes: an amplifier, that holds a current input at one potential
+/// or follows a voltage, and a converter of so many bits over the least range, 1, 2 or 5 times a
+/// power of ten to either side, that the signal fits in.
 struct Instrument {
-  std::string_view name;    ///< that a case gives in `readout.instrument`
+  std::string_view name;    ///< value of `readout.instrument`
   std::string_view meaning; ///< as in "read by an AD8605 amplifier and a 16-bit converter"
   double voltage_noise = 0; ///< input-referred, one-sided, white [V/sqrt(Hz)]
   double current_noise = 0; ///< likewise [A/sqrt(Hz)]

@@ -10,9 +10,10 @@
 namespace ionskin::circuits {
 namespace {
 
-/// Beyond so many intervals the square of the sine is its mean.
+/// Number of lobes of the squared sine that are integrated; beyond them its mean serves.
 constexpr int lobes = 16;
-/// Of the interval and of the low pass: what is faster adds less than a part in 1e4.
+/// Upper end of the integral, over the larger of the `lobes` and of the intervals in a period of
+/// the low pass: what is faster adds less than a part in 1e4.
 constexpr double fast = 1e4;
 
 template <class Function> double integrate(const Function& function, double from, double to) {

@@ -9,8 +9,8 @@ namespace ionskin::circuits {
 struct Averaging {
   double interval = 0;  ///< [s]
   double bandwidth = 0; ///< of the low pass, -3 dB [Hz]
-  /// Of what is looked at, whose mean is taken away: slower noise does not show [s]. Not below the
-  /// interval.
+  /// Length of the record that is looked at, whose mean is taken away: slower noise does not show
+  /// [s]. Not below the interval.
   double record = 0;
 };
 

@@ -23,7 +23,7 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-/// Below this many unknowns a second thread costs more than it gains.
+/// Number of unknowns below which a second thread costs more than it gains.
 constexpr std::size_t unknowns_per_thread = 4000;
 
 int useful_threads(int threads, const ScaledGrid& grid) {
@@ -48,7 +48,7 @@ constexpr double least_charge = 1e-3;
 constexpr std::size_t work_without_progress = 200'000;
 constexpr double least_progress = 0.01;
 
-/// Whether one half of the skin about mid-width can stand for the other, as far as electrodes go.
+/// True if one half of the skin about mid-width can stand for the other, as far as electrodes go.
 bool readout_is_mirrored(const Case& input) {
   if (input.has_sheet_resistance() && input.readout.contact == ElectrodeContact::corner) {
     return false;
@@ -286,7 +286,7 @@ private:
 
   const IonOptions& options_;
   Readout readout_;
-  std::optional<std::size_t> row_; ///< that a scan reads
+  std::optional<std::size_t> row_; ///< row that a scan reads
   TransportGrid grid_;
   DerivedScales scales_;
   MidWidthMirror mirror_;

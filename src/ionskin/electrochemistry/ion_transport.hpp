@@ -23,7 +23,7 @@ struct IonCheckpoint {
   IonSolution solution; ///< all rows and snapshots so far
 };
 
-/// How Study 2 is run; no option changes its numbers.
+/// Options of Study 2; no option changes its numbers.
 struct IonOptions {
   int threads = 1;
   base::ProgressCallback progress = base::no_progress;

@@ -24,8 +24,8 @@ private:
   double resistance_ = 0; ///< of a square of both metals [ohm]; 0 where it does not matter
   double length_, width_; ///< of the skin [m]
   ElectrodeContact contact_;
-  // Of a contact at a corner: waves across the skin, and the share that each shape of the current
-  // along the contact has of them.
+  // Waves across the skin for a contact at a corner, and the share that each
+  // shape of the current along the contact has of them.
   std::vector<double> waves_;               ///< [1/m]
   std::vector<std::vector<double>> shares_; ///< [shape][wave]
   std::vector<double> static_;              ///< sum over all waves of shares over wave, row by row

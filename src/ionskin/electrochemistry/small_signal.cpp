@@ -13,7 +13,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Of the preset `fine`.
+/// Refinement of the preset `fine`.
 constexpr double refinement = 3.0;
 
 ScaledGrid column_grid(const Case& input, const DerivedScales& scales) {
@@ -66,7 +66,7 @@ std::complex<double> SmallSignalCell::area_impedance(double frequency) const {
 /// that the ions have taken away, the field is 1 - w, the current of the ions is p w, and the ions
 /// in a volume are the difference of w across it. The flux between levels then reads
 ///   (1 + p) w_k - g_k [(w_{k+1} - w_k) / height_{k+1} - (w_k - w_{k-1}) / height_k] = 1,
-/// with w = 0 on the metal. Real and imaginary part of w are told to rounding each, where those of
+/// with w = 0 on the metal. Real and imaginary part of w are exact to rounding each, where those of
 /// the potential are not: in the core it hardly differs from that of a capacitor.
 std::complex<double> SmallSignalCell::core_impedance(double frequency) const {
   const Complex rate(0.0, 2.0 * std::numbers::pi * frequency * scales_.relaxation_time);
@@ -82,7 +82,7 @@ std::complex<double> SmallSignalCell::core_impedance(double frequency) const {
   const std::vector<Complex> taken = solve_tridiagonal(lower, diagonal, upper, 1.0);
   Complex voltage = 0.0;
   for (std::size_t k = 0; k < intervals; ++k) {
-    // Of the concentration from level k to k + 1, by the flux between them.
+    // The rise is that of the concentration from level k to k + 1, by the flux between them.
     const Complex rise = (1.0 - (1.0 + rate) * taken[k]) / exchange[k];
     voltage += grid_.spacing[k] * (1.0 - taken[k] + grid_.charge_exchange[k] * rise);
   }

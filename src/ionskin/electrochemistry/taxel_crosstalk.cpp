@@ -39,7 +39,7 @@ std::optional<double> taxel_crosstalk(const Case& input, const history::CoreHist
   const Eigen::MatrixXd admittance =
       Eigen::Map<const Eigen::MatrixXd>(cell.electrode_admittance().data(), count, count);
 
-  // Of a scan, while the first row is read.
+  // The circuits of a scan are those while the first row is read.
   const std::vector<std::optional<ScaledAdmittance>> circuits =
       cut->circuits(input.readout.scan, 0);
   Eigen::MatrixXd system = admittance;

@@ -9,8 +9,8 @@
 
 namespace ionskin::electrochemistry {
 
-/// How much of a signal of one taxel another one shows, in the cell at rest within one readout
-/// interval (one implicit Euler step of it, docs/model.md (65)): the largest
+/// Crosstalk: how much of a signal of one taxel another one shows, in the cell at rest within one
+/// readout interval (one implicit Euler step of it, docs/model.md (65)): the largest
 ///   |u_j / u_i| where charge is put on taxel i alone, if both have a voltage, or
 ///   |Q_j / Q_i| where taxel i alone leaves the ground, if j or both are held at it.
 /// Nothing where fewer than two taxels have circuits of their own.

@@ -27,8 +27,7 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-/// As of the full equations: the least charge that the steps resolve over that of the largest
-/// drive.
+/// Least charge that the steps resolve, over that of the largest drive, as for the full equations.
 constexpr double least_charge = 1e-3;
 
 /// Waves along the skin, [y][x], of the difference and of the sum of what top and bottom have.
@@ -132,7 +131,7 @@ private:
     return along(y_.from_modes, y_.size, x_.size, along(x_.from_modes, x_.size, 1, wave));
   }
 
-  /// Of the first wave, which is the mean: its value over the mean.
+  /// Amplitude of the first wave, which is the mean: its value over the mean.
   double mean_wave() const { return std::sqrt(static_cast<double>(columns_)); }
   /// S of the circuit [V].
   double force(const Waves& source) const {
@@ -236,7 +235,7 @@ private:
     }
   }
 
-  /// On the whole grid [C].
+  /// Charges on the whole grid [C].
   WallCharges column_charges() const {
     const double column = area_ / (mirror_.copies() * static_cast<double>(columns_));
     const std::vector<double> odd = columns_of(charges_.wave.odd),

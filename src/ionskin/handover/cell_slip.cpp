@@ -12,7 +12,8 @@
 namespace ionskin::handover {
 namespace {
 
-/// Below which a force is what rounding of an instant leaves of the state before [N].
+/// Smallest force that counts [N]: a smaller one is what rounding of an instant leaves of the state
+/// before.
 double least_force(const SurfaceInstant& instant) {
   double largest = 0;
   for (const auto& force : instant.force) {

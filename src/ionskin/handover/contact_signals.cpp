@@ -10,7 +10,7 @@
 namespace ionskin::handover {
 namespace {
 
-/// Of one step, the mean over the cells that touch behind it; 0 when none does [m].
+/// Mean slip of one step over the cells that touch behind it; 0 when none does [m].
 double mean_slip(const SurfaceInstant& before, const SurfaceInstant& after,
                  const std::vector<double>& areas) {
   double sum = 0, touching = 0;

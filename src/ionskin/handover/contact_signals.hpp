@@ -7,8 +7,8 @@
 
 namespace ionskin::handover {
 
-/// What the contact does over one cycle, one entry per sample of the timeline; all 0 while the
-/// slider is detached.
+/// Contact signals over one cycle, one entry per sample of the timeline; all 0 while the slider is
+/// detached.
 struct ContactSignals {
   std::vector<double> area;        ///< of the full skin [m2]
   std::vector<double> stick_share; ///< of it, where nothing slips, 0 to 1

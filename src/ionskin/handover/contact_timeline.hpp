@@ -40,12 +40,12 @@ public:
 
   /// Sample instants of one cycle from 0 to its duration [s]; the path is linear between them.
   const std::vector<double>& sample_times() const { return sample_times_; }
-  /// Those of them after which the ion transport has a fresh fast transient [s].
+  /// Instants after which the ion transport has a fresh fast transient [s].
   const std::vector<double>& event_times() const { return contact_.stepped_events; }
   /// Instant from which all of the contact slips its way in the first slide [s]; the begin of the
   /// slide for a zero stroke, its end when it never slides fully.
   double join_time() const;
-  /// From the begin of each slide to where all of the contact slips its way [s].
+  /// Spans from the beginning of each slide to where all of the contact slips its way [s].
   const std::vector<std::array<double, 2>>& onsets() const { return contact_.stepped_onsets; }
 
   /// @param local_time within one cycle [s]

@@ -5,7 +5,7 @@
 
 namespace ionskin::handover {
 
-/// Where the work goes that the slider does on the skin in one cycle.
+/// Balance of the work that the slider does on the skin in one cycle.
 struct EnergyBalance {
   double external_work = 0; ///< of the slider: forces times its displacement [J]
   /// Dissipated: tangential tractions times slip, less what is stored in elastic slip [J].
@@ -13,12 +13,13 @@ struct EnergyBalance {
   /// Left at the end of the cycle, with that of elastic slip, less what adhesion binds [J].
   double elastic_energy = 0;
   double adhesion_loss = 0; ///< in jumps of adhesion, on landing and letting go [J]
-  /// What is missing, over the sum of the magnitudes of the slider's work. It holds the error of
-  /// the load steps, where cells open and close within one, and the work against the skin's change
-  /// along the track, which goes with the convective part of the slip that the model leaves out.
+  /// Error of the balance over the sum of the magnitudes of the slider's work. It holds the error
+  /// of the load steps, where cells open and close within one, and the work against the skin's
+  /// change along the track, which goes with the convective part of the slip that the model leaves
+  /// out.
   double relative_error = 0;
-  /// What friction creates, over the same sum. Friction may only take: every cell in every step of
-  /// contact, those between the samples among them.
+  /// Energy that friction creates, over the same sum. Friction may only take: every cell in every
+  /// step of contact, those between the samples among them.
   double creation_error = 0;
 };
 

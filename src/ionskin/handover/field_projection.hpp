@@ -14,8 +14,8 @@
 
 namespace ionskin::handover {
 
-/// From values at the Gauss points of the core to a field on the grid that rides with the slider:
-/// means over its cells, linear through the thickness.
+/// Projection from values at the Gauss points of the core to a field on the grid that rides with
+/// the slider: means over its cells, linear through the thickness.
 class FieldProjection {
 public:
   /// @param mesh outlives this

@@ -58,8 +58,8 @@ std::vector<ChannelRule> channel_rules(const Case& input) {
   return rules;
 }
 
-/// What a field depends on: the states with their weights, and the slider's place. Detached, only
-/// the former.
+/// Arguments on which a field depends: the states with their weights, and the slider's place.
+/// Detached, only the former.
 using FieldKey = std::pair<std::vector<std::pair<const mechanics::ContactState*, double>>,
                            std::array<double, 2>>;
 
@@ -82,13 +82,13 @@ void require_finite(const history::StrainField& field, const Case& input, double
     throw SolverError(
         fmt::format(
             "the contact under the friction law \"{}\" (contact.friction = {:.4g}) ended in a "
-            "shear that is no finite number, in {} of {} cells at t = {:.4g} s",
+            "shear that is not a finite number, in {} of {} cells at t = {:.4g} s",
             input.contact.law, input.contact.friction, bad, field.size(), time),
         "check the friction law and the materials, or change numerics.mesh_refinement");
   }
 }
 
-/// That of the motion, and where a drive let the slider go beside it.
+/// Box of the motion, and of the places to which a drive let the slider go beside it.
 MotionBox box_of_path(const Case& input, const mechanics::ContactSolution& contact) {
   constexpr double negligible = 1e-9; // of the skin
   const std::array<double, 2> skin{input.skin.length, input.skin.width};

@@ -63,7 +63,7 @@ ArrayXXd cell_means(const ArrayXXd& points) {
                  points(odd_x, odd_y));
 }
 
-/// Of the core between two lines along z, with two levels of Gauss points.
+/// Strain of the core between two lines along z, with two levels of Gauss points.
 Row core_row(const mechanics::CoreStrain& core, std::size_t row, double height) {
   Row result{0, height, {}, {}};
   for (int c = 0; c < 6; ++c) {
@@ -122,7 +122,7 @@ ArrayXd middles(const std::vector<double>& lines) {
   return 0.5 * (at.head(at.size() - 1) + at.tail(at.size() - 1));
 }
 
-/// From columns to the lines around them, straight between and beyond their middles.
+/// Values on the lines around columns, straight between and beyond the middles of the columns.
 ArrayXXd on_lines(const ArrayXXd& values, const ArrayXd& at, const std::vector<double>& lines) {
   ArrayXXd result(static_cast<Eigen::Index>(lines.size()), values.cols());
   for (Eigen::Index i = 0; i < result.rows(); ++i) {

@@ -17,7 +17,8 @@ constexpr double outer_cell_growth = 1.4;
 /// coarser cells cost 0.1 % in the current. Where that is thin against the skin, cells of an 80th
 /// of its length only stand where the strain has decayed already.
 double outer_cell_limit(const Skin& skin) {
-  // To a picometre: how the thicknesses round as they are read and added must not show.
+  // The thickness is rounded to a picometre: how the thicknesses round as they are read and added
+  // must not show.
   const double thickness = std::round(skin.thickness() * 1e12) / 1e12;
   return std::max(thickness, skin.length / 80);
 }

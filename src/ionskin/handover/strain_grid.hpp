@@ -16,12 +16,12 @@ struct CoreGrid {
   std::vector<double> x_edges, y_edges, z_lines;
 };
 
-/// In a direction in which the slider moves its cells ride with it: those of the mesh under it, and
-/// beside them cells that grow and cover the core from every place.
+/// Grid of the core. In a direction in which the slider moves its cells ride with it: those of the
+/// mesh under it, and beside them cells that grow and cover the core from every place.
 /// @param box of the slider's places
 CoreGrid core_grid(const Case& input, const mesh::SkinMesh& mesh, const MotionBox& box);
 
-/// That of the history of the whole core; with twice the levels where the coupling law moves water.
+/// Grid of the history of the whole core; with twice the levels where the coupling law moves water.
 history::StrainGrid strain_grid(const Case& input, const mesh::SkinMesh& mesh,
                                 const CoreGrid& core);
 

@@ -16,7 +16,7 @@ struct SurfaceInstant {
   std::vector<Vector> force;   ///< on each cell [N]
   std::vector<Vector> surface; ///< displacement of each cell [m]
 
-  /// How far the slider moved since an earlier instant [m].
+  /// Displacement of the slider since an earlier instant [m].
   Vector moved(const SurfaceInstant& before) const;
   /// The same relative to the skin at one cell: its slip along x and y [m].
   Vector slip(const SurfaceInstant& before, std::size_t cell) const;

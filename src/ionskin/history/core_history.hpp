@@ -19,7 +19,7 @@ struct StrainGrid {
   std::size_t values() const { return columns_x() * columns_y() * z_nodes.size(); }
 };
 
-/// What the places of a grid count from.
+/// Origin from which the places of a grid count.
 enum class Frame { skin, slider };
 
 /// One scalar at every value of the grid, [z][y][x] with x fastest.
@@ -37,7 +37,7 @@ inline constexpr const char* undrained_pressure = "undrained_pressure";
 const std::string* unit_of_channel(std::string_view name);
 /// Largest magnitude that a known channel can sensibly have, in its unit.
 double largest_of_channel(std::string_view name);
-/// Their names, for messages.
+/// Names of the channels, for messages.
 std::string known_channels();
 
 /// One scalar of the core over time.

@@ -52,7 +52,7 @@ template <class Law> std::span<const LawParameter> declared_parameters() {
   return table;
 }
 
-/// Whether the law of a name has a parameter of its own of a name.
+/// True if the law of a name has a parameter of its own of a name.
 template <class Law>
 bool has_parameter(std::span<const Law> laws, std::string_view law, std::string_view parameter) {
   return std::ranges::any_of(laws, [&](const Law& candidate) {

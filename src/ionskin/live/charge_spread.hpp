@@ -27,19 +27,19 @@ public:
   explicit ChargeSpread(const SkinData& data);
 
   std::size_t waves() const { return data_.spread.rates.size(); }
-  /// What drives the waves [waves()].
+  /// Drive of the waves [waves()].
   /// @param amplitude of the modes of the driving channel
   void drive(const std::array<double, 2>& place, std::span<const double> amplitude,
              std::span<double> waves) noexcept;
-  /// What the waves add to the charge of a taxel, alike on both sides [C].
+  /// Charge that the waves add to a taxel, alike on both sides [C].
   double charge(std::size_t taxel, std::span<const double> relaxed) const noexcept;
 
 private:
   void row_at(double y, std::vector<float>& row) const noexcept;
 
   const SkinData& data_;
-  /// Of every mode, over its levels with their weights: integral from the lowest corner of the
-  /// slider's frame to the crossings of its edges [mode][y edge][x edge].
+  /// Integral of every mode, over its levels with their weights: integral from the lowest corner of
+  /// the slider's frame to the crossings of its edges [mode][y edge][x edge].
   std::vector<float> integral_;
   std::vector<std::size_t> row_of_; ///< of a wave in `along_y_`
   std::vector<float> along_x_;      ///< [wave][column of x]

@@ -54,13 +54,13 @@ void ionskin_live_run(ionskin_live_skin* skin, size_t count, const double* times
 
 size_t ionskin_live_state_size(const ionskin_live_skin* skin); /* numbers */
 void ionskin_live_save(const ionskin_live_skin* skin, double* state);
-/* 1, or 0 when it is no state of this skin: the size is another, or a number is not finite or
+/* 1, or 0 when it is not a state of this skin: the size is another, or a number is not finite or
    beyond what a step can leave; nothing changes then. */
 int ionskin_live_restore(ionskin_live_skin* skin, const double* state, size_t size);
 /* Back to a detached skin at rest. */
 void ionskin_live_reset(ionskin_live_skin* skin);
 
-/* Another coefficient of friction, which is no part of the state; takes memory. 1, or 0 when it is
+/* Another coefficient of friction, which is not part of the state; takes memory. 1, or 0 when it is
    outside the trained range; nothing changes then. */
 int ionskin_live_set_friction(ionskin_live_skin* skin, double coefficient);
 /* The present coefficient of friction, the lowest and the highest that were trained. */

@@ -17,7 +17,7 @@
 
 namespace ionskin_live {
 
-/// Of the slider's underside above the undeformed top face, negative when it indents [m].
+/// Height of the slider's underside above the undeformed top face, negative when it indents [m].
 struct Height {
   double value;
 };
@@ -26,14 +26,14 @@ struct Force {
   double value;
 };
 
-/// What a step tells: a value for each of `Skin::names()`, and flags, 0 where all is well
+/// Result of a step: a value for each of `Skin::names()`, and flags, 0 where all is well
 /// (IONSKIN_LIVE_OUTSIDE_PLACE and the others).
 struct Signals {
   std::vector<double> values;
   std::uint32_t flags = 0;
 
   double operator[](std::size_t signal) const noexcept { return values[signal]; }
-  /// Whether a step lies outside the trained range, in place, load or speed.
+  /// True if a step lies outside the trained range, in place, load or speed.
   bool outside() const noexcept {
     return (flags & (IONSKIN_LIVE_OUTSIDE_PLACE | IONSKIN_LIVE_OUTSIDE_LOAD |
                      IONSKIN_LIVE_OUTSIDE_SPEED)) != 0;
@@ -46,7 +46,7 @@ class Skin {
 public:
   /// Throws std::runtime_error, with the reason, when the file cannot be used.
   explicit Skin(const std::string& path) : handle_(open(path), ionskin_live_close) { take_names(); }
-  /// Another skin of the same file in the same state. Throws std::bad_alloc.
+  /// Makes another skin of the same file in the same state. Throws std::bad_alloc.
   Skin(const Skin& other)
       : handle_(ionskin_live_copy(other.handle_.get()), ionskin_live_close), names_(other.names_),
         signals_(other.signals_) {
@@ -59,7 +59,7 @@ public:
   Skin& operator=(const Skin& other) { return *this = Skin(other); }
   ~Skin() = default;
 
-  /// As in signals.csv and taxels.csv.
+  /// Names of the signals, as in signals.csv and taxels.csv.
   const std::vector<std::string>& names() const noexcept { return names_; }
   /// Place of a signal. Throws std::out_of_range when there is none of the name.
   std::size_t index(const std::string& name) const {
@@ -94,7 +94,7 @@ public:
   /// Back to a detached skin at rest.
   void reset() noexcept { ionskin_live_reset(handle_.get()); }
 
-  /// Another coefficient of friction, which is no part of the state. Takes memory.
+  /// Sets another coefficient of friction, which is not part of the state. Takes memory.
   /// @returns whether it is within the trained range; if not nothing changes
   bool set_friction(double coefficient) noexcept {
     return ionskin_live_set_friction(handle_.get(), coefficient) != 0;
@@ -112,7 +112,7 @@ public:
     ionskin_live_range(handle_.get(), values.data());
     return values;
   }
-  /// For what this class has no function.
+  /// Handle of the C interface, for what this class has no function.
   ionskin_live_skin* handle() const noexcept { return handle_.get(); }
 
 private:

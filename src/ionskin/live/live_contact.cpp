@@ -20,7 +20,7 @@ constexpr int most_factors = 8, most_landing_factors = 60;
 constexpr double assembly_distance = 5e-6;
 /// The stiffness falls with the contact, over that of the heaviest one.
 constexpr double softest = 0.1;
-/// Of a step that takes no time, since some laws take 0 for steady sliding [s].
+/// Duration of a step that takes no time, since some laws take 0 for steady sliding [s].
 constexpr double shortest_step = 1e-9;
 /// A residual above this calls for the search.
 constexpr double searched = 1e-4;
@@ -30,7 +30,7 @@ constexpr double slipping = 1e-9;
 
 constexpr std::size_t of_elastic_slip = 3; ///< numbers of a cell in the memory
 
-/// With any coefficient that may be set.
+/// Memory of a cell's friction with any coefficient that may be set.
 std::size_t memory_per_cell(const SkinData& data) {
   const laws::Friction friction = friction_of(data, data.highest_friction);
   return friction.elastic_slip > 0 ? of_elastic_slip : friction.lag > 0 ? 1 : 0;
@@ -121,7 +121,7 @@ void LiveContact::add(std::size_t cell, const std::array<double, 3>& force, Stat
   }
 }
 
-/// What the law makes of a cell's friction under a normal force [N], at the surfaces of now.
+/// Response of the friction law of a cell under a normal force [N], at the surfaces of now.
 laws::FrictionResponse LiveContact::friction_at(std::size_t cell, double normal, double time_step,
                                                 const std::array<double, 2>& travel,
                                                 const State& state) const noexcept {
@@ -272,7 +272,7 @@ laws::ElasticSlip LiveContact::elastic_slip(std::size_t cell, const State& state
   return {{memory[0], memory[1]}, memory[2]};
 }
 
-/// Which cells slip, and what friction keeps of their slip: nothing where there is none.
+/// Remembers which cells slip, and what friction keeps of their slip: nothing where there is none.
 void LiveContact::remember(double time_step, const std::array<double, 2>& travel,
                            State& state) noexcept {
   if (friction_.coefficient == 0) {

@@ -16,10 +16,10 @@ namespace ionskin::live {
 /// One increment of contact and friction by at most so many sweeps of projected Gauss-Seidel, which
 /// start from the forces of the step before, with Newton's steps for the normal and for the
 /// tangential forces between them; where they miss a given force, a bracketed search over the
-/// indentation. Never fails; what is left is told. Nothing is allocated after construction.
+/// indentation. Never fails; what is left is reported. Nothing is allocated after construction.
 class LiveContact {
 public:
-  /// What passes from step to step; memory of the owner.
+  /// State that passes from step to step; memory of the owner.
   struct State {
     std::span<double> force, surface; ///< [3 cells] [N], [m]
     std::span<double> memory;         ///< of friction, as many as `memory_size()`
@@ -47,7 +47,7 @@ public:
   /// and y [m] and the limit under which it was made [Pa], or the speed that it follows with a lag
   /// [m/s]; none for a law that remembers nothing.
   std::size_t memory_size() const { return memory_size_; }
-  /// Another coefficient of the law, which takes memory. Throws where the law has none of it.
+  /// Sets another coefficient of the law, which takes memory. Throws where the law has none of it.
   void set_friction(double coefficient);
   double friction() const { return friction_.coefficient; }
 

@@ -14,7 +14,7 @@ class NormalCorrection {
 public:
   explicit NormalCorrection(std::size_t cells);
 
-  /// Whether `factor` was last called for these cells since `forget`.
+  /// True if `factor` was last called for these cells since `forget`.
   bool is_of(std::span<const std::size_t> cells) const noexcept;
   void forget() noexcept { count_ = 0; }
   /// Takes the cells; then `column(j)` is to be filled with the normal displacements of all of them

@@ -16,7 +16,7 @@
 
 namespace ionskin::live {
 
-/// What `Skin::step` says of a step, as bits; 0 where all is well.
+/// Flags of a step by `Skin::step`, as bits; 0 where all is well.
 namespace flag {
 inline constexpr std::uint32_t outside_place = 1; ///< taken to the nearest trained place
 inline constexpr std::uint32_t outside_load =
@@ -49,8 +49,8 @@ public:
   std::uint32_t step(double time, const std::array<double, 2>& place, bool is_force, double value,
                      std::span<double> signals) noexcept;
 
-  /// Another coefficient of friction, of the slider that touches now; it is no part of the state,
-  /// and takes memory.
+  /// Sets another coefficient of friction, of the slider that touches now; it is not part of the
+  /// state, and takes memory.
   /// @returns whether it is within the trained range; if not nothing changes
   bool set_friction(double coefficient);
   double friction() const { return contact_.friction(); }
@@ -95,7 +95,7 @@ private:
     singles
   };
 
-  // What passes from step to step: skin_state.cpp.
+  // The state passes from step to step: skin_state.cpp.
   LiveContact::State contact_state() noexcept;
   bool may_be_state(std::span<const double> state) const noexcept;
   bool is_place(double x, double y) const noexcept;

@@ -213,7 +213,7 @@ SkinData read_skin(const std::filesystem::path& path) {
   }
   if (!bytes.starts_with(magic.substr(0, magic.find(','))) ||
       bytes.size() < magic.size() + digest_digits) {
-    refuse(path.string() + ": is no file of a live skin");
+    refuse(path.string() + ": is not a file of a live skin");
   }
   if (!bytes.starts_with(magic)) {
     refuse(path.string() + ": another version of ionskin wrote it, in another format");

@@ -11,7 +11,7 @@
 
 namespace ionskin::live {
 
-/// Of interpolation nodes along x or y, at most.
+/// Largest number of interpolation nodes along x or y.
 inline constexpr std::size_t most_lines = 17;
 
 /// Values that depend on the slider's place: a mean and modes, whose amplitudes are polynomials
@@ -53,7 +53,7 @@ struct SpreadMap {
   std::vector<double> weights; ///< [level] of the integral of the driving channel over a column
 };
 
-/// How far the reduced skin is from the full model on trajectories that it was not trained on.
+/// Error of the reduced skin against the full model on trajectories that it was not trained on.
 struct SignalError {
   std::string name;
   double rms = 0, worst = 0, largest = 0; ///< of the error, and of the signal [its unit]
@@ -74,7 +74,7 @@ struct SkinData {
   PlaceMap compliance;                            ///< [3 cells][3 cells], symmetric [m/N]
   double meshed_share = 1;           ///< of the skin, 0.5 for the half beside its plane of symmetry
   double stiffness = 0;              ///< of the trained contact under the heaviest load [N/m]
-  std::array<double, 2> direction{}; ///< along which the tangential force is told
+  std::array<double, 2> direction{}; ///< along which the tangential force is given
   // core
   double length = 0, width = 0, thickness = 0; ///< [m]
   std::vector<ChannelMap> channels;            ///< the shear; the last one drives the ions
@@ -83,7 +83,7 @@ struct SkinData {
   SpreadMap spread;                            ///< of the taxels' charges
   std::vector<std::string> taxels;
   std::vector<double> taxel_corners; ///< [taxel][x low, y low, x high, y high] [m]
-  // what it was trained for
+  // trained range
   std::array<double, 2> lowest_place{}, highest_place{}; ///< of the slider's centre [m]
   double heaviest_force = 0;                             ///< [N]
   double deepest_indentation = 0;                        ///< [m]
@@ -91,7 +91,7 @@ struct SkinData {
   std::vector<SignalError> errors;
 };
 
-/// Of the digest at the end of a file.
+/// Number of digits of the digest at the end of a file.
 inline constexpr std::size_t digest_digits = 32;
 
 /// The content of a file, digest included.
@@ -100,11 +100,11 @@ std::string skin_bytes(const SkinData& data);
 /// Writes under a temporary name, then renames. Throws base::UnwritableFile.
 void write_skin(const std::filesystem::path& path, const SkinData& data);
 
-/// Throws UserError when the file cannot be read, is no such file, is damaged, or holds sizes that
-/// do not fit each other.
+/// Throws UserError when the file cannot be read, is not such a file, is damaged, or holds sizes
+/// that do not fit each other.
 SkinData read_skin(const std::filesystem::path& path);
 
-/// Whether a file calls itself a live skin, whole or not.
+/// True if a file calls itself a live skin, whole or not.
 bool is_skin_file(const std::filesystem::path& path);
 
 } // namespace ionskin::live

@@ -11,7 +11,8 @@ namespace {
 /// A load is taken at no more than 100 times the trained one, and a contact stiffens as it grows: a
 /// step leaves less than so many times the trained force and indentation.
 constexpr double wildest = 1e6;
-/// Of what follows from forces, in SI units; far from what would overflow in a step.
+/// Largest magnitude of what follows from forces, in SI units; far from what would overflow in a
+/// step.
 constexpr double largest = 1e30;
 
 bool all_within(std::span<const double> values, double most) {

@@ -50,7 +50,7 @@ private:
     std::size_t cell = 0;
     float x = 0, y = 0;
     float stiffening = 0; ///< beside the skin and the slider [m/N]
-    float slip = 0;       ///< that is to go [m]
+    float slip = 0;       ///< slip that is to go [m]
   };
   std::vector<Direction> directions_;
   std::size_t count_ = 0;

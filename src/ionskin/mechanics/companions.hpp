@@ -14,11 +14,11 @@ inline constexpr const char* path = "path";           ///< as mesh; half the loa
 inline constexpr const char* thickness = "thickness"; ///< as mesh; twice the layers of elements
 } // namespace companions
 
-/// The case that a companion solves.
+/// The case that a coarser solution solves.
 Case companion_case(const Case& input, const std::string& companion);
 
-/// Whether twice the mesh sizes would leave as many elements through the core: at the preset coarse
-/// it has one in each half, and the companion of twice the sizes cannot have fewer.
+/// True if twice the mesh sizes would leave as many elements through the core: at the preset coarse
+/// it has one in each half, and the coarser solution of twice the sizes cannot have fewer.
 bool needs_thickness_companion(const Case& input);
 
 } // namespace ionskin::mechanics

@@ -27,8 +27,8 @@ std::vector<ContactVariant> choose(const std::vector<ContactVariant>& variants,
   return result;
 }
 
-/// Of the solutions that need one, with those that need it. Each decides by itself, so that no
-/// solution depends on its neighbours.
+/// Footprints that some solutions need wider, with those that need them. Each decides by itself, so
+/// that no solution depends on its neighbours.
 std::vector<std::pair<mesh::Footprint, std::vector<std::size_t>>>
 wider_footprints(const std::vector<SteppedSolution>& solved) {
   std::vector<std::pair<mesh::Footprint, std::vector<std::size_t>>> result;

@@ -16,7 +16,7 @@
 
 namespace ionskin::mechanics {
 
-/// How Study 1 is run.
+/// Options of Study 1.
 struct ContactOptions {
   int threads = 1;
   /// Threads that make the skin, for which all solutions on it wait, and that recover strains after
@@ -26,7 +26,7 @@ struct ContactOptions {
   std::shared_ptr<parallel::SpareThreads> spare;
   base::ProgressCallback progress = base::no_progress; ///< called from one thread at a time
   PathSteps steps;
-  /// As `find_footprint` found it for these loads and this friction; empty to find it.
+  /// Footprint as `find_footprint` found it for these loads and this friction; empty to find it.
   std::optional<mesh::Footprint> footprint;
   /// Meshes the whole skin where half of it would do, to compare.
   bool full_model = false;
@@ -34,7 +34,7 @@ struct ContactOptions {
   std::function<void(const ContactSolution&)> unfinished;
 };
 
-/// What may differ between solutions that share the skin.
+/// Values that may differ between solutions that share the skin.
 struct ContactVariant {
   double friction = 0;
   PathSteps steps;

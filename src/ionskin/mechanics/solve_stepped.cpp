@@ -53,7 +53,7 @@ std::vector<double> requested_instants(const Case& input, const std::vector<Moti
   return instants;
 }
 
-/// Of a drive: many times what is expected, and what its swings take.
+/// Largest number of tries of a drive: many times what is expected, and what its swings take.
 std::size_t most_tries(const Case& input) {
   constexpr double least = 5000, per_step = 50, per_period = 200, most_periods = 1e4;
   const double period = input.motion.drive.natural_period();

@@ -13,7 +13,7 @@ namespace ionskin::mechanics {
 /// Study 1 of a variant on one footprint.
 struct SteppedSolution {
   ContactSolution contact;              ///< nothing of it where it needs a wider footprint
-  std::optional<mesh::Footprint> wider; ///< that it needs: its contact reached the border
+  std::optional<mesh::Footprint> wider; ///< footprint that it needs: its contact reached the border
 };
 
 /// Study 1 on one footprint, one solution per variant, which share the skin.

@@ -39,9 +39,9 @@ double spread_of_plate(const Skin& skin, double softest) {
   return std::cbrt(thickness * thickness * stiffness / softest);
 }
 
-/// What a contact of half-width a feels of the skin. Under a round one a plate that spreads loads
-/// over L adds E (L / a)^3 to the modulus E of what it lies on; under a line it bends along and
-/// adds less: the power 1, and the factor of both, fit contacts that runs found.
+/// Plane-strain modulus of the skin under a contact of half-width a [Pa]. Under a round one a plate
+/// that spreads loads over L adds E (L / a)^3 to the modulus E of what it lies on; under a line it
+/// bends along and adds less: the power 1, and the factor of both, fit contacts that runs found.
 double felt_plane_modulus(const Skin& skin, const Footprint& contact) {
   constexpr double share_of_plate = 4.0 / 3;
   double half_width = std::numeric_limits<double>::infinity();
@@ -57,7 +57,8 @@ double felt_plane_modulus(const Skin& skin, const Footprint& contact) {
                   softest * (1 + share_of_plate * (line ? spread : std::pow(spread, 3))));
 }
 
-/// Of skin and slider together: a soft slider gives as a half-space at most.
+/// Plane-strain modulus of skin and slider together [Pa]: a soft slider gives as a half-space at
+/// most.
 double common_plane_modulus(const Slider& slider, double of_skin) {
   if (slider.rigid()) {
     return of_skin;

@@ -19,7 +19,7 @@ struct Footprint {
   bool round(std::size_t direction) const { return rim[direction] >= half_size[direction]; }
 };
 
-/// What presses hardest during a cycle; either may be 0.
+/// Heaviest load of a cycle; either may be 0.
 struct HeaviestLoad {
   double indentation = 0; ///< [m]
   double force = 0;       ///< on the full skin [N]
@@ -33,7 +33,7 @@ Footprint footprint_limit(const Case& input);
 /// touches at once and the bound that its shape has for the border around it.
 Footprint largest_footprint(const Case& input);
 
-/// Whether a footprint along a direction ends where the skin does, not the slider: a contact that
+/// True if a footprint along a direction ends where the skin does, not the slider: a contact that
 /// reaches its border leaves the skin.
 bool ends_at_skin(const Case& input, const Footprint& footprint, std::size_t direction);
 

@@ -31,10 +31,10 @@ struct MeshResolution {
 /// Sizes at sharp edges scale with the smaller of the skin's thickness and a quarter of the
 /// footprint's smaller side: the lengths over which the strain varies there. In the rim of a round
 /// contact they are parts of its width; in a rim around a flat part they are no smaller than at a
-/// sharp edge, from which a narrower rim can then not be told.
+/// sharp edge, from which a narrower rim can then not be distinguished.
 MeshResolution mesh_resolution(const Case& input, const Footprint& footprint);
 
-/// Through the thickness of the core; even.
+/// Number of elements through the thickness of the core; even.
 std::size_t core_elements(const Numerics& numerics);
 
 } // namespace ionskin::mesh

@@ -35,7 +35,7 @@ bool moves_on_symmetry_plane(const Case& input) {
          (covers_width(input) || offset <= 1e-12 * input.skin.width);
 }
 
-/// From the edge inwards to the centre: a uniform rim, then growing elements.
+/// Lines from the edge inwards to the centre [m]: a uniform rim, then growing elements.
 std::vector<double> lines_inwards(const Footprint& footprint, const MeshResolution& resolution,
                                   std::size_t direction) {
   const double half_size = footprint.half_size[direction], rim = footprint.rim[direction];
@@ -52,7 +52,7 @@ std::vector<double> lines_inwards(const Footprint& footprint, const MeshResoluti
   return lines;
 }
 
-/// From a free face inwards. @param most of the room [m]
+/// Lines from a free face inwards [m]. @param most of the room [m]
 std::vector<double> face_lines(double thickness, double most, const MeshResolution& resolution) {
   std::vector<double> lines = growing_line(std::min(face_layer * thickness, most),
                                            resolution.outer_growth, resolution.face_elements);
@@ -86,7 +86,7 @@ std::vector<double> footprint_lines(const Footprint& footprint, const MeshResolu
 
 std::vector<double> SkinMesh::Axis::outer_lines(double length) const {
   const std::size_t count = outer - (face.size() - 1);
-  // On a drive the slider swings closer to the edge than the path that the lines were made for.
+  // A slider on a drive swings closer to the edge than the path that the lines were made for.
   const double least = face.back() + static_cast<double>(count) * outer_first;
   const double scale = length < least ? length / least : 1.0;
   std::vector<double> result =

@@ -37,7 +37,7 @@ public:
   /// Lines for a slider centred at `centre` [m]. The half model spans y in [0, width / 2].
   MeshLines lines(const std::array<double, 2>& centre) const;
 
-  /// Those along y alone.
+  /// Lines along y alone [m].
   std::vector<double> lines_across(double centre_y) const;
 
   /// True when only y <= width / 2 is meshed, as the motion lies on the symmetry plane y = width /
@@ -83,7 +83,7 @@ private:
     std::size_t inner_elements() const { return inner.size() - 1; }
     std::size_t elements() const { return inner_elements() + (half ? 1 : 2) * outer; }
     std::vector<double> lines(double centre, double skin_size) const;
-    /// From the footprint to the face. @param length between them [m]
+    /// Lines from the footprint to the face [m]. @param length between them [m]
     std::vector<double> outer_lines(double length) const;
   };
 

@@ -22,7 +22,7 @@ public:
   /// Units that are done from now on make up to a share of the progress that is left.
   /// @param expected so many units; more make each of them count for less
   void begin_pass(std::size_t expected, double share);
-  /// From now on no more units are expected than were added.
+  /// Declares that no more units are expected than were added.
   void expect_known_units();
   void add_units(std::size_t units);
   void finish_unit();

@@ -5,8 +5,8 @@
 
 namespace ionskin::parallel {
 
-/// Those of the threads of some tasks that have found no further task, and may help with the tasks
-/// in work. All threads together never exceed those that the tasks were given.
+/// Threads of some tasks that have found no further task, and may help with the tasks in work. All
+/// threads together never exceed those that the tasks were given.
 class SpareThreads {
 public:
   /// False where there is none.

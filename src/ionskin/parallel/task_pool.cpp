@@ -18,7 +18,7 @@ public:
   TaskQueue(std::size_t count, const std::function<void(std::size_t)>& task)
       : task_(task), failures_(count) {}
 
-  /// That no thread has taken.
+  /// Number of tasks that no thread has taken.
   std::size_t left() const {
     const std::size_t next = next_;
     return failed_ || next > failures_.size() ? 0 : failures_.size() - next;

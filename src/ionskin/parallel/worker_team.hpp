@@ -55,14 +55,14 @@ private:
   void work(std::size_t worker);
 
   using Clock = std::chrono::steady_clock;
-  /// What the calling thread does for a number of loops. Trials are timed; the rest is together
+  /// Mode of the calling thread for a number of loops. Trials are timed; the rest is together
   /// unless that took much longer.
   enum class Phase { trial_alone, trial_together, rest };
 
   /// Counts a loop. @returns whether the calling thread does it alone
   bool next_loop_is_alone();
   void begin_phase(Phase phase);
-  /// After a loop together: begins new trials after a stall, ends one that is lost.
+  /// Decides after a loop together: begins new trials after a stall, ends one that is lost.
   void look_at_clock(Clock::duration worked, Clock::duration waited);
 
   /// Number of the loop in the upper half; in the lower one the blocks that the caller has taken

@@ -16,7 +16,7 @@ constexpr double margin = 1.5;     // of what is said to be sure
 /// Layers in series, per area [m/Pa].
 struct Compliances {
   double confined = 0; ///< t / M of each, M the oedometric modulus
-  double squeezed = 0; ///< and t^3 / (4 G a^2), of a bonded strip of half width a
+  double squeezed = 0; ///< t / M + t^3 / (4 G a^2) of each, bonded strips of half width a
   double shear = 0;    ///< t / G
 };
 

@@ -17,10 +17,10 @@ struct ContactEstimate {
   double area = 0; ///< of the contact [m2]
 };
 
-/// From above, layers cannot move sideways: docs/model.md tells what the model itself does. From
-/// below, they are squeezed out between bonded faces, and the shear is that of a slide, no longer
-/// than the case's own, under a rigid flat slider and Coulomb's friction.
-/// @param found the contact where a coarse solution has told it
+/// Estimate of the contact. From above, layers cannot move sideways: docs/model.md tells what the
+/// model itself does. From below, they are squeezed out between bonded faces, and the shear is that
+/// of a slide, no longer than the case's own, under a rigid flat slider and Coulomb's friction.
+/// @param found the contact where a coarse solution has found it
 ContactEstimate estimate_contact(const Case& input,
                                  const std::optional<mesh::Footprint>& found = std::nullopt);
 

@@ -32,7 +32,7 @@ struct CostEstimate {
 CostEstimate estimate_cost(const Case& input, int threads,
                            const std::optional<mesh::Footprint>& found = std::nullopt);
 
-/// Of Study 2 alone, under a given strain; Study 1 has no cells then.
+/// Cost of Study 2 alone, under a given strain; Study 1 has no cells then.
 CostEstimate estimate_cost(const Case& input, const history::CoreHistory& given, int threads);
 
 } // namespace ionskin::planning

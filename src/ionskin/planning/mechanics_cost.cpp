@@ -28,14 +28,15 @@ namespace {
 constexpr double seconds_per_skin = 0.38, seconds_per_pair_of_cells = 5.7e-6;
 /// More of a skin, by its size over the reach of its short waves: measured near an end of it.
 constexpr double seconds_per_reach = 5e-4;
-/// Of a step of the contact, over the square of the cells.
+/// Time of a step of the contact, over the square of the cells [s].
 constexpr double seconds_per_step = 2.2e-7, seconds_per_driven_step = 8e-7;
 /// More of a step at a new place across the skin, by the skin's size over the reach of its short
 /// waves: rows of cells are summed over all modes anew.
 constexpr double seconds_per_place_across = 2e-4;
-/// Of the strain of an instant that is kept of the path, over the points of the core.
+/// Time for the strain of an instant that is kept of the path, over the points of the core [s].
 constexpr double seconds_per_strain = 1.3e-6;
-/// Of a row of cells and one of elements, measured on cases/paper.toml and cases/finger.toml.
+/// Memory per row of cells and row of elements [bytes], measured on cases/paper.toml and
+/// cases/finger.toml.
 constexpr double row_bytes = 4e5;
 /// Grids of cells on which the contact of a round slider is sought.
 constexpr double searched_grids = 4;
@@ -54,14 +55,14 @@ double skin_size(const Case& input, const mesh::SkinMesh& mesh) {
   return (input.skin.length / reach) * (input.skin.width / reach);
 }
 
-/// Of the modes on sides and ends and of what they do in the core [bytes]. Measured on skins of
-/// 15 x 2.5 to 15 x 18 mm2 and 45 x 6 mm2, 0.2 mm thick, and beside a side.
+/// Memory of the modes on sides and ends and of their action in the core [bytes]. Measured on skins
+/// of 15 x 2.5 to 15 x 18 mm2 and 45 x 6 mm2, 0.2 mm thick, and beside a side.
 double skin_memory(const Case& input, const mesh::SkinMesh& mesh) {
   const double bytes = mesh.half_model() ? 3.1e5 : 9e5; // of even modes alone, or of all
   return bytes * skin_size(input, mesh);
 }
 
-/// What one grid of cells costs.
+/// Cost of one grid of cells.
 struct GridCost {
   GridCost(const Case& input, const mesh::SkinMesh& mesh)
       : cells(static_cast<double>(mechanics::contact_cells(mesh).count())),
@@ -83,13 +84,13 @@ struct GridCost {
   double skin_seconds() const {
     return seconds_per_skin + seconds_per_reach * size + seconds_per_pair_of_cells * cells * cells;
   }
-  /// Of steps along the path.
+  /// Time of the steps along the path [s].
   double path_seconds(const mechanics::ExpectedSteps& steps) const {
     const double contact = driven ? seconds_per_driven_step : seconds_per_step;
     return static_cast<double>(steps.taken) * contact * cells * cells +
            static_cast<double>(steps.across) * seconds_per_place_across * size;
   }
-  /// Of the strain of what is kept of them, which threads share.
+  /// Time for the strain of the steps that are kept, which threads share [s].
   double strain_seconds(const mechanics::ExpectedSteps& steps) const {
     return static_cast<double>(steps.kept) * seconds_per_strain * points;
   }
@@ -117,7 +118,7 @@ struct GridCost {
   double history_values = 0; ///< of one instant
 };
 
-/// Companions, by the name of `mechanics::companions`, that have cells of their own.
+/// Coarser solutions, by the name of `mechanics::companions`, that have cells of their own.
 std::vector<const char*> companions_of(const Case& input) {
   namespace names = mechanics::companions;
   if (!input.numerics.error_estimate) {
@@ -139,7 +140,8 @@ MechanicsCost estimate_mechanics_cost(const Case& input, int threads,
   cost.steps = steps.taken;
   cost.histories = own.history_memory(steps);
   double sought = 0, path = own.path_seconds(steps), strain = own.strain_seconds(steps);
-  double beside = 0, path_beside = 0; // of the companions, which a thread of their own solves
+  double beside = 0,
+         path_beside = 0; // of the coarser solutions, which a thread of their own solves
   for (const char* name : companions_of(input)) {
     const Case of_companion = mechanics::companion_case(input, name);
     try {

@@ -16,10 +16,11 @@ struct MechanicsCost {
   double seconds = 0;            ///< wall time, the handover of the strain included
   double further_seconds = 0; ///< more wall time for another friction coefficient on the same skin
   double memory = 0;          ///< largest, beside what the program takes at rest [bytes]
-  double histories = 0;       ///< strain of run and companions, in memory to the end [bytes]
+  double histories = 0;       ///< strain of run and coarser solutions, in memory to the end [bytes]
 };
 
-/// Of the run and, where it estimates its errors, of the companions that it solves before.
+/// Cost of the run and, where it estimates its errors, of the coarser solutions that it solves
+/// before.
 /// @param found see `estimate_cost`
 /// Throws UserError when no cells fit beside the slider.
 MechanicsCost estimate_mechanics_cost(const Case& input, int threads,

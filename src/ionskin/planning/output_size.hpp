@@ -8,8 +8,8 @@
 
 namespace ionskin::planning {
 
-/// What the files of a run will take, without its report [bytes]; rough: a history that compresses
-/// well takes a third, one of a path with many rows more.
+/// Size of the files of a run, without its report [bytes]; rough: a history that compresses well
+/// takes a third, one of a path with many rows more.
 /// @param ion_unknowns,ion_steps of Study 2
 double output_size(const Case& input, std::size_t ion_unknowns, std::size_t ion_steps);
 
@@ -17,7 +17,7 @@ double output_size(const Case& input, std::size_t ion_unknowns, std::size_t ion_
 /// @param studies_ions whether Study 2 is run too
 double expected_output(const Case& input, bool studies_ions);
 
-/// Of that the tables alone, which a study keeps of each of its runs [bytes].
+/// Size of the tables alone, which a study keeps of each of its runs [bytes].
 double expected_tables(const Case& input);
 
 /// A sentence on files of gigabytes, for before they are written; empty for less.

@@ -22,7 +22,7 @@ void require_resources(const Case& input, int threads,
 /// @param bytes see `expected_output`
 void require_disk(double bytes, const std::filesystem::path& folder);
 
-/// What `require_resources` tells as a sentence, empty where all is well. For checks on a machine
+/// Complaint of `require_resources` as a sentence, empty where all is well. For checks on a machine
 /// that need not be the one that runs the case. Throws UserError for what no machine can do.
 std::string shortage(const Case& input, int threads,
                      const std::optional<mesh::Footprint>& found = std::nullopt);

@@ -44,7 +44,7 @@ public:
   void step(const PressureState& begin, double duration, std::span<const double> cations,
             PressureState& end);
 
-  // Of the state stepped to last.
+  // Outflow of the state stepped to last.
   const Outflow& left() const { return left_; }
   /// P at the top wall above that at the bottom one [Pa].
   double pressure_difference() const { return pressure_.back() - pressure_.front(); }

@@ -17,7 +17,7 @@ public:
   /// @param mobility of the core [m2/(Pa s)]
   OutsideWater(const Case& input, const WaterWalls& walls, double mobility);
 
-  /// Whether there is any.
+  /// True if there is any water under pressure outside.
   bool acts() const { return pressure_[0] != 0 || pressure_[1] != 0; }
   /// Steady pressure at a height in the core [Pa].
   double steady(double height, double time) const;
@@ -27,7 +27,8 @@ public:
   double largest() const;
 
 private:
-  std::optional<LoadShares> load_; ///< that the pressures follow; without one they are constant
+  std::optional<LoadShares>
+      load_; ///< shares that the pressures follow; without them they are constant
   std::array<double, 2> pressure_; ///< outside the bottom and the top wall [Pa]
   WaterWalls walls_;
   double thickness_, mobility_;

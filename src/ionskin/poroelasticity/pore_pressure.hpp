@@ -41,7 +41,7 @@ public:
   /// Of `PressureState::pressure`.
   std::size_t amplitudes() const { return rate_.size(); }
 
-  /// At the first instant: the undrained response.
+  /// Starts at the first instant: the undrained response.
   /// @param undrained p_u at the nodes of every column [z][y][x] [Pa]
   void start(std::span<const double> undrained, PressureState& state);
 

@@ -13,7 +13,8 @@
 namespace ionskin::poroelasticity {
 namespace {
 
-/// Of a sine, which is linear between them: 1e-3 of its amplitude is lost.
+/// Number of samples per period of a sine, which is linear between them: 1e-3 of its amplitude is
+/// lost.
 constexpr int samples_per_period = 64;
 
 LoadShares sine(const StrainSource& strain) {
@@ -30,7 +31,7 @@ LoadShares sine(const StrainSource& strain) {
   return load;
 }
 
-/// Of the whole load, at the bottom and at the top of the core [Pa].
+/// Undrained pressure of the whole load, at the bottom and at the top of the core [Pa].
 std::array<double, 2> undrained_pressure(const Case& input) {
   const double storage = storage_modulus(input);
   if (input.strain.curvature == 0) {

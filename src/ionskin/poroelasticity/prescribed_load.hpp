@@ -19,7 +19,7 @@ namespace ionskin::poroelasticity {
 ///   1 - nu_u between symmetry planes (nu_u: Poisson's ratio of the core, the undrained one).
 history::CoreHistory prescribed_history(const Case& input);
 
-/// How a prescribed load goes over time, linear between the samples.
+/// Share of a prescribed load over time, linear between the samples.
 struct LoadShares {
   std::vector<double> time;  ///< [s]
   std::vector<double> share; ///< of the whole load [1]

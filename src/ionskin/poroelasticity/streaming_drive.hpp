@@ -15,17 +15,17 @@
 
 namespace ionskin::poroelasticity {
 
-/// Where the water stands at an instant; what a resumed run takes up.
+/// State of the water at an instant; what a resumed run takes up.
 struct WaterState {
   double time = 0; ///< [s]
   PressureState pressure;
   PressureState dragged; ///< by the ionic current, mean over the columns
 };
 
-/// What drives the cations of a wet core beside the electric potential, docs/model.md (23):
-///   g = v L_s P/V_T - theta (P - p_u)/M   [thermal voltages over the valence],
-/// streaming (pressure drives water, which drags cations) less dilution (water that arrives swells
-/// the core). The flux is J = -D (grad N + N grad(v F phi/(R T) + g)). No part of it is fitted.
+/// Drive of the cations of a wet core beside the electric potential, docs/model.md (23): g = v L_s
+/// P/V_T - theta (P - p_u)/M [thermal voltages over the valence], streaming (pressure drives water,
+/// which drags cations) less dilution (water that arrives swells the core). The flux is J = -D
+/// (grad N + N grad(v F phi/(R T) + g)). No part of it is fitted.
 class StreamingDrive {
 public:
   /// @param channel of the history: `undrained_pressure`, or `dilation`, of which the undrained
@@ -78,7 +78,7 @@ public:
   double largest_pressure() const;
   double largest_drive() const;
 
-  /// Of the instant that was evaluated last, at the nodes of every column [z][y][x] [Pa].
+  /// Pressure at the instant that was evaluated last, at the nodes of every column [z][y][x] [Pa].
   std::span<const double> pressure() const { return pressure_; }
   std::span<const double> undrained() const { return undrained_; }
   const std::vector<double>& nodes() const { return pore_pressure_.nodes(); }
@@ -90,7 +90,7 @@ private:
   void unload(double time);
   void combine();
   std::size_t columns() const { return undrained_.size() / pore_pressure_.nodes().size(); }
-  /// Of the core as a whole [Pa].
+  /// Mean pressure of the core as a whole [Pa].
   double mean_pressure() const;
   /// Mean over the columns of a field at the top wall minus that at the bottom one.
   double wall_difference(const std::vector<double>& field) const;

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double longest_hold = 0.03; // c_v t/h2 of a held indentation
 
-/// Of water in wet Nafion, the order that NMR finds [m2/s], and the share of water where the case
-/// does not tell it.
+/// Self-diffusivity of water in wet Nafion, the order that NMR finds [m2/s], and the share of water
+/// where the case does not give it.
 constexpr double self_diffusivity = 5e-10, usual_share = 0.4;
 
 /// Relative errors of the wall difference of P, and late of the dilution, at c_v t/h2 of 0.01, 0.1
@@ -26,7 +26,7 @@ using ErrorRow = std::array<double, 3>;
 constexpr ErrorRow under_force{0.02, 0.22, 0.35}, under_indentation{0.07, 0.46, 1.3};
 
 double logarithmic(const ErrorRow& row, double number) {
-  // Below the table errors fall in proportion; above it they have no meaning but to be large.
+  // Errors fall in proportion below the table; above it they have no meaning but to be large.
   if (number <= 0.01) {
     return row[0] * number / 0.01;
   }

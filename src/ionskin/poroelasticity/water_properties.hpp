@@ -15,7 +15,8 @@ struct WaterProperties {
   double dilution = 0;                  ///< theta: by how much swelling dilutes the cations [1]
   double skempton_coefficient = 0;      ///< B = M_B/K_u [1]
   double thermal_voltage = 0;           ///< V_T = R T/F [V]
-  /// Of the mean pressure that comes back as p_u where a compression is held, M_B/(M + M_B) [1].
+  /// Share of the mean pressure that comes back as p_u where a compression is held, M_B/(M + M_B)
+  /// [1].
   double held_share = 0;
 
   /// tau_p = h2/(pi2 c_v): the slowest decay of a pressure difference between sealed walls [s].
@@ -24,7 +25,7 @@ struct WaterProperties {
   double streaming_number() const;
 };
 
-/// Of a case whose law moves water and that has been checked.
+/// Derives the properties of a case whose law moves water and that has been checked.
 WaterProperties derive_water_properties(const Case& input);
 
 } // namespace ionskin::poroelasticity

@@ -10,14 +10,14 @@ namespace ionskin::poroelasticity {
 inline constexpr double sealed_wall = 0;
 inline constexpr double open_wall = std::numeric_limits<double>::infinity();
 
-/// What the walls of the core let through: conductance over the mobility of the core [1/m].
+/// Conductance of the walls of the core, over the mobility of the core [1/m].
 struct WaterWalls {
   double bottom = sealed_wall, top = sealed_wall;
 
   /// Steady pressure in the core under one unit outside the top wall and none outside the bottom
   /// one, docs/model.md (74). The core ends at 0 and at `thickness` [m].
   double share_of_top(double height, double thickness) const;
-  /// Its slope [1/m].
+  /// Slope of the share [1/m].
   double slope_of_share(double thickness) const;
 };
 

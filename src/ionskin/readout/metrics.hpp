@@ -25,7 +25,7 @@ double rms_of_step_means(const std::vector<double>& time, const std::vector<doub
 /// Time mean of a quantity that is linear between the rows.
 double time_mean(const std::vector<double>& time, const std::vector<double>& values);
 
-/// Where figures named `*_touchdown` and `*_slide` are taken [s].
+/// Instants at which figures named `*_touchdown` and `*_slide` are taken [s].
 struct NamedInstants {
   double touchdown = 0, slide = 0;
 };

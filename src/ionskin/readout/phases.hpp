@@ -10,12 +10,12 @@
 
 namespace ionskin::readout {
 
-/// Where the prescribed motion stands at an instant (docs/model.md (1)).
+/// State of the prescribed motion at an instant (docs/model.md (1)).
 struct MotionInstant {
   int cycle = 1;                  ///< from 1
   std::string phase;              ///< touchdown, slide, lift or return
   std::array<double, 2> centre{}; ///< of the slider [m]
-  /// What is given there; on the way between a height and a force neither is.
+  /// Level that is given there; on the way between a height and a force neither is.
   std::optional<SliderLevel> level;
 };
 
@@ -40,7 +40,7 @@ private:
 /// first touchdown, and the middle of the first slide, or of the hold where nothing slides.
 double end_of_touchdown(const Motion& motion, const Slider& slider);
 double middle_of_slide(const Motion& motion, const Slider& slider);
-/// Of the same slide or hold.
+/// End of the same slide or hold.
 double end_of_slide(const Motion& motion, const Slider& slider);
 
 } // namespace ionskin::readout

@@ -8,12 +8,11 @@
 
 namespace ionskin::readout {
 
-/// What an integrating instrument sees, docs/model.md (30): the charge gained over each readout
-/// interval divided by it.
-/// Between the rows half the difference of the charges relaxes by a cubic and the rest is linear.
-/// Unlike the resolved peaks these converge with the time step. The intervals start at the first
-/// row, whose impulse charge is not part of the first interval; a last interval that the run does
-/// not complete is dropped.
+/// Currents that an integrating instrument reads, docs/model.md (30): the charge gained over each
+/// readout interval divided by it. Between the rows half the difference of the charges relaxes by a
+/// cubic and the rest is linear. Unlike the resolved peaks these converge with the time step. The
+/// intervals start at the first row, whose impulse charge is not part of the first interval; a last
+/// interval that the run does not complete is dropped.
 /// @param signals with time, charge_top and charge_bottom
 /// @param interval readout interval [s], positive
 /// @param relaxation at the rows; without it every charge is linear between them

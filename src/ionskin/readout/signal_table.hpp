@@ -31,7 +31,7 @@ struct SignalInputs {
   std::vector<double> shear_first_moment; ///< mean of gamma (zeta/h - 1/2) [1]
   std::vector<double> charge_top;         ///< on the metal [C]
   std::vector<double> charge_bottom;      ///< on the metal [C]
-  // Of a slider on a drive; left empty, their columns are left out.
+  // Columns of a slider on a drive; left empty, their columns are left out.
   std::vector<double> drive_x, drive_y;             ///< end of the drive [m]
   std::vector<double> drive_force_x, drive_force_y; ///< of the drive on the slider [N]
 };

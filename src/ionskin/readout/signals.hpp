@@ -14,7 +14,7 @@ struct Signal {
 };
 
 /// Rows over time: `time` first, then the numeric columns in the order of signals.csv. `cycle` and
-/// `phase` stand beside them because they are no quantities.
+/// `phase` stand beside them because they are not quantities.
 struct SignalTable {
   std::vector<int> cycle; ///< from 1
   std::vector<std::string>

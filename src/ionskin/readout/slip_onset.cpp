@@ -31,7 +31,7 @@ std::vector<Point> stuck_over(const std::vector<double>& time, const std::vector
   return points;
 }
 
-/// Where the share falls to a level between two points.
+/// Instant at which the share falls to a level between two points.
 double passed_at(const Point& before, const Point& after, double level) {
   return before.time +
          (after.time - before.time) * (before.share - level) / (before.share - after.share);

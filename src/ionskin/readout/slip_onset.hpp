@@ -13,16 +13,16 @@ inline constexpr double micro_slip_share = 0.05;
 /// Stuck share below which the contact counts as slipping fully.
 inline constexpr double full_slip_share = 0.01;
 
-/// What the contact does, by the numbers of the column `slip_state`.
+/// State of the contact, by the numbers of the column `slip_state`.
 enum class SlipState { detached = 0, stick = 1, partial_slip = 2, full_slip = 3 };
 
 /// @param area of the contact [m2]
 /// @param stick_share of it, 0 to 1
 SlipState slip_state(double area, double stick_share);
 
-/// How a slide begins. A contact under Coulomb friction slips at its rim while it is pressed
-/// already, and what slipped may stick again when the slide begins: the first micro-slip is
-/// therefore taken from the largest stuck share since the slide began.
+/// Onset of a slide. A contact under Coulomb friction slips at its rim while it is pressed already,
+/// and what slipped may stick again when the slide begins: the first micro-slip is therefore taken
+/// from the largest stuck share since the slide began.
 struct SlipOnset {
   double begin = 0;      ///< of the slide in contact [s]
   double micro_slip = 0; ///< the stuck share has fallen by `micro_slip_share` [s]

@@ -8,18 +8,18 @@
 
 namespace ionskin::readout {
 
-/// How many times the noise of a reading a current departs by to count as seen.
+/// Number of times the noise of a reading by which a current departs to count as seen.
 inline constexpr double seen_above_noise = 3;
 
-/// What one current tells of a slip between its first micro-slip and full slip. A reading is the
-/// charge gained over the last readout interval divided by it, docs/model.md (30), at any instant:
-/// where the readings of a run fall is chance. Readings that hold some of what was before the slide
-/// do not count.
+/// Precursor that one current shows of a slip between its first micro-slip and full slip. A reading
+/// is the charge gained over the last readout interval divided by it, docs/model.md (30), at any
+/// instant: where the readings of a run fall is chance. Readings that hold some of what was before
+/// the slide do not count.
 struct SlipPrecursor {
   /// The largest, of a reading from the first that counts [A]; none where none does.
   std::optional<double> departure;
-  /// From where the reading has departed by `seen_above_noise` times the noise to full slip [s];
-  /// none where it never does.
+  /// Time from where the reading has departed by `seen_above_noise` times the noise to full slip
+  /// [s]; none where it never does.
   std::optional<double> lead_time;
   double charge = 0; ///< the largest that has passed since the first micro-slip [C]
   /// Pearson's coefficient of the current with the stuck share, weighted by time; none where one of

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double spike_relaxations = 8;
 
-/// How long a spike hides the tail behind it [s].
+/// Time for which a spike hides the tail behind it [s].
 double spike_duration(const std::vector<double>& events, double relaxation_time) {
   double longest = 0;
   for (std::size_t i = 1; i < events.size(); ++i) {

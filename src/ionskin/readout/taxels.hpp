@@ -13,10 +13,11 @@ namespace ionskin::readout {
 struct TaxelCharge {
   std::string name;
   std::vector<double> charge;
-  /// Of the bottom electrode below it: where given, the odd and the even part are told.
+  /// Charge of the bottom electrode below the taxel: where given, the odd and the even part are
+  /// written.
   std::vector<double> bottom_charge{};
-  /// Where the taxels have circuits of their own: against the bottom electrode [V], and the charge
-  /// that the circuit has passed or holds [C]; empty otherwise.
+  /// Voltage and charge where the taxels have circuits of their own: against the bottom electrode
+  /// [V], and the charge that the circuit has passed or holds [C]; empty otherwise.
   std::vector<double> voltage{}, passed{};
 };
 

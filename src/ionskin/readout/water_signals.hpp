@@ -9,14 +9,14 @@
 
 namespace ionskin::readout {
 
-/// What the water does, one entry per row.
+/// Values of the water, one entry per row.
 struct WaterInputs {
   std::vector<double> time;                                ///< [s]
   std::vector<double> pressure_top, pressure_bottom;       ///< means over the walls [Pa]
   std::vector<double> streaming_voltage, dilution_voltage; ///< of the open cell [V]
   std::vector<double> largest_pressure;                    ///< in the core [Pa]
   std::vector<double> largest_drive;                       ///< in the core [1]
-  /// Since the first row, all of it and what the current has dragged [m3].
+  /// Water that left since the first row, all of it and what the current has dragged [m3].
   std::vector<double> outflow_top, outflow_bottom, dragged_top, dragged_bottom;
   std::vector<double> dragged_difference; ///< of the pressure at the walls [Pa]
   std::vector<double> holding_pressure;   ///< of a prescribed compression, else 0 [Pa]

@@ -12,7 +12,7 @@ struct ContactMap {
   std::string state;
   double parameter = 0; ///< instant of the first cycle at which it is passed [s]
   std::vector<double> pressure, shear_x, shear_y; ///< [Pa]
-  /// Since the state before [m].
+  /// Slip since the state before [m].
   std::vector<double> slip;
   std::vector<double> slip_state; ///< 0 detached, 1 sticks, 3 slips, as readout::SlipState
   /// Length of the way that the slider slipped over each cell since it touches [m].

@@ -23,7 +23,7 @@ using base::Json;
 /// Key of the digest of everything else in the file.
 constexpr const char* digest_key = "digest";
 
-/// A command line may hold bytes that are no UTF-8.
+/// A command line may hold bytes that are not UTF-8.
 std::string text_of(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -60,7 +60,7 @@ bool is_ours(const Json& json) {
          json["program"].contains("name") && json["program"]["name"] == "ionskin";
 }
 
-/// Nothing where the file is missing, or is no manifest of ours.
+/// Nothing where the file is missing, or is not a manifest of ours.
 std::optional<Json> parse(const std::filesystem::path& path) {
   try {
     auto json = base::read_json(path, "manifest");

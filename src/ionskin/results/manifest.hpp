@@ -13,17 +13,17 @@ struct StageRecord {
   std::string state;      ///< "running", "finished", "interrupted" or "failed"
   double wall_time = 0;   ///< [s]
   double peak_memory = 0; ///< largest resident memory of the process when the stage ended [bytes]
-  std::string source;     ///< what it was taken from: "earlier run", "another point"; empty
+  std::string source;     ///< origin of what was taken over: "earlier run", "another point"; empty
                           ///< where worked here
 };
 
-/// What stands in manifest.json: where a result comes from and how far its run came. Nothing in it
+/// Contents of manifest.json: where a result comes from and how far its run came. Nothing in it
 /// names the machine.
 struct Manifest {
   std::string command;
   std::string input_hash;        ///< of everything that decides the result, see `content_hash`
   std::string state = "running"; ///< of the whole run, as for the stages
-  std::string reason;            ///< why the run gave up
+  std::string reason;            ///< reason why the run gave up
   std::string started;           ///< UTC, ISO 8601; filled by `new_manifest`
   int threads = 1;
   std::map<std::string, StageRecord> stages;
@@ -39,7 +39,7 @@ Manifest new_manifest(std::string command, int threads, std::string input_hash);
 std::string manifest_text(const Manifest& manifest);
 /// Writes the file atomically. Throws UserError when it cannot.
 void write_manifest(const std::filesystem::path& path, const Manifest& manifest);
-/// Throws UserError when the file is missing, is no manifest of ionskin, or was changed.
+/// Throws UserError when the file is missing, is not a manifest of ionskin, or was changed.
 Manifest read_manifest(const std::filesystem::path& path);
 bool is_ionskin_manifest(const std::filesystem::path& path);
 

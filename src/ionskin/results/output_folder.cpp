@@ -29,7 +29,7 @@ constexpr std::array top_files{
     file_names::sweep_signals,  file_names::sweep_plan,      file_names::water,
     file_names::water_error};
 
-/// Of the entry itself; a link is a link.
+/// Status of the entry itself; a link is a link.
 fs::file_status status_of(const fs::path& path) {
   std::error_code ignored;
   return fs::symlink_status(path, ignored);
@@ -43,7 +43,7 @@ bool is_ours(const fs::path& folder) {
   return is_ionskin_manifest(folder / file_names::manifest) || read_file_list(folder).has_value();
 }
 
-/// Whether a folder holds nothing, or no more than a list of files that a killed program had not
+/// True if a folder holds nothing, or no more than a list of files that a killed program had not
 /// yet renamed: the list is the first that is written.
 bool is_fresh(const fs::path& folder) {
   const std::string pending = std::string(file_list_name) + ".";
@@ -72,7 +72,7 @@ void require_own(const fs::path& folder, ExistingFolder existing) {
                               path.string()));
 }
 
-/// What versions before the list wrote; their figures stay.
+/// Names of the results that versions before the list wrote; their figures stay.
 std::set<std::string> unlisted_results(const fs::path& folder) {
   std::set<std::string> names(top_files.begin(), top_files.end());
   std::error_code error;
@@ -184,7 +184,7 @@ void OutputFolder::make_ready(ExistingFolder existing, LockKind lock) {
 fs::path OutputFolder::own(const std::string& name) {
   const fs::path path = folder_ / name;
   if (!is_inner_name(name)) {
-    throw InternalError(name + " is no name of a result");
+    throw InternalError(name + " is not a name of a result");
   }
   const fs::path parent = path.parent_path();
   if (fs::path(name).has_parent_path()) {

@@ -9,7 +9,7 @@
 
 namespace ionskin::results {
 
-/// What to do with a folder that already holds something.
+/// Treatment of a folder that already holds something.
 enum class ExistingFolder {
   refuse,
   overwrite, ///< remove the files that ionskin wrote, and only those
@@ -34,9 +34,9 @@ public:
   OutputFolder& operator=(const OutputFolder&) = delete;
 
   const std::filesystem::path& path() const { return folder_; }
-  /// Where a file is read.
+  /// Path where a file is read.
   std::filesystem::path file(const std::string& name) const { return folder_ / name; }
-  /// Where a file is written: notes it in the list, and makes its subfolder.
+  /// Path where a file is written: notes it in the list, and makes its subfolder.
   /// @param name relative, such as "fields/fields.pvd"
   /// Throws UserError when a file of the user or a link is in the way.
   std::filesystem::path own(const std::string& name);
@@ -95,7 +95,7 @@ inline constexpr const char* checkpoint = "checkpoint.h5"; ///< of an unfinished
 inline constexpr const char* report = "report.html";
 inline constexpr const char* fields = "fields";
 inline constexpr const char* figures = "figures";
-// Of a sweep.
+// Folders of a sweep.
 inline constexpr const char* points = "points";   ///< folder of the points' folders
 inline constexpr const char* staging = "staging"; ///< folder of points that are being solved
 inline constexpr const char* sweep_plan = "plan.json";

@@ -8,7 +8,7 @@
 
 namespace ionskin::results {
 
-/// Whether a lock is shared.
+/// Kind of a lock: exclusive or shared.
 enum class LockKind {
   exclusive,
   shared ///< beside others that are shared

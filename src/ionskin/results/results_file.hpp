@@ -40,7 +40,7 @@ public:
   /// @param name "case" or "manifest"
   void write_text(const std::string& name, const std::string& text);
 
-  /// For groups that only their owner knows.
+  /// HDF5 file itself, for groups that only their owner knows.
   Hdf5File& file() { return file_; }
   /// Throws UserError when something could not be written.
   void commit();

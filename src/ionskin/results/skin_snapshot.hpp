@@ -15,7 +15,7 @@ struct SkinSnapshot {
   std::array<double, 2> centre{};     ///< of the slider from the skin's corner [m]
   double height = 0;                  ///< of its lowest point above the undeformed top face [m]
   std::vector<double> cell_x, cell_y; ///< lines between the cells of the contact [m]
-  /// What the slider lays on each cell, along x, y and upwards, [y][x], x fastest [Pa].
+  /// Traction of the slider on each cell, along x, y and upwards, [y][x], x fastest [Pa].
   std::array<std::vector<double>, 3> traction;
   /// Mean displacement of each cell, along x, y and upwards [m].
   std::array<std::vector<double>, 3> surface;

@@ -25,16 +25,16 @@ struct CircuitEntry {
   std::string top_potential; ///< of the top electrode above the bottom one: "φ = U = R I"
 };
 
-/// What stands in summary.json.
+/// Contents of summary.json.
 struct Summary {
   std::vector<readout::Metric> metrics;
   std::map<std::string, double> timing; ///< mechanics, strain, electrochemistry, output, total [s]
   std::vector<std::string> warnings;
   std::map<std::string, double> error_estimate; ///< relative, by metric [1]
-  /// By metric and part, in the unit of the metric; they add up to the error.
+  /// Parts of the errors by metric and part, in the unit of the metric; they add up to the error.
   std::map<std::string, std::map<std::string, double>> error_parts;
-  std::map<std::string, std::string> not_converging; ///< why, by metric
-  std::map<std::string, std::string> not_estimated;  ///< why, by metric
+  std::map<std::string, std::string> not_converging; ///< reasons, by metric
+  std::map<std::string, std::string> not_estimated;  ///< reasons, by metric
   std::vector<AuditEntry> audits;
   std::optional<CircuitEntry> circuit; ///< of a run with ions
 };

@@ -184,7 +184,7 @@ void write_skin(OutputFolder& folder, const Slider& slider, std::size_t instant,
   };
   write(layers_prefix, layers_of(snapshot.skin));
   write(contact_prefix, contact_of(snapshot));
-  // Of a large slider a small part touches.
+  // The part that touches is small beside a large slider.
   write(slider_prefix,
         slider_of(snapshot, slider_surface(slider, shifted(snapshot.cell_x, -snapshot.centre[0]),
                                            shifted(snapshot.cell_y, -snapshot.centre[1]))));

@@ -12,8 +12,9 @@ namespace ionskin::results {
 
 // Files for ParaView in the subfolder `fields`. Throw UserError when a file cannot be written.
 
-/// What Study 2 kept, as fields_0000.vtu, fields_0001.vtu, ... Point data: concentration [mol/m3],
-/// potential [V] and shear [1], constant over each column and linear in z as they are computed.
+/// Writes the fields that Study 2 kept, as fields_0000.vtu, fields_0001.vtu, ... Point data:
+/// concentration [mol/m3], potential [V] and shear [1], constant over each column and linear in z
+/// as they are computed.
 /// @param core_bottom height of the core's lower face in the skin's frame [m]
 void write_fields(OutputFolder& folder, const electrochemistry::TransportGrid& grid,
                   double core_bottom, const std::vector<electrochemistry::IonSnapshot>& snapshots);

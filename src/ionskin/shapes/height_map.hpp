@@ -17,7 +17,7 @@ struct HeightMap {
   double interpolated(double at_x, double at_y) const;
   /// Least height within a plan of some size about the centre [m].
   double lowest(const std::array<double, 2>& size) const;
-  /// Whether height(-x, y) = height(x, y), or height(x, -y) = height(x, y), to rounding.
+  /// True if height(-x, y) = height(x, y), or height(x, -y) = height(x, y), to rounding.
   bool symmetric_x() const;
   bool symmetric_y() const;
 };

@@ -52,7 +52,7 @@ double Profile::border(const Plan& plan, const Pressing& pressing, std::size_t d
   if (pressing.force > 0) {
     return std::numeric_limits<double>::infinity();
   }
-  // Between grid lines the heights are linear along each direction: the least along y of every x is
+  // The heights between grid lines are linear along each direction: the least along y of every x is
   // on a line y = const.
   const HeightMap& map = plan.heights;
   const double level = lowest(plan) + pressing.indentation;

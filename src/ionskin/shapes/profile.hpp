@@ -14,7 +14,7 @@ struct Profile final : Shape {
   double height(const Plan& plan, double x, double y) const override;
   double lowest(const Plan& plan) const override;
   std::array<bool, 2> symmetric(const Plan& plan) const override;
-  /// How far the undeformed skin would reach into the map.
+  /// Reach of the undeformed skin into the map [m].
   double border(const Plan& plan, const Pressing& pressing, std::size_t direction) const override;
   std::vector<Misfit> misfits(const Plan& plan) const override;
 };

@@ -5,7 +5,7 @@
 
 namespace ionskin::shapes {
 
-// What bodies that are bounded by circles have in common.
+// Parts that bodies bounded by circles have in common.
 
 /// The key `slider.radius`, which they share.
 inline constexpr laws::LawParameter body_radius{.name = "radius",

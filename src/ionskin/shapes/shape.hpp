@@ -18,13 +18,13 @@ namespace ionskin::shapes {
 /// Height of what is beyond the body: nothing touches there [m].
 inline constexpr double unreachable_gap = 1.0;
 
-/// What a case says of any slider, whatever its shape.
+/// Plan of any slider, whatever its shape.
 struct Plan {
   std::array<double, 2> size{}; ///< of the underside along x and y [m]
   const HeightMap& heights;     ///< empty for shapes without one
 };
 
-/// What presses a slider into the skin at worst; one of the first two may be 0.
+/// Load that presses a slider into the skin at worst; one of the first two may be 0.
 struct Pressing {
   double indentation = 0;   ///< [m]
   double force = 0;         ///< [N]
@@ -43,7 +43,7 @@ struct Misfit {
 /// slider's centre [m].
 class Shape {
 public:
-  // Of its row; a shape that differs hides them.
+  // Traits of the shape's row; a shape that differs hides them.
   static constexpr bool takes_heights = false;
   static constexpr bool has_whole_plan = false;
 
@@ -54,12 +54,13 @@ public:
   virtual double height(const Plan& plan, double x, double y) const = 0;
   /// Least height within the plan [m].
   virtual double lowest(const Plan&) const { return 0; }
-  /// Whether all of the plan touches at once, up to sharp edges.
+  /// True if all of the plan touches at once, up to sharp edges.
   virtual bool sharp() const { return false; }
   /// Half sizes of the part that touches at once; 0 along a round direction [m]. Along a direction
   /// in which it is half the plan the slider ends at a sharp edge.
   virtual std::array<double, 2> flat_half_size(const Plan&) const { return {0, 0}; }
-  /// Whether the underside is its own mirror image under x -> -x and under y -> -y.
+  /// True, along x and along y, where the underside is its own mirror image under x -> -x and under
+  /// y -> -y.
   virtual std::array<bool, 2> symmetric(const Plan&) const { return {true, true}; }
   /// An upper bound of how far the contact reaches along a direction beyond the part that touches
   /// at once [m]; infinity for all of the plan.
@@ -67,16 +68,16 @@ public:
                         std::size_t direction) const = 0;
   /// Plan of the whole body [m], for cases that give none; of rows that `have_whole_plan`.
   virtual std::optional<std::array<double, 2>> whole_plan() const { return {}; }
-  /// What of the parameters and the plan does not go together.
+  /// Parameters that do not go together with one another or with the plan.
   virtual std::vector<Misfit> misfits(const Plan&) const { return {}; }
 };
 
 /// One row of the table of shapes.
 struct ShapeRow {
-  std::string_view name;                          ///< that a case gives in `slider.shape`
+  std::string_view name;                          ///< value of `slider.shape`
   std::string_view meaning;                       ///< "a cylinder with its axis along y"
   bool takes_heights;                             ///< from the file `slider.profile`
-  bool has_whole_plan;                            ///< so that a case need not give `slider.size`
+  bool has_whole_plan;                            ///< true if a case need not give `slider.size`
   std::span<const laws::LawParameter> parameters; ///< keys `slider.NAME`
   std::unique_ptr<const Shape> (*with)(const laws::LawValues& values);
 };

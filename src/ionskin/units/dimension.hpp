@@ -42,7 +42,7 @@ struct DimensionInfo {
   std::vector<std::string> examples; ///< usual units, the first one for messages
 };
 
-/// Of a dimension.
+/// Information on a dimension.
 const DimensionInfo& dimension_info(Dimension dimension);
 
 /// Usual units of all dimensions, to suggest from.

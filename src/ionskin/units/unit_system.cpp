@@ -121,8 +121,8 @@ bool has_forbidden_word(const std::string& unit) {
   return false;
 }
 
-/// Whether a number stands in the unit that is no exponent. udunits2 multiplies by it: "1 3 mm" and
-/// "1 mm 3" would be 3 mm. The 1 of "1/s" may stand.
+/// True if a number stands in the unit that is not an exponent. udunits2 multiplies by it: "1 3 mm"
+/// and "1 mm 3" would be 3 mm. The 1 of "1/s" may stand.
 bool has_factor(const std::string& unit) {
   const auto is_digit = [](char letter) { return digits.find(letter) != std::string_view::npos; };
   const auto takes_exponent = [](char letter) {

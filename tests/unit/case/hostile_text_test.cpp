@@ -44,7 +44,7 @@ std::string refusal(const std::string& text, const std::vector<std::string>& edi
   EXPECT_TRUE(std::ranges::none_of(message, [](unsigned char letter) {
     return (letter < 0x20 && letter != '\n' && letter != '\t') || letter == 0x7f;
   })) << message;
-  // Processor time: what else the machine does is no fault of the text.
+  // Processor time: what else the machine does is not a fault of the text.
   EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 60);
   return message;
 }

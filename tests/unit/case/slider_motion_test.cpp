@@ -105,7 +105,7 @@ TEST(SliderMotion, RowsOfARecordedPathAreOneSlide) {
   EXPECT_NEAR(slide_direction(legs)[1], 0.1 / std::hypot(4, 0.1), 1e-12);
   EXPECT_EQ(joined_slides(legs).size(), 3u);
   EXPECT_EQ(joined_slides(legs)[1].to, slide.to);
-  // One that leads back to where it began is told by its first leg.
+  // One that leads back to where it began is recognised by its first leg.
   std::vector<MotionLeg> turn;
   for (int i = 0; i <= 100; ++i) {
     const double from = 2 * M_PI * i / 100, to = 2 * M_PI * (i + 1) / 100;

@@ -21,7 +21,7 @@ private:
   std::string folder_;
 };
 
-/// A valid case, with one stretch of its text replaced. Fails when the stretch is not there.
+/// A valid case, with one span of its text replaced. Fails when the span is not there.
 std::string valid_case(const std::string& replace = "", const std::string& with = "");
 
 /// Message of the UserError that reading this text throws, or empty when it is accepted.

@@ -101,7 +101,7 @@ TEST(Amplifier, NoiseHasTheVarianceOfItsBandAndTheDensityOfItsIntegral) {
   // Standard error of a variance from 10000 samples: 1.4 %.
   EXPECT_NEAR(square / pairs / variance, 1, 0.06);
   EXPECT_NEAR(jump / pairs / (2 * variance * (1 - std::exp(-0.1))), 1, 0.06);
-  // Over long times the charge walks at random: S^2 T / 2, less an end effect of one time constant.
+  // The charge walks at random over long times: S^2 T / 2, less an end effect of one time constant.
   EXPECT_NEAR(charge / pairs / (0.5 * density * density * 19 * time_constant), 1, 0.06);
 }
 

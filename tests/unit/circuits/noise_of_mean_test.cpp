@@ -23,8 +23,8 @@ TEST(NoiseOfMean, OfWhiteNoiseIsInClosedForm) {
   }
 }
 
-/// Of a resistor and a capacitor in parallel, 4 k T R / (1 + (w R C)^2): k T / C in all, which a
-/// mean over a time far below R C does not lessen (Nyquist 1928).
+/// The noise of a resistor and a capacitor in parallel is 4 k T R / (1 + (w R C)^2): k T / C in
+/// all, which a mean over a time far below R C does not lessen (Nyquist 1928).
 TEST(NoiseOfMean, OfAResistorAndACapacitorIsTheEquipartitionValue) {
   const double resistance = 1e6, capacitance = 1e-6, energy = 1.380649e-23 * 300;
   const auto density = [&](double frequency) {

@@ -240,7 +240,7 @@ TEST(IonTransport, VoltageDecaysWithTheCapacitancesOfCircuitAndCell) {
   const auto scales = derive_scales(plain.electrochemistry, plain.skin.core_thickness());
   const double cell = plain.electrochemistry.permittivity * plain.skin.length * plain.skin.width /
                       (2 * scales.debye_length);
-  // So slow that both double layers follow at once, in the linear range.
+  // The decay is so slow that both double layers follow at once, in the linear range.
   const double decay = 200 * scales.slow_time;
   const auto solution = solve(beside_capacitor(decay / (2 * cell), cell),
                               linear_step_history(-1e-5, 1e-5, {0.0, decay}));

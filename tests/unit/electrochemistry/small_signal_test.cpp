@@ -20,7 +20,7 @@ TEST(SmallSignalCell, IsAResistanceInTheMiddleAndCapacitancesAtTheEnds) {
   const double low = 1e-4;
   const double series = input.electrochemistry.permittivity / (2.0 * scales.debye_length);
   EXPECT_NEAR(cell.area_impedance(low).imag() * -2.0 * std::numbers::pi * low * series, 1.0, 1e-2);
-  // Between the two: the bulk, h/sigma.
+  // The impedance between the two is that of the bulk, h/sigma.
   EXPECT_NEAR(cell.area_impedance(1.0).real(), 180e-6 / scales.conductivity,
               0.03 * 180e-6 / scales.conductivity);
   // Far above the relaxation: the empty capacitor, eps/h.

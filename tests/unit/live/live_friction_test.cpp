@@ -118,7 +118,7 @@ TEST(LiveFriction, IsRememberedByTheStateAndTakesNoMemory) {
       skin.step(1e-3 * i, moment_of(i).place, false, -moment_of(i).depth, expected);
       other.step(1e-3 * i, moment_of(i).place, false, -moment_of(i).depth, signals);
       ASSERT_EQ(signals, expected) << i;
-      // A time that is asked for again is no sliding.
+      // A time that is asked for again is not sliding.
       other.step(1e-3 * i, moment_of(i).place, false, -moment_of(i).depth, signals);
       ASSERT_NEAR(signals[5], expected[5], 1e-4 * 5) << i;
       ASSERT_TRUE(other.restore(skin.state()));

@@ -11,9 +11,9 @@ namespace ionskin::live {
 /// points is the drag on them.
 SkinData small_skin();
 
-/// So many square cells of 0.1 mm across under a sphere of 8 mm, on something like an elastic
-/// half-space: each cell gives little by itself beside what its neighbours press it down and drag
-/// it along. Within 20 N the contact stays within 11 cells across.
+/// Skin with so many square cells of 0.1 mm across under a sphere of 8 mm, on something like an
+/// elastic half-space: each cell gives little by itself beside what its neighbours press it down
+/// and drag it along. Within 20 N the contact stays within 11 cells across.
 SkinData sphere_on_many_cells(std::size_t across);
 
 } // namespace ionskin::live

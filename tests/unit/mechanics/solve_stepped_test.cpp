@@ -107,7 +107,7 @@ TEST(SteppedMotion, rubs_by_a_fifth_of_a_micrometre_in_closed_loops) {
   ContactOptions options;
   options.threads = 2;
   const ContactSolution solution = solve_contact(input, options, timers);
-  // After the first rise every turn is as the one before.
+  // Every turn after the first rise is as the one before.
   const auto force = [&](double time) {
     return nearest(solution, time).state->tangential_force[0];
   };

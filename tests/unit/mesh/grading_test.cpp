@@ -52,8 +52,8 @@ TEST(Grading, geometric_line_keeps_its_first_size) {
 }
 
 TEST(Grading, geometric_ratio_is_smooth_in_the_length) {
-  // Also where the ratio passes 1: second differences of a smooth function fall with the step
-  // squared.
+  // The second differences are small also where the ratio passes 1: second differences of a smooth
+  // function fall with the step squared.
   const double middle = 16 * 0.01;
   const auto second_difference = [&](double step) {
     return geometric_ratio(middle + step, 0.01, 16) - 2 * geometric_ratio(middle, 0.01, 16) +

@@ -51,7 +51,7 @@ TEST(Footprint, is_expected_at_the_edge_of_the_skin_under_a_heavy_load_alone) {
   EXPECT_FALSE(ends_at_skin(example(), expected_footprint(example()), 1)); // sharp
 }
 
-/// On a drive the slider leaves its path.
+/// A slider on a drive leaves its path.
 TEST(SkinMesh, lines_ascend_wherever_the_slider_swings) {
   const SkinMesh mesh(example());
   for (const double left : {2e-5, 1e-4, 1e-3}) {
@@ -246,7 +246,7 @@ TEST(SkinMesh, a_deep_block_is_graded_downwards_and_a_thin_skin_is_not) {
   const std::vector<double> z = deep.lines({4.5e-3, 1e-3}).z;
   expect_ascending(z, 5.025e-3);
   EXPECT_GT(deep.core_z()[1] - deep.core_z()[0], 3u);
-  // Within the core sizes fall upwards.
+  // Sizes within the core fall upwards.
   for (std::size_t row = deep.core_z()[0] + 1; row < deep.core_z()[1]; ++row) {
     EXPECT_LT(z[row + 1] - z[row], z[row] - z[row - 1]);
   }

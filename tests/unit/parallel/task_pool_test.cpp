@@ -27,7 +27,7 @@ TEST(TaskPool, NoTasksIsNoWork) {
   run_tasks(0, 4, [](std::size_t) { FAIL(); });
 }
 
-/// Of work: enough for every thread to come, however busy the machine is.
+/// Number of pieces of work: enough for every thread to come, however busy the machine is.
 constexpr int pieces = 3000;
 
 /// Yields until `holds`, but not for ever: then what the test expects does not come.

@@ -46,7 +46,7 @@ void busy_for(std::chrono::microseconds time) {
   }
 }
 
-// As where the other thread has to wait for a processor.
+// The other thread is slow, as where it has to wait for a processor.
 TEST(WorkerTeam, GoesOnAloneWhereOthersMakeItSlower) {
   WorkerTeam team(2);
   constexpr int loops = 10000;

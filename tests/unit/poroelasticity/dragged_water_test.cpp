@@ -8,7 +8,7 @@ namespace {
 
 constexpr double thickness = 2e-4, volume = 4e-5;
 const std::vector<double> levels{0.0, 1e-6, 1e-4, 1.99e-4, thickness};
-/// From the bottom to the top, none lost [mol/m2].
+/// Water that is moved from the bottom to the top, none lost [mol/m2].
 const std::vector<double> moved{-3e-6, -1e-6, 0.0, 1e-6, 3e-6};
 
 WaterProperties properties() {

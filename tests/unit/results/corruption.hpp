@@ -42,7 +42,7 @@ inline std::string corrupted(std::string bytes, std::uint32_t seed) {
   return bytes;
 }
 
-/// How many damaged files a test tries; more by hand, through the environment.
+/// Number of damaged files that a test tries; more by hand, through the environment.
 inline std::uint32_t corruptions(std::uint32_t usually) {
   const char* wanted = std::getenv("IONSKIN_CORRUPTIONS");
   return wanted == nullptr ? usually : static_cast<std::uint32_t>(std::stoul(wanted));

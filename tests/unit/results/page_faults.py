@@ -69,7 +69,7 @@ FAULTS = r"""(() => {
 
 
 def faults(page, width):
-    """What a reader would see at a width in pixels, as a list of texts; `page` is open in a browser."""
+    """Faults that a reader would see at a width in pixels, as a list of texts; `page` is open in a browser."""
     page.call("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=width < 600)
     page.settle()
     return [*page.evaluate(FAULTS), *(f"console: {str(error)[:200]}" for error in page.errors),

@@ -198,7 +198,7 @@ class Report(unittest.TestCase):
             self.assertEqual(parts[-1], 1.0)
 
     def data(self):
-        """What the script of the page draws."""
+        """Data that the script of the page draws."""
         start = self.page.index("const FIGURES=") + len("const FIGURES=")
         return json.JSONDecoder().raw_decode(self.page[start:])[0]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How a slide begins, read from hand-made runs and sweeps, and what is drawn of it."""
+"""Figures of the onset of a slide, read from hand-made runs and sweeps."""
 
 import json
 import pathlib
@@ -129,7 +129,7 @@ class Window(SlipTest):
         return words
 
     def test_is_where_a_reading_falls_between_and_stands_out(self):
-        self.assertEqual(self.words(), "told at 0.3–0.5")
+        self.assertEqual(self.words(), "recognised at 0.3–0.5")
         self.assertEqual(self.words(lead_error=0.0401), "no window", "the lead may be shorter than the interval")
         self.assertEqual(self.words(lead=0.009), "no window", "shorter than the interval between readings")
         self.assertEqual(self.words(noise=1e-6), "no window", "within three times the noise")
@@ -138,12 +138,12 @@ class Window(SlipTest):
     def test_names_each_part_of_a_window(self):
         study = self.write()
         yes, no = (slip.Told(1.0, 0.0, 0.1, lead, 0.0, 0.5) for lead in (1.0, 0.1))
-        self.assertEqual(trends.window_words(study, {"difference": [yes, yes, no, no, yes]}), "told at 0.1–0.2, 0.5")
+        self.assertEqual(trends.window_words(study, {"difference": [yes, yes, no, no, yes]}), "recognised at 0.1–0.2, 0.5")
 
     def test_is_drawn_of_a_sweep_alone(self):
         chart = trends.friction_window(self.write())
         self.assertEqual(crowded_words(draw_chart.draw(chart)), [])
-        self.assertEqual(chart.note, "Told at 0.3–0.5.")
+        self.assertEqual(chart.note, "Recognised at 0.3–0.5.")
         self.assertIn("sweep contact.friction", trends.friction_window(Study(self.folder / "points" / "0001")))
 
     def test_shows_a_departure_below_the_noise_or_says_that_there_is_none(self):

@@ -69,7 +69,7 @@ TEST(VtuWriter, OpensSkinAndSliderBesideTheCore) {
             std::string::npos);
   EXPECT_NE(read_all(folder / "fields/contact_0001.vtu").find("Name=\"traction\""),
             std::string::npos);
-  // Of some 60 x 60 cells those within the circle.
+  // The circle holds a part of some 60 x 60 cells.
   const std::string slider = read_all(folder / "fields/slider_0001.vtu");
   const auto at = slider.find("NumberOfCells=\"") + 15;
   const int cells = std::stoi(slider.substr(at));

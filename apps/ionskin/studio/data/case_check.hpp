@@ -8,16 +8,17 @@
 
 namespace ionskin::apps::studio {
 
-/// What `ionskin check --json` says of a case: {"valid": true, "values", "explanation", "warning",
-/// "cost"}, or {"valid": false, "errors": [{"message", "remedy", "line", "column", "length",
-/// "keys"}]}. The check runs in a process of its own, with bounded time and memory. Files that the
-/// case names are looked for in the workspace; others are errors.
+/// Answer of `ionskin check --json` on a case: {"valid": true, "values", "explanation", "warning",
+/// "cost"}, or
+/// {"valid": false, "errors": [{"message", "remedy", "line", "column", "length", "keys"}]}. The
+/// check runs in a process of its own, with bounded time and memory. Files that the case names are
+/// looked for in the workspace; others are errors.
 Json check_case(const Workspace& workspace, const std::string& text);
 
 /// Throws HttpError 422 with the first mistake of a case that `check_case` refused.
 void require_valid(const Json& verdict);
 
-/// Whether the value of a key of a case is the name of a file.
+/// True if the value of a key of a case is the name of a file.
 bool names_file(const std::string& key);
 
 /// The errors in the text of a UserError: one entry per problem.

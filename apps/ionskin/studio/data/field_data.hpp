@@ -20,11 +20,12 @@ public:
   /// Device, number, size and time of change of a file, which tell whether it is the same.
   using Version = std::array<long long, 5>;
 
-  /// Which fields results.h5 holds, with their grids and instants:
-  /// {"ions": {"x", "y", "z", "frames": [{"name", "time", "fields"}]},
-  ///  "strain": {"x", "y", "z", "time", "frame", "slider_x", "slider_y"},
-  ///  "contact": {"x", "y", "frames": [{"name", "time"}]}}; each null when there is none.
-  /// Lengths in m, from the skin's corner and the core's bottom, or from the slider's centre.
+  /// List of the fields that results.h5 holds, with their grids and instants: {"ions": {"x", "y",
+  /// "z", "frames":
+  /// [{"name", "time", "fields"}]}, "strain": {"x", "y", "z", "time", "frame", "slider_x",
+  /// "slider_y"}, "contact":
+  /// {"x", "y", "frames": [{"name", "time"}]}}; each null when there is none. Lengths in m, from
+  /// the skin's corner and the core's bottom, or from the slider's centre.
   Json list(const Opened& results);
 
   /// One field at one instant as a packed message of 32-bit floats, x fastest, then y, then z: the

@@ -22,7 +22,7 @@ std::string case_of(const std::string& name) {
   return name + ".toml";
 }
 
-/// Whether anything bears the name, a link that leads nowhere too.
+/// True if anything bears the name, a link that leads nowhere too.
 bool is_there(const Workspace& workspace, const std::string& name) {
   struct stat status {};
   return ::fstatat(workspace.folder(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;

@@ -22,7 +22,7 @@ constexpr std::size_t largest_text = 8u << 20;
 
 using base::FileDescriptor;
 
-/// What lies in the folder itself and is no link.
+/// True if the folder itself holds a file of the name that is not a link.
 bool has(const FileDescriptor& folder, const std::string& name) {
   return is_file(open_below(folder, name));
 }
@@ -68,11 +68,11 @@ std::string title_in(const std::string& text) {
   return title && title->is_string() ? title->get<std::string>() : rest;
 }
 
-/// What a page shows of a folder. Its files may come from anybody.
+/// Contents of a folder that a page shows. Its files may come from anybody.
 struct Contents {
   Json manifest = Json::object(), summary = Json::object();
   std::string case_text;
-  std::string damage; ///< why they are not shown
+  std::string damage; ///< reason why they are not shown
 };
 
 Contents read_contents(const FileDescriptor& folder, const std::string& kind) {

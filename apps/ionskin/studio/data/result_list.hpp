@@ -13,7 +13,7 @@ namespace ionskin::apps::studio {
 /// hold half the widths of the error bands of the others, row by row.
 const std::vector<std::string>& known_tables();
 
-/// What a folder holds: "run", "sweep", "fit", or "" for no results of ionskin.
+/// Kind of the results of a folder: "run", "sweep", "fit", or "" for no results of ionskin.
 std::string result_kind(const base::FileDescriptor& folder);
 
 /// Every folder of results in the workspace, the newest first: {"path", "kind", "title", "state",

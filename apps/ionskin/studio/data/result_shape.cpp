@@ -42,7 +42,7 @@ void require(const Json& object, const char* name, Test test) {
   }
 }
 
-/// Of every entry of an inner object or list.
+/// Requires a condition of every entry of an inner object or list.
 void require_all(const Json& object, const char* name, Json::value_t container, Test test) {
   const auto inner = object.find(name);
   if (inner == object.end()) {

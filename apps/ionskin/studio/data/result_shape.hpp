@@ -5,8 +5,8 @@
 
 namespace ionskin::apps::studio {
 
-/// What a page takes from manifest.json has the types that it expects, where it is there. Throws
-/// UserError with the first entry that has not.
+/// Requires that what a page takes from manifest.json has the types that it expects, where it is
+/// there. Throws UserError with the first entry that has not.
 void require_manifest(const Json& manifest);
 
 /// The same of summary.json or fit.json.

@@ -44,7 +44,7 @@ void make_private(const fs::path& folder) {
   }
   if (!S_ISDIR(status.st_mode) || status.st_uid != ::geteuid() ||
       (status.st_mode & (S_IWGRP | S_IWOTH)) != 0) {
-    throw UserError(fmt::format("{} is no folder in which you alone write, and the Studio runs "
+    throw UserError(fmt::format("{} is not a folder in which you alone write, and the Studio runs "
                                 "commands that are recorded there\n  = remove it, or set "
                                 "XDG_STATE_HOME to a folder of your own",
                                 folder.string()));

@@ -101,7 +101,7 @@ std::vector<std::string> titles_of(std::string_view line) {
   return titles;
 }
 
-/// How many rows there are, and which columns hold words.
+/// Number of rows, and the columns that hold words.
 struct Shape {
   std::size_t rows = 0;
   std::vector<bool> words;

@@ -50,9 +50,10 @@ Workspace::Workspace(const fs::path& folder) {
   fs::create_directories(folder, error);
   root_ = fs::canonical(folder, error);
   if (error || !fs::is_directory(root_)) {
-    throw UserError(fmt::format("{} is no folder that can be used: {}\n  = name a folder for cases "
-                                "and results: ionskin studio FOLDER",
-                                folder.string(), error ? error.message() : "it is a file"));
+    throw UserError(
+        fmt::format("{} is not a folder that can be used: {}\n  = name a folder for cases "
+                    "and results: ionskin studio FOLDER",
+                    folder.string(), error ? error.message() : "it is a file"));
   }
   folder_ = base::FileDescriptor(::open(root_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (folder_ < 0 || ::access(root_.c_str(), W_OK | X_OK) != 0) {

@@ -33,9 +33,9 @@ public:
   /// The folder of the Studio's own records, where nobody but the user writes.
   const std::filesystem::path& state() const { return state_; }
 
-  /// What a request names relative to the workspace. Links are not followed.
-  /// Throws HttpError: 403 when it lies outside or among the Studio's own records or is a link, 404
-  /// when it is not there.
+  /// File that a request names relative to the workspace. Links are not followed. Throws HttpError:
+  /// 403 when it lies outside or among the Studio's own records or is a link, 404 when it is not
+  /// there.
   Opened open(const std::string& relative) const;
 
   /// A place for a new file or folder of this name. Throws HttpError 400 for names that are no

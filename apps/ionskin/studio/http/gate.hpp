@@ -50,7 +50,8 @@ private:
   int port_ = 0, listener_ = -1, wake_ = -1;
   std::atomic<bool> ends_ = false;
   std::atomic<std::size_t> bodies_ = 0; ///< bytes of all bodies that are awaited or answered
-  std::vector<std::shared_ptr<Connection>> connections_; ///< that are read, the oldest first
+  std::vector<std::shared_ptr<Connection>>
+      connections_; ///< connections that are read, the oldest first
   std::unique_ptr<BoundedPool> workers_;
 };
 

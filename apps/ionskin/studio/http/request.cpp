@@ -70,7 +70,7 @@ std::pair<std::string, std::string> header_of(std::string_view line) {
   const bool plain = std::ranges::none_of(
       value, [](char c) { return (c >= 0 && c < ' ' && c != '\t') || c == '\x7f'; });
   if (colon == line.npos || !is_token(line.substr(0, colon)) || !plain) {
-    throw HttpError(400, "a header is no header");
+    throw HttpError(400, "a header is malformed");
   }
   std::string name(line.substr(0, colon));
   std::ranges::transform(name, name.begin(),

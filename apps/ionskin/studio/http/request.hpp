@@ -20,7 +20,7 @@ struct Request {
 
   /// The value of the first header of this name in lower case; empty when there is none.
   std::string header(std::string_view name) const;
-  /// How many headers have this name in lower case.
+  /// Number of headers that have this name in lower case.
   std::size_t count(std::string_view name) const;
   /// The value of the first parameter of this name; empty when there is none.
   std::string parameter(std::string_view name) const;

@@ -9,7 +9,7 @@
 
 namespace ionskin::apps::studio {
 
-/// What a request is answered, always whole: ranges are not served, and nothing is compressed.
+/// Answer to a request, always whole: ranges are not served, and nothing is compressed.
 struct Response {
   /// Sends some bytes. False when the connection is lost.
   using Write = std::function<bool(std::string_view)>;

@@ -57,7 +57,8 @@ fs::path users_folder(const char* name, const char* in_home) {
   return given.empty() ? fs::path(variable("HOME")) / in_home : fs::path(given);
 }
 
-/// What draws reports keeps its settings and its list of fonts in folders of the user's.
+/// Allows the program that draws reports its settings and its list of fonts, which it keeps in
+/// folders of the user's.
 void allow_matplotlib(int rules) {
   if (const std::string own = variable("MPLCONFIGDIR"); !own.empty()) {
     allow(rules, fs::path(own), everything);

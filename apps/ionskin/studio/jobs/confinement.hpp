@@ -5,9 +5,9 @@
 
 namespace ionskin::apps::studio {
 
-/// What a program that the Studio starts may reach, by the kernel's Landlock: it reads the system
-/// and ionskin itself, and reads and writes in one folder. It opens files by their names, so a link
-/// that is put in place of what the Studio looked at would lead it anywhere else.
+/// Rules, by the kernel's Landlock, for what a program that the Studio starts may reach: it reads
+/// the system and ionskin itself, and reads and writes in one folder. It opens files by their
+/// names, so a link that is put in place of what the Studio looked at would lead it anywhere else.
 class Confinement {
 public:
   explicit Confinement(const base::FileDescriptor& folder);
@@ -16,7 +16,7 @@ public:
   /// the kernel refuses; true without doing anything where it has no Landlock.
   bool enter() const noexcept;
 
-  /// Whether the kernel can do it: from Linux 5.19 on, where Landlock is not switched off.
+  /// True if the kernel can do it: from Linux 5.19 on, where Landlock is not switched off.
   static bool is_available() noexcept;
 
 private:

@@ -15,14 +15,14 @@ struct FoundJob {
   Job job;          ///< nothing but its arguments is taken from the record; none of a damaged one
 };
 
-/// At most `limits::found_jobs` of them.
+/// Finds at most `limits::found_jobs` jobs.
 std::vector<FoundJob> find_jobs(const Workspace& workspace);
 
 /// Removes the folder of a record. What a link means stays.
 void remove_found(const Workspace& workspace, const std::string& name);
 
-/// Whether a job may run at all, whoever recorded it: its arguments, and a case without mistakes
-/// that names no file outside. Throws HttpError with what is refused.
+/// Requires that a job may run at all, whoever recorded it: its arguments, and a case without
+/// mistakes that names no file outside. Throws HttpError with what is refused.
 void require_runnable(const Workspace& workspace, const Job& job);
 
 } // namespace ionskin::apps::studio

@@ -76,7 +76,7 @@ Job read_job(const std::filesystem::path& folder) {
       return job;
     }
   } catch (const Json::exception&) {
-    // told below
+    // said below
   }
   throw UserError("the record of a job in " + folder.string() + " is damaged\n  = remove it");
 }

@@ -10,7 +10,7 @@
 
 namespace ionskin::apps::studio {
 
-/// How far a job is. `stopping` was told to end; `stopped` can be resumed; `found` came with the
+/// State of a job. `stopping` was told to end; `stopped` can be resumed; `found` came with the
 /// workspace and runs only when the user says so.
 enum class JobState { queued, running, stopping, stopped, finished, failed, found };
 
@@ -22,13 +22,13 @@ struct Job {
   std::string folder;             ///< of the results, relative to the workspace
   std::vector<std::string> words; ///< arguments of ionskin
   std::string command, python;    ///< the same to copy
-  double memory = 0;              ///< that it needs [bytes]; 0 when not known
-  double seconds = 0;             ///< that it is expected to take; 0 when not known
+  double memory = 0;              ///< memory that it needs [bytes]; 0 when not known
+  double seconds = 0;             ///< time that it is expected to take [s]; 0 when not known
   JobState state = JobState::queued;
   double created = 0, started = 0, ended = 0; ///< [s] since 1970
-  ProcessId keeper;                           ///< that watches the command
+  ProcessId keeper;                           ///< process that watches the command
   int exit_code = 0;
-  std::string message; ///< why it failed
+  std::string message; ///< reason why it failed
 
   bool open() const { return state <= JobState::stopping; }
 };

@@ -47,7 +47,7 @@ void require_value(const std::string& text) {
 
 std::string known_key(const std::string& key) {
   if (find_row(key_pattern(key)) == nullptr) {
-    throw HttpError(400, fmt::format("{} is no key of a case", key));
+    throw HttpError(400, fmt::format("{} is not a key of a case", key));
   }
   return key;
 }

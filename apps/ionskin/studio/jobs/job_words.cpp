@@ -50,7 +50,8 @@ void require_swept(const Workspace& workspace, const std::string& word) {
   }
 }
 
-/// Of the options with a value. Keys and columns name no files.
+/// Requires that the value of an option names nothing outside the workspace. Keys and columns name
+/// no files.
 void require_option(const Workspace& workspace, const std::string& option,
                     const std::string& value) {
   if (option == "-o") {

@@ -8,7 +8,7 @@
 
 namespace ionskin::apps::studio {
 
-/// What the arguments of a job name. The Studio runs no others.
+/// Arguments of a job. The Studio runs no others.
 struct JobWords {
   std::string kind;    ///< "run", "sweep", "fit" or "report"
   std::string subject; ///< the case file, or the folder that is reported on

@@ -21,7 +21,7 @@ struct ProcessId {
   bool alive() const;
 };
 
-/// Of a process that runs now; `started` is empty when there is none.
+/// Identity of a process that runs now; `started` is empty when there is none.
 ProcessId identify(pid_t pid);
 
 /// The ionskin program that became this one, or else the one beside it.
@@ -35,7 +35,7 @@ std::filesystem::path program();
 pid_t start_detached(const std::vector<std::string>& words, const base::FileDescriptor& folder,
                      const std::filesystem::path& output, const std::filesystem::path& errors);
 
-/// What a program printed until its end.
+/// Output of a program until its end.
 struct Outcome {
   int exit_code = -1; ///< negative when it was ended from outside
   bool timed_out = false;

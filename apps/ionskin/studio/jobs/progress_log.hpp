@@ -6,7 +6,7 @@
 
 namespace ionskin::apps::studio {
 
-/// What a command said on its standard error with `--log json`: how far it is, and its messages.
+/// Log of a command, from its standard error with `--log json`: how far it is, and its messages.
 struct ProgressLog {
   std::string activity;
   double fraction = 0;  ///< of the activity
@@ -14,8 +14,8 @@ struct ProgressLog {
   std::string messages; ///< lines that tell no progress
 };
 
-/// Of the last `limits::log_tail` bytes of a file; a first line that is cut is passed over. Nothing
-/// of a file that is not there.
+/// Log from the last `limits::log_tail` bytes of a file; a first line that is cut is passed over.
+/// Nothing of a file that is not there.
 ProgressLog read_progress(const std::filesystem::path& messages);
 
 } // namespace ionskin::apps::studio

@@ -8,7 +8,7 @@
 
 namespace ionskin::apps::studio {
 
-/// Who may talk to the server: a browser that opened the one-time link, from its own page.
+/// Access to the server: a browser that opened the one-time link, from its own page.
 class Access {
 public:
   explicit Access(int port);
@@ -20,7 +20,7 @@ public:
   /// rebinding, cross-site requests. Any page may lead to the link: one has to know it.
   void require_own_origin(const Request& request) const;
   bool has_cookie(const Request& request) const;
-  /// Whether this gets the link, and it was not used before.
+  /// True if the request gets the link, and the link was not used before.
   bool opens(const Request& request) const;
   /// The value of Set-Cookie when this gets the link and it was not used before; else empty.
   std::string redeem(const Request& request);

@@ -19,7 +19,8 @@ std::size_t body_bytes(const Request& head) {
   }
   if (head.count("transfer-encoding") > 0 || head.count("content-encoding") > 0 ||
       head.count("content-length") != 1) {
-    throw HttpError(411, "the length of the body is told beforehand, and it is not packed");
+    throw HttpError(411,
+                    "the length of the body must be stated beforehand, and it must not be packed");
   }
   const std::string length = head.header("content-length");
   const bool upload = head.path == "/api/upload";

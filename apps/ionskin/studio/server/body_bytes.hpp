@@ -7,8 +7,8 @@
 
 namespace ionskin::apps::studio {
 
-/// How many bytes the body of a request has.
-/// Throws HttpError for bodies that are too large, of unknown length or type, or packed.
+/// Number of bytes that the body of a request has. Throws HttpError for bodies that are too large,
+/// of unknown length or type, or packed.
 std::size_t body_bytes(const Request& head);
 
 } // namespace ionskin::apps::studio

@@ -18,7 +18,7 @@ inline std::string dump(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// The body of a request. Throws HttpError 400 when it is no JSON object, or nested too deeply.
+/// The body of a request. Throws HttpError 400 when it is not a JSON object, or nested too deeply.
 inline Json parse_object(std::string_view text) {
   auto value = base::parse_json(text);
   if (!value || !value->is_object()) {
@@ -35,7 +35,7 @@ inline std::string text_of(const Json& object, const char* name,
     return otherwise;
   }
   if (!entry->is_string()) {
-    throw HttpError(400, std::string(name) + " is no text");
+    throw HttpError(400, std::string(name) + " is not a text");
   }
   return entry->get<std::string>();
 }

@@ -24,19 +24,19 @@ inline constexpr std::chrono::seconds answer_time{60}; ///< to send an answer
 inline constexpr std::chrono::seconds passing_time{
     2};                                         ///< in which a refused request is passed over
 inline constexpr std::size_t listeners = 8;     ///< pages that follow the progress
-inline constexpr std::size_t queued_jobs = 64;  ///< that wait or run
+inline constexpr std::size_t queued_jobs = 64;  ///< jobs that wait or run
 inline constexpr std::size_t kept_jobs = 500;   ///< of which the list tells
 inline constexpr std::size_t found_jobs = 100;  ///< records that came with a folder and are shown
 inline constexpr std::size_t record = 8u << 20; ///< of a job [bytes]
 inline constexpr std::size_t found_record = 64u << 10; ///< of a job that came with a folder [bytes]
 inline constexpr std::size_t checks_at_once = 4;
-inline constexpr std::size_t listed_folders = 5000; ///< that are looked into for results
+inline constexpr std::size_t listed_folders = 5000; ///< folders that are looked into for results
 inline constexpr int listed_depth = 4;
 inline constexpr std::size_t table_bytes = 256u << 20; ///< of a CSV file that is shown
 inline constexpr std::size_t table_line = 1u << 20;    ///< of a row of it [bytes]
 inline constexpr std::size_t table_columns = 20'000;
 inline constexpr std::size_t table_cells = 16'000'000;
-inline constexpr std::size_t table_words = 2'000'000;  ///< cells of columns that are no numbers
+inline constexpr std::size_t table_words = 2'000'000;  ///< cells of columns that are not numbers
 inline constexpr std::size_t table_text = 32u << 20;   ///< of those cells [bytes]
 inline constexpr std::size_t frame_values = 64u << 20; ///< of a field at one instant
 inline constexpr std::size_t child_output = 4u << 20;  ///< of a check [bytes]

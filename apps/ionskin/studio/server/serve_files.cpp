@@ -41,7 +41,7 @@ Json list_files(const Workspace& workspace) {
 std::string file_text(const Workspace& workspace, const std::string& path, std::size_t most) {
   const Opened opened = workspace.open(path);
   if (!is_file(opened.file)) {
-    throw HttpError(404, "this is no file but a folder, a pipe or a device");
+    throw HttpError(404, "this is not a file but a folder, a pipe or a device");
   }
   return base::read_text_file(opened.file, opened.name, "chosen", most);
 }

@@ -20,7 +20,7 @@ constexpr const char* numbers = "application/octet-stream";
 Opened file_of(const Workspace& workspace, const Request& request, const std::string& name) {
   Opened opened = workspace.open(request.parameter("path") + "/" + name);
   if (!is_file(opened.file)) {
-    throw HttpError(404, opened.name + " is no ordinary file");
+    throw HttpError(404, opened.name + " is not an ordinary file");
   }
   return opened;
 }

@@ -81,7 +81,7 @@ std::size_t Server::admit(const Request& head) const {
   return body_bytes(head);
 }
 
-/// What an answer throws becomes its status and a message.
+/// An exception of an answer becomes its status and a message.
 Response Server::answer(Request& request) {
   try {
     Response response;
@@ -129,8 +129,8 @@ void Server::open(const Request& request, Response& response) {
     response.headers.emplace_back("Location", "/");
     return;
   }
-  // Another page led here, such as the file for the browser: along a redirection the browser would
-  // keep the cookie back.
+  // A page of another origin led here, such as the file for the browser: along a redirection the
+  // browser would keep the cookie back.
   send(response, "<!DOCTYPE html>\n<meta http-equiv=\"refresh\" content=\"0; url=/\">\n",
        "text/html; charset=utf-8");
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which column of a recording is what: by the names that robots, ROS and force sensors give."""
+"""Roles of the columns of a recording: by the names that robots, ROS and force sensors give."""
 
 import os
 import re

@@ -12,7 +12,7 @@ def noise(force):
 
 
 def rest_level(force):
-    """Of the rows with the least force, which a finger off the skin has [N]."""
+    """Force at rest: that of the rows with the least force, which a finger off the skin has [N]."""
     return float(numpy.median(force[force <= numpy.quantile(force, 0.1) + 3 * noise(force)]))
 
 
@@ -23,8 +23,8 @@ def threshold(force):
 
 
 def compresses(force, zeroed):
-    """Whether the force counts compression as positive: by its largest value, or, where it begins and ends at one level far
-    from 0, as with the weight of a tool, by what departs most from there.
+    """True where the force counts compression as positive: by its largest value, or, where it begins and ends at one
+    level far from 0, as with the weight of a tool, by what departs most from there.
 
     zeroed  whether 0 is known to be no force
     """
@@ -49,6 +49,6 @@ def touching(force, above):
 
 
 def parts(touches):
-    """(first, behind the last) of each stretch of rows that touches."""
+    """(first, behind the last) of each run of rows that touches."""
     edges = numpy.flatnonzero(numpy.diff(numpy.concatenate(([False], touches, [False])).astype(int)))
     return list(zip(edges[::2].tolist(), edges[1::2].tolist()))

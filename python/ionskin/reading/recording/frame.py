@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From the frame of a recording to that of the skin: origin, axes, quaternions."""
+"""Transformation from the frame of a recording to that of the skin: origin, axes, quaternions."""
 
 import numpy
 
@@ -22,7 +22,7 @@ def quantity(text, unit, name, default=None):
     written = parts[1] if len(parts) > 1 and parts[1] else default
     converted = None if value is None or written is None else solver.load().convert_unit(value, written, unit)
     if converted is None or not numpy.isfinite(converted):
-        raise CaseError(f"{name} = {text!r} is no quantity in {unit}\n  = write a number and a unit, such as \"20 {unit}\"")
+        raise CaseError(f"{name} = {text!r} is not a quantity in {unit}\n  = write a number and a unit, such as \"20 {unit}\"")
     return converted
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What makes a path of a recording: frame, force, contact."""
+"""Making of a path from a recording: frame, force, contact."""
 
 import os
 

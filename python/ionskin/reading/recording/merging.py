@@ -77,6 +77,6 @@ def _require_known(paths, wanted):
         role, _, rest = (part.strip() for part in text.partition("="))
         name = rest.rsplit("[", 1)[0].strip().lower() if rest.lower() not in there else rest.lower()
         if role not in columns.NAMES or name not in there:
-            problem, remedy = ((f"{role!r} is no role", f"roles: {', '.join(columns.NAMES)}") if role not in columns.NAMES else
+            problem, remedy = ((f"{role!r} is not a role", f"roles: {', '.join(columns.NAMES)}") if role not in columns.NAMES else
                                (f"no column is named {name!r}", f"columns: {', '.join(sorted(there - {''}))}"))
             raise CaseError(f"--column {text}: {problem}\n  = {remedy}")

@@ -25,7 +25,8 @@ class Path:
         self.time, self.position, self.height, self.force, self.notes = time, position, height, force, notes
 
     def write(self, path, overwrite: bool = False) -> None:
-        """As motion.file takes it. Raises CaseError where the file is there and `overwrite` is not set."""
+        """Writes the path as motion.file takes it. Raises CaseError where the file is there and `overwrite` is not
+        set."""
         path = pathlib.Path(path)
         if path.exists() and not (overwrite and path.is_file()):
             raise CaseError(f"{path} is there already\n  = choose another name, or replace it with --overwrite")

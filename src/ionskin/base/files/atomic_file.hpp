@@ -59,7 +59,7 @@ public:
   explicit AtomicFile(std::filesystem::path path);
   ~AtomicFile();
 
-  /// Never fails: what went wrong is told by `commit`.
+  /// Never fails: what went wrong is reported by `commit`.
   std::ostream& stream() { return stream_; }
   /// Throws UnwritableFile when anything could not be written.
   void commit();

@@ -13,11 +13,11 @@ namespace ionskin::base {
 /// digest stands for, whatever happens to the file meanwhile.
 class FileCopy {
 public:
-  /// Throws UserError when the file cannot be read, is no regular file (a folder, pipe or device
+  /// Throws UserError when the file cannot be read, is not a regular file (a folder, pipe or device
   /// is not waited for), is larger than half of the available memory or changes while it is copied.
   explicit FileCopy(const std::filesystem::path& path);
 
-  /// At its beginning; closed on exec.
+  /// Descriptor of the copy, at its beginning; closed on exec.
   int descriptor() const { return descriptor_; }
   std::uint64_t bytes() const { return bytes_; }
   const Digest& digest() const { return digest_; }

@@ -62,7 +62,7 @@ public:
     }
     return true;
   }
-  /// Of the first bytes and a text behind them.
+  /// Digest of the first `size` bytes and a text behind them.
   std::optional<Digest> digest(std::size_t size, std::string_view text) const {
     DigestBuilder builder;
     std::vector<char> block(std::min<std::size_t>(size, 1u << 20));

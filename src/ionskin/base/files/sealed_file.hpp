@@ -15,7 +15,7 @@ namespace ionskin::base {
 /// Puts the seal of this build behind a complete file. Throws UnwritableFile.
 void seal(const std::filesystem::path& path);
 
-/// How a sealed file was found.
+/// State in which a sealed file was found.
 enum class SealState {
   absent,      ///< there is no file
   damaged,     ///< changed, cut short, or never sealed
@@ -24,7 +24,8 @@ enum class SealState {
 };
 SealState check_seal(const std::filesystem::path& path);
 
-/// Of a file's bytes; nothing when it cannot be read or is no regular file. A link is not followed.
+/// Digest of a file's bytes; nothing when it cannot be read or is not a regular file. A link is not
+/// followed.
 std::optional<Digest> digest_if_readable(const std::filesystem::path& path);
 
 } // namespace ionskin::base

@@ -12,9 +12,9 @@ struct AvailableDisk {
   std::string bound; ///< "free below DIR"
 };
 
-/// What is free for this user on the disk of a folder, which need not exist yet; infinity where the
-/// system does not tell. $IONSKIN_DISK_LIMIT, such as "300 GB", takes its place. Throws UserError
-/// when that is no number of bytes.
+/// Free disk space for this user in a folder, which need not exist yet; infinity where the system
+/// does not tell. $IONSKIN_DISK_LIMIT, such as "300 GB", takes its place. Throws UserError when
+/// that is not a number of bytes.
 AvailableDisk available_disk(const std::filesystem::path& folder);
 
 } // namespace ionskin::base

@@ -8,7 +8,7 @@ namespace ionskin::base {
 /// Memory that this process may still take.
 struct AvailableMemory {
   double bytes = 0;
-  std::string bound; ///< what sets it: "free on this machine"
+  std::string bound; ///< origin of the bound: "free on this machine"
 };
 
 /// The least of: what the machine has free, what the control group (of a container or a job)

@@ -29,9 +29,9 @@ namespace {
 constexpr int child_input = 0, child_file = 3, child_image = 4;
 /// Ours lie above them, so that none is overwritten on its way.
 constexpr int lowest_own = 10;
-/// Between two looks at whether the user wants to stop [ms].
+/// Time between two looks at whether the user wants to stop [ms].
 constexpr int patience = 200;
-/// In which a child that has closed its end must have ended [ms].
+/// Time within which a child that has closed its end must have ended [ms].
 constexpr int farewell = 1000;
 
 [[noreturn]] void refuse(const std::string& name, int error) {
@@ -190,7 +190,7 @@ int ChildProgram::end() {
   }
   int status = 0;
   pid_t ended = 0;
-  // Its own end tells more than ours: time for a crash to be recorded.
+  // The end of the child says more than that of the socket: time for a crash to be recorded.
   pollfd closed{socket_, POLLIN, 0};
   const bool gone = poll(&closed, 1, 0) > 0;
   for (int waited = 0; gone && waited < farewell && ended == 0; ++waited) {

@@ -5,7 +5,7 @@
 
 namespace ionskin::base {
 
-/// Where the parts of this copy of ionskin stand that are looked up when it runs. An installed copy
+/// Places of the parts of this copy of ionskin that are looked up when it runs. An installed copy
 /// may be moved as a whole: its parts are found relative to the program or library that asks. A
 /// program in its build tree uses the sources.
 struct Installation {
@@ -14,7 +14,7 @@ struct Installation {
   std::filesystem::path python; ///< folder to import the Python package from
 };
 
-/// Of the running copy. What the environment replaces is left to the callers.
+/// Installation of the running copy. What the environment replaces is left to the callers.
 const Installation& installation();
 
 /// The program, or the library that was loaded, that this code is part of.

@@ -12,8 +12,8 @@ void install_interrupt_handler();
 /// Asks to stop, as a signal does.
 void request_interrupt();
 
-/// For a host with signal handlers of its own: while this lives, SIGINT is a request to stop; then
-/// the host's handler is back and the request is forgotten. One at a time.
+/// Interrupt handler for a host with signal handlers of its own: while this lives, SIGINT is a
+/// request to stop; then the host's handler is back and the request is forgotten. One at a time.
 class InterruptScope {
 public:
   /// @param take_signal false leaves SIGINT to the host; `request_interrupt` still counts

@@ -11,7 +11,7 @@ namespace ionskin::base {
 /// Stands for a program by the content of its file; nothing when it cannot be read.
 std::optional<Digest> build_digest(const std::filesystem::path& program);
 
-/// Of the running program or module, so that no build takes up what another computed.
+/// Digest of the running program or module, so that no build takes up what another computed.
 const std::optional<Digest>& own_build();
 
 } // namespace ionskin::base

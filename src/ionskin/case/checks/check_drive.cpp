@@ -17,7 +17,7 @@ bool is_given(const CaseDocument& document, const std::string& key) {
   return record != nullptr && record->place.has_value();
 }
 
-/// Whether friction is smaller while sliding than at rest.
+/// True if friction is smaller while sliding than at rest.
 bool weakens(const Contact& contact) {
   const auto parameters = laws::friction_law(contact.law).parameters;
   if (!std::ranges::all_of(parameters, [&](const laws::LawParameter& own) {

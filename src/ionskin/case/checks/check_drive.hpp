@@ -6,7 +6,7 @@
 
 namespace ionskin {
 
-/// Whether a slider on a drive has one motion under its friction law. Needs a sound motion.
+/// Checks that a slider on a drive has one motion under its friction law. Needs a sound motion.
 void check_drive(const CaseDocument& document, Problems& problems);
 
 } // namespace ionskin

@@ -5,7 +5,7 @@
 
 namespace ionskin {
 
-/// Whether the ions at rest fit into the core.
+/// Checks that the ions at rest fit into the core.
 void check_electrochemistry(const CaseDocument& document, Problems& problems);
 
 } // namespace ionskin

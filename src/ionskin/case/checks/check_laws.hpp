@@ -12,7 +12,7 @@ void check_laws(const CaseDocument& document, Problems& problems);
 /// Friction of the fastest slide, where it depends on speed. Needs a sound motion.
 void check_friction_of_speed(const CaseDocument& document, Problems& problems);
 
-/// What adhesion cannot be combined with, and how far it reaches. Needs a sound motion.
+/// Checks what adhesion cannot be combined with, and how far it reaches. Needs a sound motion.
 void check_adhesion(const CaseDocument& document, Problems& problems);
 
 } // namespace ionskin

@@ -8,11 +8,11 @@
 
 namespace ionskin {
 
-/// What must hold between the sheet resistances of electrodes, the layers, the readout and the
-/// model of the ions.
+/// Checks the sheet resistances of electrodes against the layers, the readout and the model of the
+/// ions.
 void check_metal(const CaseDocument& document, Problems& problems);
 
-/// Of leads whose place does not matter, and of metal that they touch all over.
+/// Notes on leads whose place does not matter, and on metal that they touch all over.
 std::vector<std::string> notes_on_metal(const CaseDocument& document);
 
 } // namespace ionskin

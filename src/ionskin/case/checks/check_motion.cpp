@@ -63,7 +63,7 @@ private:
     sound_ = false;
   }
 
-  /// Those of a case are checked as they are read, those of a file here.
+  /// Waypoints of a case are checked as they are read, those of a file here.
   void check_range(std::size_t i, const std::string& name, double value) {
     const SchemaRow& row = *find_row("motion.waypoints[]." + name);
     if (!row.range.contains(value))

@@ -15,11 +15,11 @@ namespace ionskin {
 
 namespace {
 
-/// Bends to a smaller radius than this many thicknesses are no small strain: half a thickness over
-/// the radius is the strain of the core's faces.
+/// Bends to a smaller radius than this many thicknesses do not make a small strain: half a
+/// thickness over the radius is the strain of the core's faces.
 constexpr double least_radius = 1.0;
 
-/// Of the thickness of the core.
+/// Largest compression, as a share of the thickness of the core.
 constexpr double largest_compression = 0.1;
 
 /// A sine has 64 samples a period, of which each takes a time step or more.

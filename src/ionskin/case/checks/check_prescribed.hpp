@@ -7,10 +7,11 @@
 namespace ionskin {
 
 /// Keys of a prescribed load beside another strain.source, and laws that it cannot drive. Needs no
-/// material, so that it is told with all that is missing.
+/// material, so that it is reported with all that is missing.
 void check_prescribed_keys(const CaseDocument& document, Problems& problems);
 
-/// What strain.source = "prescribed" needs: one load, and the keys of its waveform and no others.
+/// Checks the needs of strain.source = "prescribed": one load, and the keys of its waveform and no
+/// others.
 void check_prescribed_load(const CaseDocument& document, Problems& problems);
 
 } // namespace ionskin

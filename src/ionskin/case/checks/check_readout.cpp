@@ -111,7 +111,7 @@ struct IdleKey {
   std::string key, circuits;
 };
 
-/// Whether the circuit of the electrode, or one of a taxel, has a parameter.
+/// True if the circuit of the electrode, or one of a taxel, has the parameter.
 bool is_used(const Readout& readout, std::string_view parameter) {
   const auto table = circuits::circuits();
   bool used = laws::has_parameter(table, readout.circuit, parameter);
@@ -120,7 +120,7 @@ bool is_used(const Readout& readout, std::string_view parameter) {
   return used;
 }
 
-/// Those that are given and not used.
+/// Keys of circuits that are given and not used.
 std::vector<IdleKey> idle_keys(const CaseDocument& document) {
   const auto table = circuits::circuits();
   std::vector<IdleKey> idle;
@@ -175,7 +175,7 @@ void check_size(const CaseDocument& document, std::size_t index, Problems& probl
   }
 }
 
-/// Of taxels that are conductors of their own.
+/// Checks taxels that are conductors of their own.
 void check_conductors(const CaseDocument& document, Problems& problems) {
   const Readout& readout = document.input.readout;
   std::size_t count = 0;
@@ -296,7 +296,7 @@ std::vector<std::string> notes_on_readout(const CaseDocument& document) {
   if (circuit.admittance->passes_charge())
     notes.push_back(fmt::format(
         "All {} taxels share one {} and one voltage: with the circuit \"{}\" the top electrode is "
-        "one conductor, and taxels.csv tells the part of the current that enters each. Taxels read "
+        "one conductor, and taxels.csv has the part of the current that enters each. Taxels read "
         "one by one have circuits of their own: readout.taxel_circuit.",
         readout.taxels.size(), circuit.words, circuit.name));
   else

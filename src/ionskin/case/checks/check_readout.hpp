@@ -8,11 +8,11 @@
 
 namespace ionskin {
 
-/// What must hold between the keys of [readout], and between them and the skin.
+/// Checks the keys of [readout] against one another and against the skin.
 void check_readout(const CaseDocument& document, Problems& problems);
 
-/// What a reader of the results should know of [readout] as it is written: keys that the circuit
-/// does not use, and taxels that share a circuit. One sentence or more each.
+/// Notes on [readout] as it is written, for a reader of the results: keys that the circuit does not
+/// use, and taxels that share a circuit. One sentence or more each.
 std::vector<std::string> notes_on_readout(const CaseDocument& document);
 
 } // namespace ionskin

@@ -12,7 +12,7 @@ namespace ionskin {
 
 namespace {
 
-/// Of sampled.csv: 0.2 GB on disk, several columns of doubles in memory.
+/// Largest number of rows of sampled.csv: 0.2 GB on disk, several columns of doubles in memory.
 constexpr double most_readings = 2e6;
 constexpr std::size_t most_fields = 10'000;
 /// Legs of all cycles: the history has some fifty samples in each.

@@ -16,7 +16,7 @@ namespace ionskin {
 
 namespace {
 
-/// How far two figures for the same quantity may be apart.
+/// Largest relative difference between two figures for the same quantity.
 constexpr double agreement = 0.01;
 
 /// Places of the keys that the user gave.
@@ -71,7 +71,7 @@ void check_mobility_keys(const CaseDocument& document, Problems& problems) {
                  "give water.permeability, water.mobility or water.consolidation_coefficient");
 }
 
-/// Without any key of [water] its section is missing, which is told with all its keys.
+/// Without any key of [water] its section is missing, which is reported with all its keys.
 bool has_water_section(const CaseDocument& document) {
   return std::ranges::any_of(document.records, [](const ValueRecord& record) {
     return record.key.starts_with("water.") && record.origin != ValueOrigin::default_value;

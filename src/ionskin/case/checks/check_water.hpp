@@ -7,10 +7,11 @@
 namespace ionskin {
 
 /// Keys of laws that do not move water beside one that does, and the reverse; keys of [water] of
-/// which one of several is missing. Needs no material, so that it is told with all that is missing.
+/// which one of several is missing. Needs no material, so that it is reported with all that is
+/// missing.
 void check_water_keys(const CaseDocument& document, Problems& problems);
 
-/// What the keys of [water] must be to one another and to the core's elastic constants.
+/// Checks the keys of [water] against one another and against the core's elastic constants.
 void check_water(const CaseDocument& document, Problems& problems);
 
 } // namespace ionskin

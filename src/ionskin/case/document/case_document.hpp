@@ -12,7 +12,7 @@
 
 namespace ionskin {
 
-/// Where a value of a case comes from.
+/// Origin of a value of a case.
 enum class ValueOrigin { file, set_edit, default_value, preset };
 
 /// "file", "--set", "default", "preset".

@@ -45,7 +45,7 @@ const toml::value* value_of(const TomlText& values, std::string_view key) {
   return value;
 }
 
-/// The stretch of "key = value", or of the header of a table.
+/// The span of "key = value", or of the header of a table.
 TextSpan statement(const TomlText& values, const toml::value& value) {
   const TextSpan key = values.key_span(value), own = values.span(value);
   return {key.begin, own.begin + own.length - key.begin};
@@ -56,7 +56,7 @@ std::size_t line_begin(const std::string& text, std::size_t position) {
   return before == std::string::npos ? 0 : before + 1;
 }
 
-/// Whether nothing but a comment stands in the lines of a statement beside it.
+/// True if nothing but a comment stands in the lines of a statement beside it.
 bool has_lines_of_its_own(const std::string& text, const TextSpan& span) {
   const std::size_t begin = line_begin(text, span.begin), end = span.begin + span.length;
   const std::string behind =
@@ -65,7 +65,7 @@ bool has_lines_of_its_own(const std::string& text, const TextSpan& span) {
          (behind.empty() || behind.front() == '#');
 }
 
-/// Of a statement in an inline table, with the comma that it needs no more.
+/// Span of a statement in an inline table, with the comma that it needs no more.
 TextSpan with_comma(const std::string& text, TextSpan span) {
   const std::size_t behind =
       std::min(text.find_first_not_of(" \t", span.begin + span.length), text.size());
@@ -157,7 +157,7 @@ void leave_out(CaseText& text, TomlText& values, const std::vector<std::string>&
   }
 }
 
-/// Whether an edit may set a choice: it does, or sets a table. Most edits set a number.
+/// True if an edit may set a choice: it does, or sets a table. Most edits set a number.
 bool may_choose(const std::string& edit) {
   const SchemaRow* row = find_row(key_pattern(base::trimmed(edit.substr(0, edit.find('=')))));
   return row == nullptr || row->type == ValueType::choice;
@@ -177,7 +177,7 @@ std::optional<EditedChoices> fit_to_edited_choices(CaseText& text, TomlText& val
                                                    const std::vector<std::string>& set_edits) {
   if (std::ranges::none_of(set_edits, may_choose))
     return std::nullopt;
-  Problems ignored; // told by the walk that reads the case
+  Problems ignored; // reported by the walk that reads the case
   TomlWalk edited(text, values, ignored);
   edited.visit();
   EditedChoices found;

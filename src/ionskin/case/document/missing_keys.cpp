@@ -139,7 +139,7 @@ private:
                   fmt::format("add it: {}", example(row)));
   }
 
-  /// What an edited choice asks for is one problem, with all that mends it.
+  /// Reports the keys that an edited choice asks for as one problem, with all that mends it.
   void report_asked_for() {
     if (asked_for_.size() == 1)
       report_key(*asked_for_.front().second, asked_for_.front().first);

@@ -12,7 +12,7 @@ namespace ionskin {
 /// Reports the keys that the case needs and does not have, and sets the others to their defaults.
 /// Materials are left to `resolve_materials`.
 /// @param file name of the case, for messages
-/// @param choices that `--set` edits: what they ask for is told as one problem
+/// @param choices that `--set` edits: what they ask for is reported as one problem
 void complete(TomlWalk& walk, const std::string& file, const std::optional<EditedChoices>& choices,
               Problems& problems);
 

@@ -101,7 +101,7 @@ const toml::value& element(const std::string& argument, const toml::value& array
     refuse(argument, fmt::format("{} has no entry {}", step.name, *step.index), false,
            array.is_array()
                ? fmt::format("it has {} entries, counted from 0", array.as_array().size())
-               : fmt::format("{} is no array", step.name));
+               : fmt::format("{} is not an array", step.name));
   return array.as_array()[*step.index];
 }
 
@@ -156,7 +156,7 @@ std::size_t line_end(const std::string& text, std::size_t position) {
 struct Slot {
   std::size_t position = 0;
   std::string before, key, after;
-  std::string claim; ///< what no other edit may add to beside this one
+  std::string claim; ///< name to which no other edit may add beside this one
   bool on_top = true;
 };
 
@@ -257,7 +257,7 @@ std::string toml_value_text(const std::string& typed) {
 
 namespace {
 
-/// Before anything of an edit is read.
+/// Checks the limits of an edit before anything of it is read.
 void check_limits(const std::string& argument) {
   if (argument.size() > toml_limits::text_bytes)
     refuse(argument, fmt::format("the edit has {} bytes", argument.size()), false,
@@ -297,7 +297,7 @@ SetEdit parse_set_edit(const std::string& argument) {
            "write --set key=value; an empty text is \"\"");
   const std::string value = toml_value_text(typed);
   if (!is_toml_value(value))
-    refuse(argument, fmt::format("{} is not a TOML value", base::shown(typed)), true,
+    refuse(argument, fmt::format("{} is not TOML value", base::shown(typed)), true,
            "numbers, quantities such as 3 mm, words, \"texts\" and [lists] are");
   return {argument, parse_path(argument, key), value};
 }

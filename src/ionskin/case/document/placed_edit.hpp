@@ -22,8 +22,8 @@ struct SetEdit {
   std::vector<Step> path;
   std::string value; ///< as TOML
 
-  /// What the key lies in, and the key: "skin", "skin.layers", "skin.layers[1]",
-  /// "skin.layers[1].name".
+  /// Names of the tables in which the key lies, and of the key: "skin", "skin.layers",
+  /// "skin.layers[1]", "skin.layers[1].name".
   std::vector<std::string> tables_and_key() const;
 };
 
@@ -31,13 +31,13 @@ struct SetEdit {
 /// Throws UserError pointing into the argument.
 SetEdit parse_set_edit(const std::string& argument);
 
-/// Where an edit goes in a text.
+/// An edit and where it goes in a text.
 struct PlacedEdit {
   TextEdit text;
   /// The key that it sets, or the table or part of a key that it makes: what another edit placed in
   /// the same text must neither set, nor lie in, nor hold.
   std::string claim;
-  bool on_top = false; ///< what is inserted at the same place by later edits stands before it
+  bool on_top = false; ///< true if later edits at the same place stand before it
 };
 
 /// A key that is not there yet is added to its table, a table that is not there yet to the end.

@@ -10,7 +10,7 @@
 
 namespace ionskin {
 
-/// Why a value was refused.
+/// Reason for which a value was refused.
 struct BadValue {
   std::string message, remedy;
   const toml::value* where =

@@ -20,7 +20,7 @@ constexpr int most_rounds = 20;
 /// Keys that edits set, with what they lie in.
 class Claims {
 public:
-  /// Whether one of the claims sets the key, lies in it, or holds it.
+  /// True if one of the claims sets the key, lies in it, or holds it.
   bool touch(const SetEdit& edit) const {
     const std::vector<std::string> names = edit.tables_and_key();
     return holding_.contains(names.back()) ||

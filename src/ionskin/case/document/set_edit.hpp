@@ -16,7 +16,7 @@ class TomlText;
 /// @param arguments "contact.friction=0.3", "motion.stroke=3 mm", "skin.layers[1].thickness=50 um",
 ///   "output.fields=[0.5 s, 1 s]"; entries count from 0; a bare word or a quantity needs no quotes
 /// @return the values of the text as it is now
-/// Throws UserError where the text is no TOML, and pointing into an edit that cannot be made.
+/// Throws UserError where the text is not TOML, and pointing into an edit that cannot be made.
 TomlText apply_set_edits(CaseText& text, const std::vector<std::string>& arguments);
 
 void apply_set_edit(CaseText& text, const std::string& argument);

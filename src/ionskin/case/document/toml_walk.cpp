@@ -30,7 +30,7 @@ constexpr std::size_t most_layers = 50, most_taxels = 2000;
 constexpr const char* layer_list = "skin.layers";
 constexpr const char* waypoint_list = "motion.waypoints";
 
-// What one table of a list stands for, for messages.
+// Words for one table of a list, for messages.
 std::string entry_name(const std::string& pattern) {
   if (pattern == waypoint_list)
     return "waypoint, in the order of time";

@@ -24,7 +24,7 @@ public:
 
   CaseDraft draft;
   std::vector<ValueRecord> records;
-  /// Where the tables stand: "skin", "skin.layers[0]", "materials.nafion".
+  /// Places of the tables: "skin", "skin.layers[0]", "materials.nafion".
   std::map<std::string, Place> tables;
   /// Number of tables in each list of them: "skin.layers".
   std::map<std::string, std::size_t> list_sizes;

@@ -10,7 +10,7 @@ namespace ionskin {
 /// @param pattern its names as the schema would write them
 std::string meant_key(const std::string& key, const std::string& pattern);
 
-/// What could stand beside it, for a message: "keys of TABLE: ...".
+/// List of the keys that could stand beside it, for a message: "keys of TABLE: ...".
 std::string list_of_siblings(const std::string& key, const std::string& pattern);
 
 } // namespace ionskin

@@ -29,7 +29,7 @@ const std::map<std::string, Dimension>& known_columns() {
 
 constexpr const char* header_example = "time [s], x [mm], y [mm], height [mm]";
 
-/// Reads line by line; every mistake is told with its place.
+/// Reads line by line; every mistake is reported with its place.
 class WaypointReader {
 public:
   explicit WaypointReader(const std::string& path) : table_(path, "waypoint") {}

@@ -60,8 +60,8 @@ void settle_slider(Slider& slider) {
     slider.profile_heights = read_height_map(slider.profile);
 }
 
-// By place in the schema; the keys of one layer or material stay together, in the order of the
-// file.
+// Records ordered by place in the schema; the keys of one layer or material stay together, in the
+// order of the file.
 std::vector<ValueRecord> in_order_of_schema(std::vector<ValueRecord> records) {
   std::map<std::string, std::size_t> rank; // of keys, and of what several keys begin with
   const auto group = [](const std::string& key) {

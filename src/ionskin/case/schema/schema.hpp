@@ -28,10 +28,10 @@ enum class ValueType {
 /// True for types whose value is several numbers.
 bool is_list(ValueType type);
 
-/// When a key must be given.
-/// `always`: where `SchemaRow::applies`. `when_it_applies`: so with contact only. `one_of_several`:
-/// the checks of the case see to it that one of the keys with the same purpose is there.
-/// `where_known`: never, and nothing stands in for it.
+/// Condition under which a key must be given. `always`: where `SchemaRow::applies`.
+/// `when_it_applies`: so with contact only. `one_of_several`: the checks of the case see to it that
+/// one of the keys with the same purpose is there. `where_known`: never, and nothing stands in for
+/// it.
 enum class Need {
   optional,
   always,
@@ -65,17 +65,17 @@ struct Choice {
 struct Value {
   std::string text;                                      ///< of `text` and `choice`
   std::vector<double> numbers;                           ///< one for scalars, two for pairs
-  units::Dimension dimension = units::Dimension::number; ///< that the numbers were written in
+  units::Dimension dimension = units::Dimension::number; ///< dimension of the numbers as written
 };
 
-/// Where the values of a case go while it is read: materials are known by name until layers take
-/// them.
+/// Destination of the values of a case while it is read: materials are known by name until layers
+/// take them.
 struct CaseDraft {
   Case input;
   std::map<std::string, Material> materials;
 };
 
-/// What the wildcards of a row's key stand for.
+/// Meaning of the wildcards of a row's key.
 struct KeyIndex {
   std::size_t entry = 0; ///< of a list of tables, from 0
   std::string material;
@@ -90,11 +90,11 @@ struct SchemaRow {
   units::Dimension dimension = units::Dimension::number;
   std::optional<units::Dimension> other_dimension{}; ///< a quantity may have this one instead
   Range range{};
-  std::string range_reason{}; ///< why the range ends where it does, when that is not plain
+  std::string range_reason{}; ///< reason for the ends of the range, when it is not plain
   Need need = Need::optional;
-  /// What the keys of `one_of_several` that stand in for one another tell, for messages.
+  /// Purpose of the keys of `one_of_several` that stand in for one another, for messages.
   std::string purpose{};
-  /// Whether the key has a meaning in a case; empty for always.
+  /// True where the key has a meaning in a case; empty for always.
   std::function<bool(const Case&)> applies{};
   /// Has a meaning where `applies` is false, too, though it is not asked for there.
   bool may_stand = false;
@@ -107,7 +107,7 @@ struct SchemaRow {
   /// A number of a material that may also be a list, one entry for each of its humidities.
   bool over_humidity = false;
   std::string help{};   ///< one sentence
-  std::string source{}; ///< where the default comes from
+  std::string source{}; ///< source of the default
   std::function<void(CaseDraft&, const KeyIndex&, const Value&)> set{};
 };
 

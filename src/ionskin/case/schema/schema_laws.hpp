@@ -24,7 +24,7 @@ template <class Law> std::vector<Choice> choices_of(std::span<const Law> table) 
   return choices;
 }
 
-/// What the rows of a table say: "one thing, another, or a third".
+/// Phrases of the rows of a table, joined: "one thing, another, or a third".
 template <class Row>
 std::string alternatives(std::span<const Row> table, std::string_view Row::*phrase) {
   std::string list;

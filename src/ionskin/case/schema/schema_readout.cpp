@@ -30,7 +30,8 @@ void add_circuit(SchemaRows& rows) {
                      table, Need::always, true);
 }
 
-/// Those of a readout, and being part of the electrode, with its circuit.
+/// Circuits that a taxel may have: those of a readout, and being part of the electrode, with its
+/// circuit.
 std::vector<Choice> circuits_of_taxels() {
   std::vector<Choice> choices = choices_of(circuits::circuits());
   choices.insert(choices.begin(), {shared_circuit});

@@ -14,7 +14,7 @@ namespace ionskin {
 using SchemaRows = std::vector<SchemaRow>;
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
-// What a skin, a slider and their ions can be, with decades to spare on both sides: beyond them
+// Ranges of a skin, a slider and their ions, with decades to spare on both sides: beyond them
 // numbers overflow or studies never end, and a slip of the unit is likelier than the value.
 inline constexpr Range extent{1e-6, 10.0, true, true};             ///< of skin and slider [m]
 inline constexpr Range film{1e-9, 0.1, true, true};                ///< thickness of a layer [m]
@@ -22,12 +22,12 @@ inline constexpr Range place_on_skin{0.0, 10.0, true, true};       ///< [m]
 inline constexpr Range duration_range{1e-6, 1e7, true, true};      ///< [s]
 inline constexpr Range concentration_range{1e-3, 1e6, true, true}; ///< [mol/m3]
 
-/// Whether the motion starts at slider.start; waypoints bring their own places.
+/// True if the motion starts at slider.start; waypoints bring their own places.
 inline bool goes_in_strokes(const Case& input) {
   return input.motion.kind != MotionKind::waypoints;
 }
 
-/// Whether the coupling law has the coefficient k and a measure of shear.
+/// True if the coupling law has the coefficient k and a measure of shear.
 inline bool has_coupling_coefficient(const Case& input) {
   return !moves_water(input);
 }
@@ -35,8 +35,8 @@ inline bool has_coupling_coefficient(const Case& input) {
 void add_skin(SchemaRows& rows);
 void add_layers(SchemaRows& rows);
 void add_materials(SchemaRows& rows);
-/// What a material says of the ions in it: the rows of `add_electrochemistry` that may come from
-/// it.
+/// Adds the properties of the ions that a material may give: the rows of `add_electrochemistry`
+/// that may come from it.
 void add_ions_of_materials(SchemaRows& rows);
 void add_slider(SchemaRows& rows);
 void add_motion(SchemaRows& rows);

@@ -9,8 +9,8 @@ using units::Dimension;
 
 namespace {
 
-/// Of cases that older versions could let share what they solved; the skin of every case is now
-/// set up by itself.
+/// Row of a key for cases that older versions could let share what they solved; the skin of every
+/// case is now set up by itself.
 SchemaRow of_shared_positions(const std::string& name, const Range& range) {
   return {.key = "numerics.shared_positions." + name,
           .type = ValueType::quantity_pair,
@@ -58,7 +58,7 @@ void add_run_control(SchemaRows& rows) {
                   .type = ValueType::choice,
                   .default_value = "\"on\"",
                   .choices = {{"on"}, {"off"}},
-                  .help = "Whether coarser solutions tell the errors of the results. Off, the "
+                  .help = "Whether coarser solutions estimate the errors of the results. Off, the "
                           "results are the same bits, without a stated error.",
                   .set = into<Numerics, bool>(&Case::numerics, &Numerics::error_estimate,
                                               {{"on", true}, {"off", false}})});

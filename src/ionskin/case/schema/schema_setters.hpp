@@ -31,7 +31,7 @@ inline void store(const Value& value, std::array<double, 2>& target) {
   target = {value.numbers[0], value.numbers[1]};
 }
 
-/// Into a member of one section of the case.
+/// Setter of a member of one section of the case.
 template <typename Section, typename Member>
 Setter into(Section Case::*section, Member Section::*member) {
   return [=](CaseDraft& draft, const KeyIndex&, const Value& value) {

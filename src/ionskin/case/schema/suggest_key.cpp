@@ -11,7 +11,7 @@
 namespace ionskin {
 namespace {
 
-/// As docs/model.md writes them.
+/// Symbols as docs/model.md writes them, by the keys for which they stand.
 const std::map<std::string, std::string>& symbols() {
   static const std::map<std::string, std::string> table{
       {"k", "coupling.coefficient"},

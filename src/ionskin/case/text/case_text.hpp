@@ -9,12 +9,12 @@
 
 namespace ionskin {
 
-/// A stretch of the text that a `--set` edit replaces.
+/// A span of the text that a `--set` edit replaces.
 struct TextEdit {
   std::size_t begin = 0;       ///< in the text before the edits made with it
   std::size_t replaced = 0;    ///< bytes that stand there; 0 to insert
-  std::string text;            ///< what stands there instead
-  std::size_t value_begin = 0; ///< where the edit's value starts within `text`
+  std::string text;            ///< text that stands there instead
+  std::size_t value_begin = 0; ///< start of the edit's value within `text`
   std::string argument;        ///< the edit as the user wrote it, "contact.friction=0.3"
 };
 
@@ -27,14 +27,14 @@ public:
   CaseText(std::string file, std::string text);
 
   const std::string& file() const { return file_; }
-  /// With all edits so far.
+  /// Text with all edits so far.
   const std::string& text() const { return text_; }
 
   /// Makes several edits at once.
   /// @param edits by ascending begin; they must not overlap
   void edit(const std::vector<TextEdit>& edits);
 
-  /// Where the user wrote the stretch [begin, begin + length) of the edited text.
+  /// Where the user wrote the span [begin, begin + length) of the edited text.
   Place place(std::size_t begin, std::size_t length) const;
   /// True when an edit wrote the text at this position.
   bool is_edited(std::size_t position) const { return piece_at(position).is_edit; }
@@ -45,7 +45,7 @@ private:
     std::size_t begin = 0; ///< in the edited text
     bool is_edit = false;
     std::size_t source =
-        0;                 ///< where it begins in the original, or the index of the edit's argument
+        0; ///< place where it begins in the original, or the index of the edit's argument
     bool is_value = false; ///< of an edit: the value, not the key
   };
   const Piece& piece_at(std::size_t position) const;

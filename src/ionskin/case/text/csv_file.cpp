@@ -26,7 +26,7 @@ std::string_view without_mark(std::string_view text) {
   return text.starts_with(utf8_mark) ? text.substr(utf8_mark.size()) : text;
 }
 
-/// Where the line end at `at` is over.
+/// Offset behind the line end at `at`.
 std::size_t behind_line_end(std::string_view text, std::size_t at) {
   return at + (text.substr(at, 2) == "\r\n" ? 2 : 1);
 }
@@ -71,7 +71,7 @@ CsvFile::CsvFile(const std::string& path, const std::string& kind)
   if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF") ||
       text_.find('\0') != text_.npos)
     throw UserError(fmt::format(
-        "the {} file {} is UTF-16, or no text\n  = save it as CSV in UTF-8, or convert it: iconv "
+        "the {} file {} is UTF-16, or not text\n  = save it as CSV in UTF-8, or convert it: iconv "
         "-f UTF-16 -t UTF-8 FILE > NEW",
         kind, base::shown(path)));
   at_ = text_.size() - without_mark(text_).size();
@@ -127,7 +127,7 @@ void CsvFile::end_line() {
   }
 }
 
-/// By the first row that is not empty.
+/// Finds the separator in the first row that is not empty.
 void CsvFile::find_separator() {
   const std::size_t end = std::min(text_.find_first_of(line_ends, at_), text_.size());
   const std::string line = base::trimmed(std::string_view(text_).substr(at_, end - at_));

@@ -43,7 +43,7 @@ private:
 
   std::string path_, text_;
   std::size_t at_ = 0, line_ = 0, next_line_ = 1;
-  std::optional<std::size_t> comment_; ///< where the last one begins
+  std::optional<std::size_t> comment_; ///< place where the last one begins
   char separator_ = 0;
   std::size_t comma_line_ = 0, point_line_ = 0; ///< of the first such decimal; 0 for none
 };

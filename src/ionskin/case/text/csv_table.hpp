@@ -18,7 +18,7 @@ public:
   /// Throws as `CsvFile` does. @param kind what the file is in messages
   CsvTable(const std::string& path, const std::string& kind);
 
-  /// Of the columns with a name, in their order; empty where the file has no row.
+  /// Titles of the columns with a name, in their order; empty where the file has no row.
   const std::vector<CsvTitle>& titles() const { return titles_; }
 
   /// The cells below `titles` of the next row; nothing at the end of the file. Throws UserError

@@ -98,7 +98,7 @@ void Problems::throw_if_any(const std::string& file) const {
   for (std::size_t i = 0; i < told; ++i)
     all += fmt::format("\n\n({}) {}", i + 1, texts_[i]);
   if (told < texts_.size())
-    all += fmt::format("\n\nand {} more, told once these are mended", texts_.size() - told);
+    all += fmt::format("\n\nand {} more, shown once these are mended", texts_.size() - told);
   throw UserError(base::printable(all));
 }
 

@@ -7,7 +7,7 @@
 
 namespace ionskin {
 
-/// A stretch of one line of a case file or of a `--set` argument, to point at in a message.
+/// A span of one line of a case file or of a `--set` argument, to point at in a message.
 struct Place {
   std::string origin;     ///< file name, or "command line"
   std::size_t line = 0;   ///< from 1; 0 for a --set argument, which has no lines
@@ -37,7 +37,7 @@ public:
            const std::string& remedy);
 
   bool empty() const { return texts_.empty(); }
-  /// Whether further problems are only counted: what costs work need not be made for them.
+  /// True if further problems are only counted: what costs work need not be made for them.
   bool full() const;
   /// Throws UserError with all problems when there are any.
   /// @param file the case, for the heading of several problems

@@ -152,7 +152,7 @@ private:
            "shorten it");
   }
 
-  // What stands before = or within a header is a key, as is a part of one.
+  // Text before = or within a header is a key, as is a part of one.
   bool is_key(std::size_t end) const {
     const std::size_t next = text_.find_first_not_of(" \t", end);
     return next != std::string::npos && (text_[next] == '=' || text_[next] == '.');
@@ -201,7 +201,7 @@ private:
   static constexpr std::size_t long_line = 200;
   std::size_t at_ = 0, dots_ = 0, values_ = 0, line_begin_ = 0, braced_ = 0;
   std::string open_;                ///< brackets that are open
-  std::vector<std::size_t> breaks_; ///< so that no line is much longer than `long_line`
+  std::vector<std::size_t> breaks_; ///< breaks that keep every line near `long_line`
 };
 
 } // namespace

@@ -37,7 +37,7 @@ std::size_t skip_blanks_back(const std::string& text, std::size_t end) {
 
 // For every value toml11 looks at the whole line that it stands in, and copies it more than once: a
 // list in one line would take the square of its length. Between the entries of a list a line may
-// end, so it is parsed with newlines there, and positions are told without them.
+// end, so it is parsed with newlines there, and positions are reported without them.
 std::string with_breaks(const std::string& text, const std::vector<std::size_t>& positions,
                         std::vector<std::size_t>& breaks) {
   std::string parsed;
@@ -52,7 +52,7 @@ std::string with_breaks(const std::string& text, const std::vector<std::size_t>&
   return parsed.append(text, begin);
 }
 
-// Its source_location would count the lines before the value and copy its own.
+// The region's own source_location would count the lines before the value and copy its own.
 const toml::detail::region* region_of(const toml::value& value) {
   return dynamic_cast<const toml::detail::region*>(toml::detail::get_region(value));
 }

@@ -23,13 +23,13 @@ class TomlText {
 public:
   /// Parses a whole case.
   /// @param file name shown in messages
-  /// Throws UserError with an excerpt when the text is no TOML or beyond its limits.
+  /// Throws UserError with an excerpt when the text is not TOML or beyond its limits.
   TomlText(std::string text, const std::string& file);
 
   const std::string& text() const { return text_; }
   const toml::value& root() const { return root_; }
 
-  /// Of a value of this text.
+  /// Span of a value of this text.
   TextSpan span(const toml::value& value) const;
   /// The key that stands before a value ("length" of `length = "15 mm"`), or the value's own span
   /// for table headers and array elements.
@@ -44,7 +44,8 @@ private:
                            const std::string& parsed) const;
 
   std::string text_, file_;
-  std::vector<std::size_t> breaks_; ///< where the text that is parsed has newlines of its own
+  std::vector<std::size_t>
+      breaks_; ///< places where the text that is parsed has newlines of its own
   toml::value root_;
 };
 

@@ -16,15 +16,16 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-/// Of the width of the skin, for places that mirror each other.
+/// Rounding, over the width of the skin, within which places mirror each other.
 constexpr double mirror_rounding = 1e-9;
 
-/// Of a column: what is left over between taxels and covers less of every column is none.
+/// Least share of a column: what is left over between taxels and covers less of every column is
+/// none.
 constexpr double least_share = 0.01;
 
 constexpr const char* electrode = "";
 
-/// What is one conductor has one name: that of its taxel, or `electrode`.
+/// Names of the conductors: that of its taxel, or `electrode`.
 std::vector<std::string> names_of_conductors(const Readout& readout,
                                              const ElectrodeSegments& segments) {
   std::vector<std::string> names;

@@ -15,11 +15,12 @@ namespace ionskin::electrochemistry {
 /// The top electrode of a case whose taxels have circuits of their own.
 struct CutElectrode {
   TopElectrodes conductors; ///< on the solved part of the grid
-  /// Of each segment (see `make_electrode_segments`) the conductor that it is part of.
+  /// Conductor of which each segment is a part (see `make_electrode_segments`).
   std::vector<std::size_t> conductor_of_segment;
-  /// Of each conductor the row that it is read with; nothing for the electrode, and without a scan.
+  /// Row with which each conductor is read; nothing for the electrode, and without a scan.
   std::vector<std::optional<std::size_t>> row_of_conductor;
-  /// Of each conductor: the whole grid has so many times the charge of the solved part.
+  /// Number of copies of each conductor: the whole grid has so many times the charge of the solved
+  /// part.
   std::vector<double> copies;
 
   /// The circuits of the conductors while a row is read.
@@ -30,7 +31,7 @@ struct CutElectrode {
 /// Throws UserError where they are too many.
 std::vector<double> scan_switches(const Readout& readout, double begin, double end);
 
-/// Whether the circuits of the taxels are their own mirror image about mid-width.
+/// True if the circuits of the taxels are their own mirror image about mid-width.
 bool taxels_are_mirrored(const Readout& readout, double width);
 
 /// Nothing where the top electrode is one conductor. A taxel with a circuit of its own is a

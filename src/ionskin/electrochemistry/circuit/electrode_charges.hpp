@@ -8,10 +8,10 @@
 
 namespace ionskin::electrochemistry {
 
-/// What the conductors of a cut top face hold while a run advances, all scaled. For each,
-///   d(Q - n + C u)/dt = -u/R,   docs/model.md (63),
-/// where n is half of the net charge that the coupling law makes below it, which returns through
-/// the ground. The charges Q - n + C u are advanced like the ions, and conserved to rounding.
+/// Charges of the conductors of a cut top face while a run advances, all scaled. For each, d(Q - n
+/// + C u)/dt = -u/R, docs/model.md (63), where n is half of the net charge that the coupling law
+/// makes below it, which returns through the ground. The charges Q - n + C u are advanced like the
+/// ions, and conserved to rounding.
 class ElectrodeCharges {
 public:
   explicit ElectrodeCharges(const TopElectrodes& electrodes);
@@ -23,7 +23,7 @@ public:
 
   /// -u/R of every conductor, 0 where it is held.
   std::vector<double> rates(std::span<const double> potentials) const;
-  /// Of an implicit stage that starts from the given charges.
+  /// Implicit stage that starts from the given charges.
   /// @param implicit part of the step
   /// @param net n of every conductor
   ElectrodeStage stage(std::span<const double> start, double implicit,

@@ -9,8 +9,8 @@
 
 namespace ionskin::electrochemistry {
 
-/// What the circuit asks of the time integrator: d(q + capacitance U)/dt = -conductance U, with q
-/// half the difference of the electrodes' charges per area and U the voltage, all scaled.
+/// Admittance that the circuit asks of the time integrator: d(q + capacitance U)/dt = -conductance
+/// U, with q half the difference of the electrodes' charges per area and U the voltage, all scaled.
 struct ScaledAdmittance {
   double conductance = 0; ///< 1/R in units of F c0 lambda A / (tau R T/(v F)); 0 is open
   double capacitance = 0; ///< C in units of F c0 lambda A / (R T/(v F))

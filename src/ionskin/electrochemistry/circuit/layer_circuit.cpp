@@ -11,7 +11,7 @@ double mean_decay(double a) {
   return std::abs(a) < 1e-8 ? 1.0 - 0.5 * a : -std::expm1(-a) / a;
 }
 
-/// Of dx/dt = drive(t) - rate x, drive linear.
+/// Amount at the end of dx/dt = drive(t) - rate x, drive linear.
 double driven(double amount, double rate, double duration, double drive_begin, double drive_end) {
   const double a = rate * duration, mean = mean_decay(a);
   // Integral of exp(-a (1 - s)) s over s from 0 to 1.

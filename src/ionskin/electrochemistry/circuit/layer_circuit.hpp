@@ -27,7 +27,7 @@ public:
     double charge = 0, voltage = 0; ///< q [C], U [V]
     double rate = 0;                ///< dq/dt [A]
   };
-  /// At rest before S is switched on: nothing has flowed, U from the circuit.
+  /// State at rest before S is switched on: nothing has flowed, U from the circuit.
   /// @param voltage S [V]
   State start(double force) const;
   State step(const State& begin, double duration, double force_begin, double force_end) const;
@@ -39,7 +39,8 @@ private:
   double capacitance_, resistance_;
   double conductance_ = 0, parallel_ = 0; ///< outside
   bool shorted_;
-  // With a capacitor outside: the modes of charge and voltage, their rates and how S drives them.
+  // Modes of charge and voltage with a capacitor outside, their rates and how S drives
+  // them.
   Pair rate_{}, drive_{};
   std::array<double, 4> to_modes_{}, from_modes_{};
 };

@@ -10,19 +10,19 @@
 
 namespace ionskin::electrochemistry {
 
-/// What metal with a sheet resistance holds at an instant, scaled: the charge per area of every
+/// State of metal with a sheet resistance at an instant, scaled: the charge per area of every
 /// column without what returns through the ground, and how fast it comes; the charge of the top
 /// electrode that the circuit has passed and its capacitor holds; the voltage between the leads.
 struct SheetState {
   std::array<std::vector<double>, 2> charge, rate;
   double passed = 0, passed_rate = 0, voltage = 0;
 
-  /// At rest.
+  /// State at rest.
   explicit SheetState(std::size_t columns);
-  /// From `packed` and back.
+  /// Numbers of the state: `unpacked` takes what `packed` gives.
   static SheetState unpacked(std::span<const double> values);
   std::vector<double> packed() const;
-  /// Of a grid with so many columns.
+  /// Number of values of a packed state on a grid with so many columns.
   static std::size_t packed_size(std::size_t columns) { return 4 * columns + 3; }
 
   /// Half of the means over the top less those over the bottom: what comes through the leads, all
@@ -59,7 +59,7 @@ public:
     end_ = reached(stage, ions, fixed_charge, net);
   }
   const SheetState& end() const { return end_; }
-  /// Of the charges: the rates of begin, middle and end, weighed.
+  /// Weighed sum of the rates of the charges at begin, middle and end.
   std::array<std::vector<double>, 2> weighed(double begin, double middle, double end) const;
 
 private:

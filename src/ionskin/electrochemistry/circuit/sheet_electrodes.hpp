@@ -19,9 +19,9 @@ namespace ionskin::electrochemistry {
 /// The faces of the core, as indices of arrays.
 inline constexpr std::size_t bottom_wall = 0, top_wall = 1;
 
-/// What metal with a sheet resistance asks of one implicit stage, all scaled: the charge per area
-/// of every column is what it starts from, plus `step` times what comes along the metal and from
-/// the contact.
+/// Equations that metal with a sheet resistance adds to one implicit stage, all scaled: the charge
+/// per area of every column is what it starts from, plus `step` times what comes along the metal
+/// and from the contact.
 struct SheetStage {
   std::array<std::vector<double>, 2> start; ///< of the columns of the bottom and of the top wall
   /// Mean over the top wall of the start, without what returns through the ground.
@@ -59,13 +59,14 @@ public:
   /// Implicit part of a step for the metal. Where only Poisson's equation is asked, a time in which
   /// next to nothing moves fixes the potential of the cell as a whole.
   static double implicit_step(double step);
-  /// What a circuit asks of a stage beside `SheetStage::circuit`'s start: 1/R and C over the step.
+  /// Conductance that a circuit adds to a stage beside `SheetStage::circuit`'s start: 1/R and C
+  /// over the step.
   double circuit_conductance(double step) const;
 
   /// The potential of the lead of the top electrode: given, or by the circuit.
   double lead_potential(const SheetStage& stage, double potential_bottom, double potential_top,
                         std::span<const double> top) const;
-  /// Its change with one of the potentials of the top wall.
+  /// Change of the lead's potential with one of the potentials of the top wall.
   double lead_change(const SheetStage& stage, std::span<const double> change) const;
 
   /// Takes from `charge` what comes to every column of a wall within the step, by its potentials

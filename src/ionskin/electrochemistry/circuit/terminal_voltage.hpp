@@ -8,11 +8,12 @@
 
 namespace ionskin::electrochemistry {
 
-/// What the circuit between the electrodes asks of one implicit stage: half the difference of their
-/// charges, per area, obeys q = start - conductance * voltage. All scaled.
+/// Equation that the circuit between the electrodes adds to one implicit stage: half the difference
+/// of their charges, per area, obeys q = start - conductance * voltage. All scaled.
 struct CircuitStage {
   double start = 0; ///< charge that the stage starts from, that on the circuit's capacitor included
-  /// Of the circuit, times the implicit part of the step, plus its capacitance; 0 is open.
+  /// Conductance of the circuit, times the implicit part of the step, plus its capacitance; 0 is
+  /// open.
   double conductance = 0;
 };
 

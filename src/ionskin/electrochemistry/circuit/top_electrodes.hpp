@@ -14,7 +14,7 @@ namespace ionskin::electrochemistry {
 /// A conductor on the top face with a potential of its own.
 struct TopConductor {
   std::vector<double> share; ///< of the area of each column that it covers [y][x], 0 to 1
-  /// To the bottom electrode; nothing where a virtual ground holds it at that potential.
+  /// Admittance to the bottom electrode; nothing where a virtual ground holds it at that potential.
   std::optional<ScaledAdmittance> admittance;
 };
 
@@ -25,12 +25,12 @@ struct TopConductor {
 class TopElectrodes {
 public:
   /// Every column must be covered to the whole of its area. Throws InternalError where the
-  /// conductors cannot be told apart: one of them smaller than a column.
+  /// conductors cannot be distinguished: one of them smaller than a column.
   explicit TopElectrodes(std::vector<TopConductor> conductors);
 
   std::size_t size() const { return conductors_.size(); }
   const std::vector<TopConductor>& conductors() const { return conductors_; }
-  /// Whether the ground holds them all: then they are one conductor but for their names.
+  /// True if the ground holds them all: then they are one conductor but for their names.
   bool all_held() const;
 
   /// Sum over the columns of share times value, of each conductor: B^T x.
@@ -50,9 +50,9 @@ private:
   std::vector<double> inverse_;                                      ///< of B^T B, row by row
 };
 
-/// What the circuits of the conductors ask of one implicit stage: Q + conductance u = start, with Q
-/// the charge of a conductor and u its potential; Q is the sum over its columns of charge per area,
-/// all scaled. Infinite conductance holds u at 0.
+/// Equations that the circuits of the conductors add to one implicit stage: Q + conductance u =
+/// start, with Q the charge of a conductor and u its potential; Q is the sum over its columns of
+/// charge per area, all scaled. Infinite conductance holds u at 0.
 struct ElectrodeStage {
   std::vector<double> start, conductance;
 

@@ -17,7 +17,7 @@
 
 namespace ionskin::electrochemistry {
 
-/// What the history does to the ions by the coupling law of the case: the fixed part of the space
+/// Effect of the history on the ions by the coupling law of the case: the fixed part of the space
 /// charge rho = F (v c - cf), docs/model.md (13), or a drive of the cations beside the potential.
 class FixedCharge {
 public:
@@ -40,13 +40,14 @@ public:
   std::span<const double> ratio() const { return ratio_; } ///< cf / c0 [1]
   /// Added to the scaled potential wherever that drives the cations [nodes]; empty for none.
   std::span<const double> drive() const { return drive_; }
-  /// Of a law that moves water, at the instant evaluated last; nullptr otherwise.
+  /// Drive of the water under a law that moves it, at the instant evaluated last; nullptr
+  /// otherwise.
   const poroelasticity::StreamingDrive* water() const { return water_ ? &*water_ : nullptr; }
   /// Largest departure of cf / c0 from 1, or largest drive, that the history can make [1].
   double largest_coupling() const { return largest_coupling_; }
-  /// Whether the charge of the core changes with the shear.
+  /// True if the charge of the core changes with the shear.
   bool makes_net_charge() const { return traits_.makes_net_charge; }
-  /// Whether the law adds a mobile ion for every fixed charge it adds.
+  /// True if the law adds a mobile ion for every fixed charge it adds.
   bool releases_ions() const { return traits_.releases_ions; }
 
 private:

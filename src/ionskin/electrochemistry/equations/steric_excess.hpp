@@ -33,7 +33,7 @@ struct StericExcess {
   void drive_change(std::span<const double> concentration, std::span<const double> d_concentration,
                     std::span<const double> d_potential, std::span<double> out) const;
 
-  /// Whether every node of `guess` has more than a share of the room that it has in `safe`.
+  /// True if every node of `guess` has more than a share of the room that it has in `safe`.
   bool leaves_room(std::span<const double> safe, std::span<const double> guess, double share) const;
   /// Shortens changes so that no node loses more than all but a share of its room.
   void keep_room(std::span<const double> before, std::span<double> after, double share) const;

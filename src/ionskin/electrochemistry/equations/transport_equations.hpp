@@ -17,8 +17,8 @@
 
 namespace ionskin::electrochemistry {
 
-/// What one implicit stage is given: find (c, phi) with c = start + step * (rate of change of c),
-/// and phi from Poisson's equation. Everything scaled.
+/// Problem of one implicit stage: find (c, phi) with c = start + step * (rate of change of c), and
+/// phi from Poisson's equation. Everything scaled.
 struct StageProblem {
   std::span<const double> start;        ///< concentration the stage starts from [nodes]
   double step = 0;                      ///< implicit part of the time step; 0 asks for phi alone
@@ -64,7 +64,7 @@ public:
   /// Fixes the state about which `apply_jacobian` is taken; the state must outlive its use.
   void linearise(const StageProblem& problem, const IonState& state);
 
-  /// out = (derivative of the residual) direction.
+  /// Product out = (derivative of the residual) direction.
   void apply_jacobian(std::span<const double> direction, std::span<double> out);
 
 private:
@@ -77,7 +77,7 @@ private:
     std::vector<double> drive_change; ///< of one level; used with an excess only
   };
 
-  /// What drives the fluxes of a state: its potential, or the sum with the excess in `drive`.
+  /// Drive of the fluxes of a state: its potential, or the sum with the excess in `drive`.
   std::span<const double> driving(const StageProblem& problem, const IonState& state,
                                   std::vector<double>& drive);
   /// Adds what the excess makes of the concentrations to the derivatives of the flux between the

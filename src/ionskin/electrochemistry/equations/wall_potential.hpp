@@ -25,7 +25,7 @@ double depletion_potential(const DerivedScales& scales, double excess);
 /// @param mean_shear largest mean of gamma over the core
 std::optional<std::string> no_sane_solution(const Case& input, double mean_shear);
 
-/// What the user can do about it.
+/// Remedy for the user.
 std::string no_sane_solution_remedy();
 
 /// Throws SolverError when the history leaves no sane solution.

@@ -9,7 +9,8 @@ namespace ionskin::electrochemistry {
 
 namespace {
 
-/// Of a double layer at rest over an area of its own; crowded ions make it thicker [F/m2].
+/// Capacitance of a double layer at rest over an area of its own; crowded ions make it thicker
+/// [F/m2].
 double layer_capacitance(const Electrochemistry& electrochemistry, double debye_length) {
   const double share =
       electrochemistry.ion_model == IonModel::steric

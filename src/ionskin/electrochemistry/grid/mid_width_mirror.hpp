@@ -10,7 +10,7 @@
 
 namespace ionskin::electrochemistry {
 
-/// Whether the shear is, to rounding, its own mirror image about mid-width at every sample. Then
+/// True if the shear is, to rounding, its own mirror image about mid-width at every sample. Then
 /// the ions are too, and half of the columns suffice.
 bool is_mirrored(const history::CoreHistory& history);
 
@@ -18,12 +18,12 @@ bool is_mirrored(const history::CoreHistory& history);
 /// where the history is mirrored about mid-width and the columns come in pairs, else all of it.
 class MidWidthMirror {
 public:
-  /// @param readout_is_mirrored false where the circuits of the top face are no mirror image
+  /// @param readout_is_mirrored false where the circuits of the top face are not mirror images
   MidWidthMirror(const TransportGrid& whole, const history::CoreHistory& history,
                  bool readout_is_mirrored = true);
 
   const TransportGrid& solved_grid() const { return solved_; }
-  /// How many times the solved part is in the whole.
+  /// Number of times that the solved part is in the whole.
   double copies() const { return halved_ ? 2.0 : 1.0; }
   /// A field on the whole grid from its solved part, [z][y][x] or [y][x].
   std::vector<double> whole(std::span<const double> solved) const;

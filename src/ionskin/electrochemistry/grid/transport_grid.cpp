@@ -67,7 +67,7 @@ std::vector<double> half_spacings(double half, const GridResolution& resolution)
   return spacings;
 }
 
-/// Whether potentials of the top face differ along an axis: a taxel with a circuit of its own ends
+/// True if potentials of the top face differ along an axis: a taxel with a circuit of its own ends
 /// on the skin.
 bool is_cut(const Readout& readout, std::size_t axis, double length) {
   bool cut = false;

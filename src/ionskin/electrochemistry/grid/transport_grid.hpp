@@ -10,12 +10,12 @@
 
 namespace ionskin::electrochemistry {
 
-/// How fine the transport grid is.
+/// Resolution of the transport grid.
 struct GridResolution {
   double wall_cell = 0;    ///< first spacing at each wall [Debye lengths]
   double layer_growth = 0; ///< ratio of neighbouring spacings within a Debye length of the walls
   double acceleration = 0; ///< factor on the excess of that ratio over 1 from level to level behind
-  double bulk_growth = 0;  ///< where the ratio stops to grow
+  double bulk_growth = 0;  ///< largest ratio of neighbouring spacings
   double column_width = 0; ///< lateral columns [core thicknesses]
 };
 
@@ -35,7 +35,7 @@ std::vector<double> graded_nodes(double thickness, double debye_length,
 /// resolved and long ones affordable.
 std::size_t column_count(double length, double width, std::size_t fewest, std::size_t most);
 
-/// As many uniform columns as `count`, or more, so that borders between them lie at the given
+/// Number of uniform columns, `count` or more, so that borders between them lie at the given
 /// fractions of the side: at most twice as many where all fit, else at most half as many again
 /// where that halves the worst distance. The column of a border between two taxels would share its
 /// charge among them by area.

@@ -20,7 +20,7 @@ struct IonSnapshot {
   std::vector<double> concentration; ///< [mol/m3]
   std::vector<double> potential;     ///< [V]
   std::vector<double> shear;         ///< on the transport grid [1]
-  // Of laws that move water, empty otherwise.
+  // Pressure and swelling under laws that move water, empty otherwise.
   std::vector<double> pore_pressure; ///< P [Pa]
   std::vector<double> swelling;      ///< (P - p_u)/M, of the water that has come [1]
 };
@@ -30,11 +30,12 @@ struct IonSnapshot {
 struct SegmentCharge {
   std::string name;
   std::vector<double> charge, bottom_charge;
-  // Of taxels with circuits of their own: against the bottom electrode, and the charge that the
-  // circuit has passed or holds, without the part that returns through the ground. Empty otherwise.
+  // Voltage and charge of taxels with circuits of their own: against the bottom electrode, and the
+  // charge that the circuit has passed or holds, without the part that returns through the ground.
+  // Empty otherwise.
   std::vector<double> voltage; ///< [V]
   std::vector<double> passed;  ///< [C]
-  /// Of a scan: what came and went otherwise, while the taxel was not read [C].
+  /// Charge that came and went while the taxel of a scan was not read [C].
   std::vector<double> bypassed;
 };
 

@@ -23,7 +23,7 @@ struct IonState {
   std::span<const double> potential() const { return {values.data() + nodes(), nodes()}; }
 };
 
-/// What a time step starts from, and all that its choice depends on.
+/// State from which a time step starts, with all that the choice of the step depends on.
 struct TransportState {
   IonState ions;
   /// Rate of change at the end of the last step [1/scaled time]: of concentration minus released

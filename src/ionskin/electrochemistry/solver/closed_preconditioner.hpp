@@ -27,12 +27,12 @@ public:
 
   void factorise(const IonState& state, double step);
 
-  /// out = (approximate Jacobian)^-1 residual; both [2 nodes].
+  /// Product out = (approximate Jacobian)^-1 residual; both [2 nodes].
   void apply(const StageProblem& problem, std::span<const double> residual, std::span<double> out);
 
   const std::vector<double>& electrode_admittance() const { return open_.electrode_admittance(); }
 
-  /// Of an open circuit, see FastDiagonalisation.
+  /// Sums for an open circuit, see FastDiagonalisation.
   std::array<std::vector<double>, 2>
   damped_sums(std::span<const double> concentration,
               const std::array<std::vector<double>, 2>& weights) {

@@ -19,7 +19,7 @@ class ContactCoupling {
 public:
   ContactCoupling(const ScaledGrid& grid, const SheetElectrodes& electrodes);
 
-  /// Of the bottom metal to the ground in the modes, per column and step.
+  /// Hold of the bottom metal to the ground in the modes, per column and step.
   double hold(double step) const;
 
   /// @param answers potentials of wall a, by mode, to a unit charge on wall b: answers[a][b]

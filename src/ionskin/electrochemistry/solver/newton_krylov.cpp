@@ -171,8 +171,8 @@ int NewtonKrylov::solve_linearised(const StageProblem& problem, const IonState& 
   return result.iterations;
 }
 
-/// out = state - length correction, except that no concentration, and no room beside it, falls
-/// below a tenth of itself.
+/// Result out = state - length correction, except that no concentration, and no room beside it,
+/// falls below a tenth of itself.
 void NewtonKrylov::step(const IonState& state, double length, std::span<const double> correction,
                         IonState& out) {
   const std::size_t nodes = state.nodes();

@@ -13,7 +13,7 @@
 
 namespace ionskin::electrochemistry {
 
-/// What the solver did so far.
+/// Counters of the solver's work so far.
 struct SolverCounters {
   std::size_t residual_evaluations = 0, krylov_iterations = 0, preconditioner_setups = 0;
 };

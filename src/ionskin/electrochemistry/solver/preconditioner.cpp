@@ -30,7 +30,7 @@ FluxDerivatives flux_derivatives(double c_lower, double c_upper, double u, doubl
           (b.derivative * c_lower - (b.derivative + 1.0) * c_upper) / spacing};
 }
 
-/// With the part of the difference that the concentrations make by the excess.
+/// Derivatives with the part of the difference that the concentrations make by the excess.
 FluxDerivatives with_excess(const FluxDerivatives& flux, double slope_lower, double slope_upper) {
   return {flux.by_lower - flux.by_difference * slope_lower,
           flux.by_upper - flux.by_difference * slope_upper, flux.by_difference};

@@ -35,7 +35,7 @@ public:
   /// Factorises for the lateral average of a state and the implicit part of a step.
   void factorise(const IonState& state, double step);
 
-  /// out = (approximate Jacobian)^-1 residual; both [2 nodes].
+  /// Product out = (approximate Jacobian)^-1 residual; both [2 nodes].
   void apply(std::span<const double> residual, std::span<double> out);
 
   /// The same with the conductors of the top face behind their circuits: in the place of the

@@ -22,7 +22,7 @@ double nearest(const std::vector<double>& times, double instant) {
   });
 }
 
-/// Of the top face against the bottom one, whose potential is the same everywhere.
+/// Mean voltage of the top face against the bottom one, whose potential is the same everywhere.
 double mean_voltage(const IonState& state, std::size_t columns) {
   const auto top = state.potential().last(columns);
   const double last = top.back(), bottom = state.potential().front();

@@ -52,7 +52,7 @@ public:
 private:
   void append_conductors(const std::vector<ElectrodeRow>& electrodes,
                          std::optional<std::size_t> read, IonSolution& solution) const;
-  /// Of conductors that the ground holds, which the solver takes for one.
+  /// Appends the rows of conductors that the ground holds, which the solver takes for one.
   void append_held(std::optional<std::size_t> read, IonSolution& solution) const;
   IonSnapshot snapshot(double time, const IonState& state) const;
 
@@ -70,7 +70,7 @@ private:
   WallCharges charges_;
   ElectrodeSegments segments_;
   const CutElectrode* cut_;
-  std::vector<bool> is_own_; ///< whether a segment is a taxel with a circuit of its own
+  std::vector<bool> is_own_; ///< true where a segment is a taxel with a circuit of its own
   std::vector<std::size_t> row_of_taxel_; ///< of a scan
 };
 

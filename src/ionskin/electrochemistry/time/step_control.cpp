@@ -32,10 +32,11 @@ double ideal_factor(double error) {
 /// those of water or through a load, and a fast one does not cost steps when it is over.
 constexpr double longest_share = 0.15 / 0.8493165557971034, late_share = 0.05;
 
-// Of the estimates of steps, see relaxation_step and crossing_step.
+// Constants of the estimates of steps, see relaxation_step and crossing_step.
 constexpr double error_constant = 0.0404, kink_constant = 0.055;
 
-/// Of an estimate between two landings; far more than any run takes.
+/// Largest number of steps that an estimate counts between two landings; far more than any run
+/// takes.
 constexpr double most_steps = 1e12;
 
 // Shares of the errors of single columns where they are to be resolved, and elsewhere.
@@ -108,7 +109,8 @@ bool StepControl::has_landed(const std::vector<double>& ends) const {
 double StepControl::step_end(double time, double wanted) const {
   const std::size_t next = landings_.behind(time);
   const double landing = landings_.time[next], rest = landing - time;
-  // From landing to landing one step whose error is likely to be just allowed beats two short ones.
+  // One step from landing to landing, whose error is likely to be just allowed, beats two short
+  // ones.
   const double stretch = landings_.time[next - 1] == time ? 0.9 : 0.999;
   const double most = longest(time);
   if (std::min(wanted / stretch, most) >= rest) {

@@ -11,7 +11,7 @@
 
 namespace ionskin::electrochemistry {
 
-/// What the length of time steps is held to.
+/// Rule to which the length of time steps is held.
 struct StepRule {
   double tolerance = 0;    ///< error of the charge that one step may add, over the charge so far
   double first = 0;        ///< first trial after an event [s]
@@ -44,7 +44,7 @@ public:
 
   /// First and last instant [s].
   std::pair<double, double> span() const { return {landings_.time.front(), landings_.time.back()}; }
-  /// Whether step ends so far are those of a run with these landings [s].
+  /// True if step ends so far are those of a run with these landings [s].
   bool has_landed(const std::vector<double>& ends) const;
 
   /// The step to start a run with [s].

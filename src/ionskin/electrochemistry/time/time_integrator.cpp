@@ -282,7 +282,7 @@ std::optional<double> TimeIntegrator::try_step(double begin, double end,
   return std::isfinite(error) ? std::optional(error) : std::nullopt;
 }
 
-/// From the begin along its rate.
+/// Guesses the stage from the begin along its rate.
 void TimeIntegrator::guess_stage(const TransportState& state) {
   const std::size_t nodes = grid_.nodes();
   const double ahead = stage_fraction * length_;
@@ -399,7 +399,8 @@ std::vector<ElectrodeRow> TimeIntegrator::electrode_rows(const TransportState& s
   const std::vector<double> on_metal = electrodes_->electrodes().sums(walls.top),
                             potential = potentials(state.ions), net = net_charges();
   for (std::size_t e = 0; e < potential.size(); ++e) {
-    // What the circuits conserve is known to rounding, the charges on the wall as Newton left them.
+    // The charge that the circuits conserve is known to rounding, the charges on the wall as Newton
+    // left them.
     const double passed = electrodes_->holds(e) ? on_metal[e] - net[e]
                                                 : state.electrode_charge[e] -
                                                       electrodes_->capacitance(e) * potential[e];

@@ -71,14 +71,14 @@ public:
   /// Makes the end of the step tried last the new state.
   void accept(TransportState& state);
 
-  /// Of the conductors of a cut top face, in the state that was accepted or taken up last; empty
-  /// for one conductor.
+  /// Rows of the conductors of a cut top face, in the state that was accepted or taken up last;
+  /// empty for one conductor.
   std::vector<ElectrodeRow> electrode_rows(const TransportState& state) const;
 
-  /// Between the leads of metal with sheet resistances; nothing without.
+  /// Voltage between the leads of metal with sheet resistances; nothing without.
   std::optional<double> lead_voltage(const TransportState& state) const;
 
-  /// Of the state that was accepted or taken up last.
+  /// Relaxation of the state that was accepted or taken up last.
   Relaxation relaxation(const TransportState& state) const;
 
 private:
@@ -119,7 +119,7 @@ private:
   ChargeNorm charge_norm_;
   double resting_amount_;       ///< ions in the core at rest, scaled
   double length_ = 0;           ///< of the step at hand [relaxation times]
-  double implicit_ = 0;         ///< its implicit part
+  double implicit_ = 0;         ///< implicit part of the step
   std::vector<double> settled_; ///< concentration minus released ions where the step begins
   std::vector<double> start_;   ///< concentration a stage starts from
   /// Half the difference of the electrodes' charges and the charge on the circuit's capacitor,

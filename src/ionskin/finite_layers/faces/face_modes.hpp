@@ -12,17 +12,17 @@ struct PlaneMode {
   double x = 0, y = 0; ///< wave numbers [1/m]
 };
 
-/// Which faces move: the sides, normal to y, or the ends, normal to x.
+/// Faces that move: the sides, normal to y, or the ends, normal to x.
 enum class Face { side, end };
 
-/// What one mode of the skin holds against its faces where these move outwards though they still
-/// carry no shear, docs/model.md (55), with the mode itself eliminated.
+/// Terms that one mode of the skin holds against its faces where these move outwards though they
+/// still carry no shear, docs/model.md (55), with the mode itself eliminated.
 struct FaceTerms {
   Eigen::MatrixXd stiffness; ///< of the face's motion at the nodes [N/m]
   /// Normal stress that the roller face feels at the nodes, over tractions of the mode on the top:
   /// normal (downwards), x, y [1].
   Eigen::MatrixX3d stress;
-  /// Of an end: on the sides, over the motion of the end; empty for sides [N/m].
+  /// Terms of an end on the sides, over the motion of the end; empty for sides [N/m].
   Eigen::MatrixXd on_sides;
 };
 

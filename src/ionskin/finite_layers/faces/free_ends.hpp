@@ -11,9 +11,9 @@
 
 namespace ionskin::finite_layers {
 
-/// What it adds to the compliance of a skin on rollers that its two ends are free of stress
-/// instead, docs/model.md (57): as `FreeSides`, but that modes across the ends meet in the sides,
-/// which are eliminated first.
+/// Compliance that the two ends add to a skin on rollers where they are free of stress instead,
+/// docs/model.md (57): as `FreeSides`, but that modes across the ends meet in the sides, which are
+/// eliminated first.
 class FreeEnds {
 public:
   /// @param sides free sides; null where rollers hold them. Outlives this
@@ -70,7 +70,7 @@ private:
     Parity along_x, along_y;
     std::vector<Eigen::Index> modes_y;     ///< along the ends
     Eigen::LLT<Eigen::MatrixXd> stiffness; ///< of the ends, with the sides eliminated
-    /// Of each mode m of this parity: stress over tractions on the top, of each mode n,
+    /// Rows of each mode m of this parity: stress over tractions on the top, of each mode n,
     /// [3][unknown at n], and on the sides over the motion of the ends, [node, unknown].
     std::vector<std::vector<Eigen::MatrixX3d>> stress;
     std::vector<Eigen::MatrixXd> on_sides;

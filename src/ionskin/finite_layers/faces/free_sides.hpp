@@ -14,16 +14,16 @@
 
 namespace ionskin::finite_layers {
 
-/// How finely free faces are resolved.
+/// Resolution of free faces.
 struct FaceResolution {
   Eigen::Index modes = 0; ///< along the face, fading from two thirds of them on
   int one_by_one = 60;    ///< modes across the skin that are summed by themselves
 };
 
-/// What it adds to the compliance of a skin on rollers that its two sides are free of stress
-/// instead: they move outwards until the stress is gone, docs/model.md (56). It is the
-/// capacitance matrix method (Buzbee, Dorr, George and Golub 1971, DOI 10.1137/0708066). The modes
-/// along the skin do not couple, and all that is costly depends on the skin alone.
+/// Compliance that the two sides add to a skin on rollers where they are free of stress instead:
+/// they move outwards until the stress is gone, docs/model.md (56). It is the capacitance matrix
+/// method (Buzbee, Dorr, George and Golub 1971, DOI 10.1137/0708066). The modes along the skin do
+/// not couple, and all that is costly depends on the skin alone.
 class FreeSides {
 public:
   /// @param length,width of the skin [m]
@@ -36,8 +36,8 @@ public:
   /// Adds to the compliance of rows of cells, as `BoxModes::rows` gives them; later modes stay.
   void add(const ContactGrid& grid, double centre_y, std::vector<Eigen::MatrixXd>& rows) const;
 
-  /// Of a mode along the skin, against motions of both sides at the nodes that are alike or
-  /// opposite [N/m2].
+  /// Stiffness of a mode along the skin, against motions of both sides at the nodes that are alike
+  /// or opposite [N/m2].
   const Eigen::LLT<Eigen::MatrixXd>& stiffness(Eigen::Index mode, Parity parity) const {
     return of(mode, parity).stiffness;
   }

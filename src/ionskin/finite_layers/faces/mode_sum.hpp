@@ -8,7 +8,7 @@ namespace ionskin::finite_layers {
 /// Even or odd: which modes act on two opposite faces alike, or with opposite signs.
 enum class Parity { even, odd };
 
-/// Those that occur: a mirrored load has even ones alone.
+/// Parities that occur: a mirrored load has even ones alone.
 std::vector<Parity> parities(bool mirrored);
 
 /// Waves along a face fade up to this many times the wave number up to which they count in full.

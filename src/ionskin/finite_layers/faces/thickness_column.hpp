@@ -33,7 +33,7 @@ public:
   /// In the unknowns along the wave, at all nodes, and upwards, at all nodes.
   /// @param wave_number [1/m]
   Eigen::MatrixXd plane_strain(double wave_number) const;
-  /// In the unknowns across the wave.
+  /// Matrix in the unknowns across the wave.
   Eigen::MatrixXd antiplane(double wave_number) const;
 
   /// Integrals of (lambda + 2 mu) N_i N_j, of lambda N_i N_j and of mu N_i N_j [N/m], and of

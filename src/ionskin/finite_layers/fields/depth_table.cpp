@@ -7,7 +7,8 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// Of the logarithm: at k d = 10 the cubics are good to 1e-4 of what is left, exp(-10).
+/// Nodes per unit of the logarithm: at k d = 10 the cubics are good to 1e-4 of what is left,
+/// exp(-10).
 constexpr double nodes_per_unit = 40;
 
 } // namespace

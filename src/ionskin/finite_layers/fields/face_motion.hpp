@@ -10,7 +10,7 @@
 
 namespace ionskin::finite_layers {
 
-/// How far the faces of a skin move outwards under forces, coefficients of cosines along them.
+/// Motion of the faces of a skin outwards under forces, coefficients of cosines along them.
 struct FaceMotion {
   std::array<Eigen::MatrixXd, 2> sides; ///< of even and odd modes n, [node, m] [m]
   std::vector<FreeEnds::Motion> ends;

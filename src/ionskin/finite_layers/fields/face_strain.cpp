@@ -92,7 +92,7 @@ ModeTransform complete_means(const std::vector<Interval>& places, double across,
   return means;
 }
 
-/// Of one of four chosen modes in mode n, by a cubic in ln n through their values times n^2.
+/// Share of one of four chosen modes in mode n, by a cubic in ln n through their values times n^2.
 double share_of(const std::vector<Eigen::Index>& chosen, Eigen::Index first, Eigen::Index which,
                 Eigen::Index n) {
   const auto number = [&](Eigen::Index i) {

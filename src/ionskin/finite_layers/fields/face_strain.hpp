@@ -11,8 +11,8 @@
 
 namespace ionskin::finite_layers {
 
-/// How the modes of a skin answer motions of two opposite faces: of modes along the faces and, for
-/// each, a choice of modes across them between which strains are smooth.
+/// Answer of the modes of a skin to motions of two opposite faces: of modes along the faces and,
+/// for each, a choice of modes across them between which strains are smooth.
 struct FaceModes {
   Face face = Face::side;            ///< side: along is x and across is y; end: the other way round
   double along = 0, across = 0;      ///< extent of the skin [m]
@@ -41,8 +41,8 @@ public:
              std::size_t most);
 
   Eigen::Index modes() const { return static_cast<Eigen::Index>(of_mode_.size()); }
-  /// Of states, each at its own places: at all levels, [place, level + count of levels * mode along
-  /// the face], empty of components that were not chosen.
+  /// Strains of states, each at its own places: at all levels, [place, level + count of levels *
+  /// mode along the face], empty of components that were not chosen.
   /// @param motions [node, mode]
   /// @param places across the skin
   std::vector<Strains> at(const std::vector<const Eigen::MatrixXd*>& motions,

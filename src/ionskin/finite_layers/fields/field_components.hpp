@@ -11,11 +11,11 @@ namespace ionskin::finite_layers {
 
 /// Tensor components xx, yy, zz, yz, xz, xy.
 using Strains = std::array<Eigen::MatrixXd, 6>;
-/// Whether a component goes like the sine of the modes along x, or along y.
+/// True where a component goes like the sine of the modes along x, or along y.
 inline constexpr std::array<bool, 6> sine_along_x{false, false, false, false, true, true},
     sine_along_y{false, false, false, true, false, true};
 
-/// Which components are asked for.
+/// Components that are asked for.
 using ComponentChoice = std::array<bool, 6>;
 inline constexpr ComponentChoice all_components{true, true, true, true, true, true};
 

@@ -8,9 +8,9 @@
 
 namespace ionskin::finite_layers {
 
-/// How the modes of a skin answer motions of its free faces.
+/// Answer of the modes of a skin to motions of its free faces.
 struct FieldFaces {
-  /// Of the sides, even and, without a mirror, odd across the skin.
+  /// Modes of the sides, even and, without a mirror, odd across the skin.
   std::vector<FaceModes> sides;
   std::vector<FaceModes> ends; ///< in the order of their motions
 

@@ -11,7 +11,7 @@
 
 namespace ionskin::finite_layers {
 
-/// What forces on rows of cells strain at places along y, for each mode along x: the sums of
+/// Strains under forces on rows of cells, at places along y, for each mode along x: the sums of
 /// docs/model.md (59) over the modes along y. They serve all states whose rows and places along y
 /// lie in the box alike.
 class RowStrains {
@@ -29,7 +29,7 @@ public:
 private:
   Eigen::Index rows_;
   std::array<Eigen::Index, 2> values_; ///< places times components of each kind
-  /// Of each level, [place and component, row and force component and mode along x].
+  /// Matrix of each level, [place and component, row and force component and mode along x].
   std::vector<Eigen::MatrixXd> of_level_;
 };
 

@@ -13,7 +13,7 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// Of the width: two places across the skin that are the same but for rounding.
+/// Distance, over the width, within which two places across the skin are the same but for rounding.
 constexpr double same_place = 1e-9;
 /// Waves of more than some 16 to a column average out in it.
 constexpr double column_waves = 100;
@@ -34,7 +34,7 @@ std::vector<Interval> intervals(const std::vector<double>& lines) {
   return result;
 }
 
-/// With one place more: the whole plane.
+/// Places with one more: the whole plane.
 std::vector<Interval> with_whole(std::vector<Interval> places, double extent) {
   places.push_back({0, extent});
   return places;
@@ -44,7 +44,7 @@ double size_of(const std::vector<double>& lines) {
   return lines.back() - lines.front();
 }
 
-/// Of layers from one upwards.
+/// Thickness of the layers from one upwards.
 double thickness(const std::vector<ElasticLayer>& layers, std::size_t from) {
   return std::accumulate(
       layers.begin() + static_cast<std::ptrdiff_t>(from), layers.end(), 0.0,
@@ -112,7 +112,7 @@ std::vector<Interval> from_corner(const std::vector<double>& lines, double centr
   return result;
 }
 
-/// Without the last place along x and y where `whole` says that it is the whole plane.
+/// Strains without the last place along x and y where `whole` says that it is the whole plane.
 StrainField strain_field(const FieldTarget& target, const ByKind& sums, const FieldPlaces& places,
                          bool whole) {
   const std::size_t nx = places.x.size() - (whole ? 1 : 0), ny = places.y.size() - (whole ? 1 : 0),
@@ -143,7 +143,7 @@ struct SkinFields::Parts {
   FieldTarget core, electrodes;
   /// Normal strains of the core, for their means over the whole plane.
   FaceFields core_normal;
-  double box_length, box_width; ///< that short waves do not leave
+  double box_length, box_width; ///< sizes of the box that short waves do not leave
   PlaneWaves long_waves, short_waves;
   std::optional<RowStrains> core_rows, electrode_rows; ///< of the short waves
   std::optional<double> rows_at;                       ///< for which they are made [m]
@@ -178,7 +178,7 @@ struct SkinFields::Parts {
     return mode_means(from_corner(cells.y, centre_y - box.y), waves.step_y(), waves.modes_y());
   }
 
-  /// Where short waves go under a slider: they see faces that are nearer than the reach.
+  /// Box in which short waves go under a slider: they see faces that are nearer than the reach.
   PlaneBox short_box(const std::array<double, 2>& centre) const {
     const double x = centre[0] + 0.5 * (cells.x.front() + cells.x.back()),
                  y = cells.half ? centre[1] : centre[1] + 0.5 * (cells.y.front() + cells.y.back());
@@ -193,8 +193,8 @@ struct SkinFields::Parts {
             of_rows(waves, box, centre[1])};
   }
 
-  /// What a level of the core carries over the whole plane. Of the waves on rollers the even load
-  /// alone has a mean normal stress: that of the forces.
+  /// Force that a level of the core carries over the whole plane. Of the waves on rollers the even
+  /// load alone has a mean normal stress: that of the forces.
   /// @param core with the whole plane as the last place along x and y
   /// @param normal force on the cells [N]
   std::vector<std::array<double, 3>> force_through_levels(const ByKind& core_strain,
@@ -221,7 +221,7 @@ struct SkinFields::Parts {
     return result;
   }
 
-  /// Of the long waves as the faces count them: with the odd modes, though they are 0, of a
+  /// Forces of the long waves as the faces count them: with the odd modes, though they are 0, of a
   /// mirrored load.
   std::array<Eigen::MatrixXd, 3> on_faces(const WaveLoads& loads) const {
     const Eigen::Index modes_x = long_waves.modes_x(), modes_y = long_waves.modes_y();

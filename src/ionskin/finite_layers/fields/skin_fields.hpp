@@ -14,7 +14,7 @@
 
 namespace ionskin::finite_layers {
 
-/// Where strains are asked for [m].
+/// Grid of the places at which strains are asked for [m].
 struct FieldGrid {
   std::vector<double> x, y; ///< points of the core from the skin's corner, ascending
   /// Lines between the columns over which the strain of the electrodes is averaged.
@@ -33,7 +33,7 @@ struct CoreAndElectrodes {
   /// Averaged through the thickness of each electrode layer, bottom to top in the place of z, and
   /// over each column.
   StrainField electrodes;
-  /// What the part above each level of the core lays on the part below, over the whole plane:
+  /// Force that the part above each level of the core lays on the part below, over the whole plane:
   /// normal (downwards), x, y. They equal the sums of the forces on the cells of the full skin [N].
   std::vector<std::array<double, 3>> force_through_level;
 };
@@ -46,7 +46,7 @@ struct FieldState {
   std::vector<double> forces;
 };
 
-/// What all states have alike where the slider keeps its place across the skin [m].
+/// Places that all states have alike where the slider keeps its place across the skin [m].
 struct PlacesAcross {
   double centre_y = 0;             ///< of the slider
   std::vector<double> y, column_y; ///< as of FieldGrid
@@ -74,7 +74,8 @@ public:
              double tolerance = 1e-4);
   ~SkinFields();
 
-  /// Of states; some at once cost less than one by one, and each is the same bits in any company.
+  /// Strains of states; some at once cost less than one by one, and each is the same bits in any
+  /// company.
   std::vector<CoreAndElectrodes> at(const std::vector<FieldState>& states) const;
 
 private:

@@ -55,8 +55,8 @@ private:
   std::array<Between, 6> between_;
 };
 
-/// Which part of the modes along x: what does not depend on the place along the skin, as in an
-/// endless one, or what the ends mirror.
+/// Part of the modes along x: what does not depend on the place along the skin, as in an endless
+/// one, or what the ends mirror.
 enum class ModePart { alike, mirrored };
 
 /// Adds to the compliance of cells, [3 cell + component], a part of what modes along x do: for

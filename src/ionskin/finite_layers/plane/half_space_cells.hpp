@@ -3,7 +3,7 @@
 
 namespace ionskin::finite_layers {
 
-/// From one end to the other, along x or y [m].
+/// Interval from one end to the other, along x or y [m].
 struct Interval {
   double from = 0, to = 0;
 
@@ -21,9 +21,9 @@ struct InverseDistance {
   double v = 0;       ///< of v/r^2
 };
 
-/// In closed form: each kernel is integrated twice along x and twice along y, and the integrals are
-/// differences of these functions at the ends. Digits are lost where rectangles are far apart: ten
-/// sizes cost four of them.
+/// Mean inverse distance in closed form: each kernel is integrated twice along x and twice along y,
+/// and the integrals are differences of these functions at the ends. Digits are lost where
+/// rectangles are far apart: ten sizes cost four of them.
 /// @param x_at,y_at first rectangle, where it is felt
 /// @param x_from,y_from second rectangle, where it acts
 InverseDistance mean_inverse_distance(const Interval& x_at, const Interval& y_at,

@@ -163,7 +163,7 @@ std::vector<RowImage> images_between(const ContactGrid& grid, double low, double
   const auto most = static_cast<int>(std::ceil((reach + period) / period));
   for (int i = -most; i <= most; ++i) {
     for (const RowImage& one : own) {
-      // Of the cells as they are, and of them mirrored at the lower mirror.
+      // Images of the cells as they are, and of the cells mirrored at the lower mirror.
       const RowImage moved{one.mirrored, i * period}, turned{!one.mirrored, 2 * low + i * period};
       for (const RowImage& image : {moved, turned}) {
         const bool itself = image.shift == 0 && image.mirrored == one.mirrored && i == 0;

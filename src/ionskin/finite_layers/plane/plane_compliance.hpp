@@ -13,7 +13,7 @@ namespace ionskin::finite_layers {
 /// Rectangles under a slider on each of which the traction is even, from their lines.
 struct ContactGrid {
   std::vector<double> x, y; ///< lines from the slider's centre, ascending [m]
-  /// Whether these are the rows of y < 0, and each cell stands for its mirror image too, which
+  /// True if these are the rows of y < 0, and each cell stands for its mirror image too, which
   /// carries the mirrored force.
   bool half = false;
 
@@ -27,7 +27,7 @@ struct ContactGrid {
 /// Mean displacement of a cell over the force on another, both normal (downwards), x, y [m/N].
 using CellCompliance = Eigen::Matrix3d;
 
-/// Of short waves in an unbounded skin: where the slider is makes no difference.
+/// Compliance of short waves in an unbounded skin: where the slider is makes no difference.
 /// @param x_at,y_at cell that is displaced
 /// @param x_from,y_from cell that carries the force
 CellCompliance plane_compliance(const PlaneCompliance& skin, const Interval& x_at,
@@ -40,8 +40,8 @@ struct RowImage {
   double shift = 0; ///< along y [m]
 };
 
-/// Of the images of all cells on all cells, [3 cell + component], cells with x fastest. Sums over
-/// images of which each is its own inverse, or comes with it.
+/// Compliance of the images of all cells on all cells, [3 cell + component], cells with x fastest.
+/// Sums over images of which each is its own inverse, or comes with it.
 Eigen::MatrixXd plane_compliance(const PlaneCompliance& skin, const ContactGrid& grid,
                                  const std::vector<RowImage>& images);
 

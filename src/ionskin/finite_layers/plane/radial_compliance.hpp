@@ -7,8 +7,8 @@
 
 namespace ionskin::finite_layers {
 
-/// What a point force on the face of an unbounded skin does at a distance, at an angle theta from x
-/// to y [m/N]. Normal is downwards.
+/// Displacement of the face of an unbounded skin at a distance from a point force, at an angle
+/// theta from x to y [m/N]. Normal is downwards.
 struct RadialCompliance {
   double normal = 0; ///< downwards, of a normal force
   /// Along the radius, of a normal force with the opposite sign; normal, of a force along it.
@@ -22,17 +22,17 @@ struct RadialCompliance {
 /// thickness of the top layer, docs/model.md (53).
 class PlaneCompliance {
 public:
-  /// Of layers, the share of their short waves.
+  /// Makes the compliance of layers, the share of their short waves.
   PlaneCompliance(const SurfaceCompliance& surface, const WaveSplit& split);
-  /// Of a half-space of a material, all waves.
+  /// Makes the compliance of a half-space of a material, all waves.
   explicit PlaneCompliance(const ElasticLayer& material);
 
   /// Less the half-space.
   /// @param distance 0 or above [m]
   RadialCompliance difference(double distance) const;
-  /// Of the half-space [m/N]; its parts are over 1/r.
+  /// Compliance of the half-space [m/N]; its parts are over 1/r.
   const RadialCompliance& half_space() const { return half_space_; }
-  /// Beyond this distance the sum of both is taken as 0 [m].
+  /// Distance beyond which the sum of both is taken as 0 [m].
   double reach() const { return reach_; }
   /// Length over which the difference varies where it varies most [m].
   double finest() const { return finest_; }

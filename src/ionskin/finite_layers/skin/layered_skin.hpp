@@ -52,7 +52,7 @@ public:
   const std::vector<ElasticLayer>& layers() const { return box_->key.layers; }
 
 private:
-  /// What the ends feel of a slider at a place.
+  /// Share of the modes that the ends feel of a slider at a place.
   struct NearEnds {
     Eigen::ArrayXd share; ///< of the first modes along x
     double last = 0;      ///< wave number along the ends that counts in full [1/m]

@@ -8,7 +8,8 @@
 namespace ionskin::finite_layers {
 namespace {
 
-// Over the thickness. The box in which the strain of short waves is summed grows with their reach.
+// Least and largest reach of short waves, over the thickness. The box in which the strain of short
+// waves is summed grows with their reach.
 constexpr double least_reach = 0.75, most_reach = 2.5;
 
 } // namespace

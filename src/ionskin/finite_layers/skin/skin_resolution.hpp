@@ -9,16 +9,17 @@
 
 namespace ionskin::finite_layers {
 
-/// How near the loaded part of the face comes to the ends and to the sides of the skin [m].
+/// Clearance of the loaded part of the face from the ends and from the sides of the skin [m].
 struct Clearance {
   double ends = 0, sides = 0;
 };
 
-/// What a skin is resolved for: results, or only where on it a contact ends, to some percent.
+/// Purpose for which a skin is resolved: results, or only where on it a contact ends, to some
+/// percent.
 enum class SkinPurpose { results, outline };
 
-/// How finely the skin is resolved. For results each number doubled changes forces and strains by
-/// less than the tolerance.
+/// Resolution of the skin. For results each number doubled changes forces and strains by less than
+/// the tolerance.
 struct SkinResolution {
   double split_tolerance = 0; ///< of either share of the waves where it is left out [1]
   double reach = 0;           ///< of short waves [m]
@@ -30,7 +31,7 @@ struct SkinResolution {
 
   bool operator==(const SkinResolution&) const = default;
   WaveSplit split() const { return {reach, split_tolerance}; }
-  /// Of a free face, along which the skin is so long [m].
+  /// Resolution of a free face, along which the skin is so long [m].
   FaceResolution face(double length) const;
 };
 

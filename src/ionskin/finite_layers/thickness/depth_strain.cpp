@@ -15,7 +15,7 @@ struct FaceResponse {
   double across = 0;
 };
 
-/// Of all faces, from the base to the top.
+/// Responses of all faces, from the base to the top.
 std::vector<FaceResponse> face_responses(const std::vector<ElasticLayer>& layers, double k) {
   const std::size_t count = layers.size();
   std::vector<FaceResponse> follows(count), faces(count + 1); // the bottom over the top of a layer

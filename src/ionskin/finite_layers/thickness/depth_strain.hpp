@@ -15,8 +15,8 @@ struct DepthLevel {
   LayerHeight height;
 };
 
-/// What a wave of tractions on the top face does at a level, over a traction along the wave, one
-/// upwards and one across it [1/Pa].
+/// Strain that a wave of tractions on the top face makes at a level, over a traction along the
+/// wave, one upwards and one across it [1/Pa].
 struct DepthStrain {
   double stretch_by_along = 0, stretch_by_normal = 0; ///< k U_r
   double rise_by_along = 0, rise_by_normal = 0;       ///< w'
@@ -25,7 +25,7 @@ struct DepthStrain {
   double across = 0;                                  ///< U_t'
 };
 
-/// In closed form through all layers on their rigid base.
+/// Strains in closed form through all layers on their rigid base.
 /// @param wave_number above 0 [1/m]
 std::vector<DepthStrain> depth_strain(const std::vector<ElasticLayer>& layers, double wave_number,
                                       const std::vector<DepthLevel>& levels);

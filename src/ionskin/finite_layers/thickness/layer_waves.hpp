@@ -12,14 +12,14 @@ namespace ionskin::finite_layers {
 using WaveColumns = Eigen::Matrix<double, 2, 4>;
 
 WaveColumns wave_displacement(const ElasticLayer& layer, double wave_number, double height);
-/// Their slopes upwards [1/m].
+/// Slopes of the waves upwards [1/m].
 WaveColumns wave_slope(const ElasticLayer& layer, double wave_number, double height);
-/// Their means over the thickness.
+/// Means of the waves over the thickness.
 WaveColumns wave_mean(const ElasticLayer& layer, double wave_number);
 /// Tractions on the upper side of a cut at a height [Pa/m].
 WaveColumns wave_traction(const ElasticLayer& layer, double wave_number, double height);
 
-/// Where the layer is so thin beside the wave that the four become alike.
+/// True where the layer is so thin beside the wave that the four become alike.
 bool is_thin(const ElasticLayer& layer, double wave_number);
 
 } // namespace ionskin::finite_layers

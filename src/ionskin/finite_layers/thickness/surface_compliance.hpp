@@ -17,14 +17,14 @@ struct WaveCompliance {
   double mixed = 0;
 };
 
-/// Of layers on a rigid base, bottom to top, by assembling their stiffnesses upwards.
+/// Compliance of layers on a rigid base, bottom to top, by assembling their stiffnesses upwards.
 /// @param wave_number above 0 [1/m]
 WaveCompliance wave_compliance(const std::vector<ElasticLayer>& layers, double wave_number);
 
 /// The same for tractions that do not vary along the face: normal and shear of a column.
 WaveCompliance uniform_compliance(const std::vector<ElasticLayer>& layers);
 
-/// Of the half-space of one material, times the wave number [1/Pa], docs/model.md (51).
+/// Compliance of the half-space of one material, times the wave number [1/Pa], docs/model.md (51).
 WaveCompliance half_space_compliance(const ElasticLayer& layer);
 
 /// Compliance of the top face over the wave number, tabulated once: cubics in the logarithm
@@ -35,9 +35,10 @@ public:
 
   /// @param wave_number 0 or above [1/m]
   WaveCompliance at(double wave_number) const;
-  /// Of short waves, times the wave number: that of the half-space of the top layer [1/Pa].
+  /// Compliance of short waves, times the wave number: that of the half-space of the top layer
+  /// [1/Pa].
   const WaveCompliance& half_space() const { return half_space_; }
-  /// Beyond this wave number the compliance is that of the half-space to rounding [1/m].
+  /// Wave number beyond which the compliance is that of the half-space to rounding [1/m].
   double half_space_from() const { return last_; }
   /// Thickness of all layers, and of the top layer [m].
   double thickness() const;

@@ -13,7 +13,7 @@ class ThinLayer {
 public:
   ThinLayer(const ElasticLayer& layer, double wave_number);
 
-  /// Of the faces, as `plane_strain_stiffness` has it [Pa/m].
+  /// Stiffness of the faces, as `plane_strain_stiffness` has it [Pa/m].
   const Eigen::Matrix4d& stiffness() const { return stiffness_; }
   const LobattoElement& element() const { return element_; }
   /// Displacement along the wave and upwards at the nodes of the element, over that of the faces.

@@ -24,7 +24,7 @@ struct CoreLayout {
 using Coupling = std::function<void(const CoreLayout& core, std::span<const double> shear,
                                     std::span<double> ratio)>;
 
-/// What a law does to the charge of the core.
+/// Traits of a law: what it does to the charge of the core.
 struct CouplingTraits {
   bool makes_net_charge = false; ///< the core's charge changes with the shear
   /// The net charge is F c0 k integral(gamma): Gauss' law can be audited against the shear.
@@ -36,7 +36,7 @@ struct CouplingTraits {
 
 /// One row of the table of coupling laws.
 struct CouplingLaw {
-  std::string_view name; ///< that a case gives in `coupling.law`
+  std::string_view name; ///< value of `coupling.law`
   CouplingTraits traits;
   std::span<const LawParameter> parameters;
   Coupling (*with)(double coefficient, const LawValues& values);

@@ -6,7 +6,8 @@
 namespace ionskin::laws {
 namespace {
 
-/// Of a cell that slides along a direction, whatever its own slip, as all do in steady sliding.
+/// Friction of a cell that slides along a direction, whatever its own slip, as all do in steady
+/// sliding.
 FrictionResponse sliding_friction(const Friction& friction, const CellTrial& trial,
                                   double normal_force) {
   const FrictionArguments at{normal_force / trial.area, 0, trial.time_step, trial.lagged_speed};

@@ -8,11 +8,11 @@
 
 namespace ionskin::laws {
 
-/// What a contact cell does; pulled is open, but held by adhesion.
+/// Status of a contact cell; pulled is open, but held by adhesion.
 enum class CellStatus { separated, sticking, slipping, pulled };
 
-/// What is known of a contact cell before its forces are: those that would hold it to the slider,
-/// as if its neighbours kept theirs.
+/// State of a contact cell before its forces are known: those that would hold it to the slider, as
+/// if its neighbours kept theirs.
 struct CellTrial {
   double area = 0;                                     ///< [m2]
   double normal_compliance = 0;                        ///< against its own force [m/N]

@@ -15,7 +15,7 @@ struct CohesiveZone {
   bool pulls() const { return strength > 0; }
   /// s [Pa] of the opening d [m].
   double tension(double opening) const;
-  /// By how much the energy is below that of faces far apart [J/m2].
+  /// Energy of binding: by how much it is below that of faces far apart [J/m2].
   double binding_energy(double opening) const;
 };
 

@@ -9,18 +9,18 @@ namespace ionskin::laws {
 
 using TangentialVector = std::array<double, 2>;
 
-/// Of one cell between two steps, under a law with an elastic slip: the slip that is given back
-/// when the traction goes, and the limit of full slip under which it was made.
+/// Elastic slip of one cell between two steps, under a law with an elastic slip: the slip that is
+/// given back when the traction goes, and the limit of full slip under which it was made.
 struct ElasticSlip {
   TangentialVector slip{}; ///< [m]
   double limit = 0;        ///< [Pa]
 };
 
-/// How an elastic slip and the slip of a step make the one behind it, docs/model.md (45): `kept`
-/// times the first and `taken` times the second. Where the limit rises, what begins to bear is not
-/// strained yet, and the traction stays; where it falls, the slip stays, and what lets go takes its
-/// share of the traction along. Neither adds to the energy stored. The slip of the step comes while
-/// the limit rises, and half of what begins to bear takes it up: no step creates energy,
+/// Update of an elastic slip by the slip of a step, docs/model.md (45): `kept` times the first and
+/// `taken` times the second. Where the limit rises, what begins to bear is not strained yet, and
+/// the traction stays; where it falls, the slip stays, and what lets go takes its share of the
+/// traction along. Neither adds to the energy stored. The slip of the step comes while the limit
+/// rises, and half of what begins to bear takes it up: no step creates energy:
 /// docs/model.md (46), (47).
 struct ElasticStep {
   double limit = 0;          ///< of full slip behind the step [Pa]
@@ -38,7 +38,8 @@ ElasticStep elastic_step(const Friction& friction, const ElasticSlip& before,
 TangentialVector slip_of_limit(const Friction& friction, const ElasticSlip& before,
                                const FrictionArguments& at, const TangentialVector& slip);
 
-/// What a step leaves: the elastic slip, and the length of the slip that is not given back [m].
+/// Division of a step's slip: the elastic slip, and the length of the slip that is not given back
+/// [m].
 struct SlipDivision {
   ElasticSlip elastic;
   double lost = 0;

@@ -15,7 +15,7 @@
 namespace ionskin::laws {
 namespace {
 
-// What a law has beside its limit shows in which of these members it has.
+// The members of a law show which parts it has beside its limit.
 template <class Law>
 concept HasSlipSlope = requires(const Law& law, const FrictionArguments& at) {
   law.limit_slip_slope(at);

@@ -12,9 +12,9 @@
 
 namespace ionskin::laws {
 
-/// What a friction law may depend on at one cell over one step. In steady sliding, the limit of
-/// long sliding, slip increment and time step are both 0: a law in their quotient must say there
-/// what it tends to.
+/// Arguments on which a friction law may depend at one cell over one step. In steady sliding, the
+/// limit of long sliding, slip increment and time step are both 0: a law in their quotient must say
+/// there what it tends to.
 struct FrictionArguments {
   double normal_traction = 0; ///< compression positive [Pa]
   /// Length of the relative sliding in the step [m]; where the law has an elastic slip, with what
@@ -38,19 +38,19 @@ struct Friction {
       frictionless; ///< by the normal traction [1]
   std::function<double(const FrictionArguments& at)> limit_slip_slope =
       frictionless;            ///< by the slip increment [Pa/m]
-  bool slip_dependent = false; ///< whether that is ever other than 0
+  bool slip_dependent = false; ///< true if it is ever other than 0
   double across = 1;           ///< limit along y over that along x; the limits form an ellipse
   double elastic_slip = 0;     ///< the slip that is given back when the traction goes [m]
   double lag = 0;              ///< time constant with which the lagged speed follows the speed [s]
   bool rate_dependent = false; ///< traction changes while the slider rests
-  CohesiveZone adhesion;       ///< that pulls along the normal, with or without a coefficient
+  CohesiveZone adhesion;       ///< pull along the normal, with or without a coefficient
 };
 
 /// One row of the table of friction laws.
 struct FrictionLaw {
-  std::string_view name; ///< that a case gives in `contact.law`
+  std::string_view name; ///< value of `contact.law`
   std::span<const LawParameter> parameters;
-  bool adheres = false; ///< whether it pulls along the normal
+  bool adheres = false; ///< true if it pulls along the normal
   Friction (*with)(double coefficient, const LawValues& values);
 };
 

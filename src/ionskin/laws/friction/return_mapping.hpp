@@ -18,7 +18,7 @@ struct FrictionResponse {
   TangentialVector by_normal{};               ///< derivative by the normal traction
 };
 
-/// What is known of a cell before its slip.
+/// State of a cell before its slip is known.
 struct FrictionTrial {
   double normal_traction = 0;  ///< [Pa]
   TangentialVector traction{}; ///< [Pa]

@@ -11,9 +11,9 @@ namespace ionskin::laws {
 /// One row of the table of shear measures: the scalar gamma made of a small strain. Every measure
 /// is even under a reflection in y, on which the half model relies.
 struct ShearMeasure {
-  std::string_view name;     ///< that a case gives in `coupling.measure`
+  std::string_view name;     ///< value of `coupling.measure`
   std::string_view formula;  ///< in words and components of the strain e
-  std::array<bool, 6> reads; ///< which components it depends on: others are not computed for it
+  std::array<bool, 6> reads; ///< components that it depends on: others are not computed for it
   /// @param strain xx, yy, zz, yz, xz, xy [1]
   double (*at)(const std::array<double, 6>& strain);
 };

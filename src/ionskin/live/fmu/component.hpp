@@ -11,7 +11,7 @@
 
 namespace ionskin::live::fmu {
 
-/// What an importer holds: an instance, and how to tell it what went wrong.
+/// Handle of an importer: an instance, and how to tell it what went wrong.
 struct Component {
   Component(std::string name, const fmi2CallbackFunctions& functions, SkinData data)
       : instance_name(std::move(name)), callbacks(functions), instance(std::move(data)) {}

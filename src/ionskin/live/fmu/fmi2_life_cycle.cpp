@@ -43,7 +43,8 @@ std::string folder_of(std::string_view uri) {
   return path;
 }
 
-/// What this library was compiled for and the processor lacks; null when nothing.
+/// Name of the instructions for which this library was compiled and which the processor lacks; null
+/// when nothing.
 const char* lacking_instructions() {
 #if defined(__x86_64__) && defined(IONSKIN_VECTOR_LEVEL_V3)
   if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) {

@@ -34,16 +34,17 @@ public:
   void exit_initialization();
   void terminate() { mode_ = Mode::terminated; }
   void reset();
-  /// Under the inputs as they are. @returns whether it was made; if not nothing has moved
+  /// Makes a step under the inputs as they are. @returns whether it was made; if not nothing has
+  /// moved
   bool step(double time);
 
-  /// Of a real variable by its value reference; null for none.
+  /// Value of a real variable by its reference; null for none.
   const double* real(std::size_t reference);
   double* input(std::size_t reference);
   std::uint32_t flags();
   bool& force_control();
 
-  /// Of a state, in numbers.
+  /// Size of a state, in numbers.
   std::size_t state_size() const;
   /// @param state [state_size()]
   void save(std::span<double> state) const;

@@ -20,7 +20,7 @@ constexpr std::string_view units = R"(  <UnitDefinitions>
   </UnitDefinitions>
 )";
 
-/// As the value of an attribute; control characters, which XML cannot hold, become spaces.
+/// Text as the value of an attribute; control characters, which XML cannot hold, become spaces.
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char letter : base::printable(text)) {

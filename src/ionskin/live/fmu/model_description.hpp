@@ -10,8 +10,8 @@ namespace ionskin::live::fmu {
 /// Name of the library inside an FMU, without its ending.
 inline constexpr const char* model_identifier = "ionskin_live";
 
-/// That by which a library knows that the description beside it is that of its skin: the digest of
-/// the skin's file in braces.
+/// Identifier by which a library knows that the description beside it is that of its skin: the
+/// digest of the skin's file in braces.
 std::string guid(const SkinData& data);
 
 /// The text of modelDescription.xml. @param name of the model, as importers show it

@@ -20,17 +20,17 @@ using Eigen::Index;
 
 constexpr double negligible_modes = 3e-4; // of the samples, over their norm
 constexpr std::size_t most_modes = 160;
-/// What the integral over the core counts beside the field.
+/// Weight of the integral over the core beside the field.
 constexpr double integral_weight = 10;
 constexpr double unseen_share = 0.2;
 constexpr std::size_t most_candidates = 6000;
 constexpr std::size_t fewest_points = 120, more_points = 80, most_points = 600;
 constexpr double good = 5e-3; // error in unseen samples, of their norm
-/// Of a point in what one place has beside the middle, which is smooth.
+/// Ridge of a point in what one place has beside the middle, which is smooth.
 constexpr double departure = 1e-2;
 constexpr double ridge = 1e-6; // of the square of a point
 
-/// What samples and their reflections have of one parity.
+/// Parts that samples and their reflections have of one parity.
 struct Parity {
   Matrix amplitude;       ///< [mode][sample]
   Matrix combine;         ///< [sample that is fitted][mode]: of the fields of the parity

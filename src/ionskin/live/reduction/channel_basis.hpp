@@ -19,7 +19,7 @@ struct ChannelSamples {
   Eigen::MatrixXf fields;    ///< [level][y][x], sample
 };
 
-/// What the modes of a channel are to tell.
+/// Measure by which the modes of a channel are chosen.
 struct ChannelMeasure {
   std::vector<double> point_weight; ///< of a Gauss point: root of its volume; 0: not to be chosen
   std::vector<double> cell_area;    ///< of a column of the grid, [y][x] [m2]
@@ -40,7 +40,7 @@ struct ChannelBasis {
 /// Proper orthogonal decomposition of the fields, in the measure, together with their integrals
 /// over the core, which are charges; then the points whose values span those of all others best,
 /// one after the other, and as many as it takes; then a linear regression of the modes on them. As
-/// the samples are many, no mode is told by a few points alone.
+/// the samples are many, no mode is fixed by a few points alone.
 ChannelBasis channel_basis(const ChannelSamples& samples, const ChannelMeasure& measure,
                            const Reflections& reflections);
 

@@ -31,7 +31,8 @@ using Matrix = Eigen::MatrixXd;
 
 constexpr double negligible_fit_mode = 1e-3;
 constexpr std::size_t samples_at_node = 240;
-/// What counts of a channel beside the charges: its mean and its first moment, so much of them.
+/// Share of the signals of a channel beside the charges: its mean and its first moment, so much of
+/// them.
 constexpr double signal_share = 1e-2;
 
 /// Roots of the volumes of the Gauss points with the slider in the middle of its range; 0 of those
@@ -73,7 +74,8 @@ void set_level_weights(const std::vector<double>& z, ChannelMap& map) {
   }
 }
 
-/// Of the columns of a grid that rides with the slider, what lies within the core [y][x] [m2].
+/// Areas of the columns of a grid that rides with the slider, as far as they lie within the core
+/// [y][x] [m2].
 std::vector<double> areas_within(const history::StrainGrid& grid,
                                  const std::array<double, 2>& place,
                                  const std::array<double, 2>& extent) {
@@ -94,7 +96,7 @@ std::vector<double> areas_within(const history::StrainGrid& grid,
   return areas;
 }
 
-/// What a reflection makes of the weights of a basis.
+/// Weights of a basis under a reflection.
 Matrix mirrored_fit(const Matrix& fit, const ChannelBasis& basis, std::size_t g,
                     const Reflections& reflections) {
   // Points stand in orbits, in the order of the reflections, whose products are reflections.

@@ -9,7 +9,8 @@
 
 namespace ionskin::live {
 
-/// Of a mode of what changes with the place, over the norm of the mean.
+/// Largest norm of a mode that is left out of what changes with the place, over the norm of the
+/// mean.
 inline constexpr double negligible_place_mode = 1e-5;
 
 /// Values at the nodes as a mean and the modes that are larger than a part of it.

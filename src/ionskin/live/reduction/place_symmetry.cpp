@@ -19,7 +19,7 @@ std::vector<double> about(double middle, std::vector<double> lines) {
   return lines;
 }
 
-/// Whether values on the lines of a grid of cells are the same seen from its other end.
+/// True if values on the lines of a grid of cells are the same seen from its other end.
 bool is_mirrored(const std::vector<double>& lines) {
   const double most = std::max(std::abs(lines.front()), std::abs(lines.back()));
   for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -12,7 +12,7 @@ namespace ionskin::live {
 /// Reflections that leave the slider as it is; the skin has both.
 Reflections reflections_of(const mechanics::SkinModel& model);
 
-/// Whether the mirror image of every node on the skin is a node.
+/// True if the mirror image of every node on the skin is a node.
 bool are_mirrored(const PlaceNodes& places, const SkinData& data);
 
 /// A box of places that is its own mirror image on the skin.

@@ -15,10 +15,10 @@ public:
 
   std::size_t count() const { return elements_.size(); }
   std::array<bool, 2> element(std::size_t g) const { return elements_[g]; }
-  /// Of as many parities as there are reflections: 1 where what has the parity stays under one, -1
-  /// where it changes its sign.
+  /// Signs of as many parities as there are reflections: 1 where what has the parity stays under
+  /// one, -1 where it changes its sign.
   double sign(std::size_t parity, std::size_t g) const;
-  /// Where a value of [z][y][x] goes.
+  /// Place to which a value of [z][y][x] goes.
   std::size_t image(std::size_t g, std::size_t index, const std::array<std::size_t, 3>& size) const;
 
 private:

@@ -27,7 +27,7 @@ struct Normal {
   std::size_t spread = 0;      ///< columns of what spreads
 };
 
-/// Of the rows between two parts of each record.
+/// Normal equations of the rows between two parts of each record.
 Normal normal_equations(const std::vector<ChargeRecord>& records, std::size_t inputs,
                         const std::vector<double>& rates, double from = 0, double to = 1) {
   const std::size_t spread = records.front().spread.size() / records.front().time.size();
@@ -66,11 +66,11 @@ Normal normal_equations(const std::vector<ChargeRecord>& records, std::size_t in
 }
 
 struct Fit {
-  std::vector<Eigen::Index> columns; ///< that were chosen
+  std::vector<Eigen::Index> columns; ///< columns that were chosen
   Eigen::MatrixXd weights;           ///< [columns][sum, difference]
 };
 
-/// Those of the instantaneous part and of some of the rates.
+/// Columns of the instantaneous part and of some of the rates.
 std::vector<Eigen::Index> columns_of(std::size_t inputs, const std::vector<std::size_t>& rates) {
   std::vector<Eigen::Index> columns;
   for (std::size_t i = 0; i < inputs * (1 + rates.size()); ++i) {
@@ -100,7 +100,7 @@ double left_of(const Normal& normal, const std::vector<Eigen::Index>& columns,
          weights.cwiseProduct(gram * weights).sum();
 }
 
-/// What spreads is the same on both sides: a part of their sum alone.
+/// Fit in which what spreads is the same on both sides: a part of their sum alone.
 Fit fit_with(const Normal& normal, std::size_t inputs, const std::vector<std::size_t>& rates) {
   Fit fit{columns_of(inputs, rates), {}};
   fit.weights = solve_with(normal, fit.columns);

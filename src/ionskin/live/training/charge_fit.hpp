@@ -14,11 +14,11 @@ struct ChargeRecord {
   std::vector<double> time;                  ///< [rows]
   std::vector<double> drive;                 ///< [row][input]
   std::array<std::vector<double>, 2> charge; ///< top, bottom [row] [C]
-  /// What spreads into the region from beside it [row][level]; empty where nothing does.
+  /// Drive that spreads into the region from beside it [row][level]; empty where nothing does.
   std::vector<double> spread;
 };
 
-/// Of some candidates those with which the charges of the records are met best, one after the
+/// Rates, of some candidates, with which the charges of the records are met best, one after the
 /// other [1/s]: fitted to the first two thirds of the rows, and as many more than the least as
 /// lower the error on the other third by a tenth each.
 std::vector<double> choose_rates(const std::vector<ChargeRecord>& records, std::size_t inputs,

@@ -138,7 +138,7 @@ private:
   std::vector<Eigen::VectorXd> taxel_x_, taxel_y_; ///< shares of the waves
 };
 
-/// Of all charges of the taxels.
+/// Magnitude of all charges of the taxels.
 struct Magnitude {
   double square = 0, time = 0, largest = 0; ///< over the time [C2 s], [s], [C]
   double rms() const { return time > 0 ? std::sqrt(square / time) : 0; }

@@ -14,7 +14,7 @@ namespace ionskin::live {
 /// differences. No weights.
 SpreadMap all_waves(const FullRun& run);
 
-/// What some waves bring into each taxel, into the records of the taxels of the same run.
+/// Records what some waves bring into each taxel, in the records of the taxels of the same run.
 void record_spread(const FullRun& run, const SpreadMap& map, std::vector<ChargeRecord>& records);
 
 /// Square of what each wave brings into the taxels, over the time and all of them [C2 s].

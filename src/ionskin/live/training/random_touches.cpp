@@ -136,7 +136,7 @@ Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t 
     const double way = std::hypot(b[0] - a[0], b[1] - a[1]);
     return std::max(0.05, way / (range.fastest * random.between(least_speed, 1)));
   };
-  // From corner to corner along the diagonal, which spans the range.
+  // The path goes from corner to corner along the diagonal, which spans the range.
   path.detached(0, low);
   path.pressed(0.5, low, range.heaviest);
   const double way = std::hypot(high[0] - low[0], high[1] - low[1]);

@@ -10,10 +10,10 @@
 
 namespace ionskin::live {
 
-/// What random touches stay within, as the motion of a case does.
+/// Range within which random touches stay, as the motion of a case does.
 struct TouchRange {
   MotionBox box;         ///< of the slider's centre in contact [m]
-  bool is_force = false; ///< what presses
+  bool is_force = false; ///< true if a force presses, not a height
   double heaviest = 0;   ///< force of the whole skin [N] or indentation [m]
   double fastest = 0;    ///< in contact [m/s]
 };
@@ -26,7 +26,7 @@ TouchRange touch_range(const Case& input);
 /// through the corners of the range under the heaviest load, whatever the seed.
 Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t seed);
 
-/// When the slider begins to come down for each touch of such a motion [s].
+/// Instants at which the slider begins to come down for each touch of such a motion [s].
 std::vector<double> landings(const Motion& motion);
 
 /// The same path with a row at each of the first milliseconds behind every corner in contact: the

@@ -40,8 +40,8 @@ constexpr std::size_t runs_over_friction = 3; // from its lowest to its highest
 constexpr double most_friction = 2;           // as in a case
 constexpr std::uint64_t validation_seed_shift = 0x9e3779b97f4a7c15; // apart from every small seed
 
-/// From the slowest motion of ions through the core to the fastest in a double layer, and that at
-/// which both layers charge through the core [1/s].
+/// Candidates for rates, from the slowest motion of ions through the core to the fastest in a
+/// double layer, and that at which both layers charge through the core [1/s].
 std::vector<double> rate_candidates(const Case& input) {
   const double thickness = input.skin.core_thickness();
   const auto scales = electrochemistry::derive_scales(input.electrochemistry, thickness);
@@ -80,7 +80,7 @@ void set_contact(const std::vector<FullRun>& runs, const mechanics::SkinModel& m
       }
     }
   }
-  // Of the heaviest state by a secant to the heaviest within a part of it.
+  // The load of the heaviest state is found by a secant to the heaviest within a part of it.
   double heavy_force = 0, heavy_indentation = 0, light_force = 0, light_indentation = 0;
   for (const mechanics::ContactState* state : states) {
     if (state->normal_force > heavy_force) {
@@ -197,7 +197,7 @@ void check_trainable(const Case& input, const TrainingOptions& options) {
   }
   if (input.motion.drive.given()) {
     throw UserError(
-        "motion.drive: a live skin is told where the slider is, and knows no drive that "
+        "motion.drive: a live skin is given the place of the slider, and knows no drive that "
         "gives\n  = remove motion.drive, and give each step the place of the slider");
   }
   touch_range(input);

@@ -13,12 +13,12 @@
 
 namespace ionskin::live {
 
-/// So many touches that with a confidence of 99 % at least 95 % of all touches have no larger error
-/// than the largest of theirs, whatever the distribution: 0.95^90 < 0.01 (Wilks 1941,
+/// Number of touches of which with a confidence of 99 % at least 95 % of all touches have no larger
+/// error than the largest of theirs, whatever the distribution: 0.95^90 < 0.01 (Wilks 1941,
 /// doi 10.1214/aoms/1177731788).
 inline constexpr std::size_t validation_touches = 90;
 
-/// How a live skin is trained.
+/// Options of the training of a live skin.
 struct TrainingOptions {
   std::size_t trajectories = 12;               ///< random touches that it is trained on
   std::size_t validation = validation_touches; ///< other random touches that tell its errors
@@ -30,8 +30,8 @@ struct TrainingOptions {
   std::string command; ///< for the record
 };
 
-/// Whether the reduced skin can stand for a case. Throws UserError where not: the strain must come
-/// from contact, the electrodes be shorted, the slider touch, the range of friction hold the
+/// Checks that the reduced skin can stand for a case. Throws UserError where not: the strain must
+/// come from contact, the electrodes be shorted, the slider touch, the range of friction hold the
 /// case's.
 void check_trainable(const Case& input, const TrainingOptions& options);
 

@@ -64,7 +64,7 @@ private:
   std::map<std::string, Sums> sums_;
 };
 
-/// Whether the full model has a value within the step that ends at a time. Between its own steps,
+/// True if the full model has a value within the step that ends at a time. Between its own steps,
 /// which take up to some hundredths of a second, a taxel's charge is on no straight line: its edge
 /// is passed.
 bool has_row(const std::vector<double>& rows, double time) {

@@ -8,7 +8,7 @@
 
 namespace ionskin::live {
 
-/// How far one signal of the reduced skin is from that of the full model, touch by touch.
+/// Errors of one signal of the reduced skin against that of the full model, touch by touch.
 struct TouchErrors {
   std::string name;
   double largest = 0;             ///< of the full model over all touches [unit of the signal]

@@ -13,7 +13,7 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// How much of its stiffness a cell loses to the adhesion, at the most: the pull falls over a few
+/// Share of its stiffness that a cell loses to the adhesion, at the most: the pull falls over a few
 /// cells where it is below a quarter, and cells let go one by one, each with a jump, near 1.
 double softening(const ContactProblem& problem) {
   double largest = 0;

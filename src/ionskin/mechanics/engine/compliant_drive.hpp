@@ -9,7 +9,7 @@
 
 namespace ionskin::mechanics {
 
-/// Where the end of a drive is that the slider hangs on.
+/// Place and velocity of the end of a drive that the slider hangs on.
 struct DriveEnd {
   std::array<double, 2> place{}, velocity{}; ///< [m], [m/s]
 };
@@ -30,13 +30,13 @@ public:
   void hold(const DriveEnd& end);
   /// Where the slider would be at the end of a step, and how it yields to the cells' forces.
   SliderGuide guide(double time_step, const DriveEnd& end) const;
-  /// How far a place at the end of a step is from where the motion so far would have led [m].
+  /// Distance of a place at the end of a step from where the motion so far would have led [m].
   double surprise(double time_step, const std::array<double, 2>& place) const;
   /// Takes the step that led to a place.
   void accept(double time_step, const std::array<double, 2>& place, const DriveEnd& end);
 
   const std::array<double, 2>& place() const { return now_.place; }
-  /// Of the drive on the slider [N].
+  /// Force of the drive on the slider [N].
   std::array<double, 2> force(const DriveEnd& end) const;
 
 private:

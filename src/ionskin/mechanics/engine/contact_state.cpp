@@ -26,7 +26,7 @@ void store_sums(const CellVector& force, bool half_model, ContactState& state) {
   }
   const double factor = half_model ? 2 : 1;
   state.normal_force = factor * sum[0];
-  // In a half model the forces along y of the two halves cancel.
+  // The forces along y of the two halves of a half model cancel.
   state.tangential_force = {factor * sum[1], half_model ? 0.0 : sum[2]};
 }
 

@@ -56,8 +56,8 @@ std::array<double, 2> DrivenSteps::drive_force(const MotionLeg& leg, double frac
   return drive_.force(end_at(leg, fraction));
 }
 
-/// As the last one allowed; and while cells stick the pull of the drive grows in small parts of
-/// what slips. How the slider swings on the skin that holds it is not followed.
+/// Longest step, as the last one allowed; and while cells stick the pull of the drive grows in
+/// small parts of what slips. How the slider swings on the skin that holds it is not followed.
 double DrivenSteps::longest_step(const MotionLeg& leg) const {
   double longest = longest_ > 0 ? longest_ : std::numeric_limits<double>::infinity();
   if (leg.length() > 0 && contact().in_contact() && contact().sticks()) {

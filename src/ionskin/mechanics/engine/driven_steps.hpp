@@ -10,13 +10,13 @@
 
 namespace ionskin::mechanics {
 
-/// How a slider on a drive is stepped.
+/// Options of a slider on a drive.
 struct DriveOptions {
   Drive drive;
   std::array<bool, 2> along{true, true}; ///< axes along which the slider yields
   double tolerance = 0;                  ///< of a step, of the way that the slider may yield [1]
   double longest_travel = 0;             ///< of the slider in a step [m]
-  MotionBox room;                        ///< that its centre must not leave [m]
+  MotionBox room;                        ///< box that its centre must not leave [m]
   std::size_t most_tries = 0;            ///< contacts solved until the motion is given up
 };
 

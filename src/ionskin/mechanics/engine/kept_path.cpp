@@ -45,7 +45,7 @@ void KeptPath::add(const StepPoint& point, const SlidingContact& contact) {
   thinning_.add(std::move(instant));
 }
 
-/// How far a slider without load is below the first place of the skin that it would touch [m].
+/// Depth of a slider without load below the first place of the skin that it would touch [m].
 double KeptPath::unresisted_depth(const StepPoint& point) const {
   const std::vector<double>& gap = model_.gap;
   return -point.height - *std::min_element(gap.begin(), gap.end());

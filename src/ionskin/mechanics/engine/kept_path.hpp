@@ -10,7 +10,7 @@
 
 namespace ionskin::mechanics {
 
-/// What a solution keeps of one path: the instants that thinning leaves, with their states.
+/// Path that a solution keeps: the instants that thinning leaves, with their states.
 class KeptPath {
 public:
   /// @param model,solution outlive the path

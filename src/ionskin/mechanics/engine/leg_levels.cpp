@@ -10,7 +10,7 @@ SliderLoad LegLevels::load(double fraction) const {
   if (fraction == 1 && at_end) {
     return {LoadKind::force, *at_end * meshed_share};
   }
-  // Where it leaves no rounding must hold it back.
+  // The level must hold nothing back by rounding where the slider leaves.
   return {LoadKind::indentation, fraction == end && leaves() ? 0.0 : -at(fraction)};
 }
 

@@ -9,7 +9,8 @@
 
 namespace ionskin::mechanics {
 
-/// What presses a slider along a leg, and between which fractions of the leg it may touch.
+/// Level that presses a slider along a leg, and the fractions of the leg between which it may
+/// touch.
 struct LegLevels {
   double begin = 0, end = 1;
   bool by_force = false;   ///< all along
@@ -19,13 +20,13 @@ struct LegLevels {
 
   double at(double fraction) const { return fraction == 1 ? to : from + fraction * (to - from); }
   SliderLoad load(double fraction) const;
-  /// Of the slider; empty where a force presses it [m].
+  /// Height of the slider; empty where a force presses it [m].
   std::optional<double> height(double fraction) const {
     return by_force ? std::nullopt : std::optional(at(fraction));
   }
   bool changes() const { return from != to; }
   bool presses() const { return by_force ? to > from : to < from; } ///< harder and harder
-  /// Whether the slider leaves on the way.
+  /// True if the slider leaves on the way.
   bool leaves() const { return end < 1; }
 };
 

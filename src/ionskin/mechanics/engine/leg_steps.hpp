@@ -9,18 +9,18 @@
 
 namespace ionskin::mechanics {
 
-/// What a step of a leg ends with.
+/// State with which a step of a leg ends.
 struct PassedStep {
   double fraction = 0; ///< of the leg
-  /// Of a slider that touches nothing; empty where it stands as it was last told [m].
+  /// Height of a slider that touches nothing; empty where it stands as it was last reported [m].
   std::optional<double> height = {};
   bool required = false; ///< before and behind what may be a jump
 };
-/// @returns the height of the slider that was told [m]
+/// @returns the height of the slider that was reported [m]
 using PassedSink = std::function<double(const PassedStep&)>;
 
-/// How a contact is moved over a part of a leg: as its motion prescribes it, or on a drive, or held
-/// by adhesion.
+/// Steps by which a contact is moved over a part of a leg: as its motion prescribes it, or on a
+/// drive, or held by adhesion.
 class LegSteps {
 public:
   /// @param contact outlives this
@@ -28,7 +28,7 @@ public:
   virtual ~LegSteps() = default;
 
   /// Moves the contact from a fraction of a leg towards another.
-  /// @param passed told of every step
+  /// @param passed called with every step
   /// @returns the fraction that it reached
   /// Throws SolverError when the contact has no solution.
   virtual double advance(const MotionLeg& leg, const LegLevels& levels, double from, double to,
@@ -43,11 +43,11 @@ public:
   virtual std::array<double, 2> drive_force(const MotionLeg& /*leg*/, double /*fraction*/) const {
     return {};
   }
-  /// Whether the place of the slider is that of its path; if not, steps find their length
+  /// True if the place of the slider is that of its path; if not, steps find their length
   /// themselves, and a slider that rests may still move.
   virtual bool follows_path() const { return true; }
 
-  int steps() const { return steps_; } ///< that were taken
+  int steps() const { return steps_; } ///< number of steps taken
   /// Energy that adhesion has lost in jumps [J].
   virtual double adhesion_loss() const { return 0; }
 

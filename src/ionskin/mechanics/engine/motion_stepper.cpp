@@ -13,7 +13,7 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// Of the rest of a slider, while friction that depends on rate relaxes: first step over its
+/// Steps of the rest of a slider, while friction that depends on rate relaxes: first step over its
 /// duration, and growth of the steps.
 constexpr double first_of_rest = 1.0 / 1024, growth_of_rest = 1.5;
 constexpr double instant_tolerance = 1e-12; // of the time itself
@@ -47,7 +47,7 @@ bool MotionStepper::asked_for(double time) const {
   return next != options_.instants.end() && *next <= time + tolerance;
 }
 
-/// @returns the height that was told [m]
+/// @returns the height that was reported [m]
 double MotionStepper::emit(const MotionLeg& leg, double fraction, std::optional<double> height,
                            bool required) {
   const double time = fraction == 1 ? leg.end() : leg.begin + fraction * leg.duration;
@@ -83,8 +83,8 @@ void MotionStepper::follow(const MotionLeg& leg) {
   emit(leg, 1, leg.to_level.is_force ? std::nullopt : std::optional(leg.to_level.value), false);
 }
 
-/// From no load the problem of a flat slider is homogeneous in the indentation where the limit of
-/// friction is in proportion to the pressure: one step is exact.
+/// The problem of a flat slider is homogeneous from no load on in the indentation, where the limit
+/// of friction is in proportion to the pressure: one step is exact.
 int MotionStepper::touchdown_steps() const {
   const ContactProblem& problem = contact_.problem();
   const bool flat = std::ranges::all_of(problem.gap, [](double gap) { return gap == 0; });
@@ -208,7 +208,7 @@ void MotionStepper::go(const MotionLeg& leg, const LegLevels& levels) {
     const bool leaves = lets_go || (at == levels.end && levels.leaves());
     if (onset_open_) {
       onsets_.back()[1] = time;
-      // How fast a driven slider goes is not the path's to say.
+      // The path does not say how fast a driven slider goes.
       const bool over =
           steps_->follows_path() ? travel_.is_over(leg, contact_) : !contact_.sticks();
       onset_open_ = !leaves && !over;

@@ -21,20 +21,20 @@ struct StepPoint {
   double time = 0;                ///< since the begin of the cycle [s]
   std::array<double, 2> centre{}; ///< [m]
   double height = 0;              ///< of the underside above the undeformed top face [m]
-  bool touches = false;           ///< whether the contact carries load
+  bool touches = false;           ///< true if the contact carries load
   bool required = false; ///< an instant that must stay: an event, or one that was asked for
   std::array<double, 2> drive_force{}; ///< of a drive on the slider; 0 without load [N]
 };
 
-/// How a motion is cut into steps.
+/// Options by which a motion is cut into steps.
 struct StepperOptions {
   PathSteps steps;
   double longest_travel = 0;         ///< of a step [m]
   double heaviest_indentation = 0;   ///< [m]
   double heaviest_force = 0;         ///< on the meshed part [N]
   double meshed_share = 1;           ///< part of the force that the mesh carries
-  std::vector<double> instants;      ///< that must be passed, ascending [s]
-  std::optional<DriveOptions> drive; ///< that the slider hangs on
+  std::vector<double> instants;      ///< instants that must be passed, ascending [s]
+  std::optional<DriveOptions> drive; ///< drive that the slider hangs on
 };
 
 /// Moves a slider through the legs of a cycle. A leg is cut where the slider lands and leaves, so
@@ -75,10 +75,10 @@ private:
   OnsetTravel travel_;
   double rest_step_ = 0; ///< longest of the next step while the slider rests; 0: moves
   bool onset_open_ = false;
-  bool travels_ = false, loads_ = false; ///< whether the leg before moved, and changed its level
+  bool travels_ = false, loads_ = false; ///< true if the leg before moved, and changed its level
   std::vector<double> events_;
   std::vector<std::array<double, 2>> onsets_;
-  double last_height_ = 0; ///< of the slider, as it was last told [m]
+  double last_height_ = 0; ///< of the slider, as it was last reported [m]
 };
 
 } // namespace ionskin::mechanics

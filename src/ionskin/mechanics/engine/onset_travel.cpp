@@ -8,11 +8,12 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// Of the surface's displacement in full slip: with less than this left, nothing sticks any more.
+/// Share of the surface's displacement in full slip: with less than this left, nothing sticks any
+/// more.
 constexpr double negligible_onset = 1e-6;
 /// With less than this left, the onset is over.
 constexpr double end_of_onset = 1e-2;
-/// Behind an onset steps lengthen faster.
+/// Growth of the steps behind an onset, where they lengthen faster.
 constexpr double growth_of_full_slip = 1.3;
 /// A row shorter than the onset is cut into at most so many steps.
 constexpr int most_cuts_of_short_leg = 8;

@@ -9,8 +9,8 @@
 
 namespace ionskin::mechanics {
 
-/// How far a slider travels in its next step: from a small part of the surface's displacement on,
-/// growing geometrically, for as long as cells stick after a landing, a rest or a turn.
+/// Travel of a slider in its next step: from a small part of the surface's displacement on, growing
+/// geometrically, for as long as cells stick after a landing, a rest or a turn.
 class OnsetTravel {
 public:
   /// @param half_model whether the mesh carries half of the skin
@@ -24,7 +24,7 @@ public:
   bool begin(const MotionLeg& leg, const SlidingContact& contact);
   /// Takes the step behind which the contact stands.
   void grow(const SlidingContact& contact);
-  /// Whether the onset is over, along a leg.
+  /// True if the onset is over, along a leg.
   bool is_over(const MotionLeg& leg, const SlidingContact& contact) const;
   double longest() const { return longest_; } ///< travel of the next step [m]
 

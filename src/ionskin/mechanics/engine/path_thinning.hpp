@@ -12,7 +12,8 @@
 
 namespace ionskin::mechanics {
 
-/// How far a path may lie from the straight lines between the instants that are kept of it.
+/// Tolerance for the distance of a path from the straight lines between the instants that are kept
+/// of it.
 struct ThinningTolerance {
   double force = 0;  ///< of a cell, over the largest normal force of a cell so far [1]
   double area = 0;   ///< of the contact, over the largest so far, and share of it that sticks [1]

@@ -16,8 +16,8 @@ bool is_loaded(const CellVector& force) {
   return std::any_of(force.begin(), force.end(), [](double value) { return value != 0; });
 }
 
-/// Of a contact with adhesion: by so much of itself the load of the cells changes in a step that
-/// nothing jumps in.
+/// Largest change in a contact with adhesion: by so much of itself the load of the cells changes in
+/// a step that nothing jumps in.
 constexpr double most_changed = 0.5;
 
 /// Change of the cells' normal forces over their size.
@@ -145,7 +145,7 @@ bool SlidingContact::reaches(const SliderLoad& load) const {
       load.kind == LoadKind::force
           ? 0
           : *std::min_element(problem_.gap.begin(), problem_.gap.end()) - adhesion.range;
-  return !(load.value <= least); // what is no number is left to the solver to refuse
+  return !(load.value <= least); // what is not a number is left to the solver to refuse
 }
 
 SurfaceState SlidingContact::solve_adhesive(const ContactProblem& problem, const SliderStep& step) {
@@ -210,7 +210,8 @@ const SurfaceState& SlidingContact::step_yielding(double time_step, const Slider
       const ContactProblem yielding = yielding_problem(problem_, guide.compliance);
       SurfaceState found = solve(yielding, step);
       for (std::size_t c = 0; c < 2; ++c) {
-        // As it was found: cells that stick must not slip by what others were settled by.
+        // The place is as it was found: cells that stick must not slip by what others were settled
+        // by.
         place[c] -=
             guide.compliance[c] * (total_force(found.force, c + 1) - newton_.settled_by()[c]);
         step.travel[c] = place[c] - from[c];

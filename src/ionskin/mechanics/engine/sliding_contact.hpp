@@ -11,7 +11,7 @@
 
 namespace ionskin::mechanics {
 
-/// Where a slider goes that yields to the tangential force of the skin.
+/// Guide of a slider that yields to the tangential force of the skin.
 struct SliderGuide {
   std::array<double, 2> place{};      ///< of its centre without that force [m]
   std::array<double, 2> expected{};   ///< about where it will be [m]
@@ -45,7 +45,7 @@ public:
   const SurfaceState& step_yielding(double time_step, const SliderGuide& guide,
                                     const SliderLoad& load);
 
-  /// What a step changes but for the compliance.
+  /// State that a step changes, but for the compliance.
   struct Moment {
     SurfaceState state;
     std::vector<laws::ElasticSlip> elastic_slip;
@@ -60,20 +60,20 @@ public:
 
   const std::array<double, 2>& place() const { return *place_; } ///< after a step [m]
   const SurfaceState& state() const { return state_; }
-  /// At the present place.
+  /// Problem at the present place.
   const ContactProblem& problem() const { return problem_; }
   bool in_contact() const; ///< pressed or pulled
   /// Opening up to which adhesion pulls; 0 without [m].
   double range() const { return problem_.friction.adhesion.range; }
-  /// Whether the last step of a contact with adhesion may have jumped: it was not found near the
+  /// True if the last step of a contact with adhesion may have jumped: it was not found near the
   /// state before.
   bool may_have_jumped() const { return may_have_jumped_; }
   /// Elastic less binding energy; 0 off the skin [J].
   double energy() const;
-  /// That friction created so far, in cells and steps of negative dissipation; 0 but for rounding
-  /// under a law that only takes energy [J].
+  /// Energy that friction created so far, in cells and steps of negative dissipation; 0 but for
+  /// rounding under a law that only takes energy [J].
   double created_energy() const { return created_energy_; }
-  /// Whether a cell that touches does not slip.
+  /// True if a cell that touches does not slip.
   bool sticks() const;
   /// Length of the mean tangential displacement that the surface has to make before all of it
   /// slips along a direction under the present normal forces, and all of that displacement [m].

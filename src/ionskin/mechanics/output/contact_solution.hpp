@@ -28,8 +28,8 @@ struct CoreStrain {
 /// Small strain in all layers of a skin.
 struct LayerStrain {
   CoreStrain core;
-  /// Of the electrode layers, bottom to top in the place of z: means through their thickness and
-  /// over each column between the mesh's lines.
+  /// Strain of the electrode layers, bottom to top in the place of z: means through their thickness
+  /// and over each column between the mesh's lines.
   CoreStrain electrodes;
 };
 
@@ -37,14 +37,14 @@ struct LayerStrain {
 class StrainSource {
 public:
   virtual ~StrainSource() = default;
-  /// Of a state by its place; valid until the next call. Fast when places ascend.
+  /// Strain of a state by its place; valid until the next call. Fast when places ascend.
   virtual const CoreStrain& at(std::size_t place) = 0;
-  /// Of all layers, recovered anew; what `at` gave stays valid.
+  /// Strain of all layers, recovered anew; what `at` gave stays valid.
   virtual LayerStrain all_layers(std::size_t place) const = 0;
-  /// Over all states that were asked for: the largest von Mises stress of each electrode layer as a
-  /// membrane, averaged through its thickness and over each column of elements, bottom to top [Pa];
-  /// contact forces against base reactions, relative.
+  /// Largest von Mises stress, over all states that were asked for, of each electrode layer as a
+  /// membrane, averaged through its thickness and over each column of elements, bottom to top [Pa].
   virtual const std::vector<double>& largest_electrode_stress() const = 0;
+  /// Largest difference of the contact forces from the base reactions, relative.
   virtual double worst_equilibrium_residual() const = 0;
 };
 
@@ -53,7 +53,7 @@ struct ContactState {
   double indentation = 0;                   ///< of the slider's lowest point [m]
   double normal_force = 0;                  ///< of the full skin, compression positive [N]
   std::array<double, 2> tangential_force{}; ///< on the skin, full skin, x and y [N]
-  /// Per footprint cell, [y][x] with x fastest, half model: y <= width / 2.
+  /// Values per footprint cell, [y][x] with x fastest, half model: y <= width / 2.
   std::vector<double> normal_traction;       ///< [Pa]
   std::vector<double> tangential_traction_x; ///< [Pa]
   std::vector<double> tangential_traction_y; ///< [Pa]
@@ -63,12 +63,12 @@ struct ContactState {
   CoreStrain strain;                    ///< empty where `source` recovers it
   std::shared_ptr<StrainSource> source; ///< null where the strain is held
   std::size_t place = 0;                ///< in the source
-  /// Of each cell: how much more tangential traction it takes before it slips; 0 where it slips or
-  /// does not touch [Pa].
+  /// Reserve of each cell: how much more tangential traction it takes before it slips; 0 where it
+  /// slips or does not touch [Pa].
   std::vector<double> stick_reserve;
   double contact_area = 0; ///< of the full skin, see covered_area.hpp [m2]
   double stick_area = 0;   ///< of it, where nothing slips [m2]
-  // By how much whole cells leave the borders of both in doubt, see border_area [m2].
+  // Areas by which whole cells leave the borders of both in doubt, see border_area [m2].
   double contact_border = 0, stick_border = 0;
   double binding_energy = 0;  ///< of adhesion, full skin [J]
   double friction_energy = 0; ///< stored in the elastic slip of friction, full skin [J]
@@ -79,7 +79,7 @@ struct ContactState {
   int iterations = 0;
 };
 
-/// Its strain, held or recovered; of the latter valid until the next call.
+/// Strain of a state, held or recovered; of the latter valid until the next call.
 inline const CoreStrain& core_strain(const ContactState& state) {
   return state.source ? state.source->at(state.place) : state.strain;
 }

@@ -48,7 +48,7 @@ std::optional<MotionBox> contact_box(const Case& input) {
   const bool adheres = laws::friction_law(input.contact.law).adheres;
   for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
     if (leg.touches()) {
-      // Where a height turns into a force the whole leg may touch.
+      // The whole leg may touch where a height turns into a force.
       const ContactPart part = contact_part(leg);
       include(adheres ? leg.from : part.from);
       include(adheres ? leg.to : part.to);

@@ -10,8 +10,8 @@
 
 namespace ionskin::mechanics {
 
-/// How far from the slider's centre any cell carries a normal load, along x and y, and whether
-/// cells at the border do.
+/// Distance from the slider's centre at which any cell carries a normal load, along x and y, and
+/// whether cells at the border do.
 struct ContactReach {
   std::array<double, 2> extent{}; ///< [m]
   std::array<bool, 2> border{};
@@ -23,8 +23,8 @@ struct ContactReach {
   void include(const ContactReach& other);
 };
 
-/// Of the loads that press hardest, with the slider at a place: touchdown without history, and
-/// steady sliding to and fro along the directions of the path.
+/// Reach of the loads that press hardest, with the slider at a place: touchdown without history,
+/// and steady sliding to and fro along the directions of the path.
 ContactReach hardest_reach(const Case& input, const SkinModel& model,
                            const std::array<double, 2>& centre, double friction);
 

@@ -14,10 +14,10 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// Of a slider on a drive that pulls it under a force. Steady sliding is unstable where friction
-/// falls with the speed by more than damping and, within its lag, the spring take up (Ruina 1983,
-/// doi 10.1029/JB088iB12p10359, without a mass); then the slider sticks and slips, each time that
-/// the spring has gone twice what the fall of the friction draws it out.
+/// Number of steps of a slider on a drive that pulls it under a force. Steady sliding is unstable
+/// where friction falls with the speed by more than damping and, within its lag, the spring take up
+/// (Ruina 1983, doi 10.1029/JB088iB12p10359, without a mass); then the slider sticks and slips,
+/// each time that the spring has gone twice what the fall of the friction draws it out.
 double steps_of_stick_slip(const Case& input, const MotionLeg& leg) {
   constexpr double steps_each = 115; // measured
   constexpr double change = 0.01;    // of the speed

@@ -7,11 +7,11 @@
 
 namespace ionskin::mechanics {
 
-/// What the contact is expected to do along a cycle of a motion.
+/// Steps that the contact is expected to take along a cycle of a motion.
 struct ExpectedSteps {
   std::size_t taken = 0;
   std::size_t kept = 0; ///< of which the strain is kept
-  /// Of those taken, at a place across the skin where the slider was not in the step before.
+  /// Number of those taken at a place across the skin where the slider was not in the step before.
   std::size_t across = 0;
 };
 ExpectedSteps expected_steps(const Case& input);

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int most_passes = 12;
 constexpr double growth = 1.4;
-/// After so many growths the guess was far too small: adhesion pulls over a wide gap.
+/// Number of growths after which the guess was far too small: adhesion pulls over a wide gap.
 constexpr int many_growths = 4;
 constexpr double fast_growth = 2.5;
 constexpr double least_fill = 0.6;   ///< of the rim by the contact, before it is accepted
@@ -30,7 +30,7 @@ constexpr double margin = 1.1;       ///< of the rim that is accepted
 constexpr double grid_ratio = 1.05;
 constexpr double share_of_pass = 0.5; ///< of the progress that is left; how many follow is unknown
 
-/// Over two corners of the track.
+/// Reach over two corners of the track.
 ContactReach reach_of(const Case& input, const mesh::Footprint& footprint, double friction,
                       int threads, parallel::SharedProgress& progress) {
   const MotionBox box = motion_box(input.motion, input.slider);
@@ -77,7 +77,7 @@ Case footprint_case(const Case& input) {
   return coarse;
 }
 
-/// Of a slider that is not sharp.
+/// Footprint of a slider that is not sharp.
 mesh::Footprint footprint_at(const Case& input, double friction, int threads,
                              const base::ProgressCallback& callback) {
   mesh::Footprint footprint = mesh::largest_footprint(input);

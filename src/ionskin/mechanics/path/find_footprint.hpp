@@ -13,7 +13,7 @@ namespace ionskin::mechanics {
 
 struct FoundFootprint {
   mesh::Footprint footprint;
-  /// Whether it holds for all friction coefficients with the same `footprint_friction`, and under a
+  /// True if it holds for all friction coefficients with the same `footprint_friction`, and under a
   /// sharp slider for all.
   bool shared = false;
 };

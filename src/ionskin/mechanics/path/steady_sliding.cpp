@@ -12,7 +12,7 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// At the pressure that a load roughly makes.
+/// Requires a number for the friction at the pressure that a load roughly makes.
 void require_number(const ContactProblem& problem, const SliderLoad& load) {
   const double area = std::accumulate(problem.area.begin(), problem.area.end(), 0.0);
   const double pressure =

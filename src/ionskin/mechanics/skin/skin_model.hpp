@@ -21,11 +21,12 @@ struct SkinModel {
   mesh::SkinMesh mesh;
   ContactCells cells;
   std::vector<double> gap; ///< of the slider's underside over the cells [m]
-  /// Of a soft slider against forces on the cells, [3 cells, 3 cells]; empty of a rigid one [m/N].
+  /// Compliance of a soft slider against forces on the cells, [3 cells, 3 cells]; empty of a rigid
+  /// one [m/N].
   Eigen::MatrixXd slider_compliance;
   finite_layers::LayeredSkin layers;
-  MotionBox places;  ///< where the slider's centre is expected [m]
-  bool stays_across; ///< whether its place across the skin is the same throughout
+  MotionBox places;  ///< places at which the slider's centre is expected [m]
+  bool stays_across; ///< true if its place across the skin is the same throughout
 
   /// @param footprint in which the slider may touch
   SkinModel(const Case& input, const mesh::Footprint& footprint, const MotionBox& places_of_centre,

@@ -9,13 +9,13 @@
 
 namespace ionskin::mechanics {
 
-/// How near a footprint comes to the ends and to the sides of the skin, at least 0 [m].
+/// Distance of a footprint from the ends and from the sides of the skin, at least 0 [m].
 /// @param places where its centre may be [m]
 std::array<double, 2> clearance(const Skin& skin, const mesh::Footprint& footprint,
                                 const MotionBox& places);
 
-/// How far the skin's short waves reach then, see finite_layers::skin_resolution: the nearer a
-/// face, the more modes it takes [m].
+/// Reach of the skin's short waves then, see finite_layers::skin_resolution: the nearer a face, the
+/// more modes it takes [m].
 double short_wave_reach(const Skin& skin, const mesh::Footprint& footprint,
                         const MotionBox& places);
 

@@ -13,7 +13,7 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// Of Gauss' rule with two points in each element between lines, ascending.
+/// Points of Gauss' rule with two points in each element between lines, ascending.
 std::vector<double> gauss_points(const std::vector<double>& lines) {
   std::vector<double> points;
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
@@ -24,7 +24,7 @@ std::vector<double> gauss_points(const std::vector<double>& lines) {
   return points;
 }
 
-/// Above the bottom of the core.
+/// Heights of the points above the bottom of the core.
 std::vector<double> heights(const mesh::SkinMesh& mesh) {
   const std::vector<double> z = mesh.lines_z();
   const auto [bottom, top] = mesh.core_z();
@@ -41,7 +41,7 @@ double mean_column(const mesh::SkinMesh& mesh) {
                   (y.back() - y.front()) / static_cast<double>(y.size() - 1));
 }
 
-/// Where all states have them alike.
+/// Places across the skin that all states have alike.
 std::optional<finite_layers::PlacesAcross> places_across(const SkinModel& model) {
   if (!model.stays_across) {
     return std::nullopt;
@@ -53,7 +53,7 @@ std::optional<finite_layers::PlacesAcross> places_across(const SkinModel& model)
                                      lines};
 }
 
-/// Of a strain with the components of CoreStrain [Pa].
+/// Von Mises stress of a strain with the components of CoreStrain [Pa].
 double von_mises_stress(const finite_layers::ElasticLayer& layer,
                         const std::array<double, 6>& strain) {
   const double mean = (strain[0] + strain[1] + strain[2]) / 3;

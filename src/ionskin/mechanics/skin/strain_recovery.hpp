@@ -13,7 +13,7 @@
 
 namespace ionskin::mechanics {
 
-/// What the skin does under the forces of a state.
+/// Strain of the skin under the forces of a state.
 struct RecoveredStrain {
   CoreStrain core; ///< of the components that were chosen
   /// Largest von Mises stress of each electrode layer as a membrane, averaged through its thickness
@@ -36,14 +36,14 @@ public:
   StrainRecovery(std::shared_ptr<const SkinModel> model,
                  const finite_layers::ComponentChoice& components, int threads = 1);
 
-  /// Of states; some at once cost less than one by one.
+  /// Strains of states; some at once cost less than one by one.
   /// @param centres of the slider [m]
   /// @param forces of the cells [N]
   std::vector<RecoveredStrain> at(std::span<const std::array<double, 2>> centres,
                                   std::span<const CellVector> forces) const;
 
-  /// Of one state, with all components of the core. It costs some states more, as nothing is kept
-  /// for it.
+  /// Strain of one state, with all components of the core. It costs some states more, as nothing is
+  /// kept for it.
   LayerStrain all_layers(const std::array<double, 2>& centre, const CellVector& forces) const;
 
 private:

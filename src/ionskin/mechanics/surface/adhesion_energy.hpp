@@ -5,7 +5,7 @@
 
 namespace ionskin::mechanics {
 
-/// Of all cells [J].
+/// Binding energy of all cells [J].
 double binding_energy(const ContactProblem& problem, const SurfaceState& state);
 
 /// Elastic energy of the skin less the binding energy of the cells [J].

@@ -8,7 +8,7 @@
 
 namespace ionskin::mechanics {
 
-/// What an adhesive contact is before a step, on which it depends what it is behind it.
+/// State of an adhesive contact before a step, on which it depends what it is behind it.
 struct AdhesiveStart {
   CellVector force;            ///< [N]
   std::vector<double> opening; ///< of the cells [m]
@@ -33,7 +33,7 @@ SurfaceState relaxed_contact(const ContactProblem& problem, const SliderStep& st
 std::optional<SurfaceState> nearby_solution(const ContactProblem& problem, const SliderStep& step,
                                             const CellVector& start, double indentation);
 
-/// Of all components [N].
+/// Sum of the magnitudes of all components [N].
 double sum_of_magnitudes(const CellVector& force);
 
 } // namespace ionskin::mechanics

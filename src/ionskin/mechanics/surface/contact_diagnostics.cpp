@@ -52,7 +52,7 @@ ContactViolations contact_violations(const ContactProblem& problem, const Surfac
   return worst;
 }
 
-// What is stored follows from the traction as it is, not from the slip that the law made it of.
+// Stored energy follows from the traction as it is, not from the slip that the law made it of.
 FrictionEnergy friction_energy(const ContactProblem& problem, const SurfaceState& state) {
   const laws::Friction& friction = problem.friction;
   FrictionEnergy energy;

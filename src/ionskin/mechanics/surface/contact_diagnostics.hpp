@@ -22,7 +22,7 @@ struct ContactViolations {
 ContactViolations contact_violations(const ContactProblem& problem, const SurfaceState& state,
                                      double reference_force, double preload);
 
-/// What friction did with energy in the step that led to a state [J].
+/// Energy of friction in the step that led to a state [J].
 struct FrictionEnergy {
   double stored = 0; ///< behind the step, in the elastic slip
   /// Sum over the cells that dissipate less than nothing, docs/model.md (46), without its sign.

@@ -10,13 +10,13 @@
 
 namespace ionskin::mechanics {
 
-/// Where an iteration stands.
+/// Values of an iteration.
 struct Iterate {
   CellVector force;       ///< [N]
   double indentation = 0; ///< [m]
 };
 
-/// Where the cells of an iterate stand.
+/// State of the cells of an iterate.
 struct Standing {
   std::vector<laws::CellTrial> trial;
   std::vector<laws::CellResponse> response;
@@ -31,7 +31,7 @@ struct Standing {
 /// The equations of the active cells, linearised where they stand. Unknowns are the changes of
 /// their forces and, under a given force, of the indentation. Where the tangential force of a cell
 /// follows from its normal force alone (without friction, in steady sliding, where it is pulled) it
-/// is no unknown.
+/// is not an unknown.
 class ContactLinearisation {
 public:
   ContactLinearisation(const ContactProblem& problem, const SliderStep& step, const Standing& at);

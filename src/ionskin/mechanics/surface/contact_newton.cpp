@@ -16,7 +16,7 @@ constexpr int most_iterations = 30;
 /// A residual that falls more slowly has outgrown the factorisation.
 constexpr double least_contraction = 0.2;
 
-/// Whether the determinant of a factorised matrix is positive: of a contact with adhesion, that its
+/// True if the determinant of a factorised matrix is positive: of a contact with adhesion, that its
 /// equilibrium can last. Where the pull falls with the opening faster than the skin springs back,
 /// the sign has changed, docs/model.md (43).
 bool has_positive_determinant(const Eigen::PartialPivLU<Eigen::MatrixXd>& factor) {
@@ -27,8 +27,8 @@ bool has_positive_determinant(const Eigen::PartialPivLU<Eigen::MatrixXd>& factor
   return positive;
 }
 
-/// Where no cell touches any more: the skin that they pressed down rises to the slider. A force
-/// needs a cell to bear it, the one that the slider meets first.
+/// Begins anew where no cell touches any more: the skin that they pressed down rises to the slider.
+/// A force needs a cell to bear it, the one that the slider meets first.
 void begin_anew(const ContactProblem& problem, const SliderStep& step, Iterate& iterate) {
   std::ranges::fill(iterate.force, 0.0);
   if (step.load.kind == LoadKind::force) {

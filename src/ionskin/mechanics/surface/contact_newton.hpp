@@ -29,8 +29,8 @@ public:
     factor_size_ = 0;
     settled_by_ = {};
   }
-  /// By what the last solution moved the sums of the tangential forces in the end, within the
-  /// tolerance, so that slipping cells carry their limits [N].
+  /// Amount by which the last solution moved the sums of the tangential forces in the end, within
+  /// the tolerance, so that slipping cells carry their limits [N].
   const std::array<double, 2>& settled_by() const { return settled_by_; }
 
 private:

@@ -65,8 +65,8 @@ private:
   laws::FrictionArguments arguments(int cell, double normal_force, const SliderStep& step) const;
 };
 
-/// What presses the slider on the skin: a given indentation, or a given force that the indentation
-/// has to carry.
+/// Load that presses the slider on the skin: a given indentation, or a given force that the
+/// indentation has to carry.
 enum class LoadKind { indentation, force };
 struct SliderLoad {
   LoadKind kind = LoadKind::indentation;
@@ -79,10 +79,10 @@ struct SliderStep {
   std::array<double, 2> travel{}; ///< during the step, x and y [m]
   double time_step = 0;           ///< [s]
   CellVector surface_before;      ///< surface displacement at its start [m]
-  /// Of the cells at its start; empty without.
+  /// Elastic slip of the cells at its start; empty without.
   std::vector<laws::ElasticSlip> elastic_before = {};
-  /// Of the limit of long sliding, in which all cells that touch slip along it, and the step takes
-  /// no time; empty for a step like others.
+  /// Direction of the limit of long sliding, in which all cells that touch slip along it, and the
+  /// step takes no time; empty for a step like others.
   std::optional<std::array<double, 2>> sliding_direction = {};
 
   laws::ElasticSlip elastic_slip_before(int cell) const {
@@ -96,7 +96,7 @@ double total_normal_force(const CellVector& force);
 /// True when no cell is pulled by more than its adhesion.
 bool free_of_tension(const ContactProblem& problem, const CellVector& force);
 
-/// How far the slider moves relative to the skin at one cell during a step [m].
+/// Displacement of the slider relative to the skin at one cell during a step [m].
 std::array<double, 2> slip_increment(const SliderStep& step, const CellVector& surface, int cell);
 
 } // namespace ionskin::mechanics

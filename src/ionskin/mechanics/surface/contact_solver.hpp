@@ -10,7 +10,7 @@ struct SurfaceState {
   CellVector force;         ///< [N]
   CellVector surface;       ///< displacement, normal downwards [m]
   std::vector<double> slip; ///< length of the slip increment per cell [m]
-  SliderStep step;          ///< that led here
+  SliderStep step;          ///< step that led here
   int iterations = 0;
   double indentation = 0; ///< given, or found to carry the given force [m]
 };

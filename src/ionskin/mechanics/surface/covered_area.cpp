@@ -79,7 +79,7 @@ public:
     return sum;
   }
 
-  /// Of the cells that are positive, or are not, and have a neighbour of the other kind.
+  /// Area of the cells that are positive, or are not, and have a neighbour of the other kind.
   double area_at_border(bool positive) const {
     double sum = 0;
     for (std::size_t cell = 0; cell < cells_.area.size(); ++cell) {

@@ -29,7 +29,7 @@ public:
   explicit ForeignHdf5File(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }
-  /// Of the bytes that are read.
+  /// Digest of the bytes that are read.
   const base::Digest& digest() const { return copy_.digest(); }
 
   bool has(const std::string& object) const;
@@ -64,7 +64,7 @@ private:
   std::filesystem::path path_;
   base::FileCopy copy_;
   mutable base::ChildProgram reader_;
-  mutable double seconds_ = 0; ///< that the answer may take
+  mutable double seconds_ = 0; ///< time that the answer may take [s]
 };
 
 } // namespace ionskin::results

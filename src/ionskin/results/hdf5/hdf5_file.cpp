@@ -96,8 +96,8 @@ std::recursive_mutex& library_mutex() {
 
 Hdf5File::Hdf5File(std::filesystem::path path, Access access)
     : library_(library_mutex()), path_(std::move(path)), written_(access != Access::read) {
-  // What the library could not write when a disk is full it must not try again when the program
-  // ends: it would crash. Every file is closed here.
+  // The library must not try again, when the program ends, to write what it could not write to a
+  // full disk: it would crash. Every file is closed here.
   static const herr_t once = H5dont_atexit();
   static_cast<void>(once);
   // Our own messages say what failed; HDF5's stack trace would only bury them.

@@ -21,8 +21,8 @@ namespace ionskin::results {
 /// Files that this process has not written itself are read through ForeignHdf5File. What is read
 /// must be plain: see hdf5_plain.hpp.
 ///
-/// Errors: UserError when the file cannot be opened, is no HDF5 file, lacks what is read or cannot
-/// be written; the message names the file and the object.
+/// Errors: UserError when the file cannot be opened, is not an HDF5 file, lacks what is read or
+/// cannot be written; the message names the file and the object.
 class Hdf5File {
 public:
   enum class Access {
@@ -60,7 +60,7 @@ public:
   /// @param shape of row-major `values`; empty for one dimension
   void write(const std::string& dataset, const std::vector<double>& values, Shape shape = {});
   void write(const std::string& dataset, const std::vector<int>& values);
-  /// As `write`; the attribute "unit" tells the unit of the values.
+  /// Writes as `write` does; the attribute "unit" tells the unit of the values.
   void write_with_unit(const std::string& dataset, const std::vector<double>& values,
                        const std::string& unit, const Shape& shape = {});
   void write_text(const std::string& dataset, const std::string& text);

@@ -12,14 +12,14 @@ namespace ionskin::results {
 namespace {
 
 constexpr std::size_t most_dimensions = 8;
-/// Of objects in groups in groups; a group may even hold itself.
+/// Largest depth of groups in groups; a group may even hold itself.
 constexpr int deepest_group = 16;
 /// Numbers of 16 bytes are the longest that processors know; texts hold whole case files.
 constexpr std::size_t longest_number = 16, longest_text = 1u << 24;
 constexpr double most_piece_bytes = 256e6;
 constexpr hsize_t most_pieces = 1'000'000;
 constexpr std::size_t least_cache = 1u << 20, most_cache = 1u << 29;
-/// Of the table that finds pieces in the cache; a prime.
+/// Number of slots of the table that finds pieces in the cache; a prime.
 constexpr std::size_t cache_slots = 10007;
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& object,

@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
-// What ionskin reads of an HDF5 file, and nothing else: objects that hard links lead to, and
-// datasets that hold all their numbers or texts in the file itself, in pieces that memory can take.
-// Links to elsewhere, raw data in other files, virtual datasets, values that were never written and
-// filters that only plug-ins know are refused. Each function throws UserError naming the file, the
-// object and the remedy.
+// The part of an HDF5 file that ionskin reads: objects that hard links lead to, and datasets that
+// hold all their numbers or texts in the file itself, in pieces that memory can take. Links to
+// elsewhere, raw data in other files, virtual datasets, values that were never written and filters
+// that only plug-ins know are refused. Each function throws UserError naming the file, the object
+// and the remedy.
 
 namespace ionskin::results {
 
-/// Whether `object` exists. Throws when a link on the way is no hard link.
+/// True if `object` exists. Throws when a link on the way is not a hard link.
 bool has_plain(hid_t file, const std::filesystem::path& path, const std::string& object);
 
 Hdf5Handle open_plain_dataset(hid_t file, const std::filesystem::path& path,

@@ -7,14 +7,14 @@
 #include <string_view>
 #include <vector>
 
-// What ForeignHdf5File and the process that reads for it say to each other: a question, its two
-// texts, and an answer with its content. Numbers stand as in memory, both ends being one machine.
+// Protocol between ForeignHdf5File and the process that reads for it: a question, its two texts,
+// and an answer with its content. Numbers stand as in memory, both ends being one machine.
 
 namespace ionskin::results {
 
 enum class Hdf5Question : std::uint32_t {
   open,  ///< asked first
-  plain, ///< whether every object can be opened
+  plain, ///< check that every object can be opened
   has,
   has_numbers,
   members,
@@ -43,7 +43,7 @@ enum class Hdf5State : std::uint32_t {
 
 struct Hdf5Answer {
   Hdf5State state = Hdf5State::answered;
-  std::uint64_t bytes = 0; ///< that follow
+  std::uint64_t bytes = 0; ///< bytes that follow
 };
 
 /// A reader of so many bytes may keep a processor busy this long [s]: many times what a slow

@@ -9,6 +9,6 @@
 
 int main(int argc, char** argv) {
   constexpr int file = 3;
-  // What a damaged file has left of the library is not worth tidying.
+  // The process ends at once: what a damaged file has left of the library is not worth tidying.
   _exit(argc == 2 ? ionskin::results::serve_hdf5(STDIN_FILENO, file, argv[1]) : 1);
 }

@@ -25,7 +25,7 @@ namespace ionskin::results {
 namespace {
 
 constexpr std::uint64_t most_memory = 2'000'000'000;
-/// Of an object's or an attribute's name.
+/// Largest length of an object's or an attribute's name [bytes].
 constexpr std::size_t longest_name = 1u << 16;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -178,7 +178,7 @@ private:
   int socket_;
   std::span<std::byte> image_;
   std::string name_;
-  double bytes_; ///< that have been asked for
+  double bytes_; ///< bytes that have been asked for
   std::unique_ptr<Hdf5File> file_;
   std::vector<double> frame_;
 };
@@ -193,7 +193,7 @@ int serve_hdf5(int socket, int file, const std::string& name) {
   H5open();
   H5PLset_loading_state(0);
   const auto bytes = static_cast<std::size_t>(status.st_size);
-  // Of its own: what the library writes into it stays here.
+  // The image is private: what the library writes into it stays here.
   void* image = bytes == 0 ? nullptr
                            : mmap(nullptr, bytes, PROT_READ | PROT_WRITE,
                                   MAP_PRIVATE | MAP_NORESERVE, file, 0);

@@ -30,7 +30,7 @@ std::string up_to_padding(const char* text, std::size_t length) {
   return {text, std::find(text, text + length, '\0')};
 }
 
-/// Of an attribute: names, units, and reasons in a sentence.
+/// Largest length of an attribute [bytes]: names, units, and reasons in a sentence.
 constexpr std::size_t longest_attribute = 1u << 16;
 
 // One text, fixed or variable length; `read` is H5Dread or H5Aread bound to its object.
@@ -156,7 +156,7 @@ std::vector<std::string> Hdf5File::read_texts(const std::string& dataset) const 
 
 void Hdf5File::set_attribute(const std::string& object, const std::string& name,
                              const std::string& text) {
-  // Of variable length, so that h5py hands out text rather than bytes.
+  // The text has variable length, so that h5py hands out text rather than bytes.
   const Hdf5Handle type = text_type(H5T_VARIABLE);
   const char* characters = text.c_str();
   write_attribute(open_or_make(id_, path_, object, has(object)), name, type, type, &characters,

@@ -16,7 +16,7 @@ namespace {
 // Lengths that users compute in another order than we do may differ by rounding.
 constexpr double relative_rounding = 1e-9;
 
-// What lies beyond was meant in another unit or is damage.
+// Bounds of times and lengths: values beyond them were meant in another unit or are damage.
 constexpr double longest_time = 1e7, shortest_time = 1e-15;     // [s]
 constexpr double longest_length = 100, shortest_length = 1e-15; // [m]
 
@@ -170,7 +170,7 @@ void StrainFileChecks::covers_core(const history::CoreHistory& history, const Sk
 void StrainFileChecks::events_are_samples(const history::CoreHistory& history) const {
   for (double event : history.event_time) {
     if (!std::binary_search(history.time.begin(), history.time.end(), event)) {
-      fail(fmt::format("event_time holds {} s, which is no entry of time", event),
+      fail(fmt::format("event_time holds {} s, which is not an entry of time", event),
            "write only instants of time into event_time, or leave it out");
     }
   }

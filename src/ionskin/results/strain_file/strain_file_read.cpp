@@ -18,7 +18,7 @@ namespace ionskin::results {
 namespace {
 
 constexpr const char* format_name = "ionskin-strain";
-/// Of the available memory, for the history; ion transport takes more.
+/// Share of the available memory for the history; ion transport takes more.
 constexpr double free_share = 0.5;
 
 // Hands out one shared field for all equal ones.
@@ -113,7 +113,7 @@ private:
                    "write grid/x, grid/y, grid/z, time and gamma");
     }
     if (!file_.has_numbers(object(name))) {
-      checks_.fail(fmt::format("{} is no dataset of numbers", object(name)),
+      checks_.fail(fmt::format("{} is not a dataset of numbers", object(name)),
                    "write floating-point numbers");
     }
   }
@@ -183,7 +183,7 @@ private:
     for (const std::string& name : file_.members(object("channels"))) {
       const std::string* unit = history::unit_of_channel(name);
       if (unit == nullptr) {
-        checks_.fail(fmt::format("channels/{} is no channel that this program knows", name),
+        checks_.fail(fmt::format("channels/{} is not a channel that this program knows", name),
                      fmt::format("known: {}", history::known_channels()));
       }
       read_channel(history, "channels/" + name, name, *unit);

@@ -12,18 +12,18 @@
 namespace ionskin::study {
 namespace {
 
-/// At a point.
+/// Extremes at a point.
 constexpr std::array extremes{"element_max_shear_slide", "electrode_membrane_stress",
                               "max_potential",           "min_concentration_ratio",
                               "peak_pore_pressure",      "peak_drive"};
 
-/// Stated relative error above which an extreme is not told from one that grows for ever.
+/// Stated relative error above which an extreme is not distinguished from one that grows for ever.
 constexpr double most_of_extreme = 1.0 / 3.0;
 
 /// Stated relative error above which not even the order of magnitude of a resolved peak is known.
 constexpr double most_of_peak = 1.0;
 
-/// Of the onset of sliding.
+/// True if a metric is one of the onset of sliding.
 bool is_of_onset(const std::string& metric) {
   return metric.starts_with("micro_slip_") || metric.starts_with("slip_lead_") ||
          metric.starts_with("full_slip_") || metric.starts_with("precursor_");
@@ -41,7 +41,7 @@ bool has_sharp_edge(const Case& input) {
          (ends_sharply(0) || (ends_sharply(1) && !covers_width(input)));
 }
 
-/// Whether the largest magnitude stands alone: the steps on either side hold less than half of it,
+/// True if the largest magnitude stands alone: the steps on either side hold less than half of it,
 /// so that it is the mean of a spike over one step.
 bool is_single_step(const std::vector<double>& current) {
   std::size_t peak = 0;

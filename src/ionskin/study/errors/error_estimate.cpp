@@ -33,7 +33,7 @@ namespace {
 
 namespace parts = error_parts;
 
-// Names of the runs beside those of the companions.
+// Names of the runs beside those of the coarser solutions.
 constexpr const char* run = "run";
 constexpr const char* grid = "grid";           ///< twice the mesh sizes of Study 2
 constexpr const char* reference = "reference"; ///< with up to twice the time steps too
@@ -57,7 +57,8 @@ double path_floor(const MechanicsRecord& mechanics) {
              : 0.0;
 }
 
-/// That cells of the contact and steps of the path leave, however little two solutions differ by.
+/// Least errors that cells of the contact and steps of the path leave, however little two solutions
+/// differ by.
 std::vector<readout::Metric> least_errors(const Case& input, const MechanicsRecord& mechanics) {
   std::vector<readout::Metric> errors = mechanics.cell_errors;
   const auto of_slip = slip_least_errors(input, mechanics);
@@ -69,7 +70,8 @@ double decoupling(const Case& input) {
   return moves_water(input) ? poroelasticity::decoupling_error(input) : 0.0;
 }
 
-/// To first order in the thickness of the layers and in the drive, where a case takes them as thin.
+/// Error of taking the layers as thin, to first order in their thickness and in the drive, where a
+/// case does so.
 double thin_layers(const Case& input, double core_thickness,
                    const electrochemistry::WaterRows& water) {
   if (input.electrochemistry.ion_model != IonModel::thin_layers) {
@@ -87,7 +89,7 @@ struct Coarser {
   double time_refinement = 0.5;
 };
 
-/// Noise of an instrument is no error of the program.
+/// Noise of an instrument is not an error of the program.
 Case without_noise(const Case& input) {
   Case result = input;
   for (const circuits::CircuitRow& circuit : circuits::circuits()) {
@@ -105,7 +107,7 @@ Case without_noise(const Case& input) {
   return result;
 }
 
-/// Whether an instrument reads the electrode or a taxel.
+/// True if an instrument reads the electrode or a taxel.
 bool has_instrument(const Readout& readout) {
   bool found = bool(circuits::circuit(readout.circuit, readout.parameters).read);
   for (std::size_t i = 0; i < readout.taxels.size() && !found; ++i) {
@@ -116,7 +118,8 @@ bool has_instrument(const Readout& readout) {
 
 /// The coarser runs that tell the parts of a run of both studies.
 struct CoarserRuns {
-  MechanicsRecord wider; ///< of `cells`; the other runs have the run's own mechanics, or companions
+  MechanicsRecord
+      wider; ///< of `cells`; the other runs have the run's own mechanics, or coarser solutions
   std::vector<Coarser> runs;
 
   explicit CoarserRuns(const MechanicsRecord& mechanics)
@@ -133,7 +136,7 @@ struct CoarserRuns {
   CoarserRuns& operator=(const CoarserRuns&) = delete;
 };
 
-/// What `of_run` makes of each, side by side.
+/// Results that `of_run` makes of each coarser run, side by side.
 template <class Result, class OfRun>
 std::map<std::string, Result> run_coarser(const Case& input, const std::vector<Coarser>& runs,
                                           int threads, const base::ProgressCallback& progress,

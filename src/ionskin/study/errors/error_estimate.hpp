@@ -15,12 +15,12 @@
 namespace ionskin::study {
 
 /// The stated errors of a run of both studies. What Study 1 leaves goes through the ion transport:
-/// the histories of its companions, and the history of the run on wider cells, are run through
-/// Study 2 on twice the mesh sizes and up to twice the time steps, and compared with the run's own
-/// history there. Two more runs tell what that grid and those steps leave.
+/// the histories of its coarser solutions, and the history of the run on wider cells, are run
+/// through Study 2 on twice the mesh sizes and up to twice the time steps, and compared with the
+/// run's own history there. Two more runs tell what that grid and those steps leave.
 /// docs/errors-of-results.md says how the differences become errors. Parts of the mechanics are
-/// missing for a given strain; without companions nothing is estimated. Stage in `timers`: "error
-/// estimate". Throws SolverError when a coarser run finds no solution, and Interrupted.
+/// missing for a given strain; without coarser solutions nothing is estimated. Stage in `timers`:
+/// "error estimate". Throws SolverError when a coarser run finds no solution, and Interrupted.
 /// @param progress called with "error estimate"
 ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanics,
                               const electrochemistry::IonSolution& ions, const Signals& signals,
@@ -28,7 +28,7 @@ ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanic
                               const base::ProgressCallback& progress = base::no_progress);
 
 /// Half the width of the band about what a run says to measured data, one entry per row [unit of
-/// the data]; empty where the mechanics has no companions. Throws as above.
+/// the data]; empty where the mechanics has no coarser solutions. Throws as above.
 std::vector<double> estimate_data_errors(const Case& input, const MechanicsRecord& mechanics,
                                          const electrochemistry::IonSolution& ions,
                                          const FitData& data, int threads);
@@ -36,7 +36,7 @@ std::vector<double> estimate_data_errors(const Case& input, const MechanicsRecor
 /// No error of any metric, with the reason.
 ErrorEstimate no_estimate(const Signals& signals, const std::string& reason);
 
-/// Those of Study 1 alone.
+/// Errors of Study 1 alone.
 ErrorEstimate estimate_mechanics_errors(const Case& input, const MechanicsRecord& mechanics,
                                         const Signals& signals, int threads);
 

@@ -79,7 +79,7 @@ bool is_electrical(const std::string& unit) {
   return unit == "A" || unit == "C" || unit == "V";
 }
 
-/// Whether pressure makes a quantity under a law that moves water: currents, charges and voltages.
+/// True if pressure makes a quantity under a law that moves water: currents, charges and voltages.
 bool is_of_water(const std::string& name, const std::string& unit) {
   return is_electrical(unit) || unit == "V/N" ||
          name.find("pressure_difference") != std::string::npos ||
@@ -124,8 +124,8 @@ public:
     return result;
   }
 
-  /// What rounding of the charges may leave in a current: over a readout interval, or over the
-  /// shortest step for what is resolved.
+  /// Error that rounding of the charges may leave in a current: over a readout interval, or over
+  /// the shortest step for what is resolved.
   double rounding(const Metric& metric) const {
     if (metric.unit == "C") {
       return floors_.charge;

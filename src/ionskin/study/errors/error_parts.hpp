@@ -24,17 +24,17 @@ inline constexpr const char* thin_layers = "thin_layers"; ///< of the ion model 
 inline constexpr const char* rounding = "rounding";
 } // namespace error_parts
 
-/// What the differences of a part are multiplied with, for a metric or a signal. For meshes and
-/// time steps that is 0.8, twice what Richardson's extrapolation makes of a difference at the order
-/// of 1.8 that `ionskin verify` asserts (E3): a grid convergence index with a factor of safety of
-/// 2, between the 3 of two meshes and the 1.25 of three (Roache, Journal of Fluids Engineering 116,
-/// 1994, doi 10.1115/1.2910291). It covers every order of convergence from 1.2 on. What hangs on
-/// the edges of the contact converges in first order: there the mesh of the mechanics counts 1, as
-/// do all other parts.
+/// Factor with which the differences of a part are multiplied, for a metric or a signal. For meshes
+/// and time steps that is 0.8, twice what Richardson's extrapolation makes of a difference at the
+/// order of 1.8 that `ionskin verify` asserts (E3): a grid convergence index with a factor of
+/// safety of 2, between the 3 of two meshes and the 1.25 of three (Roache, Journal of Fluids
+/// Engineering 116, 1994, doi 10.1115/1.2910291). It covers every order of convergence from 1.2 on.
+/// What hangs on the edges of the contact converges in first order: there the mesh of the mechanics
+/// counts 1, as do all other parts.
 double safety(const std::string& part, const std::string& quantity);
 
 /// Reason that a metric whose estimate is NaN or infinite has none.
-inline constexpr const char* not_a_number = "its estimate is no number";
+inline constexpr const char* not_a_number = "its estimate is not a number";
 /// Likewise of what few readings at the onset of sliding tell, of which a coarser solution may have
 /// fewer than it takes: no defect, and no warning.
 inline constexpr const char* too_few_readings =
@@ -48,16 +48,16 @@ struct ErrorPair {
   const Signals* coarser = nullptr;
 };
 
-/// What beside the pairs decides the errors.
+/// Floors of the errors beside the pairs.
 struct ErrorFloors {
   double path = 0; ///< of interpolation and residuals of the contact, relative [1]
-  /// What the strain, which does not follow the water, leaves in signals that it makes, relative
-  /// [1]; 0 under other laws.
+  /// Error that the strain, which does not follow the water, leaves in signals that it makes,
+  /// relative [1]; 0 under other laws.
   double decoupling = 0;
-  /// What the limit of thin double layers leaves out of charges, currents and voltages, relative
+  /// Error that the limit of thin double layers leaves in charges, currents and voltages, relative
   /// [1]; 0 under other ion models.
   double thin_layers = 0;
-  double charge = 0;          ///< what rounding may leave in a charge [C]; 0 without currents
+  double charge = 0;          ///< error that rounding may leave in a charge [C]; 0 without currents
   double sample_interval = 0; ///< of the readout [s]
   std::vector<readout::Metric> cells; ///< least error of the mesh, by the name of a metric
   std::vector<bool> tail;             ///< rows of the sampled table outside the contact spikes
@@ -73,7 +73,7 @@ std::vector<double> pair_band(const std::vector<double>& values, const std::stri
 
 /// Sums the pairs up. A part of a metric is the largest of its own difference, that of its
 /// neighbours and the norm of the difference of its signal over the run, so that a difference that
-/// happens to vanish is not taken for none. What is no number is not estimated.
+/// happens to vanish is not taken for none. What is not a number is not estimated.
 ErrorEstimate combine_errors(const Signals& base, const std::vector<ErrorPair>& pairs,
                              const ErrorFloors& floors);
 

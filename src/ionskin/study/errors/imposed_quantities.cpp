@@ -20,7 +20,7 @@ using readout::Signal;
 
 constexpr double solved_for = std::numeric_limits<double>::quiet_NaN();
 
-/// Of a normal force, where it is given [N].
+/// Error of a normal force, where it is given [N].
 double force_error(const MotionInstant& at, double force) {
   const bool given = at.level && at.level->is_force && at.level->touches() && force > 0;
   return given ? std::max(std::abs(force - at.level->value),

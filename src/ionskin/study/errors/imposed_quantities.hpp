@@ -17,7 +17,7 @@ struct ImposedErrors {
   std::vector<readout::Signal> signals; ///< columns of signals.csv; NaN where a row is solved for
 };
 
-/// How far the results are from what is given. A normal force is given where the motion goes by
+/// Distance of the results from what is given. A normal force is given where the motion goes by
 /// force, presses and has landed, and its error is at least what the contact is solved to; a height
 /// where it goes by height; the place of a slider on a rail, or of the end of a drive, always. On
 /// the way between a height and a force both are solved for, and a pull may end earlier on another

@@ -56,8 +56,8 @@ struct Neighbours {
   std::vector<std::string> others;
 };
 
-/// What happens at one place and instant errs together; an upper percentile errs as the other one.
-/// The largest value of the shear is no neighbour: under sharp edges it does not converge.
+/// Metrics of one place and instant err together; an upper percentile errs as the other one. The
+/// largest value of the shear is not a neighbour: under sharp edges it does not converge.
 const std::array<Neighbours, 8> neighbours{{
     {"contact_area_slide", {"mean_pressure_slide"}},
     {"mean_pressure_slide", {"contact_area_slide"}},

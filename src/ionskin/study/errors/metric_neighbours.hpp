@@ -6,11 +6,11 @@
 
 namespace ionskin::study {
 
-/// Whether a metric judges the solution, such as a residual, or the instrument, and has no error of
+/// True if a metric judges the solution, such as a residual, or the instrument, and has no error of
 /// its own.
 bool is_audit(const std::string& metric);
 
-/// Whether a metric or a signal is made at the edges of the contact, where the strain is singular
+/// True if a metric or a signal is made at the edges of the contact, where the strain is singular
 /// or what touches changes by whole cells: first moments, percentiles and extremes of the shear,
 /// area, pressure and stick of the contact.
 bool hangs_on_edges(const std::string& quantity);

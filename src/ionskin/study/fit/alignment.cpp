@@ -75,7 +75,7 @@ std::vector<double> run_cells(const FitData& data, const electrochemistry::IonSo
   return predict(sampled, ions);
 }
 
-/// As the data's rows see it: means over as many cells as an interval of theirs has.
+/// Values as the data's rows see them: means over as many cells as an interval of theirs has.
 std::vector<double> smoothed(const std::vector<double>& values, double cells) {
   const auto width = static_cast<std::size_t>(std::max(1.0, std::round(cells)));
   std::vector<double> result;

@@ -14,7 +14,7 @@ struct Alignment {
   double correlation = 0; ///< of data and signal, -1 to 1
 };
 
-/// Whether the gain may turn the signal.
+/// Sign of the gain: whether it may turn the signal.
 enum class Sign { kept, free };
 
 /// The shift, among all with which half of the shorter of data and run overlap, that lets the data

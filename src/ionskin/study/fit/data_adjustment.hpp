@@ -10,10 +10,10 @@
 
 namespace ionskin::study {
 
-/// How the record of an instrument departs from the signal of a run:
-///   measured(t) = gain * signal(t - time_shift) + baseline + drift * (t - first t).
+/// Departure of the record of an instrument from the signal of a run: measured(t) = gain * signal(t
+/// - time_shift) + baseline + drift * (t - first t).
 struct DataAdjustment {
-  double time_shift = 0; ///< how late the record's clock is [s]
+  double time_shift = 0; ///< delay of the record's clock [s]
   double baseline = 0;   ///< [unit of the data]
   double drift = 0;      ///< [unit of the data / s]
   double gain = 1;       ///< negative where the electrodes are swapped [1]
@@ -27,8 +27,8 @@ bool is_data_key(std::string_view key);
 /// Unit of such a key for data in `unit`.
 std::string data_key_unit(std::string_view key, const std::string& unit);
 
-/// What a run would leave in the record, one entry per row. Before its beginning the run rests, and
-/// behind its end its charges stay.
+/// Record that a run would leave, one entry per row. Before its beginning the run rests, and behind
+/// its end its charges stay.
 std::vector<double> predict(const FitData& data, const electrochemistry::IonSolution& ions,
                             const DataAdjustment& adjustment);
 

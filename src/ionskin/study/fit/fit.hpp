@@ -18,7 +18,7 @@ struct FittedParameter {
   bool at_bound = false;                        ///< the range of the key holds it
 };
 
-/// Where the least squares end.
+/// Result of the least squares.
 struct FitResult {
   std::vector<FittedParameter> parameters;
   std::vector<double> fitted; ///< the model at each row of the data
@@ -30,7 +30,7 @@ struct FitResult {
   std::vector<std::string> warnings;
 };
 
-/// What a user should know while the fit goes on.
+/// Receiver of what a user should know while the fit goes on.
 using FitNote = std::function<void(const std::string&)>;
 
 /// Drops rows that the run cannot answer. Throws UserError when the case has no such signal, the
@@ -62,7 +62,7 @@ struct FitRequest {
   std::vector<std::string> free;
 };
 
-/// How a fit is run.
+/// Options of a fit.
 struct FitOptions {
   std::filesystem::path folder;
   int threads = 1;

@@ -37,7 +37,7 @@ public:
   /// @param point values of the free keys [SI]
   std::optional<FitAnswer> find(const std::vector<double>& point) const;
   void add(const std::vector<double>& point, const FitAnswer& answer);
-  /// How many evaluations an earlier fit left.
+  /// Number of evaluations that an earlier fit left.
   std::size_t taken_up() const { return taken_up_; }
   /// Removes the files and the folder: the fit is finished.
   void remove();

@@ -239,7 +239,8 @@ std::vector<FitModel::Ions> FitModel::solutions(const std::vector<std::vector<do
       wanted.push_back(values);
     }
   }
-  // Of all points: whichever are known already, a solution is worked the same way.
+  // The threads are divided among all points: whichever are known already, a solution is worked the
+  // same way.
   const int each = std::max(1, options_.threads / std::max(1, static_cast<int>(points.size())));
   parallel::run_tasks(missing.size(), options_.threads,
                       [&](std::size_t i) { find_answer(missing[i], each); });

@@ -70,14 +70,14 @@ public:
   DataAdjustment adjustment_at(const std::vector<double>& point) const;
 
   /// Half the width of the band of numerical errors about the fitted curve, one entry per row of
-  /// the data; empty where they are not estimated. Solves the companions of Study 1: for the end of
-  /// a fit. Throws SolverError, Interrupted.
+  /// the data; empty where they are not estimated. Solves the coarser solutions of Study 1: for the
+  /// end of a fit. Throws SolverError, Interrupted.
   std::vector<double> errors(const FitData& data, const std::vector<double>& point);
 
   std::size_t ion_solves() const { return ion_solves_; }
   std::size_t evaluations_taken_up() const { return log_ != nullptr ? log_->taken_up() : 0; }
   std::size_t mechanics_solves() const { return mechanics_solves_; }
-  /// Why there was none at last; empty when there always was.
+  /// Reason why there was none at last; empty when there always was.
   const std::string& last_failure() const { return last_failure_; }
 
 private:

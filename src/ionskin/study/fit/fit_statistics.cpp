@@ -133,7 +133,7 @@ std::vector<std::string> fit_warnings(const FitStatistics& statistics,
   const double rows = static_cast<double>(statistics.degrees_of_freedom + keys.size());
   if (std::abs(statistics.lag_correlation) > noise_deviations / std::sqrt(rows)) {
     warnings.push_back(fmt::format(
-        "Neighbouring residuals are correlated by {:.2f}: they are no noise, the model does not "
+        "Neighbouring residuals are correlated by {:.2f}: they are not noise, the model does not "
         "describe all of the data, and the intervals are too narrow.",
         statistics.lag_correlation));
   }

@@ -9,8 +9,8 @@ namespace ionskin::study {
 /// Derivatives of every row of the data by the logarithm of each parameter, [parameter][row].
 using Jacobian = std::vector<std::vector<double>>;
 
-/// What residuals and derivatives at the optimum say about the parameters, in linear theory with
-/// independent normal errors of one unknown size.
+/// Statistics of the parameters from residuals and derivatives at the optimum, in linear theory
+/// with independent normal errors of one unknown size.
 struct FitStatistics {
   std::size_t degrees_of_freedom = 0;
   double residual_deviation = 0; ///< in the unit of the data
@@ -32,8 +32,8 @@ struct FitStatistics {
 FitStatistics fit_statistics(const std::vector<double>& values,
                              const std::vector<double>& residuals, const Jacobian& jacobian);
 
-/// What a reader must know before using the estimates: parameters that the data cannot tell apart
-/// or hardly fix, and residuals that are no noise.
+/// Warnings that a reader must know before using the estimates: parameters that the data cannot
+/// tell apart or hardly fix, and residuals that are not noise.
 std::vector<std::string> fit_warnings(const FitStatistics& statistics,
                                       const std::vector<std::string>& keys);
 

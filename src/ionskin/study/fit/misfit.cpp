@@ -7,12 +7,13 @@
 namespace ionskin::study {
 namespace {
 
-// Of log parameters. Time steps change with the parameters, so differences must be well above that.
+// Difference of log parameters. Time steps change with the parameters, so differences must be well
+// above that.
 constexpr double difference = 0.05;
-// Of a shift, in parts of the interval between rows: no solution changes with it.
+// Difference of a shift, in parts of the interval between rows: no solution changes with it.
 constexpr double shift_difference = 0.05;
-// Of one step: where a key of the case changes by more than a factor of ten, or the clock by more
-// than an interval between rows, the derivatives tell nothing.
+// Longest change of one step: where a key of the case changes by more than a factor of ten, or the
+// clock by more than an interval between rows, the derivatives tell nothing.
 constexpr double longest_log_step = 2.303, longest_shift_step = 1;
 
 } // namespace

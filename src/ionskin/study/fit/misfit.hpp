@@ -25,7 +25,7 @@ public:
 
   std::vector<double> coordinates(const std::vector<double>& values) const;
   std::vector<double> values(const std::vector<double>& coordinates) const;
-  /// By how much the parameter changes in one unit of its coordinate; 0 for a logarithm.
+  /// Change of the parameter in one unit of its coordinate; 0 for a logarithm.
   double scale(std::size_t parameter) const { return scales_[parameter]; }
 
   /// The model at every row of the data; nothing where there is no solution.

@@ -19,10 +19,10 @@ struct Ends {
   bool least = false, largest = false;
 };
 
-/// What the model says of the ends once it is fitted to the other rows.
+/// Model at the ends once it is fitted to the other rows.
 struct WithoutEnds {
   FitData rows;                                ///< the others
-  std::vector<double> signal;                  ///< likewise
+  std::vector<double> signal;                  ///< signal at the other rows
   double beyond_least = 0, beyond_largest = 0; ///< mean of the signal over the ends
   std::size_t least_rows = 0, largest_rows = 0;
 };

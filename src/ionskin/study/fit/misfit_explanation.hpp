@@ -8,7 +8,7 @@
 
 namespace ionskin::study {
 
-/// What of the misfit a shift, a baseline, a drift or a gain explains: those that were free, and
+/// Explanation of the misfit by a shift, a baseline, a drift or a gain: those that were free, and
 /// those that were not.
 /// @param start, end the solutions at the start and at the optimum
 /// @param point the optimum

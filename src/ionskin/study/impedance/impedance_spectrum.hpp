@@ -10,7 +10,7 @@
 
 namespace ionskin::study {
 
-/// From the lowest to the highest frequency, both included.
+/// Range from the lowest to the highest frequency, both included.
 struct FrequencyRange {
   double from = 0, to = 0;    ///< [Hz]
   int points_per_decade = 10; ///< equally spaced in the logarithm; more where that does not fit

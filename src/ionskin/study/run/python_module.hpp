@@ -10,16 +10,16 @@ namespace ionskin::study {
 /// Path of the Python interpreter that ionskin's Python package runs under.
 std::string python_interpreter();
 
-/// How a module of the Python package ended.
+/// Outcome of a module of the Python package.
 struct PythonOutcome {
   int exit_code = 0;   ///< negative when the interpreter cannot be started or is killed
   std::string message; ///< its last one on standard error, where that was captured
 
-  /// Whether a library that the module imports is not there.
+  /// True if a library that the module imports is not there.
   bool lacks_library() const;
 };
 
-/// Where Python's messages go.
+/// Destination of Python's messages.
 enum class PythonErrors { shown, captured };
 
 /// Told the finished part, in [0, 1], when a module says "progress PART" in a line of its own on

@@ -66,8 +66,8 @@ MechanicsRecord record_of(GivenStrain given) {
   return record;
 }
 
-/// What an earlier run left of Study 1 in its folder; damage that its seal does not tell, as of a
-/// write that failed unnoticed, is solved again.
+/// Record of Study 1 that an earlier run left in its folder; damage that its seal does not tell, as
+/// of a write that failed unnoticed, is solved again.
 std::optional<MechanicsRecord> left_mechanics(const Case& input, const std::string& hash,
                                               const std::filesystem::path& path,
                                               RunFolder& folder) {
@@ -140,7 +140,7 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, double sta
   });
 }
 
-/// Of everything that decides Study 2: another strain, as of mechanics that were solved again,
+/// Hash of everything that decides Study 2: another strain, as of mechanics that were solved again,
 /// makes what was computed from the first one worthless.
 std::string transport_hash(const std::string& input_hash, const history::CoreHistory& history) {
   base::DigestBuilder builder;
@@ -213,7 +213,7 @@ bool has_finished(const RunFolder& folder, const RunOptions& options) {
          (options.studies == Studies::mechanics || folder.was_finished("electrochemistry"));
 }
 
-/// What the folder holds already is taken up, or replaced.
+/// Bytes of what the folder holds already, which is taken up or replaced.
 double bytes_in(const std::filesystem::path& folder) {
   double sum = 0;
   std::error_code error;

@@ -13,10 +13,10 @@
 
 namespace ionskin::study {
 
-/// Which studies a run does.
+/// Studies that a run does.
 enum class Studies { both, mechanics, electrochemistry };
 
-/// How a case is run, and where its results go.
+/// Options of a run, and where its results go.
 struct RunOptions {
   std::filesystem::path folder; ///< of the results
   int threads = 1;
@@ -26,18 +26,19 @@ struct RunOptions {
   /// `electrochemistry` alone takes up the finished mechanics in the folder.
   Studies studies = Studies::both;
   bool report = true;          ///< write the page
-  bool figures = false;        ///< and its figures as files
+  bool figures = false;        ///< true if the figures are written as files
   bool paraview = true;        ///< write the kept fields for ParaView, beside those in results.h5
   bool judge_resources = true; ///< before any work; off where that was done and Study 1 is solved
   std::string command;         ///< for the manifest
   base::ProgressCallback progress = base::no_progress;
 };
 
-/// What a run found and warned of.
+/// Results and warnings of a run.
 struct RunOutcome {
   std::filesystem::path folder;
   std::filesystem::path report; ///< empty when no report was made
-  std::string report_problem;   ///< why one that was wanted was not; among the warnings too
+  std::string
+      report_problem; ///< reason why one that was wanted was not made; among the warnings too
   std::vector<readout::Metric> metrics;
   ErrorEstimate errors;
   std::vector<std::string> warnings;

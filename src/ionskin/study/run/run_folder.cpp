@@ -92,7 +92,7 @@ void RunFolder::take_up(const Case& input) {
   try {
     earlier_ = results::read_manifest(manifest_path);
   } catch (const UserError&) {
-    // Without its hash the text alone tells which case was here.
+    // The text alone tells which case was here where there is no hash.
     const auto text_path = file(results::file_names::case_text);
     if (std::filesystem::exists(text_path) &&
         base::read_text_file(text_path.string(), "case") != input.text) {
@@ -181,7 +181,7 @@ void RunFolder::give_up(const std::string& stage, const std::string& state, doub
 }
 
 void RunFolder::finish(bool sound) {
-  // What Python draws it draws again at any time; the checkpoint goes.
+  // Files that Python draws can be drawn again at any time; the checkpoint goes.
   namespace names = results::file_names;
   const std::set<std::string> others{names::manifest, names::report, names::checkpoint};
   for (const std::string& name : folder_.owned()) {
@@ -223,7 +223,7 @@ std::string input_hash(const Case& input) {
 }
 
 std::string mechanics_hash(const Case& input) {
-  // The record holds the companions of the errors; without them it is another one.
+  // The record holds the coarser solutions for the errors; without them it is another one.
   std::string text = input.numerics.error_estimate ? "companions mesh path thickness " : "";
   text += "signals area stick slip ";
   text += fmt::format("skin {} {} {}", input.skin.length, input.skin.width,

@@ -22,9 +22,9 @@ public:
   /// of the program left there is not taken up.
   RunFolder(const Case& input, const RunOptions& options);
 
-  /// Where a file is read.
+  /// Path where a file is read.
   std::filesystem::path file(const char* name) const { return folder_.file(name); }
-  /// Where a file is written.
+  /// Path where a file is written.
   std::filesystem::path own(const char* name) { return folder_.own(name); }
   results::OutputFolder& output() { return folder_; }
   const std::filesystem::path& path() const { return folder_.path(); }
@@ -78,7 +78,8 @@ public:
 private:
   void begin(const std::string& stage);
   void end(const std::string& stage, const std::string& state, double seconds);
-  /// As `end`; the reason to give up matters more than a manifest that cannot be written.
+  /// Gives up as `end` does; the reason to give up matters more than a manifest that cannot be
+  /// written.
   void give_up(const std::string& stage, const std::string& state, double seconds);
   void take_up(const Case& input);
   bool has_all_results() const;
@@ -91,7 +92,7 @@ private:
   results::Manifest earlier_;
 };
 
-/// Whether a folder holds a finished run of this case by this build, with all its results as they
+/// True if a folder holds a finished run of this case by this build, with all its results as they
 /// were written. Takes no lock.
 /// @param hash of the case, see `input_hash`
 bool holds_finished_run(const std::filesystem::path& folder, const std::string& hash,

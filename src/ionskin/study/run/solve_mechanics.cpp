@@ -31,7 +31,7 @@ mechanics::PathSteps halved(mechanics::PathSteps steps) {
   return steps;
 }
 
-/// One pass over a coarser mesh: companions of each friction coefficient, recorded at once. What
+/// One pass over a coarser mesh: solutions for each friction coefficient, recorded at once. What
 /// their solutions hold of the skin, responses or factors, is gone when it ends: the next pass
 /// needs as much memory.
 /// @param first,share of the progress on coarser meshes
@@ -53,7 +53,7 @@ void add_pass(const Case& input, const std::vector<std::string>& names,
         ? options.progress(companion_activity, first + solved * share * fraction)
         : options.progress(activity, fraction);
   };
-  base::Timers parts; // of the companions, which count as one stage
+  base::Timers parts; // of the coarser solutions, which count as one stage
   auto solutions = mechanics::solve_variants(mechanics::companion_case(input, names.front()),
                                              variants, own, parts);
   const auto recording =
@@ -102,8 +102,8 @@ std::vector<Companions> try_companions(const Case& input, const std::vector<doub
   return {};
 }
 
-/// The companions and, beside them, the solutions themselves, whose progress is told once the
-/// companions are there.
+/// The coarser solutions and, beside them, the solutions themselves, whose progress is reported
+/// once the coarser ones are there.
 std::vector<Companions> solve_beside(const Case& input, const std::vector<double>& frictions,
                                      const mechanics::ContactOptions& options, base::Timers& timers,
                                      std::string& problem,

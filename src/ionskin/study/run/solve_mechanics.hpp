@@ -12,11 +12,11 @@
 
 namespace ionskin::study {
 
-/// Study 1 and its companions, which tell the error.
+/// Study 1 and its coarser solutions, which give the error.
 struct SolvedMechanics {
   mechanics::ContactSolution contact;
-  /// By name, see mechanics/companions.hpp; empty where their mesh has no solution and where no
-  /// error is asked for.
+  /// Records of the coarser solutions by name, see mechanics/companions.hpp; empty where their mesh
+  /// has no solution and where no error is asked for.
   std::map<std::string, std::shared_ptr<const MechanicsRecord>> companions;
 };
 
@@ -28,7 +28,7 @@ std::vector<SolvedMechanics> solve_mechanics(const Case& input,
                                              const mechanics::ContactOptions& options,
                                              base::Timers& timers);
 
-/// Solves and adds the companions of a record that has none; none where they have no
+/// Solves and adds the coarser solutions of a record that has none; none where they have no
 /// solution.
 void add_companions(const Case& input, const mechanics::ContactOptions& options,
                     MechanicsRecord& record);

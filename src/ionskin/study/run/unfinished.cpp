@@ -29,7 +29,7 @@ void write(const Case& input, RunOutputs& outputs, double start, RunFolder& fold
   }
 }
 
-/// Of one cycle, up to where the path ends.
+/// Signals of one cycle, up to where the path ends.
 Signals signals_of(const Case& input, const RunOptions& options,
                    const mechanics::ContactSolution& path) {
   Case once = input;
@@ -50,8 +50,8 @@ void keep_unfinished_contact(const Case& input, const RunOptions& options,
       kept = fmt::format("its signals end at {:.6g} s, where the contact gave up, and it has no "
                          "figures",
                          path->stepped.back().time);
-    } catch (const SolverError&) { // a strain that is no number
-      kept = "the contact gave up, and its strain is no number";
+    } catch (const SolverError&) { // a strain that is not a number
+      kept = "the contact gave up, and its strain is not a number";
     }
   }
   outputs.warnings.push_back(told(kept, error));

@@ -19,7 +19,7 @@
 namespace ionskin::study {
 namespace {
 
-// Above these the reader must be told.
+// Limits above which the reader must be warned.
 constexpr double linear_limit = 0.3;    // k gamma h / (2 lambda)
 constexpr double depletion_limit = 0.1; // min c / c0
 constexpr double large_error = 0.2;     // stated, of a number that is read
@@ -194,12 +194,12 @@ std::vector<std::string> mechanics_warnings(const Case& input, const MechanicsRe
         *std::max_element(mechanics.normal_force.begin(), mechanics.normal_force.end());
     const double pressure = force / (input.slider.size[0] * input.slider.size[1]);
     if (pressure > pressure_limit) {
-      warnings.push_back(
-          fmt::format("The slider presses with up to {:.3g} N ({:.3g} MPa on average; a finger "
-                      "presses with 1 to 10 N). For less set motion.preload to a force, such as "
-                      "\"2 N\"; the pressure under its sharp edges is no result, round them with "
-                      "slider.edge_radius.",
-                      force, pressure / 1e6));
+      warnings.push_back(fmt::format(
+          "The slider presses with up to {:.3g} N ({:.3g} MPa on average; a finger "
+          "presses with 1 to 10 N). For less set motion.preload to a force, such as "
+          "\"2 N\"; the pressure under its sharp edges is not a result, round them with "
+          "slider.edge_radius.",
+          force, pressure / 1e6));
     }
   }
   warnings.insert(warnings.end(), input.notes.begin(), input.notes.end());

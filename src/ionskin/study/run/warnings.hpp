@@ -12,7 +12,7 @@
 
 namespace ionskin::study {
 
-/// What a reader of the results must know: sentences, each with its number.
+/// Warnings that a reader of the results must know: sentences, each with its number.
 std::vector<std::string> collect_warnings(const Case& input, const MechanicsRecord& mechanics,
                                           const electrochemistry::IonSolution& ions,
                                           const readout::SignalTable& signals);

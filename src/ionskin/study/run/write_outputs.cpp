@@ -123,7 +123,7 @@ results::Summary summary_of(const Case& input, const RunOutputs& outputs) {
   return summary;
 }
 
-/// What Study 2 kept, and the file that opens it with what Study 1 left.
+/// Writes the fields that Study 2 kept, and the file that opens them with what Study 1 left.
 void write_paraview(const Case& input, const RunOutputs& outputs, RunFolder& folder) {
   if (outputs.ions) {
     results::write_fields(folder.output(), outputs.ions->grid, input.skin.core_bottom(),

@@ -17,10 +17,10 @@ struct AuditRule {
   const char* remedy;
 };
 
-/// All rules, in the order in which they are told.
+/// All rules, in the order in which they are reported.
 const std::vector<AuditRule>& audit_rules();
 
-/// Of one audit.
+/// Verdict of one audit.
 enum class Verdict { passed, warned, failed };
 
 struct Audit {

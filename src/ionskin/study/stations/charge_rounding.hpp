@@ -6,8 +6,8 @@
 
 namespace ionskin::study {
 
-/// What rounding may leave in a charge of the electrodes: 5e-11 of the largest charge that the
-/// history can move [C].
+/// Error that rounding may leave in a charge of the electrodes: 5e-11 of the largest charge that
+/// the history can move [C].
 double charge_rounding(const Case& input, const history::CoreHistory& history);
 
 } // namespace ionskin::study

@@ -192,7 +192,7 @@ void add_ion_metrics(const Case& input, const IonSolution& ions,
   metrics.push_back({"max_potential", readout::peak_magnitude(ions.max_potential), "V"});
 }
 
-/// What the instruments of the taxels show.
+/// Adds the readings of the instruments of the taxels.
 void add_readings(const Readout& readout, const IonSolution& ions, Signals& signals) {
   for (std::size_t i = 0; i < readout.taxels.size(); ++i) {
     const circuits::Circuit circuit =
@@ -297,8 +297,8 @@ double value_of(const std::vector<readout::Metric>& metrics, const std::string& 
   return found == metrics.end() ? 0.0 : found->value;
 }
 
-/// Of a sample of the taxel with a circuit of its own that has the largest signal: a voltage where
-/// any taxel has one.
+/// Adds the noise of a sample of the taxel with a circuit of its own that has the largest signal: a
+/// voltage where any taxel has one.
 void add_noise_of_taxel(const Case& input, const MechanicsRecord& mechanics,
                         const IonSolution& ions, Signals& signals) {
   const Readout& readout = input.readout;
@@ -329,7 +329,7 @@ void add_noise_of_taxel(const Case& input, const MechanicsRecord& mechanics,
   }
 }
 
-/// Of a sample, and what it leaves to be seen before full slip.
+/// Adds the noise of a sample, and what it leaves to be seen before full slip.
 void add_noise(const Case& input, const MechanicsRecord& mechanics, const IonSolution& ions,
                Signals& signals) {
   const circuits::Circuit circuit =

@@ -13,7 +13,7 @@
 
 namespace ionskin::study {
 
-/// What a run tells: every signal over time, the sampled currents, and the named figures.
+/// Signals of a run: every signal over time, the sampled currents, and the named figures.
 struct Signals {
   readout::SignalTable resolved, sampled;
   std::optional<readout::SignalTable> taxels;  ///< of a segmented top electrode

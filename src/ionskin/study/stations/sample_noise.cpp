@@ -17,7 +17,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Of an instrument that averages over its interval, beside that average.
+/// Bandwidth of an instrument that averages over its interval, over its rate.
 constexpr double bandwidth_over_rate = 10;
 
 Complex admittance(const circuits::Admittance& beside, double frequency) {
@@ -42,8 +42,8 @@ SampleNoise sample_noise(const Case& input, double peak, double record) {
       circuit.input_noise ? circuit.input_noise->current : instrument.current_noise;
   const electrochemistry::SmallSignalCell cell(input);
   const double area = input.skin.length * input.skin.width;
-  // What turns the amplifier's other noise into what is read, and by its real part the thermal one:
-  // the admittance of the cell, or the impedance with all that is beside it.
+  // The transfer turns the amplifier's other noise into what is read, and by its real part the
+  // thermal one: the admittance of the cell, or the impedance with all that is beside it.
   const auto transfer = [&](double frequency) {
     const Complex own = area / cell.area_impedance(frequency);
     return circuit.admittance ? 1.0 / (own + admittance(*circuit.admittance, frequency)) : own;

@@ -12,8 +12,9 @@ namespace ionskin::study {
 /// Rms noise of the mean over `readout.sample_interval`, docs/model.md (61): of the current between
 /// electrodes at one potential [A], else of the voltage [V].
 struct SampleNoise {
-  double thermal = 0;      ///< of the cell, and of the resistor beside it
-  double amplifier = 0;    ///< its own voltage and current noise at the cell's impedance
+  double thermal = 0; ///< of the cell, and of the resistor beside it
+  double amplifier =
+      0; ///< noise of the amplifier's own voltage and current at the cell's impedance
   double quantisation = 0; ///< of the converter
 
   double total() const;

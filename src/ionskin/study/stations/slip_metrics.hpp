@@ -12,7 +12,7 @@
 
 namespace ionskin::study {
 
-/// How the first slide begins; nothing without a slide, or where nothing sticks.
+/// Onset of the first slide; nothing without a slide, or where nothing sticks.
 std::optional<readout::SlipOnset> slip_onset(const Case& input, const MechanicsRecord& mechanics);
 
 /// Instants of the first micro-slip and of full slip since the slide began, the lead between them
@@ -22,11 +22,11 @@ std::vector<readout::Metric> slip_metrics(const Case& input, const MechanicsReco
 
 /// Least errors of these by name: half the step of the path in which an instant lies, and of the
 /// first micro-slip what half a row of cells along the border of what sticks is beside the share
-/// that it is told from.
+/// that it is derived from.
 std::vector<readout::Metric> slip_least_errors(const Case& input, const MechanicsRecord& mechanics);
 
-/// What the difference and the common current tell before full slip (readout/slip_precursor.hpp),
-/// and the noise that they are told from.
+/// Metrics of the difference and the common current before full slip (readout/slip_precursor.hpp),
+/// and of the noise that they are distinguished from.
 /// @param signals the resolved table with charges
 /// @param sample_noise rms of a reading, of skin and instrument [A]
 std::vector<readout::Metric> precursor_metrics(const Case& input, const MechanicsRecord& mechanics,

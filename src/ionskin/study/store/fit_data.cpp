@@ -147,7 +147,7 @@ private:
       if (known_.count(column) == 0) {
         const std::string nearest = base::nearest_name(column, names_of(known_));
         throw UserError(
-            fmt::format("--column {} is no signal to fit\n  = {}{}", base::shown(column),
+            fmt::format("--column {} is not a signal to fit\n  = {}{}", base::shown(column),
                         nearest.empty() ? "" : "did you mean " + nearest + "? ", known));
       }
       return column;
@@ -181,8 +181,9 @@ private:
     const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
     const auto [end, status] = std::from_chars(begin, text.data() + text.size(), value);
     if (status != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
-      table_.refuse(fmt::format("\"{}\" in column {} is no number", base::shown(text), column.name),
-                    "leave the entry empty where nothing was measured");
+      table_.refuse(
+          fmt::format("\"{}\" in column {} is not a number", base::shown(text), column.name),
+          "leave the entry empty where nothing was measured");
     }
     const double converted = *units::convert_unit(value, column.unit, si);
     if (!std::isfinite(converted)) {
@@ -222,7 +223,7 @@ private:
   std::string last_; ///< value, as written
 };
 
-/// Of a record at one rate its interval, else infinity [s].
+/// Interval of a record at one rate, else infinity [s].
 double rate_interval(const FitData& data) {
   constexpr double alike = 0.3, enough = 0.8;
   std::vector<double> steps;

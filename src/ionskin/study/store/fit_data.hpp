@@ -38,12 +38,12 @@ std::string taxel_of(const std::string& column);
 FitData read_fit_data(const std::filesystem::path& path, const FitColumns& known,
                       const std::string& column = "");
 
-/// Whether the values are means over an interval.
+/// True if the values are means over an interval.
 bool is_current(const FitData& data);
 
-/// Where the interval of each row of a current begins: at the row before. Of a record at one rate
-/// (four in five intervals are alike) with rows missing, a row behind a gap stands for an interval
-/// of that rate. The first interval is as long as the second, as far as the run has begun.
+/// Begin of the interval of each row of a current: at the row before. Of a record at one rate (four
+/// in five intervals are alike) with rows missing, a row behind a gap stands for an interval of
+/// that rate. The first interval is as long as the second, as far as the run has begun.
 /// @param start of the run [s]
 std::vector<double> interval_starts(const FitData& data, double start);
 

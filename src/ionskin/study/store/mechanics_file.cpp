@@ -16,7 +16,7 @@ namespace ionskin::study {
 
 namespace {
 
-/// Holds a group per companion, each with a path and a strain like those of the run.
+/// Holds a group per coarser solution, each with a path and a strain like those of the run.
 constexpr const char* companions_group = "/companions";
 constexpr double most_solves = 1e9;
 
@@ -42,7 +42,7 @@ void write_metrics(results::Hdf5File& file, const std::string& group,
   file.write_texts(group + "/unit", units);
 }
 
-/// What belongs together was written with one length.
+/// Datasets that belong together were written with one length.
 void require_length(const results::ForeignHdf5File& file, const std::string& dataset,
                     std::size_t actual, std::size_t expected) {
   if (actual != expected) {
@@ -64,7 +64,7 @@ std::vector<readout::Metric> read_metrics(const results::ForeignHdf5File& file,
   return metrics;
 }
 
-/// Below `root` what a run, or a companion of it, leaves beside the strain.
+/// Below `root` what a run, or a coarser solution of it, leaves beside the strain.
 void write_path(results::Hdf5File& file, const std::string& root, const MechanicsRecord& record) {
   file.write_with_unit(root + "/time", record.history.time, "s");
   file.write_with_unit(root + "/slider_z", record.slider_z, "m");

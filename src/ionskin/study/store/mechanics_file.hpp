@@ -10,7 +10,7 @@
 namespace ionskin::study {
 
 /// Writes what Study 1 leaves into a new results.h5: /strain, /contact and /path (forces per
-/// sample), and those of the companions below /companions.
+/// sample), and those of the coarser solutions below /companions.
 /// @param hash of everything that decides Study 1, see `mechanics_hash`
 /// @param progress called with "strain history"
 void write_mechanics(const std::filesystem::path& path, const std::string& hash,

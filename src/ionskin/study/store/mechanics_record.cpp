@@ -75,7 +75,7 @@ std::vector<readout::Metric> contact_cell_errors(const Case& input,
   return errors;
 }
 
-/// From which the strains of the path came; null when there is none.
+/// Source of the strains of the path; null when there is none.
 const mechanics::StrainSource* strain_source(const mechanics::ContactSolution& contact) {
   for (const mechanics::SteppedInstant& instant : contact.stepped) {
     if (instant.state) {

@@ -16,8 +16,8 @@
 
 namespace ionskin::study {
 
-/// What Study 1 leaves to everything after it. It is written when Study 1 ends and read back by a
-/// resumed run, so that Study 1 never runs twice.
+/// Record that Study 1 leaves to everything after it. It is written when Study 1 ends and read back
+/// by a resumed run, so that Study 1 never runs twice.
 struct MechanicsRecord {
   history::CoreHistory history;
   // One entry per sample of the history; empty in runs from a strain file.
@@ -28,7 +28,7 @@ struct MechanicsRecord {
   std::vector<double> contact_area;                           ///< [m2]
   std::vector<double> stick_share;                            ///< of that area, 0 to 1
   std::vector<double> slip; ///< mean over the contact since it began [m]
-  /// Of a slider on a drive, on which it pulls; empty without one.
+  /// Force of a drive on the slider; empty without one.
   std::vector<double> drive_force_x, drive_force_y; ///< [N]
   double join_time = 0; ///< from which all slips its way in the first slide [s]
   /// Begin of each slide of a cycle, and from when all of the contact slips its way [s].
@@ -38,13 +38,13 @@ struct MechanicsRecord {
   double worst_complementarity_residual = 0;
   int contact_solves = 0;
   std::vector<readout::Metric> metrics; ///< of the contact, for summary.json
-  /// By the name of a metric: error that cells of the contact leave in it, however little two
-  /// meshes differ by.
+  /// Errors by the name of a metric: error that cells of the contact leave in it, however little
+  /// two meshes differ by.
   std::vector<readout::Metric> cell_errors;
   /// Largest membrane stress of each electrode layer over all states, bottom to top [Pa].
   std::vector<double> electrode_stress;
   std::vector<std::string> warnings;
-  /// The same without maps on coarser meshes, by name (mechanics/companions.hpp): they tell the
+  /// The same without maps on coarser meshes, by name (mechanics/companions.hpp): they give the
   /// errors. Empty where those have no solution, and with a given strain.
   std::map<std::string, std::shared_ptr<const MechanicsRecord>> companions;
 

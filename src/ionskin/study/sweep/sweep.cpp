@@ -35,7 +35,7 @@ RunOptions run_options(const SweepOptions& options) {
   return result;
 }
 
-/// Of the folder of the whole sweep: its studies are those of the points.
+/// Options of the folder of the whole sweep: its studies are those of the points.
 RunOptions folder_options(const SweepOptions& options) {
   RunOptions result = run_options(options);
   result.studies = Studies::both;

@@ -12,7 +12,7 @@
 
 namespace ionskin::study {
 
-/// How a sweep is run, and where its results go.
+/// Options of a sweep, and where its results go.
 struct SweepOptions {
   std::filesystem::path folder;
   int threads = 1;
@@ -20,18 +20,18 @@ struct SweepOptions {
   bool resume = false;             ///< finish what an earlier sweep of the same points lacks
   Studies studies = Studies::both; ///< or `mechanics`
   bool report = true;              ///< write the page of the whole sweep
-  bool figures = false;            ///< and its figures as files
+  bool figures = false;            ///< true if the figures are written as files
   std::string command;             ///< for the manifests
   base::ProgressCallback progress = base::no_progress; ///< called from one thread at a time
 };
 
-/// What a sweep did.
+/// Outcome of a sweep.
 struct SweepOutcome {
   std::size_t points = 0;
   std::map<std::string, std::string> failures; ///< reason by name of the point
   std::vector<std::string> missing;            ///< names of the points that nobody solved yet
   std::filesystem::path report;                ///< empty when none was made
-  std::string report_problem;                  ///< why none was made
+  std::string report_problem;                  ///< reason why none was made
   double seconds = 0;
 };
 
@@ -42,7 +42,7 @@ struct SweepOutcome {
 /// points outlive an interruption, which leaves as Interrupted. Throws UserError before any work.
 SweepOutcome run_sweep(const SweepPlan& plan, const SweepOptions& options);
 
-/// What a planned sweep consists of.
+/// Contents of a planned sweep.
 struct PlannedFolder {
   std::vector<SweepBatch> batches;
   std::vector<std::size_t> unfinished; ///< numbers of the batches that have points to be solved

@@ -10,7 +10,7 @@
 
 namespace ionskin::study {
 
-/// How the points of a sampled sweep fill the box of its intervals.
+/// Design by which the points of a sampled sweep fill the box of its intervals.
 enum class Sampling { sobol, latin_hypercube };
 
 /// One value per axis for every point, the last axis fastest.

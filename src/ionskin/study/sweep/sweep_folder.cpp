@@ -36,7 +36,8 @@ std::string host_name() {
   return text;
 }
 
-/// Why a point failed, as its folder tells; nothing when it did not, or another case or build did.
+/// Reason why a point failed, as its folder states it; nothing when it did not, or another case or
+/// build did.
 std::optional<std::string> failure_in(const fs::path& folder, const SweepPoint& point) {
   const fs::path path = folder / names::manifest;
   if (!results::is_ionskin_manifest(path)) {
@@ -66,8 +67,8 @@ void create_folder(const fs::path& folder) {
   }
 }
 
-/// Into a folder that holds files of the user, one by one; the manifest, which says that all is
-/// there, last.
+/// Moves files, one by one, into a folder that holds files of the user; the manifest, which says
+/// that all is there, last.
 void move_files(const fs::path& from, results::OutputFolder& to) {
   for (const auto& entry : fs::directory_iterator(from)) {
     const std::string name = entry.path().filename().string();

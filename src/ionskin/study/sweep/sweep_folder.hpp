@@ -11,7 +11,7 @@
 
 namespace ionskin::study {
 
-/// How far a point came, by its folder; a finished one with its metrics.
+/// State of a point, by its folder; a finished one with its metrics.
 /// @param points folder of the points' folders
 PointState read_point_state(const std::filesystem::path& points, const SweepPoint& point,
                             Studies studies);

@@ -23,9 +23,11 @@
 namespace ionskin::study {
 namespace {
 
-/// Of the contact solutions held at once [bytes]; what does not fit is solved in a further batch.
+/// Largest memory of the contact solutions held at once [bytes]; what does not fit is solved in a
+/// further batch.
 constexpr double most_memory = 4e8;
-/// Of a cell in a state of the path: its tractions, forces, displacement, slip and reserve.
+/// Number of values of a cell in a state of the path: its tractions, forces, displacement, slip and
+/// reserve.
 constexpr double values_per_cell = 16;
 /// States whose strain a solution holds while its history is made, and solutions at a time.
 constexpr double held_states = 48;
@@ -36,7 +38,7 @@ struct SharedMechanics {
   double friction = 0;
   std::vector<std::size_t> points;
 };
-/// Those of them that differ in the friction coefficient only, and can share a footprint.
+/// Entries that differ in the friction coefficient only, and can share a footprint.
 using FrictionGroup = std::vector<SharedMechanics>;
 
 RunOptions point_options(const RunOptions& options, const SweepPoint& point) {
@@ -98,7 +100,7 @@ std::size_t batch_size(const Case& input, const mesh::Footprint& footprint) {
       1, static_cast<std::size_t>(most_memory / solution_memory(input, mesh)));
 }
 
-/// How the entries of a group are solved.
+/// Plan by which the entries of a group are solved.
 struct GroupPlan {
   std::size_t batch = 1;                    ///< entries at once
   std::optional<mesh::Footprint> footprint; ///< of all of them; empty: each finds its own
@@ -155,7 +157,7 @@ void leave_in_folders(const std::vector<SweepPoint>& points, const SharedMechani
   }
 }
 
-/// Of the mechanics, of which the footprint and the coarser mesh come first.
+/// Finished share of the mechanics, of which the footprint and the coarser mesh come first.
 double finished_share(std::string_view activity, double fraction) {
   constexpr double of_footprint = 0.05, before_mechanics = 0.15;
   if (activity == "contact footprint") {
@@ -284,7 +286,7 @@ private:
   std::map<std::string, std::optional<std::filesystem::path>> found_;
 };
 
-/// What of the given points is still to be solved, once they took over what is there.
+/// Points of the given ones that are still to be solved, once they took over what is there.
 std::vector<std::size_t> points_to_solve(const std::vector<SweepPoint>& points,
                                          const std::vector<std::size_t>& unfinished,
                                          const RunOptions& options,

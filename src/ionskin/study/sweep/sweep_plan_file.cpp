@@ -35,7 +35,7 @@ constexpr const char* again = "plan again: ionskin sweep CASE.toml --over KEY=VA
                               "--overwrite -o DIR, or with --resume in place of --overwrite to "
                               "keep what is finished";
 
-/// A path may hold bytes that are no UTF-8.
+/// A path may hold bytes that are not UTF-8.
 std::string text_of(const Json& json) {
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -85,7 +85,7 @@ Json batch_json(const SweepPlan& plan, const SweepBatch& batch, std::size_t numb
           {"seconds", batch.seconds}};
 }
 
-/// What is wrong with a plan, which the user need not know more closely.
+/// Damage of a plan, which the user need not know more closely.
 class Damaged {};
 
 void require(bool holds) {
@@ -136,7 +136,7 @@ bool is_number(const std::string& text) {
   return status == std::errc() && rest == end && std::isfinite(value);
 }
 
-/// What only the point's case tells.
+/// Takes what only the point's case tells.
 void take_point(const Json& json, SweepPoint& point) {
   const Json& values = json.at("values");
   require(values.is_array() && values.size() == point.values.size());
@@ -209,7 +209,7 @@ PlannedSweep parse(const fs::path& path) {
   } catch (const nlohmann::json::exception&) {
   }
   throw UserError(
-      fmt::format("{} is no plan of ionskin or is damaged\n  = {}", path.string(), again));
+      fmt::format("{} is not a plan of ionskin or is damaged\n  = {}", path.string(), again));
 }
 
 void read_case_of(const SweepRequest& request, SweepPoint& point) {

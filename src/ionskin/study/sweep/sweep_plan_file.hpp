@@ -10,7 +10,7 @@
 
 namespace ionskin::study {
 
-/// What plan.json holds: everything that doing a batch and collecting the tables need.
+/// Contents of plan.json: everything that doing a batch and collecting the tables need.
 struct PlannedSweep {
   SweepPlan plan;
   std::vector<SweepBatch> batches;

@@ -21,7 +21,7 @@ namespace ionskin::study {
 namespace {
 
 constexpr std::size_t longest_name = 100;
-constexpr std::size_t most_keys = 1000;  ///< that vary
+constexpr std::size_t most_keys = 1000;  ///< largest number of keys that vary
 constexpr std::size_t most_edits = 1000; ///< of the base case; each reads the case anew
 
 std::vector<SweepAxis> parse_axes(const std::vector<std::string>& over) {
@@ -45,7 +45,7 @@ std::vector<SweepAxis> parse_axes(const std::vector<std::string>& over) {
   return axes;
 }
 
-/// What of a text may stand in the name of a folder.
+/// Letters of a text that may stand in the name of a folder.
 std::string name_letters(std::string_view text, std::string_view others) {
   std::string result;
   for (const char letter : text) {

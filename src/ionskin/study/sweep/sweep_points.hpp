@@ -11,7 +11,7 @@
 
 namespace ionskin::study {
 
-/// What the user asks of a sweep: a base case and the keys to vary.
+/// Request of the user for a sweep: a base case and the keys to vary.
 struct SweepRequest {
   std::string case_path;
   std::optional<std::string> case_text; ///< instead of the file's
@@ -40,7 +40,7 @@ struct SweepPoint {
 /// All points of a sweep.
 struct SweepPlan {
   SweepRequest request; ///< with the text of the case
-  Case base;            ///< its text names the axes, so that it identifies the sweep
+  Case base;            ///< base case, whose text names the axes and so identifies the sweep
   std::vector<SweepPoint> points;
 };
 

@@ -10,8 +10,8 @@
 
 namespace ionskin::study {
 
-/// How far the points of a sweep are while they are solved: their states, the progress over those
-/// that are worked on, and the table on disk. May be told from several threads.
+/// Record of the points of a sweep while they are solved: their states, the progress over those
+/// that are worked on, and the table on disk. May be called from several threads.
 class SweepRecord {
 public:
   /// @param states of all points, as their folders tell them
@@ -19,7 +19,7 @@ public:
   SweepRecord(const std::vector<SweepPoint>& points, std::vector<PointState> states,
               base::ProgressCallback progress, std::filesystem::path table);
 
-  /// Those among the given points that are not finished; failed ones are tried again.
+  /// Points among the given ones that are not finished; failed ones are tried again.
   std::vector<std::size_t> begin(const std::vector<std::size_t>& chosen);
   void settle(std::size_t point, PointState state);
   void progress(std::size_t point, double fraction);

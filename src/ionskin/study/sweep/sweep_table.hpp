@@ -10,13 +10,13 @@
 
 namespace ionskin::study {
 
-/// How far a point is.
+/// Status of a point.
 enum class PointStatus { pending, finished, failed };
 
-/// How far one point of a sweep came.
+/// State of one point of a sweep.
 struct PointState {
   PointStatus status = PointStatus::pending;
-  std::string reason;                   ///< why it failed
+  std::string reason;                   ///< reason why it failed
   std::vector<readout::Metric> metrics; ///< of a finished point
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double memory_bound = 2.4e9; // bytes for the ion transport of all points at once
 
-/// So that a reason is the same wherever its point was solved.
+/// The reason is made the same wherever its point was solved.
 std::string without_staging(std::string text, const std::string& staged, const std::string& name) {
   for (std::size_t at = 0; (at = text.find(staged, at)) != std::string::npos;) {
     text.replace(at, staged.size(), name);

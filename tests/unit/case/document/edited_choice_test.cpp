@@ -31,7 +31,7 @@ std::string message_of(const std::string& text, const Edits& edits) {
   return "";
 }
 
-/// What a run writes down is read again as the same case, by itself.
+/// The case that a run writes down is read again as the same case, by itself.
 Case read_twice(const std::string& text, const Edits& edits) {
   const TemporaryCase file(text);
   Case input = read_case(file.path(), edits);
@@ -93,7 +93,7 @@ TEST(EditedChoice, LeavesOutKeysOfInlineTables) {
 }
 
 struct OtherChoice {
-  std::string replace, with; ///< what the file has
+  std::string replace, with; ///< text that the file has
   Edits edits;
   std::string left_out;
 };

@@ -10,7 +10,7 @@
 namespace ionskin {
 namespace {
 
-/// As of a German or Indian host: decimal commas, and dots that group thousands.
+/// Locale of a German or Indian host: decimal commas, and dots that group thousands.
 struct Commas : std::numpunct<char> {
   char do_decimal_point() const override { return ','; }
   char do_thousands_sep() const override { return '.'; }

@@ -148,7 +148,8 @@ TEST(ReadCase, MaterialOfTheCoreHasItsIons) {
   EXPECT_EQ(ions.valence, 1);
   EXPECT_EQ(document.find("electrochemistry.diffusivity")->origin, ValueOrigin::preset);
   EXPECT_EQ(document.find("electrochemistry.valence")->origin, ValueOrigin::preset);
-  // What the preset rests on: 8.2 S/m at 25 degC, by the relation of Nernst and Einstein.
+  // The preset rests on this conductivity: 8.2 S/m at 25 degC, by the relation of Nernst and
+  // Einstein.
   const double faraday = 96485.33, thermal_energy = 8.314463 * 298.15;
   const double conductivity =
       faraday * faraday * ions.diffusivity * ions.fixed_charge_concentration / thermal_energy;

@@ -239,7 +239,7 @@ TEST(Scan, ReadsChargeOfOneRowAtATime) {
       } else {
         EXPECT_EQ(taxel.bypassed[row], taxel.bypassed[row - 1]);
       }
-      // Out of its turn a taxel is at the ground; the row of a switch is the end of its turn.
+      // A taxel out of its turn is at the ground; the row of a switch is the end of its turn.
       if (i != read) {
         EXPECT_EQ(taxel.voltage[row], 0);
       }
@@ -248,7 +248,7 @@ TEST(Scan, ReadsChargeOfOneRowAtATime) {
   EXPECT_GT(base::largest_magnitude(solution.top_segments[1].passed), 0);
 }
 
-/// What is grounded between its turns, and in them, is never anything else.
+/// A taxel that is grounded between its turns, and in them, is never anything else.
 TEST(Scan, OfGroundedTaxelsChangesNothing) {
   const IonSolution plain = solve(with_taxels(4, "short"), slide_onset_history()),
                     read = solve(scanned("short", true), slide_onset_history());

@@ -25,7 +25,7 @@ TEST(StericExcess, IsTheLogarithmOfTheRoomAndItsSlope) {
   EXPECT_DOUBLE_EQ(crowding.excess(1.0), -std::log(0.6));
   EXPECT_NEAR(crowding.slope(2.0),
               (crowding.excess(2.0 + 1e-6) - crowding.excess(2.0 - 1e-6)) / 2e-6, 1e-8);
-  // Of little filling it is c/c_max.
+  // The excess at little filling is c/c_max.
   EXPECT_NEAR(StericExcess{1e-12}.excess(3.0), 3e-12, 1e-23);
 }
 

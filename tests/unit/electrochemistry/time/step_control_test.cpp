@@ -108,9 +108,9 @@ TEST(StepRule, TaxelsAskForSingleColumns) {
 TEST(EstimatedSteps, FollowTheToleranceAndTheLandings) {
   const DerivedScales scales = derive_scales(verification::model_case().electrochemistry, 180e-6);
   const StepRule rule = step_rule({Preset::standard, 1.0, 1.0}, {}, scales);
-  // On the tail of the baseline the steps are 0.08 s long at first.
+  // The steps on the tail of the baseline are 0.08 s long at first.
   EXPECT_NEAR(relaxation_step(rule, scales), 0.08, 0.005);
-  // While the slider passes columns of 0.2 mm at 3 mm/s they are 0.054 s long.
+  // The steps are 0.054 s long while the slider passes columns of 0.2 mm at 3 mm/s.
   EXPECT_NEAR(crossing_step(rule, 0.2 / 3.0), 0.054, 0.001);
   const StepLandings landings{{0.0, 1.0, 3.0}, {true, true, false}, {false, false, false}};
   const StepRule doubling{1e-4, 0.1, 0.5, 0, 1e-12, 2.0, 1e-3};

@@ -67,7 +67,7 @@ TEST(FreeFaces, soften_the_skin_and_never_stiffen_it) {
 }
 
 TEST(FreeFaces, are_alike_under_an_exchange_of_x_and_y) {
-  // What sides are to one skin, ends are to the other.
+  // The sides of one skin are the ends of the other.
   const ContactGrid one = cells(), other{one.y, one.x};
   const Eigen::MatrixXd a = compliance(one, 0.6e-3, 0.5e-3, {.along_side = 60, .along_end = 36}),
                         b = compliance(other, 0.5e-3, 0.6e-3, {.along_side = 36, .along_end = 60},

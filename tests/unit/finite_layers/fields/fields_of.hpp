@@ -29,7 +29,7 @@ struct FieldCase {
   double tolerance = 1e-4;
 };
 
-/// Of forces on cells, [3 cell + component].
+/// Sum of the forces on cells along a component, [3 cell + component].
 inline double sum(const std::vector<double>& forces, std::size_t component) {
   double result = 0;
   for (std::size_t i = component; i < forces.size(); i += 3) {

@@ -51,8 +51,8 @@ TEST(RollerFields, under_an_even_load_are_those_of_a_column) {
   expect_stretch(found.electrodes, electrode);
 }
 
-// Through the thickness the stretch adds up to what the surface moves by. Of the core only points
-// are known: it is a hundredth of the polymer here.
+// The stretch through the thickness adds up to the displacement of the surface. Of the core only
+// points are known: it is a hundredth of the polymer here.
 TEST(RollerFields, add_up_to_the_compliance_of_a_cell) {
   FieldCase skin;
   const ElasticLayer metal = skin.layers[0], polymer = skin.layers[1];

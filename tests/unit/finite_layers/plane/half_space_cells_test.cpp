@@ -46,7 +46,7 @@ TEST(HalfSpaceCells, agree_with_sums_over_both_rectangles) {
 }
 
 TEST(HalfSpaceCells, have_the_known_mean_over_a_square) {
-  // Of 1/r between the points of a unit square: 4 asinh(1) + 4 (1 - sqrt 2)/3.
+  // Mean of 1/r between the points of a unit square: 4 asinh(1) + 4 (1 - sqrt 2)/3.
   const Interval unit{0, 1};
   const InverseDistance mean = mean_inverse_distance(unit, unit, unit, unit);
   EXPECT_NEAR(mean.inverse, 4 * std::asinh(1.0) + 4 * (1 - std::sqrt(2.0)) / 3, 1e-13);

@@ -13,7 +13,8 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// Of one bonded layer, docs/model.md (37), written without hyperbolic functions that overflow.
+/// Compliance of one bonded layer, docs/model.md (37), written without hyperbolic functions that
+/// overflow.
 WaveCompliance bonded_layer(const ElasticLayer& layer, double k) {
   const double nu = layer.poissons_ratio(), depth = k * layer.thickness;
   const double e = std::exp(-2 * depth), cosh2 = (1 + e) * (1 + e) / 4,

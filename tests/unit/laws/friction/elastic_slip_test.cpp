@@ -69,7 +69,7 @@ public:
     return dissipated - stored();
   }
 
-  /// Of the traction and the stiffness as they are, whatever slip made them.
+  /// Energy that is stored at the present traction and stiffness, whatever slip made them.
   double stored() const {
     return full_ > 0 ? 0.5 * law_.elastic_slip / full_ *
                            (traction[0] * traction[0] + traction[1] * traction[1])

@@ -22,7 +22,7 @@ Case small_finger() {
   return input;
 }
 
-/// On cells that serve where no figure is asked for.
+/// A finger on coarse cells, which serve where no figure is asked for.
 Case coarse_finger() {
   Case input = small_finger();
   input.numerics.mesh_refinement = 0.3;
@@ -101,7 +101,8 @@ TEST(FindFootprint, refuses_a_contact_over_the_edge_of_the_skin) {
 TEST(FindFootprint, is_not_widened_over_the_edge_of_the_skin) {
   Case input = coarse_finger();
   input.slider.start[0] = 20e-6;
-  // Without a search: the contact of the solution itself reaches the end of the skin.
+  // The options leave out the search: the contact of the solution itself reaches the end of the
+  // skin.
   ContactOptions options;
   options.footprint = mesh::largest_footprint(input);
   base::Timers timers;

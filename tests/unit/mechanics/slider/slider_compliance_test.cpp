@@ -96,8 +96,8 @@ TEST(SliderCompliance, OfAHalfModelIsThatOfTheWholeUnderMirroredForces) {
 }
 
 TEST(SliderCompliance, HasTheMeanUnderAnEvenlyPressedRectangle) {
-  // Of a square of side a the mean over itself of 1/r is 2.9733 a (Love 1929); of this rectangle
-  // it is summed here.
+  // The mean of 1/r over a square of side a is 2.9733 a (Love 1929); of this rectangle it is summed
+  // here.
   Case input = soft_case();
   input.slider.size = {0.4e-3, 0.4e-3};
   input.slider.parameters["edge_radius"] = 0.05e-3; // even tractions

@@ -22,7 +22,7 @@ struct Mistake {
   Frame frame;
   std::function<void(CoreHistory&)> in_history;
   std::function<void(Hdf5File&)> in_file;
-  std::vector<std::string> words; ///< that the message must hold
+  std::vector<std::string> words; ///< words that the message must hold
 };
 
 void keep(CoreHistory&) {}
@@ -121,7 +121,7 @@ const std::vector<Mistake> mistakes{
        file.remove("/time");
        file.write_text("/time", "now");
      },
-     {"/time is no dataset of numbers"}},
+     {"/time is not a dataset of numbers"}},
     {"time in two dimensions",
      Frame::skin,
      keep,

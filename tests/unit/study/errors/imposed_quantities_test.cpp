@@ -11,7 +11,8 @@
 namespace ionskin::study {
 namespace {
 
-/// From 1 mm above the skin to 2 N within 1 s, on to 3 N and 1 mm further at 2 s, off again at 3 s.
+/// A slider goes from 1 mm above the skin to 2 N within 1 s, on to 3 N and 1 mm further at 2 s, off
+/// again at 3 s.
 Case pressed_case() {
   Case input;
   input.motion.kind = MotionKind::waypoints;

@@ -1,0 +1,107 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Checks that comments say what a thing is, and that each room of src/ionskin has a page.
+
+A comment is a sentence with a subject, or a noun phrase. It begins neither with a word that leaves the subject out, such
+as "Of" or "Whether", nor with a preposition unless a comma divides it from the subject: "In a sweep, the points share
+their mechanics."
+"""
+
+import ast
+import pathlib
+import re
+import sys
+
+SOURCES = ("apps", "benchmarks", "cases", "docs", "examples", "fuzz", "python", "scripts", "src", "studio", "tests",
+           "verification")
+SUFFIXES = (".cpp", ".hpp", ".h", ".py", ".ts", ".js")
+# Folders whose comments are not reworded yet, such as "src/ionskin/live/".
+EXEMPT = ()
+WITHOUT_SUBJECT = set("""also and another as because but by from how into its of or out per since so than that their those to
+                         what whether which who whose why""".split())
+PREPOSITIONS = set("""above after against along among at before behind below beside between beyond during for if in on over
+                      through under until when where while with within without""".split())
+# Words with which even a comment behind a declaration, that goes on from the name, leaves its subject out.
+WITHOUT_NAME = set("how so that those what whether which why".split())
+LINE = re.compile(r"^\s*///?(?!<) ?(.*)$")
+BEHIND = re.compile(r"///< ?(.*)$")
+SENTENCE = re.compile(r".*?[.:;](?=\s|$)|.*", re.DOTALL)
+PAGE_PARTS = ("**In:**", "**Out:**", "**Equations:**", "**Begin with:**")
+
+
+def line_comments(text):
+    """Yields line number and text of each comment that stands on lines of its own, before what it is about."""
+    first, parts = 0, []
+    for number, line in enumerate([*text.splitlines(), ""], 1):
+        own = LINE.match(line)
+        if own and "SPDX" not in line:
+            first, parts = (first, [*parts, own[1]]) if parts else (number, [own[1]])
+            continue
+        if parts:
+            yield first, " ".join(parts)
+            parts = []
+
+
+def comments_behind(text):
+    """Yields line number and text of each comment that goes on from a name: `double length; ///< along x [m]`."""
+    for number, line in enumerate(text.splitlines(), 1):
+        if behind := BEHIND.search(line):
+            yield number, behind[1]
+
+
+def docstrings(text):
+    """Yields line number and text of each docstring of a Python source."""
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)) and ast.get_docstring(node):
+            yield node.body[0].lineno, ast.get_docstring(node)
+
+
+def first_word(comment):
+    """First word of a comment, in small letters."""
+    return re.match(r"[A-Za-z]*", comment)[0].lower()
+
+
+def lacks_subject(comment):
+    """True where the first sentence of a comment leaves its subject out."""
+    word = first_word(comment)
+    return word in WITHOUT_SUBJECT or (word in PREPOSITIONS and "," not in SENTENCE.match(comment)[0])
+
+
+def mistakes(name, text):
+    """Yields one message for each comment of a source that leaves its subject out."""
+    python = name.endswith(".py")
+    found = [one for one in (docstrings(text) if python else line_comments(text)) if lacks_subject(one[1])]
+    found += [] if python else [one for one in comments_behind(text) if first_word(one[1]) in WITHOUT_NAME]
+    for line, comment in sorted(found):
+        yield f"{name}:{line}: say what this is, as a sentence with a subject or a noun phrase: {comment.split(chr(10))[0][:60]}"
+
+
+def page_mistakes(room, page):
+    """Yields one message for each part that the page of a room lacks; `page` is None where there is no page."""
+    if page is None:
+        yield f"{room}/README.md: missing; it says {', '.join(PAGE_PARTS)}"
+        return
+    for part in PAGE_PARTS:
+        if part not in page:
+            yield f"{room}/README.md: lacks {part}"
+
+
+def main():
+    root = pathlib.Path(__file__).resolve().parent.parent
+    found = []
+    for source in SOURCES:
+        for path in sorted((root / source).rglob("*")):
+            name = path.relative_to(root).as_posix()
+            if path.suffix in SUFFIXES and not name.startswith(EXEMPT) and "/_build/" not in name:
+                found += mistakes(name, path.read_text(encoding="utf-8"))
+    for room in sorted(path for path in (root / "src" / "ionskin").iterdir() if path.is_dir()):
+        page = room / "README.md"
+        found += page_mistakes(room.relative_to(root).as_posix(), page.read_text(encoding="utf-8") if page.exists() else None)
+    for message in found:
+        print(message)
+    print(f"comments: {len(found)} mistakes")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
