@@ -82,7 +82,7 @@ def net(rows, columns, conductance_x, conductance_y):
 
 
 def voltage(time, charge, both_metals, load, numbers, samples):
-    """Of the leads over uniform times; `both_metals` is the resistance of a square of both together [ohm]."""
+    """Voltage of the leads over uniform times; `both_metals` is the resistance of a square of both together [ohm]."""
     rows, columns = charge.shape[:2]
     dx, dy = numbers["skin.length"] / columns, numbers["skin.width"] / rows
     period = 2 * time[-1]

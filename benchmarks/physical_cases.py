@@ -250,7 +250,7 @@ class Draw:
         material["relaxation_shares"] = [self.between(0.01, 0.3) for _ in range(count)]
 
     def over_humidity(self, material):
-        """Its modulus and diffusivity as lists over the humidity, one of which is the skin's."""
+        """Gives a material its modulus and diffusivity as lists over the humidity, one of which is the skin's."""
         material["humidity"] = sorted({round(self.rng.uniform(0.05, 1), 3) for _ in range(5)})
         for key in ("youngs_modulus", "diffusivity"):
             number, unit = material[key].split(" ", 1)

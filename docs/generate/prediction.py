@@ -77,7 +77,7 @@ def table(strips):
 
 
 def ranges(content):
-    """What was varied, and from where, once for each kind of strip."""
+    """Table of the keys that were varied, their ranges and sources, once for each kind of strip."""
     lines = ["| of | key | range | source |", "|---|---|---|---|"]
     seen = set()
     for name, one in [(f"{strip['cation']}, {strip['kept']}", strip) for strip in content["strips"]] + [("the touch", content["touch"])]:

@@ -162,7 +162,7 @@ class LiveTest(ProgramTest):
 
     @long_test
     def test_friction_is_chosen_within_its_range(self):
-        """Of a law that remembers slip, trained over a range of coefficients."""
+        """A law that remembers slip is trained over a range of coefficients."""
         trained = self.live(ROOT / "cases" / "paper" / "taxels.toml", *SMALL, "--set", "contact.law=regularised", "--set",
                             "contact.slip_length=0.1 um", "--friction", "0.1", "0.4", "--trajectories", "4",
                             "--validation", "7", "-o", "range.live")

@@ -58,7 +58,7 @@ class ClusterTasks(PackageTest):
             ionskin.sweep(case, {"contact.friction": [0.1, 0.2]}, self.folder / "out", on=self.folder / "scheduler.json")
 
     def sweep_refused(self, scheduler):
-        """What is said of a scheduler's file that serves for nothing."""
+        """Message about a scheduler's file that cannot be used."""
         case = ionskin.Case.from_file(CASES / "paper" / "coarse.toml")
         with self.assertRaises(ionskin.CaseError) as refused:
             ionskin.sweep(case, {"contact.friction": [0.1, 0.2]}, self.folder / "out", on=scheduler, overwrite=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What `ionskin design` does."""
+"""The command `ionskin design`."""
 
 import csv
 import io

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What `ionskin generate` does."""
+"""The command `ionskin generate`."""
 
 import sys
 import time

@@ -20,7 +20,7 @@ def finite(name: str, values, shape: tuple) -> numpy.ndarray:
 
 
 def one_load(height, force, plural: str) -> tuple[int, object]:
-    """Which of both loads is given, and that. TypeError: both or neither."""
+    """The kind of load that is given, height or force, and its value. TypeError: both or neither."""
     if (height is None) == (force is None):
         raise TypeError(f"give either height{plural} or force{plural}, " +
                         ("not both" if height is not None else "one of both is missing"))

@@ -61,5 +61,5 @@ def _declared(library: ctypes.CDLL) -> ctypes.CDLL:
 
 
 def pointer(array: numpy.ndarray):
-    """Of an array of doubles."""
+    """Pointer to the numbers of an array of doubles."""
     return array.ctypes.data_as(NUMBERS)

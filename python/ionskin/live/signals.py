@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a live skin tells, and what its file says of itself."""
+"""Signals of a live skin, their errors and the range that it was trained for."""
 
 import dataclasses
 from collections.abc import Mapping
@@ -20,7 +20,7 @@ class SignalError:
 
 @dataclasses.dataclass(frozen=True)
 class Range:
-    """What the skin was trained for: places of the slider's centre [m], force [N], indentation [m], speed [m/s],
+    """Range that the skin was trained for: places of the slider's centre [m], force [N], indentation [m], speed [m/s],
     lowest and highest coefficient of friction."""
 
     lowest: tuple[float, float]
@@ -55,7 +55,7 @@ class Signals(Mapping):
 
     @property
     def outside(self):
-        """Whether a step lies outside the trained range, in place, load or speed."""
+        """True where a step lies outside the trained range, in place, load or speed."""
         return (self.flags & (OUTSIDE_PLACE | OUTSIDE_LOAD | OUTSIDE_SPEED)) != 0
 
     def __repr__(self) -> str:

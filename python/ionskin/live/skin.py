@@ -217,7 +217,7 @@ class Skin:
 
 
 def _digest(path: str | os.PathLike) -> bytes:
-    """That at the end of a file."""
+    """Digest at the end of a file of a live skin."""
     with open(path, "rb") as file:
         file.seek(-32, os.SEEK_END)
         return file.read()

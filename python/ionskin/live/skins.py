@@ -18,7 +18,7 @@ _BLOCK = 64  # environments that a thread takes at a time
 
 
 class Skins:
-    """So many environments, each a skin of its own with a state, a friction and a noise of its own. What one does depends
+    """A number of environments, each a skin of its own with a state, a friction and a noise of its own. What one does depends
     neither on the others nor on the number of threads.
 
     skin     a Skin, whose state and friction all take, or the path of a file
@@ -62,7 +62,7 @@ class Skins:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Of the signals that are told, in their order."""
+        """Names of the signals that a step returns, in their order."""
         return self._names
 
     @property

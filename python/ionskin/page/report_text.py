@@ -227,7 +227,7 @@ def contact_caption(results):
 
 
 def metal_caption(results):
-    """Of the potential along the metal, with its largest difference during the run."""
+    """Caption of the potential along the metal, with its largest difference during the run."""
     drop = results.metrics["peak_metal_drop"]
     return ("Against the lead of the bottom electrode, at instants of output.fields. During the run it differs by up to "
             f"{quantity(drop.value, drop.unit, 3)} along one metal.")

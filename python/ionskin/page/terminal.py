@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a run gives as the terminal shows it, in the words and digits of its page: /usr/bin/python3 -m ionskin.page.terminal FOLDER"""
+"""Results of a run as the terminal shows them, in the words and digits of its page: /usr/bin/python3 -m ionskin.page.terminal FOLDER"""
 
 import argparse
 

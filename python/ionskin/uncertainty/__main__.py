@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What `ionskin uncertainty` does."""
+"""The command `ionskin uncertainty`."""
 
 import sys
 

@@ -12,7 +12,8 @@
 namespace ionskin::live {
 namespace {
 
-/// Of the strains that the place changes, over the largest strain; stated errors begin at 1e-4.
+/// Error of the strains that the place changes, over the largest strain; stated errors begin at
+/// 1e-4.
 constexpr double smoothness = 1e-6;
 
 std::vector<float> integrals(const ChannelMap& channel, std::size_t modes) {

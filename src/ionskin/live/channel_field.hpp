@@ -34,7 +34,7 @@ public:
   /// Integrals over all that lies before a corner along x and y, one for each level.
   void integrate_to(std::size_t lane, const std::array<double, 2>& place,
                     const std::array<double, 2>& corner, std::span<double> levels) const noexcept;
-  /// Of the modes.
+  /// Amplitudes of the modes of a lane.
   std::span<const double> amplitude(std::size_t lane) const {
     return std::span(amplitude_).subspan(lane * modes_, modes_);
   }
@@ -43,8 +43,8 @@ private:
   struct Tables {
     /// Strains: first by the force on each cell, then by what `reach` gives.
     LaneProduct strain;
-    /// What the place changes about strains is smooth and needs few directions: for each mode of
-    /// the place and each of them the force in it.
+    /// The change of the strains with the place is smooth and needs few directions: for each mode
+    /// of the place and each of them the force in it.
     LaneProduct reach;
     std::size_t directions = 0;
     LaneProduct fit; ///< amplitudes by the channel at each point, times that of each place mode

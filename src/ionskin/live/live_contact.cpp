@@ -113,7 +113,8 @@ const float* LiveContact::column(std::size_t at) noexcept {
 void LiveContact::add(std::size_t cell, const std::array<double, 3>& force, State& state) noexcept {
   const float *x = column(3 * cell), *y = column(3 * cell + 1), *z = column(3 * cell + 2);
   double* surface = state.surface.data();
-  // As exact as the compliance itself, and twice as fast as in double precision.
+  // Single precision is as exact as the compliance itself, and twice as fast as in double
+  // precision.
   const auto normal = static_cast<float>(force[0]), along_x = static_cast<float>(force[1]),
              along_y = static_cast<float>(force[2]);
   for (std::size_t row = 0; row < size_; ++row) {

@@ -71,7 +71,7 @@ public:
                 std::span<double> signals) noexcept;
   void tell(const Pressed& pressed, std::span<const ChannelField> fields, std::size_t lane,
             std::span<double> signals) noexcept;
-  /// For `ChannelField::set`.
+  /// Place and forces as `ChannelField::set` takes them.
   ChannelField::Touch touch(const Pressed& pressed) const noexcept;
   std::span<const ChannelField> fields() const { return fields_; }
   /// Exchanges state and friction with those of another skin of the same file, without memory.
@@ -100,7 +100,7 @@ private:
   bool may_be_state(std::span<const double> state) const noexcept;
   bool is_place(double x, double y) const noexcept;
   void add_contact(std::span<double> signals) noexcept;
-  // From the strain to the charges: skin_charges.cpp.
+  // These functions lead from the strain to the charges: skin_charges.cpp.
   void set_levels(const ChannelField& field, std::size_t lane,
                   const std::array<double, 2>& place) noexcept;
   void add_charges(double time_step, bool first) noexcept;

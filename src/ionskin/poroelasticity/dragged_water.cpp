@@ -56,7 +56,7 @@ void DraggedWater::step(const PressureState& begin, double duration,
   }
   water_.step(begin, duration, load_, end);
   water_.pressure(end, pressure_);
-  // What P stores, less what the cations brought.
+  // The water that P stores, less that which the cations brought.
   if (relaxes_) {
     water_.undrained(end, load_);
     for (std::size_t i = 0; i < load_.size(); ++i) {

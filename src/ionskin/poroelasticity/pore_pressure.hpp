@@ -11,9 +11,9 @@
 
 namespace ionskin::poroelasticity {
 
-/// Where the water stands: amplitudes of the modes [Pa].
+/// State of the water: amplitudes of the modes [Pa].
 struct PressureState {
-  /// Of what decays in P, the water potential over the molar volume of water: [terms][z][y][x]
+  /// The decaying parts of P, the water potential over the molar volume of water: [terms][z][y][x]
   std::vector<double> pressure;
   std::vector<double> undrained; ///< p_u, what it would be if no water moved: [z][y][x]
 };
@@ -38,7 +38,7 @@ public:
 
   const std::vector<double>& nodes() const { return nodes_; }
   std::size_t values() const { return x_.size * y_.size * z_.size; }
-  /// Of `PressureState::pressure`.
+  /// Number of amplitudes in `PressureState::pressure`.
   std::size_t amplitudes() const { return rate_.size(); }
 
   /// Starts at the first instant: the undrained response.

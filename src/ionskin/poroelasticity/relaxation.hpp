@@ -7,11 +7,11 @@
 
 namespace ionskin::poroelasticity {
 
-/// What drives the water of a core whose stress relaxes.
+/// Load that drives the water of a core whose stress relaxes.
 enum class RelaxingLoad {
   strain,   ///< along the skin, of a bent strip
   pressure, ///< on its faces
-  water     ///< that is brought into it
+  water     ///< water that is brought into the core
 };
 
 /// A core whose shear modulus relaxes as a Prony series, docs/model.md (76). Moduli are over the
@@ -27,7 +27,7 @@ struct Relaxation {
   std::size_t terms() const { return times.size() + 1; }
 };
 
-/// Of the core of a case whose law moves water, under its prescribed load.
+/// Relaxation of the core of a case whose law moves water, under its prescribed load.
 Relaxation derive_relaxation(const Case& input);
 
 /// The answer of one mode of the water to a unit step of p_u, of the first instant, as a sum of

@@ -76,7 +76,7 @@ TEST(Relaxation, ADrainedStrainEndsWithoutPressure) {
   }
 }
 
-// What flowed in is the integral of P: d(water)/dt = -K curvature P.
+// The inflow is the integral of P: d(water)/dt = -K curvature P.
 TEST(Relaxation, GrowthIsWhatFlowsIn) {
   for (const RelaxingLoad load :
        {RelaxingLoad::strain, RelaxingLoad::pressure, RelaxingLoad::water}) {

@@ -60,7 +60,7 @@ def write_run(folder, cycles=2, contact=True, ions=True):
 
 
 def explored(page):
-    """What the charts to explore of a page draw."""
+    """Data that the charts to explore of a page draw."""
     return json.JSONDecoder().raw_decode(page, page.index("const DATA=") + len("const DATA="))[0]
 
 

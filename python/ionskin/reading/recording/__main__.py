@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What `ionskin motion` does."""
+"""The command `ionskin motion`."""
 
 import sys
 

@@ -62,7 +62,7 @@ void check_numbers(const Series& series, Problems& problems) {
                  "together they must be below 1: what is left is the modulus after all times");
 }
 
-/// Where only elastic materials are solved.
+/// Refuses relaxation where only elastic materials are solved.
 void check_place(const Series& series, LayerRole role, Problems& problems) {
   const Case& input = series.document.input;
   const auto refuse = [&](const std::string& why, const std::string& remedy) {

@@ -48,7 +48,7 @@ void complete_from_preset(const std::string& name, TomlWalk& walk, Problems& pro
   }
 }
 
-// Whether the case has a key that stands in for this one.
+// True if the case has a key that stands in for this one.
 bool is_told_otherwise(const SchemaRow& row, const TomlWalk& walk) {
   return !row.purpose.empty() && std::ranges::any_of(schema(), [&](const SchemaRow& other) {
     const auto seen = walk.seen.find(other.key);
@@ -56,7 +56,7 @@ bool is_told_otherwise(const SchemaRow& row, const TomlWalk& walk) {
   });
 }
 
-// What the case does not say of its ions and the material of the core does.
+// Takes the ions from the material of the core where the case does not give them.
 void take_ions(const std::string& material, TomlWalk& walk) {
   for (const SchemaRow& row : schema()) {
     const bool applies = !row.applies || row.applies(walk.draft.input);

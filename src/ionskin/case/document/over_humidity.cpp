@@ -26,7 +26,7 @@ std::vector<Pointer> place_of(const ValueRecord* record) {
                                             : std::vector<Pointer>{};
 }
 
-/// Whether the humidities are a scale on which numbers can be read, and that of the case is on it.
+/// True if the humidities are a scale on which numbers can be read, and that of the case is on it.
 bool is_readable(const std::string& material, const std::vector<double>& humidities,
                  const TomlWalk& walk, Problems& problems) {
   const std::string key = fmt::format("materials.{}.humidity", material);
@@ -60,7 +60,7 @@ bool is_readable(const std::string& material, const std::vector<double>& humidit
   return false;
 }
 
-/// Whether a list has an entry for each humidity.
+/// True if a list has an entry for each humidity.
 bool fits(const ValueRecord& record, const std::string& material, std::size_t humidities,
           Problems& problems) {
   if (record.value.numbers.size() == humidities)

@@ -22,7 +22,7 @@ double uniform(std::uint64_t bits) noexcept {
   return (static_cast<double>(bits >> 11) + 0.5) * 0x1p-53;
 }
 
-/// Of a standard normal distribution (Box and Muller 1958, doi 10.1214/aoms/1177706645).
+/// A number of a standard normal distribution (Box and Muller 1958, doi 10.1214/aoms/1177706645).
 double normal(std::uint64_t seed, std::uint64_t step, std::uint64_t place) noexcept {
   const std::uint64_t key = mixed(mixed(mixed(seed) ^ step) ^ place);
   return std::sqrt(-2 * std::log(uniform(mixed(key)))) *

@@ -23,7 +23,7 @@ struct CurrentNoise {
 /// neither on the others nor on which worker steps it.
 class Skins {
 public:
-  /// What a step takes and gives, for all environments; `Value` is float or double. SI units.
+  /// Inputs and results of a step of all environments; `Value` is float or double. SI units.
   template <class Value> struct Step {
     const double* times = nullptr;    ///< [environment] [s]
     const Value* positions = nullptr; ///< [environment][x, y] [m]
@@ -48,7 +48,8 @@ public:
   void step(std::size_t worker, std::size_t first, std::size_t last,
             const Step<Value>& step) noexcept;
 
-  /// While no worker steps. Back to a detached skin at rest; friction and noise stay.
+  /// Puts an environment back to a detached skin at rest; friction and noise stay. Not while a
+  /// worker steps.
   void reset(std::size_t environment) noexcept;
   std::span<const double> state(std::size_t environment) const { return states_[environment]; }
   /// @returns whether it is a state of such a skin; if not nothing changes

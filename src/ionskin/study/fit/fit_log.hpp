@@ -14,7 +14,7 @@
 
 namespace ionskin::study {
 
-/// What the model said at one point: time, charges and voltage of the solution, which every column
+/// Answer of the model at one point: time, charges and voltage of the solution, which every column
 /// of data follows from, of one taxel where the data are its, or why there is none.
 struct FitAnswer {
   std::shared_ptr<const electrochemistry::IonSolution> ions;

@@ -51,7 +51,7 @@ public:
   /// The case at other values of the parameters.
   Case case_at(const std::vector<double>& values) const;
 
-  /// What data are of decides what is kept of a solution: the electrodes alone, or a taxel too.
+  /// Keeps the charges of a taxel with those of the electrodes, for data of that taxel.
   /// @param taxel empty for none
   void keep_taxel(std::string taxel) { taxel_ = std::move(taxel); }
 

@@ -26,7 +26,7 @@ std::string launcher() {
          std::string("/ionskin/isolated.py");
 }
 
-/// What stands behind the last "error: " at the begin of a line, or else the last line; as one
+/// The message behind the last "error: " at the begin of a line, or else the last line; as one
 /// line.
 std::string last_message(std::string text) {
   constexpr std::string_view mark = "error: ";

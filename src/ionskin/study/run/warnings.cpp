@@ -103,8 +103,8 @@ void warn_about_cut_columns(const std::vector<Taxel>& taxels,
   }
 }
 
-// What a scale and an instrument between the electrodes read. The errors of all other numbers stand
-// beside them, in the page and in `ionskin compare`.
+// Readings of a scale and of an instrument between the electrodes. The errors of all other numbers
+// stand beside them, in the page and in `ionskin compare`.
 constexpr std::array always_read{
     "normal_force_slide",        "tangential_force_slide", "mean_shear_slide",
     "peak_mean_shear",           "peak_voltage",           "rms_voltage",

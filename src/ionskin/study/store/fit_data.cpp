@@ -30,7 +30,7 @@ struct Weights {
   double top = 0, bottom = 0;
 };
 
-/// What taxels.csv has of a taxel, by what its name follows.
+/// A column of taxels.csv: the prefix of the taxel's name, and the values.
 struct TaxelColumn {
   const char* prefix;
   const char* unit;

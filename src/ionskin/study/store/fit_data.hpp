@@ -51,8 +51,8 @@ std::vector<double> interval_starts(const FitData& data, double start);
 /// Throws UserError when rows lie behind `end`, or none is left. [s]
 void restrict_to_run(FitData& data, double start, double end);
 
-/// What a run says to the data: a charge or a voltage at the instants; a current as the charge
-/// gained over the row's interval, divided by it, which is what our tables hold. Before its
+/// Values of a run at the rows of the data: a charge or a voltage at the instants; a current as the
+/// charge gained over the row's interval, divided by it, which is what our tables hold. Before its
 /// beginning and behind its end charges stay. Between steps those of taxels are linear.
 std::vector<double> predict(const FitData& data, const electrochemistry::IonSolution& ions);
 
