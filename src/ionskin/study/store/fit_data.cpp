@@ -102,6 +102,26 @@ std::string taxel_of(const std::string& column) {
 
 namespace {
 
+/// Of a record at one rate its interval, else infinity [s].
+double rate_interval(const FitData& data) {
+  constexpr double alike = 0.3, enough = 0.8;
+  std::vector<double> steps;
+  for (std::size_t row = 1; row < data.time.size(); ++row) {
+    steps.push_back(data.time[row] - data.time[row - 1]);
+  }
+  if (steps.empty()) {
+    return std::numeric_limits<double>::infinity();
+  }
+  std::vector<double> ordered = steps;
+  const auto middle = ordered.begin() + static_cast<std::ptrdiff_t>(ordered.size() / 2);
+  std::nth_element(ordered.begin(), middle, ordered.end());
+  const auto regular = std::ranges::count_if(
+      steps, [&](double step) { return std::abs(step - *middle) < alike * *middle; });
+  return static_cast<double>(regular) >= enough * static_cast<double>(steps.size())
+             ? *middle
+             : std::numeric_limits<double>::infinity();
+}
+
 /// Reads one file, knowing where it stands in it.
 class Reader {
 public:
@@ -120,6 +140,7 @@ public:
     while (const auto row = table_.next()) {
       take_row(*row, time, value, data);
     }
+    data.at_one_rate = std::isfinite(rate_interval(data));
     return data;
   }
 
@@ -222,26 +243,6 @@ private:
   std::string last_; ///< value, as written
 };
 
-/// Of a record at one rate its interval, else infinity [s].
-double rate_interval(const FitData& data) {
-  constexpr double alike = 0.3, enough = 0.8;
-  std::vector<double> steps;
-  for (std::size_t row = 1; row < data.time.size(); ++row) {
-    steps.push_back(data.time[row] - data.time[row - 1]);
-  }
-  if (steps.empty()) {
-    return std::numeric_limits<double>::infinity();
-  }
-  std::vector<double> ordered = steps;
-  const auto middle = ordered.begin() + static_cast<std::ptrdiff_t>(ordered.size() / 2);
-  std::nth_element(ordered.begin(), middle, ordered.end());
-  const auto regular = std::ranges::count_if(
-      steps, [&](double step) { return std::abs(step - *middle) < alike * *middle; });
-  return static_cast<double>(regular) >= enough * static_cast<double>(steps.size())
-             ? *middle
-             : std::numeric_limits<double>::infinity();
-}
-
 Weights weights(const std::string& column) {
   if (column == "current_difference") {
     return {0.5, -0.5};
@@ -293,6 +294,10 @@ bool is_current(const FitData& data) {
   return data.column.starts_with("current_");
 }
 
+bool is_mean(const FitData& data) {
+  return is_current(data) || (data.at_one_rate && data.column.starts_with("voltage"));
+}
+
 std::vector<double> interval_starts(const FitData& data, double start) {
   constexpr double gap = 1.75; // of the interval
   const double interval = rate_interval(data);
@@ -342,7 +347,7 @@ void restrict_to_run(FitData& data, double start, double end) {
     refuse_late(data, start, end);
   }
   const auto early = [&](double instant) {
-    return is_current(data) ? instant <= start + slack : instant < start - slack;
+    return is_mean(data) ? instant <= start + slack : instant < start - slack;
   };
   const auto dropped = std::ranges::find_if_not(data.time, early) - data.time.begin();
   data.time.erase(data.time.begin(), data.time.begin() + dropped);
@@ -354,17 +359,43 @@ void restrict_to_run(FitData& data, double start, double end) {
   }
 }
 
+namespace {
+
+/// Of what is linear between instants.
+template <class Value>
+double mean_between(const std::vector<double>& instants, const Value& value, double from,
+                    double to) {
+  double sum = 0.0, last = from, last_value = value(from);
+  const auto take = [&](double instant) {
+    const double here = value(instant);
+    sum += 0.5 * (instant - last) * (here + last_value);
+    last = instant;
+    last_value = here;
+  };
+  for (auto at = std::ranges::upper_bound(instants, from); at != instants.end() && *at < to; ++at) {
+    take(*at);
+  }
+  take(to);
+  return to > from ? sum / (to - from) : last_value;
+}
+
+} // namespace
+
 std::vector<double> predict(const FitData& data, const electrochemistry::IonSolution& ions) {
   const auto at = [&](double instant) { return value_at(data.column, ions, instant); };
   std::vector<double> result(data.time.size());
-  if (!is_current(data)) {
+  if (!is_mean(data)) {
     std::ranges::transform(data.time, result.begin(), at);
     return result;
   }
   const std::vector<double> starts = interval_starts(data, ions.time.front());
   for (std::size_t row = 0; row < result.size(); ++row) {
     const double interval = data.time[row] - starts[row];
-    result[row] = interval > 0 ? (at(data.time[row]) - at(starts[row])) / interval : 0.0;
+    if (is_current(data)) {
+      result[row] = interval > 0 ? (at(data.time[row]) - at(starts[row])) / interval : 0.0;
+    } else {
+      result[row] = mean_between(ions.time, at, starts[row], data.time[row]);
+    }
   }
   return result;
 }
