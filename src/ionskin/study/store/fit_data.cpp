@@ -67,7 +67,7 @@ std::vector<std::string> names_of(const FitColumns& columns) {
 }
 
 /// The names of some columns, and how many more there are.
-std::string told(const FitColumns& columns) {
+std::string known_words(const FitColumns& columns) {
   constexpr std::size_t most = 24;
   std::vector<std::string> names = names_of(columns);
   const std::size_t more = names.size() > most ? names.size() - most : 0;
@@ -163,7 +163,7 @@ private:
   }
 
   std::string choose(const std::string& column) const {
-    const std::string known = told(known_);
+    const std::string known = known_words(known_);
     if (!column.empty()) {
       if (known_.count(column) == 0) {
         const std::string nearest = base::nearest_name(column, names_of(known_));
