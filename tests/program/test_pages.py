@@ -9,7 +9,7 @@ import sys
 import tomllib
 import unittest
 
-from program import ROOT, ProgramTest
+from program import QUICK, ROOT, SMALL, ProgramTest
 from tiers import long_test
 
 sys.path[:0] = [str(ROOT / "python"), str(ROOT / "tests" / "unit" / "results")]
@@ -97,7 +97,7 @@ class Pages(ProgramTest):
     def look(self, path):
         """The page opens with what can be read, names every number, and has no fault at any width."""
         text = path.read_text()
-        self.assertRegex(text, r'<p class="lead">(An ammeter|Between the electrodes|The amplifier) ')
+        self.assertRegex(text, r'<p class="lead">(An ammeter|A voltmeter|Between the electrodes|The amplifier) ')
         self.assertNotIn(str(self.folder), text)
         names = re.findall(r"<td><code>([^<]*)</code></td>", text)
         self.assertGreater(len(names), 5)
@@ -126,6 +126,14 @@ class Pages(ProgramTest):
                 self.run_program("run", f"{name}.toml", "-o", name, "--set", f"numerics.mesh_refinement={refinement}", "--set",
                                  f"numerics.error_estimate={'off' if name == 'waypoints' else 'on'}")
                 self.look(self.folder / name / "report.html")
+
+    def test_taxels_of_their_own_and_resistive_metal(self):
+        grid = "readout.taxels={rows = 4, columns = 4}"
+        metal = [f"skin.layers[{layer}].sheet_resistance=1 ohm" for layer in (0, 2)]
+        for edits in ((grid, "readout.taxel_circuit=open"), (grid, "readout.taxel_circuit=amplifier"), metal):
+            with self.subTest(edits[-1]):
+                self.run_program("run", QUICK, "-o", "out", "--overwrite", *SMALL, *(word for edit in edits for word in ("--set", edit)))
+                self.look(self.folder / "out" / "report.html")
 
     def test_a_page_that_cannot_be_made_is_a_failure_that_is_seen(self):
         (self.folder / "case.toml").write_text(case_of(pairwise(FACTORS)[0]))

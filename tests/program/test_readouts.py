@@ -79,7 +79,7 @@ class Readouts(ProgramTest):
         own = [word for edit in ("readout.taxels.rows=1", "readout.taxels.columns=2", "readout.taxel_circuit=load",
                                  "readout.load_resistance=300 Ohm") for word in ("--set", edit)]
         self.run_case(QUICK, "-o", "truth", *SMALL, *own)
-        for column, table in (("voltage_r1c1", "taxels"), ("current_circuit_r1c2", "sampled_taxels"), ("current_top", "sampled")):
+        for column, table in (("voltage_r1c1", "taxels"), ("voltage_r1c1", "sampled_taxels"), ("current_circuit_r1c2", "sampled_taxels")):
             self.run_program("fit", QUICK, *SMALL, *own, "--set", "coupling.coefficient=0.12", "--data", self.folder / "truth" / f"{table}.csv",
                              "--column", column, "--free", "coupling.coefficient", "-o", "fit", "--overwrite", "--threads", "1")
             fit = json.loads((self.folder / "fit" / "fit.json").read_text())

@@ -14,7 +14,7 @@
 namespace ionskin::verification {
 namespace {
 
-Case cell(const char* circuit, double interval, laws::LawValues parameters) {
+Case measured_cell(const char* circuit, double interval, laws::LawValues parameters) {
   Case input = model_case();
   input.readout.circuit = circuit;
   input.readout.parameters = std::move(parameters);
@@ -30,7 +30,7 @@ double thermal_energy(const Case& input) {
 ///   sigma^2 = 2 k T R / T (1 - (1 - exp(-a))/a),   a = 20 pi.
 Row resistor_row() {
   constexpr double resistance = 1e-5, interval = 0.01, record = 1e6;
-  const Case input = cell("load", interval, {{"load_resistance", resistance}});
+  const Case input = measured_cell("load", interval, {{"load_resistance", resistance}});
   constexpr double a = 20.0 * std::numbers::pi;
   const double expected =
       std::sqrt(2.0 * thermal_energy(input) * resistance / interval * (1.0 + std::expm1(-a) / a));
@@ -42,8 +42,8 @@ Row resistor_row() {
 /// is left for the quickest changes: the core as a dielectric, and the capacitor.
 Row capacitance_row(double capacitance) {
   constexpr double resistance = 10.0, instant = 1e-7, record = 1e5;
-  const Case input = cell("parallel-rc", instant,
-                          {{"load_resistance", resistance}, {"load_capacitance", capacitance}});
+  const Case input = measured_cell(
+      "parallel-rc", instant, {{"load_resistance", resistance}, {"load_capacitance", capacitance}});
   const double geometric = input.electrochemistry.permittivity * input.skin.length *
                            input.skin.width / input.skin.core_thickness();
   const double expected = std::sqrt(thermal_energy(input) / (geometric + capacitance));

@@ -283,7 +283,10 @@
       make(svg, "line", { ...along, "clip-path": clip, style: `stroke: var(--quiet); stroke-width: 1; stroke-dasharray: ${DASHES[mark.look]}` });
       if (mark.words && mark.at >= x[0] && mark.at <= x[1]) make(svg, "text", { class: "quiet", x: frame.px(mark.at) + 4, y: top + 11 }, mark.words);
     }
-    for (const phase of cell.phases) if (!zoomed) make(svg, "text", { class: "quiet", x: frame.px(phase.x), y: top - 4, "text-anchor": "middle" }, phase.words);
+    for (const phase of cell.phases) if (!zoomed) {
+      const text = make(svg, "text", { class: "quiet", y: top - 4, "text-anchor": "middle" }, phase.words), half = text.getComputedTextLength() / 2;
+      text.setAttribute("x", Math.max(left + half, Math.min(frame.px(phase.x), right - half))); // not over the numbers beside the axis
+    }
     for (const curve of cell.curves) drawCurve(svg, curve, frame, clip);
     if (cell.map) drawMap(svg, cell.map, frame, clip, wide);
     drawShapes(svg, cell, frame);

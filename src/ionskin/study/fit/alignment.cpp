@@ -32,9 +32,9 @@ Cells data_cells(const FitData& data, double begin, double length) {
   const auto index = [&](double time) {
     return static_cast<std::int64_t>(std::floor((time - begin) / length));
   };
-  cells.first = index(is_current(data) ? starts.front() : data.time.front());
+  cells.first = index(is_mean(data) ? starts.front() : data.time.front());
   const auto count = static_cast<std::size_t>(index(data.time.back()) - cells.first + 1);
-  if (!is_current(data)) {
+  if (!is_mean(data)) {
     cells.weights.assign(count, 1.0);
     for (std::size_t i = 0; i < count; ++i) {
       const double middle = static_cast<double>(cells.first) + static_cast<double>(i) + 0.5;
@@ -67,8 +67,8 @@ std::vector<double> run_cells(const FitData& data, const electrochemistry::IonSo
   const double begin = ions.time.front();
   const auto count =
       static_cast<std::size_t>(std::ceil((ions.time.back() - begin) / length - 1e-9));
-  FitData sampled{data.column, data.unit, {}, {}};
-  const double place = is_current(data) ? 1.0 : 0.5;
+  FitData sampled{data.column, data.unit, {}, {}, data.at_one_rate};
+  const double place = is_mean(data) ? 1.0 : 0.5;
   for (std::size_t i = 0; i < count; ++i) {
     sampled.time.push_back(begin + (static_cast<double>(i) + place) * length);
   }
@@ -124,7 +124,7 @@ Alignment best_alignment(const FitData& data, const electrochemistry::IonSolutio
   const double length = std::max(span, data.time.back() - data.time.front()) / cells_of_longer;
   const Cells cells = data_cells(data, begin, length);
   std::vector<double> signal = run_cells(data, ions, length);
-  if (is_current(data)) {
+  if (is_mean(data)) {
     const std::vector<double> starts = interval_starts(data, begin);
     std::vector<double> intervals;
     for (std::size_t row = 0; row < starts.size(); ++row) {

@@ -67,7 +67,7 @@ std::vector<std::string> names_of(const FitColumns& columns) {
 }
 
 /// The names of some columns, and how many more there are.
-std::string told(const FitColumns& columns) {
+std::string known_words(const FitColumns& columns) {
   constexpr std::size_t most = 24;
   std::vector<std::string> names = names_of(columns);
   const std::size_t more = names.size() > most ? names.size() - most : 0;
@@ -102,6 +102,26 @@ std::string taxel_of(const std::string& column) {
 
 namespace {
 
+/// Of a record at one rate its interval, else infinity [s].
+double rate_interval(const FitData& data) {
+  constexpr double alike = 0.3, enough = 0.8;
+  std::vector<double> steps;
+  for (std::size_t row = 1; row < data.time.size(); ++row) {
+    steps.push_back(data.time[row] - data.time[row - 1]);
+  }
+  if (steps.empty()) {
+    return std::numeric_limits<double>::infinity();
+  }
+  std::vector<double> ordered = steps;
+  const auto middle = ordered.begin() + static_cast<std::ptrdiff_t>(ordered.size() / 2);
+  std::nth_element(ordered.begin(), middle, ordered.end());
+  const auto regular = std::ranges::count_if(
+      steps, [&](double step) { return std::abs(step - *middle) < alike * *middle; });
+  return static_cast<double>(regular) >= enough * static_cast<double>(steps.size())
+             ? *middle
+             : std::numeric_limits<double>::infinity();
+}
+
 /// Reads one file, knowing where it stands in it.
 class Reader {
 public:
@@ -120,6 +140,7 @@ public:
     while (const auto row = table_.next()) {
       take_row(*row, time, value, data);
     }
+    data.at_one_rate = std::isfinite(rate_interval(data));
     return data;
   }
 
@@ -142,7 +163,7 @@ private:
   }
 
   std::string choose(const std::string& column) const {
-    const std::string known = told(known_);
+    const std::string known = known_words(known_);
     if (!column.empty()) {
       if (known_.count(column) == 0) {
         const std::string nearest = base::nearest_name(column, names_of(known_));
@@ -223,26 +244,6 @@ private:
   std::string last_; ///< value, as written
 };
 
-/// Interval of a record at one rate, else infinity [s].
-double rate_interval(const FitData& data) {
-  constexpr double alike = 0.3, enough = 0.8;
-  std::vector<double> steps;
-  for (std::size_t row = 1; row < data.time.size(); ++row) {
-    steps.push_back(data.time[row] - data.time[row - 1]);
-  }
-  if (steps.empty()) {
-    return std::numeric_limits<double>::infinity();
-  }
-  std::vector<double> ordered = steps;
-  const auto middle = ordered.begin() + static_cast<std::ptrdiff_t>(ordered.size() / 2);
-  std::nth_element(ordered.begin(), middle, ordered.end());
-  const auto regular = std::ranges::count_if(
-      steps, [&](double step) { return std::abs(step - *middle) < alike * *middle; });
-  return static_cast<double>(regular) >= enough * static_cast<double>(steps.size())
-             ? *middle
-             : std::numeric_limits<double>::infinity();
-}
-
 Weights weights(const std::string& column) {
   if (column == "current_difference") {
     return {0.5, -0.5};
@@ -294,6 +295,10 @@ bool is_current(const FitData& data) {
   return data.column.starts_with("current_");
 }
 
+bool is_mean(const FitData& data) {
+  return is_current(data) || (data.at_one_rate && data.column.starts_with("voltage"));
+}
+
 std::vector<double> interval_starts(const FitData& data, double start) {
   constexpr double gap = 1.75; // of the interval
   const double interval = rate_interval(data);
@@ -343,7 +348,7 @@ void restrict_to_run(FitData& data, double start, double end) {
     refuse_late(data, start, end);
   }
   const auto early = [&](double instant) {
-    return is_current(data) ? instant <= start + slack : instant < start - slack;
+    return is_mean(data) ? instant <= start + slack : instant < start - slack;
   };
   const auto dropped = std::ranges::find_if_not(data.time, early) - data.time.begin();
   data.time.erase(data.time.begin(), data.time.begin() + dropped);
@@ -355,17 +360,43 @@ void restrict_to_run(FitData& data, double start, double end) {
   }
 }
 
+namespace {
+
+/// Of what is linear between instants.
+template <class Value>
+double mean_between(const std::vector<double>& instants, const Value& value, double from,
+                    double to) {
+  double sum = 0.0, last = from, last_value = value(from);
+  const auto take = [&](double instant) {
+    const double here = value(instant);
+    sum += 0.5 * (instant - last) * (here + last_value);
+    last = instant;
+    last_value = here;
+  };
+  for (auto at = std::ranges::upper_bound(instants, from); at != instants.end() && *at < to; ++at) {
+    take(*at);
+  }
+  take(to);
+  return to > from ? sum / (to - from) : last_value;
+}
+
+} // namespace
+
 std::vector<double> predict(const FitData& data, const electrochemistry::IonSolution& ions) {
   const auto at = [&](double instant) { return value_at(data.column, ions, instant); };
   std::vector<double> result(data.time.size());
-  if (!is_current(data)) {
+  if (!is_mean(data)) {
     std::ranges::transform(data.time, result.begin(), at);
     return result;
   }
   const std::vector<double> starts = interval_starts(data, ions.time.front());
   for (std::size_t row = 0; row < result.size(); ++row) {
     const double interval = data.time[row] - starts[row];
-    result[row] = interval > 0 ? (at(data.time[row]) - at(starts[row])) / interval : 0.0;
+    if (is_current(data)) {
+      result[row] = interval > 0 ? (at(data.time[row]) - at(starts[row])) / interval : 0.0;
+    } else {
+      result[row] = mean_between(ions.time, at, starts[row], data.time[row]);
+    }
   }
   return result;
 }

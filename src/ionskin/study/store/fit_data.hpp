@@ -17,6 +17,7 @@ struct FitData {
   std::string unit;   ///< SI: "A"
   std::vector<double> time;   ///< [s], strictly ascending
   std::vector<double> values; ///< in `unit`
+  bool at_one_rate = false;   ///< whether four in five intervals between the rows are alike
 };
 
 /// Columns that a fit of a case can take, with their SI units: those of the electrodes, and of each
@@ -38,12 +39,16 @@ std::string taxel_of(const std::string& column);
 FitData read_fit_data(const std::filesystem::path& path, const FitColumns& known,
                       const std::string& column = "");
 
-/// True if the values are means over an interval.
+/// True if nothing comes before and after the run.
 bool is_current(const FitData& data);
 
-/// Begin of the interval of each row of a current: at the row before. Of a record at one rate (four
-/// in five intervals are alike) with rows missing, a row behind a gap stands for an interval of
-/// that rate. The first interval is as long as the second, as far as the run has begun.
+/// True if the values are means over an interval, as an instrument reads them: currents, and
+/// voltages at one rate.
+bool is_mean(const FitData& data);
+
+/// Begin of the interval of each row of a current: at the row before. Of a record at one rate
+/// (four in five intervals are alike) with rows missing, a row behind a gap stands for an interval
+/// of that rate. The first interval is as long as the second, as far as the run has begun.
 /// @param start of the run [s]
 std::vector<double> interval_starts(const FitData& data, double start);
 
@@ -51,8 +56,9 @@ std::vector<double> interval_starts(const FitData& data, double start);
 /// Throws UserError when rows lie behind `end`, or none is left. [s]
 void restrict_to_run(FitData& data, double start, double end);
 
-/// Values of a run at the rows of the data: a charge or a voltage at the instants; a current as the
-/// charge gained over the row's interval, divided by it, which is what our tables hold. Before its
+/// Values of a run at the rows of the data: a charge at the instants; a current as the charge gained over the
+/// row's interval, divided by it, and a voltage at one rate as its mean over that interval, else at
+/// the instants, which is what our tables hold. Before its
 /// beginning and behind its end charges stay. Between steps those of taxels are linear.
 std::vector<double> predict(const FitData& data, const electrochemistry::IonSolution& ions);
 

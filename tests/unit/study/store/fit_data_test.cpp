@@ -140,6 +140,21 @@ TEST(FitPrediction, TaxelsHaveWhatTheirColumnsSay) {
   EXPECT_EQ(predict({"current_even_left", "A", {1, 3}, {}}, ions), (std::vector<double>{-1, 2.5}));
 }
 
+TEST(FitPrediction, VoltagesAtOneRateAreMeansOverTheInterval) {
+  auto ions = solution();
+  ions.voltage = {0, 2, 0};
+  FitData data{"voltage", "V", {1, 2, 3}, {}, true};
+  EXPECT_TRUE(is_mean(data));
+  EXPECT_EQ(predict(data, ions), (std::vector<double>{1, 1.5, 0.5}));
+  data.time = {0.5, 1.5}; // over the kink at 1 s
+  EXPECT_EQ(predict(data, ions), (std::vector<double>{0.5, 1.625}));
+  data.at_one_rate = false;
+  EXPECT_EQ(predict(data, ions), (std::vector<double>{1, 1.5}));
+  data.column = "charge_top";
+  data.at_one_rate = true;
+  EXPECT_FALSE(is_mean(data));
+}
+
 TEST(FitPrediction, ARowBehindAGapStandsForOneInterval) {
   FitData record{"current_top", "A", {}, {}};
   for (const double row : {1, 2, 3, 4, 5, 9, 10, 11, 12, 13}) {
