@@ -81,7 +81,7 @@ class Study:
         options += [word for key, (text, _) in ranges.items() for word in ("--vary", f"{key}={text}")]
         process = subprocess.run([program, "uncertainty", CASES / f"{case}.toml", "-o", folder, "--quiet", "--metrics", metric,
                                   "--samples", str(samples), *options], check=False)
-        if process.returncode not in (0, 3):  # 3: no polynomial holds the metric; the samples are there
+        if process.returncode not in (0, 3) or not (folder / "samples.csv").exists():  # 3: no polynomial holds the metric
             sys.exit(process.returncode)
         with open(folder / "samples.csv", newline="", encoding="utf-8") as file:
             titles, *rows = csv.reader(file)

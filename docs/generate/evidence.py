@@ -25,9 +25,10 @@ NOTHING = HEAD + """The table was not there when these pages were built. `make d
 AFTER = """
 ## What the disagreements say
 
-- **A steady voltage of the wrong sign, and none that falls with frequency in drier air.** Streaming and dilution have one sign in bending, whatever the
-  constants. Either something drives the ions back that the law has not got, such as a potential of the electrodes' reactions, or
-  the resistance of the cell stands before the instrument: an impedance of the same strip would tell.
+- **A steady voltage of the wrong sign.** Streaming and dilution have one sign in bending, whatever the constants, and a polymer that relaxes changes their
+  size alone. Something drives the ions back that the law has not got, such as a potential of the electrodes' reactions.
+- **No rise before the fall at 50 % humidity.** With the constants of drier Nafion dilution exceeds streaming, and the voltage falls from 0.1 Hz on. Drag and
+  mobility of the water are each unsure by a factor of two or more there; or the resistance of the cell stands before the instrument, of which an impedance of the same strip would tell.
 - **No effect of thickness.** The law says that voltage goes with thickness, and water's time with its square; relaxation of the polymer
   has a time without thickness. One strip in two thicknesses, bent and held, decides.
 - **Pressed sensors give more than the law.** By a factor of PRESSED at least, if the pad is small and the cation lithium. Bending on a soft support comes first
