@@ -175,7 +175,7 @@ class Cluster(ProgramTest):
         self.assertIn("one thread", refused.stderr)
         self.run_program("cluster", "stop", "cluster")
         refused = self.run_program(*study, "-o", "no", "--on", scheduler, expect=2)
-        self.assertIn("no file of a scheduler", refused.stderr)
+        self.assertIn("not a file of a scheduler", refused.stderr)
         self.assertFalse((self.folder / "no").exists())
 
     def test_refusals(self):
@@ -185,7 +185,7 @@ class Cluster(ProgramTest):
         process = self.run_program("sweep", QUICK, *GRID, "-o", "out", "--on", plain, expect=2)
         self.assertIn("without encryption", process.stderr)
         process = self.run_program("sweep", QUICK, *GRID, "-o", "out", "--on", "nowhere.json", "--resume", expect=2)
-        self.assertIn("no file of a scheduler", process.stderr)
+        self.assertIn("not a file of a scheduler", process.stderr)
         scheduler = self.start(workers=1)
         process = self.run_program("sweep", QUICK, *GRID, "-o", "out", "--on", scheduler, "--threads", 2, "--resume", expect=2)
         self.assertIn("needs 2 threads", process.stderr)

@@ -54,7 +54,7 @@ class ClusterTasks(PackageTest):
 
     def test_no_cluster(self):
         case = ionskin.Case.from_file(CASES / "paper" / "coarse.toml")
-        with self.assertRaisesRegex(ionskin.CaseError, "no file of a scheduler"):
+        with self.assertRaisesRegex(ionskin.CaseError, "not a file of a scheduler"):
             ionskin.sweep(case, {"contact.friction": [0.1, 0.2]}, self.folder / "out", on=self.folder / "scheduler.json")
 
     def sweep_refused(self, scheduler):
@@ -74,15 +74,15 @@ class ClusterTasks(PackageTest):
                      '{"address": "inproc://127.0.0.1:1"}', '{"address": ["tcp://127.0.0.1:1"]}', f'{{"address": "{good}"',
                      f'{{"address": "{good}", "pid": NaN}}', f'{{"address": "{good}", "pid": 1e999}}', "\0" * 1000):
             path.write_text(text)
-            with self.subTest(text[:40]), self.assertRaisesRegex(ionskin.CaseError, "no file of a scheduler"):
+            with self.subTest(text[:40]), self.assertRaisesRegex(ionskin.CaseError, "not a file of a scheduler"):
                 security.read_scheduler(path)
         path.write_bytes(b"\xff\xfe\x00")
-        with self.assertRaisesRegex(ionskin.CaseError, "no file of a scheduler"):
+        with self.assertRaisesRegex(ionskin.CaseError, "not a file of a scheduler"):
             security.read_scheduler(path)
         for make in (os.mkfifo, os.mkdir, lambda place: place.symlink_to(place), lambda place: place.symlink_to("/dev/zero")):
             path.rmdir() if path.is_dir() else path.unlink()
             make(path)
-            self.assertIn("no file of a scheduler", self.sweep_refused(path))
+            self.assertIn("not a file of a scheduler", self.sweep_refused(path))
             with self.assertRaises(ionskin.CaseError):
                 cluster_main.require_idle(self.folder)
 

@@ -44,8 +44,8 @@ class OfACase(PackageTest):
     def test_of_a_case(self):
         subprocess.run([sys.executable, CASES / "make_strain.py", self.folder / "strain.h5"], check=True)
         (self.folder / "case.toml").write_text((CASES / "strain_file.toml").read_text())
-        for word, mistake in (("metric is in A", "--subject-to=peak_current_top < 1 V"), ("no constraint", "--subject-to=a ? 3"),
-                              ("no metric", "--subject-to=peak_force < 3 N"),
+        for word, mistake in (("metric is in A", "--subject-to=peak_current_top < 1 V"), ("not a constraint", "--subject-to=a ? 3"),
+                              ("not a metric", "--subject-to=peak_force < 3 N"),
                               ("mean rms_current_difference?", "--subject-to=rms_curent_difference < 3 A")):
             wrong = self.command(mistake, "--overwrite")
             self.assertEqual(wrong.returncode, 2)

@@ -184,7 +184,7 @@ class OfACase(PackageTest):
                 (D, "normal(7e-11 m2/s, 50 %)", "truncate it: normal(7e-11 m2/s, 50 %, lowest, highest)"),
                 (D, "uniform(-1e-11 m2/s, 1e-11 m2/s)", "narrower"), (K, "uniform(0.1)", "uniform(lowest, highest)"),
                 ("electrochemistry.temperature", "normal(20 degC, 2 degC)", "deviation in K"),
-                (K, "normal(0.1, 0)", "not above 0"), ("coupling.law", "uniform(0, 1)", "no single real number")):
+                (K, "normal(0.1, 0)", "not above 0"), ("coupling.law", "uniform(0, 1)", "not a single real number")):
             with self.subTest(written), self.assertRaises(ionskin.CaseError) as raised:
                 ionskin.Uncertainty(self.case, {key: written})
             self.assertIn(words, str(raised.exception))

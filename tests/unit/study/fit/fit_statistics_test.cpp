@@ -56,7 +56,7 @@ TEST(FitStatistics, GoodDataRaiseNoWarningAndAWrongModelDoes) {
   EXPECT_TRUE(fit_warnings(fit_statistics(data, noise, {level, slope}), {"a", "b"}).empty());
   const auto warnings = fit_warnings(fit_statistics(data, wrong, {level, slope}), {"a", "b"});
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_NE(warnings[0].find("no noise"), std::string::npos);
+  EXPECT_NE(warnings[0].find("not noise"), std::string::npos);
 }
 
 } // namespace
