@@ -111,11 +111,12 @@ class FirstMinutes(ProgramTest):
         self.run_program("init", "finger.toml", "--from", "finger")
         self.assertIn("sphere", (self.folder / "finger.toml").read_text())
         self.assertIn("paper, quick, finger", self.run_program("init", "x.toml", "--from", "hand", expect=2).stderr)
-        for name in ("taxels", "reciprocating", "waypoints", "poroelastic", "bending", "strain_file"):
+        for name in ("quick", "taxels", "reciprocating", "waypoints", "poroelastic", "bending", "strain_file"):
             wrote = self.run_program("init", f"{name}.toml", "--from", name).stdout
             if name == "strain_file":  # what it needs is named, and serves
                 subprocess.run(re.search("First: (.*)", wrote)[1].split(), cwd=self.folder, check=True)
-            self.run_program("check", f"{name}.toml")
+            told = self.run_program("check", f"{name}.toml", "--explain").stdout
+            self.assertNotRegex(told, "(?m)^(warning|note): ", name)
         keys = self.run_program("keys").stdout
         self.assertRegex(keys, r"readout\.circuit .* one of short, open, load, parallel-rc, amplifier  \[\"short\"\]")
         for key in ("readout.taxels.rows", "readout.taxels.gap", "readout.taxels[].name"):

@@ -93,6 +93,8 @@ class Jobs(StudioTest):
         for starter in starters:
             self.studio.json("POST", "/api/gallery/open", {"id": starter["id"]})  # writes the strain file
             with self.subTest(starter["id"]):
+                for newtons in re.findall(r'^(?:preload|force) = "(\d+) N"', starter["text"], re.MULTILINE):
+                    self.assertIn(f"{newtons} N", starter["summary"])
                 cost = self.studio.json("POST", "/api/case/check", {"text": starter["text"]})["cost"]
                 self.assertGreater(cost["memory_bytes"], 1e8)
                 self.assertGreater(cost["ion_unknowns"], 0)

@@ -33,6 +33,9 @@ constexpr double seconds_per_step = 2.2e-7, seconds_per_driven_step = 8e-7;
 /// More of a step at a new place across the skin, by the skin's size over the reach of its short
 /// waves: rows of cells are summed over all modes anew.
 constexpr double seconds_per_place_across = 2e-4;
+/// Time of a multiplication in a step near an end of the skin [s], where the waves along the end
+/// are solved for the cells anew at each place. Measured 0.1 to 0.4 mm from an end.
+constexpr double seconds_per_product = 1e-10;
 /// Time for the strain of an instant that is kept of the path, over the points of the core [s].
 constexpr double seconds_per_strain = 1.3e-6;
 /// Memory per row of cells and row of elements [bytes], measured on cases/paper.toml and
@@ -47,26 +50,32 @@ mesh::SkinMesh expected_mesh(const Case& input) {
 }
 
 /// Long and wide over the reach of its short waves, as modes are many.
-double skin_size(const Case& input, const mesh::SkinMesh& mesh) {
-  const MotionBox touching =
-      mechanics::contact_box(input).value_or(motion_box(input.motion, input.slider));
-  const double reach = mechanics::short_wave_reach(
-      input.skin, mesh.footprint(), mechanics::expected_places(input, touching, mesh.footprint()));
+double skin_size(const Case& input, const mesh::SkinMesh& mesh, const MotionBox& places) {
+  const double reach = mechanics::short_wave_reach(input.skin, mesh.footprint(), places);
   return (input.skin.length / reach) * (input.skin.width / reach);
 }
 
 /// Memory of the modes on sides and ends and of their action in the core [bytes]. Measured on skins
 /// of 15 x 2.5 to 15 x 18 mm2 and 45 x 6 mm2, 0.2 mm thick, and beside a side.
-double skin_memory(const Case& input, const mesh::SkinMesh& mesh) {
+double skin_memory(const mesh::SkinMesh& mesh, double size) {
   const double bytes = mesh.half_model() ? 3.1e5 : 9e5; // of even modes alone, or of all
-  return bytes * skin_size(input, mesh);
+  return bytes * size;
 }
 
 /// Cost of one grid of cells.
 struct GridCost {
   GridCost(const Case& input, const mesh::SkinMesh& mesh)
       : cells(static_cast<double>(mechanics::contact_cells(mesh).count())),
-        size(skin_size(input, mesh)), driven(input.motion.drive.given()) {
+        driven(input.motion.drive.given()) {
+    const MotionBox touching =
+        mechanics::contact_box(input).value_or(motion_box(input.motion, input.slider));
+    const MotionBox places = mechanics::expected_places(input, touching, mesh.footprint());
+    size = skin_size(input, mesh, places);
+    at_ends = seconds_per_product *
+              mechanics::expected_steps(input, mechanics::end_products(input.skin, mesh.footprint(),
+                                                                       places, 3 * cells,
+                                                                       mesh.half_model()))
+                  .of_places;
     const auto [nx, ny, nz] = mesh.elements();
     const auto [bottom, top] = mesh.core_z();
     points = 8.0 * static_cast<double>(nx * ny * (top - bottom));
@@ -88,7 +97,7 @@ struct GridCost {
   double path_seconds(const mechanics::ExpectedSteps& steps) const {
     const double contact = driven ? seconds_per_driven_step : seconds_per_step;
     return static_cast<double>(steps.taken) * contact * cells * cells +
-           static_cast<double>(steps.across) * seconds_per_place_across * size;
+           static_cast<double>(steps.across) * seconds_per_place_across * size + at_ends;
   }
   /// Time for the strain of the steps that are kept, which threads share [s].
   double strain_seconds(const mechanics::ExpectedSteps& steps) const {
@@ -113,7 +122,8 @@ struct GridCost {
   /// Strains over forces on rows of cells, kept where the slider keeps its place across the skin
   /// [bytes].
   double rows = 0;
-  double size = 0; ///< of the skin
+  double size = 0;    ///< of the skin
+  double at_ends = 0; ///< of the waves along the ends, on the whole path [s]
   bool driven = false;
   double history_values = 0; ///< of one instant
 };
@@ -163,7 +173,7 @@ MechanicsCost estimate_mechanics_cost(const Case& input, int threads,
   cost.seconds =
       sought + (threads > 1 ? std::max(alone, beside) : alone + beside) + strain / threads;
   cost.further_seconds = (path + path_beside + strain) / threads;
-  cost.memory = skin_memory(input, mesh) + own.rows +
+  cost.memory = skin_memory(mesh, own.size) + own.rows +
                 std::max(own.contact_memory(threads), own.strain_memory(threads) + cost.histories);
   return cost;
 }

@@ -155,6 +155,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"PreloadOfNoForceAndNoLength", "preload = \"1 um\"", "preload = \"1 s\"",
                 "expected a length such as \"mm\", got a time", "31:11", "^^^^^",
                 "units of a length: mm, um, nm, cm, m; units of a force: N, mN, kN"},
+        Mistake{
+            "PreloadWithoutAUnit", "preload = \"1 um\"", "preload = 2",
+            "2 is a bare number, expected a length or a force", "31:11", "^",
+            "such as \"2 m\" or \"2 N\"; units of a length: mm, um, nm, cm, m; units of a force"},
         Mistake{"PreloadForceOfZero", "preload = \"1 um\"", "preload = \"0 N\"",
                 "motion.preload = \"0 N\" is out of range", "31:11", "^^^^^", "at least 1e-12 N"},
         Mistake{"DirectionWithoutLength", "stroke = \"6 mm\"",

@@ -112,7 +112,7 @@ TEST(Waypoints, MistakesInAFileAreSaidWithTheirLine) {
   EXPECT_THAT(error_of_file("time [s], x [mm], y [mm]\n"), HasSubstr("neither a column"));
   EXPECT_THAT(error_of_file("time [s], x [kg], y [mm], height [um]\n"), HasSubstr("x: "));
   EXPECT_THAT(error_of_file("time [s], x [mm], y [mm], hight [um]\n"),
-              HasSubstr("did you mean \"height\"?"));
+              HasSubstr("did you mean \"height\"?; ionskin motion FILE"));
   EXPECT_THAT(error_of_file(header + "0, 4, 1\n"), HasSubstr("path.csv:2"));
   EXPECT_THAT(error_of_file(header + "0, 4, 1, 5\n1, four, 1, 5\n"), HasSubstr("path.csv:3"));
   EXPECT_THAT(error_of_file(header + "0, 4, 1, 5\n1, 4, 1, 5\n1, 4, 1, 6\n"),

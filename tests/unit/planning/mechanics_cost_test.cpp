@@ -72,6 +72,20 @@ TEST(MechanicsCost, CountsStepsAcrossTheSkin) {
   EXPECT_LT(across.seconds, 5 * along.seconds);
 }
 
+TEST(MechanicsCost, CountsTheWavesAlongANearEnd) {
+  const auto from = [](const char* x) {
+    return cost({std::string("slider.start=[\"") + x + " mm\", \"1 mm\"]", "motion.stroke=3 mm",
+                 "numerics.error_estimate=off"})
+        .seconds;
+  };
+  const double middle = from("4.5"), end = from("1.6"); // 0.1 mm of skin are left
+  // Study 1 takes 2.0 and 6.2 s of a processor.
+  EXPECT_GT(end, 2 * middle);
+  EXPECT_LT(end, 4.5 * middle);
+  EXPECT_GT(from("10.4"), 1.2 * middle); // which comes there at its end alone
+  EXPECT_LT(from("10.4"), end);
+}
+
 TEST(MechanicsCost, GrowsWithEveryStroke) {
   const auto strokes = [](int count) {
     return cost({"motion.kind=reciprocating", "motion.strokes=" + std::to_string(count)}).steps;

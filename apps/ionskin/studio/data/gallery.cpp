@@ -22,17 +22,17 @@ struct Starter {
 };
 
 constexpr std::array<Starter, 9> starters{{
-    {"quick", "A first look",
-     "The paper's skin under a block with 65 N, coarse and for one cycle."},
-    {"paper", "The paper's case", "A block presses with 65 N: three cycles at standard accuracy."},
-    {"finger", "A fingertip", "A sphere presses with 1 N and strokes; neutral coupling."},
-    {"taxels", "Taxels", "The top electrode in four named parts with a current each."},
-    {"reciprocating", "Back and forth", "Four strokes in contact with a rest at each turn."},
-    {"waypoints", "A path", "A fingertip draws an arc through waypoints, with 1 to 2 N."},
+    {"quick", "A first look", "A block with rounded edges presses with 2 N and slides: coarse."},
+    {"finger", "A fingertip", "A sphere presses with 1 N and strokes the skin."},
+    {"taxels", "Taxels", "The same touch with 2 N; the top electrode in four named parts."},
+    {"reciprocating", "Back and forth",
+     "A fingertip rubs with 2 N: four strokes, a rest at each turn."},
+    {"waypoints", "A path", "A fingertip draws an arc through waypoints, with 1 N to 2 N."},
     {"poroelastic", "Moving water",
-     "Pressure moves water, which drags the ions: constants that can be measured."},
+     "A wet skin is touched with 2 N: pressure moves water, which drags the ions."},
     {"bending", "A bent strip", "A wet strip under a curvature, without a slider: water and ions."},
     {"strain_file", "A strain file", "Ion transport alone, driven by shear from a file."},
+    {"paper", "The paper's case", "A block presses with 65 N: three cycles at standard accuracy."},
 }};
 
 } // namespace

@@ -62,11 +62,12 @@ void check_metal(const CaseDocument& document, Problems& problems) {
 
 std::vector<std::string> notes_on_metal(const CaseDocument& document) {
   const bool resists = has_resistance(document.input);
+  const bool everywhere = document.input.readout.contact == ElectrodeContact::everywhere;
   const bool placed = !document.point_at("readout.contact").empty();
-  if (placed && !resists)
+  if (placed && !resists && !everywhere)
     return {"readout.contact is given and not used: no electrode has a "
             "skin.layers[].sheet_resistance, so that each is at one potential."};
-  if (resists && document.input.readout.contact == ElectrodeContact::everywhere)
+  if (resists && everywhere)
     return {"skin.layers[].sheet_resistance is given and not used: with readout.contact = "
             "\"everywhere\" leads hold the metal at one potential."};
   return {};

@@ -11,6 +11,7 @@
 #include <charconv>
 #include <optional>
 #include <sstream>
+#include <string>
 #include <string_view>
 
 namespace ionskin {
@@ -118,6 +119,15 @@ std::string dotted(Path::const_iterator begin, Path::const_iterator end,
   return key;
 }
 
+/// Place of the entry that the case gives this name, such as that of a layer.
+std::optional<std::size_t> entry_named(const toml::array& entries, const std::string& name) {
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    if (entries[i].is_table() && entries[i].contains("name") && entries[i].at("name").is_string() &&
+        entries[i].at("name").as_string().str == name)
+      return i;
+  return std::nullopt;
+}
+
 /// `step` asks a list or a single value for what only tables have.
 [[noreturn]] void refuse_step(const std::string& argument, const toml::value& value,
                               const Path& path, Path::const_iterator step) {
@@ -126,10 +136,12 @@ std::string dotted(Path::const_iterator begin, Path::const_iterator end,
     refuse(argument, fmt::format("{} is a value, not a table", name), false,
            fmt::format("set it by {}=VALUE", key));
   const bool counts = step->name.find_first_not_of("0123456789") == std::string::npos;
-  const auto entry = counts ? step + 1 : step;
+  const std::optional<std::size_t> named = entry_named(value.as_array(), step->name);
+  const auto entry = counts || named ? step + 1 : step;
   refuse(argument, fmt::format("{} is a list, not a table", name), false,
          fmt::format("its entries, {} in all, are counted from 0: {}[{}]{}{}",
-                     value.as_array().size(), key, counts ? step->name : "0",
+                     value.as_array().size(), key,
+                     counts ? step->name : std::to_string(named.value_or(0)),
                      entry == path.end() ? "" : ".", dotted(entry, path.end(), Indices::written)));
 }
 

@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
+#include <string_view>
 
 namespace ionskin {
 
@@ -134,9 +136,16 @@ private:
     if (value.is_integer() || value.is_floating())
       refuse(value,
              fmt::format("{} has no unit: {} is a bare number, expected {}", key_, written(value),
-                         units::dimension_info(row_.dimension).name),
-             fmt::format("write it as a text with its unit, such as \"{}\"; {}", with_unit(value),
-                         usual_units(row_.dimension)));
+                         in_each_dimension(" or ",
+                                           [](units::Dimension dimension) {
+                                             return units::dimension_info(dimension).name;
+                                           })),
+             fmt::format("write it as a text with its unit, such as {}; {}",
+                         in_each_dimension(" or ",
+                                           [&](units::Dimension dimension) {
+                                             return '"' + with_unit(value, dimension) + '"';
+                                           }),
+                         in_each_dimension("; ", usual_units)));
     if (!value.is_string())
       refuse(value, fmt::format("{} = {} is not a quantity", key_, written(value)),
              fmt::format("write a text with a number and a unit, such as \"1.5 {}\"", example()));
@@ -145,15 +154,14 @@ private:
       result = units::parse_quantity(value.as_string().str, row_.dimension);
     } catch (const UserError& error) {
       refuse(value, fmt::format("{}: {}", key_, error.what()),
-             usual_units(row_.dimension) +
-                 (row_.other_dimension ? "; " + usual_units(*row_.other_dimension) : ""));
+             in_each_dimension("; ", usual_units));
     }
     return in_range(value, result, row_.dimension);
   }
 
   /// A bare number with the SI unit where that may be meant, or else the first usual unit that may.
-  std::string with_unit(const toml::value& value) const {
-    const units::DimensionInfo& info = units::dimension_info(row_.dimension);
+  std::string with_unit(const toml::value& value, units::Dimension dimension) const {
+    const units::DimensionInfo& info = units::dimension_info(dimension);
     std::vector<std::string> candidates{info.si_unit};
     candidates.insert(candidates.end(), info.examples.begin(), info.examples.end());
     const double number =
@@ -164,6 +172,15 @@ private:
         return written(value) + " " + unit;
     }
     return "1.5 " + info.si_unit;
+  }
+
+  /// A text of the row's dimension, and of its other one where it has that.
+  std::string in_each_dimension(std::string_view between,
+                                const std::function<std::string(units::Dimension)>& text) const {
+    std::string all = text(row_.dimension);
+    if (row_.other_dimension)
+      all += fmt::format("{}{}", between, text(*row_.other_dimension));
+    return all;
   }
 
   static std::string usual_units(units::Dimension dimension) {

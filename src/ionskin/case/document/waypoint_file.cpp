@@ -85,8 +85,10 @@ private:
         names.push_back(name);
       const std::string nearest = base::nearest_name(column.name, names);
       table_.refuse(fmt::format("the column \"{}\" is unknown", base::shown(column.name)),
-                    nearest.empty() ? "columns: time, x, y, height, force"
-                                    : fmt::format("did you mean \"{}\"?", nearest));
+                    fmt::format("{}; ionskin motion FILE -o path.csv makes a path of a recording",
+                                nearest.empty() || column.name.size() < 2
+                                    ? "columns: time, x, y, height, force"
+                                    : fmt::format("did you mean \"{}\"?", nearest)));
     }
     value("1", column.unit, known->second, column.name); // refuses a bad unit at once
     if (!index_.emplace(column.name, columns_.size()).second)

@@ -43,16 +43,26 @@ double steps_of_stick_slip(const Case& input, const MotionLeg& leg) {
              : 0;
 }
 
+/// Mean over equal parts of the way from one place to another.
+double mean_cost(const std::function<double(double x)>& cost, double from, double to) {
+  constexpr int parts = 8;
+  double sum = 0;
+  for (int i = 0; i < parts; ++i) {
+    sum += cost(from + (i + 0.5) / parts * (to - from));
+  }
+  return sum / parts;
+}
+
 } // namespace
 
-ExpectedSteps expected_steps(const Case& input) {
+ExpectedSteps expected_steps(const Case& input, const std::function<double(double x)>& cost) {
   // Measured: of steps, and of rows that follow each other so closely that each is one step.
   constexpr double kept_share = 0.5, kept_share_of_rows = 0.22;
   const PathSteps each;
   const mesh::HeaviestLoad heaviest = mesh::heaviest_load(input);
   const double travel_each = longest_step_travel(input);
   std::array<double, 2> direction{};
-  double steps = 0, rows = 0, across = 0;
+  double steps = 0, rows = 0, across = 0, of_places = 0;
   for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
     if (!leg.touches()) {
       continue;
@@ -69,11 +79,13 @@ ExpectedSteps expected_steps(const Case& input) {
     if (!leg.slides()) {
       direction = {};
       steps += of_level;
+      of_places += cost ? of_level * cost(leg.from[0]) : 0;
       continue;
     }
     const auto way = leg.direction();
     if (way[0] * direction[0] + way[1] * direction[1] < std::cos(sharp_turn)) {
       steps += each.onset;
+      of_places += cost ? each.onset * cost(leg.from[0]) : 0;
       across += way[1] != 0 ? each.onset : 0;
     }
     direction = way;
@@ -81,11 +93,12 @@ ExpectedSteps expected_steps(const Case& input) {
     const double of_leg =
         std::max(of_level, std::ceil(leg.length() / travel_each)) + steps_of_stick_slip(input, leg);
     (of_leg <= 1 ? rows : steps) += of_leg;
+    of_places += cost ? of_leg * mean_cost(cost, leg.from[0], leg.to[0]) : 0;
     across += way[1] != 0 ? of_leg : 0;
   }
   const auto count = [](double number) { return static_cast<std::size_t>(std::min(number, 1e9)); };
-  return {count(steps + rows), count(kept_share * steps + kept_share_of_rows * rows),
-          count(across)};
+  return {count(steps + rows), count(kept_share * steps + kept_share_of_rows * rows), count(across),
+          of_places};
 }
 
 } // namespace ionskin::mechanics

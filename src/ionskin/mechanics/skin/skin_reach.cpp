@@ -20,10 +20,36 @@ std::array<double, 2> clearance(const Skin& skin, const mesh::Footprint& footpri
   return result;
 }
 
+namespace {
+
+finite_layers::SkinResolution resolution_beside(const Skin& skin, const mesh::Footprint& footprint,
+                                                const MotionBox& places) {
+  const auto [ends, sides] = clearance(skin, footprint, places);
+  return finite_layers::skin_resolution(finite_layers::elastic_layers(skin), {ends, sides});
+}
+
+} // namespace
+
 double short_wave_reach(const Skin& skin, const mesh::Footprint& footprint,
                         const MotionBox& places) {
-  const auto [ends, sides] = clearance(skin, footprint, places);
-  return finite_layers::skin_resolution(finite_layers::elastic_layers(skin), {ends, sides}).reach;
+  return resolution_beside(skin, footprint, places).reach;
+}
+
+std::function<double(double x)> end_products(const Skin& skin, const mesh::Footprint& footprint,
+                                             const MotionBox& places, double forces, bool half) {
+  const finite_layers::SkinResolution beside = resolution_beside(skin, footprint, places);
+  double nodes = 1; // through the thickness
+  for (const finite_layers::ElementSizes& sizes : beside.elements) {
+    nodes += static_cast<double>(sizes.size()) * beside.degree;
+  }
+  return [=, room = footprint.half_size[0], size = std::array{skin.length, skin.width}](double x) {
+    finite_layers::SkinResolution here = beside;
+    here.reach = std::max(beside.reach, 2 * (std::min(x, size[0] - x) - room));
+    // Modes of one parity.
+    const double along = 0.5 * static_cast<double>(here.face(size[0]).modes);
+    const double unknowns = 0.5 * nodes * static_cast<double>(here.face(size[1]).modes);
+    return (half ? 2 : 4) * unknowns * forces * (unknowns + 2 * forces + along);
+  };
 }
 
 } // namespace ionskin::mechanics

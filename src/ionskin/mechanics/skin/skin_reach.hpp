@@ -6,6 +6,7 @@
 #include "ionskin/mesh/footprint.hpp"
 
 #include <array>
+#include <functional>
 
 namespace ionskin::mechanics {
 
@@ -18,5 +19,13 @@ std::array<double, 2> clearance(const Skin& skin, const mesh::Footprint& footpri
 /// more modes it takes [m].
 double short_wave_reach(const Skin& skin, const mesh::Footprint& footprint,
                         const MotionBox& places);
+
+/// Multiplications in a step of the contact with the slider's centre at x [m], for the waves along
+/// the ends: at every place along the skin they are solved for the cells anew, the more of them the
+/// nearer an end (finite_layers::FreeEnds::Rows::add).
+/// @param forces on the cells, three each
+/// @param half whether they are those of one half of a symmetric contact
+std::function<double(double x)> end_products(const Skin& skin, const mesh::Footprint& footprint,
+                                             const MotionBox& places, double forces, bool half);
 
 } // namespace ionskin::mechanics

@@ -102,7 +102,9 @@ struct BadEdit {
 class BadSetEdit : public testing::TestWithParam<BadEdit> {};
 
 TEST_P(BadSetEdit, PointsIntoTheArgument) {
-  const auto edit = [] { edited("[a]\nb = [1, 2]\n[[t]]\nx = 1\n", {GetParam().argument}); };
+  const auto edit = [] {
+    edited("[a]\nb = [1, 2]\n[[t]]\nx = 1\n[[t]]\nname = \"up\"\n", {GetParam().argument});
+  };
   EXPECT_THAT(edit, testing::ThrowsMessage<UserError>(testing::AllOf(
                         HasSubstr(GetParam().what), HasSubstr(GetParam().remedy),
                         HasSubstr("--set " + GetParam().argument + "\n"), HasSubstr("^"))));
@@ -118,8 +120,9 @@ INSTANTIATE_TEST_SUITE_P(Table, BadSetEdit,
                                          BadEdit{"a.b[2]=3", "b has no entry 2", "2 entries"},
                                          BadEdit{"a.c[0]=3", "no array a.c", "in the file"},
                                          BadEdit{"t.0.x=3", "t is a list, not a table",
-                                                 "1 in all, are counted from 0: t[0].x"},
+                                                 "2 in all, are counted from 0: t[0].x"},
                                          BadEdit{"t.x=3", "t is a list, not a table", "t[0].x"},
+                                         BadEdit{"t.up.x=3", "t is a list, not a table", "t[1].x"},
                                          BadEdit{"t[0].x.e=3", "x is a value, not a table",
                                                  "set it by t[0].x=VALUE"}));
 
