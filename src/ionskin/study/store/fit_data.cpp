@@ -102,7 +102,7 @@ std::string taxel_of(const std::string& column) {
 
 namespace {
 
-/// Of a record at one rate its interval, else infinity [s].
+/// Interval of a record at one rate, else infinity [s].
 double rate_interval(const FitData& data) {
   constexpr double alike = 0.3, enough = 0.8;
   std::vector<double> steps;
@@ -362,7 +362,7 @@ void restrict_to_run(FitData& data, double start, double end) {
 
 namespace {
 
-/// Of what is linear between instants.
+/// Mean between two instants of values that are linear between those that are known.
 template <class Value>
 double mean_between(const std::vector<double>& instants, const Value& value, double from,
                     double to) {

@@ -17,7 +17,7 @@ struct FitData {
   std::string unit;   ///< SI: "A"
   std::vector<double> time;   ///< [s], strictly ascending
   std::vector<double> values; ///< in `unit`
-  bool at_one_rate = false;   ///< whether four in five intervals between the rows are alike
+  bool at_one_rate = false;   ///< true if four in five intervals between the rows are alike
 };
 
 /// Columns that a fit of a case can take, with their SI units: those of the electrodes, and of each
