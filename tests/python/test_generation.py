@@ -30,7 +30,7 @@ class Generation(PackageTest):
         self.assertEqual(touches.case["output.fields"], [])
         with self.assertRaises(ionskin.CaseError) as raised:
             Touches(small_case(), 1, vary=["slider.start[0]=uniform(14 mm, 14.5 mm)"])
-        self.assertIn("not a valid case", str(raised.exception))
+        self.assertIn("no valid case", str(raised.exception))
 
     def test_signals_and_labels(self):
         case = small_case()
