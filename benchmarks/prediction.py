@@ -128,7 +128,7 @@ def predict(program, work):
     """The content of the file."""
     jobs = [(ion, microns) for ion in FORMS for microns in (100, 200)]
     jobs += [("H+", microns, humidity) for humidity in AIR for microns in (100, 200)]
-    with ThreadPoolExecutor(2) as pool:
+    with ThreadPoolExecutor(3) as pool:
         pressed = pool.submit(touch, program, work)
         strips = list(pool.map(lambda job: strip(program, work, *job), jobs))
     version = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout.strip()

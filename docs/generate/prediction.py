@@ -19,7 +19,7 @@ has the SHA-256 digest
 ## Voltage per curvature of bent strips
 
 Narrow strips between gold, bent by CURVATURE 1/m at once and held, terminals open: the highest voltage, and the one that stays when the water has settled, over the
-curvature. The sign is that of the peak; positive is the top electrode, stretched. Lowest, middle and highest of all samples, in uV m:
+curvature. Positive: the electrode on the stretched side is above the other. Lowest, middle and highest of all samples, in uV m:
 
 """
 PROTOCOL = """
@@ -41,7 +41,7 @@ voltage of that taxel against the bottom electrode is LOW to HIGH uV, MIDDLE uV 
 
 ## The protocol
 
-1. Cut strips of 30 mm by 5 mm from one sheet of Nafion 117 (and of one twice as thick, or two pressed together), plate both faces with gold from the same bath, cut the edges afresh.
+1. Cut strips of 30 mm by 5 mm from one sheet of Nafion 117 (183 um dry) and one of Nafion 1110 or 115, of another thickness, plate both faces with gold from the same bath, cut the edges afresh.
 2. Exchange each into H+, Li+, Na+ and K+ (1 M chloride, twice, a day each), rinse, keep in water of the same temperature, 25 degC.
 3. Bend by a template of known radius within 20 ms, hold for 1000 s, read with an instrument of 1 Gohm at least; ten times to each side, the mean of both signs taken apart.
 4. Bend the same strips at 90 and 50 % humidity after a day in it, sealed by a coat of Parylene.
