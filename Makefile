@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # The thin front of the build: CMake presets do the work.
-.PHONY: help setup setup-demo setup-check setup-all build demo check-sources quick check check-long separate install package docs format bench clean
+.PHONY: help setup setup-demo setup-check setup-all build demo check-sources quick check check-long separate install package wheel docs format bench clean
 
 BUILD := build
 JOBS := $(shell nproc)
@@ -15,6 +15,7 @@ help:
 	@echo "make build   install what every part needs, build all: build/ionskin"
 	@echo "make install put what is built below PREFIX (/usr/local); DESTDIR goes before it"
 	@echo "make package a Debian package, in build/package"
+	@echo "make wheel   a wheel for pip, in build/wheel"
 	@echo "make docs    the pages, in docs/_build/html"
 	@echo "make format  format the sources (clang-format 14)"
 	@echo "make bench   time the stages on this machine"
@@ -51,6 +52,9 @@ install:
 package: build
 	@cd $(BUILD) && cpack
 	@echo "Package: $$(ls -t $(CURDIR)/$(BUILD)/package/*.deb | head -1)"
+
+wheel: build
+	@cmake --build --preset release --target wheel
 
 # The cheap checks come first, so that a slip shows before the long build.
 check-sources: setup-check

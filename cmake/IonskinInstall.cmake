@@ -70,6 +70,15 @@ add_custom_target(ionskin_shell_files ALL DEPENDS ${CMAKE_BINARY_DIR}/share/ions
 install(FILES ${CMAKE_BINARY_DIR}/share/ionskin.1.gz DESTINATION share/man/man1)
 install(FILES ${CMAKE_BINARY_DIR}/share/ionskin DESTINATION share/bash-completion/completions)
 
+# For pip: scripts/make_wheel.py. It takes what is built.
+add_custom_target(wheel COMMAND ${IONSKIN_PYTHON} ${PROJECT_SOURCE_DIR}/scripts/make_wheel.py ${CMAKE_BINARY_DIR} ${PROJECT_VERSION}
+                  DEPENDS ionskin ionskin_live_library USES_TERMINAL VERBATIM)
+foreach(part ionskin-extras ionskin-studio ionskin_live_fmu_library _ionskin_solver)
+  if(TARGET ${part})
+    add_dependencies(wheel ${part})
+  endif()
+endforeach()
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME ionskin)
 set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/package)

@@ -22,8 +22,9 @@ class Batch(ctypes.Structure):
 @functools.cache
 def load() -> ctypes.CDLL:
     """The library beside the package. ImportError where there is none of this version."""
-    beside = pathlib.Path(__file__).parents[2]
-    for folder in (beside, beside.parents[1]):  # the build folder; lib, above lib/python3/dist-packages
+    here = pathlib.Path(__file__).parent
+    beside = here.parents[1]
+    for folder in (here, beside, beside.parents[1]):  # a wheel; the build folder; lib, above lib/python3/dist-packages
         for name in ("libionskin_live.so", "libionskin_live.so.1"):
             if (folder / name).exists():
                 library = ctypes.CDLL(str(folder / name))

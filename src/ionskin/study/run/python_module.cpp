@@ -88,7 +88,8 @@ std::string read_end(int descriptor, const PythonProgress& progress) {
 } // namespace
 
 std::string python_interpreter() {
-  return IONSKIN_PYTHON;
+  const char* given = std::getenv("IONSKIN_PYTHON"); // of a wheel: that which it is installed for
+  return given != nullptr && *given != '\0' ? given : IONSKIN_PYTHON;
 }
 
 bool PythonOutcome::lacks_library() const {
@@ -99,7 +100,7 @@ namespace {
 
 std::vector<std::string> command_of(const std::string& module,
                                     const std::vector<std::string>& arguments) {
-  std::vector<std::string> words{IONSKIN_PYTHON, "-I", "-B", launcher(), module};
+  std::vector<std::string> words{python_interpreter(), "-I", "-B", launcher(), module};
   words.insert(words.end(), arguments.begin(), arguments.end());
   return words;
 }
