@@ -5,6 +5,7 @@
 #include "ionskin/finite_layers/thickness/elastic_layer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace ionskin::mechanics {
@@ -18,6 +19,13 @@ std::array<double, 2> clearance(const Skin& skin, const mesh::Footprint& footpri
     result[d] = std::max(0.0, room);
   }
   return result;
+}
+
+// Short waves reach over twice the clearance. Memory grows with the skin over the square of that
+// reach; see planning::mechanics_cost.
+double clearance_of_swings(const Skin& skin) {
+  constexpr double most = 1000; // of that ratio
+  return 0.5 * std::sqrt(skin.length * skin.width / most);
 }
 
 double short_wave_reach(const Skin& skin, const mesh::Footprint& footprint,

@@ -19,4 +19,8 @@ std::array<double, 2> clearance(const Skin& skin, const mesh::Footprint& footpri
 double short_wave_reach(const Skin& skin, const mesh::Footprint& footprint,
                         const MotionBox& places);
 
+/// How near to the edges a swing of a slider on a drive is expected, which need not come: nearer,
+/// the modes of the skin would take more than some 1 GB. A run tells where it came nearer [m].
+double clearance_of_swings(const Skin& skin);
+
 } // namespace ionskin::mechanics
