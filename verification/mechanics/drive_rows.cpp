@@ -145,7 +145,7 @@ StickSlip reference() {
 /// The engine with equal steps on a skin of one cell that hardly gives.
 StickSlip in_steps(double step) {
   const Eigen::MatrixXd stiff = 1e-10 * Eigen::MatrixXd::Identity(3, 3);
-  SlidingContact contact([&](const auto&, Eigen::MatrixXd& result) { result = stiff; }, {1e-6},
+  SlidingContact contact([&](const auto&, auto& problem) { problem.compliance = stiff; }, {1e-6},
                          {0.0}, block::friction());
   CompliantDrive slider(block::drive, 1, {true, false});
   contact.step(1, {0, 0}, {LoadKind::force, block::normal_force});

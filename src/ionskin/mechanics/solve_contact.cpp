@@ -148,7 +148,7 @@ std::vector<ContactState> solve_steady_sliding(const Case& input,
         model->cells.area,
         model->gap,
         laws::friction(input.contact.law, input.contact.friction, input.contact.parameters)};
-    ContactCompliance(*model).at(place, problem.compliance);
+    ContactCompliance(*model).at(place, problem);
     const SurfaceState steady = steady_sliding(problem, load, direction, 0);
     describe(*model, steady, problem, largest_normal_force(steady.force), steady.indentation,
              result[i]);

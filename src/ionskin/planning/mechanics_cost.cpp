@@ -10,6 +10,7 @@
 #include "ionskin/mechanics/path/contact_box.hpp"
 #include "ionskin/mechanics/path/expected_steps.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
+#include "ionskin/mechanics/skin/compliance_form.hpp"
 #include "ionskin/mechanics/skin/skin_reach.hpp"
 #include "ionskin/mechanics/surface/contact_cells.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
@@ -30,12 +31,15 @@ constexpr double seconds_per_skin = 0.38, seconds_per_pair_of_cells = 5.7e-6;
 constexpr double seconds_per_reach = 5e-4;
 /// Time of a step of the contact, over the square of the cells [s].
 constexpr double seconds_per_step = 2.2e-7, seconds_per_driven_step = 8e-7;
+/// Contacts of many cells, which are solved by products: measured on a height map.
+constexpr double products_per_step = 150, seconds_per_product = 5e-3,
+                 seconds_per_product_and_cell = 3e-6, seconds_per_distance = 1e-5;
 /// More of a step at a new place across the skin, by the skin's size over the reach of its short
 /// waves: rows of cells are summed over all modes anew.
 constexpr double seconds_per_place_across = 2e-4;
 /// Time of a multiplication in a step near an end of the skin [s], where the waves along the end
 /// are solved for the cells anew at each place. Measured 0.1 to 0.4 mm from an end.
-constexpr double seconds_per_product = 1e-10;
+constexpr double seconds_per_end_product = 1e-10;
 /// Time for the strain of an instant that is kept of the path, over the points of the core [s].
 constexpr double seconds_per_strain = 1.3e-6;
 /// Memory per row of cells and row of elements [bytes], measured on cases/paper.toml and
@@ -66,23 +70,26 @@ double skin_memory(const mesh::SkinMesh& mesh, double size) {
 struct GridCost {
   GridCost(const Case& input, const mesh::SkinMesh& mesh)
       : cells(static_cast<double>(mechanics::contact_cells(mesh).count())),
-        driven(input.motion.drive.given()) {
+        driven(input.motion.drive.given()),
+        products(mechanics::takes_products(input, mechanics::contact_cells(mesh))) {
     const MotionBox touching =
         mechanics::contact_box(input).value_or(motion_box(input.motion, input.slider));
     const MotionBox places = mechanics::expected_places(input, touching, mesh.footprint());
     size = skin_size(input, mesh, places);
-    at_ends = seconds_per_product *
-              mechanics::expected_steps(input, mechanics::end_products(input.skin, mesh.footprint(),
-                                                                       places, 3 * cells,
-                                                                       mesh.half_model()))
-                  .of_places;
+    at_ends = products
+                  ? 0
+                  : seconds_per_end_product *
+                        mechanics::expected_steps(
+                            input, mechanics::end_products(input.skin, mesh.footprint(), places,
+                                                           3 * cells, mesh.half_model()))
+                            .of_places;
     const auto [nx, ny, nz] = mesh.elements();
     const auto [bottom, top] = mesh.core_z();
     points = 8.0 * static_cast<double>(nx * ny * (top - bottom));
     const handover::CoreGrid core =
         handover::core_grid(input, mesh, motion_box(input.motion, input.slider));
     const MotionBox box = motion_box(input.motion, input.slider);
-    if (mesh.half_model() || box.low[1] == box.high[1]) {
+    if (!products && (mesh.half_model() || box.low[1] == box.high[1])) {
       const auto [first, end] = mesh.footprint_y();
       rows = row_bytes * static_cast<double>((end - first) * ny);
     }
@@ -91,12 +98,17 @@ struct GridCost {
   }
 
   double skin_seconds() const {
-    return seconds_per_skin + seconds_per_reach * size + seconds_per_pair_of_cells * cells * cells;
+    const double of_cells =
+        products ? seconds_per_distance * cells : seconds_per_pair_of_cells * cells * cells;
+    return seconds_per_skin + seconds_per_reach * size + of_cells;
   }
   /// Time of the steps along the path [s].
   double path_seconds(const mechanics::ExpectedSteps& steps) const {
     const double contact = driven ? seconds_per_driven_step : seconds_per_step;
-    return static_cast<double>(steps.taken) * contact * cells * cells +
+    const double step =
+        products ? products_per_step * (seconds_per_product + seconds_per_product_and_cell * cells)
+                 : contact * cells * cells;
+    return static_cast<double>(steps.taken) * step +
            static_cast<double>(steps.across) * seconds_per_place_across * size + at_ends;
   }
   /// Time for the strain of the steps that are kept, which threads share [s].
@@ -107,9 +119,13 @@ struct GridCost {
   double history_memory(const mechanics::ExpectedSteps& steps) const {
     return sizeof(double) * history_values * static_cast<double>(steps.kept);
   }
-  /// The dense matrices of the contact [bytes].
+  /// The dense matrices of the contact, or what products keep: transforms of the compliance over
+  /// the distance, and directions [bytes].
   double contact_memory(int threads) const {
-    constexpr double matrices = 6;
+    constexpr double matrices = 6, vectors_of_products = 400;
+    if (products) {
+      return sizeof(double) * threads * vectors_of_products * cells;
+    }
     return sizeof(double) * threads * matrices * 9 * cells * cells;
   }
   /// Strains that are recovered together, when the contact is solved [bytes].
@@ -125,6 +141,7 @@ struct GridCost {
   double size = 0;    ///< of the skin
   double at_ends = 0; ///< of the waves along the ends, on the whole path [s]
   bool driven = false;
+  bool products = false;     ///< of the compliance, in the place of a matrix
   double history_values = 0; ///< of one instant
 };
 

@@ -61,6 +61,33 @@ TEST(MechanicsCost, HoldsTheModesOfWideSkinsAndOfNearSides) {
   EXPECT_GT(memory({"slider.start=[\"4.5 mm\", \"0.4 mm\"]"}), 1.0e9);
 }
 
+// What need not come must not fill the memory: a soft spring on a thin skin promised 5.4 GB, as a
+// swing to both ends asked for waves a quarter as long.
+TEST(MechanicsCost, SwingsOfADriveTakeABoundedMemory) {
+  const auto memory = [](const char* stiffness) {
+    return cost({"skin.length=9 mm", "skin.width=3.3 mm", "skin.layers[1].thickness=80 um",
+                 "slider.start=[\"3 mm\", \"1.6 mm\"]", "motion.stroke=2 mm", stiffness,
+                 "motion.drive.damping=1 N s/m", "motion.drive.mass=10 g"})
+        .memory;
+  };
+  EXPECT_GT(memory("motion.drive.stiffness=200 N/m"), memory("motion.drive.stiffness=1e7 N/m"));
+  EXPECT_LT(memory("motion.drive.stiffness=200 N/m"), 1.2e9);
+}
+
+// Matrices would be sixteen times as large.
+TEST(MechanicsCost, OfManyEvenCellsIsThatOfProducts) {
+  const auto of_sphere = [](const char* refinement) {
+    return estimate_mechanics_cost(
+        read_case(IONSKIN_CASES "/finger.toml",
+                  {refinement, "numerics.preset=coarse", "numerics.error_estimate=off"}),
+        1, {});
+  };
+  const MechanicsCost many = of_sphere("numerics.mesh_refinement=5"),
+                      more = of_sphere("numerics.mesh_refinement=10");
+  EXPECT_GT(many.contact_cells, 1500U);
+  EXPECT_LT(more.memory, 8 * many.memory);
+}
+
 TEST(MechanicsCost, CountsStepsAcrossTheSkin) {
   const auto towards = [](const char* direction) {
     return cost({"skin.width=6 mm", "slider.start=[\"4.5 mm\", \"2.8 mm\"]", "motion.stroke=1 mm",

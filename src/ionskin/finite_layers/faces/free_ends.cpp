@@ -170,6 +170,76 @@ std::vector<FreeEnds::Motion> FreeEnds::motion(const std::array<Eigen::MatrixXd,
   return result;
 }
 
+Eigen::Index FreeEnds::unknowns(const Class& own, double last) const {
+  return own.nodes() * std::ranges::count_if(own.modes_y, [&](Eigen::Index n) {
+           return fading_share(along_y_.wave_numbers(n), last) > 0;
+         });
+}
+
+void FreeEnds::add(const std::array<Eigen::MatrixXd, 3>& forces, const Eigen::ArrayXd& share,
+                   double last, std::array<Eigen::MatrixXd, 3>& displacement) const {
+  const Eigen::Index waves = forces[0].cols();
+  for (const Class& own : classes_) {
+    const Eigen::Index first = own.along_x == Parity::even ? 0 : 1;
+    const auto modes =
+        static_cast<std::size_t>(std::max<Eigen::Index>(0, share.size() - first + 1) / 2);
+    const Eigen::Index nodes = own.nodes(), size = unknowns(own, last);
+    if (size == 0 || modes == 0) {
+      continue;
+    }
+    const auto of_mode = [&](const std::array<Eigen::MatrixXd, 3>& fields, Eigen::Index m,
+                             Eigen::Index n) {
+      return Eigen::Vector3d(fields[0](m, n), fields[1](m, n), fields[2](m, n));
+    };
+    const auto weight = [&](Eigen::Index m) {
+      return share(m) * multiplicity(m) / along_x_.extent;
+    };
+    Eigen::VectorXd stress = Eigen::VectorXd::Zero(size);
+    for (std::size_t at = 0; at < modes; ++at) {
+      const Eigen::Index m = first + 2 * static_cast<Eigen::Index>(at);
+      for (Eigen::Index row = 0; row < size; row += nodes) {
+        const auto block = static_cast<std::size_t>(row / nodes);
+        stress.segment(row, nodes) +=
+            weight(m) * own.stress[at][block] * of_mode(forces, m, own.modes_y[block]);
+      }
+      if (own.on_sides[at].size() > 0) {
+        Eigen::MatrixX3d across(waves, 3);
+        across << forces[0].row(m).transpose(), forces[1].row(m).transpose(),
+            forces[2].row(m).transpose();
+        const Eigen::VectorXd of_sides =
+            sides_->stiffness(m, own.along_y).solve(sides_->stress(m, own.along_y, across));
+        stress -= weight(m) * own.on_sides[at].leftCols(size).transpose() * of_sides;
+      }
+    }
+    const auto factor = own.stiffness.matrixLLT().topLeftCorner(size, size);
+    factor.triangularView<Eigen::Lower>().solveInPlace(stress);
+    for (Eigen::Index row = 0; row < size; row += nodes) {
+      const Eigen::Index n = own.modes_y[static_cast<std::size_t>(row / nodes)];
+      stress.segment(row, nodes) *= fading_share(along_y_.wave_numbers(n), last);
+    }
+    factor.triangularView<Eigen::Lower>().transpose().solveInPlace(stress);
+    for (std::size_t at = 0; at < modes; ++at) {
+      const Eigen::Index m = first + 2 * static_cast<Eigen::Index>(at);
+      for (Eigen::Index row = 0; row < size; row += nodes) {
+        const auto block = static_cast<std::size_t>(row / nodes);
+        const Eigen::Vector3d felt =
+            weight(m) * own.stress[at][block].transpose() * stress.segment(row, nodes);
+        for (std::size_t c = 0; c < 3; ++c) {
+          displacement[c](m, own.modes_y[block]) += felt(static_cast<Eigen::Index>(c));
+        }
+      }
+      if (own.on_sides[at].size() > 0) {
+        const Eigen::VectorXd on_sides = own.on_sides[at].leftCols(size) * stress;
+        Eigen::MatrixX3d felt = Eigen::MatrixX3d::Zero(waves, 3);
+        sides_->add_felt(m, own.along_y, sides_->stiffness(m, own.along_y).solve(on_sides), felt);
+        for (std::size_t c = 0; c < 3; ++c) {
+          displacement[c].row(m) -= weight(m) * felt.col(static_cast<Eigen::Index>(c)).transpose();
+        }
+      }
+    }
+  }
+}
+
 // The factor of the first modes along the ends is the first part of the factor of all, and each
 // adds its own rows to what the modes before it do.
 void FreeEnds::Rows::add(const ContactGrid& grid, double centre_x, const Eigen::ArrayXd& share,
@@ -184,11 +254,7 @@ void FreeEnds::Rows::add(const ContactGrid& grid, double centre_x, const Eigen::
     const Class& own = ends_->classes_[c];
     const Eigen::Index first = own.along_x == Parity::even ? 0 : 1;
     const Eigen::Index modes = (share.size() - first + 1) / 2;
-    const auto nodes = own.stiffness.rows() /
-                       static_cast<Eigen::Index>(std::max<std::size_t>(1, own.modes_y.size()));
-    const Eigen::Index size = nodes * std::ranges::count_if(own.modes_y, [&](Eigen::Index n) {
-                                return fading_share(ends_->along_y_.wave_numbers(n), last) > 0;
-                              });
+    const Eigen::Index nodes = own.nodes(), size = ends_->unknowns(own, last);
     if (size == 0 || modes <= 0) {
       continue;
     }

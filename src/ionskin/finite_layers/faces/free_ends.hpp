@@ -43,6 +43,13 @@ public:
   /// @param centre_y of the slider [m]
   Rows rows(const ContactGrid& grid, double centre_y) const;
 
+  /// Adds to the displacement of modes what free ends do under forces given by their modes, as
+  /// `Rows::add` does for cells.
+  /// @param forces sums over cells of force and means of the modes: normal, x, y, [m, n] [N]
+  /// @param share,last as of `Rows::add`
+  void add(const std::array<Eigen::MatrixXd, 3>& forces, const Eigen::ArrayXd& share, double last,
+           std::array<Eigen::MatrixXd, 3>& displacement) const;
+
   /// Outwards motion of the ends where they are free of stress, for modes m and n of one parity
   /// each: the two ends move alike under even m.
   struct Motion {
@@ -74,7 +81,14 @@ private:
     /// [3][unknown at n], and on the sides over the motion of the ends, [node, unknown].
     std::vector<std::vector<Eigen::MatrixX3d>> stress;
     std::vector<Eigen::MatrixXd> on_sides;
+
+    Eigen::Index nodes() const {
+      const auto blocks = static_cast<Eigen::Index>(modes_y.size());
+      return blocks == 0 ? 0 : stiffness.rows() / blocks;
+    }
   };
+  /// The first of the unknowns of a class, whose modes along the ends count.
+  Eigen::Index unknowns(const Class& own, double last) const;
   Class solved(const ThicknessColumn& column, double length, double width, const WaveSplit& split,
                const FaceResolution& resolution, Parity along_x, Parity along_y, int threads) const;
 

@@ -81,6 +81,15 @@ Eigen::VectorXd FreeSides::stress(Eigen::Index mode, Parity parity,
   return result;
 }
 
+void FreeSides::add_felt(Eigen::Index mode, Parity parity, const Eigen::VectorXd& motion,
+                         Eigen::MatrixX3d& displacement) const {
+  const OfParity& sides = of(mode, parity);
+  const auto own = Eigen::seqN(parity == Parity::even ? 0 : 1, sides.stress[0].cols(), 2);
+  for (Eigen::Index c = 0; c < 3; ++c) {
+    displacement(own, c) += sides.stress[static_cast<std::size_t>(c)].transpose() * motion;
+  }
+}
+
 void FreeSides::add(const ContactGrid& grid, double centre_y,
                     std::vector<Eigen::MatrixXd>& rows) const {
   const ModeTransform of_rows = along_y_.transform(grid.y, centre_y);

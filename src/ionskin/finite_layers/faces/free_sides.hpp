@@ -48,6 +48,10 @@ public:
   /// The same over forces given by their modes across the skin: [node] [N/m].
   /// @param forces sums over cells of force and mean of the mode, [mode, component] [N]
   Eigen::VectorXd stress(Eigen::Index mode, Parity parity, const Eigen::MatrixX3d& forces) const;
+  /// Adds what the modes across the skin feel of a motion of the sides that stress at the nodes
+  /// makes: the transpose of `stress`. @param displacement of the modes, [mode, component]
+  void add_felt(Eigen::Index mode, Parity parity, const Eigen::VectorXd& motion,
+                Eigen::MatrixX3d& displacement) const;
   const ModeLine& along_y() const { return along_y_; }
 
 private:

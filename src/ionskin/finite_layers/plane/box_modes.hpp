@@ -44,14 +44,17 @@ public:
   /// x, y, over forces that vary along x like cosine, sine, cosine.
   std::vector<Eigen::MatrixXd> rows(const ContactGrid& grid, double centre_y) const;
 
-private:
-  ModeLine x_, y_;
   /// Compliance of all modes between two components, with their weights along y and their share,
   /// [mode along x, along y]; the same at every place.
   struct Between {
     Eigen::Index at = 0, from = 0; ///< normal, x or y
     Eigen::MatrixXd waves;
   };
+  /// Between each two components once.
+  const std::array<Between, 6>& between() const { return between_; }
+
+private:
+  ModeLine x_, y_;
   std::array<Between, 6> between_;
 };
 

@@ -18,9 +18,26 @@ double smaller(double one, double other) {
 } // namespace
 
 LayeredSkin::LayeredSkin(const Skin& skin, ContactGrid grid, const SkinResolution& resolution,
-                         int threads)
-    : grid_(std::move(grid)), box_(layer_box({skin, resolution, grid_.half}, threads)),
-      short_compliance_(plane_compliance(box_->short_waves, grid_, own_images(grid_))) {}
+                         int threads, ComplianceForm form)
+    : grid_(std::move(grid)), box_(layer_box({skin, resolution, grid_.half}, threads)) {
+  if (form == ComplianceForm::matrix) {
+    short_compliance_ = plane_compliance(box_->short_waves, grid_, own_images(grid_));
+  }
+}
+
+std::vector<RowImage> LayeredSkin::images_in_sides(double centre_y) const {
+  return box_->sides ? std::vector<RowImage>{}
+                     : images_between(grid_, -centre_y, box_->key.width - centre_y,
+                                      box_->key.resolution.reach);
+}
+
+LongWaves LayeredSkin::long_waves(const std::array<double, 2>& centre) const {
+  return {box_, grid_, centre, near_ends(centre[0])};
+}
+
+WavesOfBody LayeredSkin::waves() const {
+  return [box = box_](double wave_number) { return box->surface.at(wave_number); };
+}
 
 SkinFields LayeredSkin::fields(const std::vector<double>& heights, double column,
                                const ComponentChoice& components,
@@ -36,9 +53,8 @@ LayeredSkin::Across LayeredSkin::across(double centre_y) const {
   result.alike_ = short_compliance_;
   if (box_->sides) {
     box_->sides->add(grid_, centre_y, result.rows_);
-  } else if (const auto images = images_between(grid_, -centre_y, box_->key.width - centre_y,
-                                                box_->key.resolution.reach);
-             !images.empty()) {
+  }
+  if (const auto images = images_in_sides(centre_y); !images.empty()) {
     result.alike_ += plane_compliance(box_->short_waves, grid_, images);
   }
   result.ends_ = box_->ends->rows(grid_, centre_y);
@@ -50,7 +66,7 @@ LayeredSkin::Across LayeredSkin::across(double centre_y) const {
 // An image lies twice as far away as the end that it is mirrored in: waves that end before it do
 // not count. Single waves do not fall with the distance from the ends, only their sum does: each
 // share ends so late that forces do not jump where it does.
-LayeredSkin::NearEnds LayeredSkin::near_ends(double centre_x) const {
+NearEnds LayeredSkin::near_ends(double centre_x) const {
   constexpr double least_share = 1e-6;
   const Eigen::ArrayXd& waves = box_->modes.along_x().wave_numbers;
   const SkinResolution& resolution = box_->key.resolution;

@@ -4,16 +4,22 @@
 #include "ionskin/case/case.hpp"
 #include "ionskin/finite_layers/faces/free_ends.hpp"
 #include "ionskin/finite_layers/fields/skin_fields.hpp"
+#include "ionskin/finite_layers/plane/inverse_waves.hpp"
 #include "ionskin/finite_layers/plane/plane_compliance.hpp"
 #include "ionskin/finite_layers/skin/layer_box.hpp"
+#include "ionskin/finite_layers/skin/long_waves.hpp"
 
 #include <Eigen/Core>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace ionskin::finite_layers {
+
+/// The compliance of the cells as a matrix, or as `CellProduct`.
+enum class ComplianceForm { matrix, products };
 
 /// A skin under the cells of a slider: a box of even layers on a rigid base, its ends free of
 /// stress, its sides free or held by rollers. What depends on the skin and the cells alone is made
@@ -21,8 +27,9 @@ namespace ionskin::finite_layers {
 class LayeredSkin {
 public:
   /// @param threads that make what no skin before had made
-  LayeredSkin(const Skin& skin, ContactGrid grid, const SkinResolution& resolution,
-              int threads = 1);
+  /// @param form in which the compliance of the cells is asked for
+  LayeredSkin(const Skin& skin, ContactGrid grid, const SkinResolution& resolution, int threads = 1,
+              ComplianceForm form = ComplianceForm::matrix);
 
   const ContactGrid& grid() const { return grid_; }
 
@@ -51,12 +58,15 @@ public:
                     int threads = 1) const;
   const std::vector<ElasticLayer>& layers() const { return box_->key.layers; }
 
+  /// What `CellProduct` takes of the skin: its short waves and their images in sides on rollers,
+  /// which depend on the place across it; its long waves with the slider at a place [m]; and its
+  /// compliance over the wave number.
+  const PlaneCompliance& short_waves() const { return box_->short_waves; }
+  std::vector<RowImage> images_in_sides(double centre_y) const;
+  LongWaves long_waves(const std::array<double, 2>& centre) const;
+  WavesOfBody waves() const;
+
 private:
-  /// Share of the modes that the ends feel of a slider at a place.
-  struct NearEnds {
-    Eigen::ArrayXd share; ///< of the first modes along x
-    double last = 0;      ///< wave number along the ends that counts in full [1/m]
-  };
   NearEnds near_ends(double centre_x) const;
 
   ContactGrid grid_;

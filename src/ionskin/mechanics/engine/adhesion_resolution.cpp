@@ -35,7 +35,7 @@ void require_resolved_adhesion(const Case& input, const SkinModel& model, const 
   }
   ContactProblem problem{{}, model.cells.area, model.gap, law};
   ContactCompliance(model).at({0.5 * (box.low[0] + box.high[0]), 0.5 * (box.low[1] + box.high[1])},
-                              problem.compliance);
+                              problem);
   const double found = softening(problem);
   const std::string remedy =
       fmt::format("raise numerics.mesh_refinement by a factor of {:.2g}, or lower "

@@ -2,6 +2,7 @@
 #include "ionskin/mechanics/engine/drive_room.hpp"
 
 #include "ionskin/finite_layers/thickness/elastic_layer.hpp"
+#include "ionskin/mechanics/skin/skin_reach.hpp"
 
 #include <algorithm>
 #include <array>
@@ -47,13 +48,17 @@ MotionBox expected_places(const Case& input, const MotionBox& touching,
   const double swing =
       2 * input.contact.friction * largest_load(input, footprint) / input.motion.drive.stiffness;
   const MotionBox room = room_on_skin(input, footprint);
+  const std::array<double, 2> size{input.skin.length, input.skin.width};
+  const double clearance = clearance_of_swings(input.skin);
   MotionBox places = touching;
   for (std::size_t d = 0; d < 2; ++d) {
     if (touching.low[d] == touching.high[d]) {
       continue; // friction pulls along the motion
     }
-    places.low[d] = std::min(touching.low[d], std::max(room.low[d], touching.low[d] - swing));
-    places.high[d] = std::max(touching.high[d], std::min(room.high[d], touching.high[d] + swing));
+    const double low = std::max(room.low[d], footprint.half_size[d] + clearance),
+                 high = std::min(room.high[d], size[d] - footprint.half_size[d] - clearance);
+    places.low[d] = std::min(touching.low[d], std::max(low, touching.low[d] - swing));
+    places.high[d] = std::max(touching.high[d], std::min(high, touching.high[d] + swing));
   }
   return places;
 }

@@ -131,7 +131,7 @@ void SlidingContact::detach(const SliderStep& step) {
 
 void SlidingContact::condense_at(const std::array<double, 2>& place) {
   if (condensed_at_ != place) {
-    compliance_(place, problem_.compliance);
+    compliance_(place, problem_);
     condensed_at_ = place;
   }
 }

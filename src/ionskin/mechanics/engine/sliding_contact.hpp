@@ -18,9 +18,9 @@ struct SliderGuide {
   std::array<double, 2> compliance{}; ///< yield by the sum of the cells' forces [m/N]
 };
 
-/// Compliance between skin and slider over the slider's place, [3 cells, 3 cells] [m/N].
+/// Sets the compliance of a problem to that between skin and slider at a place of the slider.
 using ComplianceAt =
-    std::function<void(const std::array<double, 2>& place, Eigen::MatrixXd& result)>;
+    std::function<void(const std::array<double, 2>& place, ContactProblem& problem)>;
 
 /// A slider on the skin, moved step by step to any place, height or force. Each step is the exact
 /// incremental problem of contact and friction on the compliance at its end; it starts from the

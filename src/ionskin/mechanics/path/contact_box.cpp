@@ -2,6 +2,7 @@
 #include "ionskin/mechanics/path/contact_box.hpp"
 
 #include "ionskin/laws/friction/friction_law.hpp"
+#include "ionskin/mechanics/skin/skin_reach.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,6 +17,7 @@ void add_swing(const Case& input, MotionBox& box) {
   constexpr double most = 0.5; // of the room beside it
   const double seconds = input.motion.drive.natural_period() / (2 * std::numbers::pi);
   const std::array<double, 2> skin{input.skin.length, input.skin.width};
+  const double clearance = clearance_of_swings(input.skin);
   const auto half_size = input.slider.flat_half_size();
   std::array<double, 2> fastest{};
   for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
@@ -27,8 +29,11 @@ void add_swing(const Case& input, MotionBox& box) {
     const double swing = fastest[d] * seconds;
     const double below = std::max(0.0, box.low[d] - half_size[d]),
                  above = std::max(0.0, skin[d] - half_size[d] - box.high[d]);
-    box.low[d] -= std::min(swing, most * below);
-    box.high[d] += std::min(swing, most * above);
+    const auto part = [&](double room) {
+      return std::min({swing, most * room, std::max(0.0, room - clearance)});
+    };
+    box.low[d] -= part(below);
+    box.high[d] += part(above);
   }
 }
 

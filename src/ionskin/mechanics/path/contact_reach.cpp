@@ -77,7 +77,7 @@ ContactReach hardest_reach(const Case& input, const SkinModel& model,
                          model.cells.area,
                          model.gap,
                          laws::friction(input.contact.law, friction, input.contact.parameters)};
-  ContactCompliance(model).at(centre, problem.compliance);
+  ContactCompliance(model).at(centre, problem);
   const CellVector none(3 * model.cells.count(), 0.0);
   ContactReach reach;
   const auto include = [&](const SurfaceState& state) {

@@ -3,13 +3,16 @@
 
 #include "ionskin/case/case.hpp"
 #include "ionskin/case/slider_motion.hpp"
+#include "ionskin/finite_layers/skin/cell_product.hpp"
 #include "ionskin/finite_layers/skin/layered_skin.hpp"
 #include "ionskin/mechanics/surface/contact_cells.hpp"
+#include "ionskin/mechanics/surface/contact_problem.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 
 #include <Eigen/Core>
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -20,11 +23,15 @@ namespace ionskin::mechanics {
 struct SkinModel {
   mesh::SkinMesh mesh;
   ContactCells cells;
-  std::vector<double> gap; ///< of the slider's underside over the cells [m]
+  std::vector<double> gap;            ///< of the slider's underside over the cells [m]
+  finite_layers::ComplianceForm form; ///< of the compliance of the cells
   /// Compliance of a soft slider against forces on the cells, [3 cells, 3 cells]; empty of a rigid
-  /// one [m/N].
+  /// one, and where products stand for matrices [m/N].
   Eigen::MatrixXd slider_compliance;
   finite_layers::LayeredSkin layers;
+  /// Short waves of skin and slider, where products stand for matrices.
+  std::shared_ptr<const finite_layers::CellConvolution> short_waves;
+  std::shared_ptr<const finite_layers::InverseWaves> inverse;
   MotionBox places;  ///< places at which the slider's centre is expected [m]
   bool stays_across; ///< true if its place across the skin is the same throughout
 
@@ -36,6 +43,7 @@ struct SkinModel {
 private:
   SkinModel(const Case& input, const MotionBox& places_of_centre, mesh::SkinMesh mesh_of_case,
             int threads, finite_layers::SkinPurpose purpose);
+  void prepare_products(const Slider& slider);
 };
 
 /// Compliance between skin and slider with the slider at one place after another,
@@ -48,11 +56,16 @@ public:
   /// @param place of the slider's centre [m]
   /// @param result resized, [3 cells, 3 cells], symmetric [m/N]
   void at(const std::array<double, 2>& place, Eigen::MatrixXd& result);
+  /// The same in the form of the model.
+  void at(const std::array<double, 2>& place, ContactProblem& problem);
 
 private:
+  std::shared_ptr<const finite_layers::CellProduct> product(const std::array<double, 2>& place);
+
   const SkinModel* model_;
   double centre_y_ = 0; ///< [m]
   std::optional<finite_layers::LayeredSkin::Across> across_;
+  std::shared_ptr<const finite_layers::CellConvolution> short_waves_;
 };
 
 } // namespace ionskin::mechanics

@@ -5,6 +5,7 @@
 #include "ionskin/finite_layers/thickness/elastic_layer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace ionskin::mechanics {
@@ -29,6 +30,13 @@ finite_layers::SkinResolution resolution_beside(const Skin& skin, const mesh::Fo
 }
 
 } // namespace
+
+// Short waves reach over twice the clearance. Memory grows with the skin over the square of that
+// reach; see planning::mechanics_cost.
+double clearance_of_swings(const Skin& skin) {
+  constexpr double most = 1000; // of that ratio
+  return 0.5 * std::sqrt(skin.length * skin.width / most);
+}
 
 double short_wave_reach(const Skin& skin, const mesh::Footprint& footprint,
                         const MotionBox& places) {

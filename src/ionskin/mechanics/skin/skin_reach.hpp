@@ -28,4 +28,9 @@ double short_wave_reach(const Skin& skin, const mesh::Footprint& footprint,
 std::function<double(double x)> end_products(const Skin& skin, const mesh::Footprint& footprint,
                                              const MotionBox& places, double forces, bool half);
 
+/// Distance to the edges up to which a swing of a slider on a drive is expected, which need not
+/// come: nearer, the modes of the skin would take more than some 1 GB. A run tells where it came
+/// nearer [m].
+double clearance_of_swings(const Skin& skin);
+
 } // namespace ionskin::mechanics

@@ -43,7 +43,8 @@ double mean_column(const mesh::SkinMesh& mesh) {
 
 /// Places across the skin that all states have alike.
 std::optional<finite_layers::PlacesAcross> places_across(const SkinModel& model) {
-  if (!model.stays_across) {
+  // Sums over rows of cells grow with rows and points alike: they would fill the memory.
+  if (!model.stays_across || model.form == finite_layers::ComplianceForm::products) {
     return std::nullopt;
   }
   const std::array<double, 2>& low = model.places.low;

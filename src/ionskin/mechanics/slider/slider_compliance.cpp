@@ -16,30 +16,32 @@ constexpr double reach_of_pad = 12; // over its thickness: beyond it rests
 /// million times that against shear, and displacements are those of 0.5 to some 1e-6.
 constexpr double nearly_incompressible = 0.5 - 2.5e-7;
 
-Eigen::MatrixXd face_compliance(const Slider& slider, const fl::ContactGrid& grid) {
+} // namespace
+
+SliderFace slider_face(const Slider& slider) {
   const Material material{"", slider.youngs_modulus,
                           std::min(slider.poissons_ratio, nearly_incompressible)};
   const fl::ElasticLayer layer = fl::elastic_layer(material, slider.pad_thickness);
   if (slider.pad_thickness == 0) {
-    return fl::plane_compliance(fl::PlaneCompliance(layer), grid, fl::own_images(grid));
+    const fl::WaveCompliance all = fl::half_space_compliance(layer);
+    return {
+        fl::PlaneCompliance(layer), [all](double k) {
+          return fl::WaveCompliance{all.normal / k, all.along / k, all.across / k, all.mixed / k};
+        }};
   }
   const fl::SurfaceCompliance pad({layer});
-  const fl::PlaneCompliance all_waves(
-      pad, fl::WaveSplit::all_short(reach_of_pad * slider.pad_thickness));
-  return fl::plane_compliance(all_waves, grid, fl::own_images(grid));
+  return {fl::PlaneCompliance(pad, fl::WaveSplit::all_short(reach_of_pad * slider.pad_thickness)),
+          [pad](double k) { return pad.at(k); }};
 }
-
-} // namespace
 
 Eigen::MatrixXd slider_compliance(const Slider& slider, const fl::ContactGrid& grid) {
   if (slider.rigid()) {
     return {};
   }
-  Eigen::MatrixXd face = face_compliance(slider, grid);
-  // The slider is above: what moves its face towards the load moves it away from the skin, so that
-  // normal and tangential parts are mixed with the opposite sign of those of a skin below.
-  face(Eigen::seq(0, Eigen::last, 3), Eigen::all) *= -1;
-  face(Eigen::all, Eigen::seq(0, Eigen::last, 3)) *= -1;
+  Eigen::MatrixXd face =
+      fl::plane_compliance(slider_face(slider).compliance, grid, fl::own_images(grid));
+  face(Eigen::seq(0, Eigen::last, 3), Eigen::all) *= mixed_of_slider;
+  face(Eigen::all, Eigen::seq(0, Eigen::last, 3)) *= mixed_of_slider;
   return face;
 }
 

@@ -2,11 +2,23 @@
 #pragma once
 
 #include "ionskin/case/case.hpp"
+#include "ionskin/finite_layers/plane/inverse_waves.hpp"
 #include "ionskin/finite_layers/plane/plane_compliance.hpp"
 
 #include <Eigen/Core>
 
 namespace ionskin::mechanics {
+
+/// The face of a soft slider, docs/model.md (36), (37).
+struct SliderFace {
+  finite_layers::PlaneCompliance compliance;
+  finite_layers::WavesOfBody waves;
+};
+SliderFace slider_face(const Slider& slider);
+
+/// The slider is above: what moves its face towards the load moves it away from the skin, so that
+/// normal and tangential parts are mixed with the opposite sign of those of a skin below.
+inline constexpr double mixed_of_slider = -1;
 
 /// Compliance of a soft slider under forces between it and the cells, docs/model.md (36): what is
 /// to be added to the compliance of the skin. The slider is a half-space, or a layer of its

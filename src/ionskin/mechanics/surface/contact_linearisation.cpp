@@ -2,8 +2,10 @@
 #include "ionskin/mechanics/surface/contact_linearisation.hpp"
 
 #include "ionskin/base/largest.hpp"
+#include "ionskin/mechanics/surface/gmres.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ionskin::mechanics {
@@ -40,6 +42,7 @@ ContactLinearisation::ContactLinearisation(const ContactProblem& problem, const 
   for (const int cell : at_.active) {
     first_.push_back(size_);
     size_ += follows(cell) ? 1 : 3;
+    sticks_ = sticks_ || (at_.status[cell] == CellStatus::sticking && !follows(cell));
   }
   size_ += force_given() ? 1 : 0;
 }
@@ -62,6 +65,20 @@ void ContactLinearisation::displacement_by(int i, int component, Eigen::VectorXd
   }
 }
 
+void ContactLinearisation::equations_by_surface(int i, const double* moved, double* row) const {
+  const int cell = at_.active[i];
+  const CellTrial& trial = at_.trial[cell];
+  const bool pulled = at_.status[cell] == CellStatus::pulled;
+  row[0] = pulled ? -trial.pull_slope * moved[0] : moved[0] / trial.normal_compliance;
+  if (!follows(cell)) {
+    const auto& by_trial = at_.response[cell].tangential.by_trial;
+    const double x = moved[1] / trial.tangential_compliance,
+                 y = moved[2] / trial.tangential_compliance;
+    row[1] = by_trial[0][0] * x + by_trial[0][1] * y;
+    row[2] = by_trial[1][0] * x + by_trial[1][1] * y;
+  }
+}
+
 Eigen::MatrixXd ContactLinearisation::matrix() const {
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size_, size_);
   const int count = static_cast<int>(at_.active.size());
@@ -71,19 +88,8 @@ Eigen::MatrixXd ContactLinearisation::matrix() const {
       displacement_by(j, s, surface);
       double* column = matrix.col(first_[j] + s).data();
       for (int i = 0; i < count; ++i) {
-        const int cell = at_.active[i];
-        const double* moved = surface.data() + 3 * static_cast<std::ptrdiff_t>(cell);
-        const CellTrial& trial = at_.trial[cell];
-        const laws::FrictionResponse& friction = at_.response[cell].tangential;
-        double* row = column + first_[i];
-        const bool pulled = at_.status[cell] == CellStatus::pulled;
-        row[0] = pulled ? -trial.pull_slope * moved[0] : moved[0] / trial.normal_compliance;
-        if (!follows(cell)) {
-          const double x = moved[1] / trial.tangential_compliance,
-                       y = moved[2] / trial.tangential_compliance;
-          row[1] = friction.by_trial[0][0] * x + friction.by_trial[0][1] * y;
-          row[2] = friction.by_trial[1][0] * x + friction.by_trial[1][1] * y;
-        }
+        equations_by_surface(i, surface.data() + 3 * static_cast<std::ptrdiff_t>(at_.active[i]),
+                             column + first_[i]);
       }
     }
   }
@@ -97,21 +103,121 @@ Eigen::MatrixXd ContactLinearisation::matrix() const {
     for (int r = 0; r < 2 && !follows(cell); ++r) {
       matrix(first + 1 + r, first) -= response.tangential.by_normal[r];
       for (int s = 0; s < 2; ++s) {
-        // Where the skin itself is held along s, its force does not change the trial force.
-        const int own = 3 * cell + 1 + s;
-        const bool held = problem_.compliance(own, own) <= 0;
-        matrix(first + 1 + r, first + 1 + s) +=
-            (r == s ? 1.0 : 0.0) - (held ? 0.0 : response.tangential.by_trial[r][s]);
+        matrix(first + 1 + r, first + 1 + s) += own_tangential(cell, r, s);
       }
     }
     if (force_given()) {
-      const CellTrial& trial = at_.trial[cell];
-      matrix(first, size_ - 1) =
-          response.status == CellStatus::pulled ? trial.pull_slope : -1 / trial.normal_compliance;
+      matrix(first, size_ - 1) = by_indentation(cell);
       matrix(size_ - 1, first) = 1;
     }
   }
   return matrix;
+}
+
+/// Where the skin itself is held along s, its force does not change the trial force.
+double ContactLinearisation::own_tangential(int cell, int r, int s) const {
+  const double by_trial =
+      problem_.held(cell, 1 + s) ? 0.0 : at_.response[cell].tangential.by_trial[r][s];
+  return (r == s ? 1.0 : 0.0) - by_trial;
+}
+
+double ContactLinearisation::by_indentation(int cell) const {
+  const CellTrial& trial = at_.trial[cell];
+  return at_.status[cell] == CellStatus::pulled ? trial.pull_slope : -1 / trial.normal_compliance;
+}
+
+Eigen::VectorXd ContactLinearisation::times(const Eigen::VectorXd& change) const {
+  const int count = static_cast<int>(at_.active.size());
+  CellVector force(3 * problem_.area.size(), 0.0);
+  for (int i = 0; i < count; ++i) {
+    const int cell = at_.active[i];
+    double* own = force.data() + 3 * static_cast<std::ptrdiff_t>(cell);
+    own[0] = change[first_[i]];
+    for (int c = 0; c < 2; ++c) {
+      own[1 + c] = follows(cell) ? at_.response[cell].tangential.by_normal[c] * own[0]
+                                 : change[first_[i] + 1 + c];
+    }
+  }
+  const CellVector surface = problem_.surface_displacement(force);
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(size_);
+  for (int i = 0; i < count; ++i) {
+    const int cell = at_.active[i];
+    const Eigen::Index first = first_[i];
+    equations_by_surface(i, surface.data() + 3 * static_cast<std::ptrdiff_t>(cell),
+                         result.data() + first);
+    if (at_.status[cell] == CellStatus::pulled) {
+      result[first] += change[first];
+    }
+    for (int r = 0; r < 2 && !follows(cell); ++r) {
+      result[first + 1 + r] -= at_.response[cell].tangential.by_normal[r] * change[first];
+      for (int s = 0; s < 2; ++s) {
+        result[first + 1 + r] += own_tangential(cell, r, s) * change[first + 1 + s];
+      }
+    }
+    if (force_given()) {
+      result[first] += by_indentation(cell) * change[size_ - 1];
+      result[size_ - 1] += change[first];
+    }
+  }
+  return result;
+}
+
+/// Normal forces of the active cells that make displacements of theirs.
+Eigen::VectorXd ContactLinearisation::pressed_by(const Eigen::VectorXd& displacement) const {
+  CellVector values(3 * problem_.area.size(), 0.0);
+  for (std::size_t i = 0; i < at_.active.size(); ++i) {
+    values[3 * static_cast<std::size_t>(at_.active[i])] = displacement[static_cast<int>(i)];
+  }
+  problem_.product->invert_normal(values);
+  Eigen::VectorXd result(displacement.size());
+  for (std::size_t i = 0; i < at_.active.size(); ++i) {
+    result[static_cast<int>(i)] = values[3 * static_cast<std::size_t>(at_.active[i])];
+  }
+  return result;
+}
+
+Eigen::VectorXd ContactLinearisation::about_inverse(const Eigen::VectorXd& right) const {
+  const int count = static_cast<int>(at_.active.size());
+  Eigen::VectorXd moved(count), result(size_);
+  for (int i = 0; i < count; ++i) {
+    moved[i] = at_.trial[at_.active[i]].normal_compliance * right[first_[i]];
+  }
+  Eigen::VectorXd normal = pressed_by(moved);
+  if (force_given()) {
+    const double indentation = (right[size_ - 1] - normal.sum()) / by_one_.sum();
+    normal += indentation * by_one_;
+    result[size_ - 1] = indentation;
+  }
+  CellVector values(3 * problem_.area.size(), 0.0); // tangential right sides, then what makes them
+  for (int i = 0; i < count; ++i) {
+    const int cell = at_.active[i];
+    result[first_[i]] = normal[i];
+    for (int c = 0; c < 2 && !follows(cell); ++c) {
+      const double given =
+          right[first_[i] + 1 + c] + at_.response[cell].tangential.by_normal[c] * normal[i];
+      result[first_[i] + 1 + c] = given;
+      values[3 * static_cast<std::size_t>(cell) + 1 + static_cast<std::size_t>(c)] =
+          at_.trial[cell].tangential_compliance * given;
+    }
+  }
+  if (!sticks_) {
+    return result;
+  }
+  problem_.product->invert_tangential(values);
+  for (int i = 0; i < count; ++i) {
+    const int cell = at_.active[i];
+    if (follows(cell)) {
+      continue;
+    }
+    const auto& by_trial = at_.response[cell].tangential.by_trial;
+    const double* held = values.data() + 3 * static_cast<std::ptrdiff_t>(cell) + 1;
+    const std::array<double, 2> more{held[0] - result[first_[i] + 1],
+                                     held[1] - result[first_[i] + 2]};
+    for (int r = 0; r < 2; ++r) {
+      result[first_[i] + 1 + r] += by_trial[r][0] * more[0] + by_trial[r][1] * more[1];
+    }
+  }
+  return result;
 }
 
 CellVector ContactLinearisation::settle_followers(CellVector& force) const {
@@ -163,7 +269,22 @@ Eigen::VectorXd ContactLinearisation::residual(const Iterate& iterate,
 void ContactLinearisation::correct(const Eigen::PartialPivLU<Eigen::MatrixXd>& factor,
                                    Iterate& iterate) const {
   const CellVector surface = settle_followers(iterate.force);
-  const Eigen::VectorXd change = factor.solve(residual(iterate, surface));
+  move(factor.solve(residual(iterate, surface)), iterate);
+}
+
+void ContactLinearisation::correct_by_products(double reduction, Iterate& iterate) {
+  if (force_given()) {
+    by_one_ = pressed_by(Eigen::VectorXd::Ones(static_cast<Eigen::Index>(at_.active.size())));
+  }
+  const CellVector surface = settle_followers(iterate.force);
+  move(gmres([&](const Eigen::VectorXd& change) { return times(change); },
+             [&](const Eigen::VectorXd& right) { return about_inverse(right); },
+             residual(iterate, surface), reduction),
+       iterate);
+}
+
+/// Takes changes from an iterate.
+void ContactLinearisation::move(const Eigen::VectorXd& change, Iterate& iterate) const {
   for (std::size_t i = 0; i < at_.active.size(); ++i) {
     const int cell = at_.active[i];
     double* own = iterate.force.data() + 3 * static_cast<std::ptrdiff_t>(cell);

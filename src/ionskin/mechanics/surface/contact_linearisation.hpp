@@ -39,8 +39,15 @@ public:
   /// Number of the equations.
   Eigen::Index size() const { return size_; }
   Eigen::MatrixXd matrix() const;
+  /// The matrix times changes of the unknowns.
+  Eigen::VectorXd times(const Eigen::VectorXd& change) const;
+  /// About the changes that make a right side, where the problem has products: touching cells by
+  /// the inverse of their waves, as if what lies between them were open skin that does not move.
+  Eigen::VectorXd about_inverse(const Eigen::VectorXd& right) const;
   /// One step of Newton's method. @param factor of the matrix, or of one like it
   void correct(const Eigen::PartialPivLU<Eigen::MatrixXd>& factor, Iterate& iterate) const;
+  /// The same by products. @param reduction of the residual of the linear equations
+  void correct_by_products(double reduction, Iterate& iterate);
 
 private:
   bool force_given() const { return step_.load.kind == LoadKind::force; }
@@ -48,6 +55,13 @@ private:
   /// Sets the forces that follow from the others. @returns the surface behind it [m]
   CellVector settle_followers(CellVector& force) const;
   Eigen::VectorXd residual(const Iterate& iterate, const CellVector& surface) const;
+  /// What a displacement of a cell changes in its equations.
+  /// @param i place among the active cells @param moved the cell: normal, x, y [m]
+  void equations_by_surface(int i, const double* moved, double* row) const;
+  double own_tangential(int cell, int r, int s) const;
+  double by_indentation(int cell) const;
+  Eigen::VectorXd pressed_by(const Eigen::VectorXd& displacement) const;
+  void move(const Eigen::VectorXd& change, Iterate& iterate) const;
   /// Surface displacement by an unknown [m/N]. @param i place among the active cells
   void displacement_by(int i, int component, Eigen::VectorXd& result) const;
 
@@ -55,6 +69,8 @@ private:
   const SliderStep& step_;
   const Standing& at_;
   std::vector<Eigen::Index> first_; ///< equation of each active cell
+  bool sticks_ = false;             ///< a cell with tangential forces as unknowns
+  Eigen::VectorXd by_one_;          ///< about the normal forces that an indentation of 1 makes [N]
   Eigen::Index size_ = 0;
 };
 

@@ -8,11 +8,19 @@
 namespace ionskin::mechanics {
 
 double ContactProblem::own_compliance(int cell, int component) const {
+  if (product) {
+    return product->own()[static_cast<std::size_t>(component)];
+  }
   const auto own = [&](int c) {
     const int at = 3 * cell + c;
     return compliance(at, at) - (c > 0 ? common[static_cast<std::size_t>(c) - 1] : 0.0);
   };
   return component == 0 || own(component) > 0 ? own(component) : own(3 - component);
+}
+
+bool ContactProblem::held(int cell, int component) const {
+  const int at = 3 * cell + component;
+  return !product && compliance(at, at) <= 0;
 }
 
 double ContactProblem::opening(int cell, double indentation, const CellVector& surface) const {
@@ -33,6 +41,19 @@ double ContactProblem::lagged_speed_of(int cell) const {
 }
 
 CellVector ContactProblem::surface_displacement(const CellVector& force) const {
+  if (product) {
+    CellVector moved = product->times(force);
+    for (std::size_t c = 0; c < 2 && common != std::array<double, 2>{}; ++c) {
+      double sum = 0;
+      for (std::size_t at = 1 + c; at < force.size(); at += 3) {
+        sum += force[at];
+      }
+      for (std::size_t at = 1 + c; at < force.size(); at += 3) {
+        moved[at] += common[c] * sum;
+      }
+    }
+    return moved;
+  }
   CellVector result(force.size());
   Eigen::Map<Eigen::VectorXd>(result.data(), compliance.rows()).noalias() =
       compliance * Eigen::Map<const Eigen::VectorXd>(force.data(), compliance.rows());

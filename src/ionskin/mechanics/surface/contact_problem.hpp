@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/finite_layers/skin/cell_product.hpp"
 #include "ionskin/laws/friction/cell_response.hpp"
 
 #include <Eigen/Core>
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -22,7 +24,7 @@ struct SliderStep;
 /// force, docs/model.md (4), and every cell obeys the friction law. Where that adheres, cells that
 /// touch may be pulled, and so are those near the slider, docs/model.md (41).
 struct ContactProblem {
-  Eigen::MatrixXd compliance; ///< C, symmetric [m/N]
+  Eigen::MatrixXd compliance; ///< C, symmetric; empty where `product` stands for it [m/N]
   std::vector<double> area;   ///< of the cells [m2]
   /// Mean height of the slider's underside over each cell above its lowest point [m]; 0 for a flat
   /// slider.
@@ -35,11 +37,15 @@ struct ContactProblem {
   std::array<double, 2> common = {};
   /// Pulls that stand for those of the adhesion, whatever the openings [N]; empty: by the law.
   std::vector<double> pull = {};
+  /// Null, or C without a matrix, less `common`.
+  std::shared_ptr<const finite_layers::CellProduct> product = {};
 
   int cells() const { return static_cast<int>(area.size()); }
   /// Compliance of one component against its own force, less `common`; in a direction in which the
   /// skin is held (plane strain) that of the other tangential direction.
   double own_compliance(int cell, int component) const;
+  /// Whether the skin is held along a component, so that its force does not move it.
+  bool held(int cell, int component) const;
   /// Distance of the slider's underside from a cell of the skin [m].
   double opening(int cell, double indentation, const CellVector& surface) const;
   /// Largest pull of a cell [N], and by how much it falls with the opening [N/m].

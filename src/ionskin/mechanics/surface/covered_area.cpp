@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mechanics/surface/covered_area.hpp"
 
+#include <boost/math/tools/toms748_solve.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace ionskin::mechanics {
 namespace {
 
-constexpr int most_iterations = 60;
-constexpr double border_tolerance = 1e-14; // of the farthest border, and of the ratio
+constexpr std::uintmax_t most_iterations = 60;
+constexpr double border_tolerance = 1e-14; // of the farthest border
 
 /// 3/2 of the mean of sqrt(border - x) over an interval that may reach beyond the border.
 double mean_root(double from, double to, double border) {
@@ -29,32 +32,17 @@ double border_of(double width, double width_before, double width_beyond, double 
   const auto excess = [&](double border) {
     return mean_root(0, width, border) / mean_root(-width_before, 0, border) - ratio;
   };
-  // Regula falsi of Illinois (Dowell and Jarratt 1971, doi 10.1007/BF01934364), which a loop can
-  // afford.
-  const double farthest = width + 0.5 * width_beyond;
-  double low = 0, high = farthest, below = -ratio, above = excess(farthest);
-  if (above <= 0) {
+  const double farthest = width + 0.5 * width_beyond, above = excess(farthest);
+  if (!(above > 0)) {
     return farthest;
   }
-  int side = 0;
-  for (int i = 0; i < most_iterations && high - low > border_tolerance * farthest; ++i) {
-    const double middle = (low * above - high * below) / (above - below), at = excess(middle);
-    if (std::abs(at) < border_tolerance) {
-      return middle;
-    }
-    if (at < 0) {
-      low = middle;
-      below = at;
-      above /= side < 0 ? 2 : 1;
-      side = -1;
-    } else {
-      high = middle;
-      above = at;
-      below /= side > 0 ? 2 : 1;
-      side = 1;
-    }
-  }
-  return low;
+  const auto close = [&](double low, double high) {
+    return high - low <= border_tolerance * farthest;
+  };
+  std::uintmax_t iterations = most_iterations;
+  const auto [low, high] =
+      boost::math::tools::toms748_solve(excess, 0.0, farthest, -ratio, above, close, iterations);
+  return 0.5 * (low + high);
 }
 
 /// A cell field with its squares, which fall linearly to a border.

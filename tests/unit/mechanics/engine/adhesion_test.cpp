@@ -27,8 +27,8 @@ struct OneCell {
 
   explicit OneCell(double compliance)
       : contact(
-            [compliance](const auto&, Eigen::MatrixXd& result) {
-              result = compliance * Eigen::MatrixXd::Identity(3, 3);
+            [compliance](const auto&, ContactProblem& problem) {
+              problem.compliance = compliance * Eigen::MatrixXd::Identity(3, 3);
             },
             {area}, {0.0},
             laws::friction(

@@ -18,12 +18,12 @@ struct ShortStepper {
 
   explicit ShortStepper(double longest_step)
       : longest(longest_step), contact(
-                                   [this](const auto& place, Eigen::MatrixXd& result) {
+                                   [this](const auto& place, ContactProblem& problem) {
                                      if (std::abs(place[0] - last) > longest) {
                                        throw SolverError("too far", "shorter steps");
                                      }
                                      last = place[0];
-                                     result = 1e-7 * Eigen::MatrixXd::Identity(3, 3);
+                                     problem.compliance = 1e-7 * Eigen::MatrixXd::Identity(3, 3);
                                    },
                                    {1e-8}, {0.0}, laws::friction("coulomb", 0.3, {})) {}
 };
