@@ -10,21 +10,22 @@
 namespace ionskin::live {
 namespace {
 
-std::vector<float> integrals(const ChannelMap& channel, std::size_t modes) {
-  const std::size_t columns = channel.x_edges.size() - 1, rows = channel.y_edges.size() - 1,
-                    levels = channel.mean.size();
+std::vector<float> integrals(const std::vector<float>& fields, const std::vector<double>& x_edges,
+                             const std::vector<double>& y_edges, std::size_t levels) {
+  const std::size_t columns = x_edges.size() - 1, rows = y_edges.size() - 1,
+                    modes = fields.size() / (levels * rows * columns);
   std::vector<float> result((columns + 1) * (rows + 1) * levels * modes);
   std::vector<double> below(columns + 1); // to the edges of x, up to one of y
   for (std::size_t mode = 0; mode < modes; ++mode) {
     for (std::size_t level = 0; level < levels; ++level) {
-      const float* field = channel.field.data() + (mode * levels + level) * rows * columns;
+      const float* field = fields.data() + (mode * levels + level) * rows * columns;
       std::ranges::fill(below, 0.0);
       for (std::size_t j = 0; j < rows; ++j) {
-        const double height = channel.y_edges[j + 1] - channel.y_edges[j];
+        const double height = y_edges[j + 1] - y_edges[j];
         double row = 0;
         for (std::size_t i = 0; i < columns; ++i) {
-          row += height * (channel.x_edges[i + 1] - channel.x_edges[i]) *
-                 static_cast<double>(field[j * columns + i]);
+          row +=
+              height * (x_edges[i + 1] - x_edges[i]) * static_cast<double>(field[j * columns + i]);
           below[i + 1] += row;
           result[(((i + 1) * (rows + 1) + j + 1) * levels + level) * modes + mode] =
               static_cast<float>(below[i + 1]);
@@ -40,7 +41,12 @@ std::vector<float> integrals(const ChannelMap& channel, std::size_t modes) {
 ChannelField::ChannelField(const ChannelMap& channel, std::size_t cells) : channel_(channel) {
   const std::size_t rows = channel.strain.size() / (3 * cells),
                     points = rows / channel.rows_per_point, modes = channel.fit.size() / points;
-  integral_ = std::make_shared<const std::vector<float>>(integrals(channel, modes));
+  riding_ = channel.field.size() /
+            (levels() * (channel.x_edges.size() - 1) * (channel.y_edges.size() - 1));
+  integral_ = std::make_shared<const std::vector<float>>(
+      integrals(channel.field, channel.x_edges, channel.y_edges, levels()));
+  fixed_integral_ = std::make_shared<const std::vector<float>>(
+      integrals(channel.fixed_field, channel.fixed_x_edges, channel.fixed_y_edges, levels()));
   strain_.resize(rows);
   place_amplitude_.resize(channel.strain.modes());
   fit_amplitude_.resize(channel.fit.modes());
@@ -100,32 +106,44 @@ void ChannelField::set(const std::array<double, 2>& place, std::span<const doubl
   }
 }
 
-void ChannelField::integrate_to(const std::array<double, 2>& place,
-                                const std::array<double, 2>& corner,
-                                std::span<double> levels) noexcept {
-  const std::size_t size = sum_.size(), modes = amplitude_.size(),
-                    y_edges = channel_.y_edges.size();
-  std::ranges::fill(sum_, 0.0);
-  const Between x = between(channel_.x_edges, corner[0] - place[0]),
-                y = between(channel_.y_edges, corner[1] - place[1]);
+void ChannelField::add_integrals(const std::vector<float>& integral,
+                                 const std::vector<double>& x_edges,
+                                 const std::vector<double>& y_edges,
+                                 const std::array<double, 2>& corner,
+                                 std::span<const double> amplitude,
+                                 std::span<double> levels) noexcept {
+  const std::size_t modes = amplitude.size(), size = levels.size() * modes;
+  std::fill_n(sum_.begin(), size, 0.0);
+  const Between x = between(x_edges, corner[0]), y = between(y_edges, corner[1]);
   for (std::size_t node = 0; node < 4; ++node) {
     const std::size_t i = x.edge[node % 2], j = y.edge[node / 2];
     const double weight = x.weight[node % 2] * y.weight[node / 2];
     if (weight == 0 || i == 0 || j == 0) {
       continue;
     }
-    const float* integral = integral_->data() + (i * y_edges + j) * size;
+    const float* at = integral.data() + (i * y_edges.size() + j) * size;
     for (std::size_t k = 0; k < size; ++k) {
-      sum_[k] += weight * static_cast<double>(integral[k]);
+      sum_[k] += weight * static_cast<double>(at[k]);
     }
   }
   for (std::size_t level = 0; level < levels.size(); ++level) {
     double sum = 0;
     for (std::size_t mode = 0; mode < modes; ++mode) {
-      sum += amplitude_[mode] * sum_[level * modes + mode];
+      sum += amplitude[mode] * sum_[level * modes + mode];
     }
-    levels[level] = sum;
+    levels[level] += sum;
   }
+}
+
+void ChannelField::integrate_to(const std::array<double, 2>& place,
+                                const std::array<double, 2>& corner,
+                                std::span<double> levels) noexcept {
+  std::ranges::fill(levels, 0.0);
+  const auto amplitude = std::span<const double>(amplitude_);
+  add_integrals(*integral_, channel_.x_edges, channel_.y_edges,
+                {corner[0] - place[0], corner[1] - place[1]}, amplitude.first(riding_), levels);
+  add_integrals(*fixed_integral_, channel_.fixed_x_edges, channel_.fixed_y_edges, corner,
+                amplitude.subspan(riding_), levels);
 }
 
 } // namespace ionskin::live
