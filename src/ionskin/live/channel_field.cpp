@@ -16,21 +16,22 @@ namespace {
 /// 1e-4.
 constexpr double smoothness = 1e-6;
 
-std::vector<float> integrals(const ChannelMap& channel, std::size_t modes) {
-  const std::size_t columns = channel.x_edges.size() - 1, rows = channel.y_edges.size() - 1,
-                    levels = channel.mean.size();
+std::vector<float> integrals(const std::vector<float>& fields, const std::vector<double>& x_edges,
+                             const std::vector<double>& y_edges, std::size_t levels) {
+  const std::size_t columns = x_edges.size() - 1, rows = y_edges.size() - 1,
+                    modes = fields.size() / (levels * rows * columns);
   std::vector<float> result((columns + 1) * (rows + 1) * levels * modes);
   std::vector<double> below(columns + 1); // to the edges of x, up to one of y
   for (std::size_t mode = 0; mode < modes; ++mode) {
     for (std::size_t level = 0; level < levels; ++level) {
-      const float* field = channel.field.data() + (mode * levels + level) * rows * columns;
+      const float* field = fields.data() + (mode * levels + level) * rows * columns;
       std::ranges::fill(below, 0.0);
       for (std::size_t j = 0; j < rows; ++j) {
-        const double height = channel.y_edges[j + 1] - channel.y_edges[j];
+        const double height = y_edges[j + 1] - y_edges[j];
         double row = 0;
         for (std::size_t i = 0; i < columns; ++i) {
-          row += height * (channel.x_edges[i + 1] - channel.x_edges[i]) *
-                 static_cast<double>(field[j * columns + i]);
+          row +=
+              height * (x_edges[i + 1] - x_edges[i]) * static_cast<double>(field[j * columns + i]);
           below[i + 1] += row;
           result[(((i + 1) * (rows + 1) + j + 1) * levels + level) * modes + mode] =
               static_cast<float>(below[i + 1]);
@@ -39,6 +40,36 @@ std::vector<float> integrals(const ChannelMap& channel, std::size_t modes) {
     }
   }
   return result;
+}
+
+/// Adds the integrals of modes with these amplitudes up to a corner, one for each level.
+void add_integrals(const std::vector<float>& integral, const std::vector<double>& x_edges,
+                   const std::vector<double>& y_edges, const std::array<double, 2>& corner,
+                   std::span<const double> amplitude, std::span<double> levels) noexcept {
+  const std::size_t modes = amplitude.size();
+  const Between x = between(x_edges, corner[0]), y = between(y_edges, corner[1]);
+  for (std::size_t node = 0; node < 4; ++node) {
+    const std::size_t i = x.edge[node % 2], j = y.edge[node / 2];
+    const double weight = x.weight[node % 2] * y.weight[node / 2];
+    if (weight == 0 || i == 0 || j == 0) {
+      continue;
+    }
+    const float* at = integral.data() + (i * y_edges.size() + j) * levels.size() * modes;
+    for (double& level : levels) {
+      std::array<double, 16> part{}; // sums that do not wait for each other
+      std::size_t mode = 0;
+      for (; mode + part.size() <= modes; mode += part.size()) {
+        for (std::size_t k = 0; k < part.size(); ++k) {
+          part[k] += amplitude[mode + k] * static_cast<double>(at[mode + k]);
+        }
+      }
+      for (; mode < modes; ++mode) {
+        part[0] += amplitude[mode] * static_cast<double>(at[mode]);
+      }
+      level += weight * std::accumulate(part.begin(), part.end(), 0.0);
+      at += modes;
+    }
+  }
 }
 
 } // namespace
@@ -92,7 +123,12 @@ ChannelField::Tables ChannelField::tables(const ChannelMap& channel, std::size_t
       }
     }
   }
-  result.integral = integrals(channel, modes);
+  const std::size_t levels = channel.mean.size();
+  result.riding =
+      channel.field.size() / (levels * (channel.x_edges.size() - 1) * (channel.y_edges.size() - 1));
+  result.integral = integrals(channel.field, channel.x_edges, channel.y_edges, levels);
+  result.fixed_integral =
+      integrals(channel.fixed_field, channel.fixed_x_edges, channel.fixed_y_edges, levels);
   return result;
 }
 
@@ -193,33 +229,13 @@ void ChannelField::set_amplitude(std::size_t lanes, std::span<const Touch> touch
 void ChannelField::integrate_to(std::size_t lane, const std::array<double, 2>& place,
                                 const std::array<double, 2>& corner,
                                 std::span<double> levels) const noexcept {
-  const std::size_t size = levels.size() * modes_, y_edges = channel_.y_edges.size();
-  const double* amplitude = amplitude_.data() + lane * modes_;
-  std::fill(levels.begin(), levels.end(), 0.0);
-  const Between x = between(channel_.x_edges, corner[0] - place[0]),
-                y = between(channel_.y_edges, corner[1] - place[1]);
-  for (std::size_t node = 0; node < 4; ++node) {
-    const std::size_t i = x.edge[node % 2], j = y.edge[node / 2];
-    const double weight = x.weight[node % 2] * y.weight[node / 2];
-    if (weight == 0 || i == 0 || j == 0) {
-      continue;
-    }
-    const float* integral = tables_->integral.data() + (i * y_edges + j) * size;
-    for (double& level : levels) {
-      std::array<double, 16> part{}; // sums that do not wait for each other
-      std::size_t mode = 0;
-      for (; mode + part.size() <= modes_; mode += part.size()) {
-        for (std::size_t k = 0; k < part.size(); ++k) {
-          part[k] += amplitude[mode + k] * static_cast<double>(integral[mode + k]);
-        }
-      }
-      for (; mode < modes_; ++mode) {
-        part[0] += amplitude[mode] * static_cast<double>(integral[mode]);
-      }
-      level += weight * std::accumulate(part.begin(), part.end(), 0.0);
-      integral += modes_;
-    }
-  }
+  std::ranges::fill(levels, 0.0);
+  const std::span<const double> amplitude = this->amplitude(lane);
+  add_integrals(tables_->integral, channel_.x_edges, channel_.y_edges,
+                {corner[0] - place[0], corner[1] - place[1]}, amplitude.first(tables_->riding),
+                levels);
+  add_integrals(tables_->fixed_integral, channel_.fixed_x_edges, channel_.fixed_y_edges, corner,
+                amplitude.subspan(tables_->riding), levels);
 }
 
 } // namespace ionskin::live

@@ -34,7 +34,8 @@ public:
   /// Integrals over all that lies before a corner along x and y, one for each level.
   void integrate_to(std::size_t lane, const std::array<double, 2>& place,
                     const std::array<double, 2>& corner, std::span<double> levels) const noexcept;
-  /// Amplitudes of the modes of a lane.
+  /// Amplitudes of the modes of a lane: those that ride with the slider, then those that stay with
+  /// the skin.
   std::span<const double> amplitude(std::size_t lane) const {
     return std::span(amplitude_).subspan(lane * modes_, modes_);
   }
@@ -48,9 +49,10 @@ private:
     LaneProduct reach;
     std::size_t directions = 0;
     LaneProduct fit; ///< amplitudes by the channel at each point, times that of each place mode
-    /// Integral of each mode from the lowest corner of the slider's frame to the crossings of the
-    /// edges, between which it is bilinear: [x edge][y edge][level][mode].
-    std::vector<float> integral;
+    std::size_t riding = 0; ///< modes that ride with the slider; the others stay with the skin
+    /// Integral of each mode from the lowest corner of its frame to the crossings of the edges,
+    /// between which it is bilinear: [x edge][y edge][level][mode].
+    std::vector<float> integral, fixed_integral;
   };
   static Tables tables(const ChannelMap& channel, std::size_t cells, std::size_t modes);
   void set_strain(std::size_t lanes, std::span<const Touch> touches) noexcept;

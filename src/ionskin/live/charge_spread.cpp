@@ -8,26 +8,26 @@
 namespace ionskin::live {
 namespace {
 
-std::vector<float> weighted_integrals(const ChannelMap& channel,
+std::vector<float> weighted_integrals(const std::vector<float>& fields,
+                                      const std::vector<double>& x_edges,
+                                      const std::vector<double>& y_edges,
                                       const std::vector<double>& weights) {
-  const std::size_t columns = channel.x_edges.size() - 1, rows = channel.y_edges.size() - 1,
-                    levels = weights.size(),
-                    modes = channel.field.size() / (levels * rows * columns);
+  const std::size_t columns = x_edges.size() - 1, rows = y_edges.size() - 1,
+                    levels = weights.size(), modes = fields.size() / (levels * rows * columns);
   std::vector<float> result(modes * (rows + 1) * (columns + 1));
   for (std::size_t mode = 0; mode < modes; ++mode) {
     float* integral = result.data() + mode * (rows + 1) * (columns + 1);
     std::vector<double> below(columns + 1); // to the edges of x, up to one of y
     for (std::size_t j = 0; j < rows; ++j) {
-      const double height = channel.y_edges[j + 1] - channel.y_edges[j];
+      const double height = y_edges[j + 1] - y_edges[j];
       double row = 0;
       for (std::size_t i = 0; i < columns; ++i) {
         double value = 0;
         for (std::size_t level = 0; level < levels; ++level) {
           value += weights[level] *
-                   static_cast<double>(
-                       channel.field[((mode * levels + level) * rows + j) * columns + i]);
+                   static_cast<double>(fields[((mode * levels + level) * rows + j) * columns + i]);
         }
-        row += height * (channel.x_edges[i + 1] - channel.x_edges[i]) * value;
+        row += height * (x_edges[i + 1] - x_edges[i]) * value;
         below[i + 1] += row;
         integral[(j + 1) * (columns + 1) + i + 1] = static_cast<float>(below[i + 1]);
       }
@@ -62,7 +62,7 @@ ChargeSpread::ChargeSpread(const SkinData& data) : data_(data) {
     return;
   }
   const ChannelMap& channel = data.channels.back();
-  integral_ = weighted_integrals(channel, map.weights);
+  integral_ = weighted_integrals(channel.field, channel.x_edges, channel.y_edges, map.weights);
   std::vector<std::uint64_t> rows;
   for (std::size_t wave = 0; wave < waves(); ++wave) {
     const auto known = std::ranges::find(rows, map.wave_y[wave]);
@@ -92,12 +92,48 @@ ChargeSpread::ChargeSpread(const SkinData& data) : data_(data) {
       share_.push_back(in_x * in_y);
     }
   }
+  set_fixed_drive(channel);
   edge_.resize(map.columns_x + 1);
   node_.resize(channel.x_edges.size() * channel.y_edges.size());
   lower_.resize(channel.x_edges.size());
   upper_.resize(channel.x_edges.size());
   column_.resize(map.columns_x);
   sum_.resize(rows.size() * map.columns_x);
+}
+
+void ChargeSpread::set_fixed_drive(const ChannelMap& channel) {
+  const SpreadMap& map = data_.spread;
+  const std::vector<double>&x_edges = channel.fixed_x_edges, &y_edges = channel.fixed_y_edges;
+  const std::vector<float> integral =
+      weighted_integrals(channel.fixed_field, x_edges, y_edges, map.weights);
+  const auto at = [](const std::vector<double>& edges, double extent, std::size_t column,
+                     std::size_t columns) {
+    return between(edges, extent * static_cast<double>(column) / static_cast<double>(columns));
+  };
+  for (std::size_t first = 0; first < integral.size(); first += x_edges.size() * y_edges.size()) {
+    const auto up_to = [&](std::size_t i, std::size_t j) {
+      const Between x = at(x_edges, data_.length, i, map.columns_x),
+                    y = at(y_edges, data_.width, j, map.columns_y);
+      double sum = 0;
+      for (std::size_t node = 0; node < 4; ++node) {
+        sum += x.weight[node % 2] * y.weight[node / 2] *
+               static_cast<double>(
+                   integral[first + y.edge[node / 2] * x_edges.size() + x.edge[node % 2]]);
+      }
+      return sum;
+    };
+    std::vector<double> drive(waves());
+    for (std::size_t j = 0; j < map.columns_y; ++j) {
+      for (std::size_t i = 0; i < map.columns_x; ++i) {
+        const double own = up_to(i + 1, j + 1) - up_to(i, j + 1) - up_to(i + 1, j) + up_to(i, j);
+        for (std::size_t wave = 0; wave < waves(); ++wave) {
+          drive[wave] += own * column_wave(map.columns_x, map.wave_x[wave], i) *
+                         column_wave(map.columns_y, map.wave_y[wave], j);
+        }
+      }
+    }
+    fixed_drive_.insert(fixed_drive_.end(), drive.begin(), drive.end());
+  }
 }
 
 void ChargeSpread::row_at(double y, std::vector<float>& row) const noexcept {
@@ -116,7 +152,8 @@ void ChargeSpread::drive(const std::array<double, 2>& place, std::span<const dou
   const std::size_t columns = map.columns_x, rows = sum_.size() / columns;
   std::ranges::fill(node_, 0.0f);
   const float* integral = integral_.data();
-  for (const double value : amplitude) {
+  const std::size_t riding = integral_.size() / node_.size();
+  for (const double value : amplitude.first(riding)) {
     const auto scale = static_cast<float>(value);
     for (float& node : node_) {
       node += scale * *integral++;
@@ -159,6 +196,9 @@ void ChargeSpread::drive(const std::array<double, 2>& place, std::span<const dou
     double value = 0;
     for (std::size_t i = 0; i < columns; ++i) {
       value += static_cast<double>(along[i] * sum[i]);
+    }
+    for (std::size_t mode = riding; mode < amplitude.size(); ++mode) {
+      value += amplitude[mode] * fixed_drive_[(mode - riding) * waves.size() + wave];
     }
     waves[wave] = value;
   }

@@ -35,12 +35,14 @@ public:
   double charge(std::size_t taxel, std::span<const double> relaxed) const noexcept;
 
 private:
+  void set_fixed_drive(const ChannelMap& channel);
   void row_at(double y, std::vector<float>& row) const noexcept;
 
   const SkinData& data_;
   /// Integral of every mode, over its levels with their weights: integral from the lowest corner of
   /// the slider's frame to the crossings of its edges [mode][y edge][x edge].
   std::vector<float> integral_;
+  std::vector<double> fixed_drive_; ///< of the modes that stay with the skin [mode][wave]
   std::vector<std::size_t> row_of_; ///< of a wave in `along_y_`
   std::vector<float> along_x_;      ///< [wave][column of x]
   std::vector<float> along_y_;      ///< [different waves][column of y]

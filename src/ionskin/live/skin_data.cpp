@@ -17,7 +17,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the file is little-endian");
 
-constexpr std::string_view magic = "ionskin live skin, format 4\n";
+constexpr std::string_view magic = "ionskin live skin, format 5\n";
 constexpr std::size_t most_waves = 1000, most_columns = 5000;
 constexpr std::size_t largest_file = 256u << 20u;
 
@@ -70,6 +70,9 @@ template <class Archive, class Data> void visit(Archive& archive, Data& data) {
     archive.entry("channel.field", channel.field);
     archive.entry("channel.x_edges", channel.x_edges);
     archive.entry("channel.y_edges", channel.y_edges);
+    archive.entry("channel.fixed_field", channel.fixed_field);
+    archive.entry("channel.fixed_x_edges", channel.fixed_x_edges);
+    archive.entry("channel.fixed_y_edges", channel.fixed_y_edges);
     archive.entry("channel.mean", channel.mean);
     archive.entry("channel.moment", channel.moment);
   }
@@ -142,9 +145,16 @@ void check(const Reader& reader, const SkinData& data) {
     const std::size_t fits = channel.fit.lines_x.size() * channel.fit.lines_y.size();
     reader.require(points > 0 && fits > 0 && channel.fit.size() % points == 0, "channel.fit");
     check_map(reader, "channel.fit", channel.fit, channel.fit.size());
-    reader.require(channel.field.size() == channel.fit.size() / points * channel.mean.size() *
-                                               (channel.x_edges.size() - 1) *
-                                               (channel.y_edges.size() - 1),
+    reader.require(channel.fixed_x_edges.size() >= 2 && channel.fixed_y_edges.size() >= 2,
+                   "channel.fixed_x_edges");
+    const std::size_t values = channel.mean.size() * (channel.x_edges.size() - 1) *
+                               (channel.y_edges.size() - 1),
+                      fixed_values = channel.mean.size() * (channel.fixed_x_edges.size() - 1) *
+                                     (channel.fixed_y_edges.size() - 1);
+    reader.require(channel.fixed_field.size() % fixed_values == 0, "channel.fixed_field");
+    reader.require(channel.field.size() % values == 0 &&
+                       channel.field.size() / values + channel.fixed_field.size() / fixed_values ==
+                           channel.fit.size() / points,
                    "channel.field");
   }
   const std::size_t levels = data.channels.back().mean.size();

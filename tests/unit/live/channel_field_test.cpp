@@ -10,8 +10,9 @@
 namespace ionskin::live {
 namespace {
 
-/// Two cells of contact, two points whose strain has two rows, and three modes on two levels, 4 x 3
-/// cells with edges at uneven distances; all numbers different.
+/// Two cells of contact, two points whose strain has two rows, and on two levels three modes that
+/// ride with the slider, 4 x 3 cells with edges at uneven distances, and one that stays with the
+/// skin; all numbers different.
 ChannelMap uneven_map() {
   ChannelMap map;
   map.rows_per_point = 2;
@@ -26,11 +27,16 @@ ChannelMap uneven_map() {
   map.mean = {1, 1};
   map.moment = {-1, 1};
   map.fit = {{0, 2}, {0}, {-0.5, 0.5}, {}};
-  for (int i = 0; i < 2 * 3 * 2; ++i) {
+  for (int i = 0; i < 2 * 4 * 2; ++i) {
     map.fit.values.push_back(static_cast<float>(std::cos(2.0 + i)));
   }
   for (int i = 0; i < 3 * 2 * 3 * 4; ++i) {
     map.field.push_back(static_cast<float>(std::sin(5.0 + 7 * i)));
+  }
+  map.fixed_x_edges = {0.4, 1.5, 3};
+  map.fixed_y_edges = {-0.8, 0.1, 0.9};
+  for (int i = 0; i < 2 * 2 * 2; ++i) {
+    map.fixed_field.push_back(static_cast<float>(std::sin(4.0 + 5 * i)));
   }
   return map;
 }
@@ -52,26 +58,32 @@ std::array<double, 2> by_cells(const ChannelMap& map, const std::array<double, 2
     }
     point[p] = std::hypot(strain[0], strain[1]);
   }
-  for (std::size_t mode = 0, at = 0; mode < 3; ++mode) {
+  const auto add = [&](std::size_t mode, const std::vector<float>& field,
+                       const std::vector<double>& x_edges, const std::vector<double>& y_edges,
+                       const std::array<double, 2>& origin, std::size_t at) {
     const auto fit = [&](std::size_t p) {
       const std::size_t weight = 2 * mode + p;
       return static_cast<double>(map.fit.values[weight]) +
-             amplitude * static_cast<double>(map.fit.values[6 + weight]);
+             amplitude * static_cast<double>(map.fit.values[8 + weight]);
     };
     const double of_mode = fit(0) * point[0] + fit(1) * point[1];
     for (std::size_t level = 0; level < 2; ++level) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        for (std::size_t i = 0; i < 4; ++i, ++at) {
-          const double width = std::min(map.x_edges[i + 1] + place[0], corners[2]) -
-                               std::max(map.x_edges[i] + place[0], corners[0]),
-                       height = std::min(map.y_edges[j + 1] + place[1], corners[3]) -
-                                std::max(map.y_edges[j] + place[1], corners[1]);
-          levels[level] += of_mode * static_cast<double>(map.field[at]) * std::max(0.0, width) *
+      for (std::size_t j = 0; j + 1 < y_edges.size(); ++j) {
+        for (std::size_t i = 0; i + 1 < x_edges.size(); ++i, ++at) {
+          const double width = std::min(x_edges[i + 1] + origin[0], corners[2]) -
+                               std::max(x_edges[i] + origin[0], corners[0]),
+                       height = std::min(y_edges[j + 1] + origin[1], corners[3]) -
+                                std::max(y_edges[j] + origin[1], corners[1]);
+          levels[level] += of_mode * static_cast<double>(field[at]) * std::max(0.0, width) *
                            std::max(0.0, height);
         }
       }
     }
+  };
+  for (std::size_t mode = 0; mode < 3; ++mode) {
+    add(mode, map.field, map.x_edges, map.y_edges, place, mode * 2 * 3 * 4);
   }
+  add(3, map.fixed_field, map.fixed_x_edges, map.fixed_y_edges, {0, 0}, 0);
   return levels;
 }
 

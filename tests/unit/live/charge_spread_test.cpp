@@ -21,25 +21,38 @@ double column_integral(const SkinData& data, const std::array<double, 2>& place,
   const auto overlap = [](double low, double high, double from, double to) {
     return std::max(0.0, std::min(high, to) - std::max(low, from));
   };
-  const std::size_t columns = channel.x_edges.size() - 1, rows = channel.y_edges.size() - 1,
-                    levels = data.spread.weights.size();
+  const std::size_t levels = data.spread.weights.size();
   double sum = 0;
-  for (std::size_t at = 0; at < channel.field.size(); ++at) {
-    const std::size_t column = at % columns, row = at / columns % rows,
-                      level = at / columns / rows % levels, mode = at / columns / rows / levels;
-    sum += amplitude[mode] * data.spread.weights[level] * static_cast<double>(channel.field[at]) *
-           overlap(channel.x_edges[column] + place[0], channel.x_edges[column + 1] + place[0],
-                   dx * static_cast<double>(i), dx * static_cast<double>(i + 1)) *
-           overlap(channel.y_edges[row] + place[1], channel.y_edges[row + 1] + place[1],
-                   dy * static_cast<double>(j), dy * static_cast<double>(j + 1));
-  }
+  const auto add = [&](const std::vector<float>& field, const std::vector<double>& x_edges,
+                       const std::vector<double>& y_edges, const std::array<double, 2>& origin,
+                       std::size_t first_mode) {
+    const std::size_t columns = x_edges.size() - 1, rows = y_edges.size() - 1;
+    for (std::size_t at = 0; at < field.size(); ++at) {
+      const std::size_t column = at % columns, row = at / columns % rows,
+                        level = at / columns / rows % levels, mode = at / columns / rows / levels;
+      sum += amplitude[first_mode + mode] * data.spread.weights[level] *
+             static_cast<double>(field[at]) *
+             overlap(x_edges[column] + origin[0], x_edges[column + 1] + origin[0],
+                     dx * static_cast<double>(i), dx * static_cast<double>(i + 1)) *
+             overlap(y_edges[row] + origin[1], y_edges[row + 1] + origin[1],
+                     dy * static_cast<double>(j), dy * static_cast<double>(j + 1));
+    }
+  };
+  add(channel.field, channel.x_edges, channel.y_edges, place, 0);
+  add(channel.fixed_field, channel.fixed_x_edges, channel.fixed_y_edges, {0, 0}, 2);
   return sum;
 }
 
 TEST(ChargeSpread, IsDrivenByTheIntegralsOverItsColumns) {
-  const SkinData data = small_skin();
+  SkinData data = small_skin();
+  ChannelMap& channel = data.channels.back();
+  channel.fixed_x_edges = {0, 0.7e-3, 4e-3, 6e-3}; // a mode that stays with the skin
+  channel.fixed_y_edges = {0, 1.3e-3, 2e-3};
+  for (int i = 0; i < 2 * 3 * 2; ++i) {
+    channel.fixed_field.push_back(static_cast<float>(std::sin(1.0 + 3 * i)));
+  }
   ChargeSpread spread(data);
-  const std::vector<double> amplitude{0.3, -0.8};
+  const std::vector<double> amplitude{0.3, -0.8, 0.6};
   std::vector<double> waves(spread.waves());
   for (const std::array<double, 2>& place :
        {std::array<double, 2>{1.7e-3, 1e-3}, {5e-3, 0.6e-3}, {0.4e-3, 1.3e-3}}) {

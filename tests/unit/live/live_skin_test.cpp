@@ -263,6 +263,8 @@ TEST_F(LiveSkin, RefusesAFileWhoseSizesDoNotFit) {
   refused([](SkinData& wrong) { wrong.compliance.values.pop_back(); });
   refused([](SkinData& wrong) { wrong.compliance.lines_x.assign(40, 0); });
   refused([](SkinData& wrong) { wrong.channels[0].field.pop_back(); });
+  refused([](SkinData& wrong) { wrong.channels[0].fixed_x_edges.clear(); });
+  refused([](SkinData& wrong) { wrong.channels[0].fixed_field.push_back(1); });
   refused([](SkinData& wrong) { wrong.channels[0].rows_per_point = 0; });
   refused([](SkinData& wrong) { wrong.whole.inputs = 1000; });
   refused([](SkinData& wrong) { wrong.taxel_corners.pop_back(); });

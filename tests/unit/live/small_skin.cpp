@@ -47,6 +47,8 @@ SkinData small_skin() {
   channel.field = {1, 0, 0.5, 0, 0, 1, 0, 0.5}; // [mode][level][column]
   channel.x_edges = {-1e-3, 0, 1e-3};
   channel.y_edges = {-1e-3, 1e-3};
+  channel.fixed_x_edges = {0, data.length};
+  channel.fixed_y_edges = {0, data.width};
   channel.mean = {5e-5, 5e-5};
   channel.moment = {-1e-5, 1e-5};
   data.rates = {5, 100};

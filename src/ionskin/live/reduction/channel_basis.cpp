@@ -38,41 +38,6 @@ struct Parity {
   Eigen::MatrixXf values; ///< [orbit of candidates][sample]
 };
 
-Eigen::MatrixXf of_parity(const Eigen::MatrixXf& values, const std::array<std::size_t, 3>& size,
-                          const Reflections& reflections, std::size_t parity) {
-  Eigen::MatrixXf result = Eigen::MatrixXf::Zero(values.rows(), values.cols());
-  for (std::size_t g = 0; g < reflections.count(); ++g) {
-    const auto sign = static_cast<float>(reflections.sign(parity, g) /
-                                         std::sqrt(static_cast<double>(reflections.count())));
-    for (Index i = 0; i < values.rows(); ++i) {
-      const auto from = static_cast<Index>(reflections.image(g, static_cast<std::size_t>(i), size));
-      result.row(i) += sign * values.row(from);
-    }
-  }
-  return result;
-}
-
-/// The fields in the measure, and below them their integrals.
-Eigen::MatrixXf measured(const Eigen::MatrixXf& fields, const ChannelMeasure& measure) {
-  const auto columns = static_cast<Index>(measure.cell_area.size()), rows = measure.levels.rows(),
-             levels = measure.levels.cols();
-  const Eigen::VectorXf area =
-      Eigen::Map<const Eigen::VectorXd>(measure.cell_area.data(), columns).cast<float>();
-  const float whole = area.sum(), weight = static_cast<float>(integral_weight);
-  Eigen::MatrixXf result = Eigen::MatrixXf::Zero(rows * (columns + 1), fields.cols());
-  for (Index row = 0; row < rows; ++row) {
-    for (Index level = 0; level < levels; ++level) {
-      const auto part = static_cast<float>(measure.levels(row, level));
-      result.middleRows(row * columns, columns) +=
-          part * fields.middleRows(level * columns, columns);
-    }
-    auto own = result.middleRows(row * columns, columns);
-    result.row(rows * columns + row) = weight / std::sqrt(whole) * (area.transpose() * own);
-    own.array().colwise() *= area.array().sqrt();
-  }
-  return result;
-}
-
 /// Points that count most, one of each orbit.
 std::vector<std::size_t> candidates_of(const ChannelSamples& samples, const ChannelMeasure& measure,
                                        const Reflections& reflections) {
@@ -163,6 +128,40 @@ double unseen_error(const std::vector<Parity>& parities, const std::vector<std::
 }
 
 } // namespace
+
+Eigen::MatrixXf of_parity(const Eigen::MatrixXf& values, const std::array<std::size_t, 3>& size,
+                          const Reflections& reflections, std::size_t parity) {
+  Eigen::MatrixXf result = Eigen::MatrixXf::Zero(values.rows(), values.cols());
+  for (std::size_t g = 0; g < reflections.count(); ++g) {
+    const auto sign = static_cast<float>(reflections.sign(parity, g) /
+                                         std::sqrt(static_cast<double>(reflections.count())));
+    for (Index i = 0; i < values.rows(); ++i) {
+      const auto from = static_cast<Index>(reflections.image(g, static_cast<std::size_t>(i), size));
+      result.row(i) += sign * values.row(from);
+    }
+  }
+  return result;
+}
+
+Eigen::MatrixXf measured(const Eigen::MatrixXf& fields, const ChannelMeasure& measure) {
+  const auto columns = static_cast<Index>(measure.cell_area.size()), rows = measure.levels.rows(),
+             levels = measure.levels.cols();
+  const Eigen::VectorXf area =
+      Eigen::Map<const Eigen::VectorXd>(measure.cell_area.data(), columns).cast<float>();
+  const float whole = area.sum(), weight = static_cast<float>(integral_weight);
+  Eigen::MatrixXf result = Eigen::MatrixXf::Zero(rows * (columns + 1), fields.cols());
+  for (Index row = 0; row < rows; ++row) {
+    for (Index level = 0; level < levels; ++level) {
+      const auto part = static_cast<float>(measure.levels(row, level));
+      result.middleRows(row * columns, columns) +=
+          part * fields.middleRows(level * columns, columns);
+    }
+    auto own = result.middleRows(row * columns, columns);
+    result.row(rows * columns + row) = weight / std::sqrt(whole) * (area.transpose() * own);
+    own.array().colwise() *= area.array().sqrt();
+  }
+  return result;
+}
 
 ChannelBasis channel_basis(const ChannelSamples& samples, const ChannelMeasure& measure,
                            const Reflections& reflections) {

@@ -37,6 +37,13 @@ struct ChannelBasis {
   double unseen = 0; ///< error in samples that were kept from the fit, of their norm [1]
 };
 
+/// The fields in the measure, and below them their integrals.
+Eigen::MatrixXf measured(const Eigen::MatrixXf& fields, const ChannelMeasure& measure);
+
+/// Values and their reflections as the part of a parity. @param size along x, y, z
+Eigen::MatrixXf of_parity(const Eigen::MatrixXf& values, const std::array<std::size_t, 3>& size,
+                          const Reflections& reflections, std::size_t parity);
+
 /// Proper orthogonal decomposition of the fields, in the measure, together with their integrals
 /// over the core, which are charges; then the points whose values span those of all others best,
 /// one after the other, and as many as it takes; then a linear regression of the modes on them. As

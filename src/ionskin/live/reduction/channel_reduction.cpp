@@ -4,6 +4,7 @@
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/handover/field_projection.hpp"
 #include "ionskin/live/reduction/channel_basis.hpp"
+#include "ionskin/live/reduction/fixed_modes.hpp"
 #include "ionskin/live/reduction/measure_rows.hpp"
 #include "ionskin/live/reduction/place_map.hpp"
 #include "ionskin/live/reduction/place_symmetry.hpp"
@@ -75,15 +76,16 @@ void set_level_weights(const std::vector<double>& z, ChannelMap& map) {
 }
 
 /// Areas of the columns of a grid that rides with the slider, as far as they lie within the core
-/// [y][x] [m2].
+/// and not in zones at its ends [y][x] [m2].
 std::vector<double> areas_within(const history::StrainGrid& grid,
                                  const std::array<double, 2>& place,
-                                 const std::array<double, 2>& extent) {
+                                 const std::array<double, 2>& extent,
+                                 const std::array<double, 2>& zones) {
   const auto lengths = [&](const std::vector<double>& edges, std::size_t d) {
     std::vector<double> result;
     for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
-      result.push_back(std::clamp(edges[i + 1] + place[d], 0.0, extent[d]) -
-                       std::clamp(edges[i] + place[d], 0.0, extent[d]));
+      result.push_back(std::clamp(edges[i + 1] + place[d], zones[d], extent[d] - zones[d]) -
+                       std::clamp(edges[i] + place[d], zones[d], extent[d] - zones[d]));
     }
     return result;
   };
@@ -113,9 +115,10 @@ Matrix mirrored_fit(const Matrix& fit, const ChannelBasis& basis, std::size_t g,
   return result;
 }
 
-/// MeasureRows of which each counts alike: what drives the charges, and a little of the signals of
-/// the core themselves.
-Matrix level_measure(const ChannelMap& map, const SkinData& data, bool drives) {
+/// MeasureRows of which each counts alike: what drives the charges, and, of the channel that tells
+/// signals of the core, a little of these. Water is driven by how its pressure differs through the
+/// thickness, a hundredth of it.
+Matrix level_measure(const ChannelMap& map, const SkinData& data, bool tells, bool drives) {
   const auto levels = static_cast<Eigen::Index>(map.mean.size());
   const auto add = [](Matrix& form, const Matrix& rows, double share) {
     const double norm = rows.squaredNorm();
@@ -129,8 +132,10 @@ Matrix level_measure(const ChannelMap& map, const SkinData& data, bool drives) {
                                       static_cast<Eigen::Index>(values.size()) / levels, levels);
   };
   Matrix form = Matrix::Zero(levels, levels);
-  add(form, rows(map.mean), signal_share);
-  add(form, rows(map.moment), signal_share);
+  if (tells) {
+    add(form, rows(map.mean), signal_share);
+    add(form, rows(map.moment), signal_share);
+  }
   if (drives) {
     for (const ChargeModel* model : {&data.whole, &data.part}) {
       add(form, rows(model->direct), 1);
@@ -200,6 +205,25 @@ std::vector<ChannelSamples> recovered(const std::vector<std::vector<double>>& sa
   return result;
 }
 
+/// Leaves out what lies beside the area of the measure, at the ends of the skin or beyond them.
+void ride_alone(const ChannelMeasure& measure, ChannelSamples& samples) {
+  const auto columns = static_cast<Eigen::Index>(measure.cell_area.size());
+  for (Eigen::Index row = 0; row < samples.fields.rows(); ++row) {
+    if (measure.cell_area[static_cast<std::size_t>(row % columns)] <= 0) {
+      samples.fields.row(row).setZero();
+    }
+  }
+}
+
+Matrix values_at(const ChannelSamples& samples, const std::vector<std::size_t>& points) {
+  Matrix values(static_cast<Eigen::Index>(points.size()), samples.at_points.cols());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    values.row(static_cast<Eigen::Index>(i)) =
+        samples.at_points.row(static_cast<Eigen::Index>(points[i])).cast<double>();
+  }
+  return values;
+}
+
 } // namespace
 
 std::vector<ChannelMap> reduce_channels(const Case& input, const SkinData& data,
@@ -223,51 +247,93 @@ std::vector<ChannelMap> reduce_channels(const Case& input, const SkinData& data,
       recovered(samples, middle, rows, recovery, projection, threads, progress);
   ChannelMeasure measure;
   measure.point_weight = point_weights(model->mesh, middle, of_channels.front().points);
-  measure.cell_area = areas_within(grid, middle, {data.length, data.width});
+  const double thickness = input.skin.thickness();
+  const std::array<double, 2> extent{data.length, data.width},
+      zones = end_zones(data, places, thickness);
+  measure.cell_area = areas_within(grid, middle, extent, zones);
+  const auto fixed = fixed_edges(data, places, grid, thickness);
+  ChannelMeasure fixed_measure;
+  fixed_measure.cell_area =
+      areas_within({fixed[0], fixed[1], grid.z_nodes}, {0, 0}, extent, {0, 0});
+  const std::array<std::size_t, 3> fixed_size{fixed[0].size() - 1, fixed[1].size() - 1,
+                                              grid.z_nodes.size()};
   std::vector<ChannelMap> maps;
   std::vector<ChannelBasis> bases;
   std::vector<WantedStrain> wanted;
+  const auto measure_of = [&](std::size_t c) {
+    return level_measure(maps[c], data, c == 0, c + 1 == channels.size());
+  };
+  std::vector<double> whole;
   for (std::size_t c = 0; c < channels.size(); ++c) {
     ChannelMap& map = maps.emplace_back();
     map.x_edges = grid.x_edges;
     map.y_edges = grid.y_edges;
+    map.fixed_x_edges = fixed[0];
+    map.fixed_y_edges = fixed[1];
     set_level_weights(grid.z_nodes, map);
-    measure.levels = level_measure(map, data, c + 1 == channels.size());
-    const ChannelBasis basis =
-        channel_basis(std::exchange(of_channels[c], {}), measure, reflections);
-    bases.push_back(basis);
-    append(map.field, basis.field.transpose());
-    wanted.push_back({rows[c], basis.points});
+    measure.levels = measure_of(c);
+    whole.push_back(
+        static_cast<double>(measured(of_channels[c].fields, measure).norm()) *
+        std::sqrt(static_cast<double>(samples_at_node) / static_cast<double>(samples.size())));
+    ride_alone(measure, of_channels[c]);
+    bases.push_back(channel_basis(std::exchange(of_channels[c], {}), measure, reflections));
+    append(map.field, bases.back().field.transpose());
+    wanted.push_back({rows[c], bases.back().points});
   }
   // At the nodes, of which mirror images have mirrored fits.
   const std::array<std::size_t, 3> nodes{places.x.size(), places.y.size(), 1};
-  std::vector<std::vector<std::vector<float>>> fits(
-      channels.size(), std::vector<std::vector<float>>(nodes[0] * nodes[1]));
   const std::vector<std::vector<double>> fewer(
       samples.begin(),
       samples.begin() + static_cast<std::ptrdiff_t>(std::min(samples.size(), samples_at_node)));
   const bool mirror_places = are_mirrored(places, data);
+  const auto is_image = [&](std::size_t node) {
+    for (std::size_t g = 1; mirror_places && g < reflections.count(); ++g) {
+      if (reflections.image(g, node, nodes) < node) {
+        return true;
+      }
+    }
+    return false;
+  };
+  std::vector<std::size_t> solved;
+  std::vector<std::vector<Matrix>> riding(channels.size());
+  std::vector<std::vector<LeftAtPlace>> left(channels.size());
   for (std::size_t node = 0; node < nodes[0] * nodes[1]; ++node) {
-    if (!fits.front()[node].empty()) {
+    if (is_image(node)) {
       continue;
     }
+    solved.push_back(node);
     const std::array<double, 2> place{places.x[node % nodes[0]], places.y[node / nodes[0]]};
-    const std::vector<ChannelSamples> own =
+    std::vector<ChannelSamples> own =
         recovered(fewer, place, rows, recovery, projection, threads, progress);
-    measure.cell_area = areas_within(grid, place, {data.length, data.width});
+    measure.cell_area = areas_within(grid, place, extent, zones);
     for (std::size_t c = 0; c < channels.size(); ++c) {
-      measure.levels = level_measure(maps[c], data, c + 1 == channels.size());
-      const Matrix fit = fit_at_place(bases[c], own[c], measure);
-      for (std::size_t g = 0; g < (mirror_places ? reflections.count() : 1); ++g) {
-        std::vector<float>& into = fits[c][reflections.image(g, node, nodes)];
-        if (into.empty()) {
-          append(into, mirrored_fit(fit, bases[c], g, reflections));
-        }
-      }
+      measure.levels = measure_of(c);
+      riding[c].push_back(fit_at_place(bases[c], own[c], measure));
+      const Matrix values = values_at(own[c], bases[c].points);
+      own[c].fields -= (bases[c].field * (riding[c].back() * values)).cast<float>();
+      left[c].push_back({values, on_fixed_cells(own[c].fields, grid, place, fixed)});
     }
   }
   for (std::size_t c = 0; c < channels.size(); ++c) {
-    maps[c].fit = place_map(places, fits[c], negligible_fit_mode);
+    fixed_measure.levels = measure_of(c);
+    const FixedModes fixed_own =
+        fixed_modes(left[c], fixed_measure, fixed_size, reflections,
+                    whole[c] * std::sqrt(static_cast<double>(solved.size())));
+    append(maps[c].fixed_field, fixed_own.field.transpose());
+    ChannelBasis& basis = bases[c];
+    basis.parity.insert(basis.parity.end(), fixed_own.parity.begin(), fixed_own.parity.end());
+    std::vector<std::vector<float>> fits(nodes[0] * nodes[1]);
+    for (std::size_t i = 0; i < solved.size(); ++i) {
+      Matrix fit(riding[c][i].rows() + fixed_own.fit[i].rows(), riding[c][i].cols());
+      fit << riding[c][i], fixed_own.fit[i];
+      for (std::size_t g = 0; g < (mirror_places ? reflections.count() : 1); ++g) {
+        std::vector<float>& into = fits[reflections.image(g, solved[i], nodes)];
+        if (into.empty()) {
+          append(into, mirrored_fit(fit, basis, g, reflections));
+        }
+      }
+    }
+    maps[c].fit = place_map(places, fits, negligible_fit_mode);
   }
   add_unit_strains(*model, data, recovery, places, reflections, threads, wanted, maps);
   return maps;
