@@ -33,7 +33,7 @@ endforeach()
 set_target_properties(ionskin_live_library PROPERTIES EXPORT_NAME live)
 target_include_directories(ionskin_live_library INTERFACE $<INSTALL_INTERFACE:include>)
 install(TARGETS ionskin_live_library EXPORT ionskin LIBRARY DESTINATION ${IONSKIN_LIBRARY_FOLDER})
-install(FILES ${PROJECT_SOURCE_DIR}/src/ionskin/live/ionskin_live.h ${PROJECT_SOURCE_DIR}/src/ionskin/live/ionskin_live.hpp
+install(FILES ${PROJECT_SOURCE_DIR}/src/ionskin/live/interface/ionskin_live.h ${PROJECT_SOURCE_DIR}/src/ionskin/live/interface/ionskin_live.hpp
         DESTINATION include)
 include(CMakePackageConfigHelpers)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/ionskin-config-version.cmake COMPATIBILITY SameMinorVersion)

@@ -43,7 +43,7 @@ def run(*command) -> str:
 
 
 def libraries(file: pathlib.Path) -> dict[str, pathlib.Path]:
-    """Those that the loader finds for a file, without those of the host."""
+    """Libraries that the loader finds for a file, without those of the host."""
     found = {}
     for name, place in re.findall(r"^\s*(\S+) => (/\S+)", run("ldd", file), re.MULTILINE):
         if not OF_HOST.fullmatch(name):
@@ -80,7 +80,7 @@ def stage(build: pathlib.Path, into: pathlib.Path) -> list[pathlib.Path]:
 
 
 def licences(places: list[pathlib.Path], into: pathlib.Path) -> None:
-    """Of ionskin, and of each Debian package that a library is of."""
+    """Writes the copyright of ionskin, and of each Debian package that a library is of."""
     into.mkdir()
     shutil.copy(ROOT / "packaging" / "copyright", into / "ionskin")
     for place in places:

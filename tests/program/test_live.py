@@ -256,7 +256,7 @@ class LiveTest(ProgramTest):
 
     def test_example_in_c(self):
         library = PROGRAM.parent / "python"
-        subprocess.run(["cc", "-std=c11", "-Wall", "-Wextra", "-Werror", "-I", ROOT / "src" / "ionskin" / "live",
+        subprocess.run(["cc", "-std=c11", "-Wall", "-Wextra", "-Werror", "-I", ROOT / "src" / "ionskin" / "live" / "interface",
                         ROOT / "examples" / "live" / "controller.c", "-L", library, f"-Wl,-rpath,{library}",
                         "-lionskin_live", "-o", self.folder / "controller"], check=True)
         printed = subprocess.run([self.folder / "controller", self.trained], capture_output=True, text=True, check=True)
@@ -270,7 +270,7 @@ class LiveTest(ProgramTest):
     def test_example_in_mujoco(self):
         """The finger's contact in MuJoCo is what the skin feels; the skin replays it from the table; the plot is drawn."""
         example, library = ROOT / "examples" / "mujoco", PROGRAM.parent / "python"
-        subprocess.run(["cc", "-std=c11", "-Wall", "-Wextra", "-Werror", "-I", ROOT / "src" / "ionskin" / "live",
+        subprocess.run(["cc", "-std=c11", "-Wall", "-Wextra", "-Werror", "-I", ROOT / "src" / "ionskin" / "live" / "interface",
                         example / "stroke.c", "-L", library, f"-Wl,-rpath,{library}", "-lmujoco", "-lionskin_live", "-lm",
                         "-o", self.folder / "stroke"], check=True)
 

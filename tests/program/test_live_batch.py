@@ -175,7 +175,7 @@ class LiveBatchTest(ProgramTest):
         program.write_text("#include <ionskin_live.h>\n#include <stdio.h>\nint main(void) {\n" + "".join(
             f'printf("%zu ", offsetof(ionskin_live_batch, {name}));\n' for name, _ in Batch._fields_) +
             'printf("%zu", sizeof(ionskin_live_batch)); }\n')
-        subprocess.run(["cc", "-I", ROOT / "src" / "ionskin" / "live", program, "-o", self.folder / "batch"], check=True)
+        subprocess.run(["cc", "-I", ROOT / "src" / "ionskin" / "live" / "interface", program, "-o", self.folder / "batch"], check=True)
         told = subprocess.run([self.folder / "batch"], check=True, capture_output=True, text=True).stdout
         expected = [getattr(Batch, name).offset for name, _ in Batch._fields_]
         self.assertEqual([int(word) for word in told.split()], [*expected, ctypes.sizeof(Batch)])

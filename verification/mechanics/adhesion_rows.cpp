@@ -80,7 +80,7 @@ struct PullOff {
   double scatter = 0;   ///< of the pulls about the curve that it is taken from, over the same
   double let_go = 0;    ///< height at which the sphere comes off, over a^2 / R
   double cell = 0;      ///< over the contact radius at pull-off
-  bool refused = false; ///< whether a run refuses so large cells
+  bool refused = false; ///< true if a run refuses so large cells
 };
 
 bool refuses(const Case& input, const mechanics::SkinModel& model) {

@@ -33,7 +33,7 @@ struct ChannelMap {
   PlaceMap fit;                     ///< [mode][point]
   std::vector<float> field;         ///< [mode][z][y][x]: values on the cells of the slider's frame
   std::vector<double> x_edges, y_edges; ///< of the cells, from the slider's centre [m]
-  /// Of the modes behind those, which stay with the skin as strain at its ends does:
+  /// Values of the modes behind those, which stay with the skin as strain at its ends does:
   /// [mode][z][y][x]
   std::vector<float> fixed_field;
   std::vector<double> fixed_x_edges, fixed_y_edges; ///< of their cells, from the skin's corner [m]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "allocation_counter.hpp"
-#include "ionskin/live/ionskin_live.hpp"
+#include "ionskin/live/interface/ionskin_live.hpp"
 #include "small_skin.hpp"
 
 #include <gtest/gtest.h>

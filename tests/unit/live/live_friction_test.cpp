@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "allocation_counter.hpp"
-#include "ionskin/live/ionskin_live.hpp"
+#include "ionskin/live/interface/ionskin_live.hpp"
 #include "ionskin/live/live_contact.hpp"
 #include "ionskin/live/skin.hpp"
 #include "ionskin/mechanics/engine/sliding_contact.hpp"

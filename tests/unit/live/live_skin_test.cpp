@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "allocation_counter.hpp"
 #include "ionskin/base/error.hpp"
-#include "ionskin/live/ionskin_live.h"
+#include "ionskin/live/interface/ionskin_live.h"
 #include "ionskin/live/skin.hpp"
 #include "small_skin.hpp"
 

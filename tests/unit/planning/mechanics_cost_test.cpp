@@ -61,8 +61,8 @@ TEST(MechanicsCost, HoldsTheModesOfWideSkinsAndOfNearSides) {
   EXPECT_GT(memory({"slider.start=[\"4.5 mm\", \"0.4 mm\"]"}), 1.0e9);
 }
 
-// What need not come must not fill the memory: a soft spring on a thin skin promised 5.4 GB, as a
-// swing to both ends asked for waves a quarter as long.
+// A swing that need not come must not fill the memory: a soft spring on a thin skin promised 5.4
+// GB, as a swing to both ends asked for waves a quarter as long.
 TEST(MechanicsCost, SwingsOfADriveTakeABoundedMemory) {
   const auto memory = [](const char* stiffness) {
     return cost({"skin.length=9 mm", "skin.width=3.3 mm", "skin.layers[1].thickness=80 um",

@@ -50,7 +50,7 @@ public:
     Eigen::Index at = 0, from = 0; ///< normal, x or y
     Eigen::MatrixXd waves;
   };
-  /// Between each two components once.
+  /// Products of the modes of each two components, each pair once.
   const std::array<Between, 6>& between() const { return between_; }
 
 private:

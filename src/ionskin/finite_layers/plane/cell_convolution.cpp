@@ -77,7 +77,7 @@ void CellConvolution::include(const PlaneCompliance& body, const std::vector<Row
   }
 }
 
-/// Of forces whose rows are in the opposite order.
+/// Spectrum of the forces with their rows in the opposite order.
 GridFourier::Spectrum CellConvolution::mirrored(const GridFourier::Spectrum& of_forces) const {
   const Eigen::Index waves = of_forces.rows();
   GridFourier::Spectrum result(waves, of_forces.cols());

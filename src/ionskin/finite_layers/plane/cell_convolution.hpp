@@ -14,7 +14,7 @@ namespace ionskin::finite_layers {
 /// Forces on, or mean displacements of, the cells of a grid: normal, x, y, each [column, row].
 using CellFields = std::array<Eigen::MatrixXd, 3>;
 
-/// Whether all columns of a grid are equally wide, and all rows, to rounding.
+/// True if all columns of a grid are equally wide, and all rows, to rounding.
 bool is_even(const ContactGrid& grid);
 
 /// Products of `plane_compliance` with forces on an even grid, without its matrix: the compliance
@@ -33,7 +33,7 @@ public:
   void add(const CellFields& forces, CellFields& displacements) const;
   Eigen::Index columns() const { return grid_.columns(); }
   Eigen::Index rows() const { return grid_.rows(); }
-  /// Of a cell against its own force, without images: normal, x, y [m/N].
+  /// Compliance of a cell against its own force, without images: normal, x, y [m/N].
   const std::array<double, 3>& own() const { return own_; }
 
 private:

@@ -54,7 +54,7 @@ InverseWaves::InverseWaves(const ContactGrid& grid, const std::vector<WavesOfBod
   }
 }
 
-/// With the mirror image behind the last row of a half grid.
+/// Values with their mirror image behind the last row of a half grid.
 Eigen::MatrixXd InverseWaves::whole(const Eigen::MatrixXd& half, double sign) const {
   if (!half_) {
     return half;

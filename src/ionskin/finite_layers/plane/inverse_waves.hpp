@@ -23,7 +23,7 @@ public:
 
   /// Normal forces that displace the cells [N].
   Eigen::MatrixXd normal(const Eigen::MatrixXd& displacement) const;
-  /// Along x and along y.
+  /// Tangential forces along x and along y.
   std::array<Eigen::MatrixXd, 2>
   tangential(const std::array<Eigen::MatrixXd, 2>& displacement) const;
 

@@ -58,9 +58,9 @@ public:
                     int threads = 1) const;
   const std::vector<ElasticLayer>& layers() const { return box_->key.layers; }
 
-  /// What `CellProduct` takes of the skin: its short waves and their images in sides on rollers,
-  /// which depend on the place across it; its long waves with the slider at a place [m]; and its
-  /// compliance over the wave number.
+  /// Parts of the skin that `CellProduct` takes: its short waves and their images in sides on
+  /// rollers, which depend on the place across it; its long waves with the slider at a place [m];
+  /// and its compliance over the wave number.
   const PlaneCompliance& short_waves() const { return box_->short_waves; }
   std::vector<RowImage> images_in_sides(double centre_y) const;
   LongWaves long_waves(const std::array<double, 2>& centre) const;

@@ -28,7 +28,7 @@ LongWaves::LongWaves(std::shared_ptr<const LayerBox> box, const ContactGrid& gri
   weight_beside_ = 0.5 * along_x.weights * (1 - mirrored);
 }
 
-/// By the modes across the skin, for each along it.
+/// Displacement of the modes, for each mode along the skin by those across it.
 LongWaves::Modes LongWaves::displaced(const Modes& forces) const {
   Modes result;
   for (Eigen::MatrixXd& one : result) {

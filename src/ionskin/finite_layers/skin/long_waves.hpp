@@ -12,13 +12,13 @@
 
 namespace ionskin::finite_layers {
 
-/// What the ends of a skin feel of a slider at a place.
+/// Share of the modes that the ends of a skin feel of a slider at a place.
 struct NearEnds {
   Eigen::ArrayXd share; ///< of the first modes along x
   double last = 0;      ///< wave number along the ends that counts in full [1/m]
 };
 
-/// What the long waves of a skin add to the displacement of cells by the forces on them, with its
+/// Displacement of cells that the long waves of a skin add by the forces on them, with its
 /// sides and ends: products with the second part of its compliance, docs/model.md (54), (56), (57),
 /// by the modes of the columns and of the rows, without its matrix.
 class LongWaves {

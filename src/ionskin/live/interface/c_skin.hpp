@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/live/ionskin_live.h"
+#include "ionskin/live/interface/ionskin_live.h"
 
 #include "ionskin/live/skin.hpp"
 

@@ -26,7 +26,7 @@ constexpr double fit_ridge = 1e-6;
 
 std::vector<double> cells_from_ends(double extent, double thickness) {
   std::vector<double> edges{0};
-  // So that no cell in the middle is narrower than its neighbours by much.
+  // The cell in the middle is wider than its neighbours.
   for (double size = first_cell * thickness; edges.back() + 1.5 * size < extent / 2;
        size = std::min(size * cell_growth, longest_cell * extent)) {
     edges.push_back(edges.back() + size);

@@ -29,7 +29,7 @@ Eigen::MatrixXf on_fixed_cells(const Eigen::MatrixXf& fields, const history::Str
                                const std::array<double, 2>& place,
                                const std::array<std::vector<double>, 2>& edges);
 
-/// What the riding modes leave at a place.
+/// Remainder of the fields at a place that the riding modes leave.
 struct LeftAtPlace {
   Eigen::MatrixXd values; ///< of the channel at the points of the basis [point][sample]
   Eigen::MatrixXf fields; ///< on the cells that stay [level][y][x], sample

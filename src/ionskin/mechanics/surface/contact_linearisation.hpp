@@ -55,7 +55,7 @@ private:
   /// Sets the forces that follow from the others. @returns the surface behind it [m]
   CellVector settle_followers(CellVector& force) const;
   Eigen::VectorXd residual(const Iterate& iterate, const CellVector& surface) const;
-  /// What a displacement of a cell changes in its equations.
+  /// Change of the equations of a cell by its displacement.
   /// @param i place among the active cells @param moved the cell: normal, x, y [m]
   void equations_by_surface(int i, const double* moved, double* row) const;
   double own_tangential(int cell, int r, int s) const;

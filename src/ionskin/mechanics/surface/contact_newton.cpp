@@ -13,7 +13,8 @@ namespace {
 
 constexpr double newton_tolerance = contact_tolerance / 10;
 constexpr int most_iterations = 30;
-/// By products. Cells turn to and fro where linear equations are solved more roughly.
+/// Bounds of the solution by products. Cells turn to and fro where linear equations are solved more
+/// roughly.
 constexpr int most_iterations_by_products = 100;
 constexpr double reduction_by_products = 1e-3;
 /// A residual that falls more slowly has outgrown the factorisation.

@@ -44,7 +44,7 @@ struct ContactProblem {
   /// Compliance of one component against its own force, less `common`; in a direction in which the
   /// skin is held (plane strain) that of the other tangential direction.
   double own_compliance(int cell, int component) const;
-  /// Whether the skin is held along a component, so that its force does not move it.
+  /// True if the skin is held along a component, so that its force does not move it.
   bool held(int cell, int component) const;
   /// Distance of the slider's underside from a cell of the skin [m].
   double opening(int cell, double indentation, const CellVector& surface) const;

@@ -54,7 +54,7 @@ public:
     triangle_.col(n).head(n + 1) = column.head(n + 1);
   }
 
-  /// Of least residual.
+  /// Combination of the directions with the least residual.
   Eigen::VectorXd combination() const {
     const Eigen::VectorXd factors = triangle_.topLeftCorner(size(), size())
                                         .triangularView<Eigen::Upper>()

@@ -22,7 +22,7 @@ namespace {
 
 namespace fl = finite_layers;
 
-/// Of one place, the matrix of the compliance and the product that stands for it.
+/// At one place, the matrix of the compliance and the product that stands for it.
 struct BothForms {
   std::string name;
   Eigen::MatrixXd matrix;
@@ -30,7 +30,7 @@ struct BothForms {
   fl::ContactGrid grid;
 };
 
-/// Of a small skin under even cells, near an end of it.
+/// Both forms of a small skin under even cells, near an end of it.
 BothForms both_forms(const std::string& name, const Case& input, bool half, double centre_y) {
   BothForms forms{name, {}, {}, {}};
   const double height = 0.7e-4;
