@@ -39,12 +39,14 @@ export function case_view(): HTMLElement {
   const rewrite = (change: (text: string) => string) => { edits = edits.then(() => attempt(async () => take(change(store.case_text)))); };
   const form = new CaseForm(store.keys, set, rewrite);
   const path = new WaypointEditor(set, rewrite);
+  let lacking: string[] = []; // of the last choice: the check may tell what it lacks before what does not go with it
   /// The text fitted to another choice: keys that do not go with it are taken away, and what it lacks gets a field.
   async function fitted(key: string, text: string): Promise<string> {
-    if (!store.keys.find((one) => one.key === key)?.choices.length) return text;
+    if (!store.keys.find((one) => one.key === key)?.choices.length && !lacking.includes(key)) return text;
+    lacking = [];
     if (key === "motion.kind" && !/^kind\s*=\s*"waypoints"/m.test(text)) text = without_waypoints(text);
     const verdict = await check(text);
-    if (verdict.valid) return text;
+    if (verdict.valid) return settled(text);
     const kept = without_idle_keys(text, verdict.errors!, taken);
     const is_path = key === "motion.kind" && /^kind\s*=\s*"waypoints"/m.test(kept) && !/^\[\[motion\.waypoints\]\]/m.test(kept);
     if (is_path) return with_path(kept, first_waypoints(valid));
@@ -52,7 +54,21 @@ export function case_view(): HTMLElement {
     for (const lacked of missing_keys((await check(kept)).errors ?? []).filter((one) => taken.has(one))) {
       filled = (await post<{ text: string }>("/api/case/set", { text: filled, key: lacked, value: taken.get(lacked) })).text;
     }
+    const last = await check(filled);
+    if (last.valid) return settled(filled);
+    lacking = missing_keys(last.errors!);
     return filled;
+  }
+  /// The text with the keys that an earlier choice took away and this one takes.
+  async function settled(text: string): Promise<string> {
+    for (const one of (await check(text)).values ?? []) if (one.origin === "file") taken.delete(one.key);
+    for (const [key, value] of taken) {
+      const again = (await post<{ text: string }>("/api/case/set", { text, key, value })).text;
+      if (!(await check(again)).valid) continue;
+      taken.delete(key);
+      text = again;
+    }
+    return text;
   }
   let timer = 0, asked = 0;
   const later = () => {

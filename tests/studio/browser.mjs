@@ -130,7 +130,9 @@ const main = async (page, link) => {
   await wait(() => document.querySelector(".verdict.good") && document.querySelector(".sketch circle"));
   await field("slider.shape", "flat");
   await wait(() => !document.querySelector('[data-key="slider.radius"]') && document.querySelector(".verdict.good"));
-  assert.doesNotMatch(await page.$eval("textarea", (one) => one.value), /radius/);
+  const edited = await page.$eval("textarea", (one) => one.value);
+  assert.doesNotMatch(edited, /^radius/m);
+  assert.match(edited, /^edge_radius = "0.2 mm"/m); // which the sphere had taken away
   // A path begins as the motion before; its points are dragged on a plan; the motion comes back.
   await field("motion.kind", "waypoints");
   await wait(() => document.querySelectorAll(".waypoints tbody tr").length === 4 && document.querySelector(".verdict.good"));
