@@ -231,6 +231,9 @@ class Draw:
         if self.poroelastic:
             self.case["coupling"] = {"law": "poroelastic"}
             self.case["water"] = water | self.water()
+            outside = any(key.endswith("_pressure") for key in self.case["water"])
+            if self.prescribed and "materials" in self.case and not outside and "compression" not in self.case["strain"] and self.maybe(0.5):
+                self.relaxation(self.case["materials"]["polymer"])
             return
         self.case["coupling"] = {"law": self.rng.choice(COUPLINGS[:-1]),
                                  "coefficient": self.rng.choice((1, -1)) * self.between(0.01, 1),
@@ -239,6 +242,12 @@ class Draw:
             ions["permittivity"] = self.quantity(1e-10, 1e-9, "F/m")
             place = self.case["materials"]["polymer"] if "materials" in self.case and self.maybe(0.3) else ions
             place["interface_capacitance"] = self.quantity(10, 200, "F/m2")
+
+    def relaxation(self, material):
+        """A Prony series of its shear modulus."""
+        count = self.rng.randint(1, 3)
+        material["relaxation_times"] = [f"{self.between(low, 10 * low):.4g} s" for low in (1e-3, 0.1, 10)[:count]]
+        material["relaxation_shares"] = [self.between(0.01, 0.3) for _ in range(count)]
 
     def over_humidity(self, material):
         """Its modulus and diffusivity as lists over the humidity, one of which is the skin's."""

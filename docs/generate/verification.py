@@ -18,7 +18,7 @@ TITLES = {
     "E9": "Ions of finite size", "M12": "Paths in rows", "M13": "Friction laws", "M14": "Slider on a drive",
     "P1": "Consolidation", "P2": "Water between sealed walls", "P3": "Voltage of a step of pressure",
     "P4": "Charge of a step of pressure", "P5": "Waves of pressure", "P6": "Symmetries", "P7": "Conservation of water",
-    "P8": "Bench loads", "P9": "Saxen's relation", "P10": "Thin double layers", "P11": "Permeation cell", "P12": "Walls that conduct water", "P13": "Held compression",
+    "P8": "Bench loads", "P9": "Saxen's relation", "P10": "Thin double layers", "P11": "Permeation cell", "P12": "Walls that conduct water", "P13": "Held compression", "P14": "Relaxing polymer",
     "C1": "No coupling, no current", "C2": "Converged peaks", "C3": "Smooth sliding", "C4": "Charge of the spikes",
     "C5": "Estimated errors",
 }

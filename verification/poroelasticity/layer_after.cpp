@@ -13,7 +13,7 @@ std::vector<double> Layer::after_step(const std::function<double(double)>& undra
                                       double time) const {
   poroelasticity::PorePressure water({1, 1}, {1.0, 1.0},
                                      poroelasticity::wall_clustered_nodes(1.0, elements), walls,
-                                     1.0, held_share);
+                                     1.0, held_share, relaxation);
   std::vector<double> load, pressure;
   for (const double z : water.nodes()) {
     load.push_back(undrained(z));

@@ -12,7 +12,8 @@ namespace ionskin::verification {
 struct Layer {
   std::size_t elements = 12; ///< as many as a run has
   poroelasticity::WaterWalls walls;
-  double held_share = 0; ///< docs/model.md (75)
+  double held_share = 0;                 ///< docs/model.md (75)
+  poroelasticity::Relaxation relaxation; ///< docs/model.md (76)
 
   /// P at the nodes a time after a step of p_u, which is then held.
   std::vector<double> after_step(const std::function<double(double)>& undrained, double time) const;

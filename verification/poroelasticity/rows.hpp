@@ -23,6 +23,9 @@ std::vector<Row> prescribed_load_rows(const Options& options);
 /// P11 to P13: a permeation cell, walls of a finite conductance, a compression that is held,
 /// against closed forms.
 std::vector<Row> wall_rows(const Options& options);
+/// P14: a Maxwell solid whose water moves, bent and pressed, against Laplace transforms and closed
+/// forms.
+std::vector<Row> relaxation_rows(const Options& options);
 /// P9: water that a current drags, through open walls and against sealed ones: Saxen's relation
 /// from the side of the water.
 std::vector<Row> saxen_rows(const Options& options);

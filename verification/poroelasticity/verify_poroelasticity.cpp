@@ -8,7 +8,7 @@ std::vector<Row> verify_poroelasticity(const Options& options) {
   for (const auto& more :
        {pressure_step_rows(options), lateral_wave_rows(options), symmetry_rows(options),
         prescribed_load_rows(options), saxen_rows(options), thin_double_layer_rows(options),
-        wall_rows(options)}) {
+        wall_rows(options), relaxation_rows(options)}) {
     rows.insert(rows.end(), more.begin(), more.end());
   }
   return rows;

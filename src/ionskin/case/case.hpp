@@ -21,6 +21,12 @@ struct Material {
   std::string name;
   double youngs_modulus = 0; ///< [Pa]
   double poissons_ratio = 0; ///< [1]
+  /// Prony series of the shear modulus, which `youngs_modulus` tells of the first instant: the
+  /// share of it that each time takes away. Empty where nothing relaxes.
+  std::vector<double> relaxation_times;  ///< [s]
+  std::vector<double> relaxation_shares; ///< [1]
+
+  bool relaxes() const { return !relaxation_times.empty(); }
 };
 
 /// What a layer is to the ions: they move in the core alone.
@@ -44,7 +50,7 @@ struct Skin {
   double length = 0; ///< along x [m]
   double width = 0;  ///< along y [m]
   SideCondition sides = SideCondition::free;
-  double humidity = 0; ///< relative, of the air around; 0 is not given
+  double humidity = 0;       ///< relative, of the air around; 0 is not given
   std::vector<Layer> layers; ///< bottom to top; exactly one core
 
   double thickness() const;       ///< of all layers [m]

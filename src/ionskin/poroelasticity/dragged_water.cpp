@@ -6,6 +6,14 @@
 #include <utility>
 
 namespace ionskin::poroelasticity {
+namespace {
+
+Relaxation of_water(Relaxation relaxation) {
+  relaxation.load = RelaxingLoad::water;
+  return relaxation;
+}
+
+} // namespace
 
 Outflow outflow(const std::vector<double>& nodes, const WaterWalls& walls,
                 std::span<const double> growth) {
@@ -19,17 +27,18 @@ Outflow outflow(const std::vector<double>& nodes, const WaterWalls& walls,
 }
 
 DraggedWater::DraggedWater(const WaterProperties& water, double volume, std::vector<double> nodes,
-                           const WaterWalls& walls, const std::vector<double>& levels)
+                           const WaterWalls& walls, const std::vector<double>& levels,
+                           const Relaxation& relaxation)
     : volume_(volume), modulus_(water.consolidation_coefficient / water.mobility),
       held_share_(water.held_share), nodes_(nodes), lengths_(node_lengths(nodes)), walls_(walls),
       to_levels_(quadratic_interpolation(nodes, levels)),
       water_({1, 1}, {1.0, 1.0}, std::move(nodes), walls, water.consolidation_coefficient,
-             water.held_share),
-      brought_(nodes_.size(), 0.0), load_(nodes_.size(), 0.0), pressure_(nodes_.size(), 0.0) {}
+             water.held_share, of_water(relaxation)),
+      relaxes_(relaxation.terms() > 1), brought_(nodes_.size(), 0.0), load_(nodes_.size(), 0.0),
+      pressure_(nodes_.size(), 0.0) {}
 
 PressureState DraggedWater::rest() const {
-  const std::vector<double> nothing(nodes_.size(), 0.0);
-  return {nothing, nothing};
+  return {std::vector<double>(water_.amplitudes(), 0.0), std::vector<double>(nodes_.size(), 0.0)};
 }
 
 void DraggedWater::step(const PressureState& begin, double duration,
@@ -48,6 +57,14 @@ void DraggedWater::step(const PressureState& begin, double duration,
   water_.step(begin, duration, load_, end);
   water_.pressure(end, pressure_);
   // What P stores, less what the cations brought.
+  if (relaxes_) {
+    water_.undrained(end, load_);
+    for (std::size_t i = 0; i < load_.size(); ++i) {
+      load_[i] = lengths_[i] * (pressure_[i] - load_[i]) / modulus_;
+    }
+    left_ = outflow(nodes_, walls_, load_);
+    return;
+  }
   const double back = held_share_ *
                       std::inner_product(lengths_.begin(), lengths_.end(), pressure_.begin(), 0.0) /
                       nodes_.back();

@@ -34,7 +34,8 @@ public:
   /// @param nodes of the pressure, as `wall_modes` takes them [m]
   /// @param levels of the ions, from 0 to the core's thickness [m]
   DraggedWater(const WaterProperties& water, double volume, std::vector<double> nodes,
-               const WaterWalls& walls, const std::vector<double>& levels);
+               const WaterWalls& walls, const std::vector<double>& levels,
+               const Relaxation& relaxation = {});
 
   /// Cations at rest.
   PressureState rest() const;
@@ -55,6 +56,7 @@ private:
   WaterWalls walls_;
   history::LineOperator to_levels_;
   PorePressure water_;
+  bool relaxes_;
   std::vector<double> brought_, load_, pressure_;
   Outflow left_;
 };

@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace ionskin::poroelasticity {
@@ -75,6 +76,11 @@ LineModes wall_modes(const std::vector<double>& nodes, const WaterWalls& walls, 
       to_modes(m, first + i) = vector(i) * root_mass(first + i);
       from_modes(first + i, m) = vector(i) * inverse(first + i);
     }
+  }
+  for (Eigen::Index m = count; m < size; ++m) {
+    const Eigen::Index at = m == count && first == 1 ? 0 : size - 1;
+    modes.curvature[static_cast<std::size_t>(m)] = std::numeric_limits<double>::infinity();
+    to_modes(m, at) = from_modes(at, m) = 1;
   }
   modes.to_modes = values_of(to_modes);
   modes.from_modes = values_of(from_modes);

@@ -24,8 +24,8 @@ struct LineModes {
 LineModes cosine_modes(std::size_t columns, double width);
 
 /// Modes of quadratic finite elements between two walls, their mass lumped by Simpson's rule, of
-/// order 4 (Cohen 2002, doi 10.1007/978-3-662-04823-8). At an open wall the value is 0: its row and
-/// its column are zero.
+/// order 4 (Cohen 2002, doi 10.1007/978-3-662-04823-8). An open wall, where what diffuses is 0, is
+/// a mode of its own of infinite curvature.
 /// @param nodes ends and middles of the elements, ascending [m]
 /// @param held_share of the mean value, which does not diffuse: docs/model.md (75)
 LineModes wall_modes(const std::vector<double>& nodes, const WaterWalls& walls,

@@ -32,20 +32,20 @@ StreamingDrive::StreamingDrive(const Case& input, const CoreHistory& history,
                                const HistoryChannel& channel, const std::vector<double>& x_edges,
                                const std::vector<double>& y_edges,
                                const std::vector<double>& levels)
-    : water_(derive_water_properties(input)),
+    : water_(derive_water_properties(input)), relaxation_(derive_relaxation(input)),
       pressure_of_channel_(channel.name == history::channel_name::dilation ? water_.storage_modulus
                                                                            : 1.0),
       pore_pressure_({x_edges.size() - 1, y_edges.size() - 1},
                      {width_of(x_edges), width_of(y_edges)},
                      wall_clustered_nodes(history.core_thickness(), elements_through_core),
                      water_walls(input.water, water_.mobility), water_.consolidation_coefficient,
-                     water_.held_share),
+                     water_.held_share, relaxation_),
       projection_(history, channel, x_edges, y_edges,
                   history::linear_interpolation(history.grid.z_nodes, pore_pressure_.nodes())),
       to_levels_(quadratic_interpolation(pore_pressure_.nodes(), levels)),
       walls_(water_walls(input.water, water_.mobility)), outside_(input, walls_, water_.mobility),
       dragged_water_(water_, input.water.drag_number * constants::molar_volume_of_water,
-                     pore_pressure_.nodes(), walls_, levels),
+                     pore_pressure_.nodes(), walls_, levels, relaxation_),
       streaming_(input.electrochemistry.valence * water_.streaming_coefficient /
                  water_.thermal_voltage),
       dilution_(water_.dilution / water_.drained_modulus),
@@ -67,6 +67,9 @@ void StreamingDrive::load(double time) {
 void StreamingDrive::unload(double time) {
   for (std::size_t i = 0; outside_.acts() && i < pressure_.size(); ++i) {
     pressure_[i] += outside_.steady(nodes()[i / columns()], time);
+  }
+  if (relaxation_.terms() > 1) {
+    pore_pressure_.undrained(tried_.pressure, undrained_);
   }
   if (water_.held_share > 0) {
     const double back = water_.held_share * mean_pressure();
@@ -93,10 +96,11 @@ void StreamingDrive::start(double time) {
 }
 
 void StreamingDrive::restore(const WaterState& state) {
-  const std::size_t values = pore_pressure_.values();
   const std::size_t nodes = pore_pressure_.nodes().size();
-  if (state.pressure.pressure.size() != values || state.pressure.undrained.size() != values ||
-      state.dragged.pressure.size() != nodes || state.dragged.undrained.size() != nodes) {
+  if (state.pressure.pressure.size() != pore_pressure_.amplitudes() ||
+      state.pressure.undrained.size() != pore_pressure_.values() ||
+      state.dragged.pressure.size() != nodes * relaxation_.terms() ||
+      state.dragged.undrained.size() != nodes) {
     throw UserError("the saved state of the water belongs to another case: its grid differs; "
                     "remove it to start afresh");
   }

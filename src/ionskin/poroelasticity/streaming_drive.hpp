@@ -96,6 +96,7 @@ private:
   double wall_difference(const std::vector<double>& field) const;
 
   WaterProperties water_;
+  Relaxation relaxation_;
   double pressure_of_channel_; ///< p_u over the channel's value
   PorePressure pore_pressure_;
   history::StrainProjection projection_;

@@ -52,7 +52,8 @@ std::string warn_about_slow_water(const Case& input) {
   const double share = input.water.volume_fraction > 0 ? input.water.volume_fraction : usual_share;
   const double least = self_diffusivity * share * constants::molar_volume_of_water /
                        (constants::gas_constant * input.electrochemistry.temperature);
-  if (water.mobility >= least) {
+  // In air water diffuses more slowly, and its material says how it moves.
+  if (water.mobility >= least || input.skin.humidity > 0) {
     return "";
   }
   return fmt::format(

@@ -61,6 +61,9 @@ TEST(Validity, WaterSlowerThanItsSelfDiffusionIsWarnedOf) {
   input.water.mobility = 5e-18;
   input.motion.slide = 0.1;
   EXPECT_TRUE(validity_warnings(input).empty());
+  input.water.mobility = 2e-19;
+  input.skin.humidity = 0.5; // in air it is slower
+  EXPECT_TRUE(validity_warnings(input).empty());
 }
 
 TEST(Validity, DecouplingErrsByTheTable) {

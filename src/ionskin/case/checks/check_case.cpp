@@ -8,6 +8,7 @@
 #include "ionskin/case/checks/check_motion.hpp"
 #include "ionskin/case/checks/check_prescribed.hpp"
 #include "ionskin/case/checks/check_readout.hpp"
+#include "ionskin/case/checks/check_relaxation.hpp"
 #include "ionskin/case/checks/check_sizes.hpp"
 #include "ionskin/case/checks/check_slider.hpp"
 #include "ionskin/case/checks/check_track.hpp"
@@ -128,6 +129,7 @@ void check_case(const CaseDocument& document) {
   check_electrochemistry(document, problems);
   check_laws(document, problems);
   check_water(document, problems);
+  check_relaxation(document, problems);
   check_readout(document, problems);
   check_metal(document, problems);
   if (document.input.strain.kind == StrainSourceKind::contact) {

@@ -51,7 +51,7 @@ template <typename Member> Setter into_taxel(Member Taxel::*member) {
   };
 }
 
-inline Setter into_material(double Material::*member) {
+template <typename Member> Setter into_material(Member Material::*member) {
   return [=](CaseDraft& draft, const KeyIndex& index, const Value& value) {
     store(value, draft.materials[index.material].*member);
   };

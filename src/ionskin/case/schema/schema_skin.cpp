@@ -115,6 +115,22 @@ void add_materials(SchemaRows& rows) {
                   .over_humidity = true,
                   .help = "Poisson's ratio.",
                   .set = into_material(&Material::poissons_ratio)});
+  rows.push_back({.key = "materials.NAME.relaxation_times",
+                  .type = ValueType::quantity_list,
+                  .dimension = Dimension::time,
+                  .range = {1e-6, 1e9, true, true},
+                  .need = Need::where_known,
+                  .help = "Times of the Prony series of the core's shear modulus, ascending, under "
+                          "a prescribed pressure or curvature. The elastic constants are those "
+                          "of the first instant; the bulk moduli do not relax.",
+                  .set = into_material(&Material::relaxation_times)});
+  rows.push_back({.key = "materials.NAME.relaxation_shares",
+                  .type = ValueType::number_list,
+                  .range = {0.0, 1.0, false, false},
+                  .need = Need::where_known,
+                  .help = "Share of the shear modulus that is gone after each of "
+                          "materials.NAME.relaxation_times; together less than 1.",
+                  .set = into_material(&Material::relaxation_shares)});
 }
 
 } // namespace ionskin
