@@ -13,7 +13,7 @@ import math
 import tempfile
 from pathlib import Path
 
-from evidence_rows import EXPERIMENTS, two_laws
+from evidence_rows import EXPERIMENTS, two_decays, two_laws
 from evidence_runs import Runs
 
 
@@ -29,14 +29,14 @@ def main():
             for row in experiment(runs):
                 rows.append(row)
                 print(f"{row.verdict:14} {row.name}: measured {row.measured}; computed {row.computed or '-'}", flush=True)
-        laws = two_laws(runs)
+        laws, decays = two_laws(runs), two_decays(runs)
     counts = {verdict: sum(row.verdict == verdict for row in rows) for verdict in ("agrees", "disagrees", "cannot be had")}
     print(", ".join(f"{count} {verdict}" for verdict, count in counts.items()))
     print(f"largest stated error of a peak: {100 * runs.largest_error:.2g} %; {len(runs.known)} runs")
     if options.json:
         numbers = [{name: None if isinstance(value, float) and math.isnan(value) else value
                     for name, value in dataclasses.asdict(row).items()} for row in rows]
-        options.json.write_text(json.dumps({"largest_error": runs.largest_error, "rows": numbers, "two_laws": laws}, indent=1) + "\n", encoding="utf-8")
+        options.json.write_text(json.dumps({"largest_error": runs.largest_error, "rows": numbers, "two_laws": laws, "two_decays": decays}, indent=1) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -16,6 +16,7 @@ from evidence import evidence
 from gallery import gallery
 from materials import materials
 from mend_theme import mend_theme
+from prediction import prediction
 from python_api import python_api
 from studio import studio
 from verification import verification
@@ -62,6 +63,7 @@ def main():
              "materials": materials(DOCS.parent / "materials"),
              "verification_results": verification(material / "verification.csv", source),
              "evidence": evidence(material / "evidence.json", source),
+             "prediction": prediction(DOCS / "prediction.json"),
              "gallery": gallery(material / "sweep" / "figures", source),
              "studio": studio(program.parent / "studio" / "pictures", source)}
     for name, text in pages.items():

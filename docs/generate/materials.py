@@ -9,6 +9,9 @@ from the installed preset of that name. Ions are those of the core's material, w
 without a source are left out, and a case that needs one has to give it. No preset has a permittivity: the effective
 one of an ionomer between rough electrodes belongs to the electrodes as much.
 
+Numbers of a material may be lists over `humidity`, of which `skin.humidity` chooses, linear in between: `nafion_air` has those of Nafion in moist
+air. Beyond the list a case is refused, as no number there has a source. A case that gives a number itself comes before the list.
+
 A form that is not here, other cations or less water, takes a few lines of the case:
 
 ```toml

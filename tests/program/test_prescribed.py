@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """Bench loads without a slider: a prescribed pressure or curvature under the law `poroelastic`."""
 
+import json
+import subprocess
+import sys
 import unittest
 
 import h5py
 import numpy
 
-from program import ROOT, ProgramTest, signals, summary
+from program import QUICK, ROOT, ProgramTest, signals, summary
 
 BENDING = ROOT / "cases" / "bending.toml"
 COARSE = ["--set", "numerics.preset=coarse"]
@@ -83,6 +86,39 @@ class Prescribed(ProgramTest):
         for case in cases:
             with self.subTest(case=case.name):
                 self.assertNotIn("warning", self.run_program("check", case).stderr)
+
+    def test_a_prediction_that_was_changed_is_found_out(self):
+        script, file = ROOT / "benchmarks" / "prediction.py", ROOT / "docs" / "prediction.json"
+        subprocess.run([sys.executable, script, "--check", file], check=True)
+        content = json.loads(file.read_text())
+        content["strips"][0]["peak_V_m"]["highest"] *= 2
+        changed = self.write("prediction.json", json.dumps(content))
+        process = subprocess.run([sys.executable, script, "--check", self.folder / changed], capture_output=True, text=True, check=False)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn(f"changed since {content['date']}", process.stderr)
+
+    def test_humidity_chooses_the_constants_and_has_a_range(self):
+        case = ROOT / "cases" / "evidence" / "bent_strip_air.toml"
+        peaks = []
+        for humidity in (0.5, 0.75, 1):
+            self.run_case(case, "-o", f"at{humidity}", "--set", f"skin.humidity={humidity}", "--set", "numerics.error_estimate=off")
+            peaks.append(max(signals(self.folder / f"at{humidity}", "water")["streaming_voltage"]))
+        # Drag number times modulus, as the law has it before water moves.
+        products = [0.40 * 249, (0.61 + 0.82) / 2 * (235 + 222) / 2, 1.59 * 172]
+        for peak, product in zip(peaks, products):
+            self.assertAlmostEqual(peak / peaks[0], product / products[0], delta=0.01 * product / products[0])
+        error = self.run_program("check", case, "--set", "skin.humidity=0.4", expect=2).stderr
+        self.assertIn("from 0.5 to 1", error)
+
+    def test_a_polymer_that_relaxes_gives_the_voltage_away_at_its_own_time(self):
+        polymer = ["--set", 'materials.nafion_wet.relaxation_times=["2 s"]', "--set", "materials.nafion_wet.relaxation_shares=[0.5]"]
+        still = ["--set", "water.mobility=1e-24 m2/(Pa s)", "--set", "numerics.error_estimate=off"]
+        self.run_case(ROOT / "cases" / "evidence" / "bent_strip.toml", "-o", "out", *still, *polymer)
+        water = signals(self.folder / "out", "water")
+        left = numpy.interp(2, water["time"], water["streaming_voltage"]) / max(water["streaming_voltage"])
+        self.assertAlmostEqual(left, 0.5 + 0.5 * numpy.exp(-1), delta=0.01)  # K_u is fifty times G
+        self.run_program("check", QUICK, "--set", 'materials.nafion.relaxation_times=["2 s"]', "--set",
+                         "materials.nafion.relaxation_shares=[0.5]", expect=2)
 
     def test_only_mechanics_has_nothing_to_do(self):
         process = self.run_case(BENDING, "-o", "out", "--only", "mechanics", expect=2)
