@@ -13,10 +13,10 @@ namespace {
 
 using poroelasticity::PorePressure;
 
-constexpr std::size_t elements = 12; // as many as a run has
+constexpr std::size_t usual_elements = 12; // as many as a run has
 
 double degree_of_consolidation(double time) {
-  const Layer layer{elements, {poroelasticity::sealed_wall, poroelasticity::open_wall}};
+  const Layer layer{usual_elements, {poroelasticity::sealed_wall, poroelasticity::open_wall}};
   return 1.0 - layer.integral(layer.after_step([](double) { return 1.0; }, time));
 }
 
@@ -34,10 +34,10 @@ double expected_difference(double time) {
 struct SealedCore {
   std::size_t columns = 24;
   std::vector<double> lengths =
-      poroelasticity::node_lengths(poroelasticity::wall_clustered_nodes(1.0, elements));
+      poroelasticity::node_lengths(poroelasticity::wall_clustered_nodes(1.0, usual_elements));
   PorePressure water{{6, 4},
                      {0.5, 0.5},
-                     poroelasticity::wall_clustered_nodes(1.0, elements),
+                     poroelasticity::wall_clustered_nodes(1.0, usual_elements),
                      {poroelasticity::sealed_wall, poroelasticity::sealed_wall},
                      1.0};
   poroelasticity::PressureState state;
