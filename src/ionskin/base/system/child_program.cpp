@@ -130,7 +130,9 @@ ChildProgram::ChildProgram(std::string_view image, const std::string& name,
     argv.push_back(text.data());
   }
   argv.push_back(nullptr);
-  const char* libraries = std::getenv("LD_LIBRARY_PATH");
+  // Those beside the program, which a wheel names: an image in memory has no place to search from.
+  const char* beside = std::getenv("IONSKIN_LIBRARIES");
+  const char* libraries = beside != nullptr ? beside : std::getenv("LD_LIBRARY_PATH");
   std::string search = fmt::format("LD_LIBRARY_PATH={}", libraries == nullptr ? "" : libraries);
   char* environment[] = {libraries == nullptr ? nullptr : search.data(), nullptr};
   const std::string path = fmt::format("/proc/self/fd/{}", child_image);
