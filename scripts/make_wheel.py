@@ -30,11 +30,15 @@ import pathlib
 import sys
 
 
+_HERE = pathlib.Path(__file__).resolve().parent
+os.environ.setdefault("UDUNITS2_XML_PATH", str(_HERE / "share" / "udunits" / "udunits2.xml"))  # units of case files
+
+
 def main() -> None:
     """Becomes the program, which makes its reports with this Python."""
-    here = pathlib.Path(__file__).resolve().parent
-    settings = {"IONSKIN_PYTHON": sys.executable, "IONSKIN_PYTHON_PATH": str(here.parent)}
-    os.execve(here / "bin" / "ionskin", ["ionskin", *sys.argv[1:]], {**os.environ, **settings})
+    settings = {"IONSKIN_PYTHON": sys.executable, "IONSKIN_PYTHON_PATH": str(_HERE.parent),
+                "IONSKIN_LIBRARIES": str(_HERE / "lib")}
+    os.execve(_HERE / "bin" / "ionskin", ["ionskin", *sys.argv[1:]], {**os.environ, **settings})
 '''
 
 
@@ -60,6 +64,7 @@ def stage(build: pathlib.Path, into: pathlib.Path) -> list[pathlib.Path]:
     (program / "__init__.py").write_text(ENTRY)
     for folder in ("cases", "materials"):
         shutil.copytree(ROOT / folder, program / "share" / "ionskin" / folder)
+    shutil.copytree("/usr/share/xml/udunits", program / "share" / "udunits")
     files = [(build / "ionskin", program / "bin"), (build / "python" / "libionskin_live.so.1", into / "ionskin" / "live")]
     files += [(build / name, program / "libexec" / "ionskin") for name in PROGRAMS if (build / name).exists()]
     files += [(module, into) for module in sorted((build / "python").glob("_ionskin_solver*.so"))]
@@ -83,7 +88,7 @@ def licences(places: list[pathlib.Path], into: pathlib.Path) -> None:
     """Writes the copyright of ionskin, and of each Debian package that a library is of."""
     into.mkdir()
     shutil.copy(ROOT / "packaging" / "copyright", into / "ionskin")
-    for place in places:
+    for place in [*places, pathlib.Path("/usr/share/xml/udunits/udunits2.xml")]:
         file = str(place.resolve())  # which dpkg may know without /usr
         package = run("dpkg-query", "-S", f"*{file.removeprefix('/usr')}").split(":")[0]
         shutil.copy(pathlib.Path("/usr/share/doc") / package / "copyright", into / package)

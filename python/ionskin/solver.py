@@ -10,6 +10,8 @@ from types import ModuleType
 def load() -> ModuleType:
     """The extension module. Raises ImportError with the remedy when it is not built."""
     _own_interrupt()
+    with contextlib.suppress(ModuleNotFoundError):
+        importlib.import_module("ionskin_program")  # of a wheel: says where its units are
     try:
         return importlib.import_module("_ionskin_solver")
     except ModuleNotFoundError as missing:

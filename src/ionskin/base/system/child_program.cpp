@@ -126,7 +126,9 @@ ChildProgram::ChildProgram(std::string_view image, const std::string& name,
   give_signals(settings);
   std::vector<std::string> texts{name};
   texts.insert(texts.end(), arguments.begin(), arguments.end());
-  const char* libraries = std::getenv("LD_LIBRARY_PATH");
+  // A wheel names the libraries beside the program: an image in memory has no place to search from.
+  const char* beside = std::getenv("IONSKIN_LIBRARIES");
+  const char* libraries = beside != nullptr ? beside : std::getenv("LD_LIBRARY_PATH");
   std::string search = fmt::format("LD_LIBRARY_PATH={}", libraries == nullptr ? "" : libraries);
   char* environment[] = {libraries == nullptr ? nullptr : search.data(), nullptr};
   const std::string path = fmt::format("/proc/self/fd/{}", child_image);
