@@ -18,7 +18,7 @@ export function without_idle_keys(text: string, errors: CaseError[], taken: Map<
     if (line === undefined || !new RegExp(`^\\s*${key!.split(".").pop()}\\s*=`).test(line)) continue;
     const balance = (line.match(/\[/g) ?? []).length - (line.match(/\]/g) ?? []).length;
     if (balance !== 0) continue;
-    taken.set(key!, line.slice(line.indexOf("=") + 1).replace(/#[^"]*$/, "").trim());
+    taken.set(key!, line.slice(line.indexOf("=") + 1).replace(/^((?:"(?:[^"\\]|\\.)*"|[^#"])*)#.*$/, "$1").trim());
     lines[error.line! - 1] = "\0";
   }
   return lines.filter((line) => line !== "\0").join("\n");
