@@ -56,10 +56,10 @@ std::vector<double> interval_starts(const FitData& data, double start);
 /// Throws UserError when rows lie behind `end`, or none is left. [s]
 void restrict_to_run(FitData& data, double start, double end);
 
-/// Values of a run at the rows of the data: a charge at the instants; a current as the charge gained over the
-/// row's interval, divided by it, and a voltage at one rate as its mean over that interval, else at
-/// the instants, which is what our tables hold. Before its
-/// beginning and behind its end charges stay. Between steps those of taxels are linear.
+/// Values of a run at the rows of the data, as our tables hold them: a charge at the instants; a
+/// current as the charge gained over the row's interval, divided by it; a voltage at one rate as
+/// its mean over that interval, else at the instants. Before its beginning and behind its end
+/// charges stay. Between steps those of taxels are linear.
 std::vector<double> predict(const FitData& data, const electrochemistry::IonSolution& ions);
 
 } // namespace ionskin::study
