@@ -27,11 +27,6 @@ Case bent(SideCondition sides) {
   return input;
 }
 
-double final_voltage(Case input, double duration, const Options& options) {
-  input.strain.duration = duration;
-  return run_model(input, poroelasticity::prescribed_history(input), options).voltage.back();
-}
-
 /// The same where no water moves, once the double layers have relaxed.
 double first_voltage(Case input, const Options& options) {
   input.water.mobility = 1e-40;

@@ -115,11 +115,6 @@ Case bent_polymer() {
   return input;
 }
 
-double final_voltage(Case input, double duration, const Options& options) {
-  input.strain.duration = duration;
-  return run_model(input, poroelasticity::prescribed_history(input), options).voltage.back();
-}
-
 } // namespace
 
 std::vector<Row> relaxation_rows(const Options& options) {

@@ -2,7 +2,9 @@
 #include "poroelasticity/wet_cell.hpp"
 
 #include "electrochemistry/model_cases.hpp"
+#include "electrochemistry/model_run.hpp"
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
+#include "ionskin/poroelasticity/prescribed_load.hpp"
 
 #include <cmath>
 #include <memory>
@@ -73,6 +75,11 @@ history::CoreHistory pressure_step_history(double bottom, double top, std::vecto
   return held_pressure_history(
       model_case().skin.length, 1,
       [=](double, double height) { return bottom + (top - bottom) * height; }, std::move(time));
+}
+
+double final_voltage(Case input, double duration, const Options& options) {
+  input.strain.duration = duration;
+  return run_model(input, poroelasticity::prescribed_history(input), options).voltage.back();
 }
 
 } // namespace ionskin::verification

@@ -3,6 +3,7 @@
 
 #include "ionskin/case/case.hpp"
 #include "ionskin/history/core_history.hpp"
+#include "verification_table.hpp"
 
 #include <functional>
 #include <vector>
@@ -37,5 +38,8 @@ history::CoreHistory pressure_step_history(double bottom, double top, std::vecto
 history::CoreHistory held_pressure_history(double length, std::size_t columns,
                                            const std::function<double(double, double)>& pressure,
                                            std::vector<double> time);
+
+/// Open-circuit voltage of a case with a prescribed load after `duration` [s] [V].
+double final_voltage(Case input, double duration, const Options& options);
 
 } // namespace ionskin::verification
