@@ -44,7 +44,8 @@ SkinData skin_with(const Law& law) {
 class Engine {
 public:
   explicit Engine(const SkinData& data)
-      : contact_([matrix = compliance(data)](const auto&, auto& result) { result = matrix; },
+      : contact_([matrix = compliance(data)](const auto&,
+                                             auto& problem) { problem.compliance = matrix; },
                  data.area, data.gap, friction_of(data, data.friction)) {}
 
   std::array<double, 3> step(double time_step, const std::array<double, 2>& place, double depth) {
