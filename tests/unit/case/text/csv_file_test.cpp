@@ -4,12 +4,12 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/case/text/csv_table.hpp"
 #include "ionskin/case/text/number_table.hpp"
+#include "scratch_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 
 namespace ionskin {
@@ -21,7 +21,6 @@ using Rows = std::vector<std::vector<std::string>>;
 class CsvFileTest : public testing::Test {
 protected:
   void write(const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
-  void TearDown() override { std::filesystem::remove(path); }
 
   template <class Reader> Rows rest(Reader& file) {
     Rows rows;
@@ -48,7 +47,9 @@ protected:
     return "accepted";
   }
 
-  std::string path = testing::TempDir() + "ionskin_csv_file_test.csv";
+  // Its own, as shards of these tests run side by side.
+  results::ScratchFolder folder;
+  std::string path = (folder / "data.csv").string();
 };
 
 TEST_F(CsvFileTest, GivesCellsAndTheirLine) {
