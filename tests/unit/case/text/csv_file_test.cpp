@@ -47,7 +47,7 @@ protected:
     return "accepted";
   }
 
-  // Its own, as shards of these tests run side by side.
+  // Shards of these tests run side by side, so that each takes a folder of its own.
   results::ScratchFolder folder;
   std::string path = (folder / "data.csv").string();
 };
