@@ -49,7 +49,7 @@ protected:
 
   // Shards of these tests run side by side, so that each takes a folder of its own.
   results::ScratchFolder folder;
-  std::string path = (folder / "data.csv").string();
+  std::string path = (folder / "test.csv").string();
 };
 
 TEST_F(CsvFileTest, GivesCellsAndTheirLine) {
