@@ -16,7 +16,7 @@ import time
 import unittest
 from urllib.parse import urlsplit
 
-from program import PROGRAM, QUICK, SMALL, ProgramTest
+from program import PROGRAM, QUICK, ROOT, SMALL, ProgramTest
 from tiers import long_test
 
 GRID = (*SMALL, "--over", "contact.friction=0.1,0.2", "--over", "motion.preload=1 um,1.5 um", "--no-report")
@@ -159,8 +159,8 @@ class Cluster(ProgramTest):
     @long_test
     def test_studies(self):
         """Runs of a study go to the workers too: the store is that of this machine, though a worker was killed."""
-        subprocess.run([sys.executable, QUICK.parent / "make_strain.py", self.folder / "strain.h5"], check=True)
-        shutil.copy(QUICK.parent / "strain_file.toml", self.folder)
+        subprocess.run([sys.executable, ROOT / "cases" / "make_strain.py", self.folder / "strain.h5"], check=True)
+        shutil.copy(ROOT / "cases" / "strain_file.toml", self.folder)
         study = ("generate", "strain_file.toml", "--set", "numerics.preset=coarse", "--touches", 6, "--vary",
                  "coupling.coefficient=uniform(0.05, 0.15)", "--quiet")
         self.run_program(*study, "-o", "here")

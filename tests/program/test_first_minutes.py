@@ -184,11 +184,11 @@ class FirstMinutes(ProgramTest):
                 self.assertEqual([text for text in summary(self.folder / name)["warnings"] if "not calibrated" not in text], [])
 
     def test_a_starter_ends_without_a_warning_that_its_author_could_have_avoided(self):
-        self.ends_without_avoidable_warning("quick", "taxels", "poroelastic", "bending", "strain_file")
+        self.ends_without_avoidable_warning("bending", "strain_file")
 
     @long_test
-    def test_so_do_those_of_a_fingertip(self):
-        self.ends_without_avoidable_warning("finger", "reciprocating", "waypoints")
+    def test_so_do_those_with_a_contact(self):
+        self.ends_without_avoidable_warning("quick", "taxels", "poroelastic", "finger", "reciprocating", "waypoints")
 
     def test_an_edit_of_the_shape_does_not_silently_keep_the_plan_of_another(self):
         ball = ("check", QUICK, "--set", "slider.shape=sphere", "--set", "slider.radius=8 mm")

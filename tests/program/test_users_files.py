@@ -10,7 +10,7 @@ import signal
 import subprocess
 import unittest
 
-from program import PROGRAM, QUICK, SMALL, ProgramTest, signals, summary
+from program import PROGRAM, QUICK, ROOT, SMALL, ProgramTest, signals, summary
 
 
 class UsersFiles(ProgramTest):
@@ -73,7 +73,7 @@ class UsersFiles(ProgramTest):
     def test_material_preset_belongs_to_the_case(self):
         data = self.folder / "data"
         for name in ("cases", "materials"):
-            shutil.copytree(QUICK.parent.parent / name, data / name)
+            shutil.copytree(ROOT / name, data / name)
         os.environ["IONSKIN_DATA"] = str(data)
         self.addCleanup(os.environ.pop, "IONSKIN_DATA")
         self.small("out")
