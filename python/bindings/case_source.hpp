@@ -17,7 +17,7 @@ struct CaseSource {
 /// Source of an `ionskin.Case`.
 CaseSource case_source(const pybind11::handle& python_case);
 
-/// FitModel, fit_folder and fit_columns.
+/// FitModel and fit_folder.
 void add_fit_bindings(pybind11::module_& module);
 
 /// key_quantity.

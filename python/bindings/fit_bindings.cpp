@@ -32,6 +32,7 @@ py::tuple fit(Model& self, const std::string& column, const std::string& unit,
   PythonProgress progress(callback);
   std::string text;
   study::FitData data{column, unit, time, values};
+  data.at_one_rate = study::is_at_one_rate(data);
   study::FitResult result;
   solve_unlocked(main_thread, progress, [&] {
     const double start = base::wall_time();
@@ -65,12 +66,12 @@ void fit_folder(const py::handle& python_case, const std::string& data, const st
 
 void add_fit_bindings(py::module_& module) {
   module.def("fit_folder", &fit_folder);
-  module.def("fit_columns", &study::fit_columns);
   py::class_<Model>(module, "FitModel")
       .def(py::init(
           [](const py::handle& python_case, const std::vector<std::string>& free, int threads) {
             return std::make_unique<Model>(case_source(python_case), free, threads);
           }))
+      .def("columns", [](const Model& self) { return study::fit_columns(self.model.start_case()); })
       .def("fit", &fit);
 }
 

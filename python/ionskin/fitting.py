@@ -33,12 +33,13 @@ class FitModel:
 
         time, values  arrays [rows]: strictly ascending instants [s], and the signal in its SI unit; rows with NaN are
                       passed over
-        column        the signal: a current (mean since the row before), a charge or the voltage, as in signals.csv
+        column        the signal: a current (mean since the row before), a charge or the voltage, as in signals.csv, or one of
+                      a taxel, as in taxels.csv; a voltage at one rate is a mean since the row before, too
 
         Raises CaseError, SolverError and KeyboardInterrupt.
         """
         time, values = (numpy.asarray(data, dtype=float) for data in (time, values))
-        units = solver.load().fit_columns()
+        units = self._model.columns()
         if column not in units:
             raise CaseError(f"{column} is not a signal to fit\n  = known: {', '.join(units)}")
         if time.ndim != 1 or time.shape != values.shape:

@@ -122,6 +122,14 @@ double rate_interval(const FitData& data) {
              : std::numeric_limits<double>::infinity();
 }
 
+} // namespace
+
+bool is_at_one_rate(const FitData& data) {
+  return std::isfinite(rate_interval(data));
+}
+
+namespace {
+
 /// Reads one file, knowing where it stands in it.
 class Reader {
 public:
@@ -140,7 +148,7 @@ public:
     while (const auto row = table_.next()) {
       take_row(*row, time, value, data);
     }
-    data.at_one_rate = std::isfinite(rate_interval(data));
+    data.at_one_rate = is_at_one_rate(data);
     return data;
   }
 

@@ -17,7 +17,7 @@ struct FitData {
   std::string unit;   ///< SI: "A"
   std::vector<double> time;   ///< [s], strictly ascending
   std::vector<double> values; ///< in `unit`
-  bool at_one_rate = false;   ///< true if four in five intervals between the rows are alike
+  bool at_one_rate = false;   ///< as `is_at_one_rate` finds it
 };
 
 /// Columns that a fit of a case can take, with their SI units: those of the electrodes, and of each
@@ -38,6 +38,9 @@ std::string taxel_of(const std::string& column);
 /// unknown, an entry is no number, or the time does not ascend.
 FitData read_fit_data(const std::filesystem::path& path, const FitColumns& known,
                       const std::string& column = "");
+
+/// True if four in five intervals between the rows are alike.
+bool is_at_one_rate(const FitData& data);
 
 /// True if nothing comes before and after the run.
 bool is_current(const FitData& data);
