@@ -47,7 +47,7 @@ protected:
     return "accepted";
   }
 
-  // Its own, as shards of these tests run side by side.
+  // Each test has a folder of its own, as shards of these tests run side by side.
   results::ScratchFolder folder;
   std::string path = (folder / "data.csv").string();
 };
