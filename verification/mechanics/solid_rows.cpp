@@ -57,12 +57,12 @@ Answer by_layers() {
   Answer answer;
   answer.surface.assign(moved.begin(), moved.end());
   for (const auto& place : places) {
+    const finite_layers::FieldGrid asked{{{place[0], place[0]}},
+                                         {{place[1], place[1]}},
+                                         {columns[0][0], columns[0][1]},
+                                         {row[0], row[1]}};
     const auto field =
-        layers.fields({place[2] - skin.core_bottom()}, 0.1e-3)
-            .at({{{{place[0]}, {place[1]}, {columns[0][0], columns[0][1]}, {row[0], row[1]}},
-                  {x, y},
-                  given}})
-            .front();
+        layers.fields({place[2] - skin.core_bottom()}, 0.1e-3).at({{asked, {x, y}, given}}).front();
     for (const auto& component : field.core.component) {
       answer.core.push_back(component.front());
     }

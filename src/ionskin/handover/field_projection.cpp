@@ -41,7 +41,8 @@ history::StrainField FieldProjection::at(std::vector<double> at_points,
     for (double& edge : edges) {
       edge += shift;
     }
-    return history::compose(history::cell_averages(line, edges), history::linear_projection(line));
+    return history::compose(history::cell_averages(line, edges),
+                            history::half_means_projection(line));
   };
   const history::LineOperator along_x = along(lines.x, core_.x_edges, centre[0]);
   const history::LineOperator along_y = along(lines.y, core_.y_edges, centre[1]);

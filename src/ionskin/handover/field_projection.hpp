@@ -14,7 +14,7 @@
 
 namespace ionskin::handover {
 
-/// Projection from values at the Gauss points of the core to a field on the grid that rides with
+/// Projection from the points of mechanics::CoreStrain to a field on the grid that rides with
 /// the slider: means over its cells, linear through the thickness.
 class FieldProjection {
 public:

@@ -19,7 +19,8 @@
 namespace ionskin::handover {
 namespace {
 
-/// Six components of the strain at the Gauss points of a combination of states, each [z][y][x].
+/// Six components of the strain at the points of CoreStrain of a combination of states, each
+/// [z][y][x].
 std::array<std::vector<double>, 6> gauss_strain(const StateCombination& combination) {
   std::array<std::vector<double>, 6> strain;
   for (const auto& term : combination.terms) {
@@ -34,12 +35,12 @@ std::array<std::vector<double>, 6> gauss_strain(const StateCombination& combinat
   return strain;
 }
 
-/// Shear at the Gauss points of a combination of states, [z][y][x].
+/// Shear at the points of CoreStrain of a combination of states, [z][y][x].
 std::vector<double> gauss_shear(const std::string& measure, const StateCombination& combination) {
   return laws::evaluate_shear(laws::shear_measure(measure), gauss_strain(combination));
 }
 
-/// A channel that the handover makes, by its value at the Gauss points.
+/// A channel that the handover makes, by its value at the points of CoreStrain.
 struct ChannelRule {
   const char* name;
   std::function<std::vector<double>(const StateCombination&)> at_points;

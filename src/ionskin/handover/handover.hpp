@@ -21,7 +21,7 @@ history::CoreHistory
 build_strain_history(const Case& input, const mechanics::ContactSolution& contact,
                      const base::ProgressCallback& progress = base::no_progress);
 
-/// Integral of the shear over the core straight from the Gauss points of the mechanics [m3]; the
+/// Integral of the shear over the core straight from the points of CoreStrain [m3]; the
 /// reference for what the history must conserve.
 double mechanics_shear_integral(const Case& input, const mesh::SkinMesh& mesh,
                                 const StateCombination& combination);

@@ -53,7 +53,7 @@ ArrayXXd level(const mechanics::CoreStrain& strain, int component, std::size_t z
                                     nx, ny);
 }
 
-/// Means over the cells of a level of Gauss points, two each way in a cell.
+/// Means over the cells of a level of points, two each way in a cell.
 ArrayXXd cell_means(const ArrayXXd& points) {
   const auto even_x = Eigen::seq(0, points.rows() - 2, 2),
              odd_x = Eigen::seq(1, points.rows() - 1, 2);
@@ -63,7 +63,7 @@ ArrayXXd cell_means(const ArrayXXd& points) {
                  points(odd_x, odd_y));
 }
 
-/// Strain of the core between two lines along z, with two levels of Gauss points.
+/// Strain of the core between two lines along z, with two levels of points.
 Row core_row(const mechanics::CoreStrain& core, std::size_t row, double height) {
   Row result{0, height, {}, {}};
   for (int c = 0; c < 6; ++c) {

@@ -34,9 +34,10 @@ void add_linear_integral(double left, double right, double from, double to, doub
   weight_right += (to - from) * mean;
 }
 
-/// L2 projection of functions that are linear in each interval, given at its two Gauss points, on
+/// L2 projection of functions that are linear in each interval, given at two places in it, on
 /// continuous ones that are linear in each of its equal parts.
-LineOperator projection(const std::vector<double>& lines, Eigen::Index parts) {
+/// @param offset of the two places from the middle, over half the interval
+LineOperator projection(const std::vector<double>& lines, Eigen::Index parts, double offset) {
   const auto intervals = static_cast<Eigen::Index>(lines.size() - 1);
   const Eigen::Index nodes = parts * intervals + 1;
   Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(nodes, nodes);
@@ -55,8 +56,8 @@ LineOperator projection(const std::vector<double>& lines, Eigen::Index parts) {
       const double right = 0.5 * (1 + (p == 0 ? -gauss_offset : gauss_offset));
       const double within = (static_cast<double>(e % parts) + right) / static_cast<double>(parts);
       for (Eigen::Index q = 0; q < 2; ++q) {
-        // The function that is 1 at the interval's Gauss point q and 0 at the other.
-        const double value = 0.5 + (q == 0 ? -1 : 1) * (within - 0.5) / gauss_offset;
+        // The function that is 1 at the interval's place q and 0 at the other.
+        const double value = 0.5 + (q == 0 ? -1 : 1) * (within - 0.5) / offset;
         load(e, 2 * interval + q) += 0.5 * length * (1 - right) * value;
         load(e + 1, 2 * interval + q) += 0.5 * length * right * value;
       }
@@ -78,11 +79,16 @@ LineOperator projection(const std::vector<double>& lines, Eigen::Index parts) {
 } // namespace
 
 LineOperator linear_projection(const std::vector<double>& lines) {
-  return projection(lines, 1);
+  return projection(lines, 1, gauss_offset);
 }
 
 LineOperator halved_projection(const std::vector<double>& lines) {
-  return projection(lines, 2);
+  return projection(lines, 2, gauss_offset);
+}
+
+LineOperator half_means_projection(const std::vector<double>& lines) {
+  constexpr double middle_of_half = 0.5;
+  return projection(lines, 1, middle_of_half);
 }
 
 std::vector<double> halved(const std::vector<double>& lines) {

@@ -6,8 +6,8 @@
 
 namespace ionskin::history {
 
-// One-dimensional operators along a mesh line. Tensor products of them carry a field from the Gauss
-// points of the mechanics to the cells of the ion transport without losing integral or first
+// One-dimensional operators along a mesh line. Tensor products of them carry a field from the
+// places of the mechanics to the cells of the ion transport without losing integral or first
 // moment.
 
 /// Sparse rows of weights: row i holds weights of source entries first[i], first[i] + 1, ...
@@ -27,6 +27,8 @@ LineOperator linear_projection(const std::vector<double>& lines);
 /// The same on twice the nodes: the ends of the intervals and their middles, which keeps more of
 /// what happens at the outer ends.
 LineOperator halved_projection(const std::vector<double>& lines);
+/// L2 projection of the means over both halves of each interval, otherwise as `linear_projection`.
+LineOperator half_means_projection(const std::vector<double>& lines);
 /// Ends of the intervals and their middles.
 std::vector<double> halved(const std::vector<double>& lines);
 

@@ -64,6 +64,26 @@ TEST(LineOperators, ProjectionConservesTheIntegralOfRoughValues) {
   EXPECT_NEAR(total(nodes, hat_volumes(lines)), expected, 1e-13);
 }
 
+TEST(LineOperators, HalfMeansReproduceLinearFunctionsAndKeepTheIntegral) {
+  const auto line = half_means_projection(lines);
+  std::vector<double> values;
+  for (std::size_t e = 0; e + 1 < lines.size(); ++e) {
+    const double middle = 0.5 * (lines[e] + lines[e + 1]);
+    values.push_back(2 - 3 * 0.5 * (lines[e] + middle));
+    values.push_back(2 - 3 * 0.5 * (middle + lines[e + 1]));
+  }
+  const auto nodes = applied(line, values);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    EXPECT_NEAR(nodes[i], 2 - 3 * lines[i], 1e-13);
+  }
+  const std::vector<double> rough{1, -2, 5, 0.3, 7, 7, -1, 4};
+  double expected = 0;
+  for (std::size_t q = 0; q < rough.size(); ++q) {
+    expected += 0.5 * (lines[q / 2 + 1] - lines[q / 2]) * rough[q];
+  }
+  EXPECT_NEAR(total(applied(line, rough), hat_volumes(lines)), expected, 1e-13);
+}
+
 TEST(LineOperators, CellAveragesConserveTheIntegralWithinTheLines) {
   const std::vector<double> nodes{3, 1, 4, 1, 5};
   const std::vector<double> cells{-0.3, 0.02, 0.12, 0.13, 0.7, 1.2, 1.5};

@@ -18,14 +18,6 @@ constexpr double same_place = 1e-9;
 /// Waves of more than some 16 to a column average out in it.
 constexpr double column_waves = 100;
 
-std::vector<Interval> points(const std::vector<double>& at) {
-  std::vector<Interval> result;
-  for (const double place : at) {
-    result.push_back({place, place});
-  }
-  return result;
-}
-
 std::vector<Interval> intervals(const std::vector<double>& lines) {
   std::vector<Interval> result;
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
@@ -167,8 +159,8 @@ struct SkinFields::Parts {
       rows_at = across->centre_y;
       const PlaneBox box = short_box({0, across->centre_y});
       const ModeTransform rows = of_rows(short_waves, box, across->centre_y);
-      core_rows = core.row_strains(short_waves, box, rows,
-                                   with_whole(points(across->y), skin.width), threads);
+      core_rows =
+          core.row_strains(short_waves, box, rows, with_whole(across->y, skin.width), threads);
       electrode_rows =
           electrodes.row_strains(short_waves, box, rows, intervals(across->column_y), threads);
     }
@@ -272,8 +264,8 @@ std::vector<CoreAndElectrodes> SkinFields::at(const std::vector<FieldState>& sta
     of_long.push_back(parts.loads_in(parts.long_waves, whole, by_cell, state.centre));
     of_short.push_back(parts.loads_in(parts.short_waves, near.back(), by_cell, state.centre));
     motions.push_back(face_motion(skin, parts.on_faces(of_long.back()), parts.cells.half));
-    in_core.push_back({with_whole(points(state.grid.x), skin.length),
-                       with_whole(points(state.grid.y), skin.width)});
+    in_core.push_back(
+        {with_whole(state.grid.x, skin.length), with_whole(state.grid.y, skin.width)});
     columns.push_back({intervals(state.grid.column_x), intervals(state.grid.column_y)});
     core.push_back(parts.core.none(in_core.back()));
     electrodes.push_back(parts.electrodes.none(columns.back()));

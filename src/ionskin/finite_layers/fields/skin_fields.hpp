@@ -16,7 +16,9 @@ namespace ionskin::finite_layers {
 
 /// Grid of the places at which strains are asked for [m].
 struct FieldGrid {
-  std::vector<double> x, y; ///< points of the core from the skin's corner, ascending
+  /// Places in the core from the skin's corner, ascending: strain is averaged over each, and that
+  /// of a place without size is of a point.
+  std::vector<Interval> x, y;
   /// Lines between the columns over which the strain of the electrodes is averaged.
   std::vector<double> column_x, column_y;
 };
@@ -48,8 +50,9 @@ struct FieldState {
 
 /// Places that all states have alike where the slider keeps its place across the skin [m].
 struct PlacesAcross {
-  double centre_y = 0;             ///< of the slider
-  std::vector<double> y, column_y; ///< as of FieldGrid
+  double centre_y = 0; ///< of the slider
+  std::vector<Interval> y;
+  std::vector<double> column_y; ///< as of FieldGrid
 };
 
 /// Strain in the core and the electrodes of a skin under forces on contact cells, docs/model.md

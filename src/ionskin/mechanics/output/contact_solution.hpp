@@ -15,9 +15,9 @@ namespace ionskin::mechanics {
 /// normal force of a cell.
 inline constexpr double contact_tolerance = 1e-9;
 
-/// Small strain in the core at the 2x2x2 Gauss points of each box between the mesh's lines, by
-/// which means over it are taken. The points form a tensor grid, in the mesh's own order; half
-/// models hold y <= width / 2 only.
+/// Small strain in the core in each box between the mesh's lines: means over the four quarters of
+/// its plan, at both Gauss points of its height. These points form a tensor grid, in the mesh's own
+/// order; half models hold y <= width / 2 only.
 struct CoreStrain {
   std::array<std::size_t, 3> points{}; ///< along x, y, z
   /// Six components xx, yy, zz, yz, xz, xy (tensor components), each [z][y][x], x fastest; empty of

@@ -11,8 +11,8 @@ namespace ionskin::mechanics {
 /// The field of the skin reflected along x and/or y: points reversed, shear signs flipped.
 CoreStrain mirrored(CoreStrain strain, const std::array<bool, 2>& reflect);
 
-/// Volume integral over the meshed core of 2 sqrt(exy^2 + eyz^2 + exz^2) by 2x2x2 Gauss points
-/// [m3].
+/// Volume integral over the meshed core of 2 sqrt(exy^2 + eyz^2 + exz^2) from the points
+/// of CoreStrain [m3].
 double off_diagonal_shear_integral(const CoreStrain& strain, const mesh::MeshLines& lines,
                                    const std::array<std::size_t, 2>& core_z);
 

@@ -29,6 +29,14 @@ struct FieldCase {
   double tolerance = 1e-4;
 };
 
+inline std::vector<Interval> points(const std::vector<double>& at) {
+  std::vector<Interval> result;
+  for (const double place : at) {
+    result.push_back({place, place});
+  }
+  return result;
+}
+
 /// Sum of the forces on cells along a component, [3 cell + component].
 inline double sum(const std::vector<double>& forces, std::size_t component) {
   double result = 0;
@@ -43,7 +51,7 @@ public:
   FieldsOf(const FieldCase& given, const ContactGrid& cells, const TestGrid& grid,
            const std::optional<PlacesAcross>& across = std::nullopt,
            const ComponentChoice& components = all_components)
-      : grid_{grid.x, grid.y, grid.column_x, grid.column_y},
+      : grid_{points(grid.x), points(grid.y), grid.column_x, grid.column_y},
         column_(given.layers, given.elements, given.degree) {
     if (given.sides_free) {
       sides_.emplace(column_, given.length, given.width, given.split, given.sides);

@@ -230,7 +230,7 @@ TEST(RollerFields, of_places_that_stay_across_are_those_of_any) {
   for (const ContactGrid& of : {cells, half}) {
     const double y = of.half ? skin.width / 2 : 0.55e-3;
     const FieldsOf any(skin, of, grid),
-        staying(skin, of, grid, PlacesAcross{y, grid.y, grid.column_y});
+        staying(skin, of, grid, PlacesAcross{y, points(grid.y), grid.column_y});
     for (const double x : {0.9e-3, 1.6e-3, 2.7e-3}) { // the last near an end
       expect_alike(staying.at({x, y}, forces(of)), any.at({x, y}, forces(of)));
     }

@@ -57,9 +57,10 @@ TEST(SmoothSkin, compliance_does_not_jump_as_the_slider_moves) {
 TEST(SmoothSkin, strain_along_a_side_has_no_ripple_far_from_the_slider) {
   const LayeredSkin layers = skin();
   const double side = 50e-6;
-  FieldGrid grid{{}, {side}, {0, 15e-3}, {0, 1e-3}};
+  FieldGrid grid{{}, {{side, side}}, {0, 15e-3}, {0, 1e-3}};
   for (int i = 0; i <= 20; ++i) {
-    grid.x.push_back(11e-3 + i * 0.1e-3);
+    const double x = 11e-3 + i * 0.1e-3;
+    grid.x.push_back({x, x});
   }
   const std::vector<double> forces{10, 3, 0, 10, 3, 0};
   const StrainField core =
