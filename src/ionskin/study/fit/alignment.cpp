@@ -9,6 +9,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -146,8 +147,7 @@ Alignment best_alignment(const FitData& data, const electrochemistry::IonSolutio
     yy += cells.weights[i] * cells.values[i] * cells.values[i];
   }
   const double spread = yy - y * y / w;
-  Alignment best;
-  double best_score = -1;
+  std::array<Alignment, 2> of_sign; // likest, and likest to minus the run
   for (std::int64_t lag = cells.first - run + overlap; lag <= cells.first + count - overlap;
        ++lag) {
     double s = 0, ss = 0, sy = 0;
@@ -162,15 +162,26 @@ Alignment best_alignment(const FitData& data, const electrochemistry::IonSolutio
     }
     const double scale = std::sqrt(std::max(0.0, ss - s * s / w) * spread);
     const double r = scale > 0 ? (sy - s * y / w) / scale : 0.0;
-    const double score = sign == Sign::free ? std::abs(r) : r;
-    if (score > best_score) {
-      best_score = score;
+    Alignment& best = of_sign[r < 0 ? 1 : 0];
+    if (std::abs(r) > std::abs(best.correlation)) {
       best = {static_cast<double>(lag) * length, r};
     }
   }
-  const Alignment between = refined(data, ions, best, length);
-  best.correlation = correlation_at(data, ions, best.time_shift);
-  return std::abs(between.correlation) > std::abs(best.correlation) ? between : best;
+  // A sharp signal is likest between two lags: both signs are refined before they are compared.
+  Alignment likest;
+  for (Alignment at_lag : of_sign) {
+    if (at_lag.correlation == 0 || (at_lag.correlation < 0 && sign != Sign::free)) {
+      continue;
+    }
+    const Alignment between = refined(data, ions, at_lag, length);
+    at_lag.correlation = correlation_at(data, ions, at_lag.time_shift);
+    for (const Alignment& one : {at_lag, between}) {
+      if (std::abs(one.correlation) > std::abs(likest.correlation)) {
+        likest = one;
+      }
+    }
+  }
+  return likest;
 }
 
 double deviation(const std::vector<double>& values) {
