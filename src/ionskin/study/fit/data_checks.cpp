@@ -29,10 +29,12 @@ bool frees_motion(const FitModel& model) {
 
 void require_kept_sign(const Alignment& kept, const Alignment& turned, double correlation) {
   // A touch whose landing and leaving look alike turns its sign with a shift, too: of the two the
-  // one without a shift is likelier.
+  // one with the smaller shift is likelier.
   const bool in_place = correlation < -alike && -correlation > kept.correlation - clearly;
   const bool late = turned.correlation < -alike && correlation < alike &&
-                    -turned.correlation > kept.correlation + clearly;
+                    (-turned.correlation > kept.correlation + clearly ||
+                     (-turned.correlation > kept.correlation &&
+                      std::abs(turned.time_shift) < std::abs(kept.time_shift)));
   if (in_place || late) {
     throw UserError(fmt::format(
         "the data correlate with minus the model ({:.2f}{})\n  = the electrodes are swapped, or "
