@@ -24,6 +24,7 @@ from ionskin.reading.hdf5 import open_hdf5
 from ionskin.results import Results
 from ionskin.uncertainty import __main__ as uncertainty
 from package import CASES, PackageTest
+from tiers import long_test
 
 K, D = "coupling.coefficient", "electrochemistry.diffusivity"
 STUDIES = {
@@ -133,6 +134,7 @@ class Stores(PackageTest):
             self.assertNotRegex(said, r"Traceback|Errno|[A-Z][A-Za-z]*Error")
         self.assertEqual(self.victim.read_text(), "untouched")
 
+    @long_test
     def test_every_file_in_every_way(self):
         """Every file of `generate` is tried in every way; of the others, those that they alone read."""
         for study in STUDIES:

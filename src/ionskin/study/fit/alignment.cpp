@@ -125,6 +125,7 @@ Alignment best_alignment(const FitData& data, const electrochemistry::IonSolutio
   const double length = std::max(span, data.time.back() - data.time.front()) / cells_of_longer;
   const Cells cells = data_cells(data, begin, length);
   std::vector<double> signal = run_cells(data, ions, length);
+  double step = length; // between lags that are told apart
   if (is_mean(data)) {
     const std::vector<double> starts = interval_starts(data, begin);
     std::vector<double> intervals;
@@ -134,6 +135,7 @@ Alignment best_alignment(const FitData& data, const electrochemistry::IonSolutio
     const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
     std::nth_element(intervals.begin(), middle, intervals.end());
     signal = smoothed(signal, *middle / length);
+    step += *middle; // rows are means already, so that the likest lag is half a row too early
   }
   const double before = is_current(data) ? 0.0 : signal.front();
   const double behind = is_current(data) ? 0.0 : signal.back();
@@ -173,7 +175,7 @@ Alignment best_alignment(const FitData& data, const electrochemistry::IonSolutio
     if (at_lag.correlation == 0 || (at_lag.correlation < 0 && sign != Sign::free)) {
       continue;
     }
-    const Alignment between = refined(data, ions, at_lag, length);
+    const Alignment between = refined(data, ions, at_lag, step);
     at_lag.correlation = correlation_at(data, ions, at_lag.time_shift);
     for (const Alignment& one : {at_lag, between}) {
       if (std::abs(one.correlation) > std::abs(likest.correlation)) {
