@@ -96,13 +96,14 @@ double correlation_at(const FitData& data, const electrochemistry::IonSolution& 
 /// The best shift within a step of one, with its sign.
 Alignment refined(const FitData& data, const electrochemistry::IonSolution& ions,
                   const Alignment& about, double step) {
-  constexpr int most_parts = 32, bits = 26;
+  constexpr int most_parts = 128, parts_of_row = 64, bits = 26;
   const double sign = about.correlation < 0 ? -1 : 1;
   const auto likeness = [&](double shift) { return sign * correlation_at(data, ions, shift); };
-  // A peak of one row is narrower than a step may be.
+  // A charge that jumps within one row is told by a small part of it.
   const double interval =
       (data.time.back() - data.time.front()) / static_cast<double>(data.time.size());
-  const int parts = std::clamp(static_cast<int>(std::ceil(4 * step / interval)), 4, most_parts);
+  const int parts =
+      std::clamp(static_cast<int>(std::ceil(parts_of_row * step / interval)), 4, most_parts);
   double best = about.time_shift, best_likeness = likeness(best);
   for (int part = -parts; part <= parts; ++part) {
     const double shift = about.time_shift + step * part / parts;
