@@ -15,8 +15,6 @@ import sys
 SOURCES = ("apps", "benchmarks", "cases", "docs", "examples", "fuzz", "python", "scripts", "src", "studio", "tests",
            "verification")
 SUFFIXES = (".cpp", ".hpp", ".h", ".py", ".ts", ".js")
-# Folders whose comments are not reworded yet, such as "src/ionskin/live/".
-EXEMPT = ()
 WITHOUT_SUBJECT = set("""also and another as because but by from how into its of or out per since so than that their those to
                          what whether which who whose why""".split())
 PREPOSITIONS = set("""above after against along among at before behind below beside between beyond during for if in on over
@@ -92,7 +90,7 @@ def main():
     for source in SOURCES:
         for path in sorted((root / source).rglob("*")):
             name = path.relative_to(root).as_posix()
-            if path.suffix in SUFFIXES and not name.startswith(EXEMPT) and "/_build/" not in name:
+            if path.suffix in SUFFIXES and "/_build/" not in name:
                 found += mistakes(name, path.read_text(encoding="utf-8"))
     for room in sorted(path for path in (root / "src" / "ionskin").iterdir() if path.is_dir()):
         page = room / "README.md"

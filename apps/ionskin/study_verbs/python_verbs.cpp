@@ -2,6 +2,7 @@
 #include "study_verbs/python_verbs.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/system/installation.hpp"
 #include "ionskin/case/schema/schema.hpp"
 #include "ionskin/study/run/python_module.hpp"
 #include "terminal/progress_display.hpp"
@@ -13,7 +14,7 @@ namespace ionskin::apps {
 namespace {
 
 [[noreturn]] void throw_no_python() {
-  throw UserError(study::python_interpreter() +
+  throw UserError(base::python_interpreter() +
                   " cannot be started\n  = ionskin doctor says what is missing");
 }
 

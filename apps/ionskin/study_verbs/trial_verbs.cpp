@@ -2,6 +2,7 @@
 #include "study_verbs/trial_verbs.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/system/installation.hpp"
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/study/run/python_module.hpp"
 
@@ -35,7 +36,7 @@ int run_with(const std::string& module, const nlohmann::json& options) {
   base::install_interrupt_handler();
   const int code = study::run_python_module(module, {text}, study::PythonErrors::shown).exit_code;
   if (code < 0) {
-    throw UserError(study::python_interpreter() +
+    throw UserError(base::python_interpreter() +
                     " cannot be started or was killed\n  = ionskin doctor says what is missing");
   }
   return code;

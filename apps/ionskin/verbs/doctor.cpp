@@ -80,14 +80,14 @@ void check_program(Findings& findings) {
   findings.check(fs::is_directory(data / "cases") && fs::is_directory(data / "materials"),
                  "cases and materials in " + data.string(),
                  "let the environment variable IONSKIN_DATA name the folder that holds them");
-  const fs::path& python = base::installation().python;
+  const fs::path python = base::python_package();
   findings.check(fs::is_regular_file(python / "ionskin" / "report.py"),
                  "Python package that draws reports in " + python.string(),
                  "install the package again");
 }
 
 void check_python(Findings& findings) {
-  const std::string python = IONSKIN_PYTHON;
+  const std::string python = base::python_interpreter();
   const bool there = runs({python, "-I", "-c", "import sys; sys.exit(sys.version_info < (3, 11))"});
   findings.check(there, "Python 3.11 or later for figures and reports: " + python,
                  "apt-get install python3");
@@ -102,7 +102,7 @@ void check_python(Findings& findings) {
 
 /// Checks the modules that some commands need; the rest works without.
 void check_optional_modules(Findings& findings) {
-  const std::string python = IONSKIN_PYTHON;
+  const std::string python = base::python_interpreter();
   constexpr std::array modules{
       std::pair{"openturns", "ionskin uncertainty, design and generate"},
       std::pair{"scipy", "ionskin uncertainty, design and generate"},

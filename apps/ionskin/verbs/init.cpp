@@ -2,6 +2,7 @@
 #include "verbs/init.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/system/installation.hpp"
 #include "ionskin/case/text/data_folder.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +34,7 @@ int init(const InitOptions& options) {
                     options.path, error.message()));
   std::string first;
   if (options.from == "strain_file") {
-    first = fmt::format("First: {} {} {}\n", IONSKIN_PYTHON,
+    first = fmt::format("First: {} {} {}\n", base::python_interpreter(),
                         (data_folder() / "cases" / "make_strain.py").string(),
                         (target.parent_path() / "strain.h5").string());
   }

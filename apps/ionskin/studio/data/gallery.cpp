@@ -3,6 +3,7 @@
 
 #include "ionskin/base/files/atomic_file.hpp"
 #include "ionskin/base/files/read_text_file.hpp"
+#include "ionskin/base/system/installation.hpp"
 #include "ionskin/case/text/data_folder.hpp"
 #include "studio/jobs/process.hpp"
 #include "studio/server/limits.hpp"
@@ -56,9 +57,10 @@ void prepare(const Workspace& workspace, const std::string& id) {
     return;
   }
   base::PendingFile file(target);
-  const Outcome outcome = run_to_end(
-      {IONSKIN_PYTHON, (data_folder() / "cases" / "make_strain.py").string(), file.path().string()},
-      workspace.folder(), limits::check_time, 0);
+  const Outcome outcome =
+      run_to_end({base::python_interpreter(), (data_folder() / "cases" / "make_strain.py").string(),
+                  file.path().string()},
+                 workspace.folder(), limits::check_time, 0);
   if (outcome.exit_code != 0) {
     throw HttpError(500, "the strain file cannot be written; ionskin doctor says what is missing");
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/base/system/installation.hpp"
 
-#include <array>
+#include <cstdlib>
 #include <dlfcn.h>
 #include <link.h>
 #include <optional>
@@ -47,7 +47,23 @@ Installation find() {
           fs::is_directory(built / "ionskin") ? built : source / "python"};
 }
 
+/// Value of a variable of the environment; empty where it is not set.
+std::string variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
 } // namespace
+
+std::string python_interpreter() {
+  const std::string given = variable("IONSKIN_PYTHON");
+  return given.empty() ? IONSKIN_PYTHON : given;
+}
+
+fs::path python_package() {
+  const fs::path given = variable("IONSKIN_PYTHON_PATH");
+  return given.empty() ? installation().python : given;
+}
 
 fs::path own_file() {
   static const char anchor = 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace ionskin::base {
 
@@ -14,8 +15,16 @@ struct Installation {
   std::filesystem::path python; ///< folder to import the Python package from
 };
 
-/// Installation of the running copy. What the environment replaces is left to the callers.
+/// Installation of the running copy, whatever the environment replaces.
 const Installation& installation();
+
+/// Path of the Python interpreter that ionskin's Python package runs under: IONSKIN_PYTHON of the
+/// environment, as in a wheel, or the one that was there when ionskin was built.
+std::string python_interpreter();
+
+/// Folder to import the Python package from: IONSKIN_PYTHON_PATH of the environment, or that of the
+/// installation.
+std::filesystem::path python_package();
 
 /// The program, or the library that was loaded, that this code is part of.
 std::filesystem::path own_file();

@@ -8,7 +8,6 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <cstdlib>
 #include <fcntl.h>
 #include <sstream>
 #include <string_view>
@@ -18,13 +17,6 @@ namespace ionskin::study {
 namespace {
 
 constexpr int missing_library = 3; // as in isolated.py
-
-std::string launcher() {
-  const char* package = std::getenv("IONSKIN_PYTHON_PATH");
-  const bool given = package != nullptr && *package != '\0';
-  return (given ? package : base::installation().python.string()) +
-         std::string("/ionskin/isolated.py");
-}
 
 /// The message behind the last "error: " at the begin of a line, or else the last line; as one
 /// line.
@@ -87,11 +79,6 @@ std::string read_end(int descriptor, const PythonProgress& progress) {
 
 } // namespace
 
-std::string python_interpreter() {
-  const char* given = std::getenv("IONSKIN_PYTHON"); // of a wheel: that which it is installed for
-  return given != nullptr && *given != '\0' ? given : IONSKIN_PYTHON;
-}
-
 bool PythonOutcome::lacks_library() const {
   return exit_code == missing_library;
 }
@@ -100,7 +87,8 @@ namespace {
 
 std::vector<std::string> command_of(const std::string& module,
                                     const std::vector<std::string>& arguments) {
-  std::vector<std::string> words{python_interpreter(), "-I", "-B", launcher(), module};
+  const std::string launcher = (base::python_package() / "ionskin" / "isolated.py").string();
+  std::vector<std::string> words{base::python_interpreter(), "-I", "-B", launcher, module};
   words.insert(words.end(), arguments.begin(), arguments.end());
   return words;
 }
@@ -109,7 +97,7 @@ std::vector<std::string> command_of(const std::string& module,
 
 void become_python_module(const std::string& module, const std::vector<std::string>& arguments) {
   std::vector<std::string> words = command_of(module, arguments);
-  execv(IONSKIN_PYTHON, base::argument_pointers(words).data());
+  execv(words.front().c_str(), base::argument_pointers(words).data());
 }
 
 PythonOutcome run_python_module(const std::string& module,

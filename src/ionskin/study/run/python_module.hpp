@@ -7,9 +7,6 @@
 
 namespace ionskin::study {
 
-/// Path of the Python interpreter that ionskin's Python package runs under.
-std::string python_interpreter();
-
 /// Outcome of a module of the Python package.
 struct PythonOutcome {
   int exit_code = 0;   ///< negative when the interpreter cannot be started or is killed

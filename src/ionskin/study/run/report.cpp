@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/run/report.hpp"
 
+#include "ionskin/base/system/installation.hpp"
+
 #include <fmt/core.h>
 
 namespace ionskin::study {
@@ -8,7 +10,7 @@ namespace {
 
 std::string reason_of(const PythonOutcome& outcome) {
   if (outcome.message.empty()) {
-    return outcome.exit_code < 0 ? python_interpreter() + " cannot be started or was ended"
+    return outcome.exit_code < 0 ? base::python_interpreter() + " cannot be started or was ended"
                                  : fmt::format("its script ended with {}", outcome.exit_code);
   }
   return outcome.message;
