@@ -47,6 +47,20 @@ def processor_seconds():
     return sum(one.ru_utime + one.ru_stime for one in usage)
 
 
+class TimedResult(unittest.TextTestResult):
+    """Outcome of the tests with the processor time of each [s]; that of a class's fixture counts for its first test."""
+
+    def __init__(self, *arguments, **options):
+        super().__init__(*arguments, **options)
+        self.costs = []
+        self.until_now = processor_seconds()
+
+    def stopTest(self, test):
+        super().stopTest(test)
+        before, self.until_now = self.until_now, processor_seconds()
+        self.costs.append((self.until_now - before, test.id()))
+
+
 def main():
     """Command line."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -57,7 +71,7 @@ def main():
     arguments = parser.parse_args()
     sys.path[:1] = [str(arguments.file.resolve().parent), str(TESTS)]
     suite = selected(importlib.import_module(arguments.file.stem), arguments.part, arguments.pattern)
-    result = unittest.TextTestRunner(sys.stdout, verbosity=2, buffer=False).run(suite)
+    result = unittest.TextTestRunner(sys.stdout, verbosity=2, buffer=False, resultclass=TimedResult).run(suite)
     unexpected = 0
     for test, reason in result.skipped:
         expected = any(allowed and re.search(allowed, reason)
@@ -66,6 +80,9 @@ def main():
         print(f"skipped{'' if expected else ' unexpectedly'}: {test.id()}: {reason}")
     if not suite.countTestCases():
         print("no such test")
+    for seconds, name in sorted(result.costs, reverse=True):
+        if seconds > 2:
+            print(f"{seconds:6.1f} s of processor time: {name}")
     print(f"processor time: {processor_seconds():.1f} s")
     sys.exit(0 if result.wasSuccessful() and suite.countTestCases() and not unexpected else 1)
 

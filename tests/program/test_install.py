@@ -13,7 +13,7 @@ from program import PROGRAM, QUICK, ROOT, ProgramTest, summary
 
 BUILD = PROGRAM.parent
 PYTHON = "/usr/bin/python3"
-SMALL = ("--set", "numerics.mesh_refinement=0.5", "--threads", "1")
+SMALL = ("--set", "numerics.mesh_refinement=0.3", "--set", "numerics.time_refinement=0.3", "--threads", "1")
 
 
 class Install(ProgramTest):
@@ -68,7 +68,7 @@ class Install(ProgramTest):
     def python(self):
         path = {"PYTHONPATH": str(self.prefix / "lib/python3/dist-packages"), "PYTHONDONTWRITEBYTECODE": "1"}
         code = ("import ionskin, json; case = ionskin.Case.from_file('case.toml');"
-                "case['numerics.mesh_refinement'] = 0.5; result = ionskin.run(case, 'from_python', threads=1);"
+                "case['numerics.mesh_refinement'] = case['numerics.time_refinement'] = 0.3; result = ionskin.run(case, 'from_python', threads=1);"
                 "print(json.dumps([ionskin.__file__, result.metrics['normal_force_slide'].value]))")
         place, force = json.loads(self.command(PYTHON, "-c", code, environment=path))
         self.assertTrue(place.startswith(str(self.prefix)), place)
@@ -95,7 +95,7 @@ class Install(ProgramTest):
             file.write("target_sources(embed PRIVATE headers.cpp)\n")
         self.command("cmake", "-S", source, "-B", "build", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={self.prefix}")
         self.command("cmake", "--build", "build")
-        self.command("sed", "-i", 's/^preset = "coarse"/&\\nmesh_refinement = 0.5/', "case.toml")
+        self.command("sed", "-i", 's/^preset = "coarse"/&\\nmesh_refinement = 0.3\\ntime_refinement = 0.3/', "case.toml")
         out = self.command("build/embed", "case.toml", "embedded")
         self.assertRegex(out, r"friction 0.1: tangential_force_slide = 0\.2 N\nfriction 0.3: .* = 0\.6 N\n")
 
@@ -103,7 +103,7 @@ class Install(ProgramTest):
         """Controllers that link to the live skin alone, and an FMU with the installed library in it."""
         path = {"PYTHONPATH": str(self.prefix / "lib/python3/dist-packages"), "PYTHONDONTWRITEBYTECODE": "1"}
         self.command(self.prefix / "bin" / "ionskin", "live", "case.toml", "-o", "skin.live", "--fmu", "skin.fmu",
-                     "--trajectories", "2", "--validation", "2", "--set", "numerics.time_refinement=0.3", "--quiet")
+                     "--trajectories", "2", "--validation", "2", *SMALL, "--quiet")
         source = self.folder / "controller"
         self.command("cp", "-r", self.prefix / "share/doc/ionskin/examples/live", source)
         self.command("cmake", "-S", source, "-B", "live", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={self.prefix}")

@@ -13,8 +13,8 @@ import numpy
 
 from program import PROGRAM, QUICK, ROLLERS, ProgramTest, signals, summary
 
-# A mesh that serves to test the bookkeeping, not the physics.
-SMALL = (QUICK, "--set", "numerics.mesh_refinement=0.3", *ROLLERS)
+# A mesh and steps that serve to test the bookkeeping, not the physics.
+SMALL = (QUICK, "--set", "numerics.mesh_refinement=0.3", "--set", "numerics.time_refinement=0.3", *ROLLERS)
 
 
 class Interrupt(ProgramTest):
@@ -137,7 +137,7 @@ mobility = "5e-17 m2/(Pa s)"
     def test_solver_that_gives_up_on_its_way_keeps_the_signals_until_then(self):
         """Ions too crowded for the charge that shear asks for: exit 3 in the middle, and --resume goes on from there."""
         case = (QUICK, "-o", "out", *(word for edit in (
-            "skin.length=10 mm", "motion.stroke=1 mm", "numerics.mesh_refinement=0.4", "numerics.time_refinement=0.3",
+            "skin.sides=symmetry", "skin.length=10 mm", "motion.stroke=1 mm", "numerics.mesh_refinement=0.3", "numerics.time_refinement=0.3",
             "numerics.error_estimate=off", "electrochemistry.ion_model=steric",
             "electrochemistry.largest_concentration=1210 mol/m3", "coupling.coefficient=10") for word in ("--set", edit)))
         lines = []
@@ -159,7 +159,7 @@ mobility = "5e-17 m2/(Pa s)"
 
     def test_contact_that_gives_up_keeps_the_signals_until_then(self):
         """A slider that swings on its drive to the edge of the skin; and one of which not even the first step is solved."""
-        edits = {"contact.law": "stribeck", "contact.kinetic_friction": "0.01", "contact.stribeck_speed": "1 mm/s",
+        edits = {"skin.sides": "symmetry", "contact.law": "stribeck", "contact.kinetic_friction": "0.01", "contact.stribeck_speed": "1 mm/s",
                  "motion.drive.stiffness": "100 N/m", "motion.drive.mass": "5 g", "motion.preload": "0.5 N", "motion.stroke": "2 mm",
                  "slider.start": '["12 mm", "1 mm"]', "slider.size": '["1 mm", "0.4 mm"]', "numerics.mesh_refinement": "0.3",
                  "numerics.time_refinement": "0.3", "numerics.error_estimate": "off"}

@@ -32,7 +32,7 @@ SHAPE_KEYS = {"flat": {"size": ["1.5 mm", "1 mm"]}, "cylinder": {"size": ["1.5 m
               "profile": {"size": ["1.5 mm", "1 mm"], "profile": "heights.csv"}}
 REFINEMENT = {"coarse": 0.3, "standard": 0.25, "fine": 0.2}
 HEIGHTS = "um,-750,0,750\n-500,40,20,40\n0,20,0,20\n500,40,20,40\n"
-FEW = 4  # rows of `make check`
+FEW = 3  # rows of `make check`
 
 
 def pairwise(factors):

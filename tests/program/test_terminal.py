@@ -22,7 +22,7 @@ from ionskin.page import quantities  # noqa: E402
 FINGER = ROOT / "cases" / "finger.toml"
 # A sphere, whose contact is looked for first.
 SPHERE = ("run", FINGER, "-o", "out", "--no-report", "--set", "numerics.preset=coarse",
-          "--set", "numerics.mesh_refinement=0.5", "--set", "motion.cycles=1")
+          "--set", "numerics.mesh_refinement=0.5", "--set", "numerics.time_refinement=0.3", "--set", "motion.cycles=1")
 
 
 class Terminal(ProgramTest):
@@ -65,7 +65,7 @@ class Terminal(ProgramTest):
 
     def test_command_of_a_run_can_be_typed_again(self):
         words = ["run", str(QUICK), "-o", "an out", "--only", "mechanics", "--no-report", "--set", 'motion.preload="1 um"',
-                 "--set", "numerics.mesh_refinement=0.5"]
+                 "--set", "numerics.mesh_refinement=0.3"]
         self.run_program(*words)
         command = json.loads((self.folder / "an out" / "manifest.json").read_text())["command"]
         self.assertEqual(shlex.split(command), ["ionskin", *words])

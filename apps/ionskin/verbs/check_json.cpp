@@ -49,7 +49,7 @@ std::string check_json(const CaseDocument& document, const std::string& warning,
   }
   Json applicable = Json::array();
   for (const SchemaRow& row : schema()) {
-    if (!row.applies || row.applies(document.input)) {
+    if (row.has_effect && (!row.applies || row.applies(document.input))) {
       applicable.push_back(row.key);
     }
   }
