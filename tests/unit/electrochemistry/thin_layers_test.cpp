@@ -63,7 +63,7 @@ history::CoreHistory held(const std::function<double(double, double)>& pressure,
   return history;
 }
 
-IonSolution solve(const Case& input, const history::CoreHistory& history) {
+IonSolution solve_layers(const Case& input, const history::CoreHistory& history) {
   return solve_thin_layers(input, history, {});
 }
 
@@ -100,7 +100,7 @@ TEST(ThinLayers, OddAndEvenWavesRelaxAtTheirRates) {
     const auto load = [&](double x, double height) {
       return pressure * std::cos(wave * x) * (odd ? 2 * height - 1 : 1.0);
     };
-    const IonSolution solution = solve(input, held(load, 1.0 / rate));
+    const IonSolution solution = solve_layers(input, held(load, 1.0 / rate));
     const double expected = scales.layer * scales.volts * pressure * (1 - std::exp(-1.0));
     EXPECT_NEAR(amplitude(solution, input.skin.width), expected, 2e-3 * expected) << odd;
   }
@@ -108,9 +108,9 @@ TEST(ThinLayers, OddAndEvenWavesRelaxAtTheirRates) {
 
 TEST(ThinLayers, EvenPressureGivesNothingAndOpposedWallsTheCircuit) {
   const Case input = still_case();
-  const IonSolution even = solve(input, held([](double, double) { return 1e5; }, 1.0));
+  const IonSolution even = solve_layers(input, held([](double, double) { return 1e5; }, 1.0));
   const IonSolution odd =
-      solve(input, held([](double, double height) { return 1e5 * (height - 0.5); }, 1.0));
+      solve_layers(input, held([](double, double height) { return 1e5 * (height - 0.5); }, 1.0));
   const Scales scales = scales_of(input);
   const double area = length * input.skin.width;
   const double settled = 0.5 * scales.layer * area * scales.volts * 1e5;
@@ -125,8 +125,8 @@ TEST(ThinLayers, AMirroredLoadChangesTheSign) {
     return 1e4 * std::cos(3e4 * x) * (1 + 0.7 * height);
   };
   const auto mirrored = [&](double x, double height) { return load(x, 1 - height); };
-  const IonSolution one = solve(still_case(), held(load, 0.3));
-  const IonSolution other = solve(still_case(), held(mirrored, 0.3));
+  const IonSolution one = solve_layers(still_case(), held(load, 0.3));
+  const IonSolution other = solve_layers(still_case(), held(mirrored, 0.3));
   EXPECT_NEAR(one.charge_top.back(), other.charge_bottom.back(),
               1e-10 * std::abs(one.charge_top.back()));
 }
@@ -135,8 +135,8 @@ TEST(ThinLayers, TaxelsAddUpToTheElectrode) {
   Case input = still_case();
   input.readout.taxels = {{"left", {0.0, 0.0}, {0.15e-3, input.skin.width}},
                           {"right", {0.15e-3, 0.0}, {length, input.skin.width}}};
-  const IonSolution solution =
-      solve(input, held([](double x, double height) { return 1e8 * x * (height - 0.3); }, 0.3));
+  const IonSolution solution = solve_layers(
+      input, held([](double x, double height) { return 1e8 * x * (height - 0.3); }, 0.3));
   double sum = 0;
   for (const SegmentCharge& segment : solution.top_segments) {
     sum += segment.charge.back();
@@ -149,7 +149,7 @@ TEST(ThinLayers, AnOpenCircuitShowsTheStreamingVoltage) {
   Case input = still_case();
   input.readout.circuit = "open";
   const IonSolution solution =
-      solve(input, held([](double, double height) { return 1e5 * height; }, 0.3));
+      solve_layers(input, held([](double, double height) { return 1e5 * height; }, 0.3));
   EXPECT_NEAR(solution.voltage.back(), -1e5 * scales_of(input).volts, 1e-9);
   EXPECT_EQ(solution.relaxation_charge.back(), 0);
 }

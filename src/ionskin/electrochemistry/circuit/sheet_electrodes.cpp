@@ -14,7 +14,7 @@ namespace {
 constexpr double most_conductance = 1e7;
 
 /// Implicit part of a step that only asks for the potential [relaxation times].
-constexpr double instant = 1e-6;
+constexpr double instant_step = 1e-6;
 
 /// Share of each row of columns between 0 and `reach`.
 SheetElectrodes::Contact rows_up_to(const std::vector<double>& edges, double reach) {
@@ -54,7 +54,7 @@ double SheetElectrodes::total_contact(std::size_t wall) const {
 }
 
 double SheetElectrodes::implicit_step(double step) {
-  return std::max(step, instant);
+  return std::max(step, instant_step);
 }
 
 double SheetElectrodes::circuit_conductance(double step) const {

@@ -7,13 +7,13 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-constexpr double mirror_rounding = 1e-12;
+constexpr double mirror_tolerance = 1e-12;
 
 bool edges_are_mirrored(const history::CoreHistory& history) {
   const auto edges = history::skin_y_edges(history, {0, 0.0});
   const std::size_t last = edges.size() - 1;
   for (std::size_t j = 0; j <= last; ++j) {
-    if (std::abs(edges[j] + edges[last - j] - history.width) > mirror_rounding * history.width) {
+    if (std::abs(edges[j] + edges[last - j] - history.width) > mirror_tolerance * history.width) {
       return false;
     }
   }
@@ -33,7 +33,7 @@ bool field_is_mirrored(const history::StrainGrid& grid, const history::StrainFie
       }
     }
   }
-  return difference <= mirror_rounding * largest;
+  return difference <= mirror_tolerance * largest;
 }
 
 } // namespace

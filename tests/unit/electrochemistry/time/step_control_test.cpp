@@ -81,8 +81,8 @@ TEST(StepRule, RefinementDividesStepsOfThirdOrder) {
 
 TEST(StepRule, LongestStepScalesWithTheDecay) {
   Electrochemistry ions = verification::model_case().electrochemistry;
-  const StepRule baseline = step_rule({}, {}, derive_scales(ions, 180e-6));
-  EXPECT_EQ(baseline.longest, 0.15);
+  const StepRule rule = step_rule({}, {}, derive_scales(ions, 180e-6));
+  EXPECT_EQ(rule.longest, 0.15);
   EXPECT_DOUBLE_EQ(step_rule({}, {}, derive_scales(ions, 18e-6)).longest, 0.015);
   ions.diffusivity /= 100;
   EXPECT_DOUBLE_EQ(step_rule({}, {}, derive_scales(ions, 180e-6)).longest, 15.0);
