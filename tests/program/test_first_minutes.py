@@ -26,7 +26,7 @@ SIGNAL_COLUMNS = [
 METRICS = [
     "normal_force_touchdown", "normal_force_slide", "tangential_force_slide", "mean_shear_touchdown",
     "mean_shear_slide", "peak_mean_shear", "time_mean_shear", "rms_mean_shear", "p95_shear_slide",
-    "p99_shear_slide", "element_max_shear_slide", "peak_current_top", "peak_current_bottom",
+    "p99_shear_slide", "element_max_shear_slide", "peak_pressure_slide", "peak_current_top", "peak_current_bottom",
     "peak_current_difference", "rms_current_top", "rms_current_difference", "peak_sampled_current_top",
     "peak_sampled_current_difference", "charge_identity_error", "nonlinearity", "min_concentration_ratio",
 ]

@@ -35,7 +35,9 @@ class StatedErrors(ProgramTest):
                      "peak_sampled_current_difference"):
             self.assertNotIn(name, missed)
         self.assertGreater(stating["error_parts"]["rms_current_top"]["mechanics_mesh"], 0)
-        self.assertIn("element_max_shear_slide", stating["not_converging"])
+        for name in ("element_max_shear_slide", "peak_pressure_slide"):
+            self.assertIn(name, stating["not_converging"])
+        self.assertGreater(stating["metrics"]["peak_pressure_slide"]["value"], stating["metrics"]["mean_pressure_slide"]["value"])
         self.bands_stand_beside_the_signals()
         self.without_errors_the_results_are_the_same(stating)
 

@@ -6,7 +6,8 @@ import re
 NAMES = {
     "normal_force": "Normal force", "tangential_force": "Tangential force", "mean_shear": "Mean shear", "p99_shear": "Shear, 99th percentile",
     "p95_shear": "Shear, 95th percentile", "shear_first_moment": "First moment of the shear", "element_max_shear": "Largest shear of an element",
-    "contact_area": "Contact area", "mean_pressure": "Mean pressure", "stick_fraction": "Stuck part of the contact",
+    "contact_area": "Contact area", "mean_pressure": "Mean pressure",
+    "peak_pressure": "Peak contact pressure", "stick_fraction": "Stuck part of the contact",
     "peak_mean_shear": "Peak mean shear", "time_mean_shear": "Mean shear, mean over time", "rms_mean_shear": "Mean shear, rms",
     "tail_current_difference": "Difference current between the events", "external_work": "Work of the slider",
     "friction_work": "Work of friction", "energy_balance_error": "Error of the energy balance",

@@ -40,6 +40,17 @@ double StateCombination::stick_area() const {
   return sum(&mechanics::ContactState::stick_area);
 }
 
+double StateCombination::peak_pressure() const {
+  std::vector<double> pressure;
+  for (const Term& term : terms) {
+    pressure.resize(term.state->normal_traction.size());
+    for (std::size_t cell = 0; cell < pressure.size(); ++cell) {
+      pressure[cell] += term.weight * term.state->normal_traction[cell];
+    }
+  }
+  return pressure.empty() ? 0.0 : std::ranges::max(pressure);
+}
+
 double StateCombination::contact_border() const {
   return sum(&mechanics::ContactState::contact_border);
 }

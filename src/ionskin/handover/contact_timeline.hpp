@@ -28,6 +28,7 @@ struct StateCombination {
   std::array<double, 2> tangential_force() const; ///< on the skin [N]
   double contact_area() const;                    ///< of the full skin [m2]
   double stick_area() const;                      ///< of it, where nothing slips [m2]
+  double peak_pressure() const;                   ///< mean over the cell where it is largest [Pa]
   double contact_border() const;                  ///< in doubt, see mechanics::border_area [m2]
   double sum(double mechanics::ContactState::*quantity) const;
 };

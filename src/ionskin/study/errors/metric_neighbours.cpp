@@ -47,9 +47,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 31> signal_o
 }};
 
 /// Parts of the names of what is made at the edges of the contact.
-constexpr std::array<std::string_view, 9> made_at_edges{
-    "first_moment", "p95_shear",    "p99_shear",     "element_max", "membrane_stress",
-    "nonlinearity", "contact_area", "mean_pressure", "stick"};
+constexpr std::array<std::string_view, 10> made_at_edges{
+    "first_moment", "p95_shear",    "p99_shear",     "element_max",   "membrane_stress",
+    "nonlinearity", "contact_area", "mean_pressure", "peak_pressure", "stick"};
 
 struct Neighbours {
   std::string_view metric;
@@ -58,9 +58,10 @@ struct Neighbours {
 
 /// Metrics of one place and instant err together; an upper percentile errs as the other one. The
 /// largest value of the shear is not a neighbour: under sharp edges it does not converge.
-const std::array<Neighbours, 8> neighbours{{
+const std::array<Neighbours, 9> neighbours{{
     {"contact_area_slide", {"mean_pressure_slide"}},
     {"mean_pressure_slide", {"contact_area_slide"}},
+    {"peak_pressure_slide", {"mean_pressure_slide"}},
     {"slider_strain_slide", {"contact_area_slide"}},
     {"external_work", {"friction_work"}},
     {"friction_work", {"external_work"}},

@@ -24,6 +24,7 @@ std::vector<readout::Metric> contact_metrics(const Case& input,
   std::vector<readout::Metric> metrics{
       {"contact_area_slide", area, "m2"},
       {"mean_pressure_slide", area > 0 ? slide.normal_force() / area : 0.0, "Pa"},
+      {"peak_pressure_slide", slide.peak_pressure(), "Pa"},
       {"external_work", energy.external_work, "J"},
       {"friction_work", energy.friction_work, "J"},
       {"energy_balance_error", energy.relative_error, "1"},
