@@ -214,8 +214,8 @@ std::vector<Strains> FaceStrain::at(const std::vector<const Eigen::MatrixXd*>& m
       }
       const bool by_sine = face_ == Face::side ? sine_along_y[c] : sine_along_x[c];
       for (Eigen::Index mode = 0; mode < modes(); ++mode) {
-        strain = of_mode_[static_cast<std::size_t>(mode)][c].lazyProduct(
-            together[static_cast<std::size_t>(mode)]);
+        strain.noalias() = of_mode_[static_cast<std::size_t>(mode)][c] *
+                           together[static_cast<std::size_t>(mode)];
         for (std::size_t state = 0; state < numbers.size(); ++state) {
           numbers[state].middleCols(mode * levels_, levels_) =
               strain.col(static_cast<Eigen::Index>(state)).reshaped(count, levels_);

@@ -14,11 +14,6 @@
 
 namespace ionskin::finite_layers {
 
-/// States that are turned into strains at once, fewer filled up by others that are 0: each state is
-/// the same bits in any company.
-inline constexpr Eigen::Index states_at_once = 4;
-using StatesTogether = Eigen::Matrix<double, Eigen::Dynamic, states_at_once>;
-
 /// Forces of cells, [column, row]: normal (downwards), x, y [N].
 using CellForces = std::array<Eigen::MatrixXd, 3>;
 
