@@ -55,8 +55,11 @@ private:
     Eigen::Index mode = 0, first = 0; ///< of all of the parity, of the chosen
     std::array<double, 4> share{};
   };
-  /// Means of cos or sin of all modes over places, gathered by the chosen ones, [place, number].
+  /// Means of cos or sin of the first modes over places, gathered by the chosen ones,
+  /// [place, number].
   Eigen::MatrixXd gathered(const Eigen::ArrayXXd& means) const;
+  /// Means of cosines and of sines, gathered likewise.
+  std::array<Eigen::MatrixXd, 2> waves_at(const std::vector<Interval>& places) const;
 
   Face face_;
   ComponentChoice components_;
