@@ -2,12 +2,12 @@
 #include "ionskin/finite_layers/fields/face_strain.hpp"
 
 #include "ionskin/finite_layers/fields/mode_means.hpp"
-#include "ionskin/finite_layers/plane/wave_split.hpp"
 #include "ionskin/parallel/task_pool.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -94,12 +94,15 @@ ModeTransform complete_means(const std::vector<Interval>& places, double across,
 }
 
 /// Waves that are left of a strain so far away from a face that the shorter ones of them are those
-/// of the face alone.
+/// of the face alone: from few of them to half of all.
 /// @param last wave number up to which modes are summed at the face [1/m]
-WaveSplit smooth_waves(double last) {
-  constexpr double tolerance = 1e-4; // as of SkinFields
-  constexpr double fewer = 16; // modes: more of them save little, and fewer serve fewer places
-  return {WaveSplit(1, tolerance).last_long() * fewer / last, tolerance};
+std::vector<WaveSplit> smooth_waves(double last) {
+  constexpr double least = 1.0 / 16, tolerance = 1e-4; // as of SkinFields
+  std::vector<WaveSplit> result;
+  for (double share = least; share < 1; share *= 2) {
+    result.emplace_back(WaveSplit(1, tolerance).last_long() / (share * last), tolerance);
+  }
+  return result;
 }
 
 /// The same for places further away from both faces than the reach of the shorter waves, with the
@@ -164,6 +167,7 @@ FaceStrain::FaceStrain(const ThicknessColumn& column, const FaceModes& modes,
                        const std::vector<DepthLevel>& levels, const ComponentChoice& components,
                        std::size_t most)
     : face_(modes.face), components_(components), across_(modes.across), numbers_(modes.numbers),
+      smooth_(smooth_waves(static_cast<double>(numbers_.back()) * std::numbers::pi / across_)),
       levels_(static_cast<Eigen::Index>(levels.size())) {
   for (std::size_t i = 0; i + 1 < numbers_.size(); ++i) {
     for (Eigen::Index n = numbers_[i] + 2; n < numbers_[i + 1]; n += 2) {
@@ -219,21 +223,25 @@ std::array<Eigen::MatrixXd, 2> FaceStrain::waves_at(const std::vector<Interval>&
   const auto place_count = static_cast<Eigen::Index>(places.size()),
              count = static_cast<Eigen::Index>(numbers_.size());
   const Eigen::Index all = numbers_.back() / 2 + 1;
-  const WaveSplit smooth =
-      smooth_waves(static_cast<double>(numbers_.back()) * std::numbers::pi / across_);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   std::array<Eigen::MatrixXd, 2> result{Eigen::MatrixXd(place_count, count),
                                         Eigen::MatrixXd(place_count, count)};
-  for (const bool far : {false, true}) {
+  double beyond = infinity; // all places have their waves
+  for (std::size_t group = 0; group <= smooth_.size(); ++group) {
+    const bool near = group == smooth_.size();
+    const double from = near ? -infinity : smooth_[group].reach();
     std::vector<Interval> chosen;
     std::vector<Eigen::Index> index;
     for (std::size_t i = 0; i < places.size(); ++i) {
-      if ((std::min(places[i].from, across_ - places[i].to) >= smooth.reach()) == far) {
+      const double distance = std::min(places[i].from, across_ - places[i].to);
+      if (distance >= from && distance < beyond) {
         chosen.push_back(places[i]);
         index.push_back(static_cast<Eigen::Index>(i));
       }
     }
-    const ModeTransform means = far ? smooth_means(chosen, across_, parity, smooth)
-                                    : complete_means(chosen, across_, parity, all);
+    beyond = from;
+    const ModeTransform means = near ? complete_means(chosen, across_, parity, all)
+                                     : smooth_means(chosen, across_, parity, smooth_[group]);
     result[0](index, Eigen::all) = gathered(means.cosine);
     result[1](index, Eigen::all) = gathered(means.sine);
   }

@@ -3,6 +3,7 @@
 
 #include "ionskin/finite_layers/faces/free_ends.hpp"
 #include "ionskin/finite_layers/fields/plane_waves.hpp"
+#include "ionskin/finite_layers/plane/wave_split.hpp"
 
 #include <Eigen/Core>
 
@@ -65,6 +66,7 @@ private:
   ComponentChoice components_;
   double across_; ///< extent of the skin [m]
   std::vector<Eigen::Index> numbers_;
+  std::vector<WaveSplit> smooth_; ///< waves far from both faces, nearer and nearer
   std::vector<Between> between_;
   Eigen::Index levels_;
   std::vector<Strains> of_mode_; ///< [level, number] by rows, and node
