@@ -54,8 +54,10 @@ const CoreStrain& SteppedStrains::at(std::size_t place) {
   return held_[place - first_];
 }
 
-LayerStrain SteppedStrains::all_layers(std::size_t place) const {
-  return recovery_->all_layers(centres_.at(place), forces_.at(place));
+LayerStrainAt SteppedStrains::all_layers() const {
+  return [this, of_state = recovery_->all_layers()](std::size_t place) {
+    return of_state(centres_.at(place), forces_.at(place));
+  };
 }
 
 } // namespace ionskin::mechanics
