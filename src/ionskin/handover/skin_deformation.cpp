@@ -35,10 +35,11 @@ void add(const mechanics::CoreStrain& own, double weight, mechanics::CoreStrain&
   }
 }
 
-mechanics::LayerStrain combined(const StateCombination& combination) {
+mechanics::LayerStrain combined(const StateCombination& combination,
+                                const mechanics::LayerStrainAt& strain) {
   mechanics::LayerStrain sum;
   for (const auto& [state, weight] : combination.terms) {
-    const mechanics::LayerStrain own = state->source->all_layers(state->place);
+    const mechanics::LayerStrain own = strain(state->place);
     add(own.core, weight, sum.core);
     add(own.electrodes, weight, sum.electrodes);
   }
@@ -184,11 +185,12 @@ void add_stress(const finite_layers::ElasticLayer& layer, const Row& row, SkinDe
 } // namespace
 
 SkinDeformation skin_deformation(const Skin& skin, const mesh::SkinMesh& mesh,
-                                 const StateCombination& combination) {
+                                 const StateCombination& combination,
+                                 const mechanics::LayerStrainAt& strain) {
   mesh::MeshLines lines = mesh.lines(combination.centre);
   const std::vector<finite_layers::ElasticLayer> layers = finite_layers::elastic_layers(skin);
-  std::vector<Row> rows =
-      rows_of(combination.terms.empty() ? nothing(mesh, skin) : combined(combination), skin, mesh);
+  std::vector<Row> rows = rows_of(
+      combination.terms.empty() ? nothing(mesh, skin) : combined(combination, strain), skin, mesh);
   if (mesh.half_model()) {
     for (std::size_t i = lines.y.size() - 1; i > 0; --i) {
       lines.y.push_back(skin.width - lines.y[i - 1]);

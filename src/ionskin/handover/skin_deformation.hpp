@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ionskin/case/case.hpp"
+#include "ionskin/mechanics/output/contact_solution.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 
 #include <array>
@@ -26,7 +27,9 @@ struct SkinDeformation {
 /// Displacements are strains integrated upwards from the base, which does not move: their error is
 /// that of slopes by differences over the columns of the grid.
 /// @param combination all at rest where it has no states
+/// @param strain of these states; not asked for where there are none
 SkinDeformation skin_deformation(const Skin& skin, const mesh::SkinMesh& mesh,
-                                 const StateCombination& combination);
+                                 const StateCombination& combination,
+                                 const mechanics::LayerStrainAt& strain);
 
 } // namespace ionskin::handover

@@ -4,6 +4,7 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/case/coupling.hpp"
 #include "ionskin/case/slider_motion.hpp"
+#include "ionskin/finite_layers/fields/states_at_once.hpp"
 #include "ionskin/handover/strain_grid.hpp"
 #include "ionskin/mechanics/companions.hpp"
 #include "ionskin/mechanics/engine/drive_room.hpp"
@@ -130,7 +131,7 @@ struct GridCost {
   }
   /// Strains that are recovered together, when the contact is solved [bytes].
   double strain_memory(int threads) const {
-    constexpr double strains = 6, states_per_thread = 4;
+    constexpr double strains = 6, states_per_thread = finite_layers::states_at_once;
     return sizeof(double) * states_per_thread * threads * points * strains;
   }
 

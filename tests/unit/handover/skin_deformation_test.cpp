@@ -23,6 +23,14 @@ mechanics::ContactSolution solved(const Case& input, bool whole = false) {
   return mechanics::solve_contact(input, options, timers);
 }
 
+SkinDeformation deformation(const Case& input, const mechanics::ContactSolution& contact,
+                            double time) {
+  const StateCombination at = ContactTimeline(input, contact).at(time);
+  return skin_deformation(input.skin, contact.mesh, at,
+                          at.terms.empty() ? nullptr
+                                           : at.terms.front().state->source->all_layers());
+}
+
 std::size_t interval(const std::vector<double>& lines, double at) {
   const auto above = std::upper_bound(lines.begin() + 1, lines.end() - 1, at);
   return static_cast<std::size_t>(above - lines.begin()) - 1;
@@ -58,7 +66,7 @@ TEST(SkinDeformation, TheTopFaceMovesAsTheContactSays) {
   const StateCombination slide = ContactTimeline(input, contact).at(mid_slide);
   ASSERT_EQ(slide.terms.size(), 1u);
   const mechanics::ContactState& state = *slide.terms.front().state;
-  const SkinDeformation skin = skin_deformation(input.skin, contact.mesh, slide);
+  const SkinDeformation skin = deformation(input, contact, mid_slide);
   const std::vector<double>&lines_x = contact.cell_lines_x, &lines_y = contact.cell_lines_y;
   double scale = 0, worst = 0, squares = 0, errors = 0;
   std::size_t cell = 0;
@@ -85,7 +93,7 @@ TEST(SkinDeformation, EveryRowCarriesTheForces) {
   const Case input = small_case();
   const auto contact = solved(input);
   const StateCombination slide = ContactTimeline(input, contact).at(mid_slide);
-  const SkinDeformation skin = skin_deformation(input.skin, contact.mesh, slide);
+  const SkinDeformation skin = deformation(input, contact, mid_slide);
   for (std::size_t row = 0; row < skin.layer.size(); ++row) {
     EXPECT_NEAR(force_through(skin, 2, row), -slide.normal_force(), 2e-3 * slide.normal_force());
     EXPECT_NEAR(force_through(skin, 4, row), slide.tangential_force()[0],
@@ -97,10 +105,8 @@ TEST(SkinDeformation, HalfASkinAndAWholeOneAreTheSame) {
   const Case input = small_case();
   const auto half = solved(input), whole = solved(input, true);
   ASSERT_TRUE(half.mesh.half_model() && !whole.mesh.half_model());
-  const SkinDeformation a = skin_deformation(input.skin, half.mesh,
-                                             ContactTimeline(input, half).at(mid_slide)),
-                        b = skin_deformation(input.skin, whole.mesh,
-                                             ContactTimeline(input, whole).at(mid_slide));
+  const SkinDeformation a = deformation(input, half, mid_slide),
+                        b = deformation(input, whole, mid_slide);
   ASSERT_EQ(a.x.size(), b.x.size());
   ASSERT_EQ(a.y.size(), b.y.size());
   const auto expect_same = [](const auto& these, const auto& others) {
@@ -120,8 +126,7 @@ TEST(SkinDeformation, HalfASkinAndAWholeOneAreTheSame) {
 TEST(SkinDeformation, NothingMovesUnderADetachedSlider) {
   const Case input = small_case();
   const auto contact = synthetic_contact(input);
-  const SkinDeformation skin =
-      skin_deformation(input.skin, contact.mesh, ContactTimeline(input, contact).at(0));
+  const SkinDeformation skin = deformation(input, contact, 0);
   EXPECT_NEAR(skin.z.back(), input.skin.thickness(), 1e-12);
   EXPECT_EQ(skin.displacement[2].size(), skin.x.size() * skin.y.size() * skin.z.size());
   EXPECT_EQ(skin.stress[2].size(), (skin.x.size() - 1) * (skin.y.size() - 1) * (skin.z.size() - 1));

@@ -244,7 +244,10 @@ void FreeEnds::add(const std::array<Eigen::MatrixXd, 3>& forces, const Eigen::Ar
 // adds its own rows to what the modes before it do.
 void FreeEnds::Rows::add(const ContactGrid& grid, double centre_x, const Eigen::ArrayXd& share,
                          double last, Eigen::MatrixXd& compliance) const {
-  const ModeTransform of_columns = ends_->along_x_.transform(grid.x, centre_x);
+  const ModeLine& along_x = ends_->along_x_;
+  const ModeTransform of_columns =
+      ModeLine{along_x.extent, along_x.wave_numbers.head(share.size()), {}}.transform(grid.x,
+                                                                                      centre_x);
   const Eigen::Index columns = grid.columns(), rows = grid.rows();
   const double images = grid.half ? 2 : 1;
   for (std::size_t c = 0; c < stress_.size(); ++c) {

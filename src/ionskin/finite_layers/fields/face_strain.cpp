@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -92,6 +93,33 @@ ModeTransform complete_means(const std::vector<Interval>& places, double across,
   return means;
 }
 
+/// Waves that are left of a strain so far away from a face that the shorter ones of them are those
+/// of the face alone: from few of them to half of all.
+/// @param last wave number up to which modes are summed at the face [1/m]
+std::vector<WaveSplit> smooth_waves(double last) {
+  constexpr double least = 1.0 / 16, tolerance = 1e-4; // as of SkinFields
+  std::vector<WaveSplit> result;
+  for (double share = least; share < 1; share *= 2) {
+    result.emplace_back(WaveSplit(1, tolerance).last_long() / (share * last), tolerance);
+  }
+  return result;
+}
+
+/// The same for places further away from both faces than the reach of the shorter waves, with the
+/// share of each mode in the longer ones, docs/model.md (52).
+ModeTransform smooth_means(const std::vector<Interval>& places, double across, Parity parity,
+                           const WaveSplit& smooth) {
+  const double first = parity == Parity::even ? 0 : 0.5, step = 2 * std::numbers::pi / across;
+  const auto modes = static_cast<Eigen::Index>(smooth.last_long() / step) + 1;
+  ModeTransform means = mode_means(places, step, modes, first);
+  for (Eigen::Index i = 0; i < modes; ++i) {
+    const double share = smooth.long_share((first + static_cast<double>(i)) * step);
+    means.cosine.col(i) *= share;
+    means.sine.col(i) *= share;
+  }
+  return means;
+}
+
 /// Share of one of four chosen modes in mode n, by a cubic in ln n through their values times n^2.
 double share_of(const std::vector<Eigen::Index>& chosen, Eigen::Index first, Eigen::Index which,
                 Eigen::Index n) {
@@ -139,6 +167,7 @@ FaceStrain::FaceStrain(const ThicknessColumn& column, const FaceModes& modes,
                        const std::vector<DepthLevel>& levels, const ComponentChoice& components,
                        std::size_t most)
     : face_(modes.face), components_(components), across_(modes.across), numbers_(modes.numbers),
+      smooth_(smooth_waves(static_cast<double>(numbers_.back()) * std::numbers::pi / across_)),
       levels_(static_cast<Eigen::Index>(levels.size())) {
   for (std::size_t i = 0; i + 1 < numbers_.size(); ++i) {
     for (Eigen::Index n = numbers_[i] + 2; n < numbers_[i + 1]; n += 2) {
@@ -173,10 +202,15 @@ FaceStrain::FaceStrain(const ThicknessColumn& column, const FaceModes& modes,
 Eigen::MatrixXd FaceStrain::gathered(const Eigen::ArrayXXd& means) const {
   Eigen::MatrixXd result(means.rows(), static_cast<Eigen::Index>(numbers_.size()));
   for (Eigen::Index i = 0; i < result.cols(); ++i) {
-    result.col(i) = means.col(numbers_[static_cast<std::size_t>(i)] / 2);
+    const Eigen::Index mode = numbers_[static_cast<std::size_t>(i)] / 2;
+    if (mode < means.cols()) {
+      result.col(i) = means.col(mode);
+    } else {
+      result.col(i).setZero();
+    }
   }
   for (const Between& between : between_) {
-    for (std::size_t j = 0; j < 4; ++j) {
+    for (std::size_t j = 0; j < 4 && between.mode < means.cols(); ++j) {
       result.col(between.first + static_cast<Eigen::Index>(j)) +=
           between.share[j] * means.col(between.mode).matrix();
     }
@@ -184,18 +218,45 @@ Eigen::MatrixXd FaceStrain::gathered(const Eigen::ArrayXXd& means) const {
   return result;
 }
 
+std::array<Eigen::MatrixXd, 2> FaceStrain::waves_at(const std::vector<Interval>& places) const {
+  const Parity parity = numbers_.front() == 0 ? Parity::even : Parity::odd;
+  const auto place_count = static_cast<Eigen::Index>(places.size()),
+             count = static_cast<Eigen::Index>(numbers_.size());
+  const Eigen::Index all = numbers_.back() / 2 + 1;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<Eigen::MatrixXd, 2> result{Eigen::MatrixXd(place_count, count),
+                                        Eigen::MatrixXd(place_count, count)};
+  double beyond = infinity; // all places have their waves
+  for (std::size_t group = 0; group <= smooth_.size(); ++group) {
+    const bool near = group == smooth_.size();
+    const double from = near ? -infinity : smooth_[group].reach();
+    std::vector<Interval> chosen;
+    std::vector<Eigen::Index> index;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const double distance = std::min(places[i].from, across_ - places[i].to);
+      if (distance >= from && distance < beyond) {
+        chosen.push_back(places[i]);
+        index.push_back(static_cast<Eigen::Index>(i));
+      }
+    }
+    beyond = from;
+    const ModeTransform means = near ? complete_means(chosen, across_, parity, all)
+                                     : smooth_means(chosen, across_, parity, smooth_[group]);
+    result[0](index, Eigen::all) = gathered(means.cosine);
+    result[1](index, Eigen::all) = gathered(means.sine);
+  }
+  return result;
+}
+
 std::vector<Strains> FaceStrain::at(const std::vector<const Eigen::MatrixXd*>& motions,
                                     const std::vector<const std::vector<Interval>*>& places) const {
   const auto count = static_cast<Eigen::Index>(numbers_.size());
-  const Parity parity = numbers_.front() == 0 ? Parity::even : Parity::odd;
   std::vector<Strains> result(motions.size());
   for (std::size_t first = 0; first < motions.size(); first += states_at_once) {
     const std::size_t last = std::min<std::size_t>(first + states_at_once, motions.size());
     std::vector<std::array<Eigen::MatrixXd, 2>> waves; // cosine and sine, [place, number]
     for (std::size_t state = first; state < last; ++state) {
-      const ModeTransform means =
-          complete_means(*places[state], across_, parity, numbers_.back() / 2 + 1);
-      waves.push_back({gathered(means.cosine), gathered(means.sine)});
+      waves.push_back(waves_at(*places[state]));
     }
     const Eigen::Index nodes = motions[first]->rows();
     std::vector<StatesTogether> together(of_mode_.size(),
@@ -214,8 +275,8 @@ std::vector<Strains> FaceStrain::at(const std::vector<const Eigen::MatrixXd*>& m
       }
       const bool by_sine = face_ == Face::side ? sine_along_y[c] : sine_along_x[c];
       for (Eigen::Index mode = 0; mode < modes(); ++mode) {
-        strain = of_mode_[static_cast<std::size_t>(mode)][c].lazyProduct(
-            together[static_cast<std::size_t>(mode)]);
+        strain.noalias() =
+            of_mode_[static_cast<std::size_t>(mode)][c] * together[static_cast<std::size_t>(mode)];
         for (std::size_t state = 0; state < numbers.size(); ++state) {
           numbers[state].middleCols(mode * levels_, levels_) =
               strain.col(static_cast<Eigen::Index>(state)).reshaped(count, levels_);

@@ -3,6 +3,7 @@
 
 #include "ionskin/finite_layers/faces/free_ends.hpp"
 #include "ionskin/finite_layers/fields/plane_waves.hpp"
+#include "ionskin/finite_layers/plane/wave_split.hpp"
 
 #include <Eigen/Core>
 
@@ -55,13 +56,17 @@ private:
     Eigen::Index mode = 0, first = 0; ///< of all of the parity, of the chosen
     std::array<double, 4> share{};
   };
-  /// Means of cos or sin of all modes over places, gathered by the chosen ones, [place, number].
+  /// Means of cos or sin of the first modes over places, gathered by the chosen ones,
+  /// [place, number].
   Eigen::MatrixXd gathered(const Eigen::ArrayXXd& means) const;
+  /// Means of cosines and of sines, gathered likewise.
+  std::array<Eigen::MatrixXd, 2> waves_at(const std::vector<Interval>& places) const;
 
   Face face_;
   ComponentChoice components_;
   double across_; ///< extent of the skin [m]
   std::vector<Eigen::Index> numbers_;
+  std::vector<WaveSplit> smooth_; ///< waves far from both faces, nearer and nearer
   std::vector<Between> between_;
   Eigen::Index levels_;
   std::vector<Strains> of_mode_; ///< [level, number] by rows, and node

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/finite_layers/fields/states_at_once.hpp"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -41,6 +43,9 @@ public:
 private:
   std::array<std::vector<std::size_t>, 2> of_kind_;
 };
+
+/// A vector of each of the states.
+using StatesTogether = Eigen::Matrix<double, Eigen::Dynamic, states_at_once>;
 
 /// A matrix for the components of each kind; in its columns one component after the other.
 using ByKind = std::array<Eigen::MatrixXd, 2>;

@@ -95,7 +95,11 @@ void FieldTarget::add_waves(const PlaneWaves& waves, const std::vector<WaveLoads
                                  in_box[state].along_y.cosine.rows() * components_.count(kind));
       }
     }
-    waves.add(depth_, level, components_, loads, in_box, known, own);
+    if (known != nullptr) {
+      waves.add(*known, depth_, level, loads, in_box, own);
+    } else {
+      waves.add(depth_, level, components_, loads, in_box, own);
+    }
     for (std::size_t state = 0; state < loads.size(); ++state) {
       const auto of_y = static_cast<Eigen::Index>(places[state].y.size());
       for (const std::size_t kind : {0, 1}) {

@@ -66,68 +66,91 @@ void PlaneWaves::look_up(const DepthTable& table, std::size_t level, Eigen::Inde
   block.depth.bottomRows(block_x - felt).setZero();
 }
 
-void PlaneWaves::sum_rows(const DepthTable& table, std::size_t level, Eigen::Index first_m,
-                          const FieldComponents& components, const std::vector<WaveLoads>& loads,
-                          const std::vector<WavePlaces>& places, std::vector<ByKind>& rows) const {
-  const double last = table.cutoff(level);
+void PlaneWaves::add_block(const DepthTable& table, std::size_t level, Eigen::Index first_m,
+                           Eigen::Index first_n, const FieldComponents& components,
+                           const std::vector<WaveLoads>& loads,
+                           const std::vector<WavePlaces>& places, std::vector<ByKind>& sums) const {
+  const Eigen::Index count = std::min(block_y, modes_y() - first_n);
   const std::size_t states = loads.size();
   WaveBlock block;
   std::vector<std::array<Eigen::MatrixXd, 3>> forces(states);
   std::vector<Strains> strains(states);
   for (std::size_t state = 0; state < states; ++state) {
-    strains[state].fill(Eigen::MatrixXd(block_x, block_y));
-    for (std::size_t kind = 0; kind < 2; ++kind) {
-      rows[state][kind].setZero(block_x,
-                                places[state].along_y.cosine.rows() * components.count(kind));
+    strains[state].fill(Eigen::MatrixXd(block_x, count));
+    for (std::size_t c = 0; c < 3; ++c) {
+      forces[state][c] = loads[state].by_mode(c, first_m, block_x, first_n, count);
     }
   }
-  for (Eigen::Index first_n = 0; first_n < modes_y() && modes_below(last, first_n) > first_m;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    look_up(table, level, first_m, first_n + i, block);
+    for (std::size_t state = 0; state < states; ++state) {
+      block.set_strains(forces[state][0].col(i), forces[state][1].col(i), forces[state][2].col(i),
+                        strains[state], i);
+    }
+  }
+  for (std::size_t state = 0; state < states; ++state) {
+    const ModeTransform& along_x = places[state].along_x;
+    for (std::size_t kind = 0; kind < 2; ++kind) {
+      Eigen::MatrixXd of_kind(block_x, count * components.count(kind));
+      Eigen::Index first = 0;
+      for (const std::size_t c : components.of_kind(kind)) {
+        of_kind.middleCols(first, count) = strains[state][c];
+        first += count;
+      }
+      sums[state][kind].noalias() +=
+          (kind == 1 ? along_x.sine : along_x.cosine).middleCols(first_m, block_x).matrix() *
+          of_kind;
+    }
+  }
+}
+
+// Along x first: places there are many, modes along y mostly few.
+void PlaneWaves::add(const DepthTable& table, std::size_t level, const FieldComponents& components,
+                     const std::vector<WaveLoads>& loads, const std::vector<WavePlaces>& places,
+                     std::vector<ByKind>& sums) const {
+  const double last = table.cutoff(level);
+  std::vector<ByKind> along_x(loads.size());
+  for (Eigen::Index first_n = 0; first_n < modes_y() && modes_below(last, first_n) > 0;
        first_n += block_y) {
     const Eigen::Index count = std::min(block_y, modes_y() - first_n);
-    for (std::size_t state = 0; state < states; ++state) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        forces[state][c] = loads[state].by_mode(c, first_m, block_x, first_n, count);
+    for (std::size_t state = 0; state < loads.size(); ++state) {
+      for (const std::size_t kind : {0, 1}) {
+        along_x[state][kind].setZero(places[state].along_x.cosine.rows(),
+                                     count * components.count(kind));
       }
     }
-    for (Eigen::Index i = 0; i < count; ++i) {
-      look_up(table, level, first_m, first_n + i, block);
-      for (std::size_t state = 0; state < states; ++state) {
-        block.set_strains(forces[state][0].col(i), forces[state][1].col(i), forces[state][2].col(i),
-                          strains[state], i);
-      }
+    for (Eigen::Index first_m = 0; modes_below(last, first_n) > first_m; first_m += block_x) {
+      add_block(table, level, first_m, first_n, components, loads, places, along_x);
     }
-    for (std::size_t state = 0; state < states; ++state) {
+    for (std::size_t state = 0; state < loads.size(); ++state) {
       const ModeTransform& along_y = places[state].along_y;
       const Eigen::Index of_y = along_y.cosine.rows();
-      for (std::size_t kind = 0; kind < 2; ++kind) {
-        Eigen::Index first = 0;
-        for (const std::size_t c : components.of_kind(kind)) {
-          rows[state][kind].middleCols(first, of_y).noalias() +=
-              strains[state][c].leftCols(count) * (sine_along_y[c] ? along_y.sine : along_y.cosine)
-                                                      .middleCols(first_n, count)
-                                                      .matrix()
-                                                      .transpose();
-          first += of_y;
+      for (const std::size_t kind : {0, 1}) {
+        const std::vector<std::size_t>& own = components.of_kind(kind);
+        for (Eigen::Index i = 0; i < components.count(kind); ++i) {
+          const bool sine = sine_along_y[own[static_cast<std::size_t>(i)]];
+          sums[state][kind].middleCols(i * of_y, of_y).noalias() +=
+              along_x[state][kind].middleCols(i * count, count) *
+              (sine ? along_y.sine : along_y.cosine)
+                  .middleCols(first_n, count)
+                  .matrix()
+                  .transpose();
         }
       }
     }
   }
 }
 
-void PlaneWaves::add(const DepthTable& table, std::size_t level, const FieldComponents& components,
+void PlaneWaves::add(const RowStrains& known, const DepthTable& table, std::size_t level,
                      const std::vector<WaveLoads>& loads, const std::vector<WavePlaces>& places,
-                     const RowStrains* known, std::vector<ByKind>& sums) const {
+                     std::vector<ByKind>& sums) const {
   std::vector<ByKind> rows(loads.size());
   for (Eigen::Index first_m = 0; modes_below(table.cutoff(level), 0) > first_m;
        first_m += block_x) {
-    if (known != nullptr) {
-      known->at(level, first_m, loads, rows);
-    } else {
-      sum_rows(table, level, first_m, components, loads, places, rows);
-    }
+    known.at(level, first_m, loads, rows);
     for (std::size_t state = 0; state < loads.size(); ++state) {
       const ModeTransform& along_x = places[state].along_x;
-      for (std::size_t kind = 0; kind < 2; ++kind) {
+      for (const std::size_t kind : {0, 1}) {
         sums[state][kind].noalias() +=
             (kind == 1 ? along_x.sine : along_x.cosine).middleCols(first_m, block_x).matrix() *
             rows[state][kind];

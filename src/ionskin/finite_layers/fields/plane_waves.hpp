@@ -14,11 +14,6 @@
 
 namespace ionskin::finite_layers {
 
-/// States that are turned into strains at once, fewer filled up by others that are 0: each state is
-/// the same bits in any company.
-inline constexpr Eigen::Index states_at_once = 4;
-using StatesTogether = Eigen::Matrix<double, Eigen::Dynamic, states_at_once>;
-
 /// Forces of cells, [column, row]: normal (downwards), x, y [N].
 using CellForces = std::array<Eigen::MatrixXd, 3>;
 
@@ -64,18 +59,22 @@ public:
                WaveBlock& block) const;
 
   /// Adds the strain of states at a level, at their places.
-  /// @param known null, or the sums along y if they are the same for all of them
   /// @param sums of each state, [place along x, place along y + count of these * component]
   void add(const DepthTable& table, std::size_t level, const FieldComponents& components,
            const std::vector<WaveLoads>& loads, const std::vector<WavePlaces>& places,
-           const RowStrains* known, std::vector<ByKind>& sums) const;
+           std::vector<ByKind>& sums) const;
+  /// The same where the sums along y are the same for all of them.
+  void add(const RowStrains& known, const DepthTable& table, std::size_t level,
+           const std::vector<WaveLoads>& loads, const std::vector<WavePlaces>& places,
+           std::vector<ByKind>& sums) const;
 
 private:
-  /// Strains at places along y of a block of modes along x, of each state,
-  /// [mode, place + count of places * component].
-  void sum_rows(const DepthTable& table, std::size_t level, Eigen::Index first_m,
-                const FieldComponents& components, const std::vector<WaveLoads>& loads,
-                const std::vector<WavePlaces>& places, std::vector<ByKind>& rows) const;
+  /// Adds sums over a block of modes along x, of a block of modes along y,
+  /// [place along x, mode along y + count of these * component].
+  void add_block(const DepthTable& table, std::size_t level, Eigen::Index first_m,
+                 Eigen::Index first_n, const FieldComponents& components,
+                 const std::vector<WaveLoads>& loads, const std::vector<WavePlaces>& places,
+                 std::vector<ByKind>& sums) const;
 
   double step_x_, step_y_;
   Eigen::ArrayXXd cosine_, sine_; ///< direction of the wave, [m, n]

@@ -104,7 +104,7 @@ void RowStrains::at(std::size_t level, Eigen::Index first_m, const std::vector<W
               loads[state].of_columns[c].row(first_m + m).transpose();
         }
       }
-      strains = known.middleCols((first_m + m) * 3 * rows_, 3 * rows_).lazyProduct(forces);
+      strains.noalias() = known.middleCols((first_m + m) * 3 * rows_, 3 * rows_) * forces;
       for (std::size_t state = first; state < last; ++state) {
         const auto own = strains.col(static_cast<Eigen::Index>(state - first));
         rows[state][0].row(m) = own.head(values_[0]).transpose();

@@ -93,8 +93,9 @@ std::vector<Eigen::MatrixXd> BoxModes::rows(const ContactGrid& grid, double cent
 void add_modes(const std::vector<Eigen::MatrixXd>& rows, const ModeLine& along_x, ModePart part,
                const Eigen::ArrayXd& share, const ContactGrid& grid, double centre_x,
                Eigen::MatrixXd& compliance) {
-  const ModeTransform transform = along_x.transform(grid.x, centre_x);
   const Eigen::Index nx = grid.columns(), ny = grid.rows(), modes = share.size();
+  const ModeLine summed{along_x.extent, along_x.wave_numbers.head(modes), {}};
+  const ModeTransform transform = summed.transform(grid.x, centre_x);
   Eigen::MatrixXd pairs(nx * nx, modes), of_rows(modes, ny * ny);
   for (Eigen::Index a = 0; a < 3; ++a) {
     for (Eigen::Index b = a; b < 3; ++b) {
@@ -108,10 +109,11 @@ void add_modes(const std::vector<Eigen::MatrixXd>& rows, const ModeLine& along_x
       };
       for (Eigen::Index m = 0; m < modes; ++m) {
         const double weight = 0.5 * along_x.weights(m) * share(m);
-        pairs.col(m) =
-            (weight * own(a).col(m).matrix() * own(b).col(m).matrix().transpose() +
-             sign * weight * other(a).col(m).matrix() * other(b).col(m).matrix().transpose())
-                .reshaped();
+        for (Eigen::Index from = 0; from < nx; ++from) {
+          pairs.col(m).segment(nx * from, nx) =
+              weight *
+              (own(b)(from, m) * own(a).col(m) + sign * other(b)(from, m) * other(a).col(m));
+        }
         of_rows.row(m) =
             rows[static_cast<std::size_t>(m)](Eigen::seqN(a, ny, 3), Eigen::seqN(b, ny, 3))
                 .reshaped()

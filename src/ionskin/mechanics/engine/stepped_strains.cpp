@@ -2,6 +2,7 @@
 #include "ionskin/mechanics/engine/stepped_strains.hpp"
 
 #include "ionskin/base/largest.hpp"
+#include "ionskin/finite_layers/fields/states_at_once.hpp"
 #include "ionskin/parallel/task_pool.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ std::size_t SteppedStrains::add(const std::array<double, 2>& centre, CellVector 
 }
 
 void SteppedStrains::recover(std::size_t first) {
-  constexpr std::size_t states_per_thread = 4;
+  constexpr std::size_t states_per_thread = finite_layers::states_at_once;
   const std::span centres = std::span(centres_).subspan(first);
   const std::span forces = std::span(forces_).subspan(first);
   const std::size_t most =
@@ -53,8 +54,10 @@ const CoreStrain& SteppedStrains::at(std::size_t place) {
   return held_[place - first_];
 }
 
-LayerStrain SteppedStrains::all_layers(std::size_t place) const {
-  return recovery_->all_layers(centres_.at(place), forces_.at(place));
+LayerStrainAt SteppedStrains::all_layers() const {
+  return [this, of_state = recovery_->all_layers()](std::size_t place) {
+    return of_state(centres_.at(place), forces_.at(place));
+  };
 }
 
 } // namespace ionskin::mechanics

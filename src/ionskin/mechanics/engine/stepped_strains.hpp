@@ -28,7 +28,7 @@ public:
   std::size_t count() const { return centres_.size(); }
 
   const CoreStrain& at(std::size_t place) override;
-  LayerStrain all_layers(std::size_t place) const override;
+  LayerStrainAt all_layers() const override;
   const std::vector<double>& largest_electrode_stress() const override { return stress_; }
   double worst_equilibrium_residual() const override { return residual_; }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,14 +34,18 @@ struct LayerStrain {
   CoreStrain electrodes;
 };
 
+/// Strain of all layers of a state by its place, recovered anew.
+using LayerStrainAt = std::function<LayerStrain(std::size_t place)>;
+
 /// Strains that are recovered when they are asked for: those of a long path would fill the memory.
 class StrainSource {
 public:
   virtual ~StrainSource() = default;
   /// Strain of a state by its place; valid until the next call. Fast when places ascend.
   virtual const CoreStrain& at(std::size_t place) = 0;
-  /// Strain of all layers, recovered anew; what `at` gave stays valid.
-  virtual LayerStrain all_layers(std::size_t place) const = 0;
+  /// Makes what the strains of all layers share, once for all states; the source outlives it, and
+  /// what `at` gave stays valid.
+  virtual LayerStrainAt all_layers() const = 0;
   /// Largest von Mises stress, over all states that were asked for, of each electrode layer as a
   /// membrane, averaged through its thickness and over each column of elements, bottom to top [Pa].
   virtual const std::vector<double>& largest_electrode_stress() const = 0;

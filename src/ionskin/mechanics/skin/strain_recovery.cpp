@@ -159,13 +159,15 @@ std::vector<RecoveredStrain> StrainRecovery::at(std::span<const std::array<doubl
   return result;
 }
 
-LayerStrain StrainRecovery::all_layers(const std::array<double, 2>& centre,
-                                       const CellVector& forces) const {
-  const finite_layers::SkinFields all =
-      model_->layers.fields(heights(model_->mesh), mean_column(model_->mesh));
-  finite_layers::CoreAndElectrodes found =
-      std::move(all.at({field_state(*model_, centre, forces)}).front());
-  return {core_strain(std::move(found.core)), core_strain(std::move(found.electrodes))};
+StrainRecovery::LayersOfState StrainRecovery::all_layers() const {
+  const std::shared_ptr<const finite_layers::SkinFields> all(new finite_layers::SkinFields(
+      model_->layers.fields(heights(model_->mesh), mean_column(model_->mesh))));
+  return [model = model_, all](const std::array<double, 2>& centre, const CellVector& forces) {
+    finite_layers::CoreAndElectrodes found =
+        std::move(all->at({field_state(*model, centre, forces)}).front());
+    return LayerStrain{core_strain(std::move(found.core)),
+                       core_strain(std::move(found.electrodes))};
+  };
 }
 
 } // namespace ionskin::mechanics

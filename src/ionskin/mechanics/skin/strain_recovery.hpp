@@ -7,6 +7,7 @@
 #include "ionskin/mechanics/surface/contact_problem.hpp"
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -42,9 +43,11 @@ public:
   std::vector<RecoveredStrain> at(std::span<const std::array<double, 2>> centres,
                                   std::span<const CellVector> forces) const;
 
-  /// Strain of one state, with all components of the core. It costs some states more, as nothing is
-  /// kept for it.
-  LayerStrain all_layers(const std::array<double, 2>& centre, const CellVector& forces) const;
+  /// Strain of a state in all layers, with all components of the core.
+  using LayersOfState =
+      std::function<LayerStrain(const std::array<double, 2>& centre, const CellVector& forces)>;
+  /// Makes what all states share of it, which nothing here needs; lives by itself.
+  LayersOfState all_layers() const;
 
 private:
   std::shared_ptr<const SkinModel> model_;

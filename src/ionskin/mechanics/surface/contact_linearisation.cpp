@@ -14,8 +14,8 @@ using laws::CellResponse;
 using laws::CellStatus;
 using laws::CellTrial;
 
-Standing::Standing(const ContactProblem& problem, const SliderStep& step, const Iterate& iterate) {
-  const CellVector surface = problem.surface_displacement(iterate.force);
+Standing::Standing(const ContactProblem& problem, const SliderStep& step, const Iterate& iterate)
+    : surface(problem.surface_displacement(iterate.force)) {
   if (step.load.kind == LoadKind::force) {
     residual = std::abs(total_normal_force(iterate.force) - step.load.value);
   }
@@ -221,6 +221,7 @@ Eigen::VectorXd ContactLinearisation::about_inverse(const Eigen::VectorXd& right
 }
 
 CellVector ContactLinearisation::settle_followers(CellVector& force) const {
+  const CellVector before = force;
   for (int cell = 0; cell < problem_.cells(); ++cell) {
     double* own = force.data() + 3 * static_cast<std::ptrdiff_t>(cell);
     const CellResponse& response = at_.response[cell];
@@ -233,7 +234,7 @@ CellVector ContactLinearisation::settle_followers(CellVector& force) const {
       }
     }
   }
-  return problem_.surface_displacement(force);
+  return force == before ? at_.surface : problem_.surface_displacement(force);
 }
 
 Eigen::VectorXd ContactLinearisation::residual(const Iterate& iterate,

@@ -18,6 +18,7 @@ struct Iterate {
 
 /// State of the cells of an iterate.
 struct Standing {
+  CellVector surface; ///< mean displacement of each cell [m]
   std::vector<laws::CellTrial> trial;
   std::vector<laws::CellResponse> response;
   std::vector<laws::CellStatus> status;

@@ -85,9 +85,10 @@ std::optional<MechanicsRecord> left_mechanics(const Case& input, const std::stri
 /// For ParaView, while the strains can be recovered.
 void write_skins(const Case& input, const mechanics::ContactSolution& contact, RunFolder& folder) {
   const std::vector<double> instants = field_instants(input);
+  const mechanics::LayerStrainAt strain = instants.empty() ? nullptr : layer_strains(contact);
   for (std::size_t i = 0; i < instants.size(); ++i) {
     results::write_skin(folder.output(), input.slider, i,
-                        skin_snapshot(input, contact, instants[i]));
+                        skin_snapshot(input, contact, strain, instants[i]));
   }
 }
 

@@ -4,6 +4,7 @@
 #include "ionskin/handover/contact_timeline.hpp"
 #include "ionskin/handover/surface_instant.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <set>
@@ -55,8 +56,14 @@ std::vector<double> field_instants(const Case& input) {
   return {instants.begin(), instants.end()};
 }
 
+mechanics::LayerStrainAt layer_strains(const mechanics::ContactSolution& contact) {
+  const auto touching = std::ranges::find_if(
+      contact.stepped, [](const auto& instant) { return instant.state != nullptr; });
+  return touching == contact.stepped.end() ? nullptr : touching->state->source->all_layers();
+}
+
 results::SkinSnapshot skin_snapshot(const Case& input, const mechanics::ContactSolution& contact,
-                                    double time) {
+                                    const mechanics::LayerStrainAt& strain, double time) {
   const handover::ContactTimeline timeline(input, contact);
   const std::vector<double> areas = handover::cell_areas(contact);
   const std::size_t columns = contact.cell_lines_x.size() - 1;
@@ -69,7 +76,7 @@ results::SkinSnapshot skin_snapshot(const Case& input, const mechanics::ContactS
     }
   }
   return {time,
-          handover::skin_deformation(input.skin, contact.mesh, state),
+          handover::skin_deformation(input.skin, contact.mesh, state, strain),
           state.centre,
           state.height,
           shifted(contact.cell_lines_x, state.centre[0]),

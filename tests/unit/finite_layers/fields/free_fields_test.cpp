@@ -126,6 +126,34 @@ TEST(FreeFields, converge_in_modes) {
   EXPECT_LT(difference(at(all_free()).core, at(more).core), 3e-3);
 }
 
+// Far from the ends fewer waves serve than near them.
+TEST(FreeFields, have_no_jump_on_the_way_from_an_end) {
+  FieldCase skin = all_free();
+  skin.length = 4e-3;
+  skin.sides = {30, 60};
+  TestGrid from_end{{}, {0.3e-3, 0.7e-3}, {20e-6, 90e-6, 165e-6}, {}, {0, 0.6e-3, 1.2e-3}};
+  for (int i = 0; i <= 200; ++i) {
+    from_end.x.push_back(1e-3 + i * 2e-6);
+  }
+  from_end.column_x = from_end.x;
+  const ContactGrid near_end{{-0.2e-3, 0.1e-3}, {-0.1e-3, 0, 0.15e-3}, false};
+  const CoreAndElectrodes found =
+      FieldsOf(skin, near_end, from_end).at({0.3e-3, 0.5e-3}, {1, 0.5, 0.2, 0.8, -0.3, 0.6});
+  const auto largest_bend = [](const StrainField& field) {
+    double result = 0;
+    for (const std::vector<double>& values : field.component) {
+      for (std::size_t i = 1; i + 1 < values.size(); ++i) {
+        if (i % field.points[0] != 0 && (i + 1) % field.points[0] != 0) {
+          result = std::max(result, std::abs(values[i - 1] - 2 * values[i] + values[i + 1]));
+        }
+      }
+    }
+    return result / largest(field);
+  };
+  EXPECT_LT(largest_bend(found.core), 5e-5);
+  EXPECT_LT(largest_bend(found.electrodes), 5e-5);
+}
+
 TEST(FreeFields, of_the_half_are_those_of_the_whole_under_mirrored_forces) {
   const FieldCase skin = all_free();
   const ContactGrid half{{-0.2e-3, 0.3e-3}, {-0.3e-3, 0}, true},

@@ -19,8 +19,8 @@ namespace {
 class HeldStrains : public mechanics::StrainSource {
 public:
   const mechanics::CoreStrain& at(std::size_t place) override { return strains.at(place); }
-  mechanics::LayerStrain all_layers(std::size_t place) const override {
-    return {strains.at(place), {}};
+  mechanics::LayerStrainAt all_layers() const override {
+    return [this](std::size_t place) { return mechanics::LayerStrain{strains.at(place), {}}; };
   }
   const std::vector<double>& largest_electrode_stress() const override { return stress; }
   double worst_equilibrium_residual() const override { return 1e-12; }
