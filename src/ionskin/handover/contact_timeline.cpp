@@ -53,6 +53,16 @@ std::array<double, 2> StateCombination::tangential_force() const {
   return force;
 }
 
+std::array<double, 3> StateCombination::moment() const {
+  std::array<double, 3> moment{};
+  for (const Term& term : terms) {
+    for (std::size_t d = 0; d < moment.size(); ++d) {
+      moment[d] += term.weight * term.state->moment[d];
+    }
+  }
+  return moment;
+}
+
 ContactTimeline::ContactTimeline(const Case& input, const mechanics::ContactSolution& contact)
     : contact_(contact),
       begin_of_slide_(first_slide(motion_legs(input.motion, input.slider)).begin) {

@@ -26,9 +26,10 @@ struct StateCombination {
 
   double normal_force() const;                    ///< of the full skin [N]
   std::array<double, 2> tangential_force() const; ///< on the skin [N]
-  double contact_area() const;                    ///< of the full skin [m2]
-  double stick_area() const;                      ///< of it, where nothing slips [m2]
-  double contact_border() const;                  ///< in doubt, see mechanics::border_area [m2]
+  std::array<double, 3> moment() const; ///< of the forces on the skin, as ContactState [N m]
+  double contact_area() const;          ///< of the full skin [m2]
+  double stick_area() const;            ///< of it, where nothing slips [m2]
+  double contact_border() const;        ///< in doubt, see mechanics::border_area [m2]
   double sum(double mechanics::ContactState::*quantity) const;
 };
 

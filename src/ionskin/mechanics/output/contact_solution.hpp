@@ -53,6 +53,9 @@ struct ContactState {
   double indentation = 0;                   ///< of the slider's lowest point [m]
   double normal_force = 0;                  ///< of the full skin, compression positive [N]
   std::array<double, 2> tangential_force{}; ///< on the skin, full skin, x and y [N]
+  /// Moment of the forces on the skin about the slider's centre on the undeformed top face, full
+  /// skin, about x, y and z, docs/model.md (77) [N m].
+  std::array<double, 3> moment{};
   /// Values per footprint cell, [y][x] with x fastest, half model: y <= width / 2.
   std::vector<double> normal_traction;       ///< [Pa]
   std::vector<double> tangential_traction_x; ///< [Pa]

@@ -225,7 +225,7 @@ std::string input_hash(const Case& input) {
 std::string mechanics_hash(const Case& input) {
   // The record holds the coarser solutions for the errors; without them it is another one.
   std::string text = input.numerics.error_estimate ? "companions mesh path thickness " : "";
-  text += "signals area stick slip ";
+  text += "signals area stick slip moment ";
   text += fmt::format("skin {} {} {}", input.skin.length, input.skin.width,
                       static_cast<int>(input.skin.sides));
   for (const Layer& layer : input.skin.layers) {
