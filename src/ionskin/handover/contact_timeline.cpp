@@ -86,6 +86,14 @@ StateCombination ContactTimeline::at(double local_time) const {
         from.drive_force[d] + weight * (to.drive_force[d] - from.drive_force[d]);
   }
   result.height = from.height + weight * (to.height - from.height);
+  if (from.turned && to.turned) {
+    result.turned = *from.turned;
+    for (std::size_t cell = 0; cell < result.turned.size(); ++cell) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        result.turned[cell][c] += weight * ((*to.turned)[cell][c] - result.turned[cell][c]);
+      }
+    }
+  }
   return result;
 }
 

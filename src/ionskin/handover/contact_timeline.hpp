@@ -20,6 +20,8 @@ struct StateCombination {
   std::array<double, 2> centre{};      ///< of the slider [m]
   double height = 0;                   ///< of its underside above the undeformed top face [m]
   std::array<double, 2> drive_force{}; ///< of a drive on the slider [N]
+  /// Underside at each cell, see mechanics::SteppedInstant; empty where the angles never change.
+  std::vector<std::array<double, 3>> turned;
 
   /// Adds a share of a state; nothing for no state and for one without load.
   void add(const mechanics::SharedState& state, double weight);
