@@ -119,13 +119,29 @@ class Draw:
             slider["poissons_ratio"] = self.between(0.3, 0.5)
             if self.maybe(0.5):
                 slider["pad_thickness"] = self.quantity(0.3, 5, "mm")
+        if self.maybe(0.25):
+            slider |= self.angles()
         self.case["slider"] = slider
         self.case["contact"] = self.friction()
         round_below = shape in ("sphere", "cylinder", "profile")
         self.case["motion"] = self.motion(size, self.maybe(0.5), self.between(0.05, 3 if round_below else 1))
-        if self.case["contact"]["law"] != "adhesive" and self.maybe(0.2):
+        drives = self.case["contact"]["law"] == "adhesive"
+        if not drives and self.maybe(0.2):
+            drives = True
             self.case["motion"]["drive"] = {"stiffness": self.quantity(1e3, 1e5, "N/m"), "damping": self.quantity(0.5, 20, "N s/m"),
                                             "mass": "0 g" if self.maybe(0.2) else self.quantity(0.3, 20, "g")}
+
+        waypoints = self.case["motion"].get("waypoints", [])
+        if not drives and waypoints and self.case["skin"]["sides"] == "free" and self.maybe(0.3):
+            for waypoint in waypoints:
+                waypoint |= self.angles()
+
+    def angles(self):
+        """Roll, pitch and yaw by which the slider stays within the room that it has."""
+        return {"roll": self.angle(0.3), "pitch": self.angle(0.3), "yaw": self.angle(3)}
+
+    def angle(self, most):
+        return f"{self.rng.uniform(-most, most):.3f} deg"
 
     def ridges(self, size):
         """Text of the file of some ridges along y [mm]."""

@@ -22,6 +22,7 @@ SIGNAL_COLUMNS = [
     "mean_shear_rate [1/s]", "charge_top [C]", "charge_bottom [C]", "current_top [A]", "current_bottom [A]",
     "current_difference [A]", "current_common [A]", "slider_y [m]", "contact_area [m2]", "stick_share [1]", "slip [m]",
     "slip_state [1]", "tangential_force_x [N]", "tangential_force_y [N]",
+    "moment_x [N m]", "moment_y [N m]", "moment_z [N m]",
 ]
 METRICS = [
     "normal_force_touchdown", "normal_force_slide", "tangential_force_slide", "mean_shear_touchdown",

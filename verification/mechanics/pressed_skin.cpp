@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mechanics/pressed_skin.hpp"
 
+#include "ionskin/mechanics/engine/contact_state.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
+#include "ionskin/mechanics/slider/turning_underside.hpp"
 #include "ionskin/mechanics/surface/contact_diagnostics.hpp"
 #include "ionskin/mechanics/surface/covered_area.hpp"
 
@@ -10,7 +12,8 @@
 namespace ionskin::verification {
 
 PressedSkin::PressedSkin(const Case& input)
-    : model_(input, mechanics::find_footprint(input, input.contact.friction, 2).footprint,
+    : slider_(input.slider),
+      model_(input, mechanics::find_footprint(input, input.contact.friction, 2).footprint,
              {input.slider.start, input.slider.start}),
       problem_{{},
                model_.cells.area,
@@ -22,9 +25,13 @@ PressedSkin::PressedSkin(const Case& input)
   state_.surface = state_.force;
 }
 
-void PressedSkin::advance(const std::array<double, 2>& travel) {
+void PressedSkin::advance(const std::array<double, 2>& travel, double turn) {
   const mechanics::SliderLoad load{mechanics::LoadKind::indentation, indentation_};
-  state_ = mechanics::solve_contact_step(problem_, {load, travel, 0, state_.surface}, state_.force);
+  mechanics::SliderStep step{load, travel, 0, state_.surface};
+  if (turn != 0) {
+    step.turn = mechanics::TurningUnderside(slider_, model_.cells).turn(turn);
+  }
+  state_ = mechanics::solve_contact_step(problem_, step, state_.force);
 }
 
 double PressedSkin::force(std::size_t component) const {
@@ -33,6 +40,12 @@ double PressedSkin::force(std::size_t component) const {
     sum += state_.force[at];
   }
   return parts() * sum;
+}
+
+std::array<double, 3> PressedSkin::moment() const {
+  mechanics::ContactState described;
+  mechanics::describe(model_, state_, problem_, 1, 1, described);
+  return described.moment;
 }
 
 double PressedSkin::contact_area() const {

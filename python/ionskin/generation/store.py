@@ -15,6 +15,7 @@ SIGNALS = ("current_top", "current_bottom", "current_difference", "charge_top", 
 OF_TAXELS = ("voltage_", "current_circuit_", "current_top_", "current_bottom_", "charge_top_", "charge_bottom_")
 LABELS = ("slider_x", "slider_z", "normal_force", "tangential_force", "mean_shear", "p99_shear", "slider_y",
           "contact_area", "stick_share", "slip")
+WRENCH = ("tangential_force_x", "tangential_force_y", "moment_x", "moment_y", "moment_z")  # with normal_force, on the skin
 CONTACT_METRICS = ("stick_fraction_touchdown", "contact_area_slide", "mean_pressure_slide")
 TOUCHING = 1e-9  # of the largest normal force
 
@@ -37,17 +38,22 @@ def tables(outcome: Outcome, rate: float):
                 return numpy.interp(time, columns[f"{table}/time"], columns[f"{table}/{name}"])
         return numpy.full(len(time), numpy.nan)
 
-    labels = [numpy.interp(time, columns["signals/time"], columns[f"signals/{name}"]) if f"signals/{name}" in columns
-              else numpy.full(len(time), numpy.nan) for name in LABELS]
+    def label(name):
+        if f"signals/{name}" in columns:
+            return numpy.interp(time, columns["signals/time"], columns[f"signals/{name}"])
+        return numpy.full(len(time), numpy.nan)
+
+    labels = [label(name) for name in LABELS]
     force = labels[LABELS.index("normal_force")]
     touching = numpy.where(numpy.isfinite(force), force > TOUCHING * numpy.nanmax(force, initial=1e-30), numpy.nan)
     speed = numpy.gradient(labels[LABELS.index("slider_x")], time)
     return (time, numpy.column_stack([at(name) for name in (*SIGNALS, *taxel_signals(outcome))]),
-            numpy.column_stack([*labels, touching, speed]))
+            numpy.column_stack([*labels, touching, speed, *map(label, WRENCH)]))
 
 
-COLUMNS = (*LABELS, "touching", "slider_speed")
+COLUMNS = (*LABELS, "touching", "slider_speed", *WRENCH)
 UNITS = {"slider_x": "m", "slider_y": "m", "contact_area": "m2", "slip": "m", "slider_z": "m", "normal_force": "N", "tangential_force": "N", "slider_speed": "m/s",
+         "tangential_force_x": "N", "tangential_force_y": "N", "moment_x": "N m", "moment_y": "N m", "moment_z": "N m",
          "charge_top": "C", "charge_bottom": "C"}
 
 

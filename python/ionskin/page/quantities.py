@@ -36,7 +36,8 @@ NAMES = {
 }
 COLUMNS = {
     "slider_x": "Slider, x", "slider_y": "Slider, y", "slider_z": "Height of the slider", "tangential_force_x": "Tangential force, x",
-    "tangential_force_y": "Tangential force, y", "rms_shear": "Shear, rms", "mean_shear_rate": "Rate of the mean shear",
+    "tangential_force_y": "Tangential force, y", "rms_shear": "Shear, rms", "moment_x": "Moment, about x",
+    "moment_y": "Moment, about y", "moment_z": "Moment, about z", "mean_shear_rate": "Rate of the mean shear",
     "stick_share": "Stuck part of the contact", "slip": "Way slipped since landing", "slip_state": "State of slip", "drive_x": "End of the drive, x",
     "drive_y": "End of the drive, y", "drive_force_x": "Force of the drive, x", "drive_force_y": "Force of the drive, y",
     "charge_top": "Charge, top", "charge_bottom": "Charge, bottom",

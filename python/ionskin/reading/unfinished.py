@@ -8,6 +8,8 @@ from .hdf5 import open_hdf5
 # Columns by their places in results.h5.
 PLACES = {"time": "path/time", "slider_x": "strain/slider_x", "slider_z": "path/slider_z",
           "normal_force": "path/normal_force", "tangential_force": "path/tangential_force",
+          "tangential_force_x": "path/tangential_force_x", "tangential_force_y": "path/tangential_force_y",
+          "moment_x": "path/moment_x", "moment_y": "path/moment_y", "moment_z": "path/moment_z",
           "contact_area": "path/contact_area", "stick_share": "path/stick_share", "slip": "path/slip",
           "drive_force_x": "path/drive_force_x", "drive_force_y": "path/drive_force_y"}
 

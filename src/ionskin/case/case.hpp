@@ -75,10 +75,16 @@ struct Slider {
   double youngs_modulus = 0;         ///< 0 for a rigid slider [Pa]
   double poissons_ratio = 0;         ///< of a soft one [1]
   double pad_thickness = 0;          ///< of the soft layer on a rigid body; 0 for a half-space [m]
+  shapes::Pose pose;                 ///< throughout, but for waypoints with angles of their own
+  /// True of angles that waypoints change, see settle_pose in case/slider_motion.hpp.
+  shapes::ChangingAngles changing;
 
   bool rigid() const { return youngs_modulus == 0; }
-  std::unique_ptr<const shapes::Shape> underside() const;
-  shapes::Plan plan() const { return {size, profile_heights}; }
+  std::unique_ptr<const shapes::Shape> underside() const { return underside(pose); }
+  /// The underside in another pose; the slider must outlive it.
+  std::unique_ptr<const shapes::Shape> underside(const shapes::Pose& at) const;
+  /// The rectangle along the skin's axes that holds the underside in every pose.
+  shapes::Plan plan() const;
   /// Flat with sharp edges: it touches all over its plan at once.
   bool sharp() const;
   /// Half sizes of the part that touches at once; 0 along a round direction [m].
@@ -99,6 +105,7 @@ struct Waypoint {
   std::optional<double> height;     ///< underside above the undeformed top face [m]
   std::optional<double> force;      ///< normal, on the full skin [N]
   std::size_t line = 0;             ///< in the file it was read from, from 1; 0 in a case
+  std::optional<double> roll = {}, pitch = {}, yaw = {}; ///< in place of the slider's [rad]
 };
 
 /// Drive that holds the slider along the skin while it touches: a spring and a damper from the path

@@ -2,11 +2,28 @@
 #include "ionskin/case/case.hpp"
 
 #include "ionskin/case/slider_motion.hpp"
+#include "ionskin/shapes/posed.hpp"
+
+#include <utility>
 
 namespace ionskin {
 
-std::unique_ptr<const shapes::Shape> Slider::underside() const {
-  return shapes::shape(shape, parameters);
+shapes::Plan Slider::plan() const {
+  const shapes::Plan own{size, profile_heights};
+  if (pose == shapes::Pose{} && !changing.any()) {
+    return own;
+  }
+  return {shapes::posed_size(*shapes::shape(shape, parameters), own, pose, changing),
+          profile_heights};
+}
+
+std::unique_ptr<const shapes::Shape> Slider::underside(const shapes::Pose& at) const {
+  auto body = shapes::shape(shape, parameters);
+  if (at == shapes::Pose{} && !changing.any()) {
+    return body;
+  }
+  return std::make_unique<const shapes::Posed>(std::move(body), shapes::Plan{size, profile_heights},
+                                               at, changing);
 }
 
 bool Slider::sharp() const {
@@ -26,7 +43,7 @@ bool covers_width(const Case& input) {
     return false;
   const MotionBox box = motion_box(input.motion, input.slider);
   const double half_size = input.slider.flat_half_size()[1];
-  return half_size > 0 && box.high[1] - half_size <= 0 &&
+  return half_size > 0 && input.slider.symmetric()[1] && box.high[1] - half_size <= 0 &&
          box.low[1] + half_size >= input.skin.width;
 }
 

@@ -22,19 +22,26 @@ Point between(const Point& from, const Point& to, double fraction) {
 /// Appends legs one behind the other.
 class Cycle {
 public:
-  Cycle(const Point& start, const SliderLevel& level) : place_(start), level_(level) {}
+  Cycle(const Point& start, const SliderLevel& level, const shapes::Pose& pose)
+      : place_(start), level_(level), pose_(pose) {}
 
   void add(Phase phase, double duration, const Point& to, const SliderLevel& level) {
+    add(phase, duration, to, level, pose_);
+  }
+  void add(Phase phase, double duration, const Point& to, const SliderLevel& level,
+           const shapes::Pose& pose) {
     const double begin = legs_.empty() ? 0 : legs_.back().end();
-    legs_.push_back({phase, begin, duration, place_, to, level_, level});
+    legs_.push_back({phase, begin, duration, place_, to, level_, level, pose_, pose});
     place_ = to;
     level_ = level;
+    pose_ = pose;
   }
   std::vector<MotionLeg> take() { return std::move(legs_); }
 
 private:
   Point place_;
   SliderLevel level_;
+  shapes::Pose pose_;
   std::vector<MotionLeg> legs_;
 };
 
@@ -46,7 +53,7 @@ std::vector<MotionLeg> strokes(const Motion& motion, const Slider& slider, int c
   const Point start = slider.start;
   const Point end{start[0] + motion.stroke * motion.direction[0],
                   start[1] + motion.stroke * motion.direction[1]};
-  Cycle cycle(start, above);
+  Cycle cycle(start, above, slider.pose);
   cycle.add(Phase::touchdown, motion.touchdown, start, pressed);
   for (int i = 0; i < count; ++i) {
     const Point& from = i % 2 == 0 ? start : end;
@@ -72,13 +79,20 @@ Phase phase_of(const SliderLevel& from, const SliderLevel& to, bool has_touched)
   return to.touches() || !has_touched ? Phase::touchdown : Phase::return_;
 }
 
-std::vector<MotionLeg> through_waypoints(const std::vector<Waypoint>& waypoints) {
-  Cycle cycle(waypoints.front().position, level_of(waypoints.front()));
+shapes::Pose pose_of(const Waypoint& waypoint, const shapes::Pose& otherwise) {
+  return {waypoint.roll.value_or(otherwise.roll), waypoint.pitch.value_or(otherwise.pitch),
+          waypoint.yaw.value_or(otherwise.yaw)};
+}
+
+std::vector<MotionLeg> through_waypoints(const std::vector<Waypoint>& waypoints,
+                                         const shapes::Pose& pose) {
+  Cycle cycle(waypoints.front().position, level_of(waypoints.front()),
+              pose_of(waypoints.front(), pose));
   bool has_touched = false;
   for (std::size_t i = 1; i < waypoints.size(); ++i) {
     const SliderLevel from = level_of(waypoints[i - 1]), to = level_of(waypoints[i]);
     cycle.add(phase_of(from, to, has_touched), waypoints[i].time - waypoints[i - 1].time,
-              waypoints[i].position, to);
+              waypoints[i].position, to, pose_of(waypoints[i], pose));
     has_touched = has_touched || to.touches();
   }
   return cycle.take();
@@ -113,9 +127,22 @@ Point MotionLeg::centre(double since_begin) const {
   return between(from, to, duration > 0 ? std::clamp(since_begin / duration, 0.0, 1.0) : 1.0);
 }
 
+shapes::Pose MotionLeg::pose(double since_begin) const {
+  if (!turns()) {
+    return to_pose;
+  }
+  const double part = duration > 0 ? std::clamp(since_begin / duration, 0.0, 1.0) : 1.0;
+  const auto at = [&](double first, double last) {
+    return part == 1 ? last : first + part * (last - first);
+  };
+  return {at(from_pose.roll, to_pose.roll), at(from_pose.pitch, to_pose.pitch),
+          at(from_pose.yaw, to_pose.yaw)};
+}
+
 bool MotionLeg::repeats(const MotionLeg& other) const {
   return duration == other.duration && from == other.from && to == other.to &&
-         from_level == other.from_level && to_level == other.to_level;
+         from_level == other.from_level && to_level == other.to_level &&
+         from_pose == other.from_pose && to_pose == other.to_pose;
 }
 
 double Drive::natural_period() const {
@@ -141,9 +168,27 @@ std::vector<MotionLeg> motion_legs(const Motion& motion, const Slider& slider) {
   case MotionKind::reciprocating:
     return strokes(motion, slider, motion.strokes);
   case MotionKind::waypoints:
-    return through_waypoints(motion.waypoints);
+    return through_waypoints(motion.waypoints, slider.pose);
   }
   throw InternalError("a kind of motion without legs");
+}
+
+void settle_pose(Case& input) {
+  if (input.motion.kind != MotionKind::waypoints || input.motion.waypoints.empty())
+    return;
+  Slider& slider = input.slider;
+  for (Waypoint& waypoint : input.motion.waypoints) {
+    const shapes::Pose pose = pose_of(waypoint, slider.pose);
+    waypoint.roll = pose.roll;
+    waypoint.pitch = pose.pitch;
+    waypoint.yaw = pose.yaw;
+  }
+  slider.pose = pose_of(input.motion.waypoints.front(), slider.pose);
+  for (const MotionLeg& leg : motion_legs(input.motion, slider)) {
+    slider.changing.roll = slider.changing.roll || leg.from_pose.roll != leg.to_pose.roll;
+    slider.changing.pitch = slider.changing.pitch || leg.from_pose.pitch != leg.to_pose.pitch;
+    slider.changing.yaw = slider.changing.yaw || leg.from_pose.yaw != leg.to_pose.yaw;
+  }
 }
 
 ContactPart contact_part(const MotionLeg& leg) {

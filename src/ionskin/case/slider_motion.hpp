@@ -30,11 +30,14 @@ struct MotionLeg {
   double duration = 0;                ///< [s]
   std::array<double, 2> from{}, to{}; ///< centre of the slider [m]
   SliderLevel from_level, to_level;
+  shapes::Pose from_pose = {}, to_pose = {};
 
   double end() const { return begin + duration; }
   double length() const;                                  ///< of the way in the x-y plane [m]
   std::array<double, 2> direction() const;                ///< unit vector; 0 for a leg without way
   std::array<double, 2> centre(double since_begin) const; ///< [m]
+  shapes::Pose pose(double since_begin) const;
+  bool turns() const { return from_pose != to_pose; } ///< or tilts
   bool touches() const { return from_level.touches() || to_level.touches(); }
   bool lands() const { return touches() && !from_level.touches(); }
   bool leaves() const { return touches() && !to_level.touches(); }
@@ -46,6 +49,10 @@ struct MotionLeg {
 
 /// One cycle of any kind of motion, in order; the last leg ends where the cycle does.
 std::vector<MotionLeg> motion_legs(const Motion& motion, const Slider& slider);
+
+/// Notes in the slider which of its angles the motion changes, which a case must know before its
+/// underside is asked for.
+void settle_pose(Case& input);
 
 /// The part of a leg between two heights in which the slider touches, docs/model.md (2); of other
 /// legs all.

@@ -64,6 +64,16 @@ std::array<double, 2> StateCombination::tangential_force() const {
   return force;
 }
 
+std::array<double, 3> StateCombination::moment() const {
+  std::array<double, 3> moment{};
+  for (const Term& term : terms) {
+    for (std::size_t d = 0; d < moment.size(); ++d) {
+      moment[d] += term.weight * term.state->moment[d];
+    }
+  }
+  return moment;
+}
+
 ContactTimeline::ContactTimeline(const Case& input, const mechanics::ContactSolution& contact)
     : contact_(contact),
       begin_of_slide_(first_slide(motion_legs(input.motion, input.slider)).begin) {
@@ -87,6 +97,14 @@ StateCombination ContactTimeline::at(double local_time) const {
         from.drive_force[d] + weight * (to.drive_force[d] - from.drive_force[d]);
   }
   result.height = from.height + weight * (to.height - from.height);
+  if (from.turned && to.turned) {
+    result.turned = *from.turned;
+    for (std::size_t cell = 0; cell < result.turned.size(); ++cell) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        result.turned[cell][c] += weight * ((*to.turned)[cell][c] - result.turned[cell][c]);
+      }
+    }
+  }
   return result;
 }
 

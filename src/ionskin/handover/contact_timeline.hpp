@@ -20,16 +20,19 @@ struct StateCombination {
   std::array<double, 2> centre{};      ///< of the slider [m]
   double height = 0;                   ///< of its underside above the undeformed top face [m]
   std::array<double, 2> drive_force{}; ///< of a drive on the slider [N]
+  /// Underside at each cell, see mechanics::SteppedInstant; empty where the angles never change.
+  std::vector<std::array<double, 3>> turned;
 
   /// Adds a share of a state; nothing for no state and for one without load.
   void add(const mechanics::SharedState& state, double weight);
 
   double normal_force() const;                    ///< of the full skin [N]
   std::array<double, 2> tangential_force() const; ///< on the skin [N]
-  double contact_area() const;                    ///< of the full skin [m2]
-  double stick_area() const;                      ///< of it, where nothing slips [m2]
-  double peak_pressure() const;                   ///< mean over the cell where it is largest [Pa]
-  double contact_border() const;                  ///< in doubt, see mechanics::border_area [m2]
+  std::array<double, 3> moment() const; ///< of the forces on the skin, as ContactState [N m]
+  double contact_area() const;          ///< of the full skin [m2]
+  double stick_area() const;            ///< of it, where nothing slips [m2]
+  double peak_pressure() const;         ///< mean over the cell where it is largest [Pa]
+  double contact_border() const;        ///< in doubt, see mechanics::border_area [m2]
   double sum(double mechanics::ContactState::*quantity) const;
 };
 

@@ -16,10 +16,9 @@ EnergyBalance energy_balance(const ContactTimeline& timeline,
   SurfaceInstant before = surface_instant(timeline.at_sample(0), areas);
   for (std::size_t i = 1; i < timeline.sample_times().size(); ++i) {
     const SurfaceInstant after = surface_instant(timeline.at_sample(i), areas);
-    const auto moved = after.moved(before);
     double work = 0;
     for (std::size_t cell = 0; cell < areas.size(); ++cell) {
-      const auto slip = after.slip(before, cell);
+      const auto moved = after.moved(before, cell), slip = after.slip(before, cell);
       for (std::size_t c = 0; c < 3; ++c) {
         const double force = 0.5 * halves * (before.force[cell][c] + after.force[cell][c]);
         work += force * moved[c];

@@ -1,14 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/handover/surface_instant.hpp"
 
-namespace ionskin::handover {
+#include <algorithm>
 
-SurfaceInstant::Vector SurfaceInstant::moved(const SurfaceInstant& before) const {
-  return {slider[0] - before.slider[0], slider[1] - before.slider[1], slider[2] - before.slider[2]};
+namespace ionskin::handover {
+namespace {
+
+/// Gap of a cell that the underside does not cover, at least [m].
+constexpr double far_beyond = 0.1;
+
+} // namespace
+
+SurfaceInstant::Vector SurfaceInstant::moved(const SurfaceInstant& before, std::size_t cell) const {
+  Vector result{slider[0] - before.slider[0], slider[1] - before.slider[1],
+                slider[2] - before.slider[2]};
+  if (!turned.empty() && !before.turned.empty()) {
+    // A cell that the underside comes over, or leaves along the skin, does not move up or down.
+    const bool covered = std::min(turned[cell][0], before.turned[cell][0]) > -far_beyond;
+    for (std::size_t c = covered ? 0 : 1; c < 3; ++c) {
+      result[c] += turned[cell][c] - before.turned[cell][c];
+    }
+  }
+  return result;
 }
 
 SurfaceInstant::Vector SurfaceInstant::slip(const SurfaceInstant& before, std::size_t cell) const {
-  Vector result = moved(before);
+  Vector result = moved(before, cell);
   for (std::size_t c = 0; c < 3; ++c) {
     result[c] -= surface[cell][c] - before.surface[cell][c];
   }
@@ -30,6 +47,7 @@ SurfaceInstant surface_instant(const StateCombination& combination,
                                const std::vector<double>& areas) {
   SurfaceInstant result;
   result.slider = {-combination.height, combination.centre[0], combination.centre[1]};
+  result.turned = combination.turned;
   result.force.resize(areas.size());
   result.surface.resize(areas.size());
   for (const auto& [state, weight] : combination.terms) {

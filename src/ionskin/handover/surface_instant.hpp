@@ -15,9 +15,10 @@ struct SurfaceInstant {
   Vector slider{};             ///< place of the slider [m]
   std::vector<Vector> force;   ///< on each cell [N]
   std::vector<Vector> surface; ///< displacement of each cell [m]
+  std::vector<Vector> turned;  ///< underside at each cell; empty where the angles never change [m]
 
-  /// Displacement of the slider since an earlier instant [m].
-  Vector moved(const SurfaceInstant& before) const;
+  /// Displacement of the slider at a cell since an earlier instant [m].
+  Vector moved(const SurfaceInstant& before, std::size_t cell) const;
   /// The same relative to the skin at one cell: its slip along x and y [m].
   Vector slip(const SurfaceInstant& before, std::size_t cell) const;
 };

@@ -99,6 +99,9 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
   options.heaviest_force = heaviest.force * options.meshed_share;
   const ThinningTolerance tolerance = thinning_tolerance(input, model.mesh.footprint());
   options.longest_travel = longest_step_travel(input);
+  options.longest_turn = longest_step_turn(input.numerics);
+  options.half_diagonal =
+      std::hypot(model.mesh.footprint().half_size[0], model.mesh.footprint().half_size[1]);
   options.drive = drive_options(input, model, options.longest_travel, variant.steps);
 
   ContactSolution solution = empty_solution(model);
@@ -106,7 +109,10 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
   ContactCompliance compliance(model);
   SlidingContact contact(
       [&](const auto& place, auto& result) { compliance.at(place, result); }, model.cells.area,
-      model.gap, laws::friction(input.contact.law, variant.friction, input.contact.parameters));
+      model.gap, laws::friction(input.contact.law, variant.friction, input.contact.parameters),
+      input.slider.changing.any()
+          ? std::make_shared<const TurningUnderside>(input.slider, model.cells)
+          : nullptr);
   MotionStepper stepper(contact, options, [&](const StepPoint& point, const SlidingContact& at) {
     kept.add(point, at);
   });

@@ -73,7 +73,7 @@ double round_border(const Case& input, double of_skin, std::size_t direction) {
   const double plane_modulus = common_plane_modulus(input.slider, of_skin);
   return input.slider.underside()->border(input.slider.plan(),
                                           {load.indentation, load.force, plane_modulus,
-                                           std::min(input.slider.size[1], input.skin.width)},
+                                           std::min(input.slider.plan().size[1], input.skin.width)},
                                           direction);
 }
 
@@ -117,7 +117,7 @@ Footprint footprint_limit(const Case& input) {
   for (std::size_t d = 0; d < 2; ++d) {
     if (!slider.sharp()) {
       const double most = std::max(0.0, room(input, d) - flat[d]) * (1 - outside_share);
-      result.rim[d] = std::min(slider.size[d] / 2 - flat[d], most);
+      result.rim[d] = std::min(slider.plan().size[d] / 2 - flat[d], most);
     }
     result.half_size[d] = flat[d] + result.rim[d];
   }
@@ -129,7 +129,7 @@ bool ends_at_skin(const Case& input, const Footprint& footprint, std::size_t dir
   const Footprint limit = footprint_limit(input);
   return !footprint.sharp(direction) &&
          footprint.rim[direction] >= limit.rim[direction] * rounding &&
-         limit.half_size[direction] < input.slider.size[direction] / 2 * rounding;
+         limit.half_size[direction] < input.slider.plan().size[direction] / 2 * rounding;
 }
 
 Footprint largest_footprint(const Case& input) {

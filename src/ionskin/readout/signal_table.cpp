@@ -85,6 +85,9 @@ SignalTable build_signal_table(const SignalInputs& inputs) {
   table.columns.push_back(optional("slip_state", "1", inputs.slip_state, rows));
   table.columns.push_back(optional("tangential_force_x", "N", inputs.tangential_force_x, rows));
   table.columns.push_back(optional("tangential_force_y", "N", inputs.tangential_force_y, rows));
+  table.columns.push_back(optional("moment_x", "N m", inputs.moment_x, rows));
+  table.columns.push_back(optional("moment_y", "N m", inputs.moment_y, rows));
+  table.columns.push_back(optional("moment_z", "N m", inputs.moment_z, rows));
   if (!inputs.drive_x.empty()) {
     table.columns.push_back(required("drive_x", "m", inputs.drive_x, rows));
     table.columns.push_back(required("drive_y", "m", inputs.drive_y, rows));

@@ -21,7 +21,9 @@ struct SignalInputs {
   std::vector<double> normal_force;     ///< of the full skin [N]
   std::vector<double> tangential_force; ///< of the full skin, along the first slide [N]
   std::vector<double> tangential_force_x, tangential_force_y; ///< of the full skin [N]
-  std::vector<double> contact_area;                           ///< of the full skin [m2]
+  std::vector<double> moment_x, moment_y,
+      moment_z;                           ///< on the skin, about the slider's centre [N m]
+  std::vector<double> contact_area;       ///< of the full skin [m2]
   std::vector<double> stick_share;        ///< of that area, where nothing slips, 0 to 1
   std::vector<double> slip;               ///< mean over the contact since it began [m]
   std::vector<double> slip_state;         ///< numbers of SlipState

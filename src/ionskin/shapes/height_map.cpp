@@ -34,7 +34,8 @@ double HeightMap::interpolated(double at_x, double at_y) const {
          t * ((1 - s) * at(i, j + 1) + s * at(i + 1, j + 1));
 }
 
-double HeightMap::lowest(const std::array<double, 2>& size) const {
+double HeightMap::lowest(const std::array<double, 2>& size,
+                         const std::array<double, 2>& slope) const {
   // Least at a grid point within the plan or where a grid line meets its border.
   const auto places = [](const std::vector<double>& lines, double half) {
     std::vector<double> inside{std::max(-half, lines.front()), std::min(half, lines.back())};
@@ -45,7 +46,7 @@ double HeightMap::lowest(const std::array<double, 2>& size) const {
   double least = std::numeric_limits<double>::infinity();
   for (const double at_y : places(y, size[1] / 2))
     for (const double at_x : places(x, size[0] / 2))
-      least = std::min(least, interpolated(at_x, at_y));
+      least = std::min(least, interpolated(at_x, at_y) + (slope[0] * at_x + slope[1] * at_y));
   return least;
 }
 

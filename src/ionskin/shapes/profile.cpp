@@ -44,6 +44,10 @@ double Profile::lowest(const Plan& plan) const {
   return plan.heights.lowest(plan.size);
 }
 
+double Profile::lowest_on_slope(const Plan& plan, const std::array<double, 2>& slope) const {
+  return plan.heights.lowest(plan.size, slope);
+}
+
 std::array<bool, 2> Profile::symmetric(const Plan& plan) const {
   return {plan.heights.symmetric_x(), plan.heights.symmetric_y()};
 }

@@ -13,6 +13,7 @@ struct Profile final : Shape {
 
   double height(const Plan& plan, double x, double y) const override;
   double lowest(const Plan& plan) const override;
+  double lowest_on_slope(const Plan& plan, const std::array<double, 2>& slope) const override;
   std::array<bool, 2> symmetric(const Plan& plan) const override;
   /// Reach of the undeformed skin into the map [m].
   double border(const Plan& plan, const Pressing& pressing, std::size_t direction) const override;

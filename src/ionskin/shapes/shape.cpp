@@ -7,6 +7,9 @@
 #include "ionskin/shapes/profile.hpp"
 #include "ionskin/shapes/sphere.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace ionskin::shapes {
 namespace {
 
@@ -29,7 +32,37 @@ template <class Kind> ShapeRow row(std::string_view name) {
           .with = shape_with<Kind>};
 }
 
+/// Places of the least value of a function in a rectangle are sought on a grid, then on finer ones
+/// around the best.
+constexpr int grid_intervals = 64, finer_grids = 6;
+
 } // namespace
+
+double Shape::lowest_on_slope(const Plan& plan, const std::array<double, 2>& slope) const {
+  std::array<double, 2> low{-plan.size[0] / 2, -plan.size[1] / 2},
+      high{plan.size[0] / 2, plan.size[1] / 2};
+  double least = std::numeric_limits<double>::infinity();
+  for (int grid = 0; grid <= finer_grids; ++grid) {
+    std::array<double, 2> best = low;
+    const std::array<double, 2> step{(high[0] - low[0]) / grid_intervals,
+                                     (high[1] - low[1]) / grid_intervals};
+    for (int j = 0; j <= grid_intervals; ++j) {
+      for (int i = 0; i <= grid_intervals; ++i) {
+        const double x = low[0] + i * step[0], y = low[1] + j * step[1];
+        const double at = height(plan, x, y) + slope[0] * x + slope[1] * y;
+        if (at < least) {
+          least = at;
+          best = {x, y};
+        }
+      }
+    }
+    for (std::size_t d = 0; d < 2; ++d) {
+      low[d] = std::max(best[d] - 2 * step[d], -plan.size[d] / 2);
+      high[d] = std::min(best[d] + 2 * step[d], plan.size[d] / 2);
+    }
+  }
+  return least;
+}
 
 std::span<const ShapeRow> shapes() {
   static const std::array rows{

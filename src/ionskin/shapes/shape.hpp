@@ -24,6 +24,22 @@ struct Plan {
   const HeightMap& heights;     ///< empty for shapes without one
 };
 
+/// Angles of a slider: it is tilted by roll and pitch about its own axes x and y, and turned with
+/// them by yaw about z, docs/model.md (77) [rad].
+struct Pose {
+  double roll = 0, pitch = 0, yaw = 0;
+
+  bool tilted() const { return roll != 0 || pitch != 0; }
+  bool operator==(const Pose&) const = default;
+};
+
+/// Angles that change over time.
+struct ChangingAngles {
+  bool roll = false, pitch = false, yaw = false;
+
+  bool any() const { return roll || pitch || yaw; }
+};
+
 /// Load that presses a slider into the skin at worst; one of the first two may be 0.
 struct Pressing {
   double indentation = 0;   ///< [m]
@@ -54,6 +70,8 @@ public:
   virtual double height(const Plan& plan, double x, double y) const = 0;
   /// Least height within the plan [m].
   virtual double lowest(const Plan&) const { return 0; }
+  /// The same of the shape on a slope along x and y, `height + slope . (x, y)` [m].
+  virtual double lowest_on_slope(const Plan& plan, const std::array<double, 2>& slope) const;
   /// True if all of the plan touches at once, up to sharp edges.
   virtual bool sharp() const { return false; }
   /// Half sizes of the part that touches at once; 0 along a round direction [m]. Along a direction
@@ -66,6 +84,8 @@ public:
   /// at once [m]; infinity for all of the plan.
   virtual double border(const Plan& plan, const Pressing& pressing,
                         std::size_t direction) const = 0;
+  /// True if it looks the same from all sides, all of its plan.
+  virtual bool turns_into_itself(const Plan&) const { return false; }
   /// Plan of the whole body [m], for cases that give none; of rows that `have_whole_plan`.
   virtual std::optional<std::array<double, 2>> whole_plan() const { return {}; }
   /// Parameters that do not go together with one another or with the plan.

@@ -15,6 +15,11 @@ double Sphere::border(const Plan&, const Pressing& pressing, std::size_t) const 
                   std::cbrt(0.75 * pressing.force * radius / pressing.plane_modulus));
 }
 
+/// Contact stays far from the corners of its plan.
+bool Sphere::turns_into_itself(const Plan& plan) const {
+  return plan.size == std::array<double, 2>{2 * radius, 2 * radius};
+}
+
 std::optional<std::array<double, 2>> Sphere::whole_plan() const {
   return {{2 * radius, 2 * radius}};
 }

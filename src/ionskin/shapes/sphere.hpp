@@ -17,6 +17,7 @@ struct Sphere final : Shape {
   double height(const Plan& plan, double x, double y) const override;
   /// Bounded as `line_contact` is, by the radius of the contact of a sphere.
   double border(const Plan& plan, const Pressing& pressing, std::size_t direction) const override;
+  bool turns_into_itself(const Plan& plan) const override;
   std::optional<std::array<double, 2>> whole_plan() const override;
   std::vector<Misfit> misfits(const Plan& plan) const override;
 };

@@ -11,6 +11,7 @@ const std::map<Dimension, DimensionInfo>& table() {
   static const std::map<Dimension, DimensionInfo> rows = {
       {Dimension::number, {"a pure number", "1", {"1", "%"}}},
       {Dimension::length, {"a length", "m", {"mm", "um", "nm", "cm", "m"}}},
+      {Dimension::angle, {"an angle", "rad", {"deg", "rad", "mrad"}}},
       {Dimension::time, {"a time", "s", {"s", "ms", "us", "min", "h"}}},
       {Dimension::force, {"a force", "N", {"N", "mN", "kN"}}},
       {Dimension::temperature, {"a temperature", "K", {"degC", "K", "degF"}}},

@@ -10,6 +10,7 @@ namespace ionskin::units {
 enum class Dimension {
   number,
   length,
+  angle,
   time,
   force,
   temperature,

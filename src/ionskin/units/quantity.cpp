@@ -50,7 +50,17 @@ NumberAndUnit split(std::string_view text, Dimension expected) {
   return result;
 }
 
+/// True of units of angles, which are pure numbers to udunits2.
+bool is_angle(const std::string& unit) {
+  for (const char* part : {"rad", "deg", "arc", "°"})
+    if (unit.find(part) != std::string::npos)
+      return true;
+  return false;
+}
+
 std::string name_of_dimension(const std::string& unit) {
+  if (is_angle(unit) && convert_unit(1.0, unit, dimension_info(Dimension::angle).si_unit))
+    return dimension_info(Dimension::angle).name;
   for (const Dimension dimension : all_dimensions())
     if (convert_unit(1.0, unit, dimension_info(dimension).si_unit))
       return dimension_info(dimension).name;
@@ -95,7 +105,7 @@ double parse_quantity(std::string_view text, Dimension expected) {
   const auto value = convert_unit(number, unit, info.si_unit);
   if (!value && !unit_is_known(unit))
     throw_unknown_unit(unit, text, expected);
-  if (!value)
+  if (!value || (expected == Dimension::angle && !is_angle(unit)))
     throw_wrong_dimension(unit, text, expected);
   if (!std::isfinite(*value))
     throw UserError(fmt::format("\"{}\" is too large to be represented in {}", base::shown(text),

@@ -88,7 +88,7 @@ bool is_word_letter(char letter) {
   return letters.find(letter) != std::string_view::npos;
 }
 
-std::string with_molar_aliases(const std::string& unit) {
+std::string with_aliases(const std::string& unit) {
   std::string result;
   for (std::size_t begin = 0; begin < unit.size();) {
     if (!is_word_letter(unit[begin])) {
@@ -98,7 +98,11 @@ std::string with_molar_aliases(const std::string& unit) {
     const std::size_t end = std::min(unit.find_first_not_of(letters, begin), unit.size());
     const std::string_view word = std::string_view(unit).substr(begin, end - begin);
     const bool molar = word == "M" || word == "mM" || word == "uM" || word == "nM" || word == "pM";
-    result += molar ? fmt::format("({}mol/L)", word.substr(0, word.size() - 1)) : std::string(word);
+    if (molar) {
+      result += fmt::format("({}mol/L)", word.substr(0, word.size() - 1));
+    } else {
+      result += word == "deg" ? "arc_degree" : word;
+    }
     begin = end;
   }
   return result;
@@ -164,8 +168,7 @@ bool is_plain_unit(const std::string& unit) {
 Unit parse(const std::string& unit) {
   if (!is_plain_unit(unit))
     return {nullptr, &ut_free};
-  return {ut_parse(unit_system(), with_root_hertz(with_molar_aliases(unit)).c_str(), UT_UTF8),
-          &ut_free};
+  return {ut_parse(unit_system(), with_root_hertz(with_aliases(unit)).c_str(), UT_UTF8), &ut_free};
 }
 
 Converter make_converter(const std::string& unit, const std::string& si_unit) {

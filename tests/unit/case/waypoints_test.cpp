@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/base/error.hpp"
 #include "ionskin/case/reading/read_case.hpp"
+#include "ionskin/case/slider_motion.hpp"
 #include "temporary_case.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
+#include <numbers>
 
 namespace ionskin {
 namespace {
@@ -82,6 +85,48 @@ TEST(Waypoints, MistakesAreSaid) {
               HasSubstr("motion.strokes has no effect"));
 }
 
+TEST(Waypoints, MayHaveAnglesAndTakeThoseOfTheSliderElse) {
+  std::string text = replaced(path, "force = \"1 N\"", "force = \"1 N\"\nyaw = \"90 deg\"");
+  text = replaced(with_motion(text), "[slider]\n", "[slider]\npitch = \"10 mrad\"\n");
+  const TemporaryCase file(text);
+  const Case input = read_case(file.path());
+  const auto legs = motion_legs(input.motion, input.slider);
+  EXPECT_EQ(legs[0].from_pose, (shapes::Pose{0, 0.01, 0}));
+  EXPECT_DOUBLE_EQ(legs[0].to_pose.yaw, std::numbers::pi / 2);
+  EXPECT_DOUBLE_EQ(legs[0].pose(0.25).yaw, std::numbers::pi / 4);
+  EXPECT_EQ(legs[1].to_pose, (shapes::Pose{0, 0.01, 0}));
+  EXPECT_TRUE(legs[1].turns());
+  EXPECT_TRUE(input.slider.changing.yaw);
+  EXPECT_FALSE(input.slider.changing.roll || input.slider.changing.pitch);
+}
+
+TEST(Waypoints, AnglesThatAreNotCarriedAreRefused) {
+  const auto with_angle = [](const std::string& angle, const std::string& motion) {
+    std::string text = replaced(path, "force = \"1 N\"", "force = \"1 N\"\n" + angle);
+    return with_motion(text + motion);
+  };
+  EXPECT_EQ(error_of(with_angle("yaw = \"1 rad\"", "")), "");
+  EXPECT_THAT(error_of(with_angle("yaw = \"1 mm\"", "")), HasSubstr("expected an angle"));
+  EXPECT_THAT(error_of(with_angle("pitch = \"6 deg\"", "")),
+              HasSubstr("motion.waypoints[1].pitch"));
+  EXPECT_THAT(error_of(with_angle("pitch = \"4 deg\"\nroll = \"4 deg\"", "")),
+              HasSubstr("waypoint 2: roll and pitch together tilt the slider by 5.65"));
+  EXPECT_THAT(
+      error_of(with_angle("yaw = \"1 rad\"",
+                          "[motion.drive]\nstiffness = \"1 kN/m\"\ndamping = \"1 N s/m\"\n")),
+      HasSubstr("a slider on a drive keeps its angles"));
+}
+
+TEST(Waypoints, ASliderThatIsTiltedTooFarIsRefusedInAnyMotion) {
+  const auto with = [](const std::string& angles) {
+    return error_of(valid_case("[slider]\n", "[slider]\n" + angles));
+  };
+  EXPECT_EQ(with("roll = \"3 deg\"\npitch = \"-4 deg\"\nyaw = \"0.1 deg\"\n"), "");
+  EXPECT_THAT(with("roll = \"-5.1 deg\"\n"), HasSubstr("slider.roll"));
+  EXPECT_THAT(with("roll = \"4 deg\"\npitch = \"-4 deg\"\n"),
+              HasSubstr("a tilt is carried as a slope, up to 5 deg"));
+}
+
 std::string error_of_file(const std::string& rows) {
   const TemporaryCase file(with_motion("[motion]\nkind = \"waypoints\"\nfile = \"path.csv\""));
   std::ofstream(file.folder() + "/path.csv") << rows;
@@ -104,6 +149,20 @@ TEST(Waypoints, AreReadFromAFileWithUnitsInItsHeader) {
   EXPECT_DOUBLE_EQ(*input.motion.waypoints[0].height, 1e-3);
   EXPECT_EQ(input.motion.waypoints[1].force, 1.5);
   EXPECT_THAT(input.text, HasSubstr(file.folder() + "/path.csv"));
+}
+
+TEST(Waypoints, AFileMayHaveColumnsOfAngles) {
+  const TemporaryCase file(with_motion("[motion]\nkind = \"waypoints\"\nfile = \"path.csv\""));
+  std::ofstream(file.folder() + "/path.csv")
+      << "time [s], x [mm], y [mm], height [um], yaw [deg], roll [mrad]\n"
+         "0, 4, 1, 1000, 0,\n1, 4, 1, -1, 180, 2\n";
+  const Case input = read_case(file.path());
+  EXPECT_DOUBLE_EQ(*input.motion.waypoints[1].yaw, std::numbers::pi);
+  EXPECT_DOUBLE_EQ(*input.motion.waypoints[1].roll, 2e-3);
+  EXPECT_EQ(input.slider.pose, shapes::Pose{});
+  EXPECT_THAT(error_of_file("time [s], x [mm], y [mm], height [um], pitch [deg]\n"
+                            "0, 4, 1, 1000, 0\n1, 4, 1, -1, 7\n"),
+              HasSubstr("waypoint 2: pitch = 0.1221730476 rad is out of range"));
 }
 
 TEST(Waypoints, MistakesInAFileAreSaidWithTheirLine) {

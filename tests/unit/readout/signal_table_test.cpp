@@ -49,7 +49,10 @@ TEST(SignalTable, HasTheColumnsOfSignalsCsvInOrder) {
                                              "slip [m]",
                                              "slip_state [1]",
                                              "tangential_force_x [N]",
-                                             "tangential_force_y [N]"}));
+                                             "tangential_force_y [N]",
+                                             "moment_x [N m]",
+                                             "moment_y [N m]",
+                                             "moment_z [N m]"}));
 }
 
 TEST(SignalTable, RatesAndCurrentsAreMeansOverTheStepThatEndsAtTheRow) {
@@ -62,7 +65,8 @@ TEST(SignalTable, LeavesMotionAndForcesEmptyInRunsFromAStrainFile) {
   const SignalTable table = build_signal_table(three_rows());
   for (const char* name :
        {"slider_x", "slider_y", "slider_z", "normal_force", "tangential_force", "contact_area",
-        "stick_share", "slip", "slip_state", "tangential_force_x", "tangential_force_y"}) {
+        "stick_share", "slip", "slip_state", "tangential_force_x", "tangential_force_y", "moment_x",
+        "moment_y", "moment_z"}) {
     EXPECT_TRUE(std::isnan(table.column(name).values[1])) << name;
   }
   EXPECT_EQ(table.cycle, (std::vector<int>{0, 0, 0}));

@@ -57,7 +57,10 @@ INSTANTIATE_TEST_SUITE_P(
         Good{"3 m^+2 s^-1", Dimension::diffusivity, 3}, Good{"3 (m2)/s", Dimension::diffusivity, 3},
         Good{"3 (m)2/s", Dimension::diffusivity, 3}, Good{"4 Ω2/Ohm", Dimension::resistance, 4},
         Good{"0.3", Dimension::number, 0.3}, Good{"30 %", Dimension::number, 0.3},
-        Good{"30 percent", Dimension::number, 0.3}));
+        Good{"30 percent", Dimension::number, 0.3},
+        Good{"180 deg", Dimension::angle, 3.14159265358979324},
+        Good{"-2 mrad", Dimension::angle, -2e-3},
+        Good{"90 degrees", Dimension::angle, 1.57079632679489662}));
 
 struct Bad {
   const char* text;
@@ -109,6 +112,10 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"5 %2", Dimension::number, {"unknown unit"}},
         Bad{"5 % m/m", Dimension::number, {"unknown unit"}},
         Bad{"5 percent percent", Dimension::number, {"unknown unit"}},
+        Bad{"5 %", Dimension::angle, {"wrong dimension", "expected an angle such as \"deg\""}},
+        Bad{"5 mm", Dimension::angle, {"expected an angle", "got a length"}},
+        Bad{"5", Dimension::angle, {"missing unit", "expected an angle"}},
+        Bad{"5 deg", Dimension::length, {"expected a length", "got an angle"}},
         Bad{"5 m %", Dimension::length, {"unknown unit"}},
         Bad{"10 m @ 3", Dimension::length, {"unknown unit"}},
         Bad{"3 s since 1970", Dimension::time, {"unknown unit"}},

@@ -2,7 +2,9 @@
 #include "ionskin/case/checks/check_motion.hpp"
 
 #include "ionskin/base/files/read_text_file.hpp"
+#include "ionskin/case/checks/check_pose.hpp"
 #include "ionskin/case/schema/schema.hpp"
+#include "ionskin/case/schema/schema_rows.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/case/text/csv_file.hpp"
 #include "ionskin/laws/friction/friction_law.hpp"
@@ -11,11 +13,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace ionskin {
 
 namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
 
 bool same_position(const Waypoint& a, const Waypoint& b) {
   return a.position == b.position;
@@ -82,6 +87,14 @@ private:
       check_range(i, "height", *waypoint.height);
     if (waypoint.force)
       check_range(i, "force", *waypoint.force);
+    check_range(i, "roll", waypoint.roll.value_or(0));
+    check_range(i, "pitch", waypoint.pitch.value_or(0));
+    check_range(i, "yaw", waypoint.yaw.value_or(0));
+    if (const double tilt = std::hypot(waypoint.roll.value_or(0), waypoint.pitch.value_or(0));
+        tilt > steepest_tilt)
+      add(fmt::format("waypoint {}: roll and pitch together tilt the slider by {:.4g} deg", i + 1,
+                      tilt * degrees),
+          point_at_waypoint(document_, i), remedy_of_tilt());
     if (waypoint.height.has_value() == waypoint.force.has_value())
       add(fmt::format("waypoint {} has {}", i + 1,
                       waypoint.force ? "both a height and a force" : "neither height nor force"),
@@ -116,8 +129,19 @@ private:
               : "the times of waypoints must ascend: sort the rows by time");
   }
 
+  void check_pose(const Waypoint& first, const Waypoint& last) {
+    if (motion_.cycles > 1 &&
+        (first.roll != last.roll || first.pitch != last.pitch || first.yaw != last.yaw))
+      add(fmt::format("motion.cycles = {}, but the slider does not end at the angles that it "
+                      "begins with",
+                      motion_.cycles),
+          point_at_waypoint(document_, motion_.waypoints.size() - 1, "last waypoint"),
+          "give the last waypoint the angles of the first, or set motion.cycles = 1");
+  }
+
   void check_ends() {
     const Waypoint &first = motion_.waypoints.front(), &last = motion_.waypoints.back();
+    check_pose(first, last);
     if (first.time != 0)
       add(fmt::format("the first waypoint is at {:.6g} s", first.time),
           point_at_waypoint(document_, 0), "the first waypoint must be at 0 s");

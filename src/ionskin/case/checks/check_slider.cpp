@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/checks/check_slider.hpp"
 
+#include "ionskin/case/checks/check_pose.hpp"
 #include "ionskin/case/schema/schema_laws.hpp"
 
 #include <fmt/format.h>
@@ -68,6 +69,7 @@ std::array<double, 2> whole_size(Slider slider) {
 void check_slider(const CaseDocument& document, Problems& problems) {
   check_foreign_keys(document, problems);
   check_softness(document, problems);
+  check_pose(document, problems);
   const Slider& slider = document.input.slider;
   for (const shapes::Misfit& misfit : slider.underside()->misfits(slider.plan())) {
     std::vector<std::string> keys;

@@ -19,11 +19,10 @@ namespace {
 using units::Dimension;
 
 const std::map<std::string, Dimension>& known_columns() {
-  static const std::map<std::string, Dimension> columns = {{"time", Dimension::time},
-                                                           {"x", Dimension::length},
-                                                           {"y", Dimension::length},
-                                                           {"height", Dimension::length},
-                                                           {"force", Dimension::force}};
+  static const std::map<std::string, Dimension> columns = {
+      {"time", Dimension::time},     {"x", Dimension::length},    {"y", Dimension::length},
+      {"height", Dimension::length}, {"force", Dimension::force}, {"roll", Dimension::angle},
+      {"pitch", Dimension::angle},   {"yaw", Dimension::angle}};
   return columns;
 }
 
@@ -56,7 +55,7 @@ private:
   /// A recorder that stops for a while may write its last row again.
   static bool same(const Waypoint& a, const Waypoint& b) {
     return a.time == b.time && a.position == b.position && a.height == b.height &&
-           a.force == b.force;
+           a.force == b.force && a.roll == b.roll && a.pitch == b.pitch && a.yaw == b.yaw;
   }
 
   void read_header() {
@@ -87,7 +86,7 @@ private:
       table_.refuse(fmt::format("the column \"{}\" is unknown", base::shown(column.name)),
                     fmt::format("{}; ionskin motion FILE -o path.csv makes a path of a recording",
                                 nearest.empty() || column.name.size() < 2
-                                    ? "columns: time, x, y, height, force"
+                                    ? "columns: time, x, y, height, force, roll, pitch, yaw"
                                     : fmt::format("did you mean \"{}\"?", nearest)));
     }
     value("1", column.unit, known->second, column.name); // refuses a bad unit at once
@@ -129,7 +128,10 @@ private:
             {required(cells, "x"), required(cells, "y")},
             height,
             force,
-            table_.line()};
+            table_.line(),
+            entry(cells, "roll"),
+            entry(cells, "pitch"),
+            entry(cells, "yaw")};
   }
 
   CsvTable table_;

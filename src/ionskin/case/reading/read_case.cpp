@@ -16,6 +16,7 @@
 #include "ionskin/case/document/taxel_grid.hpp"
 #include "ionskin/case/document/toml_walk.hpp"
 #include "ionskin/case/document/waypoint_file.hpp"
+#include "ionskin/case/slider_motion.hpp"
 #include "ionskin/case/text/toml_limits.hpp"
 #include "ionskin/case/text/toml_text.hpp"
 
@@ -133,6 +134,7 @@ CaseDocument read_case_text(const std::string& original, const std::string& path
   if (document.input.strain.kind == StrainSourceKind::contact)
     settle_slider(document.input.slider);
   take_waypoints(document.input);
+  settle_pose(document.input);
   Readout& readout = document.input.readout;
   if (readout.taxels.empty())
     readout.taxels = taxels_of(readout.taxel_grid, document.input.skin);

@@ -5,7 +5,10 @@
 #include "ionskin/case/schema/schema_setters.hpp"
 #include "ionskin/laws/friction/friction_law.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <optional>
 
 namespace ionskin {
 
@@ -139,12 +142,25 @@ void add_waypoints(SchemaRows& rows) {
       into_waypoint(
           [](Waypoint& waypoint, const Value& value) { waypoint.force = value.numbers[0]; }))
       .range = {-1e6, 1e6, true, true};
+  const auto add_angle = [&](const std::string& name, const Range& range,
+                             std::optional<double> Waypoint::*angle) {
+    add(name, ValueType::quantity, Dimension::angle,
+        fmt::format("Angle of the slider at the waypoint, in place of slider.{}.", name),
+        into_waypoint([angle](Waypoint& waypoint, const Value& value) {
+          waypoint.*angle = value.numbers[0];
+        }))
+        .range = range;
+    rows.back().need = Need::where_known;
+  };
+  add_angle("roll", tilt_range, &Waypoint::roll);
+  add_angle("pitch", tilt_range, &Waypoint::pitch);
+  add_angle("yaw", turn_range, &Waypoint::yaw);
   rows.push_back({.key = "motion.file",
                   .type = ValueType::text,
                   .need = Need::one_of_several,
                   .applies = goes_through_waypoints,
                   .help = "File of waypoints in place of motion.waypoints: columns time, x, y, "
-                          "height or force, with units in the header.",
+                          "height or force, and angles, with units in the header.",
                   .set = into(&Case::motion, &Motion::file)});
 }
 

@@ -5,6 +5,7 @@
 #include "ionskin/case/schema/schema.hpp"
 
 #include <limits>
+#include <numbers>
 #include <vector>
 
 namespace ionskin {
@@ -16,7 +17,11 @@ using SchemaRows = std::vector<SchemaRow>;
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 // Ranges of a skin, a slider and their ions, with decades to spare on both sides: beyond them
 // numbers overflow or studies never end, and a slip of the unit is likelier than the value.
-inline constexpr Range extent{1e-6, 10.0, true, true};             ///< of skin and slider [m]
+inline constexpr Range extent{1e-6, 10.0, true, true}; ///< of skin and slider [m]
+/// Steepest tilt that a slope stands for: 5 degrees [rad].
+inline constexpr double steepest_tilt = 5 * std::numbers::pi / 180 * (1 + 1e-12);
+inline constexpr Range tilt_range{-steepest_tilt, steepest_tilt, true, true};
+inline constexpr Range turn_range{-1e3, 1e3, true, true};          ///< [rad]
 inline constexpr Range film{1e-9, 0.1, true, true};                ///< thickness of a layer [m]
 inline constexpr Range place_on_skin{0.0, 10.0, true, true};       ///< [m]
 inline constexpr Range duration_range{1e-6, 1e7, true, true};      ///< [s]

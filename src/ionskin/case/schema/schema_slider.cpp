@@ -63,6 +63,25 @@ void add_slider(SchemaRows& rows) {
        .applies = goes_in_strokes,
        .help = "Centre of the slider at the start of a cycle, x and y from the skin's corner.",
        .set = into(&Case::slider, &Slider::start)});
+  const auto add_angle = [&](const std::string& key, const Range& range, const std::string& help,
+                             double shapes::Pose::*angle) {
+    rows.push_back({.key = key,
+                    .type = ValueType::quantity,
+                    .dimension = Dimension::angle,
+                    .range = range,
+                    .default_value = "\"0 deg\"",
+                    .help = help,
+                    .source = "the paper's slider stands upright",
+                    .set = [angle](CaseDraft& draft, const KeyIndex&, const Value& value) {
+                      draft.input.slider.pose.*angle = value.numbers[0];
+                    }});
+  };
+  add_angle("slider.roll", tilt_range,
+            "Tilt about the slider's x axis: above 0 its side at +y rises.", &shapes::Pose::roll);
+  add_angle("slider.pitch", tilt_range,
+            "Tilt about the slider's y axis: above 0 its end at +x sinks.", &shapes::Pose::pitch);
+  add_angle("slider.yaw", turn_range,
+            "Turn of the slider, with its tilt, about z, from x towards y.", &shapes::Pose::yaw);
   rows.push_back({.key = "slider.youngs_modulus",
                   .type = ValueType::quantity,
                   .dimension = Dimension::stress,

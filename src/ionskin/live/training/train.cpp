@@ -200,6 +200,10 @@ void check_trainable(const Case& input, const TrainingOptions& options) {
         "motion.drive: a live skin is given the place of the slider, and knows no drive that "
         "gives\n  = remove motion.drive, and give each step the place of the slider");
   }
+  if (input.slider.pose != shapes::Pose{} || input.slider.changing.any()) {
+    throw UserError("slider.roll, slider.pitch, slider.yaw: a live skin knows an upright slider "
+                    "alone\n  = remove the angles, those of waypoints too");
+  }
   touch_range(input);
 }
 

@@ -19,15 +19,25 @@ void store_tractions(const ContactCells& cells, const CellVector& force, Contact
   }
 }
 
-void store_sums(const CellVector& force, bool half_model, ContactState& state) {
-  std::array<double, 3> sum{};
-  for (std::size_t at = 0; at < force.size(); ++at) {
-    sum[at % 3] += force[at];
+/// Even tractions act at the middles of their cells.
+void store_sums(const ContactCells& cells, const CellVector& force, bool half_model,
+                ContactState& state) {
+  std::array<double, 3> sum{}, moment{};
+  for (std::size_t cell = 0; cell < cells.count(); ++cell) {
+    const std::array<double, 2> arm = cells.middle(cell);
+    const double *of_cell = force.data() + 3 * cell, normal = of_cell[0];
+    for (std::size_t c = 0; c < 3; ++c) {
+      sum[c] += of_cell[c];
+    }
+    moment[0] -= arm[1] * normal;
+    moment[1] += arm[0] * normal;
+    moment[2] += arm[0] * of_cell[2] - arm[1] * of_cell[1];
   }
   const double factor = half_model ? 2 : 1;
   state.normal_force = factor * sum[0];
-  // The forces along y of the two halves of a half model cancel.
+  // The forces along y of the two halves of a half model cancel, and so do the moments about x, z.
   state.tangential_force = {factor * sum[1], half_model ? 0.0 : sum[2]};
+  state.moment = {half_model ? 0.0 : moment[0], factor * moment[1], half_model ? 0.0 : moment[2]};
 }
 
 } // namespace
@@ -44,7 +54,7 @@ void describe(const SkinModel& model, const SurfaceState& state, const ContactPr
               double reference_force, double reference_indentation, ContactState& destination) {
   store_tractions(model.cells, state.force, destination);
   destination.surface = state.surface;
-  store_sums(state.force, model.mesh.half_model(), destination);
+  store_sums(model.cells, state.force, model.mesh.half_model(), destination);
   destination.slip = state.slip;
   destination.indentation = state.indentation;
   const double parts = model.mesh.half_model() ? 2 : 1;

@@ -19,6 +19,7 @@ KeptPath::KeptPath(const SkinModel& model, std::shared_ptr<SteppedStrains> strai
 void KeptPath::add(const StepPoint& point, const SlidingContact& contact) {
   PathThinning::Instant instant{point.time, point.centre, point.height, point.required,   0,
                                 0,          {},           {},           point.drive_force};
+  instant.turned = contact.turned();
   const SurfaceState& state = contact.state();
   if (point.touches) {
     largest_force_ = std::max(largest_force_, largest_normal_force(state.force));
@@ -37,7 +38,7 @@ void KeptPath::add(const StepPoint& point, const SlidingContact& contact) {
     instant.stick_share = instant.area > 0 ? instant.state->stick_area / instant.area : 0;
     solution_.worst_complementarity_residual = base::larger(
         solution_.worst_complementarity_residual, instant.state->complementarity_residual);
-  } else if (const double depth = unresisted_depth(point); depth > 0) {
+  } else if (const double depth = unresisted_depth(point, contact); depth > 0) {
     solution_.worst_complementarity_residual = base::larger(
         solution_.worst_complementarity_residual, depth / std::max(depth, largest_indentation_));
   }
@@ -46,8 +47,8 @@ void KeptPath::add(const StepPoint& point, const SlidingContact& contact) {
 }
 
 /// Depth of a slider without load below the first place of the skin that it would touch [m].
-double KeptPath::unresisted_depth(const StepPoint& point) const {
-  const std::vector<double>& gap = model_.gap;
+double KeptPath::unresisted_depth(const StepPoint& point, const SlidingContact& contact) {
+  const std::vector<double>& gap = contact.problem().gap;
   return -point.height - *std::min_element(gap.begin(), gap.end());
 }
 
@@ -57,7 +58,8 @@ void KeptPath::keep(PathThinning::Instant&& instant) {
     instant.state->source = strains_;
   }
   solution_.stepped.push_back({instant.time, instant.centre, instant.height,
-                               std::move(instant.state), instant.drive_force});
+                               std::move(instant.state), instant.drive_force,
+                               std::move(instant.turned)});
 }
 
 } // namespace ionskin::mechanics

@@ -21,7 +21,7 @@ public:
   void finish() { thinning_.finish(); }
 
 private:
-  double unresisted_depth(const StepPoint& point) const;
+  static double unresisted_depth(const StepPoint& point, const SlidingContact& contact);
   void keep(PathThinning::Instant&& instant);
 
   const SkinModel& model_;

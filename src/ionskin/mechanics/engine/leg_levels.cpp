@@ -32,9 +32,10 @@ LegLevels leg_levels(const MotionLeg& leg, const SlidingContact& contact,
     // The height at which the force will be carried: tried out, then taken back.
     SlidingContact trial = contact;
     levels.at_end = leg.to_level.value;
-    levels.to =
-        -trial.step(leg.duration, place, {LoadKind::force, leg.to_level.value * meshed_share})
-             .indentation;
+    levels.to = -trial
+                     .step(leg.duration, place,
+                           {LoadKind::force, leg.to_level.value * meshed_share}, leg.to_pose)
+                     .indentation;
   }
   const bool adheres = range > 0;
   if (levels.from > range && !(adheres && contact.in_contact())) {

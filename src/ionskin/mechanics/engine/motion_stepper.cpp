@@ -96,12 +96,28 @@ int MotionStepper::touchdown_steps() const {
 
 /// A slider that sets off, halts, or begins to change its load starts a fresh transient.
 void MotionStepper::note_change(const MotionLeg& leg, const LegLevels& levels) {
-  const bool travels = leg.length() > 0, loads = levels.changes();
+  const bool travels = leg.length() > 0 || leg.turns(), loads = levels.changes();
   if (contact_.in_contact() && (travels != travels_ || loads != loads_)) {
     note_event(leg.begin);
   }
   travels_ = travels;
   loads_ = loads;
+}
+
+/// Part of a leg that turns the slider by a step: by its angle about z, and by how far its border
+/// rises and sinks where it is tilted.
+double MotionStepper::share_of_turn(const MotionLeg& leg) const {
+  if (!leg.turns()) {
+    return 1;
+  }
+  const shapes::Pose &from = leg.from_pose, &to = leg.to_pose;
+  const double tilt = std::max(std::abs(to.roll - from.roll), std::abs(to.pitch - from.pitch));
+  const double rise = tilt * options_.half_diagonal, turn = std::abs(to.yaw - from.yaw);
+  // A force alone says nothing of depth: the border's way is then counted in steps of its own.
+  const double depth = options_.heaviest_indentation > 0 ? options_.heaviest_indentation : rise;
+  return 1 / std::max({1.0, turn / options_.longest_turn,
+                       turn * options_.half_diagonal / options_.longest_travel,
+                       options_.steps.touchdown * rise / std::max(depth, 1e-30)});
 }
 
 double MotionStepper::next_fraction(const MotionLeg& leg, const LegLevels& levels,
@@ -122,6 +138,7 @@ double MotionStepper::next_fraction(const MotionLeg& leg, const LegLevels& level
   if (const double change = std::abs(levels.to - levels.from); change > 0) {
     next = std::min(next, at + scale / count / change);
   }
+  next = std::min(next, at + share_of_turn(leg));
   if (rest_step_ > 0) {
     next = std::min(next, at + rest_step_ / leg.duration);
   }
@@ -137,9 +154,13 @@ double MotionStepper::next_fraction(const MotionLeg& leg, const LegLevels& level
 
 /// The slider comes to the skin, to where it may touch. @returns whether it lands
 bool MotionStepper::lands_on_the_way(const MotionLeg& leg, const LegLevels& levels) {
-  if (levels.begin > 0) {
+  // A slider that lies on the skin from the first has come there through the air, without slip.
+  if (levels.begin > 0 || (contact_.range() == 0 && !contact_.in_contact())) {
     contact_.step(levels.begin * leg.duration, leg.centre(levels.begin * leg.duration),
-                  {LoadKind::indentation, 0 - contact_.range()});
+                  {LoadKind::indentation, 0 - contact_.range()},
+                  leg.pose(levels.begin * leg.duration));
+  }
+  if (levels.begin > 0) {
     emit(leg, levels.begin, contact_.range(), true);
   }
   if (contact_.in_contact()) {
@@ -170,7 +191,8 @@ void MotionStepper::touch(const MotionLeg& leg) {
       leg_levels(leg, contact_, known ? leg.to : contact_.place(), options_.meshed_share);
   note_change(leg, levels);
   const bool lands = lands_on_the_way(leg, levels);
-  const bool rests = leg.length() == 0 && !levels.changes() && steps_->follows_path();
+  const bool rests =
+      leg.length() == 0 && !leg.turns() && !levels.changes() && steps_->follows_path();
   if (leg.length() > 0) {
     begin_travel(leg, lands, levels.begin);
   } else {

@@ -30,6 +30,8 @@ struct StepPoint {
 struct StepperOptions {
   PathSteps steps;
   double longest_travel = 0;         ///< of a step [m]
+  double longest_turn = 0.05;        ///< of a step about z [rad]
+  double half_diagonal = 0;          ///< of the footprint [m]
   double heaviest_indentation = 0;   ///< [m]
   double heaviest_force = 0;         ///< on the meshed part [N]
   double meshed_share = 1;           ///< part of the force that the mesh carries
@@ -61,6 +63,7 @@ private:
   void begin_travel(const MotionLeg& leg, bool lands, double begin);
   void go(const MotionLeg& leg, const LegLevels& levels);
   double next_fraction(const MotionLeg& leg, const LegLevels& levels, double at) const;
+  double share_of_turn(const MotionLeg& leg) const;
   int touchdown_steps() const;
   void note_change(const MotionLeg& leg, const LegLevels& levels);
   bool may_touch(const MotionLeg& leg) const;

@@ -11,6 +11,8 @@ namespace {
 constexpr std::size_t most_waiting = 64;
 /// Steps are often as long as a limit or a part of it: rounding must not decide between them.
 constexpr double beyond_rounding = 1 + 1e-6;
+/// Gap of a cell that the underside does not cover, at least [m].
+constexpr double far_beyond = 0.1;
 
 double component(const CellVector& force, std::size_t at) {
   return force.empty() ? 0.0 : force[at];
@@ -46,6 +48,9 @@ bool PathThinning::straight(const Instant& to) const {
         off(kept_.stick_share, between.stick_share, to.stick_share) > tolerance_.area) {
       return false;
     }
+    if (!stays_straight(between, to, weight)) {
+      return false;
+    }
     const std::size_t size = std::max({kept_.force.size(), between.force.size(), to.force.size()});
     for (std::size_t i = 0; i < size; ++i) {
       if (off(component(kept_.force, i), component(between.force, i), component(to.force, i)) >
@@ -57,11 +62,29 @@ bool PathThinning::straight(const Instant& to) const {
   return true;
 }
 
+/// True if the turn of the slider is straight, too.
+bool PathThinning::stays_straight(const Instant& between, const Instant& to, double weight) const {
+  if (!between.turned || !kept_.turned || !to.turned) {
+    return !between.turned && !to.turned;
+  }
+  for (std::size_t cell = 0; cell < between.turned->size(); ++cell) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double from = (*kept_.turned)[cell][c], end = (*to.turned)[cell][c];
+      // Cells far beyond the body do not count.
+      if (std::abs((*between.turned)[cell][c] - from - weight * (end - from)) > tolerance_.place &&
+          std::min({std::abs(from), std::abs(end)}) < far_beyond) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 void PathThinning::keep() {
   Instant last = std::move(waiting_.back());
   waiting_.clear();
-  kept_ = {last.time,        last.centre, last.height, last.required,   last.area,
-           last.stick_share, last.force,  nullptr,     last.drive_force};
+  kept_ = {last.time,        last.centre, last.height, last.required,    last.area,
+           last.stick_share, last.force,  nullptr,     last.drive_force, last.turned};
   has_kept_ = true;
   if (last.state) {
     std::vector<double> total = last.state->slip;

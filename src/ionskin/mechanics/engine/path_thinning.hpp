@@ -35,6 +35,8 @@ public:
     CellVector force;                    ///< empty: detached
     std::shared_ptr<ContactState> state; ///< null: detached; slip since the begin of the path
     std::array<double, 2> drive_force{}; ///< [N]
+    /// Underside at each cell, as ContactSolution keeps it; null where the angles never change.
+    std::shared_ptr<const std::vector<std::array<double, 3>>> turned = {};
   };
   using Sink = std::function<void(Instant&&)>;
 
@@ -46,6 +48,7 @@ public:
 
 private:
   bool straight(const Instant& to) const;
+  bool stays_straight(const Instant& between, const Instant& to, double weight) const;
   void keep();
 
   ThinningTolerance tolerance_;

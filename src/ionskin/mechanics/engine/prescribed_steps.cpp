@@ -14,7 +14,8 @@ constexpr int most_halvings = 6;
 void PrescribedSteps::step(const MotionLeg& leg, const LegLevels& levels, double from, double to,
                            int depth) {
   try {
-    contact().step((to - from) * leg.duration, leg.centre(to * leg.duration), levels.load(to));
+    contact().step((to - from) * leg.duration, leg.centre(to * leg.duration), levels.load(to),
+                   leg.pose(to * leg.duration));
     count_step();
   } catch (const SolverError&) {
     if (depth == most_halvings) {

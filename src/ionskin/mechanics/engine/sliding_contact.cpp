@@ -62,8 +62,13 @@ ContactProblem yielding_problem(const ContactProblem& problem,
 } // namespace
 
 SlidingContact::SlidingContact(ComplianceAt compliance, std::vector<double> area,
-                               std::vector<double> gap, const laws::Friction& friction)
-    : compliance_(std::move(compliance)), problem_{{}, std::move(area), std::move(gap), friction} {
+                               std::vector<double> gap, const laws::Friction& friction,
+                               std::shared_ptr<const TurningUnderside> turning)
+    : compliance_(std::move(compliance)), problem_{{}, std::move(area), std::move(gap), friction},
+      turning_(std::move(turning)) {
+  if (turning_) {
+    pose_ = turning_->first();
+  }
   state_.force.assign(3 * problem_.area.size(), 0.0);
   state_.surface = state_.force;
   state_.slip.assign(problem_.area.size(), 0.0);
@@ -181,24 +186,46 @@ SurfaceState SlidingContact::solve(const ContactProblem& problem, const SliderSt
 }
 
 const SurfaceState& SlidingContact::step(double time_step, const std::array<double, 2>& place,
-                                         const SliderLoad& load) {
-  return step_yielding(time_step, {place, place, {}}, load);
+                                         const SliderLoad& load, const shapes::Pose& pose) {
+  return move(time_step, {place, place, {}}, load, turning_ ? std::optional(pose) : std::nullopt);
 }
 
 const SurfaceState& SlidingContact::step_yielding(double time_step, const SliderGuide& guide,
                                                   const SliderLoad& load) {
+  return move(time_step, guide, load, std::nullopt);
+}
+
+std::shared_ptr<const std::vector<std::array<double, 3>>> SlidingContact::turned() const {
+  return pose_ ? std::make_shared<const std::vector<std::array<double, 3>>>(
+                     turning_->place(*pose_, problem_.gap))
+               : nullptr;
+}
+
+/// @param pose at the end; empty where it stays
+const SurfaceState& SlidingContact::move(double time_step, const SliderGuide& guide,
+                                         const SliderLoad& load,
+                                         const std::optional<shapes::Pose>& pose) {
   const std::array<double, 2> from = place_.value_or(guide.expected);
   SliderStep step{load,
                   {guide.place[0] - from[0], guide.place[1] - from[1]},
                   time_step,
                   state_.surface,
                   elastic_slip_};
+  std::vector<double> gap_before;
+  if (pose && pose != pose_) {
+    gap_before = problem_.gap;
+    problem_.gap = turning_->gap(*pose);
+    if (pose_ && pose->yaw != pose_->yaw) {
+      step.turn = turning_->turn(pose->yaw - pose_->yaw);
+    }
+  }
   const bool yields = guide.compliance != std::array<double, 2>{};
   condense_at(guide.expected);
   may_have_jumped_ = false;
   if (!reaches(load)) {
     detach(step);
     place_ = guide.place;
+    pose_ = pose;
     return state_;
   }
   std::vector<double> remembered = followed(remembered_speed_, state_.step.time_step);
@@ -229,6 +256,9 @@ const SurfaceState& SlidingContact::step_yielding(double time_step, const Slider
     }
   } catch (...) {
     problem_.lagged_speed.swap(lagged);
+    if (!gap_before.empty()) {
+      problem_.gap = std::move(gap_before);
+    }
     if (place_) {
       condense_at(*place_);
     }
@@ -236,6 +266,7 @@ const SurfaceState& SlidingContact::step_yielding(double time_step, const Slider
   }
   remembered_speed_ = std::move(remembered);
   place_ = place;
+  pose_ = pose;
   return state_;
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/mechanics/slider/turning_underside.hpp"
 #include "ionskin/mechanics/surface/contact_newton.hpp"
 #include "ionskin/mechanics/surface/contact_solver.hpp"
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -27,17 +29,20 @@ using ComplianceAt =
 /// forces of the step before and keeps their factorisation.
 class SlidingContact {
 public:
-  /// @param area,gap of the cells, as in ContactProblem
+  /// @param area,gap of the cells, as in ContactProblem; the gap in the first pose
+  /// @param turning underside of a slider whose angles change; null for one that keeps the gap
   SlidingContact(ComplianceAt compliance, std::vector<double> area, std::vector<double> gap,
-                 const laws::Friction& friction);
+                 const laws::Friction& friction,
+                 std::shared_ptr<const TurningUnderside> turning = nullptr);
 
   /// Moves the slider. A load that does not reach the skin leaves it unloaded.
   /// @param time_step [s]
   /// @param place of the slider's centre at the end [m]
   /// @param load at the end, on the meshed part; an indentation below 0 is a height
+  /// @param pose at the end, of a slider whose angles change
   /// Throws SolverError when the contact has no solution; then nothing has moved.
   const SurfaceState& step(double time_step, const std::array<double, 2>& place,
-                           const SliderLoad& load);
+                           const SliderLoad& load, const shapes::Pose& pose = {});
 
   /// The same with a slider that yields along the skin; where it comes to be is `place()`. The
   /// compliance of the skin is that of the place where it was expected, and friction that lags
@@ -60,6 +65,8 @@ public:
 
   const std::array<double, 2>& place() const { return *place_; } ///< after a step [m]
   const SurfaceState& state() const { return state_; }
+  /// Underside at each cell, as ContactSolution keeps it; null where the angles never change.
+  std::shared_ptr<const std::vector<std::array<double, 3>>> turned() const;
   /// Problem at the present place.
   const ContactProblem& problem() const { return problem_; }
   bool in_contact() const; ///< pressed or pulled
@@ -88,6 +95,8 @@ public:
   int fallbacks() const { return fallbacks_; } ///< steps not solved from the state before
 
 private:
+  const SurfaceState& move(double time_step, const SliderGuide& guide, const SliderLoad& load,
+                           const std::optional<shapes::Pose>& pose);
   void condense_at(const std::array<double, 2>& place);
   bool reaches(const SliderLoad& load) const;
   SurfaceState solve(const ContactProblem& problem, const SliderStep& step);
@@ -105,6 +114,8 @@ private:
   std::optional<std::array<double, 2>> place_;
   std::optional<std::array<double, 2>> condensed_at_; ///< of the compliance
   double created_energy_ = 0;                         ///< [J]
+  std::shared_ptr<const TurningUnderside> turning_;
+  std::optional<shapes::Pose> pose_; ///< of a slider whose angles change, after a step
   int fallbacks_ = 0;
   bool may_have_jumped_ = false;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/case/case.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 
 #include <array>
@@ -58,6 +59,9 @@ struct ContactState {
   double indentation = 0;                   ///< of the slider's lowest point [m]
   double normal_force = 0;                  ///< of the full skin, compression positive [N]
   std::array<double, 2> tangential_force{}; ///< on the skin, full skin, x and y [N]
+  /// Moment of the forces on the skin about the slider's centre on the undeformed top face, full
+  /// skin, about x, y and z, docs/model.md (79) [N m].
+  std::array<double, 3> moment{};
   /// Values per footprint cell, [y][x] with x fastest, half model: y <= width / 2.
   std::vector<double> normal_traction;       ///< [Pa]
   std::vector<double> tangential_traction_x; ///< [Pa]
@@ -98,6 +102,10 @@ struct SteppedInstant {
   double height = 0;                   ///< of its underside above the undeformed top face [m]
   SharedState state;                   ///< null: detached
   std::array<double, 2> drive_force{}; ///< of a drive on the slider; 0 without load [N]
+  /// Place of the slider's underside at each cell from that of a slider that does not turn: normal
+  /// downwards, along x, along y, of which differences between instants count [m]. Null where its
+  /// angles never change.
+  std::shared_ptr<const std::vector<std::array<double, 3>>> turned = {};
 };
 
 /// All of Study 1 for one friction coefficient. One cycle stands for all: after complete lift-off

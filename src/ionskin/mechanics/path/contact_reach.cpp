@@ -4,6 +4,7 @@
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/mechanics/path/steady_sliding.hpp"
+#include "ionskin/mechanics/slider/turning_underside.hpp"
 #include "ionskin/mechanics/surface/contact_solver.hpp"
 #include "ionskin/mesh/footprint.hpp"
 
@@ -70,12 +71,46 @@ void ContactReach::include(const ContactReach& other) {
   }
 }
 
-ContactReach hardest_reach(const Case& input, const SkinModel& model,
-                           const std::array<double, 2>& centre, double friction) {
+namespace {
+
+/// Poses in contact: of a slider whose angles change some on the way, of many those that are
+/// spread over all.
+std::vector<shapes::Pose> poses_in_contact(const Case& input) {
+  constexpr std::size_t most = 24;
+  constexpr double each_turn = 0.2; // [rad]
+  std::vector<shapes::Pose> poses;
+  for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
+    if (!leg.touches()) {
+      continue;
+    }
+    const int parts =
+        1 +
+        static_cast<int>(std::min(1e3, std::abs(leg.to_pose.yaw - leg.from_pose.yaw) / each_turn));
+    for (int i = poses.empty() ? 0 : 1; i <= parts; ++i) {
+      const shapes::Pose pose = leg.pose(leg.duration * i / parts);
+      if (poses.empty() || pose != poses.back()) {
+        poses.push_back(pose);
+      }
+    }
+  }
+  if (poses.size() > most) {
+    std::vector<shapes::Pose> some;
+    for (std::size_t i = 0; i < most; ++i) {
+      some.push_back(poses[i * (poses.size() - 1) / (most - 1)]);
+    }
+    return some;
+  }
+  return poses;
+}
+
+/// In one pose, with its gap of the cells.
+ContactReach reach_in_pose(const Case& input, const SkinModel& model,
+                           const std::vector<double>& gap, const std::array<double, 2>& centre,
+                           double friction) {
   base::check_interrupt();
   ContactProblem problem{{},
                          model.cells.area,
-                         model.gap,
+                         gap,
                          laws::friction(input.contact.law, friction, input.contact.parameters)};
   ContactCompliance(model).at(centre, problem);
   const CellVector none(3 * model.cells.count(), 0.0);
@@ -93,6 +128,21 @@ ContactReach hardest_reach(const Case& input, const SkinModel& model,
         include(steady_sliding(problem, load, {sign * way[0], sign * way[1]}, 0));
       }
     }
+  }
+  return reach;
+}
+
+} // namespace
+
+ContactReach hardest_reach(const Case& input, const SkinModel& model,
+                           const std::array<double, 2>& centre, double friction) {
+  if (!input.slider.changing.any()) {
+    return reach_in_pose(input, model, model.gap, centre, friction);
+  }
+  ContactReach reach;
+  const TurningUnderside underside(input.slider, model.cells);
+  for (const shapes::Pose& pose : poses_in_contact(input)) {
+    reach.include(reach_in_pose(input, model, underside.gap(pose), centre, friction));
   }
   return reach;
 }

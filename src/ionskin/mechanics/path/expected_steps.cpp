@@ -43,6 +43,20 @@ double steps_of_stick_slip(const Case& input, const MotionLeg& leg) {
              : 0;
 }
 
+/// Steps of a slider that turns and tilts along a leg.
+double steps_of_turn(const Case& input, const MotionLeg& leg, const PathSteps& each,
+                     double indentation) {
+  if (!leg.turns()) {
+    return 0;
+  }
+  const shapes::Pose &from = leg.from_pose, &to = leg.to_pose;
+  const auto half = mesh::expected_footprint(input).half_size;
+  const double rise = std::max(std::abs(to.roll - from.roll), std::abs(to.pitch - from.pitch)) *
+                      std::hypot(half[0], half[1]);
+  return std::ceil(std::max(std::abs(to.yaw - from.yaw) / longest_step_turn(input.numerics),
+                            each.touchdown * (indentation > 0 ? rise / indentation : 1.0)));
+}
+
 /// Mean over equal parts of the way from one place to another.
 double mean_cost(const std::function<double(double x)>& cost, double from, double to) {
   constexpr int parts = 8;
@@ -76,6 +90,7 @@ ExpectedSteps expected_steps(const Case& input, const std::function<double(doubl
     } else if (largest > 0) {
       of_level = std::ceil(each.touchdown * change / largest);
     }
+    of_level = std::max(of_level, steps_of_turn(input, leg, each, heaviest.indentation));
     if (!leg.slides()) {
       direction = {};
       steps += of_level;

@@ -21,7 +21,8 @@ void require_touch(const Case& input) {
     throw UserError(
         "the slider never touches the skin\n  = give a waypoint a height below 0 m, or a force");
   }
-  if (input.slider.sharp()) {
+  const Slider& slider = input.slider;
+  if (slider.changing.any() || (slider.sharp() && !slider.pose.tilted())) {
     return;
   }
   const mesh::SkinMesh mesh(input, mesh::largest_footprint(input));

@@ -15,6 +15,10 @@ double longest_kept_travel(const Case& input) {
   return path_resolution(input.numerics) * usual_slide * input.skin.length;
 }
 
+double longest_step_turn(const Numerics& numerics) {
+  return path_resolution(numerics); // a coarse one has 31 in a quarter turn
+}
+
 double longest_step_travel(const Case& input) {
   constexpr double steps_per_interval = 2; // that are kept at most
   return longest_kept_travel(input) / steps_per_interval;

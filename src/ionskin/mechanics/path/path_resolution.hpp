@@ -13,6 +13,8 @@ double path_resolution(const Numerics& numerics);
 double longest_kept_travel(const Case& input);
 
 /// Longest way that the contact is stepped over at once [m].
+/// Longest turn of a slider about z in a step [rad].
+double longest_step_turn(const Numerics& numerics);
 double longest_step_travel(const Case& input);
 
 } // namespace ionskin::mechanics

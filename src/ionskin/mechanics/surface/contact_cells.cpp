@@ -36,6 +36,11 @@ std::vector<double> cell_lines(const std::vector<double>& lines, bool at_begin, 
 
 } // namespace
 
+std::array<double, 2> ContactCells::middle(std::size_t cell) const {
+  const std::size_t i = cell % columns(), j = cell / columns();
+  return {(lines_x[i] + lines_x[i + 1]) / 2, (lines_y[j] + lines_y[j + 1]) / 2};
+}
+
 ContactCells contact_cells(const mesh::SkinMesh& mesh) {
   const bool sharp_x = mesh.footprint().sharp(0), sharp_y = mesh.footprint().sharp(1);
   ContactCells cells{cell_lines(mesh.footprint_lines_x(), sharp_x, sharp_x),

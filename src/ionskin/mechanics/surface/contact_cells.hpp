@@ -4,6 +4,7 @@
 #include "ionskin/mechanics/surface/covered_area.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct ContactCells {
   std::size_t columns() const { return lines_x.size() - 1; }
   std::size_t rows() const { return lines_y.size() - 1; }
   std::size_t count() const { return area.size(); }
+  std::array<double, 2> middle(std::size_t cell) const; ///< from the slider's centre [m]
   CellGrid grid() const { return {lines_x, lines_y, area}; }
 };
 

@@ -130,8 +130,13 @@ bool free_of_tension(const ContactProblem& problem, const CellVector& force) {
 
 std::array<double, 2> slip_increment(const SliderStep& step, const CellVector& surface, int cell) {
   const std::size_t x = 3 * static_cast<std::size_t>(cell) + 1, y = x + 1;
-  return {step.travel[0] - (surface[x] - step.surface_before[x]),
-          step.travel[1] - (surface[y] - step.surface_before[y])};
+  std::array<double, 2> travel = step.travel;
+  if (!step.turn.empty()) {
+    travel[0] += step.turn[static_cast<std::size_t>(cell)][0];
+    travel[1] += step.turn[static_cast<std::size_t>(cell)][1];
+  }
+  return {travel[0] - (surface[x] - step.surface_before[x]),
+          travel[1] - (surface[y] - step.surface_before[y])};
 }
 
 } // namespace ionskin::mechanics

@@ -90,6 +90,8 @@ struct SliderStep {
   /// Direction of the limit of long sliding, in which all cells that touch slip along it, and the
   /// step takes no time; empty for a step like others.
   std::optional<std::array<double, 2>> sliding_direction = {};
+  /// Travel of each cell of the slider by its turn about z; empty without [m].
+  std::vector<std::array<double, 2>> turn = {};
 
   laws::ElasticSlip elastic_slip_before(int cell) const {
     return elastic_before.empty() ? laws::ElasticSlip{}

@@ -35,7 +35,7 @@ bool has_sharp_edge(const Case& input) {
   const Slider& slider = input.slider;
   const auto flat = slider.flat_half_size();
   const auto ends_sharply = [&](std::size_t direction) {
-    return flat[direction] > 0 && flat[direction] == slider.size[direction] / 2;
+    return flat[direction] > 0 && flat[direction] == slider.plan().size[direction] / 2;
   };
   return input.strain.kind == StrainSourceKind::contact &&
          (ends_sharply(0) || (ends_sharply(1) && !covers_width(input)));

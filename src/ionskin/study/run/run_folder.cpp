@@ -25,6 +25,12 @@ std::string waypoints_text(const Motion& motion) {
     text += fmt::format(" waypoint {} {} {} {}", waypoint.time, waypoint.position,
                         waypoint.height ? fmt::format("height {}", *waypoint.height) : "",
                         waypoint.force ? fmt::format("force {}", *waypoint.force) : "");
+    const auto add_angle = [&](const char* name, const std::optional<double>& angle) {
+      text += angle ? fmt::format(" {} {}", name, *angle) : "";
+    };
+    add_angle("roll", waypoint.roll);
+    add_angle("pitch", waypoint.pitch);
+    add_angle("yaw", waypoint.yaw);
   }
   return text;
 }
@@ -225,7 +231,7 @@ std::string input_hash(const Case& input) {
 std::string mechanics_hash(const Case& input) {
   // The record holds the coarser solutions for the errors; without them it is another one.
   std::string text = input.numerics.error_estimate ? "companions mesh path thickness " : "";
-  text += "signals area stick slip ";
+  text += "signals area stick slip moment ";
   text += fmt::format("skin {} {} {}", input.skin.length, input.skin.width,
                       static_cast<int>(input.skin.sides));
   for (const Layer& layer : input.skin.layers) {
@@ -235,6 +241,7 @@ std::string mechanics_hash(const Case& input) {
   const Motion& motion = input.motion;
   const Slider& slider = input.slider;
   text += fmt::format(" slider {} {} {}", slider.shape, slider.size, slider.start);
+  text += fmt::format(" pose {} {} {}", slider.pose.roll, slider.pose.pitch, slider.pose.yaw);
   for (const auto& [name, value] : slider.parameters) {
     text += fmt::format(" {} {}", name, value);
   }

@@ -70,6 +70,9 @@ readout::SignalInputs mechanical_inputs(const Case& input, const MechanicsRecord
     inputs.tangential_force = at_rows(mechanics.tangential_force);
     inputs.tangential_force_x = at_rows(mechanics.tangential_force_x);
     inputs.tangential_force_y = at_rows(mechanics.tangential_force_y);
+    inputs.moment_x = at_rows(mechanics.moment_x);
+    inputs.moment_y = at_rows(mechanics.moment_y);
+    inputs.moment_z = at_rows(mechanics.moment_z);
     inputs.contact_area = at_rows(mechanics.contact_area);
     inputs.slip = at_rows(mechanics.slip);
     add_stick(mechanics, at_rows, inputs);

@@ -72,6 +72,9 @@ void write_path(results::Hdf5File& file, const std::string& root, const Mechanic
   file.write_with_unit(root + "/tangential_force", record.tangential_force, "N");
   file.write_with_unit(root + "/tangential_force_x", record.tangential_force_x, "N");
   file.write_with_unit(root + "/tangential_force_y", record.tangential_force_y, "N");
+  file.write_with_unit(root + "/moment_x", record.moment_x, "N m");
+  file.write_with_unit(root + "/moment_y", record.moment_y, "N m");
+  file.write_with_unit(root + "/moment_z", record.moment_z, "N m");
   file.write_with_unit(root + "/contact_area", record.contact_area, "m2");
   file.write_with_unit(root + "/stick_share", record.stick_share, "1");
   file.write_with_unit(root + "/slip", record.slip, "m");
@@ -100,6 +103,9 @@ void require_samples(const results::ForeignHdf5File& file, const std::string& ro
   require_length(file, root + "/tangential_force", record.tangential_force.size(), samples);
   require_length(file, root + "/tangential_force_x", record.tangential_force_x.size(), samples);
   require_length(file, root + "/tangential_force_y", record.tangential_force_y.size(), samples);
+  require_length(file, root + "/moment_x", record.moment_x.size(), samples);
+  require_length(file, root + "/moment_y", record.moment_y.size(), samples);
+  require_length(file, root + "/moment_z", record.moment_z.size(), samples);
   require_length(file, root + "/contact_area", record.contact_area.size(), samples);
   require_length(file, root + "/stick_share", record.stick_share.size(), samples);
   require_length(file, root + "/slip", record.slip.size(), samples);
@@ -119,6 +125,9 @@ MechanicsRecord read_path(const results::ForeignHdf5File& file, const std::strin
   record.tangential_force = file.read(root + "/tangential_force");
   record.tangential_force_x = file.read(root + "/tangential_force_x");
   record.tangential_force_y = file.read(root + "/tangential_force_y");
+  record.moment_x = file.read(root + "/moment_x");
+  record.moment_y = file.read(root + "/moment_y");
+  record.moment_z = file.read(root + "/moment_z");
   record.contact_area = file.read(root + "/contact_area");
   record.stick_share = file.read(root + "/stick_share");
   record.slip = file.read(root + "/slip");

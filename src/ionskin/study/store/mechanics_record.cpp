@@ -106,6 +106,10 @@ MechanicsRecord make_mechanics_record(const Case& input, const mechanics::Contac
                                         tangential[1] * direction[1]);
       record.tangential_force_x.push_back(tangential[0]);
       record.tangential_force_y.push_back(tangential[1]);
+      const auto moment = combination.moment();
+      record.moment_x.push_back(moment[0]);
+      record.moment_y.push_back(moment[1]);
+      record.moment_z.push_back(moment[2]);
       record.contact_area.push_back(signals.area[i]);
       record.stick_share.push_back(signals.stick_share[i]);
       record.slip.push_back(signals.slip[i]);

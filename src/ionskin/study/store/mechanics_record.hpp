@@ -25,6 +25,7 @@ struct MechanicsRecord {
   std::vector<double> normal_force;     ///< [N]
   std::vector<double> tangential_force; ///< along the first slide [N]
   std::vector<double> tangential_force_x, tangential_force_y; ///< [N]
+  std::vector<double> moment_x, moment_y, moment_z;           ///< about the slider's centre [N m]
   std::vector<double> contact_area;                           ///< [m2]
   std::vector<double> stick_share;                            ///< of that area, 0 to 1
   std::vector<double> slip; ///< mean over the contact since it began [m]

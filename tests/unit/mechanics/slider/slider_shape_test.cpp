@@ -13,21 +13,21 @@ TEST(SliderShape, sphere_and_cylinder_rise_like_circles) {
   slider.shape = "sphere";
   slider.parameters["radius"] = 5e-3;
   slider.size = {10e-3, 10e-3};
-  EXPECT_EQ(Underside(slider).gap(0, 0), 0.0);
-  EXPECT_NEAR(Underside(slider).gap(3e-3, 0), 1e-3, 1e-17);
-  EXPECT_NEAR(Underside(slider).gap(0, 4e-3), 2e-3, 1e-17);
-  EXPECT_EQ(Underside(slider).gap(4e-3, 4e-3), shapes::unreachable_gap);
+  EXPECT_EQ(Underside(slider, {}).gap(0, 0), 0.0);
+  EXPECT_NEAR(Underside(slider, {}).gap(3e-3, 0), 1e-3, 1e-17);
+  EXPECT_NEAR(Underside(slider, {}).gap(0, 4e-3), 2e-3, 1e-17);
+  EXPECT_EQ(Underside(slider, {}).gap(4e-3, 4e-3), shapes::unreachable_gap);
   slider.shape = "cylinder";
-  EXPECT_NEAR(Underside(slider).gap(3e-3, 4e-3), 1e-3, 1e-17);
-  EXPECT_EQ(Underside(slider).gap(0, 5.1e-3), shapes::unreachable_gap);
+  EXPECT_NEAR(Underside(slider, {}).gap(3e-3, 4e-3), 1e-3, 1e-17);
+  EXPECT_EQ(Underside(slider, {}).gap(0, 5.1e-3), shapes::unreachable_gap);
 }
 
 TEST(SliderShape, rounded_edges_run_around_the_corners) {
   Slider slider;
   slider.size = {3e-3, 1.5e-3};
-  EXPECT_EQ(Underside(slider).gap(1.5e-3, 0.75e-3), 0.0);
+  EXPECT_EQ(Underside(slider, {}).gap(1.5e-3, 0.75e-3), 0.0);
   slider.parameters["edge_radius"] = 0.5e-3;
-  const Underside underside(slider);
+  const Underside underside(slider, {});
   EXPECT_EQ(underside.gap(1e-3, 0.25e-3), 0.0);
   EXPECT_NEAR(underside.gap(1.3e-3, 0), 0.1e-3, 1e-17);
   EXPECT_NEAR(underside.gap(-1e-3 - 0.18e-3, 0.25e-3 + 0.24e-3), 0.1e-3, 1e-17);
@@ -38,8 +38,8 @@ TEST(SliderShape, a_profile_counts_from_its_lowest_point_within_the_plan) {
   slider.shape = "profile";
   slider.size = {2e-3, 2e-3};
   slider.profile_heights = {{-2e-3, 0, 2e-3}, {-1e-3, 1e-3}, {0, 3e-6, 6e-6, 0, 3e-6, 6e-6}};
-  EXPECT_NEAR(Underside(slider).gap(-1e-3, 0), 0, 1e-20);
-  EXPECT_NEAR(Underside(slider).gap(1e-3, 0.5e-3), 3e-6, 1e-20);
+  EXPECT_NEAR(Underside(slider, {}).gap(-1e-3, 0), 0, 1e-20);
+  EXPECT_NEAR(Underside(slider, {}).gap(1e-3, 0.5e-3), 3e-6, 1e-20);
   const auto mean = mean_gap(slider, {-1e-3, 0, 1e-3}, {-1e-3, 1e-3}, {false, false});
   EXPECT_NEAR(mean[0], 0.75e-6, 1e-19);
   EXPECT_NEAR(mean[1], 2.25e-6, 1e-19);

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/checks/check_pose.hpp"
+
+#include "ionskin/case/schema/schema_rows.hpp"
+#include "ionskin/laws/friction/friction_law.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace ionskin {
+
+namespace {
+
+constexpr std::array<const char*, 3> angles{"roll", "pitch", "yaw"};
+
+/// Angles as the case writes them, those of waypoints where these change them.
+std::vector<Pointer> angle_places(const CaseDocument& document) {
+  std::vector<Pointer> all;
+  const auto append = [&](const std::string& key) {
+    if (const ValueRecord* record = document.find(key); record != nullptr && record->place)
+      for (const Pointer& pointer : document.point_at(key))
+        all.push_back(pointer);
+  };
+  for (const std::string angle : angles)
+    append("slider." + angle);
+  constexpr std::size_t most = 3;
+  for (std::size_t i = 0; i < document.input.motion.waypoints.size() && all.size() < most; ++i)
+    for (const std::string angle : angles)
+      append(fmt::format("motion.waypoints[{}].{}", i, angle));
+  return all.empty() ? document.point_at("motion.file") : all;
+}
+
+void refuse_changes(const CaseDocument& document, Problems& problems) {
+  const Case& input = document.input;
+  if (!input.slider.changing.any())
+    return;
+  if (input.motion.drive.given())
+    problems.add("a slider on a drive keeps its angles: the drive says nothing of their inertia",
+                 angle_places(document),
+                 "give all waypoints the same angles, or remove motion.drive");
+  if (input.slider.changing.yaw && input.skin.sides == SideCondition::symmetry)
+    problems.add("a slider that turns pulls the skin across, and planes of symmetry would hold it",
+                 angle_places(document),
+                 "set skin.sides = \"free\", or give all waypoints the same yaw");
+  if (laws::friction_law(input.contact.law).adheres)
+    problems.add(
+        fmt::format("contact.law = \"{}\" takes a slider that keeps its angles", input.contact.law),
+        angle_places(document),
+        "give all waypoints the same angles, or choose another contact.law");
+}
+
+/// Refuses what the planes would mirror: a slider over the whole width is solved as plane strain.
+void refuse_plane_strain(const CaseDocument& document, Problems& problems) {
+  Case upright = document.input;
+  upright.slider.pose = {};
+  upright.slider.changing = {};
+  if (covers_width(upright) && !covers_width(document.input))
+    problems.add("a slider over the whole width of a skin between planes of symmetry can be "
+                 "pitched alone: rolled or turned it would be mirrored in them",
+                 angle_places(document),
+                 "remove roll and yaw, set skin.sides = \"free\", or make the slider narrower");
+}
+
+} // namespace
+
+std::string remedy_of_tilt() {
+  return fmt::format("a tilt is carried as a slope, up to {:.3g} deg; for more, give the tilted "
+                     "underside as a height map (slider.shape = \"profile\")",
+                     steepest_tilt * 180 / std::numbers::pi);
+}
+
+void check_pose(const CaseDocument& document, Problems& problems) {
+  const Slider& slider = document.input.slider;
+  if (slider.pose == shapes::Pose{} && !slider.changing.any())
+    return;
+  if (const double tilt = std::hypot(slider.pose.roll, slider.pose.pitch); tilt > steepest_tilt)
+    problems.add(fmt::format("roll and pitch together tilt the slider by {:.4g} deg",
+                             tilt * 180 / std::numbers::pi),
+                 angle_places(document), remedy_of_tilt());
+  refuse_changes(document, problems);
+  refuse_plane_strain(document, problems);
+}
+
+} // namespace ionskin
