@@ -331,8 +331,17 @@ class Draw:
                 {"circuit": "amplifier", "amplifier_bandwidth": self.quantity(50, 5000, "Hz"), "noise_seed": self.rng.randint(1, 1000),
                  "amplifier_noise_density": self.quantity(1e-15, 1e-12, "A/sqrt(Hz)"), "amplifier_range": self.quantity(1e-6, 1e-3, "A")},
                 {"circuit": "shared"}))
+        elif self.maybe(0.4):
+            self.crossbar(readout)
         if self.maybe(0.3):
             readout["scan"] = {"dwell": self.quantity(20, 200, "ms"), "others": self.rng.choice(("grounded", "open"))}
+
+    def crossbar(self, readout):
+        """Lines that cross in the place of taxels with leads of their own; a line of either face is at the ground."""
+        readout["taxels"].pop("gap")
+        readout["taxels"]["wiring"] = self.rng.choice(("single", "crossbar", "crossbar"))
+        if readout["taxels"]["wiring"] == "crossbar":
+            readout["row_circuit"] = "short" if readout["taxel_circuit"] != "short" else self.rng.choice(("short", "open", "load"))
 
     def numerics(self):
         """Coarse and quick; errors for some."""

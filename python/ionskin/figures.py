@@ -210,9 +210,9 @@ FIGURES = [
     Entry("water_walls", "Pressure between the walls", "Water pressure at the top wall minus that at the bottom one, from above: "
           "its mean is what the whole electrode sees, its map what taxels see.", water.wall_difference),
     Entry("taxel_voltage_map", "Voltages of the taxels", "The skin from above: largest magnitude of each taxel's voltage during the "
-          "run; every taxel has a circuit of its own.", readout.taxel_voltage_map),
-    Entry("taxel_voltages", "Voltage of each taxel", "Against the bottom electrode, over time on common axes; taxels.csv holds the "
-          "numbers.", readout.taxel_voltages),
+          "run; every taxel has a circuit of its own, of a crossbar every column and every row.", readout.taxel_voltage_map),
+    Entry("taxel_voltages", "Voltage of each taxel", "Against the bottom electrode, or of a column against a row where they cross, "
+          "over time on common axes; taxels.csv holds the numbers.", readout.taxel_voltages),
     Entry("taxel_map", "Taxels", "The skin from above: largest magnitude of each taxel's charge during the run.",
           readout.taxel_map),
     Entry("taxels", "Taxel signals", "Charge of each taxel over time on common axes; taxels.csv holds the currents too.",

@@ -77,6 +77,33 @@ class Readouts(ProgramTest):
         self.assertFalse(taxels["voltage_b"].any())
         self.assertIn("reading_b", taxels)
 
+    def test_lines_that_cross(self):
+        grid, load = 'readout.taxels={rows = 2, columns = 2, wiring = "crossbar"}', ("readout.taxel_circuit=load", "readout.load_resistance=300 Ohm")
+        scan = ("readout.scan.dwell=50 ms", "readout.scan.others=open")
+        _, out = self.read_out("crossed", grid, *load, *scan, 'coupling.law="column-neutral"')
+        taxels, sampled = signals(out, "taxels"), signals(out, "sampled_taxels")
+        lines = sum(taxels[f"charge_circuit_{name}"] for name in ("c1", "c2", "r1", "r2"))
+        peak = numpy.abs(taxels["charge_circuit_c1"]).max()
+        self.assertLess(numpy.abs(lines).max(), 1e-12 * peak)
+        for column in ("c1", "c2"):  # what an instrument knows of the crossings is what their column passes in turns
+            numpy.testing.assert_allclose(taxels[f"charge_circuit_r1{column}"] + taxels[f"charge_circuit_r2{column}"],
+                                          taxels[f"charge_circuit_{column}"], rtol=0, atol=1e-12 * peak)
+        self.assertGreater(numpy.abs(sampled["voltage_r2"]).max(), 0)
+        self.assertNotIn("current_top_c1", taxels)
+        self.assertLess(metric(out, "taxel_balance_error"), 1e-9)
+        self.assertTrue(0 < metric(out, "taxel_crosstalk") < 1)
+        self.assertEqual(metric(out, "peak_taxel_voltage"),
+                         max(numpy.abs(taxels[f"voltage_r{row}c{column}"]).max() for row in (1, 2) for column in (1, 2)))
+        own = [word for edit in (grid, *load, *scan) for word in ("--set", edit)]
+        self.run_case(QUICK, "-o", "truth", *SMALL, *own)
+        for column in ("voltage_c1", "charge_circuit_r1c2", "current_circuit_r1"):
+            self.run_program("fit", QUICK, *SMALL, *own, "--set", "coupling.coefficient=0.12", "--data", self.folder / "truth" / "taxels.csv",
+                             "--column", column, "--free", "coupling.coefficient", "-o", "fit", "--overwrite", "--threads", "1")
+            fit = json.loads((self.folder / "fit" / "fit.json").read_text())
+            self.assertAlmostEqual(fit["parameters"]["coupling.coefficient"]["value"] / 0.1, 1, delta=2e-3, msg=column)
+        error = self.run_program("live", QUICK, "-o", "skin.live", "--set", grid, expect=2).stderr
+        self.assertIn("remove readout.taxels.wiring", error)
+
     def test_fits_take_the_signals_of_a_taxel(self):
         own = [word for edit in ("readout.taxels.rows=1", "readout.taxels.columns=2", "readout.taxel_circuit=load",
                                  "readout.load_resistance=300 Ohm") for word in ("--set", edit)]

@@ -42,4 +42,8 @@ std::vector<Row> interface_rows(const Options& options);
 /// Nyquist.
 std::vector<Row> noise_rows();
 
+/// E14: crossing lines against a bridge of conductances between them, their limits, reciprocity,
+/// conservation, and both faces in exchange.
+std::vector<Row> crossbar_rows(const Options& options);
+
 } // namespace ionskin::verification

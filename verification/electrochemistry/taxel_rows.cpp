@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "electrochemistry/linear_cell.hpp"
+#include "electrochemistry/linear_strip.hpp"
 #include "electrochemistry/model_cases.hpp"
 #include "electrochemistry/model_run.hpp"
 #include "electrochemistry/rows.hpp"
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -55,16 +55,14 @@ class CutStrip {
 public:
   /// @param columns of the grid whose waves are summed; 0 for waves of a continuum
   CutStrip(const Case& input, std::size_t columns)
-      : cell_(input), scales_(electrochemistry::derive_scales(input.electrochemistry,
-                                                              input.skin.core_thickness())),
-        capacitance_unit_(input.electrochemistry.permittivity / scales_.debye_length),
-        columns_(columns), loads_{input.readout.taxels[0].parameters.at("load_resistance"),
-                                  input.readout.taxels[1].parameters.at("load_resistance")} {}
+      : cell_(input), waves_(input, strip_length, columns),
+        loads_{input.readout.taxels[0].parameters.at("load_resistance"),
+               input.readout.taxels[1].parameters.at("load_resistance")} {}
 
   /// Transforms of the voltages.
   std::array<Complex, 2> voltages(Complex s) const {
     const double area = strip_length * strip_width;
-    const Complex even = area / (4.0 * s * cell_.impedance(s)), odd = area * odd_waves(s);
+    const Complex even = area / (4.0 * s * cell_.impedance(s)), odd = area * waves_.odd_waves(s);
     const Complex charge = 0.5 * smallness * area * cell_.short_charge(s);
     const Complex own_a = even + odd + 1.0 / (s * loads_[0]),
                   own_b = even + odd + 1.0 / (s * loads_[1]), mutual = even - odd;
@@ -73,38 +71,8 @@ public:
   }
 
 private:
-  /// Sum over the odd waves of capacitance per area times the share that a half has of a wave.
-  Complex odd_waves(Complex s) const {
-    const std::size_t last = columns_ > 0 ? columns_ : 4000;
-    Complex sum = 0.0;
-    for (std::size_t m = 1; m < last; m += 2) {
-      const double phase = static_cast<double>(m) * std::numbers::pi;
-      double wave = phase / strip_length, share = 2.0 / (phase * phase);
-      if (columns_ > 0) {
-        const auto count = static_cast<double>(columns_);
-        const double sine = std::sin(0.5 * phase / count);
-        wave = 2.0 * count / strip_length * sine;
-        share = 1.0 / (2.0 * count * count * sine * sine);
-      }
-      sum += share * capacitance(s, wave * scales_.debye_length);
-    }
-    return sum;
-  }
-
-  /// Charge by potential of a wave on the top face over the grounded bottom one [F/m2].
-  Complex capacitance(Complex s, double wave) const {
-    const Complex p = s * scales_.relaxation_time, kappa = std::sqrt(1.0 + p + wave * wave);
-    const double half = scales_.half_thickness, tanh = std::tanh(wave * half);
-    const Complex decay = std::exp(-2.0 * kappa * half), layer = (1.0 - decay) / (1.0 + decay);
-    const Complex rest = kappa * p / wave;
-    const Complex odd = 1.0 / (layer + rest * tanh), even = 1.0 / (1.0 / layer + rest / tanh);
-    return 0.5 * capacitance_unit_ * (1.0 + p) * kappa * (odd + even);
-  }
-
   LinearCell cell_;
-  electrochemistry::DerivedScales scales_;
-  double capacitance_unit_;
-  std::size_t columns_;
+  StripWaves waves_;
   std::array<double, 2> loads_;
 };
 

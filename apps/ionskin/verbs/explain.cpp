@@ -108,23 +108,27 @@ std::string scales_of_water(const Case& input) {
   return text;
 }
 
-/// Time constants of the first taxel with each circuit that passes charge.
+/// Time constants of the first taxel, or line of a crossbar, with each circuit that passes charge.
 std::string time_constants_of_taxels(const Readout& readout, double capacitance_per_area) {
   std::string text, last;
-  for (std::size_t i = 0; i < readout.taxels.size(); ++i) {
+  const std::vector<Taxel> lines = readout.lines();
+  const std::vector<Taxel>& taxels = lines.empty() ? readout.taxels : lines;
+  for (std::size_t i = 0; i < taxels.size(); ++i) {
+    const Taxel& taxel = taxels[i];
     const circuits::Circuit circuit =
-        circuits::circuit(readout.circuit_of(i), readout.parameters_of(i));
-    if (!readout.has_own_circuit(i) || circuit.words == last)
+        lines.empty() ? circuits::circuit(readout.circuit_of(i), readout.parameters_of(i))
+                      : circuits::circuit(taxel.circuit, readout.parameters);
+    if ((lines.empty() && !readout.has_own_circuit(i)) || circuit.words == last)
       continue;
     last = circuit.words;
-    const Taxel& taxel = readout.taxels[i];
     const double capacitance = capacitance_per_area * (taxel.upper[0] - taxel.lower[0]) *
                                (taxel.upper[1] - taxel.lower[1]);
     if (circuit.admittance && std::isfinite(circuit.admittance->resistance))
-      text += row(fmt::format("time constant of taxel {}", taxel.name),
-                  fmt::format("{:.4g} s", circuit.admittance->resistance *
-                                              (capacitance + circuit.admittance->capacitance)),
-                  fmt::format("through its {}", circuit.words));
+      text +=
+          row(fmt::format("time constant of {} {}", lines.empty() ? "taxel" : "line", taxel.name),
+              fmt::format("{:.4g} s", circuit.admittance->resistance *
+                                          (capacitance + circuit.admittance->capacitance)),
+              fmt::format("through its {}", circuit.words));
   }
   return text;
 }

@@ -97,6 +97,12 @@ def rectangles(results):
     return found
 
 
+def is_crossbar(results):
+    """True where the taxels are crossings of lines that are conductors, columns above and rows below."""
+    grid = results.case.get("readout", {}).get("taxels", {})
+    return isinstance(grid, dict) and grid.get("wiring") == "crossbar"
+
+
 def has_own_circuits(results):
     """True where taxels are conductors with circuits of their own."""
     return results.taxels is not None and any(name.startswith("current_circuit_") for name in results.taxels)

@@ -3,7 +3,7 @@
 
 import numpy
 
-from ..charts.readout import VOLTAGE, has_own_circuits, has_voltages, is_open
+from ..charts.readout import VOLTAGE, has_own_circuits, has_voltages, is_crossbar, is_open
 from ..charts.spans import contact_spans, sampling_interval
 from ..words import percent, quantity
 from . import report_text
@@ -60,8 +60,8 @@ def of_circuit(results):
 
 
 def of_own_taxel(results):
-    """Reading of the instrument at the taxel with the strongest signal; None unless taxels have circuits of their
-    own."""
+    """Reading of the instrument at the taxel, or at the crossing or line of a crossbar, with the strongest signal; None
+    unless taxels have circuits of their own."""
     if results.sampled_taxels is None or not has_own_circuits(results):
         return None
     prefix, unit, words = (VOLTAGE, "V", "A voltmeter") if has_voltages(results) else ("current_circuit_", "A", "An ammeter")
@@ -71,7 +71,17 @@ def of_own_taxel(results):
     name = max(names, key=lambda one: largest(results.sampled_taxels, one)[1])
     instant, peak = largest(results.sampled_taxels, name)
     read = told(results, "peak_taxel_voltage", peak, unit) if unit == "V" else quantity(peak, unit, 3)
-    return f"{words} between the taxel {name.removeprefix(prefix)[:20]} and the bottom electrode reads up to {read}{event(results, instant)}."
+    return f"{words} {where(results, name.removeprefix(prefix)[:20])} reads up to {read}{event(results, instant)}."
+
+
+def where(results, name):
+    """Words for the place of the instrument of a taxel, a crossing or a line."""
+    if not is_crossbar(results):
+        return f"between the taxel {name} and the bottom electrode"
+    if name.startswith("r") and "c" in name:
+        row, column = name.split("c")
+        return f"between the column c{column} and the row {row} of the crossbar"
+    return f"between the {'column' if name.startswith('c') else 'row'} {name} of the crossbar and the ground"
 
 
 def of_current(results):

@@ -120,7 +120,9 @@ def sheet_resistances(case):
 
 def taxels(value):
     """A grid of taxels by its size, single ones by their number."""
-    return f"{value['rows']} rows × {value['columns']} columns" if isinstance(value, dict) else str(len(value))
+    if not isinstance(value, dict):
+        return str(len(value))
+    return f"{value['rows']} rows × {value['columns']} columns" + (" that cross" if value.get("wiring") == "crossbar" else "")
 
 
 def case_groups(case):

@@ -234,10 +234,15 @@ struct Taxel {
   laws::LawValues parameters;             ///< of it, where they differ from those of the readout
 };
 
+/// Leads of the taxels of a grid: one each on the top face, or those of lines that cross, columns
+/// on the top face and rows on the bottom one.
+enum class TaxelWiring { single, crossbar };
+
 /// Equal taxels over the whole top electrode, instead of a list of them.
 struct TaxelGrid {
   int rows = 0, columns = 0; ///< along y and along x; 0 without a grid
   double gap = 0;            ///< between neighbours [m]
+  TaxelWiring wiring = TaxelWiring::single;
 };
 
 /// Taxels read one row after another, each row by the circuits of its taxels for a while.
@@ -265,11 +270,24 @@ struct Readout {
   /// Circuit of the taxels: `shared_circuit`, or a name from the table of circuits.
   std::string taxel_circuit = shared_circuit;
 
-  /// True if a taxel is a conductor with a circuit of its own, apart from the electrode.
+  /// Circuit of the rows of a crossbar, a name from the table of circuits.
+  std::string row_circuit = "short";
+
+  /// True if both electrodes are cut into lines, whose crossings are the taxels.
+  bool is_crossbar() const { return taxel_grid.wiring == TaxelWiring::crossbar; }
+  /// The lines of a crossbar as rectangles with their circuits: the columns of the top face, c1 to
+  /// cN, whose circuit is that of the taxels, then the rows of the bottom face, r1 to rM. Empty
+  /// without a crossbar.
+  std::vector<Taxel> lines() const;
+  /// True if the ground holds every line of a crossbar all the time.
+  bool lines_are_held() const;
+
+  /// True if a taxel is a conductor with a circuit of its own, apart from the electrode, or lies
+  /// where two such lines cross.
   bool has_own_circuit(std::size_t taxel) const;
-  /// True if any taxel is a conductor with a circuit of its own.
+  /// True if any taxel has a circuit of its own.
   bool is_cut() const;
-  /// The circuit of a taxel and all its parameters.
+  /// The circuit of a taxel, of its column where lines cross, and all its parameters.
   const std::string& circuit_of(std::size_t taxel) const;
   laws::LawValues parameters_of(std::size_t taxel) const;
 

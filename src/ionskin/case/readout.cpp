@@ -1,12 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/case.hpp"
 
+#include "ionskin/circuits/circuit.hpp"
+
 #include <cmath>
 #include <cstddef>
+#include <string>
 
 namespace ionskin {
 
+std::vector<Taxel> Readout::lines() const {
+  std::vector<Taxel> lines;
+  if (!is_crossbar() || taxels.empty()) {
+    return lines;
+  }
+  const auto columns = static_cast<std::size_t>(taxel_grid.columns);
+  const std::array<double, 2> far = taxels.back().upper;
+  for (std::size_t j = 0; j < columns; ++j) {
+    lines.push_back({"c" + std::to_string(j + 1),
+                     taxels[j].lower,
+                     {taxels[j].upper[0], far[1]},
+                     circuit_of(j),
+                     {}});
+  }
+  for (std::size_t i = 0; i < taxels.size(); i += columns) {
+    lines.push_back({"r" + std::to_string(i / columns + 1),
+                     taxels[i].lower,
+                     {far[0], taxels[i].upper[1]},
+                     row_circuit,
+                     {}});
+  }
+  return lines;
+}
+
+bool Readout::lines_are_held() const {
+  return circuits::circuit_row(circuit_of(0)).holds_potential &&
+         circuits::circuit_row(row_circuit).holds_potential &&
+         (scan.dwell == 0 || scan.grounds_others);
+}
+
 bool Readout::has_own_circuit(std::size_t taxel) const {
+  if (is_crossbar()) {
+    return true;
+  }
   return !taxels[taxel].circuit.empty() ? taxels[taxel].circuit != shared_circuit
                                         : taxel_circuit != shared_circuit;
 }
@@ -24,7 +60,12 @@ const std::string& Readout::circuit_of(std::size_t taxel) const {
   if (!has_own_circuit(taxel)) {
     return circuit;
   }
-  return taxels[taxel].circuit.empty() ? taxel_circuit : taxels[taxel].circuit;
+  if (!taxels[taxel].circuit.empty()) {
+    return taxels[taxel].circuit;
+  }
+  // The columns of a crossbar are conductors of their own, which share nothing.
+  static const std::string grounded = "short";
+  return taxel_circuit == shared_circuit ? grounded : taxel_circuit;
 }
 
 laws::LawValues Readout::parameters_of(std::size_t taxel) const {

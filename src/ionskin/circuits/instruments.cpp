@@ -9,6 +9,10 @@
 namespace ionskin::circuits {
 
 std::span<const Instrument> instruments() {
+  // The AD8605's voltage noise is that of the first page of its data sheet (revisions I to N). The
+  // OPA140's, and both current noises, are written from memory of the tables of the data sheets and
+  // not compared with them; SBOS498F calls the OPA140's current noise negligible for any practical
+  // source impedance.
   static constexpr std::array rows{
       Instrument{
           "ad8605", "an AD8605 amplifier and a 16-bit converter", 8e-9, 10e-15, 16,

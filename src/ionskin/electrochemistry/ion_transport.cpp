@@ -105,7 +105,7 @@ public:
 private:
   double time() const { return run_.solution.time.back(); }
   /// Nothing where one potential will do.
-  const TopElectrodes* conductors() const {
+  const WallElectrodes* conductors() const {
     const bool opens = readout_.scan.dwell > 0 && !readout_.scan.grounds_others;
     return cut_ && (opens || !cut_->conductors.all_held()) ? &cut_->conductors : nullptr;
   }

@@ -9,10 +9,134 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
 namespace ionskin::electrochemistry {
+
+namespace {
+
+using Circuits = std::vector<std::optional<ScaledAdmittance>>;
+
+/// The cell with its conductors, within one implicit step from rest.
+class RestingCell {
+public:
+  RestingCell(const Case& input, const DerivedScales& scales, const TransportGrid& grid,
+              const CutElectrode& cut)
+      : step_(input.readout.sample_interval / scales.relaxation_time) {
+    const ScaledGrid scaled = scale_grid(grid, scales.debye_length, scales.area_ratio);
+    parallel::WorkerTeam team(1);
+    FastDiagonalisation cell(scaled, team, steric_excess(input.electrochemistry), &cut.conductors);
+    IonState rest(scaled.nodes());
+    std::ranges::fill(rest.concentration(), 1.0);
+    cell.factorise(rest, step_);
+    const auto count = static_cast<Eigen::Index>(cut.conductors.size());
+    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    admittance_ = Eigen::Map<const Matrix>(cell.electrode_admittance().data(), count, count);
+  }
+
+  /// Charge of one conductor by the potential of another.
+  const Eigen::MatrixXd& admittance() const { return admittance_; }
+
+  /// Potentials of the conductors by charges that are put on them, one column of the matrix for
+  /// each; 0 of those that are held.
+  Eigen::MatrixXd potentials(const Circuits& circuits) const {
+    Eigen::MatrixXd system = admittance_;
+    Eigen::MatrixXd sources = Eigen::MatrixXd::Identity(system.rows(), system.cols());
+    for (Eigen::Index e = 0; e < system.rows(); ++e) {
+      const auto& circuit = circuits[static_cast<std::size_t>(e)];
+      if (circuit) {
+        system(e, e) += step_ * circuit->conductance + circuit->capacitance;
+      } else {
+        system.row(e).setZero();
+        system.col(e).setZero();
+        system(e, e) = 1.0;
+        sources(e, e) = 0.0;
+      }
+    }
+    return system.partialPivLu().solve(sources);
+  }
+
+private:
+  double step_;
+  Eigen::MatrixXd admittance_;
+};
+
+/// Crosstalk of some conductors with circuits of their own, all of one face.
+double of_conductors(const Scan& scan, const CutElectrode& cut, const RestingCell& cell,
+                     const std::vector<Eigen::Index>& own) {
+  // The circuits of a scan are those while the first row is read.
+  const Circuits circuits = cut.circuits(scan, 0);
+  const Eigen::MatrixXd &admittance = cell.admittance(), voltage = cell.potentials(circuits);
+  double largest = 0.0;
+  for (const Eigen::Index i : own) {
+    if (cut.row_of_conductor[static_cast<std::size_t>(i)].value_or(0) != 0) {
+      continue;
+    }
+    for (const Eigen::Index j : own) {
+      const bool held =
+          !circuits[static_cast<std::size_t>(i)] || !circuits[static_cast<std::size_t>(j)];
+      const double share =
+          held ? admittance(j, i) / admittance(i, i) : voltage(j, i) / voltage(i, i);
+      largest = i == j ? largest : std::max(largest, std::abs(share));
+    }
+  }
+  return largest;
+}
+
+/// Answers of the lines to a unit charge that a crossing drives from its row to its column:
+/// potentials where the circuits leave them free, else charges that pass. One column of the matrix
+/// for each line that a charge is put on.
+Eigen::MatrixXd shown(const RestingCell& cell, const Circuits& circuits) {
+  const Eigen::MatrixXd free = cell.potentials(circuits);
+  // The charge that the core drives onto a free line leaves it by its potential.
+  Eigen::MatrixXd result =
+      Eigen::MatrixXd::Identity(free.rows(), free.cols()) - cell.admittance() * free;
+  for (Eigen::Index e = 0; e < free.rows(); ++e) {
+    if (circuits[static_cast<std::size_t>(e)]) {
+      result.row(e) = -free.row(e);
+    }
+  }
+  return result;
+}
+
+/// Crosstalk of a crossbar that is scanned, each crossing in the turn of its row by its column.
+double of_crossings(const Scan& scan, const CutElectrode& cut, const RestingCell& cell) {
+  const std::size_t crossings = cut.row_of_segment.size(), rows = cut.row_of_segment.back() + 1,
+                    columns = cut.row_of_segment.front();
+  std::vector<Eigen::MatrixXd> turns;
+  for (std::size_t row = 0; row < rows - columns; ++row) {
+    turns.push_back(shown(cell, cut.circuits(scan, row)));
+  }
+  const auto reading = [&](std::size_t of, std::size_t source) {
+    const Eigen::MatrixXd& turn = turns[cut.row_of_segment[of] - columns];
+    const auto column = static_cast<Eigen::Index>(cut.conductor_of_segment[of]);
+    return turn(column, static_cast<Eigen::Index>(cut.conductor_of_segment[source])) -
+           turn(column, static_cast<Eigen::Index>(cut.row_of_segment[source]));
+  };
+  double largest = 0.0;
+  for (std::size_t source = 0; source < crossings; ++source) {
+    const double own = reading(source, source);
+    for (std::size_t other = 0; other < crossings; ++other) {
+      largest =
+          other == source ? largest : std::max(largest, std::abs(reading(other, source) / own));
+    }
+  }
+  return largest;
+}
+
+/// Crosstalk of a crossbar that is not scanned, each line against those beside it on its face.
+double of_lines(const Case& input, const CutElectrode& cut, const RestingCell& cell) {
+  std::array<std::vector<Eigen::Index>, 2> of_face;
+  for (std::size_t e = 0; e < cut.conductors.size(); ++e) {
+    of_face[cut.conductors.conductors()[e].wall].push_back(static_cast<Eigen::Index>(e));
+  }
+  return std::max(of_conductors(input.readout.scan, cut, cell, of_face[bottom_wall]),
+                  of_conductors(input.readout.scan, cut, cell, of_face[top_wall]));
+}
+
+} // namespace
 
 std::optional<double> taxel_crosstalk(const Case& input, const history::CoreHistory& history) {
   const TransportGrid grid = make_transport_grid(input, history);
@@ -28,46 +152,12 @@ std::optional<double> taxel_crosstalk(const Case& input, const history::CoreHist
   if (own.size() < 2) {
     return std::nullopt;
   }
-  const ScaledGrid scaled = scale_grid(grid, scales.debye_length, scales.area_ratio);
-  parallel::WorkerTeam team(1);
-  FastDiagonalisation cell(scaled, team, steric_excess(input.electrochemistry), &cut->conductors);
-  IonState rest(scaled.nodes());
-  std::ranges::fill(rest.concentration(), 1.0);
-  const double step = input.readout.sample_interval / scales.relaxation_time;
-  cell.factorise(rest, step);
-  const auto count = static_cast<Eigen::Index>(cut->conductors.size());
-  const Eigen::MatrixXd admittance =
-      Eigen::Map<const Eigen::MatrixXd>(cell.electrode_admittance().data(), count, count);
-
-  // The circuits of a scan are those while the first row is read.
-  const std::vector<std::optional<ScaledAdmittance>> circuits =
-      cut->circuits(input.readout.scan, 0);
-  Eigen::MatrixXd system = admittance;
-  for (Eigen::Index e = 0; e < count; ++e) {
-    const auto& circuit = circuits[static_cast<std::size_t>(e)];
-    if (circuit) {
-      system(e, e) += step * circuit->conductance + circuit->capacitance;
-    } else {
-      system.row(e).setZero();
-      system.col(e).setZero();
-      system(e, e) = 1.0;
-    }
+  const RestingCell cell(input, scales, grid, *cut);
+  if (!cut->row_of_segment.empty()) {
+    return input.readout.scan.dwell > 0 ? of_crossings(input.readout.scan, *cut, cell)
+                                        : of_lines(input, *cut, cell);
   }
-  const Eigen::MatrixXd voltage = system.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
-  double largest = 0.0;
-  for (const Eigen::Index i : own) {
-    if (cut->row_of_conductor[static_cast<std::size_t>(i)].value_or(0) != 0) {
-      continue;
-    }
-    for (const Eigen::Index j : own) {
-      const bool held =
-          !circuits[static_cast<std::size_t>(i)] || !circuits[static_cast<std::size_t>(j)];
-      const double share =
-          held ? admittance(j, i) / admittance(i, i) : voltage(j, i) / voltage(i, i);
-      largest = i == j ? largest : std::max(largest, std::abs(share));
-    }
-  }
-  return largest;
+  return of_conductors(input.readout.scan, *cut, cell, own);
 }
 
 } // namespace ionskin::electrochemistry

@@ -57,7 +57,8 @@ void add_part(const std::vector<double>& time, const std::vector<TaxelCharge>& t
 
 } // namespace
 
-SignalTable taxel_signals(const std::vector<double>& time, const std::vector<TaxelCharge>& taxels) {
+SignalTable taxel_signals(const std::vector<double>& time, const std::vector<TaxelCharge>& taxels,
+                          const std::vector<TaxelCharge>& lines) {
   SignalTable table;
   table.columns.push_back({"time", "s", time});
   for (const TaxelCharge& taxel : taxels) {
@@ -70,6 +71,7 @@ SignalTable taxel_signals(const std::vector<double>& time, const std::vector<Tax
     add_part(time, taxels, part, sign, table);
   }
   add_circuits(time, taxels, table);
+  add_circuits(time, lines, table);
   return table;
 }
 
@@ -83,10 +85,17 @@ double largest_taxel_current(const SignalTable& taxels) {
 }
 
 double largest_of_taxels(const SignalTable& taxels, const std::string& prefix) {
+  const std::string current = current_prefix;
   double largest = 0;
-  for (const Signal& column : taxels.columns) {
-    if (column.name.starts_with(prefix) && column.name != prefix + rest_name) {
-      largest = std::fmax(largest, peak_magnitude(column.values));
+  for (const Signal& taxel : taxels.columns) {
+    if (!taxel.name.starts_with(current) || taxel.name == current + rest_name) {
+      continue;
+    }
+    const std::string name = prefix + taxel.name.substr(current.size());
+    for (const Signal& column : taxels.columns) {
+      if (column.name == name) {
+        largest = std::fmax(largest, peak_magnitude(column.values));
+      }
     }
   }
   return largest;

@@ -24,15 +24,17 @@ struct TaxelCharge {
 /// Columns of taxels.csv: time, then current_top_NAME of every taxel (mean over the step that ends
 /// at the row), then charge_top_NAME; then of each with a bottom charge current_odd_NAME, half of
 /// top minus bottom, and current_even_NAME, half of their sum, and their charges; then of each with
-/// a circuit of its own voltage_NAME, current_circuit_NAME and charge_circuit_NAME.
-SignalTable taxel_signals(const std::vector<double>& time, const std::vector<TaxelCharge>& taxels);
+/// a circuit of its own voltage_NAME, current_circuit_NAME and charge_circuit_NAME, and those three
+/// of each line of a crossbar.
+SignalTable taxel_signals(const std::vector<double>& time, const std::vector<TaxelCharge>& taxels,
+                          const std::vector<TaxelCharge>& lines = {});
 
 /// Adds reading_NAME, what the instrument of a taxel shows of the charge that its circuit passes.
 void add_reading(const std::string& name, const circuits::InstrumentReading& reading,
                  SignalTable& table);
 
-/// Largest magnitude of the columns that begin with a prefix, but for those of what is left between
-/// the taxels; 0 without such columns.
+/// Largest magnitude of the columns of taxels that begin with a prefix, but for those of what is
+/// left between them; 0 without such columns.
 double largest_of_taxels(const SignalTable& taxels, const std::string& prefix);
 
 /// Largest |current_top_NAME| of any taxel; what is left of the electrode between them is none [A].

@@ -47,8 +47,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "unknown key contact.colour", "40:1",
                 "40 | colour = \"red\" # # a comment\n    | ^^^^^^\n",
                 "keys of contact: law, friction"},
-        Mistake{"UnknownSection", "[coupling]", "[wiring]\nload = 3\n[coupling]",
-                "unknown section wiring", "46:1", "^^^^^^^^", "sections of a case: title, skin"},
+        Mistake{"UnknownSection", "[coupling]", "[chassis]\nload = 3\n[coupling]",
+                "unknown section chassis", "46:1", "^^^^^^^^^", "sections of a case: title, skin"},
         Mistake{"MisspeltKey", "friction = 0.3", "frction = 0.3", "unknown key contact.frction",
                 "39:1", "39 | frction = 0.3 # a comment\n    | ^^^^^^^\n",
                 "did you mean contact.friction?"},
@@ -310,6 +310,46 @@ TEST(BadCase, CircuitsOfTaxelsThatCannotBe) {
   EXPECT_THAT(one("\"0.1 mm\", \"2 mm\"", "circuit = \"open\"\n"),
               HasSubstr("too small for a circuit of its own: 0.1 mm along x"));
   EXPECT_THAT(one("\"2 mm\", \"2 mm\"", "circuit = \"opne\"\n"), HasSubstr("open"));
+}
+
+TEST(BadCase, LinesThatCross) {
+  const auto with = [](const std::string& grid, const std::string& more) {
+    return with_taxels("[readout]\ntaxels = {rows = 2, columns = 3" + grid + "}\n" + more);
+  };
+  const std::string crossbar = ", wiring = \"crossbar\"";
+  const TemporaryCase file(with(crossbar, "row_circuit = \"load\"\n"));
+  const Readout readout = read_case(file.path()).readout;
+  EXPECT_TRUE(readout.is_crossbar() && readout.is_cut() && readout.has_own_circuit(5));
+  EXPECT_EQ(readout.circuit_of(0), "short"); // of the columns
+  const std::vector<Taxel> lines = readout.lines();
+  ASSERT_EQ(lines.size(), 5U);
+  EXPECT_EQ(lines[1].name, "c2");
+  EXPECT_EQ(lines[1].upper[1], readout.taxels.back().upper[1]);
+  EXPECT_EQ(lines[4].name, "r2");
+  EXPECT_EQ(lines[4].circuit, "load");
+  EXPECT_EQ(lines[4].lower[0], 0);
+  EXPECT_FALSE(readout.lines_are_held());
+
+  EXPECT_THAT(error_of(with(crossbar + ", gap = \"0.1 mm\"", "")),
+              HasSubstr("the lines of a crossbar touch, and readout.taxels.gap is given"));
+  EXPECT_THAT(error_of(with(crossbar, "taxel_circuit = \"shared\"\n")),
+              HasSubstr("cuts both electrodes into lines"));
+  const std::string floating = "taxel_circuit = \"open\"\nrow_circuit = \"load\"\n";
+  EXPECT_THAT(error_of(with(crossbar, floating)),
+              HasSubstr("no line of the crossbar is at the ground: the columns have the circuit "
+                        "\"open\", the rows \"load\""));
+  EXPECT_THAT(error_of(with(crossbar, floating + "scan = {dwell = \"1 ms\", others = \"open\"}\n")),
+              HasSubstr("set readout.row_circuit = \"short\""));
+  EXPECT_NO_THROW(
+      read_case(TemporaryCase(with(crossbar, floating + "scan = {dwell = \"1 ms\"}\n")).path()));
+  EXPECT_THAT(error_of(with(", wiring = \"crosbar\"", "")), HasSubstr("crossbar"));
+  EXPECT_THAT(error_of(with_taxels("[readout]\nrow_circuit = \"open\"\n")),
+              HasSubstr("readout.row_circuit is given, but no rows are conductors of their own"));
+  EXPECT_THAT(error_of(with_taxels("[readout]\ntaxels = {wiring = \"crossbar\"}\n")),
+              HasSubstr("missing key readout.taxels.rows"));
+  const TemporaryCase held(with(crossbar, "scan = {dwell = \"1 ms\"}\n"));
+  EXPECT_THAT(read_case(held.path()).notes,
+              testing::Contains(HasSubstr("Set readout.scan.others = \"open\"")));
 }
 
 TEST(BadCase, TaxelsOffTheSkinOrWithoutExtentOrName) {

@@ -420,6 +420,31 @@ taxels = {rows = 1, columns = 2}
         self.assertTrue(answer.sentences(results)[0].startswith("An ammeter between the taxel r1c2 and the bottom electrode reads up to 2 nA"))
 
 
+class LinesThatCross(unittest.TestCase):
+    """Two columns above one row, at which the ground holds both ends of a signal or none."""
+
+    COLUMNS = ("current_top_r1c1 [A]", "current_top_r1c2 [A]", "charge_top_r1c1 [C]", "charge_top_r1c2 [C]", "voltage_r1c1 [V]", "voltage_r1c2 [V]",
+               "voltage_c1 [V]", "voltage_c2 [V]", "voltage_r1 [V]", *(f"{kind}_circuit_{name} [{unit}]" for kind, unit in (("current", "A"), ("charge", "C"))
+                                                                        for name in ("c1", "c2", "r1")))
+
+    def results(self, last):
+        folder = pathlib.Path(tempfile.mkdtemp(prefix="ionskin-report-"))
+        self.addCleanup(shutil.rmtree, folder)
+        write_run(folder)
+        (folder / "case.toml").write_text(TaxelsOfTheirOwn.CASE.replace("columns = 2", 'columns = 2, wiring = "crossbar"'))
+        for name in ("taxels", "sampled_taxels"):
+            (folder / f"{name}.csv").write_text("\n".join([",".join(("time [s]", *self.COLUMNS)), ",".join("0" * 16), "4," + last]) + "\n")
+        return Results(folder)
+
+    def test_an_instrument_is_at_a_line_or_at_a_crossing(self):
+        voltages = self.results("0,0,1e-9,2e-9,1e-3,-4e-3,1e-3,-3e-3,1e-3,0,0,0,0,0,0")
+        self.assertTrue(answer.sentences(voltages)[0].startswith("A voltmeter between the column c2 and the row r1 of the crossbar reads up to 4 mV"))
+        self.assertEqual(len(readout.taxel_voltage_map(voltages).rows[0][0].shapes), 2)  # the crossings
+        self.assertEqual([each.title for each in readout.taxel_voltages(voltages).rows[0]], ["r1c1", "r1c2"])
+        currents = self.results("0,0,1e-9,2e-9,0,0,0,0,0,1e-9,2e-9,-3e-9,0,0,0")
+        self.assertTrue(answer.sentences(currents)[0].startswith("An ammeter between the row r1 of the crossbar and the ground reads up to 3 nA"))
+
+
 class ChartData(unittest.TestCase):
     def test_numbers_are_short_and_right(self):
         self.assertEqual(chart_data.rounded([0.0, 1.23456789e-9, -98765.4321, 7e300]), [0.0, 1.2346e-09, -98765.0, 7e300])

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/checks/check_case.hpp"
 
+#include "ionskin/case/checks/check_crossbar.hpp"
 #include "ionskin/case/checks/check_drive.hpp"
 #include "ionskin/case/checks/check_electrochemistry.hpp"
 #include "ionskin/case/checks/check_laws.hpp"
@@ -131,6 +132,7 @@ void check_case(const CaseDocument& document) {
   check_water(document, problems);
   check_relaxation(document, problems);
   check_readout(document, problems);
+  check_crossbar(document, problems);
   check_metal(document, problems);
   if (document.input.strain.kind == StrainSourceKind::contact) {
     check_slider(document, problems);

@@ -114,7 +114,8 @@ struct IdleKey {
 /// True if the circuit of the electrode, or one of a taxel, has the parameter.
 bool is_used(const Readout& readout, std::string_view parameter) {
   const auto table = circuits::circuits();
-  bool used = laws::has_parameter(table, readout.circuit, parameter);
+  bool used = laws::has_parameter(table, readout.circuit, parameter) ||
+              (readout.is_crossbar() && laws::has_parameter(table, readout.row_circuit, parameter));
   for (std::size_t i = 0; i < readout.taxels.size() && !used; ++i)
     used = laws::has_parameter(table, readout.circuit_of(i), parameter);
   return used;
@@ -186,7 +187,7 @@ void check_conductors(const CaseDocument& document, Problems& problems) {
       check_size(document, i, problems);
     }
   }
-  if (count > most_conductors)
+  if (count > most_conductors && !readout.is_crossbar())
     problems.add(fmt::format("{} taxels have circuits of their own", count),
                  document.point_at("readout.taxel_circuit"),
                  fmt::format("at most {} may: use fewer taxels, or taxel_circuit = \"shared\"",
@@ -196,7 +197,8 @@ void check_conductors(const CaseDocument& document, Problems& problems) {
     problems.add("readout.taxel_circuit is given, but the case has no taxels",
                  document.point_at("readout.taxel_circuit"),
                  "add taxels, such as readout.taxels = {rows = 2, columns = 4}, or remove the key");
-  if (count > 0 && circuits::circuit(readout.circuit, readout.parameters).read)
+  if (count > 0 && !readout.is_crossbar() &&
+      circuits::circuit(readout.circuit, readout.parameters).read)
     problems.add(fmt::format("the instrument of readout.circuit = \"{}\" reads one electrode, and "
                              "taxels have circuits of their own",
                              readout.circuit),
@@ -208,8 +210,11 @@ void check_conductors(const CaseDocument& document, Problems& problems) {
     problems.add("the ion model \"thin-layers\" knows one conductor as the top electrode, and "
                  "taxels have circuits of their own here",
                  document.point_at("electrochemistry.ion_model"),
-                 "set electrochemistry.ion_model = \"dilute\", or readout.taxel_circuit = "
-                 "\"shared\"");
+                 readout.is_crossbar()
+                     ? "set electrochemistry.ion_model = \"dilute\", or remove "
+                       "readout.taxels.wiring"
+                     : "set electrochemistry.ion_model = \"dilute\", or readout.taxel_circuit = "
+                       "\"shared\"");
 }
 
 /// A key of a circuit beside no word of a circuit is one that the user forgot to name.
@@ -241,7 +246,7 @@ void check_grid(const CaseDocument& document, Problems& problems) {
   const TaxelGrid& grid = document.input.readout.taxel_grid;
   const std::string key = "readout.taxels.";
   std::vector<Pointer> given;
-  for (const char* name : {"rows", "columns", "gap"})
+  for (const char* name : {"rows", "columns", "gap", "wiring"})
     for (const Pointer& pointer : document.point_at(key + name))
       given.push_back(pointer);
   if (given.empty())

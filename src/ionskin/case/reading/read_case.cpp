@@ -3,6 +3,7 @@
 
 #include "ionskin/base/files/read_text_file.hpp"
 #include "ionskin/case/checks/check_case.hpp"
+#include "ionskin/case/checks/check_crossbar.hpp"
 #include "ionskin/case/checks/check_metal.hpp"
 #include "ionskin/case/checks/check_prescribed.hpp"
 #include "ionskin/case/checks/check_readout.hpp"
@@ -145,8 +146,8 @@ CaseDocument read_case_text(const std::string& original, const std::string& path
     document.input.notes.push_back(
         fmt::format("Without a meaning with {}, and left out of the case: {}.", choices->words,
                     fmt::join(choices->left_out, ", ")));
-  for (auto* const notes :
-       {notes_on_readout, notes_on_metal, notes_on_slider, notes_on_former_keys}) {
+  for (auto* const notes : {notes_on_readout, notes_on_crossbar, notes_on_metal, notes_on_slider,
+                            notes_on_former_keys}) {
     for (std::string& note : notes(document)) {
       document.input.notes.push_back(std::move(note));
     }

@@ -106,8 +106,8 @@ void add_scan(SchemaRows& rows) {
                   .range = {1e-6, 1e7, true, true},
                   .need = Need::where_known,
                   .help = "Reads taxels with circuits of their own one row after another, each for "
-                          "so long and from the begin of the run on: the rows of a grid, or the "
-                          "taxels of a list.",
+                          "so long and from the begin of the run on: the rows of a grid or of a "
+                          "crossbar, or the taxels of a list.",
                   .set = [](CaseDraft& draft, const KeyIndex&, const Value& value) {
                     draft.input.readout.scan.dwell = value.numbers[0];
                   }});
@@ -116,7 +116,8 @@ void add_scan(SchemaRows& rows) {
                   .applies = [](const Case& input) { return input.readout.scan.dwell > 0; },
                   .default_value = "\"grounded\"",
                   .choices = {{"grounded"}, {"open"}},
-                  .help = "What a scan does with the taxels of the other rows.",
+                  .help = "What a scan does with the taxels of the other rows, or with the other "
+                          "rows of a crossbar.",
                   .source = "rows at virtual grounds do not disturb each other",
                   .set =
                       [](CaseDraft& draft, const KeyIndex&, const Value& value) {
@@ -160,6 +161,37 @@ void add_taxels(SchemaRows& rows) {
                   .set = into_taxel(&Taxel::upper)});
 }
 
+bool is_crossbar(const Case& input) {
+  return input.readout.is_crossbar();
+}
+
+void add_wiring(SchemaRows& rows) {
+  rows.push_back(
+      {.key = "readout.taxels.wiring",
+       .type = ValueType::choice,
+       .need = Need::where_known,
+       .choices = {{"single"}, {"crossbar"}},
+       .help =
+           "Leads of the taxels of a grid: \"single\", one for each, as without this key; or "
+           "\"crossbar\", lines that cross: columns of the top electrode, c1, c2, ..., and rows "
+           "of the bottom one, r1, r2, ..., each with a potential and a circuit of its own.",
+       .set = [](CaseDraft& draft, const KeyIndex&, const Value& value) {
+         draft.input.readout.taxel_grid.wiring =
+             value.text == "crossbar" ? TaxelWiring::crossbar : TaxelWiring::single;
+       }});
+  const auto table = circuits::circuits();
+  rows.push_back({.key = "readout.row_circuit",
+                  .type = ValueType::choice,
+                  .applies = is_crossbar,
+                  .default_value = fmt::format("\"{}\"", table.front().name),
+                  .choices = choices_of(table),
+                  .help = "What joins every row of a crossbar to the ground: a circuit as of "
+                          "readout.circuit, with the same keys. That of its columns is "
+                          "readout.taxel_circuit, \"short\" unless it is given.",
+                  .source = "a row that is read is the ground of its crossings",
+                  .set = into(&Case::readout, &Readout::row_circuit)});
+}
+
 SchemaRow grid_count(const std::string& name, const std::string& help, int TaxelGrid::*member) {
   return {.key = "readout.taxels." + name,
           .type = ValueType::integer,
@@ -187,6 +219,7 @@ void add_taxel_grid(SchemaRows& rows) {
        .set = [](CaseDraft& draft, const KeyIndex&, const Value& value) {
          draft.input.readout.taxel_grid.gap = value.numbers[0];
        }});
+  add_wiring(rows);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/case/checks/check_sizes.hpp"
+#include "ionskin/electrochemistry/circuit/crossbar.hpp"
 #include "ionskin/electrochemistry/circuit/electrode_segments.hpp"
 
 #include <fmt/format.h>
@@ -100,6 +101,9 @@ std::vector<double> scan_switches(const Readout& readout, double begin, double e
 }
 
 bool taxels_are_mirrored(const Readout& readout, double width) {
+  if (readout.is_crossbar()) {
+    return readout.lines_are_held();
+  }
   for (std::size_t i = 0; i < readout.taxels.size(); ++i) {
     const auto image = image_of(readout, i, width);
     if (!image || readout.has_own_circuit(i) != readout.has_own_circuit(*image) ||
@@ -118,6 +122,9 @@ std::optional<CutElectrode> cut_electrode(const Case& input, const DerivedScales
   if (!readout.is_cut()) {
     return std::nullopt;
   }
+  if (readout.is_crossbar()) {
+    return crossbar(input, scales, grid);
+  }
   const std::vector<std::string> names =
       names_of_conductors(readout, make_electrode_segments(readout.taxels, grid));
   ElectrodeSegments segments = make_electrode_segments(readout.taxels, mirror.solved_grid());
@@ -128,7 +135,7 @@ std::optional<CutElectrode> cut_electrode(const Case& input, const DerivedScales
   const bool halved = mirror.copies() > 1.0;
   const double column_area = input.skin.length * input.skin.width / mirror.copies() /
                              static_cast<double>(segments.share.front().size());
-  std::vector<TopConductor> conductors;
+  std::vector<WallConductor> conductors;
   std::vector<double> copies;
   std::vector<std::optional<std::size_t>> rows;
   std::vector<std::size_t> conductor_of(names.size(), names.size());
@@ -139,7 +146,7 @@ std::optional<CutElectrode> cut_electrode(const Case& input, const DerivedScales
     const bool own = names[i] != electrode;
     const std::size_t image =
         own && halved ? image_of(readout, i, input.skin.width).value_or(i) : i;
-    TopConductor conductor{std::vector<double>(segments.share[i].size(), 0.0), std::nullopt};
+    WallConductor conductor{std::vector<double>(segments.share[i].size(), 0.0), std::nullopt};
     for (std::size_t j = i; j < names.size(); ++j) {
       if (j == i || (!own && names[j] == electrode) || j == image) {
         conductor_of[j] = conductors.size();
@@ -167,7 +174,7 @@ std::optional<CutElectrode> cut_electrode(const Case& input, const DerivedScales
   for (std::size_t& conductor : conductor_of) {
     conductor = conductor < conductors.size() ? conductor : 0;
   }
-  return CutElectrode{TopElectrodes(std::move(conductors)), std::move(conductor_of),
+  return CutElectrode{WallElectrodes(std::move(conductors)), std::move(conductor_of),
                       std::move(rows), std::move(copies)};
 }
 

@@ -6,8 +6,8 @@
 
 namespace ionskin::electrochemistry {
 
-ElectrodeCharges::ElectrodeCharges(const TopElectrodes& electrodes) : electrodes_(electrodes) {
-  for (const TopConductor& conductor : electrodes.conductors()) {
+ElectrodeCharges::ElectrodeCharges(const WallElectrodes& electrodes) : electrodes_(electrodes) {
+  for (const WallConductor& conductor : electrodes.conductors()) {
     circuits_.push_back(conductor.admittance);
   }
 }

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/electrochemistry/circuit/top_electrodes.hpp"
+#include "ionskin/electrochemistry/circuit/wall_electrodes.hpp"
 
 #include <span>
 #include <vector>
 
 namespace ionskin::electrochemistry {
 
-/// Charges of the conductors of a cut top face while a run advances, all scaled. For each, d(Q - n
+/// Charges of the conductors of cut faces while a run advances, all scaled. For each, d(Q - n
 /// + C u)/dt = -u/R, docs/model.md (63), where n is half of the net charge that the coupling law
 /// makes below it, which returns through the ground. The charges Q - n + C u are advanced like the
 /// ions, and conserved to rounding.
 class ElectrodeCharges {
 public:
-  explicit ElectrodeCharges(const TopElectrodes& electrodes);
+  explicit ElectrodeCharges(const WallElectrodes& electrodes);
 
-  const TopElectrodes& electrodes() const { return electrodes_; }
+  const WallElectrodes& electrodes() const { return electrodes_; }
   /// The circuits from now on; nothing holds a conductor at the ground.
   void connect(std::vector<std::optional<ScaledAdmittance>> circuits);
   const std::vector<std::optional<ScaledAdmittance>>& circuits() const { return circuits_; }
@@ -34,7 +34,7 @@ public:
   }
 
 private:
-  const TopElectrodes& electrodes_;
+  const WallElectrodes& electrodes_;
   std::vector<std::optional<ScaledAdmittance>> circuits_;
 };
 

@@ -4,6 +4,7 @@
 #include "ionskin/case/case.hpp"
 #include "ionskin/electrochemistry/circuit/external_circuit.hpp"
 #include "ionskin/electrochemistry/circuit/terminal_voltage.hpp"
+#include "ionskin/electrochemistry/circuit/wall_electrodes.hpp"
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "ionskin/electrochemistry/grid/mid_width_mirror.hpp"
 #include "ionskin/electrochemistry/grid/scaled_grid.hpp"
@@ -15,9 +16,6 @@
 #include <vector>
 
 namespace ionskin::electrochemistry {
-
-/// The faces of the core, as indices of arrays.
-inline constexpr std::size_t bottom_wall = 0, top_wall = 1;
 
 /// Equations that metal with a sheet resistance adds to one implicit stage, all scaled: the charge
 /// per area of every column is what it starts from, plus `step` times what comes along the metal

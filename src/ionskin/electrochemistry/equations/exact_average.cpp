@@ -21,7 +21,7 @@ double level_sum(std::span<const double> field, std::size_t level, std::size_t c
 } // namespace
 
 ExactAverage::ExactAverage(const ScaledGrid& grid, std::optional<StericExcess> excess,
-                           const TopElectrodes* electrodes, const SheetElectrodes* sheets)
+                           const WallElectrodes* electrodes, const SheetElectrodes* sheets)
     : grid_(grid), excess_(excess), electrodes_(electrodes), sheets_(sheets), voltage_(grid),
       mean_(grid.levels), charge_(grid.levels), diagonal_(grid.levels), potential_(grid.levels) {}
 
@@ -56,7 +56,7 @@ void ExactAverage::restore_amount(double ion_amount, std::span<double> concentra
 void ExactAverage::restore_charge(const StageProblem& problem, IonState& state) const {
   const ElectrodeStage& stage = *problem.electrodes;
   const auto top = state.potential().last(grid_.columns());
-  const std::vector<double> potentials = electrodes_->potentials(top);
+  const std::vector<double> potentials = electrodes_->potentials(state.potential());
   double missing = -ramo_charge_top(grid_, state, problem.fixed_charge);
   double per_potential = static_cast<double>(grid_.columns()) / grid_.thickness;
   for (std::size_t e = 0; e < potentials.size(); ++e) {
@@ -113,8 +113,10 @@ void ExactAverage::correct(const StageProblem& problem, IonState& state) {
     mean_[k] = level_sum(state.concentration(), k, columns, 1.0) / count;
   }
   // Elimination from the bottom wall up, then substitution from the top wall down.
-  potential_[0] = problem.sheets != nullptr ? level_sum(state.potential(), 0, columns, 0.0) / count
-                                            : problem.potential_bottom;
+  const bool bottom_varies =
+      problem.sheets != nullptr || (problem.electrodes != nullptr && electrodes_->on_bottom());
+  potential_[0] = bottom_varies ? level_sum(state.potential(), 0, columns, 0.0) / count
+                                : problem.potential_bottom;
   diagonal_[0] = 1.0;
   for (std::size_t k = 1; k < top; ++k) {
     const double down = 1.0 / grid_.spacing[k - 1], up = 1.0 / grid_.spacing[k];
@@ -133,7 +135,7 @@ void ExactAverage::correct(const StageProblem& problem, IonState& state) {
   }
   const auto phi = state.potential();
   for (std::size_t i = 0; i < columns; ++i) {
-    if (problem.sheets == nullptr) {
+    if (!bottom_varies) {
       phi[i] = problem.potential_bottom;
     }
     if (!top_varies) {

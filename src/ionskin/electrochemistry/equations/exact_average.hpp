@@ -16,10 +16,10 @@ namespace ionskin::electrochemistry {
 class ExactAverage {
 public:
   /// @param excess nothing for dilute ions
-  /// @param electrodes of the top face where it is cut; must outlive this, nullptr otherwise
+  /// @param electrodes of the faces where they are cut; must outlive this, nullptr otherwise
   /// @param sheets electrodes with sheet resistances; must outlive this, nullptr for none
   explicit ExactAverage(const ScaledGrid& grid, std::optional<StericExcess> excess = std::nullopt,
-                        const TopElectrodes* electrodes = nullptr,
+                        const WallElectrodes* electrodes = nullptr,
                         const SheetElectrodes* sheets = nullptr);
 
   void correct(const StageProblem& problem, IonState& state);
@@ -29,7 +29,7 @@ public:
 
 private:
   /// Shifts all conductors of a cut top face alike, so that the sum of what their circuits ask
-  /// holds; not where one of them is held.
+  /// holds; not where one of them is held, as it is of a cut bottom face.
   void restore_charge(const StageProblem& problem, IonState& state) const;
   /// Shifts the top metal with its lead, so that the charge that passes the circuit holds.
   void restore_lead_charge(const StageProblem& problem, IonState& state) const;
@@ -37,7 +37,7 @@ private:
 
   const ScaledGrid& grid_;
   std::optional<StericExcess> excess_;
-  const TopElectrodes* electrodes_;
+  const WallElectrodes* electrodes_;
   const SheetElectrodes* sheets_;
   TerminalVoltage voltage_;
   std::vector<double> mean_, charge_, diagonal_, potential_; ///< per level

@@ -26,7 +26,7 @@ double top_potential(const StageProblem& problem, const TerminalVoltage& voltage
 
 TransportEquations::TransportEquations(const ScaledGrid& grid, parallel::WorkerTeam& team,
                                        std::optional<StericExcess> excess,
-                                       const TopElectrodes* electrodes,
+                                       const WallElectrodes* electrodes,
                                        const SheetElectrodes* sheets)
     : grid_(grid), team_(team), excess_(excess), voltage_(grid), electrodes_(electrodes),
       sheets_(sheets), by_lower_(grid.nodes() - grid.columns()), by_upper_(by_lower_.size()),
@@ -68,8 +68,7 @@ void TransportEquations::residual(const StageProblem& problem, const IonState& s
     residual_levels(problem, top, state, drive, begin, end, workspaces_[worker], out);
   });
   if (problem.electrodes != nullptr) {
-    add_circuits(*problem.electrodes, state.potential().last(grid_.columns()), true,
-                 out.last(grid_.columns()));
+    add_circuits(*problem.electrodes, state.potential(), true, out.last(grid_.nodes()));
   }
   if (problem.sheets != nullptr) {
     const SheetStage& stage = *problem.sheets;
@@ -96,15 +95,21 @@ void TransportEquations::take_inflow(const SheetStage& stage, std::span<const do
 }
 
 void TransportEquations::add_circuits(const ElectrodeStage& stage,
-                                      std::span<const double> top_potential, bool from_start,
+                                      std::span<const double> potentials, bool from_start,
                                       std::span<double> charges) const {
-  std::vector<double> asked = electrodes_->potentials(top_potential);
+  std::vector<double> asked = electrodes_->potentials(potentials);
   for (std::size_t e = 0; e < asked.size(); ++e) {
     asked[e] = stage.holds(e)
                    ? 0.0
                    : stage.conductance[e] * asked[e] - (from_start ? stage.start[e] : 0.0);
   }
   electrodes_->add(asked, charges);
+}
+
+bool TransportEquations::varies(std::size_t wall, const ElectrodeStage* electrodes,
+                                const SheetStage* sheets) const {
+  return sheets != nullptr ||
+         (electrodes != nullptr && (wall == top_wall || electrodes_->on_bottom()));
 }
 
 void TransportEquations::residual_levels(const StageProblem& problem, double potential_top,
@@ -116,6 +121,8 @@ void TransportEquations::residual_levels(const StageProblem& problem, double pot
     return field.subspan(k * columns, columns);
   };
   const auto c = state.concentration(), phi = state.potential();
+  const bool bottom_varies = varies(bottom_wall, problem.electrodes, problem.sheets),
+             top_varies = varies(top_wall, problem.electrodes, problem.sheets);
   const auto flux = [&](std::size_t k, std::span<double> result) {
     work.thickness_flux.evaluate(level(c, k), level(c, k + 1), level(drive, k), level(drive, k + 1),
                                  grid_.spacing[k], result);
@@ -146,7 +153,7 @@ void TransportEquations::residual_levels(const StageProblem& problem, double pot
     }
     double* poisson = out.data() + nodes + k * columns;
     const double* phi_k = phi.data() + k * columns;
-    if (k == 0 && problem.sheets != nullptr) {
+    if (k == 0 && bottom_varies) {
       const double up = 1.0 / grid_.spacing[k];
       const double* phi_above = phi_k + columns;
       const double* field = work.lateral_field.data();
@@ -159,7 +166,7 @@ void TransportEquations::residual_levels(const StageProblem& problem, double pot
                               height * (fixed[i] - 1.0);
         poisson[i] = up * (phi_k[i] - phi_above[i]) - height * field[i] - charge;
       }
-    } else if (k == top && (problem.electrodes != nullptr || problem.sheets != nullptr)) {
+    } else if (k == top && top_varies) {
       const double down = 1.0 / grid_.spacing[k - 1];
       const double* phi_below = phi_k - columns;
       const double* field = work.lateral_field.data();
@@ -244,8 +251,7 @@ void TransportEquations::apply_jacobian(std::span<const double> direction, std::
     jacobian_levels(direction, potential_change, begin, end, workspaces_[worker], out);
   });
   if (electrode_stage_ != nullptr) {
-    add_circuits(*electrode_stage_, direction.last(grid_.columns()), false,
-                 out.last(grid_.columns()));
+    add_circuits(*electrode_stage_, direction.last(grid_.nodes()), false, out.last(grid_.nodes()));
   }
   if (sheet_stage_ != nullptr) {
     const double lead = sheets_->lead_change(*sheet_stage_, direction.last(grid_.columns()));
@@ -277,6 +283,8 @@ void TransportEquations::jacobian_levels(std::span<const double> direction, doub
     return field.subspan(k * columns, columns);
   };
   const auto d_concentration = direction.first(nodes), d_potential = direction.last(nodes);
+  const bool bottom_varies = varies(bottom_wall, electrode_stage_, sheet_stage_),
+             top_varies = varies(top_wall, electrode_stage_, sheet_stage_);
   if (begin == 0) {
     std::fill(work.flux_below.begin(), work.flux_below.end(), 0.0);
   } else {
@@ -309,7 +317,7 @@ void TransportEquations::jacobian_levels(std::span<const double> direction, doub
     }
     double* poisson = out.data() + nodes + k * columns;
     const double* dphi = direction.data() + nodes + k * columns;
-    if (k == 0 && sheet_stage_ != nullptr) {
+    if (k == 0 && bottom_varies) {
       const double up = 1.0 / grid_.spacing[k];
       const double* dphi_above = dphi + columns;
       const double* field = work.lateral_field.data();
@@ -320,7 +328,7 @@ void TransportEquations::jacobian_levels(std::span<const double> direction, doub
         poisson[i] = up * (dphi[i] - dphi_above[i]) - height * field[i] - weight.here * dc[i] -
                      weight.above * dc_above[i];
       }
-    } else if (k == top && (electrode_stage_ != nullptr || sheet_stage_ != nullptr)) {
+    } else if (k == top && top_varies) {
       const double down = 1.0 / grid_.spacing[k - 1];
       const double* dphi_below = dphi - columns;
       const double* field = work.lateral_field.data();

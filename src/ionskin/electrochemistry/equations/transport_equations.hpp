@@ -3,7 +3,7 @@
 
 #include "ionskin/electrochemistry/circuit/sheet_electrodes.hpp"
 #include "ionskin/electrochemistry/circuit/terminal_voltage.hpp"
-#include "ionskin/electrochemistry/circuit/top_electrodes.hpp"
+#include "ionskin/electrochemistry/circuit/wall_electrodes.hpp"
 #include "ionskin/electrochemistry/equations/ion_flux.hpp"
 #include "ionskin/electrochemistry/equations/lateral_flux.hpp"
 #include "ionskin/electrochemistry/equations/steric_excess.hpp"
@@ -30,9 +30,9 @@ struct StageProblem {
   std::optional<CircuitStage> circuit{};
   /// Drives the cations beside the potential [nodes]; empty for none. Must outlive its use.
   std::span<const double> drive{};
-  /// Conductors of the top face behind circuits of their own, where it is cut: the state has their
-  /// potentials on the top wall, and the residual there is the charge of every column plus what
-  /// has, as its sum over each conductor, conductance u - start. Must outlive its use.
+  /// Conductors of cut faces behind circuits of their own: the state has their potentials on a cut
+  /// wall, and the residual there is the charge of every column plus what has, as its sum over each
+  /// conductor, conductance u - start. Must outlive its use.
   const ElectrodeStage* electrodes = nullptr;
   /// Metal with sheet resistances, whose leads have the potentials above or the circuit of its own:
   /// the state has its potentials on both walls, and the residual there is the charge of every
@@ -50,11 +50,11 @@ double top_potential(const StageProblem& problem, const TerminalVoltage& voltage
 class TransportEquations {
 public:
   /// @param excess nothing for dilute ions
-  /// @param electrodes of the top face where it is cut; must outlive this, nullptr otherwise
+  /// @param electrodes of the faces where they are cut; must outlive this, nullptr otherwise
   /// @param sheets electrodes with sheet resistances; must outlive this, nullptr for none
   TransportEquations(const ScaledGrid& grid, parallel::WorkerTeam& team,
                      std::optional<StericExcess> excess = std::nullopt,
-                     const TopElectrodes* electrodes = nullptr,
+                     const WallElectrodes* electrodes = nullptr,
                      const SheetElectrodes* sheets = nullptr);
 
   /// Residual of ion balance, then of Poisson's equation, per control volume [2 nodes]. On the
@@ -92,11 +92,13 @@ private:
   void jacobian_levels(std::span<const double> direction, double potential_change,
                        std::size_t begin, std::size_t end, Workspace& work,
                        std::span<double> out) const;
-  /// Adds what the circuits of the conductors ask to the charges on the top wall.
-  /// @param top_potential of the columns, or its change
+  /// Adds what the circuits of the conductors ask to the charges on the walls.
+  /// @param potentials of all nodes, or their change
   /// @param from_start whether the charges that the stage starts from count
-  void add_circuits(const ElectrodeStage& stage, std::span<const double> top_potential,
+  void add_circuits(const ElectrodeStage& stage, std::span<const double> potentials,
                     bool from_start, std::span<double> charges) const;
+  /// True if the potential of a wall is an unknown of each column.
+  bool varies(std::size_t wall, const ElectrodeStage* electrodes, const SheetStage* sheets) const;
   /// Takes from the charges on both walls what the metal brings.
   /// @param potentials of all nodes, or their change; of the top lead likewise
   void take_inflow(const SheetStage& stage, std::span<const double> potentials, double lead_bottom,
@@ -112,7 +114,7 @@ private:
   const IonState* state_ = nullptr;
   double step_ = 0;
   std::optional<CircuitStage> circuit_;
-  const TopElectrodes* electrodes_;
+  const WallElectrodes* electrodes_;
   const ElectrodeStage* electrode_stage_ = nullptr;
   const SheetElectrodes* sheets_;
   const SheetStage* sheet_stage_ = nullptr;

@@ -26,13 +26,14 @@ struct IonSnapshot {
 };
 
 /// Charge on the metal of one part of the top electrode, and of the bottom one below it, one entry
-/// per row [C].
+/// per row [C]; or that on a line of a crossbar, on its own face.
 struct SegmentCharge {
   std::string name;
   std::vector<double> charge, bottom_charge;
   // Voltage and charge of taxels with circuits of their own: against the bottom electrode, and the
   // charge that the circuit has passed or holds, without the part that returns through the ground.
-  // Empty otherwise.
+  // Empty otherwise. Of a crossing the voltage is that of its column against its row, and the
+  // charge what the column has passed while a scan read the row; of a line against the ground.
   std::vector<double> voltage; ///< [V]
   std::vector<double> passed;  ///< [C]
   /// Charge that came and went while the taxel of a scan was not read [C].
@@ -81,6 +82,7 @@ struct IonSolution {
   WaterRows water;
   std::optional<double> taxel_crosstalk; ///< see `taxel_crosstalk`; with circuits of their own only
   std::vector<SegmentCharge> top_segments; ///< the taxels and the rest; empty without taxels
+  std::vector<SegmentCharge> lines;        ///< of a crossbar, see Readout::lines
   /// Charge of the top wall per column at the last row [C], [y][x].
   std::vector<double> column_charge_top;
   std::vector<IonSnapshot> snapshots;

@@ -32,7 +32,7 @@ struct TransportState {
   double next_step = 0;                             ///< length to try next [s]
   double charge_scale = 0;                          ///< largest charge so far; see ChargeNorm
   std::optional<poroelasticity::WaterState> memory; ///< of laws that move water
-  /// Charges of the conductors of a cut top face, see ElectrodeCharges; empty for one conductor.
+  /// Charges of the conductors of cut faces, see ElectrodeCharges; empty for one conductor.
   std::vector<double> electrode_charge{};
 };
 

@@ -7,7 +7,7 @@ namespace ionskin::electrochemistry {
 
 ClosedPreconditioner::ClosedPreconditioner(const ScaledGrid& grid, parallel::WorkerTeam& team,
                                            std::optional<StericExcess> excess,
-                                           const TopElectrodes* electrodes,
+                                           const WallElectrodes* electrodes,
                                            const SheetElectrodes* sheets)
     : grid_(grid), open_(grid, team, excess, electrodes, sheets), voltage_(grid) {}
 

@@ -15,22 +15,20 @@ namespace ionskin::electrochemistry {
 /// The preconditioner closed by the circuit between the electrodes. The voltage is a linear
 /// function of the concentrations, which adds a matrix of rank one to the Jacobian: its inverse
 /// follows from the answer to a unit voltage, the same in every column (Sherman and Morrison 1950,
-/// doi 10.1214/aoms/1177729893). Conductors of a cut top face are FastDiagonalisation's own.
+/// doi 10.1214/aoms/1177729893). Conductors of a cut face are FastDiagonalisation's own.
 class ClosedPreconditioner {
 public:
   /// @param excess nothing for dilute ions
   /// @param electrodes and `sheets`: see FastDiagonalisation
   ClosedPreconditioner(const ScaledGrid& grid, parallel::WorkerTeam& team,
                        std::optional<StericExcess> excess = std::nullopt,
-                       const TopElectrodes* electrodes = nullptr,
+                       const WallElectrodes* electrodes = nullptr,
                        const SheetElectrodes* sheets = nullptr);
 
   void factorise(const IonState& state, double step);
 
   /// Product out = (approximate Jacobian)^-1 residual; both [2 nodes].
   void apply(const StageProblem& problem, std::span<const double> residual, std::span<double> out);
-
-  const std::vector<double>& electrode_admittance() const { return open_.electrode_admittance(); }
 
   /// Sums for an open circuit, see FastDiagonalisation.
   std::array<std::vector<double>, 2>

@@ -3,34 +3,43 @@
 
 #include <Eigen/Dense>
 
-#include <algorithm>
-
 namespace ionskin::electrochemistry {
 
-ElectrodeCoupling::ElectrodeCoupling(const TopElectrodes& electrodes,
+ElectrodeCoupling::ElectrodeCoupling(const WallElectrodes& electrodes,
                                      const CosineTransform& transform)
     : count_(electrodes.size()), matrix_(count_ * count_) {
-  for (const TopConductor& conductor : electrodes.conductors()) {
+  for (const WallConductor& conductor : electrodes.conductors()) {
     std::vector<float> scratch(conductor.share.size());
+    wall_.push_back(conductor.wall);
     modes_.emplace_back(conductor.share.size());
     transform.forward(conductor.share, modes_.back(), scratch);
   }
 }
 
-void ElectrodeCoupling::set_admittance(std::span<const double> admittance) {
-  std::vector<double> weighted(admittance.size());
+void ElectrodeCoupling::set_admittance(
+    const std::array<std::array<std::vector<double>, 2>, 2>& admittance) {
+  std::vector<double> weighted(modes_.front().size());
   for (std::size_t e = 0; e < count_; ++e) {
-    for (std::size_t m = 0; m < weighted.size(); ++m) {
-      weighted[m] = admittance[m] * static_cast<double>(modes_[e][m]);
-    }
-    for (std::size_t f = 0; f <= e; ++f) {
-      const float* other = modes_[f].data();
-      double sum = 0.0;
-#pragma omp simd reduction(+ : sum)
-      for (std::size_t m = 0; m < weighted.size(); ++m) {
-        sum += weighted[m] * static_cast<double>(other[m]);
+    for (const std::size_t wall : {bottom_wall, top_wall}) {
+      const std::vector<double>& of_mode = admittance[wall_[e]][wall];
+      if (of_mode.empty()) {
+        continue;
       }
-      matrix_[e * count_ + f] = matrix_[f * count_ + e] = sum;
+      for (std::size_t m = 0; m < weighted.size(); ++m) {
+        weighted[m] = of_mode[m] * static_cast<double>(modes_[e][m]);
+      }
+      for (std::size_t f = 0; f < count_; ++f) {
+        if (wall_[f] != wall) {
+          continue;
+        }
+        const float* other = modes_[f].data();
+        double sum = 0.0;
+#pragma omp simd reduction(+ : sum)
+        for (std::size_t m = 0; m < weighted.size(); ++m) {
+          sum += weighted[m] * static_cast<double>(other[m]);
+        }
+        matrix_[e * count_ + f] = sum;
+      }
     }
   }
   conductance_.clear();
@@ -54,21 +63,22 @@ void ElectrodeCoupling::invert(const ElectrodeStage& stage) {
       system(e, e) += stage.conductance[static_cast<std::size_t>(e)];
     }
   }
-  const Matrix inverse = system.ldlt().solve(sources);
+  const Matrix inverse = system.partialPivLu().solve(sources);
   inverse_.assign(inverse.data(), inverse.data() + inverse.size());
   conductance_ = stage.conductance;
 }
 
 std::vector<double> ElectrodeCoupling::potentials(const ElectrodeStage& stage,
-                                                  std::span<const float> charge) {
+                                                  const std::array<std::vector<float>, 2>& charge) {
   invert(stage);
   std::vector<double> charges(count_, 0.0), result(count_, 0.0);
   for (std::size_t e = 0; e < count_; ++e) {
+    const std::vector<float>& of_mode = charge[wall_[e]];
     const float* modes = modes_[e].data();
     double sum = 0.0;
 #pragma omp simd reduction(+ : sum)
-    for (std::size_t m = 0; m < charge.size(); ++m) {
-      sum += static_cast<double>(modes[m]) * static_cast<double>(charge[m]);
+    for (std::size_t m = 0; m < of_mode.size(); ++m) {
+      sum += static_cast<double>(modes[m]) * static_cast<double>(of_mode[m]);
     }
     charges[e] = sum;
   }
@@ -80,14 +90,18 @@ std::vector<double> ElectrodeCoupling::potentials(const ElectrodeStage& stage,
   return result;
 }
 
-void ElectrodeCoupling::spread(std::span<const double> potentials, std::span<float> modes) const {
-  std::ranges::fill(modes, 0.0F);
+std::array<std::vector<float>, 2>
+ElectrodeCoupling::spread(std::span<const double> potentials) const {
+  std::array<std::vector<float>, 2> modes;
   for (std::size_t e = 0; e < count_; ++e) {
+    std::vector<float>& of_wall = modes[wall_[e]];
+    of_wall.resize(modes_[e].size(), 0.0F);
     const auto potential = static_cast<float>(potentials[e]);
-    for (std::size_t m = 0; m < modes.size(); ++m) {
-      modes[m] += potential * modes_[e][m];
+    for (std::size_t m = 0; m < of_wall.size(); ++m) {
+      of_wall[m] += potential * modes_[e][m];
     }
   }
+  return modes;
 }
 
 } // namespace ionskin::electrochemistry

@@ -29,7 +29,7 @@ constexpr std::size_t nodes_per_block = 1024;
 } // namespace
 
 NewtonKrylov::NewtonKrylov(const ScaledGrid& grid, double tolerance, parallel::WorkerTeam& team,
-                           std::optional<StericExcess> excess, const TopElectrodes* electrodes,
+                           std::optional<StericExcess> excess, const WallElectrodes* electrodes,
                            const SheetElectrodes* sheets)
     : grid_(grid), tolerance_(tolerance), excess_(excess), team_(team), vectors_(team),
       equations_(grid, team, excess, electrodes, sheets),

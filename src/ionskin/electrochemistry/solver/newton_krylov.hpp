@@ -31,11 +31,11 @@ public:
   /// @param tolerance error allowed in the unknowns, against the largest departure from the state
   ///   at rest
   /// @param excess nothing for dilute ions
-  /// @param electrodes of the top face where it is cut; must outlive this, nullptr otherwise
+  /// @param electrodes of the faces where they are cut; must outlive this, nullptr otherwise
   /// @param sheets electrodes with sheet resistances; must outlive this, nullptr for none
   NewtonKrylov(const ScaledGrid& grid, double tolerance, parallel::WorkerTeam& team,
                std::optional<StericExcess> excess = std::nullopt,
-               const TopElectrodes* electrodes = nullptr, const SheetElectrodes* sheets = nullptr);
+               const WallElectrodes* electrodes = nullptr, const SheetElectrodes* sheets = nullptr);
 
   /// Renews the preconditioner for stages with this implicit step near this state.
   void prepare(const IonState& state, double step);
@@ -62,12 +62,6 @@ public:
   /// @returns charges that are left on them
   std::array<std::vector<double>, 2>
   damped_charges(std::span<const double> change, const std::array<std::vector<double>, 2>& charges);
-
-  /// The charge of one conductor by the potential of another, row by row, of the state and step
-  /// prepared last.
-  const std::vector<double>& electrode_admittance() const {
-    return preconditioner_.electrode_admittance();
-  }
 
   /// Nothing for dilute ions.
   const std::optional<StericExcess>& excess() const { return excess_; }

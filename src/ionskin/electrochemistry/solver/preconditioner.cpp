@@ -40,7 +40,7 @@ FluxDerivatives with_excess(const FluxDerivatives& flux, double slope_lower, dou
 
 FastDiagonalisation::FastDiagonalisation(const ScaledGrid& grid, parallel::WorkerTeam& team,
                                          std::optional<StericExcess> excess,
-                                         const TopElectrodes* electrodes,
+                                         const WallElectrodes* electrodes,
                                          const SheetElectrodes* sheets)
     : grid_(grid), team_(team), excess_(excess), transform_(grid), mean_concentration_(grid.levels),
       mean_drive_(grid.levels), slope_(grid.levels, 0.0), share_(excess ? grid.nodes() : 0),
@@ -51,13 +51,16 @@ FastDiagonalisation::FastDiagonalisation(const ScaledGrid& grid, parallel::Worke
       electrodes_(electrodes), sheets_(sheets) {
   if (electrodes_ != nullptr) {
     coupling_.emplace(*electrodes_, transform_);
-    wall_admittance_.resize(grid.columns());
-    charge_by_balance_.resize(grid.columns());
+    for (const std::size_t a : {bottom_wall, top_wall}) {
+      for (const std::size_t b : {bottom_wall, top_wall}) {
+        if (electrodes_->on_bottom() || (a == top_wall && b == top_wall)) {
+          wall_admittance_[a][b].resize(grid.columns());
+        }
+      }
+    }
   }
   if (sheets_ != nullptr) {
     contact_.emplace(grid, *sheets_);
-    balance_answer_.fill(std::vector<float>(grid.nodes()));
-    poisson_answer_ = balance_answer_;
   }
 }
 
@@ -96,41 +99,74 @@ void FastDiagonalisation::factorise(const IonState& state, double step) {
                    });
   if (coupling_) {
     coupling_->set_admittance(wall_admittance_);
+    find_answers();
   }
   if (contact_) {
-    factorise_contact(SheetElectrodes::implicit_step(step));
+    find_answers();
+    const std::size_t columns = grid_.columns();
+    std::array<std::array<std::span<const float>, 2>, 2> answers;
+    for (const std::size_t wall : {bottom_wall, top_wall}) {
+      answers[bottom_wall][wall] = std::span(poisson_answer_[wall]).first(columns);
+      answers[top_wall][wall] = std::span(poisson_answer_[wall]).last(columns);
+    }
+    contact_->invert(answers, SheetElectrodes::implicit_step(step));
   }
 }
 
-void FastDiagonalisation::factorise_contact(double step) {
+void FastDiagonalisation::find_answers() {
   const std::size_t columns = grid_.columns(), top = grid_.nodes() - columns;
-  std::array<std::array<std::span<const float>, 2>, 2> answers;
-  for (std::size_t wall = 0; wall < 2; ++wall) {
+  for (const std::size_t wall : {bottom_wall, top_wall}) {
+    if (wall == bottom_wall && electrodes_ != nullptr && !electrodes_->on_bottom()) {
+      continue;
+    }
     std::ranges::fill(balance_, 0.0F);
     std::ranges::fill(poisson_, 0.0F);
     std::ranges::fill(std::span(poisson_).subspan(wall == bottom_wall ? 0 : top, columns), 1.0F);
     for_modes([&](std::size_t begin, std::size_t end) { solve_modes(begin, end); });
     balance_answer_[wall] = balance_;
     poisson_answer_[wall] = poisson_;
-    answers[bottom_wall][wall] = std::span(poisson_answer_[wall]).first(columns);
-    answers[top_wall][wall] = std::span(poisson_answer_[wall]).last(columns);
   }
-  contact_->invert(answers, step);
 }
 
-void FastDiagonalisation::add_contact() {
+void FastDiagonalisation::add_answers(const std::array<std::vector<float>, 2>& amounts) {
   const std::size_t columns = grid_.columns();
-  const auto charges =
-      contact_->charges({std::span(poisson_).first(columns), std::span(poisson_).last(columns)});
   team_.for_blocks(grid_.levels, tile_levels, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t i = begin * columns; i < end * columns; ++i) {
-      for (std::size_t wall = 0; wall < 2; ++wall) {
-        const float charge = charges[wall][i % columns];
-        balance_[i] += charge * balance_answer_[wall][i];
-        poisson_[i] += charge * poisson_answer_[wall][i];
+    for (const std::size_t wall : {bottom_wall, top_wall}) {
+      if (amounts[wall].empty()) {
+        continue;
+      }
+      const float* amount = amounts[wall].data();
+      for (std::size_t k = begin; k < end; ++k) {
+        float* x = balance_.data() + k * columns;
+        float* y = poisson_.data() + k * columns;
+        const float* balance = balance_answer_[wall].data() + k * columns;
+        const float* poisson = poisson_answer_[wall].data() + k * columns;
+#pragma omp simd
+        for (std::size_t i = 0; i < columns; ++i) {
+          x[i] += amount[i] * balance[i];
+          y[i] += amount[i] * poisson[i];
+        }
       }
     }
   });
+}
+
+std::vector<float> FastDiagonalisation::wall_charge(std::size_t wall) const {
+  const std::size_t columns = grid_.columns();
+  const bool bottom = wall == bottom_wall;
+  const ChargeWeights weights = charge_weights(grid_, bottom ? 0 : grid_.levels - 1);
+  const std::size_t here = bottom ? 0 : grid_.nodes() - columns,
+                    next = bottom ? columns : here - columns;
+  const auto of_ions = static_cast<float>(weights.here),
+             of_next_ions = static_cast<float>(bottom ? weights.above : weights.below),
+             of_potential =
+                 static_cast<float>(1.0 / (bottom ? grid_.spacing.front() : grid_.spacing.back()));
+  std::vector<float> charge(columns);
+  for (std::size_t i = 0; i < columns; ++i) {
+    charge[i] = -of_potential * poisson_[next + i] - of_ions * balance_[here + i] -
+                of_next_ions * balance_[next + i];
+  }
+  return charge;
 }
 
 /// Block elimination from the bottom; the off-diagonal blocks are kept by whoever owns them.
@@ -138,6 +174,10 @@ void FastDiagonalisation::factorise_modes(double step, std::size_t begin, std::s
                                           bool keep_off_diagonals) {
   const std::size_t columns = grid_.columns(), top = grid_.levels - 1;
   std::vector<double> w00(end - begin, 0.0), w01(w00), w10(w00), w11(w00), metal(w00);
+  // Answer c, phi to a unit potential of the bottom wall, eliminated so far; the charge of the
+  // bottom wall as a sum of its own answer and of what c, phi of the level make.
+  const bool cuts_bottom = electrodes_ != nullptr && electrodes_->on_bottom();
+  std::vector<double> answer_0, answer_1, own, by_0, by_1;
   FluxDerivatives below;
   double u00 = 0.0, u01 = 0.0, u10 = 0.0, u11 = 0.0; // upper block of the level below
   for (std::size_t k = 0; k <= top; ++k) {
@@ -170,7 +210,7 @@ void FastDiagonalisation::factorise_modes(double step, std::size_t begin, std::s
       }
       metal[0] += k == 0 && begin == 0 ? contact_->hold(sheet_step) : 0.0;
     }
-    std::vector<double> by_ions, by_wall; // the charge of the top wall
+    std::vector<double> by_ions, by_wall, from_bottom; // the charge of the top wall
     if (electrodes_ != nullptr && k == top) {
       const ChargeWeights ions = charge_weights(grid_, k);
       for (std::size_t i = 0; i < end - begin; ++i) {
@@ -178,9 +218,9 @@ void FastDiagonalisation::factorise_modes(double step, std::size_t begin, std::s
         const double x1 = -ions.below * w01[i] - down * w11[i];
         by_ions.push_back(-ions.here - x0 * u00 - x1 * u10);
         by_wall.push_back(down + height * lambda[i] - x0 * u01 - x1 * u11);
-      }
-      if (keep_off_diagonals) {
-        wall_lower_ = {0, 0, static_cast<float>(-ions.below), static_cast<float>(-down)};
+        if (cuts_bottom) {
+          from_bottom.push_back(-ions.below * answer_0[i] - down * answer_1[i]);
+        }
       }
     }
 #pragma omp simd
@@ -204,13 +244,50 @@ void FastDiagonalisation::factorise_modes(double step, std::size_t begin, std::s
       inverse_11_[offset + i] = static_cast<float>(w11[i]);
     }
     for (std::size_t i = 0; i < by_ions.size(); ++i) {
-      wall_admittance_[begin + i] = by_wall[i] + by_ions[i] * w01[i];
-      charge_by_balance_[begin + i] = static_cast<float>(by_ions[i] * w00[i]);
+      wall_admittance_[top_wall][top_wall][begin + i] = by_wall[i] + by_ions[i] * w01[i];
+    }
+    if (cuts_bottom) {
+      const ChargeWeights ions = charge_weights(grid_, k);
+      if (k == 0) {
+        answer_0 = w01;
+        answer_1 = w11;
+        own.assign(end - begin, 0.0);
+        by_0.assign(end - begin, -ions.here);
+        by_1.resize(end - begin);
+        for (std::size_t i = 0; i < end - begin; ++i) {
+          by_1[i] = up + height * lambda[i];
+        }
+      } else {
+        for (std::size_t i = 0; i < end - begin; ++i) {
+          const double balance = -l00 * answer_0[i] - l01 * answer_1[i];
+          const double poisson = -l10 * answer_0[i] - l11 * answer_1[i];
+          answer_0[i] = w00[i] * balance + w01[i] * poisson;
+          answer_1[i] = w10[i] * balance + w11[i] * poisson;
+        }
+      }
+      for (std::size_t i = 0; i < end - begin; ++i) {
+        own[i] += by_0[i] * answer_0[i] + by_1[i] * answer_1[i];
+      }
+      for (std::size_t i = 0; i < from_bottom.size(); ++i) {
+        wall_admittance_[bottom_wall][bottom_wall][begin + i] = own[i];
+        wall_admittance_[bottom_wall][top_wall][begin + i] = by_0[i] * w01[i] + by_1[i] * w11[i];
+        wall_admittance_[top_wall][bottom_wall][begin + i] =
+            from_bottom[i] + by_ions[i] * answer_0[i];
+      }
     }
     u00 = -step * above.by_upper;
     u01 = step * above.by_difference;
     u10 = -charge.above;
     u11 = wall ? 0.0 : -up;
+    if (cuts_bottom && k < top) {
+      const ChargeWeights ions = charge_weights(grid_, 0);
+      for (std::size_t i = 0; i < end - begin; ++i) {
+        const double x0 = by_0[i] * w00[i] + by_1[i] * w10[i];
+        const double x1 = by_0[i] * w01[i] + by_1[i] * w11[i];
+        by_0[i] = -x0 * u00 - x1 * u10 - (k == 0 ? ions.above : 0.0);
+        by_1[i] = -x0 * u01 - x1 * u11 - (k == 0 ? up : 0.0);
+      }
+    }
     if (keep_off_diagonals) {
       lower_[k] = {static_cast<float>(l00), static_cast<float>(l01), static_cast<float>(l10),
                    static_cast<float>(l11)};
@@ -244,7 +321,7 @@ template <class Body> void FastDiagonalisation::for_modes(const Body& body) {
                    });
 }
 
-void FastDiagonalisation::apply(std::span<const double> residual, std::span<double> out) {
+void FastDiagonalisation::forward(std::span<const double> residual) {
   const std::size_t nodes = grid_.nodes();
   const std::span balance(balance_), poisson(poisson_);
   for_tiles([&](std::size_t first, std::size_t count, std::span<float> scratch) {
@@ -252,42 +329,44 @@ void FastDiagonalisation::apply(std::span<const double> residual, std::span<doub
     transform_.forward(residual.subspan(nodes + first, count), poisson.subspan(first, count),
                        scratch);
   });
+}
+
+void FastDiagonalisation::apply(std::span<const double> residual, std::span<double> out) {
+  const std::size_t columns = grid_.columns();
+  forward(residual);
   for_modes([&](std::size_t begin, std::size_t end) { solve_modes(begin, end); });
   if (contact_) {
-    add_contact();
+    add_answers(
+        contact_->charges({std::span(poisson_).first(columns), std::span(poisson_).last(columns)}));
   }
   backward(out);
 }
 
 void FastDiagonalisation::apply(const ElectrodeStage& stage, std::span<const double> residual,
                                 std::span<double> out) {
-  const std::size_t nodes = grid_.nodes(), columns = grid_.columns(), top = grid_.levels - 1;
-  const std::span balance(balance_), poisson(poisson_);
-  for_tiles([&](std::size_t first, std::size_t count, std::span<float> scratch) {
-    transform_.forward(residual.subspan(first, count), balance.subspan(first, count), scratch);
-    transform_.forward(residual.subspan(nodes + first, count), poisson.subspan(first, count),
-                       scratch);
-  });
-  for_modes([&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = 0; k < top; ++k) {
-      eliminate_level(k, begin, end);
+  const std::size_t columns = grid_.columns(), top = grid_.nodes() - columns;
+  forward(residual);
+  std::array<std::vector<float>, 2> asked;
+  for (const std::size_t wall : {bottom_wall, top_wall}) {
+    if (wall == top_wall || electrodes_->on_bottom()) {
+      const std::span charge = std::span(poisson_).subspan(wall == bottom_wall ? 0 : top, columns);
+      asked[wall].assign(charge.begin(), charge.end());
+      std::ranges::fill(charge, 0.0F);
     }
-    eliminate_wall(begin, end);
-  });
-  const std::span charge = poisson.subspan(top * columns, columns);
-  const std::vector<double> potentials = coupling_->potentials(stage, charge);
-  coupling_->spread(potentials, charge);
-  for_modes([&](std::size_t begin, std::size_t end) {
-    const std::size_t offset = top * columns;
-#pragma omp simd
-    for (std::size_t i = begin; i < end; ++i) {
-      balance_[offset + i] = inverse_00_[offset + i] * balance_[offset + i] +
-                             inverse_01_[offset + i] * poisson_[offset + i];
+  }
+  for_modes([&](std::size_t begin, std::size_t end) { solve_modes(begin, end); });
+  for (const std::size_t wall : {bottom_wall, top_wall}) {
+    if (!asked[wall].empty()) {
+      const std::vector<float> there = wall_charge(wall);
+      for (std::size_t i = 0; i < columns; ++i) {
+        asked[wall][i] -= there[i];
+      }
     }
-    substitute(begin, end);
-  });
+  }
+  const std::vector<double> potentials = coupling_->potentials(stage, asked);
+  add_answers(coupling_->spread(potentials));
   backward(out);
-  electrodes_->spread(potentials, out.last(columns)); // in double precision
+  electrodes_->spread(potentials, out.last(grid_.nodes())); // in double precision
 }
 
 void FastDiagonalisation::backward(std::span<double> out) {
@@ -374,22 +453,6 @@ void FastDiagonalisation::eliminate_level(std::size_t level, std::size_t begin, 
     const float s = y[i] - l.poisson_concentration * x_below[i] - l.poisson_potential * y_below[i];
     x[i] = w00[i] * r + w01[i] * s;
     y[i] = w10[i] * r + w11[i] * s;
-  }
-}
-
-void FastDiagonalisation::eliminate_wall(std::size_t begin, std::size_t end) {
-  const std::size_t columns = grid_.columns(), top = grid_.levels - 1, offset = top * columns;
-  float* x = balance_.data() + offset;
-  float* y = poisson_.data() + offset;
-  const float* x_below = x - columns;
-  const float* y_below = y - columns;
-  const float* by_balance = charge_by_balance_.data();
-  const OffDiagonal l = lower_[top], charge = wall_lower_;
-#pragma omp simd
-  for (std::size_t i = begin; i < end; ++i) {
-    x[i] -= l.balance_concentration * x_below[i] + l.balance_potential * y_below[i];
-    y[i] -= charge.poisson_concentration * x_below[i] + charge.poisson_potential * y_below[i] +
-            by_balance[i] * x[i];
   }
 }
 

@@ -24,12 +24,12 @@ namespace ionskin::electrochemistry {
 class FastDiagonalisation {
 public:
   /// @param excess nothing for dilute ions
-  /// @param electrodes of the top face where it is cut; must outlive this, nullptr otherwise
+  /// @param electrodes of the faces where they are cut; must outlive this, nullptr otherwise
   /// @param sheets electrodes with sheet resistances; must outlive this, nullptr for none. The
   ///   residual then has the charges of both walls in the place of their potentials.
   FastDiagonalisation(const ScaledGrid& grid, parallel::WorkerTeam& team,
                       std::optional<StericExcess> excess = std::nullopt,
-                      const TopElectrodes* electrodes = nullptr,
+                      const WallElectrodes* electrodes = nullptr,
                       const SheetElectrodes* sheets = nullptr);
 
   /// Factorises for the lateral average of a state and the implicit part of a step.
@@ -38,8 +38,8 @@ public:
   /// Product out = (approximate Jacobian)^-1 residual; both [2 nodes].
   void apply(std::span<const double> residual, std::span<double> out);
 
-  /// The same with the conductors of the top face behind their circuits: in the place of the
-  /// potential of the top wall the residual has its charge, see `StageProblem`.
+  /// The same with the conductors of cut faces behind their circuits: in the place of the potential
+  /// of a cut wall the residual has its charge, see `StageProblem`.
   void apply(const ElectrodeStage& stage, std::span<const double> residual, std::span<double> out);
 
   /// B^T Y B of the conductors, see ElectrodeCoupling; of the state and step factorised last.
@@ -68,12 +68,15 @@ private:
   void backward(std::span<double> out);
   void eliminate_level(std::size_t level, std::size_t begin, std::size_t end);
   void substitute(std::size_t begin, std::size_t end);
-  /// Leaves on the top level the residual of the ion balance and the charge of the wall at 0.
-  void eliminate_wall(std::size_t begin, std::size_t end);
-  /// Finds what a unit charge on either wall does to each mode, and with it what the leads do.
-  void factorise_contact(double step);
-  /// Adds to the modes what the leads bring.
-  void add_contact();
+  void forward(std::span<const double> residual);
+  /// Finds what a unit on either wall does to each mode: of its potential where that is given, else
+  /// of its charge.
+  void find_answers();
+  /// Adds to the modes what amounts on the walls do, by mode; none of a wall whose amounts are
+  /// empty.
+  void add_answers(const std::array<std::vector<float>, 2>& amounts);
+  /// Charge of a wall at a potential of 0, by mode.
+  std::vector<float> wall_charge(std::size_t wall) const;
   void sum_levels(std::span<const double> weights, std::size_t row, std::size_t begin,
                   std::size_t end);
 
@@ -94,17 +97,15 @@ private:
   std::vector<float> balance_, poisson_;    ///< right-hand side and solution, [level][mode]
   std::vector<float> sums_;                 ///< of `damped_sums`, two rows of modes
   std::vector<std::vector<float>> scratch_; ///< of a tile, per thread
-  const TopElectrodes* electrodes_;
+  const WallElectrodes* electrodes_;
   std::optional<ElectrodeCoupling> coupling_;
-  // The charge of the top wall, eliminated like a row of the system: Y of every mode, and what the
-  // residual of the ion balance on the wall makes of it.
-  std::vector<double> wall_admittance_;
-  std::vector<float> charge_by_balance_;
-  OffDiagonal wall_lower_;
+  /// Y of every mode: charge of wall a by the potential of wall b. In double precision: it is a
+  /// small difference where the core is many Debye lengths thick.
+  std::array<std::array<std::vector<double>, 2>, 2> wall_admittance_;
   const SheetElectrodes* sheets_;
   std::optional<ContactCoupling> contact_;
-  /// Answer of the modes to a unit charge on the bottom and on the top wall, as `balance_` and
-  /// `poisson_` have it.
+  /// Answers of the modes to a unit on the bottom and on the top wall, see `find_answers`, as
+  /// `balance_` and `poisson_` have them.
   std::array<std::vector<float>, 2> balance_answer_, poisson_answer_;
 };
 

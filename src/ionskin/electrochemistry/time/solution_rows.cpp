@@ -22,15 +22,15 @@ double nearest(const std::vector<double>& times, double instant) {
   });
 }
 
-/// Mean voltage of the top face against the bottom one, whose potential is the same everywhere.
+/// Mean voltage of the top face against the bottom one.
 double mean_voltage(const IonState& state, std::size_t columns) {
-  const auto top = state.potential().last(columns);
-  const double last = top.back(), bottom = state.potential().front();
+  const auto bottom = state.potential().first(columns), top = state.potential().last(columns);
+  const double first = bottom.front(), last = top.back();
   double departures = 0.0;
-  for (const double potential : top) {
-    departures += potential - last;
+  for (std::size_t i = 0; i < columns; ++i) {
+    departures += (top[i] - last) - (bottom[i] - first);
   }
-  return last - bottom + departures / static_cast<double>(columns);
+  return last - first + departures / static_cast<double>(columns);
 }
 
 /// The larger of the differences in potential along the metals.
@@ -68,6 +68,9 @@ SolutionRows::SolutionRows(const Case& input, const DerivedScales& scales,
   for (std::size_t i = 0; i < input.readout.taxels.size(); ++i) {
     is_own_[i] = input.readout.has_own_circuit(i);
     row_of_taxel_.push_back(input.readout.scan_row(i));
+  }
+  for (const Taxel& line : input.readout.lines()) {
+    line_names_.push_back(line.name);
   }
   for (const double instant : snapshot_times) {
     snapshot_times_.push_back(nearest(landings, instant));
@@ -128,6 +131,10 @@ void SolutionRows::append_conductors(const std::vector<ElectrodeRow>& electrodes
   if (cut_ == nullptr) {
     return;
   }
+  if (!cut_->row_of_segment.empty()) {
+    append_lines(electrodes.empty() ? held_lines() : electrodes, read, solution);
+    return;
+  }
   if (electrodes.empty()) {
     append_held(read, solution);
     return;
@@ -146,18 +153,55 @@ void SolutionRows::append_conductors(const std::vector<ElectrodeRow>& electrodes
 }
 
 void SolutionRows::append_held(std::optional<std::size_t> read, IonSolution& solution) const {
-  const std::size_t columns = scaled_.columns();
-  std::vector<double> net(columns, 0.0);
-  for (std::size_t i = 0; fixed_charge_.makes_net_charge() && i < scaled_.nodes(); ++i) {
-    net[i % columns] += 0.5 * scaled_.height[i / columns] * (fixed_charge_.ratio()[i] - 1.0);
-  }
-  const std::vector<double> below = segments_.charges(mirror_.whole(net));
+  const std::vector<double> below = segments_.charges(net_of_columns());
   for (std::size_t i = 0; i < segments_.names.size(); ++i) {
     SegmentCharge& segment = solution.top_segments[i];
     segment.voltage.push_back(0.0);
     if (is_own_[i]) {
       add_passed(segment.charge.back() - charge_unit_ * below[i],
                  !read || *read == row_of_taxel_[i], segment);
+    }
+  }
+}
+
+std::vector<double> SolutionRows::net_of_columns() const {
+  const std::size_t columns = scaled_.columns();
+  std::vector<double> net(columns, 0.0);
+  for (std::size_t i = 0; fixed_charge_.makes_net_charge() && i < scaled_.nodes(); ++i) {
+    net[i % columns] += 0.5 * scaled_.height[i / columns] * (fixed_charge_.ratio()[i] - 1.0);
+  }
+  return mirror_.whole(net);
+}
+
+std::vector<ElectrodeRow> SolutionRows::held_lines() const {
+  std::vector<double> walls = charges_.bottom;
+  walls.insert(walls.end(), charges_.top.begin(), charges_.top.end());
+  const std::vector<double> charge = cut_->conductors.sums(walls),
+                            net = cut_->conductors.sums(net_of_columns());
+  std::vector<ElectrodeRow> lines;
+  for (std::size_t e = 0; e < charge.size(); ++e) {
+    lines.push_back({0.0, charge[e], charge[e] - net[e]});
+  }
+  return lines;
+}
+
+void SolutionRows::append_lines(const std::vector<ElectrodeRow>& lines,
+                                std::optional<std::size_t> read, IonSolution& solution) const {
+  solution.lines.resize(lines.size());
+  for (std::size_t e = 0; e < lines.size(); ++e) {
+    SegmentCharge& line = solution.lines[e];
+    line.name = line_names_[e];
+    line.charge.push_back(charge_unit_ * lines[e].charge);
+    line.voltage.push_back(potential_unit_ * lines[e].potential);
+    line.passed.push_back(charge_unit_ * lines[e].passed);
+  }
+  for (std::size_t i = 0; i < segments_.names.size(); ++i) {
+    SegmentCharge& crossing = solution.top_segments[i];
+    const ElectrodeRow& column = lines[cut_->conductor_of_segment[i]];
+    const ElectrodeRow& row = lines[cut_->row_of_segment[i]];
+    crossing.voltage.push_back(potential_unit_ * (column.potential - row.potential));
+    if (read) {
+      add_passed(charge_unit_ * column.passed, *read == row_of_taxel_[i], crossing);
     }
   }
 }

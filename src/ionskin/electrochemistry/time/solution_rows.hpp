@@ -13,6 +13,7 @@
 #include "ionskin/electrochemistry/output/ion_state.hpp"
 #include "ionskin/electrochemistry/time/time_integrator.hpp"
 
+#include <string>
 #include <vector>
 
 namespace ionskin::electrochemistry {
@@ -34,13 +35,13 @@ public:
   /// @param mirror says which part of it `scaled` is
   /// @param landings instants on which steps end [s]
   /// @param snapshot_times wanted instants [s]; each is kept at the nearest of them
-  /// @param cut the conductors of a cut top face; must outlive this, nullptr for one conductor
+  /// @param cut the conductors of cut faces; must outlive this, nullptr for one on each face
   SolutionRows(const Case& input, const DerivedScales& scales, const TransportGrid& grid,
                const MidWidthMirror& mirror, const ScaledGrid& scaled,
                const FixedCharge& fixed_charge, const std::vector<double>& landings,
                const std::vector<double>& snapshot_times, const CutElectrode* cut = nullptr);
 
-  /// @param electrodes the conductors of a cut top face
+  /// @param electrodes the conductors of cut faces
   /// @param row that a scan has read until this instant; nothing without one
   /// @param lead_voltage of metal with sheet resistances; nothing without
   void append(double time, const IonState& state, const Relaxation& relaxation,
@@ -54,6 +55,13 @@ private:
                          std::optional<std::size_t> read, IonSolution& solution) const;
   /// Appends the rows of conductors that the ground holds, which the solver takes for one.
   void append_held(std::optional<std::size_t> read, IonSolution& solution) const;
+  /// Appends the rows of the lines of a crossbar and of their crossings.
+  void append_lines(const std::vector<ElectrodeRow>& lines, std::optional<std::size_t> read,
+                    IonSolution& solution) const;
+  /// Half of the net charge below every column of the whole grid, which returns through the ground.
+  std::vector<double> net_of_columns() const;
+  /// The lines of a crossbar that the ground holds.
+  std::vector<ElectrodeRow> held_lines() const;
   IonSnapshot snapshot(double time, const IonState& state) const;
 
   const MidWidthMirror& mirror_;
@@ -72,6 +80,7 @@ private:
   const CutElectrode* cut_;
   std::vector<bool> is_own_; ///< true where a segment is a taxel with a circuit of its own
   std::vector<std::size_t> row_of_taxel_; ///< of a scan
+  std::vector<std::string> line_names_;   ///< of a crossbar
 };
 
 } // namespace ionskin::electrochemistry

@@ -37,7 +37,7 @@ TimeIntegrator::TimeIntegrator(const ScaledGrid& grid, const DerivedScales& scal
                                FixedCharge& fixed_charge, ElectrodePotentials potentials,
                                NewtonKrylov& solver, parallel::WorkerTeam& team,
                                std::optional<ScaledAdmittance> admittance,
-                               const TopElectrodes* electrodes, const SheetElectrodes* sheets)
+                               const WallElectrodes* electrodes, const SheetElectrodes* sheets)
     : grid_(grid), scales_(scales), fixed_charge_(fixed_charge), potentials_(std::move(potentials)),
       solver_(solver), team_(team), admittance_(admittance), terminals_(grid), charge_norm_(grid),
       resting_amount_(ExactAverage::total(grid, std::vector<double>(grid.nodes(), 1.0))),
@@ -85,7 +85,7 @@ void TimeIntegrator::settle(const IonState& ions) {
 }
 
 std::vector<double> TimeIntegrator::potentials(const IonState& ions) const {
-  return electrodes_->electrodes().potentials(ions.potential().last(grid_.columns()));
+  return electrodes_->electrodes().potentials(ions.potential());
 }
 
 std::vector<double> TimeIntegrator::net_of_columns() const {
@@ -106,11 +106,14 @@ std::vector<double> TimeIntegrator::net_charges() const {
 double TimeIntegrator::largest_of_conductors(const std::vector<double>& charges) const {
   double largest = 0.0;
   for (std::size_t e = 0; e < charges.size(); ++e) {
-    const std::vector<double>& share = electrodes_->electrodes().conductors()[e].share;
-    const double area = std::accumulate(share.begin(), share.end(), 0.0);
-    largest = base::larger(largest, std::abs(charges[e]) / area);
+    largest = base::larger(largest, std::abs(charges[e]) / area(e));
   }
   return largest;
+}
+
+double TimeIntegrator::area(std::size_t conductor) const {
+  const std::vector<double>& share = electrodes_->electrodes().conductors()[conductor].share;
+  return std::accumulate(share.begin(), share.end(), 0.0);
 }
 
 double TimeIntegrator::voltage(const IonState& ions) const {
@@ -207,7 +210,7 @@ void TimeIntegrator::reconnect(double time, std::vector<std::optional<ScaledAdmi
     }
   }
   connect(std::move(circuits));
-  electrodes_->electrodes().spread(held_at, state.ions.potential().last(grid_.columns()));
+  electrodes_->electrodes().spread(held_at, state.ions.potential());
   implicit_ = 0.0;
   start_ = settled_;
   start_charges_ = state.electrode_charge;
@@ -320,7 +323,7 @@ void TimeIntegrator::restore_conductors(IonState& guess) const {
   for (std::size_t e = 0; e < at.size(); ++e) {
     at[e] = electrodes_->holds(e) ? 0.0 : at[e];
   }
-  electrodes_->electrodes().spread(at, guess.potential().last(grid_.columns()));
+  electrodes_->electrodes().spread(at, guess.potential());
 }
 
 void TimeIntegrator::keep_in_bounds(const IonState& safe, IonState& guess) const {
@@ -396,15 +399,30 @@ std::vector<ElectrodeRow> TimeIntegrator::electrode_rows(const TransportState& s
   }
   WallCharges walls;
   wall_charges(grid_, state.ions, fixed_charge_.ratio(), walls);
-  const std::vector<double> on_metal = electrodes_->electrodes().sums(walls.top),
+  std::vector<double> of_walls = std::move(walls.bottom);
+  of_walls.insert(of_walls.end(), walls.top.begin(), walls.top.end());
+  const std::vector<double> on_metal = electrodes_->electrodes().sums(of_walls),
                             potential = potentials(state.ions), net = net_charges();
+  // The charge that the circuits conserve is known to rounding, the charges on the walls as Newton
+  // left them.
+  double left = 0.0, held_area = 0.0;
   for (std::size_t e = 0; e < potential.size(); ++e) {
-    // The charge that the circuits conserve is known to rounding, the charges on the wall as Newton
-    // left them.
-    const double passed = electrodes_->holds(e) ? on_metal[e] - net[e]
-                                                : state.electrode_charge[e] -
-                                                      electrodes_->capacitance(e) * potential[e];
-    rows.push_back({electrodes_->holds(e) ? 0.0 : potential[e], passed + net[e], passed});
+    const bool held = electrodes_->holds(e);
+    const double passed =
+        held ? on_metal[e] - net[e]
+             : state.electrode_charge[e] - electrodes_->capacitance(e) * potential[e];
+    rows.push_back({held ? 0.0 : potential[e], passed + net[e], passed});
+    left -= passed;
+    held_area += held ? area(e) : 0.0;
+  }
+  if (!electrodes_->electrodes().on_bottom()) {
+    return rows;
+  }
+  // The ground passes the rest: both walls together hold no charge but the net one.
+  for (std::size_t e = 0; e < rows.size(); ++e) {
+    const double share = electrodes_->holds(e) ? left * area(e) / held_area : 0.0;
+    rows[e].charge += share;
+    rows[e].passed += share;
   }
   return rows;
 }

@@ -16,7 +16,7 @@
 
 namespace ionskin::electrochemistry {
 
-/// A conductor of a cut top face at an instant, scaled: its potential, the charge on its metal, and
+/// A conductor of a cut face at an instant, scaled: its potential, the charge on its metal, and
 /// the part of it that its circuit has passed or holds.
 struct ElectrodeRow {
   double potential = 0, charge = 0, passed = 0;
@@ -38,13 +38,13 @@ struct Relaxation {
 class TimeIntegrator {
 public:
   /// @param admittance of the circuit between the electrodes; without it the potentials are given
-  /// @param electrodes of the top face where it is cut, instead; those of the solver
+  /// @param electrodes of the faces where they are cut, instead; those of the solver
   /// @param sheets electrodes with sheet resistances and their circuit, instead; those of the
   /// solver
   TimeIntegrator(const ScaledGrid& grid, const DerivedScales& scales, FixedCharge& fixed_charge,
                  ElectrodePotentials potentials, NewtonKrylov& solver, parallel::WorkerTeam& team,
                  std::optional<ScaledAdmittance> admittance = std::nullopt,
-                 const TopElectrodes* electrodes = nullptr,
+                 const WallElectrodes* electrodes = nullptr,
                  const SheetElectrodes* sheets = nullptr);
 
   /// The response at the first instant: ions where they were, phi from Poisson's equation.
@@ -53,7 +53,7 @@ public:
   /// Takes up a state that a run has left at an instant.
   void take_up(double time, const TransportState& state);
 
-  /// Joins the conductors of a cut top face to these circuits from now on, before the first instant
+  /// Joins the conductors of cut faces to these circuits from now on, before the first instant
   /// or where a run is taken up.
   void connect(std::vector<std::optional<ScaledAdmittance>> circuits);
   /// Does so at an instant of a run, where the state stands: conductors that come to the ground
@@ -71,8 +71,8 @@ public:
   /// Makes the end of the step tried last the new state.
   void accept(TransportState& state);
 
-  /// Rows of the conductors of a cut top face, in the state that was accepted or taken up last;
-  /// empty for one conductor.
+  /// Rows of the conductors of cut faces, in the state that was accepted or taken up last;
+  /// empty for one conductor on each face.
   std::vector<ElectrodeRow> electrode_rows(const TransportState& state) const;
 
   /// Voltage between the leads of metal with sheet resistances; nothing without.
@@ -89,6 +89,8 @@ private:
   /// until the instant evaluated last.
   std::vector<double> net_of_columns() const;
   std::vector<double> net_charges() const;
+  /// Area of a conductor, in columns.
+  double area(std::size_t conductor) const;
   /// The largest of some charges of conductors, per area.
   double largest_of_conductors(const std::vector<double>& charges) const;
   /// Rate of the conserved charge: that which the circuit's resistor passes.
@@ -126,7 +128,7 @@ private:
   /// which are conserved together, where the step begins.
   double settled_charge_ = 0;
   double start_charge_ = 0;                    ///< the same that a stage starts from
-  std::optional<ElectrodeCharges> electrodes_; ///< of a cut top face
+  std::optional<ElectrodeCharges> electrodes_; ///< of cut faces
   ElectrodeStage electrode_stage_;
   std::optional<SheetCharges> sheets_; ///< of metal with sheet resistances
   SheetStage sheet_stage_;

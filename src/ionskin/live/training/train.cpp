@@ -163,6 +163,13 @@ void check_trainable(const Case& input, const TrainingOptions& options) {
     throw UserError("readout.circuit: a live skin knows shorted electrodes alone\n"
                     "  = set readout.circuit = \"short\"");
   }
+  if (input.readout.is_crossbar()) {
+    throw UserError(
+        "readout.taxels.wiring: a live skin knows taxels at one potential above one "
+        "bottom electrode alone, and this one is a crossbar\n"
+        "  = remove readout.taxels.wiring: the currents of its columns and rows are sums "
+        "of those of the taxels while all lines are at the ground");
+  }
   if (input.readout.is_cut()) {
     throw UserError("readout.taxel_circuit: a live skin knows taxels at one potential alone, and "
                     "here they have circuits of their own\n"

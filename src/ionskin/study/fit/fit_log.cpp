@@ -79,10 +79,12 @@ FitAnswer fit_answer(const electrochemistry::IonSolution& ions, const std::strin
   for (const Column& column : columns) {
     part.*column.values = ions.*column.values;
   }
-  for (const Segment& segment : ions.top_segments) {
-    if (!taxel.empty() && segment.name == taxel) {
-      part.top_segments.push_back(segment);
-      part.top_segments.back().bypassed.clear();
+  for (const auto* segments : {&ions.top_segments, &ions.lines}) {
+    for (const Segment& segment : *segments) {
+      if (!taxel.empty() && segment.name == taxel) {
+        part.top_segments.push_back(segment);
+        part.top_segments.back().bypassed.clear();
+      }
     }
   }
   return {std::make_shared<const Ions>(std::move(part)), ""};

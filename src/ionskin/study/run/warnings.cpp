@@ -37,11 +37,11 @@ void warn_about_common_current(const Case& input, const readout::SignalTable& si
     return;
   }
   if (input.readout.is_cut()) {
-    warnings.push_back(
+    warnings.push_back(fmt::format(
         "The common part of the charges dominates in current_top_NAME of taxels.csv: an instrument "
-        "between a taxel and the bottom electrode reads current_circuit_NAME only. Compare that "
-        "one "
-        "with a measurement, or take a neutral law (coupling.law = \"column-neutral\").");
+        "between a {} reads current_circuit_NAME only. Compare that one with a measurement, or "
+        "take a neutral law (coupling.law = \"column-neutral\").",
+        input.readout.is_crossbar() ? "line and the ground" : "taxel and the bottom electrode"));
   } else {
     warnings.push_back(fmt::format(
         "The common part of the electrode currents dominates, {:.3g} times the difference: an "

@@ -116,8 +116,11 @@ results::Summary summary_of(const Case& input, const RunOutputs& outputs) {
     summary.circuit = results::CircuitEntry{std::string(circuit.name), circuit.words,
                                             std::string(circuits::top_potential(circuit))};
     if (input.readout.is_cut()) {
-      summary.circuit->words = "taxels with circuits of their own";
-      summary.circuit->top_potential = "φ = U of each taxel";
+      const bool crossbar = input.readout.is_crossbar();
+      summary.circuit->words = crossbar ? "columns and rows of a crossbar, each with a circuit"
+                                        : "taxels with circuits of their own";
+      summary.circuit->top_potential =
+          crossbar ? "φ = U of each column and row" : "φ = U of each taxel";
     }
   }
   return summary;

@@ -195,19 +195,34 @@ void add_ion_metrics(const Case& input, const IonSolution& ions,
   metrics.push_back({"max_potential", readout::peak_magnitude(ions.max_potential), "V"});
 }
 
-/// Adds the readings of the instruments of the taxels.
+/// Adds what an instrument shows of the charge that its circuit has passed.
+void add_reading_of(const circuits::Circuit& circuit, const std::string& kind,
+                    const IonSolution& ions, const electrochemistry::SegmentCharge& segment,
+                    Signals& signals) {
+  const circuits::InstrumentReading reading = circuit.read(ions.time, segment.passed);
+  readout::add_reading(segment.name, reading, *signals.taxels);
+  for (const std::string& warning : reading.warnings) {
+    signals.warnings.push_back(fmt::format("{} {}: {}", kind, segment.name, warning));
+  }
+}
+
+/// Adds the readings of the instruments of the taxels, or of the lines of a crossbar.
 void add_readings(const Readout& readout, const IonSolution& ions, Signals& signals) {
+  const std::vector<Taxel> lines = readout.lines();
+  for (std::size_t e = 0; e < lines.size(); ++e) {
+    const circuits::Circuit circuit = circuits::circuit(lines[e].circuit, readout.parameters);
+    if (circuit.read) {
+      add_reading_of(circuit, "Line", ions, ions.lines[e], signals);
+    }
+  }
+  if (readout.is_crossbar()) {
+    return;
+  }
   for (std::size_t i = 0; i < readout.taxels.size(); ++i) {
     const circuits::Circuit circuit =
         circuits::circuit(readout.circuit_of(i), readout.parameters_of(i));
-    if (!readout.has_own_circuit(i) || !circuit.read) {
-      continue;
-    }
-    const circuits::InstrumentReading reading =
-        circuit.read(ions.time, ions.top_segments[i].passed);
-    readout::add_reading(readout.taxels[i].name, reading, *signals.taxels);
-    for (const std::string& warning : reading.warnings) {
-      signals.warnings.push_back(fmt::format("Taxel {}: {}", readout.taxels[i].name, warning));
+    if (readout.has_own_circuit(i) && circuit.read) {
+      add_reading_of(circuit, "Taxel", ions, ions.top_segments[i], signals);
     }
   }
 }
@@ -235,7 +250,11 @@ void add_taxels(const IonSolution& ions, bool moves_water, Signals& signals) {
                        moves_water ? segment.bottom_charge : std::vector<double>{}, segment.voltage,
                        segment.passed});
   }
-  signals.taxels = readout::taxel_signals(ions.time, charges);
+  std::vector<readout::TaxelCharge> lines;
+  for (const auto& line : ions.lines) {
+    lines.push_back({line.name, {}, {}, line.voltage, line.passed});
+  }
+  signals.taxels = readout::taxel_signals(ions.time, charges, lines);
   signals.metrics.push_back(
       {"taxel_balance_error",
        readout::taxel_balance_error(*signals.taxels, signals.resolved.column("current_top").values),
@@ -300,31 +319,43 @@ double value_of(const std::vector<readout::Metric>& metrics, const std::string& 
   return found == metrics.end() ? 0.0 : found->value;
 }
 
-/// Adds the noise of a sample of the taxel with a circuit of its own that has the largest signal: a
-/// voltage where any taxel has one.
+/// The taxels that are conductors of their own, or the lines of a crossbar, each with its circuit
+/// and all its parameters.
+std::vector<Taxel> conductors_of(const Readout& readout) {
+  std::vector<Taxel> conductors = readout.lines();
+  for (Taxel& line : conductors) {
+    line.parameters = readout.parameters;
+  }
+  for (std::size_t i = 0; i < readout.taxels.size() && !readout.is_crossbar(); ++i) {
+    if (readout.has_own_circuit(i)) {
+      conductors.push_back(readout.taxels[i]);
+      conductors.back().circuit = readout.circuit_of(i);
+      conductors.back().parameters = readout.parameters_of(i);
+    }
+  }
+  return conductors;
+}
+
+/// Adds the noise of a sample of the taxel with a circuit of its own, or of the line of a crossbar,
+/// that has the largest signal: a voltage where any has one.
 void add_noise_of_taxel(const Case& input, const MechanicsRecord& mechanics,
                         const IonSolution& ions, Signals& signals) {
-  const Readout& readout = input.readout;
-  std::optional<std::size_t> strongest;
+  Taxel strongest;
   bool of_voltage = false;
-  double peak = 0;
-  for (std::size_t i = 0; i < readout.taxels.size(); ++i) {
-    if (!readout.has_own_circuit(i)) {
-      continue;
-    }
-    const bool has_voltage = !circuits::circuit_row(readout.circuit_of(i)).holds_potential;
-    const std::string column =
-        (has_voltage ? "voltage_" : "current_circuit_") + readout.taxels[i].name;
+  double peak = -1;
+  for (const Taxel& conductor : conductors_of(input.readout)) {
+    const bool has_voltage = !circuits::circuit_row(conductor.circuit).holds_potential;
+    const std::string column = (has_voltage ? "voltage_" : "current_circuit_") + conductor.name;
     const double largest = readout::peak_magnitude(signals.sampled_taxels->column(column).values);
-    if (!strongest || has_voltage > of_voltage || (has_voltage == of_voltage && largest > peak)) {
-      strongest = i, of_voltage = has_voltage, peak = largest;
+    if (has_voltage > of_voltage || (has_voltage == of_voltage && largest > peak)) {
+      strongest = conductor, of_voltage = has_voltage, peak = largest;
     }
   }
   Case taxel = input; // the cell below it
-  taxel.skin.length = readout.taxels[*strongest].upper[0] - readout.taxels[*strongest].lower[0];
-  taxel.skin.width = readout.taxels[*strongest].upper[1] - readout.taxels[*strongest].lower[1];
-  taxel.readout.circuit = readout.circuit_of(*strongest);
-  taxel.readout.parameters = readout.parameters_of(*strongest);
+  taxel.skin.length = strongest.upper[0] - strongest.lower[0];
+  taxel.skin.width = strongest.upper[1] - strongest.lower[1];
+  taxel.readout.circuit = strongest.circuit;
+  taxel.readout.parameters = strongest.parameters;
   const SampleNoise noise = sample_noise(taxel, peak, ions.time.back() - ions.time.front());
   for (const auto& found : {precursor_metrics(input, mechanics, signals.resolved, 0.0),
                             noise_metrics(noise, peak, of_voltage ? "V" : "A")}) {

@@ -141,6 +141,13 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& inpu
     file.write(fmt::format("/segment_circuits/{:06}", i), solution.top_segments[i].passed);
     file.write(fmt::format("/segment_others/{:06}", i), solution.top_segments[i].bypassed);
   }
+  for (std::size_t i = 0; i < solution.lines.size(); ++i) {
+    const std::string dataset = fmt::format("/lines/{:06}", i);
+    file.write(dataset, solution.lines[i].charge);
+    file.set_attribute(dataset, "name", solution.lines[i].name);
+    file.write(fmt::format("/line_voltages/{:06}", i), solution.lines[i].voltage);
+    file.write(fmt::format("/line_circuits/{:06}", i), solution.lines[i].passed);
+  }
   for (std::size_t i = 0; i < solution.snapshots.size(); ++i) {
     const IonSnapshot& snapshot = solution.snapshots[i];
     const std::string group = fmt::format("/snapshots/{:06}", i);
@@ -197,6 +204,16 @@ std::optional<IonCheckpoint> read_checkpoint(const std::filesystem::path& path,
           {file.text_attribute(dataset, "name").value_or(""), file.read(dataset),
            file.read("/bottom_segments/" + name), read_if_there("/segment_voltages/" + name),
            read_if_there("/segment_circuits/" + name), read_if_there("/segment_others/" + name)});
+    }
+  }
+  if (file.has("/lines")) {
+    for (const std::string& name : file.members("/lines")) {
+      solution.lines.push_back({file.text_attribute("/lines/" + name, "name").value_or(""),
+                                file.read("/lines/" + name),
+                                {},
+                                file.read("/line_voltages/" + name),
+                                file.read("/line_circuits/" + name),
+                                {}});
     }
   }
   if (file.has("/snapshots")) {

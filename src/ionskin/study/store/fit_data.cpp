@@ -86,9 +86,19 @@ FitColumns fit_columns(const Case& input) {
   const Readout& readout = input.readout;
   for (std::size_t i = 0; i < readout.taxels.size(); ++i) {
     for (const TaxelColumn& one : taxel_columns) {
-      if ((!one.of_circuit || readout.has_own_circuit(i)) &&
+      // The crossings of lines that are not scanned pass no charge that anyone could tell apart.
+      const bool is_passed =
+          !readout.is_crossbar() || readout.scan.dwell > 0 || one.values != &Segment::passed;
+      if ((!one.of_circuit || readout.has_own_circuit(i)) && is_passed &&
           (!one.of_water || moves_water(input))) {
         columns[one.prefix + readout.taxels[i].name] = one.unit;
+      }
+    }
+  }
+  for (const Taxel& line : readout.lines()) {
+    for (const TaxelColumn& one : taxel_columns) {
+      if (one.of_circuit) {
+        columns[one.prefix + line.name] = one.unit;
       }
     }
   }
@@ -265,11 +275,16 @@ Weights weights(const std::string& column) {
 double value_of_taxel(const std::string& column, const electrochemistry::IonSolution& ions,
                       double instant) {
   const TaxelColumn& kind = *taxel_column(column);
-  const auto taxel = std::ranges::find(ions.top_segments, taxel_of(column), &Segment::name);
-  if (taxel == ions.top_segments.end()) {
+  const Segment* taxel = nullptr;
+  for (const auto* segments : {&ions.top_segments, &ions.lines}) {
+    for (const Segment& segment : *segments) {
+      taxel = segment.name == taxel_of(column) ? &segment : taxel;
+    }
+  }
+  if (taxel == nullptr) {
     throw InternalError("the solution has no taxel of the column " + column);
   }
-  double value = base::value_at(ions.time, (*taxel).*kind.values, instant);
+  double value = base::value_at(ions.time, taxel->*kind.values, instant);
   if (kind.bottom != 0) {
     value += kind.bottom * base::value_at(ions.time, taxel->bottom_charge, instant);
   }

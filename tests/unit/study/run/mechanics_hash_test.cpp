@@ -130,6 +130,8 @@ const std::set<std::string> leaves_study_one{
     "readout.taxels.rows",
     "readout.taxels.columns",
     "readout.taxels.gap",
+    "readout.taxels.wiring",
+    "readout.row_circuit",
     "numerics.shared_positions.from", // of older versions
     "numerics.shared_positions.to",
     "numerics.shared_positions.footprint",
