@@ -104,7 +104,7 @@ void PlaneWaves::add_block(const DepthTable& table, std::size_t level, Eigen::In
   }
 }
 
-// The sums along x come first: places there are many, modes along y mostly few.
+// Sums along x come first: places there are many, modes along y mostly few.
 void PlaneWaves::add(const DepthTable& table, std::size_t level, const FieldComponents& components,
                      const std::vector<WaveLoads>& loads, const std::vector<WavePlaces>& places,
                      std::vector<ByKind>& sums) const {
