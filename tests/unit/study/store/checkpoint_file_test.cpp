@@ -25,6 +25,7 @@ electrochemistry::IonCheckpoint example() {
   checkpoint.solution.krylov_iterations = 1234;
   checkpoint.solution.top_segments = {{"left", {1e-9, 2e-9}, {0, 0}},
                                       {"rest", {3e-9, 1e-9 / 3}, {1e-9 / 7, 2e-9}}};
+  checkpoint.solution.lines = {{"c1", {1e-9, 2e-9}, {}, {0, 1e-3 / 3}, {0, 1e-9 / 11}, {}}};
   checkpoint.solution.snapshots = {{0.1, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {1.0 / 3}, {2.0 / 3}}};
   checkpoint.solution.water.dilution_voltage = {0, 1e-6 / 3};
   return checkpoint;
@@ -46,6 +47,11 @@ TEST(CheckpointFile, GivesBackEveryBit) {
   ASSERT_EQ(read->solution.top_segments.size(), 2u);
   EXPECT_EQ(read->solution.top_segments[1].name, "rest");
   EXPECT_EQ(read->solution.top_segments[1].charge, written.solution.top_segments[1].charge);
+  ASSERT_EQ(read->solution.lines.size(), 1u);
+  EXPECT_EQ(read->solution.lines[0].name, "c1");
+  EXPECT_EQ(read->solution.lines[0].charge, written.solution.lines[0].charge);
+  EXPECT_EQ(read->solution.lines[0].voltage, written.solution.lines[0].voltage);
+  EXPECT_EQ(read->solution.lines[0].passed, written.solution.lines[0].passed);
   ASSERT_EQ(read->solution.snapshots.size(), 1u);
   EXPECT_EQ(read->solution.snapshots[0].time, 0.1);
   EXPECT_EQ(read->solution.snapshots[0].potential, written.solution.snapshots[0].potential);
