@@ -168,8 +168,7 @@ bool is_plain_unit(const std::string& unit) {
 Unit parse(const std::string& unit) {
   if (!is_plain_unit(unit))
     return {nullptr, &ut_free};
-  return {ut_parse(unit_system(), with_root_hertz(with_aliases(unit)).c_str(), UT_UTF8),
-          &ut_free};
+  return {ut_parse(unit_system(), with_root_hertz(with_aliases(unit)).c_str(), UT_UTF8), &ut_free};
 }
 
 Converter make_converter(const std::string& unit, const std::string& si_unit) {
