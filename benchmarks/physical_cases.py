@@ -119,7 +119,7 @@ class Draw:
             slider["poissons_ratio"] = self.between(0.3, 0.5)
             if self.maybe(0.5):
                 slider["pad_thickness"] = self.quantity(0.3, 5, "mm")
-        if self.maybe(0.25):
+        if self.case["skin"]["sides"] == "free" and self.maybe(0.25):
             slider |= self.angles()
         self.case["slider"] = slider
         self.case["contact"] = self.friction()

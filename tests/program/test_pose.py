@@ -53,7 +53,7 @@ class Pose(ProgramTest):
                 (("live", QUICK, *tilted, "-o", "finger.live"), "a live skin knows an upright slider alone"),
                 (("check", QUICK, "--set", "slider.pitch=6 deg"), "slider.pitch"),
                 (("check", QUICK, "--set", "slider.yaw=6"), "slider.yaw has no unit"),
-                (("check", "turning.toml", "--set", "skin.sides=symmetry"), "turns pulls the skin across"),
+                (("check", "turning.toml", "--set", "skin.sides=symmetry"), "can be pitched alone"),
                 (("check", "turning.toml", "--set", "contact.law=adhesive", "--set", "contact.work_of_adhesion=0.1 J/m2",
                   "--set", "contact.cohesive_strength=1 MPa"), "takes a slider that keeps its angles"),
                 (("check", "turning.toml", "--set", "motion.drive.stiffness=1 kN/m", "--set", "motion.drive.damping=1 N s/m"),

@@ -41,10 +41,6 @@ void refuse_changes(const CaseDocument& document, Problems& problems) {
     problems.add("a slider on a drive keeps its angles: the drive says nothing of their inertia",
                  angle_places(document),
                  "give all waypoints the same angles, or remove motion.drive");
-  if (input.slider.changing.yaw && input.skin.sides == SideCondition::symmetry)
-    problems.add("a slider that turns pulls the skin across, and planes of symmetry would hold it",
-                 angle_places(document),
-                 "set skin.sides = \"free\", or give all waypoints the same yaw");
   if (laws::friction_law(input.contact.law).adheres)
     problems.add(
         fmt::format("contact.law = \"{}\" takes a slider that keeps its angles", input.contact.law),
@@ -52,16 +48,17 @@ void refuse_changes(const CaseDocument& document, Problems& problems) {
         "give all waypoints the same angles, or choose another contact.law");
 }
 
-/// Refuses what the planes would mirror: a slider over the whole width is solved as plane strain.
-void refuse_plane_strain(const CaseDocument& document, Problems& problems) {
-  Case upright = document.input;
-  upright.slider.pose = {};
-  upright.slider.changing = {};
-  if (covers_width(upright) && !covers_width(document.input))
-    problems.add("a slider over the whole width of a skin between planes of symmetry can be "
-                 "pitched alone: rolled or turned it would be mirrored in them",
-                 angle_places(document),
-                 "remove roll and yaw, set skin.sides = \"free\", or make the slider narrower");
+/// Refuses what pulls the skin across between planes of symmetry, which would hold it.
+void refuse_between_planes(const CaseDocument& document, Problems& problems) {
+  const Case& input = document.input;
+  Slider upright = input.slider;
+  upright.pose = {};
+  upright.changing = {};
+  if (input.skin.sides == SideCondition::symmetry && upright.symmetric()[1] &&
+      !input.slider.symmetric()[1])
+    problems.add("between planes of symmetry a slider can be pitched alone: rolled or turned it "
+                 "pulls the skin across, and the planes would hold it",
+                 angle_places(document), "set skin.sides = \"free\", or remove roll and yaw");
 }
 
 } // namespace
@@ -81,7 +78,7 @@ void check_pose(const CaseDocument& document, Problems& problems) {
                              tilt * 180 / std::numbers::pi),
                  angle_places(document), remedy_of_tilt());
   refuse_changes(document, problems);
-  refuse_plane_strain(document, problems);
+  refuse_between_planes(document, problems);
 }
 
 } // namespace ionskin

@@ -36,8 +36,10 @@ void require_touch(const Case& input) {
       "the slider touches no cell of the contact's mesh: it indents by at most {:.3g} um, and its "
       "underside stands {:.3g} um above its lowest point in the mean over the lowest cell\n  = "
       "indent by more than {:.3g} um (motion.preload, or the waypoints' height), raise "
-      "numerics.mesh_refinement, or bring the lowest point of the profile to the slider's centre",
-      load.indentation * 1e6, least * 1e6, least * 1e6));
+      "numerics.mesh_refinement, or {}",
+      load.indentation * 1e6, least * 1e6, least * 1e6,
+      slider.pose.tilted() ? "tilt the slider less"
+                           : "bring the lowest point of the profile to the slider's centre"));
 }
 
 } // namespace ionskin::mechanics
