@@ -17,6 +17,9 @@ from tiers import long_test
 sys.path.insert(0, str(PROGRAM.parent / "python"))
 import ionskin.live  # noqa: E402
 
+sys.path.insert(0, str(ROOT / "examples" / "gymnasium"))
+import slip  # noqa: E402
+
 sys.path.insert(0, str(ROOT / "tests" / "unit" / "results"))
 from browser import browser_page, chromium  # noqa: E402
 
@@ -253,6 +256,78 @@ class LiveTest(ProgramTest):
                             (ionskin.CaseError, lambda: ionskin.live.Skin(ROOT / "README.md")),
                             (KeyError, lambda: skin.step(2, (5e-3, 1e-3), height=0)["nothing"])):
             self.assertRaises(error, call)
+
+    def test_example_of_slip_has_the_interface_of_gymnasium(self):
+        environment = slip.SlipEnv(self.trained, noise=0)
+        ends = set()
+        for seed in range(6):
+            seen, told = environment.reset(seed=seed)
+            again, _ = environment.reset(seed=seed)
+            numpy.testing.assert_array_equal(seen, again)
+            self.assertEqual((seen.shape, seen.dtype), (environment.observation_space.shape, numpy.float32))
+            self.assertLess(told["slide_share"], 1)
+            terminated = truncated = False
+            shares = []
+            while not (terminated or truncated):
+                seen, reward, terminated, truncated, told = environment.step(0)
+                shares.append(told["slide_share"])
+                self.assertEqual(told["flags"], 0)
+            self.assertEqual(environment.observation_space.shape, seen.shape)
+            slips = 1 in shares
+            self.assertEqual((reward, terminated), (-1, True) if slips else (1, False))
+            if slips:
+                self.assertEqual(len(shares) - 1 - shares.index(1), slip.LATE)
+            ends.add(slips)
+            # A call is right just before slip, and wrong where none comes.
+            environment.reset(seed=seed)
+            for _ in range(max(0, shares.index(1) - 5) if slips else 200):
+                environment.step(0)
+            self.assertEqual(environment.step(1)[1:4], (1.0 if slips else -1.0, True, False))
+        self.assertEqual(ends, {True, False})
+
+    def full_touch(self, touch, name):
+        """Share that sticks and currents of the full model at the steps of a touch."""
+        heights = ["50," if force <= 0 else f",{force:.9g}" for force in touch["forces"]]
+        rows = [f"{time:.9g},{1e3 * x:.9g},{1e3 * y:.9g},{load}"
+                for time, (x, y), load in zip(touch["times"], touch["positions"], heights, strict=True)]
+        (self.folder / f"{name}.csv").write_text("time [s],x [mm],y [mm],height [um],force [N]\n" + "\n".join(rows) + "\n")
+        text = (ROOT / "cases" / "paper" / "taxels.toml").read_text().replace('start = ["4.5 mm", "1 mm"]\n', "")
+        begin, end = text.index("[motion]"), text.index("[contact]")
+        (self.folder / f"{name}.toml").write_text(f'{text[:begin]}[motion]\nkind = "waypoints"\nfile = "{name}.csv"\n{text[end:]}')
+        self.run_case(f"{name}.toml", *SMALL[:2], "--set", "numerics.error_estimate=off", "--set", "output.fields=[]", "-o", name)
+        full = ionskin.open_results(self.folder / name)
+
+        def at_steps(table, column):
+            return numpy.interp(touch["times"], table["time"], numpy.nan_to_num(table[column]))
+
+        charges = [at_steps(full.signals, "charge_top"), *(at_steps(full.taxels, f"charge_top_{taxel}") for taxel in "abcd")]
+        return (at_steps(full.signals, "stick_share"),
+                numpy.diff(numpy.column_stack(charges), axis=0, prepend=0) / slip.STEP)
+
+    def test_example_of_slip_calls_it_before_and_on_the_full_model(self):
+        skin = ionskin.live.Skin(self.trained)
+        detector = slip.Detector(*slip.measured(skin, 60, 1))
+        found = slip.judge(detector, *slip.measured(skin, 60, 3))
+        self.assertGreater(found["area"], 0.9)
+        self.assertGreater(found["called"], 0.8)
+        self.assertLess(found["false"], 0.3)
+        self.assertGreater(numpy.median(found["leads"]), 0)
+        random, noise, touches = numpy.random.default_rng(4), numpy.random.default_rng(5), slip.Touches(skin)
+        wanted = {True, False}
+        while wanted:
+            touch = touches.draw(random)
+            begins = slip.slip_step(skin.copy().run(**touch)["stick_share"])
+            if (begins is not None) not in wanted:
+                continue
+            wanted.remove(begins is not None)
+            sticks, currents = self.full_touch(touch, f"slips_{begins is not None}")
+            in_full = slip.slip_step(sticks)
+            call = detector.call(currents + slip.NOISE * noise.standard_normal(currents.shape), in_full)
+            if begins is None:
+                self.assertIsNone(in_full)
+            else:
+                self.assertLessEqual(abs(in_full - begins), 10)
+            self.assertEqual(call is not None, begins is not None)
 
     def test_example_in_c(self):
         library = PROGRAM.parent / "python"
