@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 import unittest
+import warnings
 
 import numpy
 
@@ -109,6 +110,28 @@ class LiveTest(ProgramTest):
                            forces=numpy.interp(times, [0.1, 0.3, 1.5, 1.6], [0, 30, 30, 0]))
         numpy.testing.assert_array_equal(signals["current_top"], run["current_top"])
         return self.folder / "play.html", signals
+
+    def test_states_errors_by_event_and_warns_of_those_above_the_promise(self):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            skin = ionskin.live.Skin(self.trained)
+        self.assertEqual(list(skin.event_errors), ["landing", "slip_onset", "hold", "lift"])
+        above = set()
+        for event, errors in skin.event_errors.items():
+            self.assertEqual(set(errors), set(skin.errors) - ({"slider_z"} if "slider_z" not in errors else set()))
+            for name, error in errors.items():
+                self.assertLessEqual(error.largest, skin.errors[name].largest)
+                self.assertLessEqual(error.worst, skin.errors[name].worst)
+                self.assertLessEqual(error.rms, error.worst)
+                if error.largest > 0 and error.rms > 0.1 * error.largest:
+                    above.add(f"{name} in {event}")
+        self.assertEqual(bool(above), bool(skin.shortfall))
+        self.assertEqual([warning.category for warning in caught], [ionskin.live.LiveSkinWarning] * bool(above))
+        if above:
+            self.assertIn(skin.shortfall, str(caught[0].message))
+            self.assertIn(skin.shortfall.split(": ")[1].split(" %")[0].rsplit(" ", 1)[0], above)
+        # Forces and charges of so small a case keep the promise in every event.
+        self.assertFalse({name for name in above if not name.startswith("sampled_")})
 
     def test_knows_where_its_taxels_are(self):
         skin = ionskin.live.Skin(self.trained)
@@ -233,7 +256,9 @@ class LiveTest(ProgramTest):
         trained = self.live(ROOT / "cases" / "paper" / "water.toml", *SMALL[:2], "--set", "readout.taxels={rows = 2, columns = 3}",
                             "--validation", "3", "--seed", "5", "-o", "water.live")
         self.assertEqual(trained.returncode, 0, trained.stderr)
-        skin = ionskin.live.Skin(self.folder / "water.live")
+        with self.assertWarnsRegex(ionskin.live.LiveSkinWarning, "above the promised 10 %"):
+            skin = ionskin.live.Skin(self.folder / "water.live")
+        self.assertIn(f"warning: {skin.shortfall}", trained.stderr)
         for name, most in (("charge_top_taxels", 0.01), ("charge_top", 0.04), ("normal_force", 0.001)):
             self.assertLess(skin.errors[name].rms, most * skin.errors[name].largest, name)
         times = 1e-3 * numpy.arange(800)
