@@ -211,6 +211,30 @@ class LiveTest(ProgramTest):
         self.assertEqual(ionskin.live.Skin(self.trained).range.friction, (0.3, 0.3))
 
     @long_test
+    def test_mirrored_paths_have_mirrored_signals(self):
+        """On a skin, taxels and places that are their own images along x, to what the sweeps of the contact leave."""
+        trained = self.live(ROOT / "cases" / "paper" / "taxels.toml", *SMALL, "--set", 'slider.start=["6.5 mm", "1 mm"]',
+                            "--trajectories", "4", "--validation", "1", "-o", "mirror.live")
+        self.assertEqual(trained.returncode, 0, trained.stderr)
+        skin = ionskin.live.Skin(self.folder / "mirror.live")
+        times, (length, width) = 1e-3 * numpy.arange(1400), skin.size
+        x = length / 2 + 1e-3 * numpy.interp(times, [0.2, 0.6, 0.7, 0.9, 1.1], [-0.8, 0.3, 0.3, -0.2, 0.2])
+        pressed = numpy.interp(times, [0.05, 0.1, 0.7, 0.8, 1.3, 1.4], [0, 0.6, 0.6, 0.3, 0.3, 0])
+        for loads in ({"forces": pressed * skin.range.force}, {"heights": 1e-7 - pressed * skin.range.indentation}):
+            one, other = (skin.copy().run(times, numpy.column_stack([places, numpy.full_like(x, width / 2)]), **loads)
+                          for places in (x, length - x))
+            self.assertFalse(one.flags.any())
+            images = {f"{kind}_{a}": f"{kind}_{b}" for kind in ("charge_top", "current_top") for a, b in zip("abcd", "dcba")}
+            for name in one:
+                if name in ("slider_x", "stick_share", "residual", "tangential_force_y"):
+                    continue
+                sign = -1 if name.startswith("tangential_force") else 1
+                with self.subTest(name, loads=list(loads)):
+                    largest = numpy.abs(one[name]).max()
+                    difference = numpy.abs(one[name] - sign * other[images.get(name, name)]).max()
+                    self.assertLessEqual(difference, 1e-4 * largest)
+
+    @long_test
     def test_over_an_area(self):
         """A finger that circles: the trained motion spans a rectangle, and both models are given the same circle."""
         finger, touch = (ROOT / "cases" / "finger.toml").read_text(), ["--set", "numerics.preset=coarse", "--set",
