@@ -168,7 +168,7 @@ int main(int argc, char** argv) {
     time_batch(data, threads, touches);
     for (const SignalError& error : data.errors) {
       if (error.largest > 0) {
-        fmt::print("{:<32} {:8.3f} % rms {:8.3f} % worst\n", error.name,
+        fmt::print("{:<32} {:<10} {:8.3f} % rms {:8.3f} % worst\n", error.name, error.event,
                    100 * error.rms / error.largest, 100 * error.worst / error.largest);
       }
     }

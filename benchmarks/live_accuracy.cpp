@@ -27,10 +27,12 @@ double covered(const std::vector<double>& errors, double stated) {
 }
 
 void print(const std::vector<TouchErrors>& errors, const SkinData& data) {
-  fmt::print("{:<28}{:>9}{:>9}{:>12}{:>12}{:>11}{:>11}\n", "% of the largest value", "rms", "worst",
+  fmt::print("{:<39}{:>9}{:>9}{:>12}{:>12}{:>11}{:>11}\n", "% of the largest value", "rms", "worst",
              "stated rms", "stated worst", "keep rms", "keep worst");
   for (const TouchErrors& signal : errors) {
-    const auto stated = std::ranges::find(data.errors, signal.name, &SignalError::name);
+    const auto stated = std::ranges::find_if(data.errors, [&](const SignalError& error) {
+      return error.name == signal.name && error.event == signal.event;
+    });
     if (signal.largest == 0 || stated == data.errors.end()) {
       continue;
     }
@@ -39,8 +41,8 @@ void print(const std::vector<TouchErrors>& errors, const SkinData& data) {
       square += rms * rms;
     }
     const double percent = 100 / signal.largest;
-    fmt::print("{:<28}{:9.3f}{:9.3f}{:12.3f}{:12.3f}{:9.0f} %{:9.0f} %\n", signal.name,
-               percent * std::sqrt(square / static_cast<double>(signal.rms.size())),
+    fmt::print("{:<28}{:<11}{:9.3f}{:9.3f}{:12.3f}{:12.3f}{:9.0f} %{:9.0f} %\n", signal.name,
+               signal.event, percent * std::sqrt(square / static_cast<double>(signal.rms.size())),
                percent * *std::ranges::max_element(signal.worst), percent * stated->rms,
                percent * stated->worst, covered(signal.rms, stated->rms),
                covered(signal.worst, stated->worst));

@@ -60,14 +60,17 @@ class FmuTest(ProgramTest):
         self.assertEqual((self.fmu.folder / "resources" / "skin.live").read_bytes(), self.skin_file.read_bytes())
         self.assertEqual([name for name, variable in self.fmu.variables.items()
                           if variable.get("causality") == "output"], ["flags", *self.skin.names])
+        self.assertEqual(list(self.fmu.variables)[:6], ["x", "y", "height", "force", "friction", "force_control"])
+        self.assertLessEqual({f"{signal}_{taxel}" for signal in ("charge_top", "current_top") for taxel in "abcd"},
+                             set(self.fmu.variables))
         for name, unit in (("x", "m"), ("force", "N"), ("contact_area", "m2"), ("tangential_force_x", "N"),
-                           ("charge_top_b", "C"), ("current_top_b", "A"), ("stick_share", None)):
+                           ("charge_top_b", "C"), ("current_top_b", "A"), ("stick_share", None), ("friction", None)):
             self.assertEqual(self.fmu.variables[name][0].get("unit"), unit, name)
 
     def test_rules_of_the_importer_find_mistakes(self):
         for right, wrong in (('fmiVersion="2.0"', 'fmiVersion="3.0"'), ('name="height"', 'name="force"'),
                              ('initial="calculated"', 'initial="exact"'), ('unit="C"', 'unit="coulomb"'),
-                             ('<Unknown index="6"/>', ""), ("<Integer/>", "<Real/><Real/>"),
+                             ('<Unknown index="7"/>', ""), ("<Integer/>", "<Real/><Real/>"),
                              ('causality="input" variability="continuous"', 'causality="input" variability="fixed"')):
             self.assertIn(right, self.fmu.description)
             self.assertTrue(fmu_importer.mistakes(self.fmu.description.replace(right, wrong, 1)), wrong)
@@ -185,9 +188,9 @@ class FmuTest(ProgramTest):
             self.assertEqual(instance.step(point, size), ERROR, (point, size))
         self.assertEqual(instance.step(0, STEP), OK)
         one = ctypes.c_size_t(1)
-        for reference in (4, 5, 999, 2**32 - 1):
+        for reference in (5, 6, 999, 2**32 - 1):
             self.assertEqual(instance.call("GetReal", (ctypes.c_uint * 1)(reference), one, (ctypes.c_double * 1)()), ERROR)
-        for reference in (5, 6, 999):
+        for reference in (6, 7, 999):
             self.assertEqual(instance.call("SetReal", (ctypes.c_uint * 1)(reference), one, (ctypes.c_double * 1)()), ERROR)
         self.assertEqual(instance.call("GetDirectionalDerivative", None, one, None, one, None, None), ERROR)
         self.assertEqual(self.fmu.library.fmi2DoStep(None, ctypes.c_double(0), ctypes.c_double(1), 0), ERROR)

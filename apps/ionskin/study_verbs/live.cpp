@@ -7,7 +7,9 @@
 #include "ionskin/base/system/installation.hpp"
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/case/reading/read_case.hpp"
+#include "ionskin/live/errors/shortfall.hpp"
 #include "ionskin/live/fmu/archive.hpp"
+#include "ionskin/live/training/touch_events.hpp"
 #include "ionskin/live/training/train.hpp"
 #include "ionskin/planning/resources.hpp"
 #include "terminal/progress_display.hpp"
@@ -15,6 +17,8 @@
 #include <fmt/core.h>
 
 #include <filesystem>
+#include <map>
+#include <string>
 #include <utility>
 
 namespace ionskin::apps {
@@ -63,6 +67,14 @@ void require_outputs(const LiveOptions& options) {
   }
 }
 
+/// Says where the stated errors are larger than promised, also where the log is quiet.
+void warn_of_shortfall(const ionskin::live::SkinData& data) {
+  const std::string line = ionskin::live::shortfall(data);
+  if (!line.empty()) {
+    fmt::print(stderr, "warning: {}\n", line);
+  }
+}
+
 void write_files(const LiveOptions& options, const ionskin::live::SkinData& data) {
   const auto tell = [&](const char* what, const std::string& file) {
     if (options.log != LogFormat::quiet) {
@@ -79,6 +91,7 @@ void write_files(const LiveOptions& options, const ionskin::live::SkinData& data
                                   base::own_file().parent_path() / "ionskin_live_fmu.so");
     tell("FMU", options.fmu);
   }
+  warn_of_shortfall(data);
 }
 
 /// Makes nothing but an FMU, of a skin that is there.
@@ -96,11 +109,27 @@ int export_skin(const LiveOptions& options) {
 
 void print_errors(const ionskin::live::SkinData& data) {
   fmt::print("errors on unseen touches, of the largest value:\n");
+  std::map<std::string, std::map<std::string, double>> by_event; // rms in per cent, by signal
   for (const ionskin::live::SignalError& error : data.errors) {
-    if (error.largest > 0) {
+    if (error.largest > 0 && error.event.empty()) {
       fmt::print("{:<28} {:8.3f} % rms {:8.3f} % at worst\n", error.name,
                  100 * error.rms / error.largest, 100 * error.worst / error.largest);
+    } else if (error.largest > 0) {
+      by_event[error.name][error.event] = 100 * error.rms / error.largest;
     }
+  }
+  fmt::print("rms errors over events, of the largest value within such events:\n{:<28}", "");
+  for (const char* event : ionskin::live::event::names) {
+    fmt::print(" {:>12}", event);
+  }
+  fmt::print("\n");
+  for (const auto& [name, errors] : by_event) {
+    fmt::print("{:<28}", name);
+    for (const char* event : ionskin::live::event::names) {
+      const auto error = errors.find(event);
+      fmt::print(" {:>12}", error == errors.end() ? "" : fmt::format("{:.3f} %", error->second));
+    }
+    fmt::print("\n");
   }
 }
 

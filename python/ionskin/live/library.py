@@ -48,7 +48,7 @@ def _declared(library: ctypes.CDLL) -> ctypes.CDLL:
             ("set_friction", ctypes.c_int, [skin, number]), ("friction", None, [skin, NUMBERS]),
             ("text", text, [skin, text]), ("range", None, [skin, NUMBERS]), ("size", None, [skin, NUMBERS]),
             ("taxel", ctypes.c_int, [skin, size, texts, NUMBERS]),
-            ("error", ctypes.c_int, [skin, size, texts, NUMBERS, NUMBERS, NUMBERS]),
+            ("event_error", ctypes.c_int, [skin, size, texts, texts, NUMBERS, NUMBERS, NUMBERS]),
             ("skins_open", skin, [skin, size, size]), ("skins_close", None, [skin]),
             ("skins_step", None, [skin, size, size, size, ctypes.POINTER(Batch)]),
             ("skins_reset", None, [skin, size]), ("skins_save", None, [skin, size, NUMBERS]),

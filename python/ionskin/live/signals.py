@@ -18,6 +18,10 @@ class SignalError:
     largest: float
 
 
+class LiveSkinWarning(UserWarning):
+    """A live skin states errors that are larger than promised."""
+
+
 @dataclasses.dataclass(frozen=True)
 class Range:
     """Range that the skin was trained for: places of the slider's centre [m], force [N], indentation [m], speed [m/s],

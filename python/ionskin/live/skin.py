@@ -2,8 +2,10 @@
 """One reduced skin, stepped by one thread."""
 
 import ctypes
+import itertools
 import os
 import pathlib
+import warnings
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 
@@ -12,7 +14,7 @@ import numpy
 from ..errors import CaseError
 from .checks import finite, one_load
 from .library import load, pointer
-from .signals import Range, SignalError, Signals
+from .signals import LiveSkinWarning, Range, SignalError, Signals
 
 
 class Skin:
@@ -29,6 +31,8 @@ class Skin:
         self._take_names()
         if friction is not None:
             self.friction = friction
+        if shortfall := self.shortfall:
+            warnings.warn(f"{os.fspath(path)}: {shortfall}", LiveSkinWarning, stacklevel=2)
 
     def _take_names(self) -> None:
         self._time = None
@@ -103,11 +107,28 @@ class Skin:
     @property
     def errors(self) -> dict[str, SignalError]:
         """Errors by signal; those of currents over the sampling interval of the case are named sampled_NAME."""
-        errors, name, values = {}, ctypes.c_char_p(), numpy.empty(3)
+        return self._errors().get("", {})
+
+    @property
+    def event_errors(self) -> dict[str, dict[str, SignalError]]:
+        """Errors by event of a touch, "landing", "slip_onset", "hold" and "lift", and by signal; the largest value is
+        that within such events."""
+        return {event: errors for event, errors in self._errors().items() if event}
+
+    def _errors(self) -> dict[str, dict[str, SignalError]]:
+        errors, event, name, values = {}, ctypes.c_char_p(), ctypes.c_char_p(), numpy.empty(3)
         places = [pointer(values[i:]) for i in range(3)]
-        while self._library.ionskin_live_error(self._handle, len(errors), ctypes.byref(name), *places):
-            errors[name.value.decode()] = SignalError(*values.tolist())
-        return errors
+        for index in itertools.count():
+            if not self._library.ionskin_live_event_error(self._handle, index, ctypes.byref(event), ctypes.byref(name),
+                                                          *places):
+                return errors
+            errors.setdefault(event.value.decode(), {})[name.value.decode()] = SignalError(*values.tolist())
+
+    @property
+    def shortfall(self) -> str:
+        """One line on the events whose errors are larger than promised, empty where none are. Loading warns of it, too:
+        LiveSkinWarning."""
+        return self._library.ionskin_live_text(self._handle, b"shortfall").decode()
 
     def step(self, time: float, position: Sequence[float], *, height: float | None = None,
              force: float | None = None) -> Signals:

@@ -17,7 +17,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the file is little-endian");
 
-constexpr std::string_view magic = "ionskin live skin, format 5\n";
+constexpr std::string_view magic = "ionskin live skin, format 6\n";
 constexpr std::size_t most_waves = 1000, most_columns = 5000;
 constexpr std::size_t largest_file = 256u << 20u;
 
@@ -95,6 +95,7 @@ template <class Archive, class Data> void visit(Archive& archive, Data& data) {
   archive.list("errors", data.errors);
   for (auto& error : data.errors) {
     archive.entry("error.name", error.name);
+    archive.entry("error.event", error.event);
     archive.entry("error.rms", error.rms);
     archive.entry("error.worst", error.worst);
     archive.entry("error.largest", error.largest);
@@ -177,6 +178,9 @@ void check(const Reader& reader, const SkinData& data) {
                  "spread.rates");
   reader.require(data.taxel_corners.size() == 4 * data.taxels.size() && data.taxels.size() <= 1000,
                  "taxel_corners");
+  reader.require(std::ranges::is_partitioned(
+                     data.errors, [](const SignalError& error) { return error.event.empty(); }),
+                 "error.event");
   reader.require(reader.at_end(), "error");
 }
 

@@ -60,6 +60,7 @@ struct SpreadMap {
 /// Error of the reduced skin against the full model on trajectories that it was not trained on.
 struct SignalError {
   std::string name;
+  std::string event; ///< of the touches, such as "landing"; empty: over the whole of them
   double rms = 0, worst = 0, largest = 0; ///< of the error, and of the signal [its unit]
 };
 
@@ -92,7 +93,7 @@ struct SkinData {
   double heaviest_force = 0;                             ///< [N]
   double deepest_indentation = 0;                        ///< [m]
   double fastest = 0;                                    ///< [m/s]
-  std::vector<SignalError> errors;
+  std::vector<SignalError> errors;                       ///< errors of whole touches first
 };
 
 /// Number of digits of the digest at the end of a file.

@@ -13,6 +13,7 @@
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/path/path_resolution.hpp"
 #include "ionskin/mechanics/skin/skin_reach.hpp"
+#include "ionskin/mechanics/slider/fine_features.hpp"
 #include "ionskin/mesh/footprint.hpp"
 #include "ionskin/parallel/task_pool.hpp"
 
@@ -164,6 +165,17 @@ void warn_of_near_edges(const Case& input, const SkinModel& model, ContactSoluti
   }
 }
 
+void warn_of_unresolved_map(const Case& input, ContactSolution& contact) {
+  double deepest = 0;
+  for (const SteppedInstant& instant : contact.stepped) {
+    deepest = std::max(deepest, instant.state ? instant.state->indentation : 0);
+  }
+  if (auto warning = warn_of_fine_features(input.slider, contact.cell_lines_x, contact.cell_lines_y,
+                                           deepest)) {
+    contact.warnings.push_back(std::move(*warning));
+  }
+}
+
 /// Never touched.
 std::vector<SteppedSolution> untouched(const std::vector<MotionLeg>& legs, ContactSolution empty,
                                        std::size_t count) {
@@ -214,6 +226,7 @@ std::vector<SteppedSolution> solve_stepped(const Case& input, const mesh::Footpr
                          variants[i], options, progress);
     std::ranges::move(warnings, std::back_inserter(contact.warnings));
     warn_of_near_edges(input, *model, contact);
+    warn_of_unresolved_map(input, contact);
     // Each by itself, so that no solution depends on its neighbours.
     solutions[i].wider = widened_footprint(input, footprint, contact);
     if (solutions[i].wider) {

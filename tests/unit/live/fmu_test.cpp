@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <filesystem>
@@ -24,12 +25,12 @@ void ignore(fmi2ComponentEnvironment, fmi2String, fmi2Status, fmi2String, fmi2St
 /// The functions of the FMU's library, with the small skin as its resource.
 class LiveFmu : public testing::Test {
 protected:
-  LiveFmu() {
+  explicit LiveFmu(const SkinData& data = small_skin()) {
     std::filesystem::create_directories(folder);
-    write_skin(folder / "skin.live", small_skin());
+    write_skin(folder / "skin.live", data);
     callbacks.logger = ignore;
     component =
-        fmi2Instantiate("skin", fmi2CoSimulation, fmu::guid(small_skin()).c_str(),
+        fmi2Instantiate("skin", fmi2CoSimulation, fmu::guid(data).c_str(),
                         ("file://" + folder.string()).c_str(), &callbacks, fmi2False, fmi2False);
   }
   ~LiveFmu() override {
@@ -76,6 +77,72 @@ TEST_F(LiveFmu, TakesNoMemoryInTheLoop) {
   EXPECT_EQ(fmi2FreeFMUstate(component, &state), fmi2OK);
   EXPECT_EQ(fmi2FreeFMUstate(component, &state), fmi2OK);
   EXPECT_EQ(fmi2FreeFMUstate(component, nullptr), fmi2OK);
+}
+
+SkinData skin_over_friction() {
+  SkinData data = small_skin();
+  data.lowest_friction = 0.1;
+  data.highest_friction = 0.5;
+  return data;
+}
+
+class LiveFmuOverFriction : public LiveFmu {
+protected:
+  LiveFmuOverFriction() : LiveFmu(skin_over_friction()) {}
+  fmi2Status set_friction(double coefficient) {
+    const fmi2ValueReference friction = fmu::reference::friction;
+    return fmi2SetReal(component, &friction, 1, &coefficient);
+  }
+  double friction() {
+    const fmi2ValueReference reference = fmu::reference::friction;
+    double value = 0;
+    EXPECT_EQ(fmi2GetReal(component, &reference, 1, &value), fmi2OK);
+    return value;
+  }
+  /// Slides at the height of a touch: the ratio of the forces along and onto the skin.
+  double ratio_of_forces(int steps) {
+    for (int i = 0; i < steps; ++i, ++step_) {
+      set(2e-3 + 1e-5 * step_, -4e-7);
+      EXPECT_EQ(fmi2DoStep(component, 1e-3 * step_, 1e-3, fmi2True), fmi2OK);
+    }
+    const std::vector<double> forces = get();
+    return forces[1] / forces[0];
+  }
+
+  int step_ = 0;
+};
+
+TEST_F(LiveFmuOverFriction, FrictionIsAnInputWithinItsTrainedRange) {
+  references = {fmu::reference::signals + 3, fmu::reference::signals + 5}; // normal and along x
+  EXPECT_DOUBLE_EQ(friction(), 0.3);                                       // of the case
+  ASSERT_EQ(fmi2EnterInitializationMode(component), fmi2OK);
+  set(2e-3, -4e-7);
+  ASSERT_EQ(fmi2ExitInitializationMode(component), fmi2OK);
+  EXPECT_NEAR(ratio_of_forces(40), 0.3, 1e-3);
+  EXPECT_EQ(set_friction(0.2), fmi2OK);
+  EXPECT_NEAR(ratio_of_forces(40), 0.2, 1e-3);
+  // A state holds it, and another is refused beyond the range.
+  fmi2FMUstate state = nullptr;
+  ASSERT_EQ(fmi2GetFMUstate(component, &state), fmi2OK);
+  EXPECT_EQ(set_friction(0.7), fmi2Warning);
+  EXPECT_DOUBLE_EQ(friction(), 0.5);
+  EXPECT_NEAR(ratio_of_forces(40), 0.5, 1e-3);
+  EXPECT_EQ(set_friction(-1), fmi2Warning);
+  EXPECT_DOUBLE_EQ(friction(), 0.1);
+  step_ -= 40;
+  ASSERT_EQ(fmi2SetFMUstate(component, state), fmi2OK);
+  EXPECT_DOUBLE_EQ(friction(), 0.2);
+  EXPECT_NEAR(ratio_of_forces(5), 0.2, 1e-3);
+  auto& numbers = *static_cast<std::vector<double>*>(state);
+  const auto held = std::ranges::find(numbers, 0.2);
+  ASSERT_NE(held, numbers.end());
+  *held = 0.7;
+  EXPECT_EQ(fmi2SetFMUstate(component, state), fmi2Error);
+  fmi2FreeFMUstate(component, &state);
+  EXPECT_EQ(set_friction(std::numeric_limits<double>::quiet_NaN()), fmi2OK);
+  EXPECT_EQ(fmi2DoStep(component, 1e-3 * step_, 1e-3, fmi2True), fmi2Discard);
+  EXPECT_EQ(set_friction(0.2), fmi2OK);
+  EXPECT_EQ(fmi2DoStep(component, 1e-3 * step_, 1e-3, fmi2True), fmi2OK);
 }
 
 TEST_F(LiveFmu, TakesUpStatesOfAnyBytes) {

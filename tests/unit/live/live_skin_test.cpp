@@ -215,6 +215,7 @@ TEST_F(LiveSkin, ComesBackFromItsFile) {
   EXPECT_EQ(read.taxels, data.taxels);
   EXPECT_EQ(read.case_text, data.case_text);
   EXPECT_EQ(read.errors.front().worst, data.errors.front().worst);
+  EXPECT_EQ(read.errors.back().event, "hold");
 
   char message[200];
   ionskin_live_skin* skin = ionskin_live_open(path.c_str(), message, sizeof message);
@@ -238,6 +239,10 @@ TEST_F(LiveSkin, ComesBackFromItsFile) {
     EXPECT_EQ(ionskin_live_open(path.c_str(), message, sizeof message), nullptr);
     EXPECT_NE(std::string(message).find("ionskin live CASE.toml"), std::string::npos) << message;
   };
+  std::string older = bytes;
+  older[bytes.find('\n') - 1] = '5';
+  refused(older);
+  EXPECT_NE(std::string(message).find("another format"), std::string::npos) << message;
   for (const std::size_t length :
        {std::size_t{0}, std::size_t{10}, bytes.size() / 2, bytes.size() - 1}) {
     refused(bytes.substr(0, length));
@@ -273,6 +278,7 @@ TEST_F(LiveSkin, RefusesAFileWhoseSizesDoNotFit) {
   refused([](SkinData& wrong) { wrong.spread.columns_y = 0; });
   refused([](SkinData& wrong) { wrong.spread.columns_x = std::uint64_t{1} << 60u; });
   refused([](SkinData& wrong) { wrong.spread.rates[1] = -1; });
+  refused([](SkinData& wrong) { wrong.errors.push_back(wrong.errors.front()); }); // behind events
   refused([](SkinData& wrong) { wrong.stiffness = -1; });
   refused([](SkinData& wrong) { wrong.friction_law = "unheard-of"; });
   refused([](SkinData& wrong) { wrong.highest_friction = 0.2; }); // the case has more

@@ -60,10 +60,47 @@ TEST(RandomTouches, RowsBehindCornersLieOnThePath) {
   }
 }
 
+/// True of a row in contact; the rows are those of heights.
+bool presses(const Waypoint& row) {
+  return *row.height < 0;
+}
+
+TEST(RandomTouches, EachStrokesAndRestsAndSomeTurnBack) {
+  const Motion motion = random_touches(range, 60, 11);
+  const auto& rows = motion.waypoints;
+  std::size_t touches = 0, strokes = 0, rests = 0, reversals = 0;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    if (!presses(rows[i])) {
+      if (presses(rows[i - 1]) && touches++ > 0) { // the first one is another
+        EXPECT_GT(strokes, 0u) << "touch " << touches;
+        EXPECT_GT(rests, 0u) << "touch " << touches;
+      }
+      strokes = rests = 0;
+      continue;
+    }
+    if (!presses(rows[i - 1])) {
+      continue;
+    }
+    const auto way = [&](std::size_t to, std::size_t d) {
+      return rows[to].position[d] - rows[to - 1].position[d];
+    };
+    const double length = std::hypot(way(i, 0), way(i, 1)),
+                 before = std::hypot(way(i - 1, 0), way(i - 1, 1));
+    strokes += length > 0;
+    rests += length == 0 && rows[i].time - rows[i - 1].time > 0.099;
+    const double cosine =
+        (way(i, 0) * way(i - 1, 0) + way(i, 1) * way(i - 1, 1)) / (length * before);
+    reversals += length > 0 && before > 0 && cosine < -0.9999;
+  }
+  EXPECT_EQ(touches, 60u);
+  EXPECT_GE(reversals, 10u);
+}
+
 TEST(StatedErrors, AreAQuarterMoreThanTheLargestOfAnyTouch) {
-  const auto stated = stated_errors({{"charge_top", 5, {0.1, 0.3, 0.2}, {1, 2, 4}}});
+  const auto stated = stated_errors({{"charge_top", "hold", 5, {0.1, 0.3, 0.2}, {1, 2, 4}}});
   ASSERT_EQ(stated.size(), 1u);
   EXPECT_EQ(stated[0].name, "charge_top");
+  EXPECT_EQ(stated[0].event, "hold");
   EXPECT_DOUBLE_EQ(stated[0].rms, 0.375);
   EXPECT_EQ(stated[0].worst, 5);
   EXPECT_EQ(stated[0].largest, 5);

@@ -62,7 +62,7 @@ SkinData small_skin() {
   data.heaviest_force = 20;
   data.deepest_indentation = 1e-6;
   data.fastest = 0.1;
-  data.errors = {{"charge_top", 1e-9, 2e-9, 1e-7}};
+  data.errors = {{"charge_top", "", 1e-9, 2e-9, 1e-7}, {"charge_top", "hold", 2e-9, 3e-9, 4e-8}};
   return data;
 }
 

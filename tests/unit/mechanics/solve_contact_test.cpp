@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <string>
 
 namespace ionskin::mechanics {
 namespace {
@@ -368,6 +369,30 @@ TEST(SolveContact, a_contact_at_the_border_widens_its_own_mesh_only) {
     EXPECT_EQ(found.normal_traction, expected.normal_traction);
     EXPECT_EQ(core_strain(found).component, core_strain(expected).component);
   }
+}
+
+TEST(SolveContact, WarnsOfAHeightMapFinerThanItsCells) {
+  Case input = small_case();
+  input.slider.shape = "profile";
+  input.motion.stroke = 0;
+  for (int i = -50; i <= 50; ++i) {
+    input.slider.profile_heights.x.push_back(1e-5 * i);
+    input.slider.profile_heights.y.push_back(1e-5 * i);
+  }
+  const auto warns = [&](double ripple) {
+    input.slider.profile_heights.height.clear();
+    for (int j = -50; j <= 50; ++j) {
+      for (int i = -50; i <= 50; ++i) {
+        input.slider.profile_heights.height.push_back((i % 2 == 0 ? ripple : 0) +
+                                                      2e-11 * (i * i + j * j));
+      }
+    }
+    return std::ranges::any_of(solve(input).warnings, [](const std::string& warning) {
+      return warning.find("height map has features finer") != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(warns(0.5e-6));
+  EXPECT_FALSE(warns(0));
 }
 
 } // namespace

@@ -283,5 +283,23 @@ TEST(Footprint, bounds_follow_shape_and_load) {
   EXPECT_LT(largest_footprint(input).half_size[1], 0.1e-3);
 }
 
+TEST(Footprint, bound_follows_the_stiffness_of_the_slider) {
+  Case input = example();
+  input.slider.shape = "sphere";
+  input.slider.parameters["radius"] = 8e-3;
+  input.slider.size = {16e-3, 16e-3};
+  input.slider.poissons_ratio = 0.49;
+  input.motion.preload = 0;
+  input.motion.preload_force = 1e-3;
+  const double of_skin = 250e6 / (1 - 0.49 * 0.49);
+  for (const double modulus : {1e5, 1e6, 1e7, 1e8, 1e9, 1e12}) { // Hertz's contact of two bodies
+    input.slider.youngs_modulus = modulus;
+    const double common = 1 / (1 / of_skin + (1 - 0.49 * 0.49) / modulus);
+    EXPECT_NEAR(largest_footprint(input).half_size[0],
+                1.15 * std::cbrt(0.75 * 1e-3 * 8e-3 / common), 1e-12)
+        << modulus;
+  }
+}
+
 } // namespace
 } // namespace ionskin::mesh

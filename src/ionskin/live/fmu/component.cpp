@@ -20,4 +20,10 @@ fmi2Status fail(const Component& component, const char* message) {
   return fmi2Error;
 }
 
+fmi2Status warn(const Component& component, const char* message) {
+  log(&component.callbacks, component.instance_name.c_str(), fmi2Warning, warning_category,
+      message);
+  return fmi2Warning;
+}
+
 } // namespace ionskin::live::fmu

@@ -21,14 +21,18 @@ struct Component {
 };
 
 /// Tells the importer. Nothing happens without callbacks.
-/// @param category "logStatusError" or "logStatusDiscard"
+/// @param category "logStatusError", "logStatusDiscard" or "logStatusWarning"
 void log(const fmi2CallbackFunctions* callbacks, const char* instance, fmi2Status status,
          const char* category, std::string_view message);
 inline constexpr const char* error_category = "logStatusError";
 inline constexpr const char* discard_category = "logStatusDiscard";
+inline constexpr const char* warning_category = "logStatusWarning";
 
 /// Tells the importer of an error. @returns fmi2Error
 fmi2Status fail(const Component& component, const char* message);
+
+/// Tells the importer of what it should know, and goes on. @returns fmi2Warning
+fmi2Status warn(const Component& component, const char* message);
 
 /// Calls `body` with the component, when there is one.
 template <class Body> fmi2Status with(fmi2Component component, Body&& body) {

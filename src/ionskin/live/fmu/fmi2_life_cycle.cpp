@@ -100,6 +100,9 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
       return refuse(std::string("the GUID ") + guid + " is not that of the skin in resources, " +
                     component->instance.guid());
     }
+    if (const std::string shortfall = component->instance.shortfall(); !shortfall.empty()) {
+      warn(*component, shortfall.c_str());
+    }
     return component.release();
   } catch (const std::exception& error) {
     return refuse(error.what());

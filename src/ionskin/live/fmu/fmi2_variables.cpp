@@ -79,6 +79,7 @@ fmi2Status fmi2GetString(fmi2Component component, const fmi2ValueReference[], si
 fmi2Status fmi2SetReal(fmi2Component component, const fmi2ValueReference references[], size_t count,
                        const fmi2Real values[]) {
   return with(component, [&](Component& known, Instance& instance) {
+    fmi2Status status = fmi2OK;
     for (size_t i = 0; i < count; ++i) {
       double* input = instance.input(references[i]);
       if (input == nullptr) {
@@ -88,8 +89,12 @@ fmi2Status fmi2SetReal(fmi2Component component, const fmi2ValueReference referen
         return fail(known, too_late);
       }
       *input = values[i];
+      if (references[i] == reference::friction && instance.limit_friction()) {
+        status = warn(known, "friction is outside the trained range, which its description tells: "
+                             "the nearest trained one is taken");
+      }
     }
-    return fmi2OK;
+    return status;
   });
 }
 

@@ -34,7 +34,27 @@ void Instance::reset() {
   flags_ = 0;
 }
 
+bool Instance::trained(double friction) const {
+  return friction >= data_.lowest_friction && friction <= data_.highest_friction;
+}
+
+bool Instance::limit_friction() {
+  double& friction = inputs_[reference::friction];
+  if (!std::isfinite(friction) || trained(friction)) {
+    return false; // a step refuses what is not finite
+  }
+  friction = std::clamp(friction, data_.lowest_friction, data_.highest_friction);
+  return true;
+}
+
 std::uint32_t Instance::evaluate(double time) {
+  const double friction = inputs_[reference::friction];
+  if (!std::isfinite(friction)) {
+    return flag::refused;
+  }
+  if (friction != skin_.friction()) {
+    skin_.set_friction(friction);
+  }
   return skin_.step(time, {inputs_[reference::x], inputs_[reference::y]}, force_control_,
                     inputs_[force_control_ ? reference::force : reference::height], signals_);
 }
@@ -113,7 +133,7 @@ bool Instance::restore(std::span<const double> state) {
   if (!is_count(place_of_mode, static_cast<double>(Mode::terminated) + 1) ||
       !is_count(place_of_control, 2) || !is_count(place_of_flags, flag::all + 1) ||
       !std::ranges::all_of(own, [](double value) { return std::isfinite(value); }) ||
-      !skin_.restore(state.subspan(own.size()))) {
+      !trained(own[singles + reference::friction]) || !skin_.restore(state.subspan(own.size()))) {
     return false;
   }
   mode_ = static_cast<Mode>(static_cast<int>(state[place_of_mode]));

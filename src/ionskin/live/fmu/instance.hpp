@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/live/errors/shortfall.hpp"
 #include "ionskin/live/fmu/variables.hpp"
 #include "ionskin/live/skin.hpp"
 
@@ -27,6 +28,7 @@ public:
   Mode mode() const { return mode_; }
   double time() const { return time_; } ///< of the last step, or of the start [s]
   const std::string& guid() const { return guid_; }
+  std::string shortfall() const { return live::shortfall(data_); }
 
   void set_start(double time) { time_ = time; }
   void enter_initialization() { mode_ = Mode::initialization; }
@@ -41,6 +43,8 @@ public:
   /// Value of a real variable by its reference; null for none.
   const double* real(std::size_t reference);
   double* input(std::size_t reference);
+  /// Takes the coefficient of friction to the nearest trained one. @returns whether it changed
+  bool limit_friction();
   std::uint32_t flags();
   bool& force_control();
 
@@ -52,6 +56,8 @@ public:
   bool restore(std::span<const double> state);
 
 private:
+  bool trained(double friction) const;
+  /// Takes memory where the coefficient of friction is another than before.
   std::uint32_t evaluate(double time);
   /// In initialization mode outputs follow the inputs, whatever was asked before.
   void follow_inputs();

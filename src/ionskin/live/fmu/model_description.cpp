@@ -99,6 +99,7 @@ std::string model_description(const SkinData& data, const std::string& name) {
       "  <LogCategories>\n"
       "    <Category name=\"logStatusDiscard\"/>\n"
       "    <Category name=\"logStatusError\"/>\n"
+      "    <Category name=\"logStatusWarning\"/>\n"
       "  </LogCategories>\n"
       "  <DefaultExperiment startTime=\"0\" stopTime=\"1\" stepSize=\"0.001\"/>\n"
       "  <ModelVariables>\n",

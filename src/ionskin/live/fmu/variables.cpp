@@ -75,12 +75,17 @@ std::vector<Variable> variables(const SkinData& data) {
                   fmt::format("Normal force with force_control, 0 for none; trained up to {:.6g} N",
                               data.heaviest_force),
                   0});
+  list.push_back({"friction", Kind::real, Causality::input, "",
+                  fmt::format("Coefficient of friction; trained from {:.6g} to {:.6g}, and the "
+                              "nearest of them is taken",
+                              data.lowest_friction, data.highest_friction),
+                  data.friction});
   list.push_back({"force_control", Kind::boolean, Causality::parameter, "",
                   "Whether force presses the slider, or height holds it", 0});
   list.push_back(
       {"flags", Kind::integer, Causality::output, "",
        "Sum of 1 outside the trained places, 2 loads, 4 speeds, 8 contact not converged, 16 an "
-       "input is not finite",
+       "input is not finite, 32 a negative force",
        0});
   const Skin skin(data);
   for (const std::string& name : skin.names()) {

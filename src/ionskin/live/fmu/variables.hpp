@@ -25,8 +25,8 @@ struct Variable {
 
 /// Value references.
 namespace reference {
-inline constexpr std::size_t x = 0, y = 1, height = 2, force = 3, inputs = 4, force_control = 4,
-                             flags = 5, signals = 6;
+inline constexpr std::size_t x = 0, y = 1, height = 2, force = 3, friction = 4, inputs = 5,
+                             force_control = 5, flags = 6, signals = 7;
 } // namespace reference
 
 /// Inputs and the parameter, flags, then the signals of a skin in its order.

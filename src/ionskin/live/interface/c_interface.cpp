@@ -103,10 +103,11 @@ void ionskin_live_friction(const ionskin_live_skin* skin, double friction[3]) {
 const char* ionskin_live_text(const ionskin_live_skin* skin, const char* what) {
   const std::string_view word = what;
   const ionskin::live::SkinData& data = *skin->data;
-  return word == "case"      ? data.case_text.c_str()
-         : word == "version" ? data.version.c_str()
-         : word == "command" ? data.command.c_str()
-                             : nullptr;
+  return word == "case"        ? data.case_text.c_str()
+         : word == "version"   ? data.version.c_str()
+         : word == "command"   ? data.command.c_str()
+         : word == "shortfall" ? skin->shortfall.c_str()
+                               : nullptr;
 }
 
 void ionskin_live_range(const ionskin_live_skin* skin, double range[7]) {
@@ -135,10 +136,20 @@ int ionskin_live_taxel(const ionskin_live_skin* skin, size_t index, const char**
 
 int ionskin_live_error(const ionskin_live_skin* skin, size_t index, const char** name, double* rms,
                        double* worst, double* largest) {
+  const char* event = nullptr;
+  return ionskin_live_event_error(skin, index, &event, name, rms, worst, largest) == 1 &&
+                 *event == '\0'
+             ? 1
+             : 0;
+}
+
+int ionskin_live_event_error(const ionskin_live_skin* skin, size_t index, const char** event,
+                             const char** name, double* rms, double* worst, double* largest) {
   if (index >= skin->data->errors.size()) {
     return 0;
   }
   const ionskin::live::SignalError& error = skin->data->errors[index];
+  *event = error.event.c_str();
   *name = error.name.c_str();
   *rms = error.rms;
   *worst = error.worst;

@@ -3,13 +3,17 @@
 
 #include "ionskin/live/interface/ionskin_live.h"
 
+#include "ionskin/live/errors/shortfall.hpp"
 #include "ionskin/live/skin.hpp"
 
 #include <memory>
+#include <string>
+#include <utility>
 
 struct ionskin_live_skin {
   explicit ionskin_live_skin(std::shared_ptr<const ionskin::live::SkinData> shared)
-      : data(std::move(shared)), skin(*data) {}
+      : data(std::move(shared)), shortfall(ionskin::live::shortfall(*data)), skin(*data) {}
   std::shared_ptr<const ionskin::live::SkinData> data;
+  std::string shortfall;
   ionskin::live::Skin skin;
 };

@@ -66,7 +66,8 @@ int ionskin_live_set_friction(ionskin_live_skin* skin, double coefficient);
 /* The present coefficient of friction, the lowest and the highest that were trained. */
 void ionskin_live_friction(const ionskin_live_skin* skin, double friction[3]);
 
-/* "case", "version" or "command" of the training; NULL for another word. */
+/* "case", "version" or "command" of the training; "shortfall": one line on the events whose errors
+   are larger than promised, empty without; NULL for another word. */
 const char* ionskin_live_text(const ionskin_live_skin* skin, const char* what);
 /* Trained: lowest x, y, highest x, y [m], force [N], indentation [m], speed [m/s]. */
 void ionskin_live_range(const ionskin_live_skin* skin, double range[7]);
@@ -78,6 +79,11 @@ int ionskin_live_taxel(const ionskin_live_skin* skin, size_t index, const char**
 /* Error of a signal on touches that it was not trained on; 0 behind the last. */
 int ionskin_live_error(const ionskin_live_skin* skin, size_t index, const char** name, double* rms,
                        double* worst, double* largest);
+
+/* The same with the event of the touches over which it is taken: "landing", "slip_onset", "hold" or
+   "lift". Errors over whole touches come first, with an empty event. 0 behind the last. */
+int ionskin_live_event_error(const ionskin_live_skin* skin, size_t index, const char** event,
+                             const char** name, double* rms, double* worst, double* largest);
 
 /* Many skins of one file, the environments of a learner, stepped together. What one of them does
    depends neither on the others nor on which worker steps it. */

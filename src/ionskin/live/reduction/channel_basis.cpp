@@ -131,14 +131,16 @@ double unseen_error(const std::vector<Parity>& parities, const std::vector<std::
 
 Eigen::MatrixXf of_parity(const Eigen::MatrixXf& values, const std::array<std::size_t, 3>& size,
                           const Reflections& reflections, std::size_t parity) {
-  Eigen::MatrixXf result = Eigen::MatrixXf::Zero(values.rows(), values.cols());
-  for (std::size_t g = 0; g < reflections.count(); ++g) {
-    const auto sign = static_cast<float>(reflections.sign(parity, g) /
-                                         std::sqrt(static_cast<double>(reflections.count())));
-    for (Index i = 0; i < values.rows(); ++i) {
+  const double share = 1 / std::sqrt(static_cast<double>(reflections.count()));
+  Eigen::MatrixXf result(values.rows(), values.cols());
+  Eigen::RowVectorXd sum(values.cols()); // exact, whatever the order of the images
+  for (Index i = 0; i < values.rows(); ++i) {
+    sum.setZero();
+    for (std::size_t g = 0; g < reflections.count(); ++g) {
       const auto from = static_cast<Index>(reflections.image(g, static_cast<std::size_t>(i), size));
-      result.row(i) += sign * values.row(from);
+      sum += reflections.sign(parity, g) * values.row(from).cast<double>();
     }
+    result.row(i) = (share * sum).cast<float>();
   }
   return result;
 }

@@ -115,6 +115,21 @@ Matrix mirrored_fit(const Matrix& fit, const ChannelBasis& basis, std::size_t g,
   return result;
 }
 
+/// Weights at a node that reflections map onto itself, in a middle plane of the skin: the mean of
+/// their images, for its samples have none.
+Matrix of_own_images(const Matrix& fit, const ChannelBasis& basis, std::size_t node,
+                     const std::array<std::size_t, 3>& nodes, const Reflections& reflections) {
+  Matrix sum = Matrix::Zero(fit.rows(), fit.cols());
+  double images = 0;
+  for (std::size_t g = 0; g < reflections.count(); ++g) {
+    if (reflections.image(g, node, nodes) == node) {
+      sum += mirrored_fit(fit, basis, g, reflections);
+      ++images;
+    }
+  }
+  return sum / images;
+}
+
 /// MeasureRows of which each counts alike: what drives the charges, and, of the channel that tells
 /// signals of the core, a little of these. Water is driven by how its pressure differs through the
 /// thickness, a hundredth of it.
@@ -326,6 +341,9 @@ std::vector<ChannelMap> reduce_channels(const Case& input, const SkinData& data,
     for (std::size_t i = 0; i < solved.size(); ++i) {
       Matrix fit(riding[c][i].rows() + fixed_own.fit[i].rows(), riding[c][i].cols());
       fit << riding[c][i], fixed_own.fit[i];
+      if (mirror_places) {
+        fit = of_own_images(fit, basis, solved[i], nodes, reflections);
+      }
       for (std::size_t g = 0; g < (mirror_places ? reflections.count() : 1); ++g) {
         std::vector<float>& into = fits[reflections.image(g, solved[i], nodes)];
         if (into.empty()) {

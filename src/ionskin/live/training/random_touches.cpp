@@ -20,7 +20,10 @@ constexpr double slowest_landing = 0.1; // [s]
 constexpr double pause = 0.2;           // between touches [s]
 constexpr double usual_speed = 3e-3;    // of a case whose slider never slides [m/s]
 constexpr double rest_share = 0.25;     // of the pieces
-constexpr int most_pieces = 4;
+constexpr double reversal_share = 0.3;  // of the strokes behind another
+constexpr double shortest_rest = 0.1, longest_rest = 0.5; // [s]
+constexpr double shortest_reversal = 0.2; // of the way back to where the stroke before began
+constexpr int fewest_pieces = 2, most_pieces = 4;
 
 class Path {
 public:
@@ -149,12 +152,21 @@ Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t 
     path.detached(pause, at);
     double load = range.heaviest * random.between(least_load, 1);
     path.pressed(random.between(0.01, slowest_landing), at, load);
-    const int pieces = 1 + static_cast<int>(random.between(0, most_pieces));
+    const int pieces = static_cast<int>(random.between(fewest_pieces, most_pieces + 1));
+    const int rest = static_cast<int>(random.between(0, pieces)),
+              stroke = (rest + static_cast<int>(random.between(1, pieces))) % pieces;
+    std::array<double, 2> from = at; // where the piece before began
     for (int piece = 0; piece < pieces; ++piece) {
-      if (random.between(0, 1) < rest_share) {
-        path.pressed(random.between(0.05, 0.5), at, load);
+      if (piece == rest || (piece != stroke && random.between(0, 1) < rest_share)) {
+        path.pressed(random.between(shortest_rest, longest_rest), at, load);
+        from = at;
       } else {
-        const std::array<double, 2> to = place();
+        std::array<double, 2> to = place();
+        if (from != at && random.between(0, 1) < reversal_share) {
+          const double back = random.between(shortest_reversal, 1);
+          to = {std::lerp(at[0], from[0], back), std::lerp(at[1], from[1], back)};
+        }
+        from = at;
         load = random.between(0, 1) < 0.5 ? load : range.heaviest * random.between(least_load, 1);
         path.pressed(wait_between(at, to), to, load);
         at = to;

@@ -22,8 +22,10 @@ struct TouchRange {
 TouchRange touch_range(const Case& input);
 
 /// Random touches one after the other, as waypoints at whole milliseconds: landing anywhere in the
-/// range, strokes, rests and changes of load at any speed in it, lift-off. The first one goes
-/// through the corners of the range under the heaviest load, whatever the seed.
+/// range, strokes, reversals, rests and changes of load at any speed in it, lift-off. Each has a
+/// stroke and a rest at least, in any order, so that every event of `touch_events.hpp` is in it
+/// where the range has length. The first one goes through the corners of the range under the
+/// heaviest load, whatever the seed.
 Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t seed);
 
 /// Instants at which the slider begins to come down for each touch of such a motion [s].

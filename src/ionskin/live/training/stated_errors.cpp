@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 namespace ionskin::live {
 namespace {
@@ -13,15 +14,19 @@ constexpr std::size_t touches_together = 6;
 /// Over the largest of the touches, since each of some twenty errors is to hold.
 constexpr double margin = 1.25;
 
+/// A run may lack an event.
 void join(std::vector<TouchErrors>&& more, std::vector<TouchErrors>& all) {
-  if (all.empty()) {
-    all = std::move(more);
-    return;
-  }
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    all[i].largest = std::max(all[i].largest, more[i].largest);
-    all[i].rms.insert(all[i].rms.end(), more[i].rms.begin(), more[i].rms.end());
-    all[i].worst.insert(all[i].worst.end(), more[i].worst.begin(), more[i].worst.end());
+  for (TouchErrors& signal : more) {
+    const auto known = std::ranges::find_if(all, [&](const TouchErrors& one) {
+      return one.name == signal.name && one.event == signal.event;
+    });
+    if (known == all.end()) {
+      all.push_back(std::move(signal));
+      continue;
+    }
+    known->largest = std::max(known->largest, signal.largest);
+    known->rms.insert(known->rms.end(), signal.rms.begin(), signal.rms.end());
+    known->worst.insert(known->worst.end(), signal.worst.begin(), signal.worst.end());
   }
 }
 
@@ -64,7 +69,7 @@ std::vector<TouchErrors> errors_on_touches(const SkinData& data, const Case& inp
 std::vector<SignalError> stated_errors(const std::vector<TouchErrors>& errors) {
   std::vector<SignalError> stated;
   for (const TouchErrors& signal : errors) {
-    stated.push_back({signal.name, margin * *std::ranges::max_element(signal.rms),
+    stated.push_back({signal.name, signal.event, margin * *std::ranges::max_element(signal.rms),
                       margin * *std::ranges::max_element(signal.worst), signal.largest});
   }
   return stated;

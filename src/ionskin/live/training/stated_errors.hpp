@@ -20,8 +20,8 @@ std::vector<TouchErrors> errors_on_touches(const SkinData& data, const Case& inp
                                            const TrainingOptions& options,
                                            const std::function<void(std::size_t)>& done = {});
 
-/// Errors that a file states: a quarter more than the largest rms of a touch and than its largest
-/// error over all touches.
+/// Errors that a file states, of whole touches and of their events: a quarter more than the largest
+/// rms of a touch and than its largest error over all touches.
 std::vector<SignalError> stated_errors(const std::vector<TouchErrors>& errors);
 
 } // namespace ionskin::live

@@ -5,11 +5,13 @@
 #include "ionskin/handover/contact_timeline.hpp"
 #include "ionskin/live/skin.hpp"
 #include "ionskin/live/training/random_touches.hpp"
+#include "ionskin/live/training/touch_events.hpp"
 #include "ionskin/readout/charge_relaxation.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <utility>
 
@@ -26,25 +28,27 @@ bool presses_by_force(const Motion& motion) {
 class Comparison {
 public:
   void begin_touch() { ++touch_; }
+  /// @param events of what is added from now on, as bits
+  void set_events(unsigned events) { events_ = events; }
   /// @param weight in the mean of squares: how long it stands for
   void add(const std::string& name, double value, double reference, double weight = 1 / rate) {
     if (touch_ == 0) {
       return;
     }
-    Sums& sums = sums_[name];
-    const double error = value - reference;
-    sums.touches.resize(touch_);
-    Touch& touch = sums.touches.back();
-    touch.square += weight * error * error;
-    touch.weight += weight;
-    touch.worst = std::max(touch.worst, std::abs(error));
-    sums.largest = std::max(sums.largest, std::abs(reference));
+    add_to(sums_[{0, name}], value, reference, weight);
+    for (std::size_t event = 0; event < event::names.size(); ++event) {
+      if ((events_ >> event & 1u) != 0) {
+        add_to(sums_[{1 + event, name}], value, reference, weight);
+      }
+    }
   }
   std::vector<TouchErrors> errors() const {
     std::vector<TouchErrors> result;
-    for (const auto& [name, sums] : sums_) {
-      TouchErrors& errors = result.emplace_back(TouchErrors{name, sums.largest, {}, {}});
-      for (const Touch& touch : sums.touches) {
+    for (const auto& [key, sums] : sums_) {
+      const auto& [event, name] = key;
+      TouchErrors& errors = result.emplace_back(TouchErrors{
+          name, event == 0 ? std::string() : event::names.at(event - 1), sums.largest, {}, {}});
+      for (const auto& [number, touch] : sums.touches) {
         errors.rms.push_back(touch.weight > 0 ? std::sqrt(touch.square / touch.weight) : 0.0);
         errors.worst.push_back(touch.worst);
       }
@@ -57,11 +61,22 @@ private:
     double square = 0, weight = 0, worst = 0;
   };
   struct Sums {
-    std::vector<Touch> touches;
+    std::map<std::size_t, Touch> touches; ///< by number
     double largest = 0;
   };
+  void add_to(Sums& sums, double value, double reference, double weight) const {
+    const double error = value - reference;
+    Touch& touch = sums.touches[touch_];
+    touch.square += weight * error * error;
+    touch.weight += weight;
+    touch.worst = std::max(touch.worst, std::abs(error));
+    sums.largest = std::max(sums.largest, std::abs(reference));
+  }
+
   std::size_t touch_ = 0;
-  std::map<std::string, Sums> sums_;
+  unsigned events_ = 0;
+  std::map<std::pair<std::size_t, std::string>, Sums>
+      sums_; ///< by event and signal, the whole first
 };
 
 /// True if the full model has a value within the step that ends at a time. Between its own steps,
@@ -70,6 +85,17 @@ private:
 bool has_row(const std::vector<double>& rows, double time) {
   const auto after = std::ranges::upper_bound(rows, time + 1e-9 / rate);
   return after != rows.begin() && *(after - 1) > time - (1 - 1e-9) / rate;
+}
+
+std::vector<std::uint8_t> events_each_step(const handover::ContactTimeline& timeline, bool by_force,
+                                           double end) {
+  std::vector<TouchInstant> instants;
+  for (std::size_t step = 0; static_cast<double>(step) / rate <= end; ++step) {
+    const handover::StateCombination at = timeline.at(static_cast<double>(step) / rate);
+    const double force = at.normal_force();
+    instants.push_back({at.centre, by_force ? force : at.height, force > 0, at.stick_area() > 0});
+  }
+  return events_of(instants);
 }
 
 } // namespace
@@ -93,6 +119,7 @@ std::vector<TouchErrors> validate(const SkinData& data, const FullRun& run) {
   std::size_t touches = 0; // that have begun
   double compared = 0;     // when charges were, last [s]
   Comparison comparison;
+  const std::vector<std::uint8_t> events = events_each_step(timeline, by_force, end);
   for (std::size_t step = 0; static_cast<double>(step) / rate <= end; ++step) {
     const double time = static_cast<double>(step) / rate;
     const handover::StateCombination at = timeline.at(time);
@@ -103,6 +130,7 @@ std::vector<TouchErrors> validate(const SkinData& data, const FullRun& run) {
         comparison.begin_touch();
       }
     }
+    comparison.set_events(events[step]);
     comparison.add("normal_force", signals[column("normal_force")], force);
     const auto tangential = at.tangential_force();
     comparison.add("tangential_force", signals[column("tangential_force")],

@@ -8,11 +8,14 @@
 
 namespace ionskin::live {
 
-/// Errors of one signal of the reduced skin against that of the full model, touch by touch.
+/// Errors of one signal of the reduced skin against that of the full model, touch by touch, over
+/// the whole of the touches or over one of their events.
 struct TouchErrors {
   std::string name;
-  double largest = 0;             ///< of the full model over all touches [unit of the signal]
-  std::vector<double> rms, worst; ///< of the error in each touch [unit of the signal]
+  std::string event;  ///< by `event::names`; empty: the whole touch
+  double largest = 0; ///< of the full model over all of them [unit of the signal]
+  /// Errors in each touch that has the event [unit of the signal].
+  std::vector<double> rms, worst;
 };
 
 /// Steps the reduced skin along the motion of a full run of random touches, each millisecond, and

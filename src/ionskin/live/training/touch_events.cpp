@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ionskin/live/training/touch_events.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ionskin::live {
+namespace {
+
+constexpr double way_of_rounding = 1e-12; // way in a millisecond that is rounding [m]
+constexpr double load_of_rounding = 1e-6; // change of the load in a millisecond, of the largest
+
+std::array<double, 2> way_between(const TouchInstant& from, const TouchInstant& to) {
+  return {to.centre[0] - from.centre[0], to.centre[1] - from.centre[1]};
+}
+
+bool is_motion(const std::array<double, 2>& way) {
+  return std::hypot(way[0], way[1]) > way_of_rounding;
+}
+
+} // namespace
+
+std::vector<std::uint8_t> events_of(std::span<const TouchInstant> instants) {
+  std::vector<std::uint8_t> events(instants.size(), 0);
+  const auto add = [&](std::size_t instant, std::size_t event) {
+    events[instant] = static_cast<std::uint8_t>(events[instant] | 1u << event);
+  };
+  double largest = 0;
+  for (const TouchInstant& instant : instants) {
+    largest = std::max(largest, instant.touches ? std::abs(instant.load) : 0);
+  }
+  std::size_t landed = 0, rested = 0, onset = 0; // instants since then
+  bool lands = false, slips = false;             // true while such an event may last
+  for (std::size_t i = 1; i < instants.size(); ++i) {
+    const TouchInstant &before = instants[i - 1], &now = instants[i];
+    if (before.touches && !now.touches) {
+      const std::size_t first = i - std::min(i, event_length),
+                        last = std::min(instants.size(), i + event_length);
+      for (std::size_t at = first; at < last; ++at) {
+        add(at, event::lift);
+      }
+    }
+    if (!now.touches) {
+      lands = slips = false;
+      rested = 0;
+      continue;
+    }
+    if (!before.touches) {
+      lands = true;
+      landed = 0;
+    }
+    if (lands && landed++ < event_length) {
+      add(i, event::landing);
+    }
+    const auto moved = way_between(before, now);
+    const bool moving = is_motion(moved);
+    if (moving && before.touches) {
+      const auto last = i > 1 ? way_between(instants[i - 2], before) : std::array<double, 2>{};
+      if (!is_motion(last) || moved[0] * last[0] + moved[1] * last[1] < 0) {
+        slips = true;
+        onset = 0;
+      }
+    }
+    slips = slips && moving && (onset++ < event_length || now.sticks);
+    if (slips) {
+      add(i, event::slip_onset);
+    }
+    const bool rests =
+        before.touches && !moving && std::abs(now.load - before.load) <= load_of_rounding * largest;
+    rested = rests ? rested + 1 : 0;
+    if (rested > event_length) {
+      add(i, event::hold);
+    }
+  }
+  return events;
+}
+
+} // namespace ionskin::live
